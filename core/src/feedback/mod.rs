@@ -1,0 +1,24 @@
+//! Trainer feedback (paper, section 3; SABL): reward, punishment and silence as evidence about the intended task.
+//!
+//! - [`strategy`]: how a trainer rewards, punishes and stays silent;
+//! - [`belief`]: the joint belief over tasks and trainer strategies, and how evidence changes it;
+//! - [`simulated`]: a trainer that draws its feedback from a strategy.
+
+pub mod belief;
+pub mod simulated;
+pub mod strategy;
+
+pub use belief::{Belief, BeliefError, BeliefMemory};
+pub use simulated::SimulatedTrainer;
+pub use strategy::{Feedback, Strategy, StrategyError};
+
+/// How an action relates to a task's optimal set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Judgement {
+    /// The action is in the optimal set.
+    Correct,
+    /// It is not.
+    Incorrect,
+    /// The optimal set is unknown.
+    Unknown,
+}

@@ -1,0 +1,38 @@
+//! A simulated trainer: draws its feedback from a strategy.
+
+use super::strategy::{Feedback, Strategy};
+use rand_core::Rng;
+
+/// A trainer who knows the intended task and follows a strategy.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SimulatedTrainer {
+    /// How it rewards, punishes and stays silent.
+    pub strategy: Strategy,
+}
+
+impl SimulatedTrainer {
+    /// Its feedback to an action that is correct, or is not, for the intended task. The same generator gives the same feedback on every
+    /// target.
+    pub fn feedback<R: Rng + ?Sized>(&self, correct: bool, random: &mut R) -> Feedback {
+        let draw = unit(random);
+        let reward = self.strategy.probability(Feedback::Reward, correct);
+        let punish = self.strategy.probability(Feedback::Punish, correct);
+        if draw < reward {
+            Feedback::Reward
+        } else if draw < reward + punish {
+            Feedback::Punish
+        } else {
+            Feedback::Neutral
+        }
+    }
+}
+
+/// A number in [0, 1), in steps of 2^-24.
+pub fn unit<R: Rng + ?Sized>(random: &mut R) -> f32 {
+    (random.next_u32() >> 8) as f32 * (1.0 / 16_777_216.0)
+}
+
+/// A number below `count`, each about equally often; 0 where `count` is 0.
+pub fn below<R: Rng + ?Sized>(count: usize, random: &mut R) -> usize {
+    ((u64::from(random.next_u32()) * count.min(u32::MAX as usize) as u64) >> 32) as usize
+}

@@ -1,0 +1,267 @@
+//! A home from its objects, checked.
+
+use super::layout::{Area, Cell, Place, WALL, is_wall, spot_of};
+use super::moves::{Home, HomeState, Moves};
+use super::{AGENT, BLOCK, DOOR, ROOM};
+use crate::capacity::{BLOCKS, Capacity, CapacityError};
+use crate::oomdp::objects::{ObjectError, ObjectMemory};
+use crate::oomdp::{ClassId, ObjectId, ObjectSet};
+
+/// Memory for one home.
+#[derive(Debug)]
+pub struct HomeMemory<'m> {
+    /// The objects and their names.
+    pub objects: ObjectMemory<'m>,
+    /// One box an object.
+    pub areas: &'m mut [Area],
+    /// One entry a free cell.
+    pub places: &'m mut [Place],
+}
+
+/// What is wrong with a home.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Problem {
+    /// There is no agent.
+    NoAgent,
+    /// There is an agent already.
+    SecondAgent,
+    /// There is no room.
+    NoRoom,
+    /// The room has no cell inside: it must be at least two cells wide and high from border to border.
+    RoomOfNoArea,
+    /// The door's right is left of its left, or its top below its bottom.
+    DoorOfNoArea,
+    /// The agent or block stands in a wall, or outside every room.
+    InWall,
+    /// The agent or block stands where another block or the agent is.
+    OnAnother,
+    /// A coordinate is further from the origin than [`FARTHEST`](super::layout::FARTHEST).
+    TooFar,
+    /// Another object has this name.
+    DuplicateName,
+    /// The name is empty.
+    EmptyName,
+    /// Something was full.
+    Capacity(CapacityError),
+}
+
+/// What is wrong with a home, and with which of its objects (by the order in which they were added), where it is one of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct HomeError {
+    /// What is wrong.
+    pub problem: Problem,
+    /// The object's position.
+    pub object: Option<u16>,
+}
+
+impl core::fmt::Display for Problem {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::NoAgent => "there is no agent; add one, inside a room",
+            Self::SecondAgent => "there is an agent already; a home has one",
+            Self::NoRoom => "there is no room; add one",
+            Self::RoomOfNoArea => "the room has no cell inside; its right must be at least left + 2 and its top at least bottom + 2",
+            Self::DoorOfNoArea => "the door has no cell; its right must be at least its left and its top at least its bottom",
+            Self::InWall => "it stands in a wall or outside every room; move it inside a room or into a doorway",
+            Self::OnAnother => "it stands where the agent or another block is; move one of them",
+            Self::TooFar => "a coordinate is beyond -255 to 255; move the home nearer to the origin",
+            Self::DuplicateName => "another object has this name; give each its own",
+            Self::EmptyName => "its name is empty; give it one",
+            Self::Capacity(error) => return error.fmt(f),
+        })
+    }
+}
+
+impl core::fmt::Display for HomeError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        if let Some(object) = self.object {
+            write!(f, "object {object}: ")?;
+        }
+        self.problem.fmt(f)
+    }
+}
+
+impl core::error::Error for HomeError {}
+
+/// Collects the objects of a home; [`build`](Self::build) checks them as a whole.
+///
+/// ```
+/// use goodbot::home::{Area, Cell, HomeBuilder, Moves};
+/// goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
+/// let mut memory = Memory::new();
+/// let mut builder = HomeBuilder::new(memory.split().home);
+/// builder.room("room0", Area::new(0, 0, 8, 4), "red")?;
+/// builder.room("room1", Area::new(0, 4, 8, 8), "green")?;
+/// builder.door("door0", Area::new(2, 4, 2, 4))?;
+/// builder.block("block0", Cell::new(2, 2), "yellow", "chair")?;
+/// builder.agent("agent0", Cell::new(4, 2))?;
+/// let (home, start) = builder.build(Moves::Push)?;
+/// assert_eq!(home.agent_cell(&start), Cell::new(4, 2));
+/// # Ok::<(), goodbot::home::HomeError>(())
+/// ```
+#[derive(Debug)]
+pub struct HomeBuilder<'m> {
+    objects: ObjectSet<'m>,
+    areas: &'m mut [Area],
+    places: &'m mut [Place],
+    agent: Option<ObjectId>,
+}
+
+impl<'m> HomeBuilder<'m> {
+    /// An empty home.
+    pub fn new(memory: HomeMemory<'m>) -> Self {
+        Self { objects: ObjectSet::new(memory.objects), areas: memory.areas, places: memory.places, agent: None }
+    }
+
+    fn here(&self, problem: Problem) -> HomeError {
+        HomeError { problem, object: Some(self.objects.len() as u16) }
+    }
+
+    fn add(&mut self, class: ClassId, name: &str, area: Area, values: &[&str]) -> Result<ObjectId, HomeError> {
+        if !area.is_within_reach() {
+            return Err(self.here(Problem::TooFar));
+        }
+        // One bit an object in the masks of each place.
+        let limit = self.areas.len().min(32);
+        if self.objects.len() >= limit {
+            return Err(self.here(Problem::Capacity(CapacityError::full(Capacity::Objects, limit))));
+        }
+        let id = self.objects.add(class, name, values).map_err(|error| {
+            self.here(match error {
+                ObjectError::DuplicateName => Problem::DuplicateName,
+                ObjectError::EmptyName => Problem::EmptyName,
+                ObjectError::Capacity(error) => Problem::Capacity(error),
+            })
+        })?;
+        if let Some(slot) = self.areas.get_mut(id.index()) {
+            *slot = area;
+        }
+        Ok(id)
+    }
+
+    /// Adds a room: the box of its border, whose cells are wall where no door is, and its colour.
+    ///
+    /// # Errors
+    /// [`HomeError`]; the home is then as before.
+    pub fn room(&mut self, name: &str, area: Area, color: &str) -> Result<ObjectId, HomeError> {
+        if area.right.saturating_sub(area.left) < 2 || area.top.saturating_sub(area.bottom) < 2 {
+            return Err(self.here(Problem::RoomOfNoArea));
+        }
+        self.add(ROOM, name, area, &[color, ""])
+    }
+
+    /// Adds a door: the box of cells where no wall stands.
+    ///
+    /// # Errors
+    /// [`HomeError`]; the home is then as before.
+    pub fn door(&mut self, name: &str, area: Area) -> Result<ObjectId, HomeError> {
+        if area.right < area.left || area.top < area.bottom {
+            return Err(self.here(Problem::DoorOfNoArea));
+        }
+        self.add(DOOR, name, area, &["", ""])
+    }
+
+    /// Adds a block.
+    ///
+    /// # Errors
+    /// [`HomeError`]; the home is then as before.
+    pub fn block(&mut self, name: &str, cell: Cell, color: &str, shape: &str) -> Result<ObjectId, HomeError> {
+        if self.objects.of_class(BLOCK).count() >= BLOCKS {
+            return Err(self.here(Problem::Capacity(CapacityError::full(Capacity::Blocks, BLOCKS))));
+        }
+        self.add(BLOCK, name, Area::new(cell.x, cell.y, cell.x, cell.y), &[color, shape])
+    }
+
+    /// Adds the agent.
+    ///
+    /// # Errors
+    /// [`HomeError`]; the home is then as before.
+    pub fn agent(&mut self, name: &str, cell: Cell) -> Result<ObjectId, HomeError> {
+        if self.agent.is_some() {
+            return Err(self.here(Problem::SecondAgent));
+        }
+        let id = self.add(AGENT, name, Area::new(cell.x, cell.y, cell.x, cell.y), &["", ""])?;
+        self.agent = Some(id);
+        Ok(id)
+    }
+
+    fn areas_of(&self, class: ClassId) -> impl Iterator<Item = (ObjectId, Area)> {
+        self.objects.of_class(class).filter_map(|id| Some((id, *self.areas.get(id.index())?)))
+    }
+
+    /// Checks the home as a whole and gives it with its initial state.
+    ///
+    /// # Errors
+    /// [`HomeError`]: no agent or room, the agent or a block in a wall or on another, or more free cells than the memory holds.
+    pub fn build(mut self, moves: Moves) -> Result<(Home<'m>, HomeState), HomeError> {
+        let whole = |problem| HomeError { problem, object: None };
+        let Some(agent) = self.agent else { return Err(whole(Problem::NoAgent)) };
+        let mut bounds: Option<Area> = None;
+        for (_, room) in self.areas_of(ROOM) {
+            let old = bounds.unwrap_or(room);
+            bounds =
+                Some(Area::new(old.left.min(room.left), old.bottom.min(room.bottom), old.right.max(room.right), old.top.max(room.top)));
+        }
+        let Some(bounds) = bounds else { return Err(whole(Problem::NoRoom)) };
+        let count = self.find_places(bounds).map_err(|error| whole(Problem::Capacity(error)))?;
+        self.join_neighbours(count);
+        let (start, blocks) = self.stand(agent, count)?;
+        let block_count = self.objects.of_class(BLOCK).count();
+        Ok((Home::new(self.objects, self.areas, self.places, count, agent, blocks, block_count, moves), start))
+    }
+
+    fn find_places(&mut self, bounds: Area) -> Result<usize, CapacityError> {
+        let mut count = 0_usize;
+        for y in bounds.bottom..=bounds.top {
+            for x in bounds.left..=bounds.right {
+                let cell = Cell::new(x, y);
+                if is_wall(cell, self.areas_of(ROOM).map(|(_, area)| area), self.areas_of(DOOR).map(|(_, area)| area)) {
+                    continue;
+                }
+                let mark = |marks: u32, id: ObjectId| marks | 1_u32.checked_shl(u32::from(id.0)).unwrap_or(0);
+                let inside = self.areas_of(ROOM).filter(|(_, area)| area.holds_strictly(cell)).fold(0, |marks, (id, _)| mark(marks, id));
+                let doors = self.areas_of(DOOR).filter(|(_, area)| area.holds(cell)).fold(0, |marks, (id, _)| mark(marks, id));
+                let limit = self.places.len().min(usize::from(WALL));
+                let Some(slot) = self.places.get_mut(count).filter(|_| count < limit) else {
+                    return Err(CapacityError::full(Capacity::Cells, limit));
+                };
+                *slot = Place { x: x as i16, y: y as i16, neighbours: [WALL; 4], rooms: inside, doors };
+                count = count.saturating_add(1);
+            }
+        }
+        Ok(count)
+    }
+
+    fn join_neighbours(&mut self, count: usize) {
+        for position in 0..count {
+            let free = self.places.get(..count).unwrap_or(&[]);
+            let Some(cell) = free.get(position).map(Place::cell) else { return };
+            let neighbours = [(0, 1), (0, -1), (1, 0), (-1, 0)]
+                .map(|(x, y)| spot_of(free, Cell::new(cell.x.saturating_add(x), cell.y.saturating_add(y))).unwrap_or(WALL));
+            if let Some(place) = self.places.get_mut(position) {
+                place.neighbours = neighbours;
+            }
+        }
+    }
+
+    fn stand(&self, agent: ObjectId, count: usize) -> Result<(HomeState, [ObjectId; BLOCKS]), HomeError> {
+        let free = self.places.get(..count).unwrap_or(&[]);
+        let spot = |id: ObjectId| {
+            let area = self.areas.get(id.index()).copied().unwrap_or(Area::NOWHERE);
+            spot_of(free, Cell::new(area.left, area.bottom)).ok_or(HomeError { problem: Problem::InWall, object: Some(u16::from(id.0)) })
+        };
+        let mut state = HomeState { agent: spot(agent)?, blocks: [WALL; BLOCKS] };
+        let mut ids = [ObjectId(u8::MAX); BLOCKS];
+        for (position, id) in self.objects.of_class(BLOCK).enumerate() {
+            let here = spot(id)?;
+            if here == state.agent || state.blocks.contains(&here) {
+                return Err(HomeError { problem: Problem::OnAnother, object: Some(u16::from(id.0)) });
+            }
+            if let (Some(place), Some(slot)) = (state.blocks.get_mut(position), ids.get_mut(position)) {
+                (*place, *slot) = (here, id);
+            }
+        }
+        Ok((state, ids))
+    }
+}

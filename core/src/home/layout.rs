@@ -1,0 +1,103 @@
+//! Where the rooms and doors of a home are, and which cells are free of wall.
+
+/// The largest distance of a coordinate from the origin, in cells.
+pub const FARTHEST: i32 = 255;
+
+/// A box of cells, its edge included.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Area {
+    /// The smallest x.
+    pub left: i32,
+    /// The smallest y.
+    pub bottom: i32,
+    /// The largest x.
+    pub right: i32,
+    /// The largest y.
+    pub top: i32,
+}
+
+impl Area {
+    /// What unused memory holds: a box that has no cell.
+    pub const NOWHERE: Self = Self { left: 0, bottom: 0, right: -1, top: -1 };
+
+    /// The box with these sides.
+    pub const fn new(left: i32, bottom: i32, right: i32, top: i32) -> Self {
+        Self { left, bottom, right, top }
+    }
+
+    /// Whether the box holds the cell, its edge included.
+    pub const fn holds(&self, cell: Cell) -> bool {
+        cell.x >= self.left && cell.x <= self.right && cell.y >= self.bottom && cell.y <= self.top
+    }
+
+    /// Whether the cell is inside the box, its edge excluded.
+    pub const fn holds_strictly(&self, cell: Cell) -> bool {
+        cell.x > self.left && cell.x < self.right && cell.y > self.bottom && cell.y < self.top
+    }
+
+    pub(super) const fn is_within_reach(&self) -> bool {
+        Cell::new(self.left, self.bottom).is_within_reach() && Cell::new(self.right, self.top).is_within_reach()
+    }
+}
+
+/// One cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cell {
+    /// To the east.
+    pub x: i32,
+    /// To the north.
+    pub y: i32,
+}
+
+impl Cell {
+    /// The cell at x and y.
+    pub const fn new(x: i32, y: i32) -> Self {
+        Self { x, y }
+    }
+
+    pub(super) const fn is_within_reach(&self) -> bool {
+        self.x >= -FARTHEST && self.x <= FARTHEST && self.y >= -FARTHEST && self.y <= FARTHEST
+    }
+}
+
+/// A free cell, by its position among a home's free cells.
+pub(super) type Spot = u16;
+/// No free cell: a wall.
+pub(super) const WALL: Spot = Spot::MAX;
+
+/// A free cell of a home: where it is, its neighbours, and the rooms and doors that it lies in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    pub(super) x: i16,
+    pub(super) y: i16,
+    pub(super) neighbours: [Spot; 4],
+    pub(super) rooms: u32,
+    pub(super) doors: u32,
+}
+
+impl Place {
+    /// What unused memory holds.
+    pub const UNUSED: Self = Self { x: 0, y: 0, neighbours: [WALL; 4], rooms: 0, doors: 0 };
+
+    /// The cell.
+    pub const fn cell(&self) -> Cell {
+        Cell::new(self.x as i32, self.y as i32)
+    }
+}
+
+/// Whether a cell is wall: on the border of any room with no door there, or in no room's box.
+pub(super) fn is_wall(cell: Cell, rooms: impl Iterator<Item = Area>, mut doors: impl Iterator<Item = Area>) -> bool {
+    let (mut on_border, mut in_room) = (false, false);
+    for room in rooms {
+        if room.holds(cell) {
+            in_room = true;
+            on_border |= !room.holds_strictly(cell);
+        }
+    }
+    !in_room || (on_border && !doors.any(|door| door.holds(cell)))
+}
+
+/// Finds the cell among the places, which lie row by row from the south, each row from the west.
+pub(super) fn spot_of(places: &[Place], cell: Cell) -> Option<Spot> {
+    places.binary_search_by_key(&(cell.y, cell.x), |place| (i32::from(place.y), i32::from(place.x))).ok().map(|found| found as Spot)
+}

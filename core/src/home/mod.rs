@@ -1,0 +1,66 @@
+//! The paper's home environment (section 4): rooms with walls and doors, blocks that can be pushed about, one agent.
+//!
+//! - [`layout`]: where the rooms and doors are, and which cells are free;
+//! - [`builder`]: a home from its objects, checked;
+//! - [`moves`]: what north, south, east, west and pull do, and which propositions hold;
+//! - [`map`]: a home drawn as text.
+//!
+//! Cells are integer pairs, x to the east, y to the north.
+
+pub mod builder;
+pub mod layout;
+pub mod map;
+pub mod moves;
+
+pub use builder::{HomeBuilder, HomeError, HomeMemory, Problem};
+pub use layout::{Area, Cell, Place};
+pub use moves::{Home, HomeState, Moves};
+
+use crate::oomdp::{Attribute, Carrier, Class, ClassId, Proposition, PropositionId, Schema};
+use crate::task::{LiftedTask, TaskTextError};
+
+/// The class of the agent.
+pub const AGENT: ClassId = ClassId(0);
+/// The class of rooms.
+pub const ROOM: ClassId = ClassId(1);
+/// The class of doors.
+pub const DOOR: ClassId = ClassId(2);
+/// The class of blocks.
+pub const BLOCK: ClassId = ClassId(3);
+
+/// `agentInRoom(agent, room)`: the agent is strictly inside the room; a doorway is in no room.
+pub const AGENT_IN_ROOM: PropositionId = PropositionId(0);
+/// `blockInRoom(block, room)`: the block is strictly inside the room.
+pub const BLOCK_IN_ROOM: PropositionId = PropositionId(1);
+/// `agentInDoor(agent, door)`: the agent is in the door's box, its edge included.
+pub const AGENT_IN_DOOR: PropositionId = PropositionId(2);
+/// `blockInDoor(block, door)`: the block is in the door's box, its edge included.
+pub const BLOCK_IN_DOOR: PropositionId = PropositionId(3);
+
+/// The position of `color` among a home's attributes.
+pub const COLOR: usize = 0;
+/// The position of `shape` among a home's attributes.
+pub const SHAPE: usize = 1;
+
+/// The classes, attributes and propositional functions of every home. Colours and shapes are data.
+pub const SCHEMA: Schema<'static> = Schema {
+    classes: &[Class { name: "agent" }, Class { name: "room" }, Class { name: "door" }, Class { name: "block" }],
+    attributes: &[
+        Attribute { name: "color", carriers: &[Carrier { class: ROOM, prefix: "roomIs" }, Carrier { class: BLOCK, prefix: "blockIs" }] },
+        Attribute { name: "shape", carriers: &[Carrier { class: BLOCK, prefix: "shape" }] },
+    ],
+    propositions: &[
+        Proposition { name: "agentInRoom", parameters: &[AGENT, ROOM] },
+        Proposition { name: "blockInRoom", parameters: &[BLOCK, ROOM] },
+        Proposition { name: "agentInDoor", parameters: &[AGENT, DOOR] },
+        Proposition { name: "blockInDoor", parameters: &[BLOCK, DOOR] },
+    ],
+};
+
+/// The paper's two lifted tasks: `agentInRoom(?a, ?r)` and `blockInRoom(?o, ?r)`.
+///
+/// # Errors
+/// None in this version: the schema has both.
+pub fn paper_tasks() -> Result<[LiftedTask; 2], TaskTextError> {
+    Ok([LiftedTask::single(AGENT_IN_ROOM, &SCHEMA)?, LiftedTask::single(BLOCK_IN_ROOM, &SCHEMA)?])
+}

@@ -1,0 +1,293 @@
+//! What the home's actions do, and which propositions hold (model: paper, section 4).
+
+use super::layout::{Area, Cell, Place, Spot, WALL, spot_of};
+use super::{AGENT_IN_DOOR, AGENT_IN_ROOM, BLOCK_IN_DOOR, BLOCK_IN_ROOM, SCHEMA};
+use crate::capacity::BLOCKS;
+use crate::oomdp::{Action, ActionKind, Domain, GroundProposition, ObjectId, ObjectSet, Schema};
+
+/// The actions that a home offers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Moves {
+    /// North, south, east, west; a block in the way is pushed.
+    #[default]
+    Push,
+    /// Those and pull: the first neighbour block, in the order north, south, east, west, that could not be pushed swaps places with the
+    /// agent.
+    PushAndPull,
+}
+
+const ACTIONS: [ActionKind<'static>; 5] = [
+    ActionKind { name: "north", cost: 1 },
+    ActionKind { name: "south", cost: 1 },
+    ActionKind { name: "east", cost: 1 },
+    ActionKind { name: "west", cost: 1 },
+    ActionKind { name: "pull", cost: 1 },
+];
+
+/// Where the agent and each block are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct HomeState {
+    pub(super) agent: Spot,
+    pub(super) blocks: [Spot; BLOCKS],
+}
+
+/// A home: its rooms and doors, and what its actions do.
+#[derive(Debug)]
+pub struct Home<'m> {
+    objects: ObjectSet<'m>,
+    areas: &'m [Area],
+    places: &'m [Place],
+    agent: ObjectId,
+    blocks: [ObjectId; BLOCKS],
+    block_count: usize,
+    moves: Moves,
+}
+
+impl<'m> Home<'m> {
+    #[expect(clippy::too_many_arguments, reason = "called once, by the builder, with what it checked")]
+    pub(super) fn new(
+        objects: ObjectSet<'m>,
+        areas: &'m [Area],
+        places: &'m [Place],
+        count: usize,
+        agent: ObjectId,
+        blocks: [ObjectId; BLOCKS],
+        block_count: usize,
+        moves: Moves,
+    ) -> Self {
+        Self { objects, areas, places: places.get(..count).unwrap_or(&[]), agent, blocks, block_count, moves }
+    }
+
+    /// Which actions it offers.
+    pub fn moves(&self) -> Moves {
+        self.moves
+    }
+
+    /// The agent.
+    pub fn agent(&self) -> ObjectId {
+        self.agent
+    }
+
+    /// The blocks, in the order of the state.
+    pub fn blocks(&self) -> &[ObjectId] {
+        self.blocks.get(..self.block_count).unwrap_or(&[])
+    }
+
+    /// The box of a room or door; a box of no cell for anything else.
+    pub fn area(&self, object: ObjectId) -> Area {
+        self.areas.get(..self.objects.len()).and_then(|areas| areas.get(object.index())).copied().unwrap_or(Area::NOWHERE)
+    }
+
+    /// The cells that are not wall, row by row from the south, each row from the west.
+    pub fn places(&self) -> &[Place] {
+        self.places
+    }
+
+    fn cell(&self, spot: Spot) -> Cell {
+        self.places.get(usize::from(spot)).map_or(Cell::new(i32::MIN, i32::MIN), Place::cell)
+    }
+
+    /// Where the agent is.
+    pub fn agent_cell(&self, state: &HomeState) -> Cell {
+        self.cell(state.agent)
+    }
+
+    /// Where a block is; `None` for an object that is no block.
+    pub fn block_cell(&self, state: &HomeState, block: ObjectId) -> Option<Cell> {
+        let position = self.blocks().iter().position(|&id| id == block)?;
+        state.blocks.get(position).map(|&spot| self.cell(spot))
+    }
+
+    /// The state in which the agent, or a block, stands on a cell: a robot that senses where things are says so by this. `None` where
+    /// the cell is wall or taken, or the object is neither.
+    pub fn placed(&self, state: &HomeState, object: ObjectId, cell: Cell) -> Option<HomeState> {
+        let spot = spot_of(self.places, cell)?;
+        let mut placed = *state;
+        if object == self.agent {
+            placed.agent = spot;
+        } else {
+            *placed.blocks.get_mut(self.blocks().iter().position(|&id| id == object)?)? = spot;
+        }
+        let taken = placed.blocks.iter().enumerate().any(|(position, &other)| {
+            other != WALL && (other == placed.agent || placed.blocks.iter().take(position).any(|&earlier| earlier == other))
+        });
+        (!taken).then_some(placed)
+    }
+
+    #[inline]
+    fn neighbour(&self, spot: Spot, direction: usize) -> Spot {
+        self.places.get(usize::from(spot)).and_then(|place| place.neighbours.get(direction)).copied().unwrap_or(WALL)
+    }
+
+    #[inline]
+    fn block_on(&self, state: &HomeState, spot: Spot) -> Option<usize> {
+        state.blocks.iter().take(self.block_count).position(|&block| block == spot)
+    }
+
+    #[inline]
+    fn go(&self, state: &HomeState, direction: usize) -> HomeState {
+        let ahead = self.neighbour(state.agent, direction);
+        if ahead == WALL {
+            return *state;
+        }
+        let mut moved = HomeState { agent: ahead, ..*state };
+        if let Some(block) = self.block_on(state, ahead) {
+            let beyond = self.neighbour(ahead, direction);
+            if beyond == WALL || self.block_on(state, beyond).is_some() {
+                return *state;
+            }
+            if let Some(spot) = moved.blocks.get_mut(block) {
+                *spot = beyond;
+            }
+        }
+        moved
+    }
+
+    fn pull(&self, state: &HomeState) -> Option<HomeState> {
+        for direction in 0..4 {
+            let beside = self.neighbour(state.agent, direction);
+            if beside == WALL {
+                continue;
+            }
+            let Some(block) = self.block_on(state, beside) else { continue };
+            let beyond = self.neighbour(beside, direction);
+            if beyond == WALL || self.block_on(state, beyond).is_some() {
+                let mut swapped = HomeState { agent: beside, ..*state };
+                *swapped.blocks.get_mut(block)? = state.agent;
+                return Some(swapped);
+            }
+        }
+        None
+    }
+
+    #[inline]
+    fn spot_of_variable(&self, state: &HomeState, variable: usize) -> Spot {
+        match variable.checked_sub(1) {
+            None => state.agent,
+            Some(block) => state.blocks.get(block).copied().unwrap_or(WALL),
+        }
+    }
+}
+
+impl Domain for Home<'_> {
+    type State = HomeState;
+
+    fn schema(&self) -> Schema<'_> {
+        SCHEMA
+    }
+
+    fn objects(&self) -> &ObjectSet<'_> {
+        &self.objects
+    }
+
+    fn actions(&self) -> &[ActionKind<'_>] {
+        match self.moves {
+            Moves::Push => ACTIONS.get(..4).unwrap_or(&ACTIONS),
+            Moves::PushAndPull => &ACTIONS,
+        }
+    }
+
+    #[inline]
+    fn step(&self, state: &HomeState, action: Action) -> Option<HomeState> {
+        match action.0 {
+            direction @ 0..4 => Some(self.go(state, usize::from(direction))),
+            4 if self.moves == Moves::PushAndPull => self.pull(state),
+            _ => None,
+        }
+    }
+
+    fn holds(&self, proposition: &GroundProposition, state: &HomeState) -> bool {
+        let [subject, container, _] = proposition.arguments;
+        let Some(variable) = self.reads(proposition) else { return false };
+        let expected = match proposition.proposition {
+            AGENT_IN_ROOM | AGENT_IN_DOOR => variable == 0 && subject == self.agent,
+            BLOCK_IN_ROOM | BLOCK_IN_DOOR => variable != 0,
+            _ => false,
+        };
+        let Some(place) = self.places.get(usize::from(self.spot_of_variable(state, variable))).filter(|_| expected) else {
+            return false;
+        };
+        let marks = match proposition.proposition {
+            AGENT_IN_ROOM | BLOCK_IN_ROOM => place.rooms,
+            _ => place.doors,
+        };
+        marks.checked_shr(u32::from(container.0)).unwrap_or(0) & 1 == 1
+    }
+
+    fn state_count(&self) -> u64 {
+        let spots = self.places.len() as u64;
+        (0..self.block_count).fold(spots, |count, _| count.saturating_mul(spots))
+    }
+
+    // The agent's place counts fastest: neighbouring states lie close together in the search's arrays.
+    #[inline]
+    fn number(&self, state: &HomeState) -> u64 {
+        let spots = self.places.len() as u64;
+        let blocks = state.blocks.iter().take(self.block_count).rev();
+        blocks
+            .fold(0_u64, |number, &block| number.wrapping_mul(spots).wrapping_add(u64::from(block)))
+            .wrapping_mul(spots)
+            .wrapping_add(u64::from(state.agent))
+    }
+
+    #[inline]
+    fn numbered(&self, number: u64) -> HomeState {
+        let spots = self.places.len().max(1);
+        let mut state = HomeState { agent: 0, blocks: [WALL; BLOCKS] };
+        // Small numbers take the short division, which every controller has.
+        match u32::try_from(number) {
+            Ok(mut rest) => {
+                let spots = spots as u32;
+                state.agent = (rest % spots) as Spot;
+                for block in state.blocks.iter_mut().take(self.block_count) {
+                    rest /= spots;
+                    *block = (rest % spots) as Spot;
+                }
+            }
+            Err(_) => {
+                let (spots, mut rest) = (spots as u64, number);
+                state.agent = (rest % spots) as Spot;
+                for block in state.blocks.iter_mut().take(self.block_count) {
+                    rest /= spots;
+                    *block = (rest % spots) as Spot;
+                }
+            }
+        }
+        state
+    }
+
+    fn variables(&self) -> usize {
+        self.block_count.saturating_add(1)
+    }
+
+    fn values(&self, _variable: usize) -> usize {
+        self.places.len()
+    }
+
+    #[inline]
+    fn value(&self, state: &HomeState, variable: usize) -> usize {
+        usize::from(self.spot_of_variable(state, variable))
+    }
+
+    fn with_value(&self, state: &HomeState, variable: usize, value: usize) -> HomeState {
+        let mut changed = *state;
+        let spot = value as Spot;
+        match variable.checked_sub(1) {
+            None => changed.agent = spot,
+            Some(block) => {
+                if let Some(slot) = changed.blocks.get_mut(block) {
+                    *slot = spot;
+                }
+            }
+        }
+        changed
+    }
+
+    fn reads(&self, proposition: &GroundProposition) -> Option<usize> {
+        let [subject, ..] = proposition.arguments;
+        if subject == self.agent {
+            return Some(0);
+        }
+        self.blocks().iter().position(|&block| block == subject).map(|position| position.saturating_add(1))
+    }
+}

@@ -1,0 +1,170 @@
+//! The training data: which English command goes with which machine command, and how much each pair counts.
+//!
+//! Equal machine commands are kept once. A session's English command is kept once, however many machine commands it goes with.
+
+use crate::capacity::{Capacity, CapacityError};
+use crate::symbols::Symbol;
+
+/// Where a run of symbols lies in its pool.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Span {
+    start: u32,
+    len: u8,
+}
+
+impl Span {
+    /// What unused memory holds.
+    pub const UNUSED: Self = Self { start: 0, len: 0 };
+}
+
+/// An English command and a machine command that was meant by it, with the probability of that.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pair {
+    /// The session, by position.
+    pub session: u16,
+    /// The machine command, by position.
+    pub command: u16,
+    /// How much it counts.
+    pub weight: f32,
+}
+
+impl Pair {
+    /// What unused memory holds.
+    pub const UNUSED: Self = Self { session: 0, command: 0, weight: 0.0 };
+}
+
+/// Memory for a [`Bitext`].
+#[derive(Debug)]
+pub struct BitextMemory<'m> {
+    /// One entry a distinct machine command.
+    pub commands: &'m mut [Span],
+    /// Their tokens.
+    pub command_tokens: &'m mut [Symbol],
+    /// One entry a session.
+    pub sessions: &'m mut [Span],
+    /// The words of their English commands.
+    pub sentence_words: &'m mut [Symbol],
+    /// One entry a pair.
+    pub pairs: &'m mut [Pair],
+}
+
+/// How much of the memory is used.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Extent {
+    commands: usize,
+    command_tokens: usize,
+    sessions: usize,
+    sentence_words: usize,
+    pairs: usize,
+}
+
+/// The training data.
+#[derive(Debug)]
+pub struct Bitext<'m> {
+    memory: BitextMemory<'m>,
+    used: Extent,
+}
+
+impl<'m> Bitext<'m> {
+    /// No data yet.
+    pub fn new(memory: BitextMemory<'m>) -> Self {
+        Self { memory, used: Extent::default() }
+    }
+
+    /// How many sessions.
+    pub fn sessions(&self) -> usize {
+        self.used.sessions
+    }
+
+    /// How many distinct machine commands.
+    pub fn commands(&self) -> usize {
+        self.used.commands
+    }
+
+    /// The pairs, session by session.
+    pub fn pairs(&self) -> &[Pair] {
+        self.memory.pairs.get(..self.used.pairs).unwrap_or(&[])
+    }
+
+    /// The words of a session's English command.
+    pub fn sentence(&self, session: u16) -> &[Symbol] {
+        span(self.memory.sessions, self.memory.sentence_words, usize::from(session), self.used.sessions)
+    }
+
+    /// The tokens of a machine command.
+    pub fn command(&self, command: u16) -> &[Symbol] {
+        span(self.memory.commands, self.memory.command_tokens, usize::from(command), self.used.commands)
+    }
+
+    /// How much is used now; [`rewind`](Self::rewind) takes it.
+    pub fn extent(&self) -> Extent {
+        self.used
+    }
+
+    /// Forgets what came after `extent`.
+    pub fn rewind(&mut self, extent: Extent) {
+        self.used = extent;
+    }
+
+    /// Adds a session with its English command. Pairs added after it belong to it.
+    ///
+    /// # Errors
+    /// A [`CapacityError`]; nothing is added then.
+    pub fn add_session(&mut self, words: &[Symbol]) -> Result<(), CapacityError> {
+        let start = self.used.sentence_words;
+        let limit = self.memory.sessions.len().min(usize::from(u16::MAX));
+        let Some(entry) = self.memory.sessions.get_mut(self.used.sessions).filter(|_| self.used.sessions < limit) else {
+            return Err(CapacityError::full(Capacity::Sessions, limit));
+        };
+        *entry = put(self.memory.sentence_words, start, words, Capacity::SentenceWords)?;
+        self.used.sentence_words = start.saturating_add(words.len());
+        self.used.sessions = self.used.sessions.saturating_add(1);
+        Ok(())
+    }
+
+    /// Adds a pair of the last session's English command and a machine command.
+    ///
+    /// # Errors
+    /// A [`CapacityError`]; nothing is added then.
+    pub fn add_pair(&mut self, tokens: &[Symbol], weight: f32) -> Result<(), CapacityError> {
+        let limit = self.memory.pairs.len();
+        if self.used.pairs >= limit {
+            return Err(CapacityError::full(Capacity::Pairs, limit));
+        }
+        let command = self.intern_command(tokens)?;
+        if let Some(entry) = self.memory.pairs.get_mut(self.used.pairs) {
+            *entry = Pair { session: self.used.sessions.saturating_sub(1) as u16, command, weight };
+        }
+        self.used.pairs = self.used.pairs.saturating_add(1);
+        Ok(())
+    }
+
+    fn intern_command(&mut self, tokens: &[Symbol]) -> Result<u16, CapacityError> {
+        let known = (0..self.used.commands as u16).find(|&command| self.command(command) == tokens);
+        if let Some(command) = known {
+            return Ok(command);
+        }
+        let limit = self.memory.commands.len().min(usize::from(u16::MAX));
+        let Some(entry) = self.memory.commands.get_mut(self.used.commands).filter(|_| self.used.commands < limit) else {
+            return Err(CapacityError::full(Capacity::Commands, limit));
+        };
+        *entry = put(self.memory.command_tokens, self.used.command_tokens, tokens, Capacity::CommandTokens)?;
+        self.used.command_tokens = self.used.command_tokens.saturating_add(tokens.len());
+        let command = self.used.commands as u16;
+        self.used.commands = self.used.commands.saturating_add(1);
+        Ok(command)
+    }
+}
+
+fn span<'a>(spans: &[Span], pool: &'a [Symbol], position: usize, used: usize) -> &'a [Symbol] {
+    let Some(span) = spans.get(position).filter(|_| position < used) else { return &[] };
+    let start = span.start as usize;
+    pool.get(start..start.saturating_add(usize::from(span.len))).unwrap_or(&[])
+}
+
+fn put(pool: &mut [Symbol], start: usize, symbols: &[Symbol], capacity: Capacity) -> Result<Span, CapacityError> {
+    let end = start.saturating_add(symbols.len());
+    let full = CapacityError::new(capacity, pool.len(), end);
+    pool.get_mut(start..end).ok_or(full)?.copy_from_slice(symbols);
+    Ok(Span { start: start as u32, len: symbols.len().min(255) as u8 })
+}

@@ -1,0 +1,182 @@
+//! Weighted expectation maximisation, in steps as large as the caller allows.
+//!
+//! Every training starts from t = 1/V and a = 1/(l + 1). In each round, every pair of the data gives its weight's worth of expected
+//! counts to the cells that explain its words; then t = (count + s) / (total + s V) and a = count / total.
+
+use super::bitext::Bitext;
+use super::model::Settings;
+use super::tables::Tables;
+use crate::planning::Progress;
+use crate::symbols::Symbol;
+
+/// Where the training stands.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Phase {
+    #[default]
+    Done,
+    /// Giving counts, from this pair on.
+    Expect(usize),
+    /// Setting t, from this row on.
+    Translations(usize),
+    /// Setting a, from this pair of lengths on.
+    Alignments(usize),
+}
+
+/// A training, under way or done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Training {
+    phase: Phase,
+    round: u32,
+}
+
+impl Training {
+    /// Begins: the tables take their new sizes. The caller has made sure that they fit.
+    pub(super) fn begin(tables: &mut Tables<'_>, bitext: &Bitext<'_>, words: usize, tokens: usize, settings: &Settings) -> Self {
+        tables.words = words;
+        tables.tokens = tokens;
+        for pair in tables.memory.length_pairs.iter_mut() {
+            pair.weight = 0.0;
+            pair.trained = false;
+        }
+        for pair in bitext.pairs() {
+            let (machine, english) = (bitext.command(pair.command).len(), bitext.sentence(pair.session).len());
+            let wanted = |lengths: &&mut super::tables::LengthPair| {
+                usize::from(lengths.machine) == machine && usize::from(lengths.english) == english
+            };
+            if let Some(lengths) = tables.memory.length_pairs.iter_mut().take(tables.length_pairs).find(wanted) {
+                lengths.weight += pair.weight;
+            }
+        }
+        let phase = if words == 0 || settings.rounds == 0 { Phase::Done } else { Phase::Expect(0) };
+        Self { phase, round: 0 }
+    }
+
+    /// Whether it has come to its end.
+    pub fn is_done(&self) -> bool {
+        self.phase == Phase::Done
+    }
+
+    /// The round under way, from 0.
+    pub fn round(&self) -> u32 {
+        self.round
+    }
+
+    /// Goes on, with at most about `budget` table cells of work (one pair, row or alignment table at least).
+    pub(super) fn advance(&mut self, tables: &mut Tables<'_>, bitext: &Bitext<'_>, settings: &Settings, budget: u32) -> Progress {
+        let mut left = i64::from(budget.max(1));
+        while left > 0 {
+            let (work, next) = match self.phase {
+                Phase::Done => return Progress::Done,
+                Phase::Expect(pair) => match bitext.pairs().get(pair) {
+                    Some(entry) => {
+                        let command = bitext.command(entry.command);
+                        let sentence = bitext.sentence(entry.session);
+                        expect(tables, command, sentence, entry.weight, self.round == 0);
+                        let cells = command.len().saturating_add(1).saturating_mul(sentence.len());
+                        (cells.saturating_mul(2), Phase::Expect(pair.saturating_add(1)))
+                    }
+                    None => (0, Phase::Translations(0)),
+                },
+                Phase::Translations(row) if row <= tables.tokens => {
+                    maximise_translations(tables, row, settings.smoothing);
+                    (tables.words, Phase::Translations(row.saturating_add(1)))
+                }
+                Phase::Translations(_) => (0, Phase::Alignments(0)),
+                Phase::Alignments(pair) if pair < tables.length_pairs => {
+                    (maximise_alignments(tables, pair, settings), Phase::Alignments(pair.saturating_add(1)))
+                }
+                Phase::Alignments(_) => {
+                    self.round = self.round.saturating_add(1);
+                    (0, if self.round >= settings.rounds { Phase::Done } else { Phase::Expect(0) })
+                }
+            };
+            self.phase = next;
+            left = left.saturating_sub(work.max(1) as i64);
+        }
+        if self.is_done() { Progress::Done } else { Progress::Working }
+    }
+}
+
+/// Gives one pair's expected counts. In the first round all parameters are uniform, and the tables hold nothing yet.
+fn expect(tables: &mut Tables<'_>, command: &[Symbol], sentence: &[Symbol], weight: f32, first_round: bool) {
+    let width = command.len().saturating_add(1);
+    let Some(pair) = tables.length_pair(command.len(), sentence.len()) else { return };
+    let start = pair.start as usize;
+    let words = tables.words;
+    let memory = &mut tables.memory;
+    let rows = || core::iter::once(0).chain(command.iter().map(|&token| Tables::row(Some(token))));
+    for (i, word) in sentence.iter().enumerate() {
+        let from = start.saturating_add(i.saturating_mul(width));
+        let (Some(alignment), Some(alignment_count)) =
+            (memory.alignments.get(from..from.saturating_add(width)), memory.alignment_counts.get_mut(from..from.saturating_add(width)))
+        else {
+            return;
+        };
+        let cell = |row: usize| row.wrapping_mul(words).wrapping_add(word.index());
+        if first_round {
+            let share = weight / width as f32;
+            for (row, count) in rows().zip(alignment_count) {
+                *count += share;
+                if let Some(count) = memory.translation_counts.get_mut(cell(row)) {
+                    *count += share;
+                }
+            }
+            continue;
+        }
+        let mut whole = 0.0;
+        for (row, a) in rows().zip(alignment) {
+            whole += a * memory.translations.get(cell(row)).copied().unwrap_or(0.0);
+        }
+        if whole <= 0.0 {
+            continue;
+        }
+        let scale = weight / whole;
+        for ((row, a), alignment_count) in rows().zip(alignment).zip(alignment_count) {
+            let share = a * memory.translations.get(cell(row)).copied().unwrap_or(0.0) * scale;
+            *alignment_count += share;
+            if let Some(count) = memory.translation_counts.get_mut(cell(row)) {
+                *count += share;
+            }
+        }
+    }
+}
+
+/// Sets one row of t from its counts, and clears them.
+fn maximise_translations(tables: &mut Tables<'_>, row: usize, smoothing: f32) {
+    let start = row.saturating_mul(tables.words);
+    let range = start..start.saturating_add(tables.words);
+    let (Some(row), Some(counts)) = (tables.memory.translations.get_mut(range.clone()), tables.memory.translation_counts.get_mut(range))
+    else {
+        return;
+    };
+    let total: f32 = counts.iter().sum();
+    let whole = total + smoothing * row.len() as f32;
+    let uniform = 1.0 / row.len().max(1) as f32;
+    for (t, count) in row.iter_mut().zip(counts) {
+        *t = if whole > 0.0 { (*count + smoothing) / whole } else { uniform };
+        *count = 0.0;
+    }
+}
+
+/// Sets the alignment table of one pair of lengths from its counts, and clears them. Gives the number of its cells.
+fn maximise_alignments(tables: &mut Tables<'_>, pair: usize, settings: &Settings) -> usize {
+    let Some(lengths) = tables.memory.length_pairs.get_mut(pair) else { return 0 };
+    lengths.trained = lengths.weight > 0.0;
+    let (start, cells) = (lengths.start as usize, lengths.cells());
+    let width = usize::from(lengths.machine).saturating_add(1);
+    let range = start..start.saturating_add(cells);
+    let (Some(alignments), Some(counts)) = (tables.memory.alignments.get_mut(range.clone()), tables.memory.alignment_counts.get_mut(range))
+    else {
+        return 0;
+    };
+    let uniform = 1.0 / width as f32;
+    for (alignments, counts) in alignments.chunks_mut(width).zip(counts.chunks_mut(width)) {
+        let total: f32 = counts.iter().sum();
+        let whole = total + settings.alignment_prior;
+        for (a, count) in alignments.iter_mut().zip(counts) {
+            *a = if whole > 0.0 { (*count + settings.alignment_prior * uniform) / whole } else { uniform };
+            *count = 0.0;
+        }
+    }
+    cells
+}

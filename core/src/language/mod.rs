@@ -1,0 +1,20 @@
+//! The language model (paper, section 3): how words are explained by machine tokens.
+//!
+//! - [`tokenizer`]: a command as words;
+//! - [`bitext`]: the training data, pairs of an English command and a machine command, each with a weight;
+//! - [`tables`]: IBM Model 2's translation and alignment tables;
+//! - [`likelihood`]: Pr(e|m), exactly, without underflow;
+//! - [`em`]: weighted expectation maximisation, in steps as large as the caller allows;
+//! - [`model`]: all of it together.
+
+pub mod bitext;
+pub mod em;
+pub mod likelihood;
+pub mod model;
+pub mod tables;
+pub mod tokenizer;
+
+pub use bitext::{Bitext, BitextMemory};
+pub use model::{LanguageMemory, LanguageModel, Settings};
+pub use tables::{TableMemory, Tables};
+pub use tokenizer::Sentence;

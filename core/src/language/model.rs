@@ -1,0 +1,196 @@
+//! The language model as a whole: vocabularies, training data and parameters.
+
+use super::bitext::{Bitext, BitextMemory};
+use super::em::Training;
+use super::likelihood::{length_likelihood, likelihood};
+use super::tables::{TableMemory, Tables};
+use super::tokenizer::{Sentence, for_each_word};
+use crate::capacity::{Capacity, CapacityError, WORDS_PER_COMMAND};
+use crate::planning::Progress;
+use crate::probability::Scaled;
+use crate::symbols::{Symbol, Symbols};
+
+/// How the language model is trained.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// The pseudo-count of every word for every machine token.
+    pub smoothing: f32,
+    /// The pseudo-count, for each word's position, of an alignment that knows nothing.
+    pub alignment_prior: f32,
+    /// Rounds of EM.
+    pub rounds: u32,
+    /// Whether the command's length counts too: a factor Pr(n|l).
+    pub length: bool,
+}
+
+impl Settings {
+    /// The paper's: smoothing 0.1, no alignment prior, 10 rounds, no length factor.
+    pub const PAPER: Self = Self { smoothing: 0.1, alignment_prior: 0.0, rounds: 10, length: false };
+}
+
+/// Memory for a [`LanguageModel`].
+#[derive(Debug)]
+pub struct LanguageMemory<'m> {
+    /// The English words end to end.
+    pub word_bytes: &'m mut [u8],
+    /// One entry an English word.
+    pub word_ends: &'m mut [u16],
+    /// The machine tokens end to end.
+    pub token_bytes: &'m mut [u8],
+    /// One entry a machine token.
+    pub token_ends: &'m mut [u16],
+    /// The training data.
+    pub bitext: BitextMemory<'m>,
+    /// The parameters.
+    pub tables: TableMemory<'m>,
+}
+
+/// The language model: what was said and what it meant, and IBM Model 2 trained on that.
+#[derive(Debug)]
+pub struct LanguageModel<'m> {
+    settings: Settings,
+    words: Symbols<'m>,
+    tokens: Symbols<'m>,
+    bitext: Bitext<'m>,
+    tables: Tables<'m>,
+    training: Training,
+    learned_words: usize,
+    learned_tokens: usize,
+}
+
+impl<'m> LanguageModel<'m> {
+    /// An untrained model.
+    pub fn new(memory: LanguageMemory<'m>, settings: Settings) -> Self {
+        Self {
+            settings,
+            words: Symbols::new(memory.word_bytes, memory.word_ends, Capacity::Words, Capacity::WordBytes),
+            tokens: Symbols::new(memory.token_bytes, memory.token_ends, Capacity::Tokens, Capacity::TokenBytes),
+            bitext: Bitext::new(memory.bitext),
+            tables: Tables::new(memory.tables),
+            training: Training::default(),
+            learned_words: 0,
+            learned_tokens: 0,
+        }
+    }
+
+    /// How it is trained.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// The English words.
+    pub fn words(&self) -> &Symbols<'m> {
+        &self.words
+    }
+
+    /// The machine tokens.
+    pub fn tokens(&self) -> &Symbols<'m> {
+        &self.tokens
+    }
+
+    /// The machine tokens, to intern those of a new session's tasks in. They stay when the session is learned from.
+    pub fn tokens_mut(&mut self) -> &mut Symbols<'m> {
+        &mut self.tokens
+    }
+
+    /// The training data.
+    pub fn bitext(&self) -> &Bitext<'m> {
+        &self.bitext
+    }
+
+    /// The parameters of the last training.
+    pub fn tables(&self) -> &Tables<'m> {
+        &self.tables
+    }
+
+    /// Whether a training is under way. Until it is done, the parameters say nothing.
+    pub fn is_training(&self) -> bool {
+        !self.training.is_done()
+    }
+
+    /// The training under way.
+    pub fn training(&self) -> &Training {
+        &self.training
+    }
+
+    /// Forgets the words and machine tokens that came since the last session that was learned from.
+    pub fn forget_unlearned(&mut self) {
+        self.words.truncate(self.learned_words);
+        self.tokens.truncate(self.learned_tokens);
+    }
+
+    /// The words of a command, new ones interned. Where the vocabulary is full, a new word is `None`: the command can be heard, but not
+    /// learned from.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where the command or one of its words is too long.
+    pub fn hear(&mut self, command: &str) -> Result<Sentence, CapacityError> {
+        let mut sentence = Sentence::new();
+        let words = &mut self.words;
+        for_each_word(command, |word| {
+            let full = CapacityError::full(Capacity::WordsPerCommand, WORDS_PER_COMMAND);
+            sentence.push(words.intern(word).ok()).map_err(|_| full)
+        })?;
+        Ok(sentence)
+    }
+
+    /// Pr(e|m), times Pr(n|l) where [`Settings::length`] says so.
+    pub fn likelihood(&self, sentence: &[Option<Symbol>], command: &[Symbol]) -> Scaled {
+        let words = likelihood(&self.tables, sentence, command);
+        if self.settings.length { words.scaled_by(length_likelihood(&self.tables, command.len(), sentence.len())) } else { words }
+    }
+
+    /// Adds one session to the training data: its English command with each of `pairs`, a machine command and its weight. A training must
+    /// follow: [`begin_training`](Self::begin_training).
+    ///
+    /// # Errors
+    /// A [`CapacityError`]; the model is then as before.
+    pub fn add_session<'a>(
+        &mut self,
+        sentence: &[Option<Symbol>],
+        pairs: impl Iterator<Item = (&'a [Symbol], f32)>,
+    ) -> Result<(), CapacityError> {
+        let (extent, length_pairs) = (self.bitext.extent(), self.tables.length_pairs);
+        let result = self.try_add_session(sentence, pairs);
+        match result {
+            Ok(()) => {
+                self.learned_words = self.words.len();
+                self.learned_tokens = self.tokens.len();
+            }
+            Err(_) => {
+                self.bitext.rewind(extent);
+                self.tables.length_pairs = length_pairs;
+            }
+        }
+        result
+    }
+
+    fn try_add_session<'a>(
+        &mut self,
+        sentence: &[Option<Symbol>],
+        pairs: impl Iterator<Item = (&'a [Symbol], f32)>,
+    ) -> Result<(), CapacityError> {
+        let mut words: heapless::Vec<Symbol, WORDS_PER_COMMAND> = heapless::Vec::new();
+        for &word in sentence {
+            let word = word.ok_or(CapacityError::full(Capacity::Words, self.words.len()))?;
+            words.push(word).map_err(|_| CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, sentence.len()))?;
+        }
+        self.tables.fits(self.tokens.len(), self.words.len())?;
+        self.bitext.add_session(&words)?;
+        for (command, weight) in pairs {
+            self.bitext.add_pair(command, weight)?;
+            self.tables.add_lengths(command.len(), words.len())?;
+        }
+        Ok(())
+    }
+
+    /// Begins training on all the data, from uniform parameters.
+    pub fn begin_training(&mut self) {
+        self.training = Training::begin(&mut self.tables, &self.bitext, self.learned_words, self.learned_tokens, &self.settings);
+    }
+
+    /// Goes on with the training, with at most about `budget` table cells of work.
+    pub fn train(&mut self, budget: u32) -> Progress {
+        self.training.advance(&mut self.tables, &self.bitext, &self.settings, budget)
+    }
+}

@@ -1,0 +1,63 @@
+//! A command as words: split on blanks, in lower case, stand-alone punctuation dropped.
+
+use crate::capacity::{Capacity, CapacityError, NAME_BYTES, WORDS_PER_COMMAND};
+use crate::symbols::Symbol;
+use heapless::{String, Vec};
+
+/// A command as words, `None` for one that the vocabulary does not have.
+pub type Sentence = Vec<Option<Symbol>, WORDS_PER_COMMAND>;
+
+/// One word, in lower case.
+pub type Word = String<NAME_BYTES>;
+
+/// Gives each word of `command` to `take`.
+///
+/// ```
+/// use goodbot::language::tokenizer::for_each_word;
+/// let mut words = vec![];
+/// for_each_word("Move to the RED room .", |word| { words.push(word.to_string()); Ok(()) })?;
+/// assert_eq!(words, ["move", "to", "the", "red", "room"]);
+/// # Ok::<(), goodbot::capacity::CapacityError>(())
+/// ```
+///
+/// # Errors
+/// A [`CapacityError`] where a word is longer than [`NAME_BYTES`] or there are more than [`WORDS_PER_COMMAND`] words, and whatever `take`
+/// gives.
+pub fn for_each_word(command: &str, mut take: impl FnMut(&str) -> Result<(), CapacityError>) -> Result<(), CapacityError> {
+    let words = || command.split_whitespace().filter(|word| word.chars().any(char::is_alphanumeric));
+    let count = words().count();
+    if count > WORDS_PER_COMMAND {
+        return Err(CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, count));
+    }
+    words().try_for_each(|word| take(&lower_case(word)?))
+}
+
+fn lower_case(text: &str) -> Result<Word, CapacityError> {
+    let mut word = Word::new();
+    for letter in text.chars().flat_map(char::to_lowercase) {
+        word.push(letter).map_err(|_| CapacityError::new(Capacity::NameBytes, NAME_BYTES, text.len().max(NAME_BYTES + 1)))?;
+    }
+    Ok(word)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_command_of_ten_thousand_words_is_refused_with_both_numbers() {
+        let long = "go ".repeat(10_000);
+        let error = for_each_word(&long, |_| Ok(())).unwrap_err();
+        assert_eq!(error, CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, 10_000));
+    }
+
+    #[test]
+    fn a_word_without_end_is_refused() {
+        assert_eq!(for_each_word(&"a".repeat(300), |_| Ok(())).unwrap_err().capacity, Capacity::NameBytes);
+    }
+
+    #[test]
+    fn an_empty_command_has_no_words() {
+        for_each_word(" \t . ,\n", |word| panic!("{word}")).unwrap();
+    }
+}

@@ -1,0 +1,76 @@
+//! goodbot: you tell a robot in your own words what to do, say "good bot" or "bad bot" while it tries, and it learns what your words mean.
+//!
+//! It follows *Training an Agent to Ground Commands with Reward and Punishment* (MacGlashan, Littman, Loftin, Peng, Roberts, Taylor). The
+//! modules stand in the order in which data flows through them:
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`oomdp`] | object-oriented MDPs: classes, attributes, objects, propositional functions; the [`Domain`](oomdp::Domain) trait |
+//! | [`home`] | the paper's environment: rooms, doors, blocks, an agent |
+//! | [`task`] | lifted and grounded tasks, binding constraints, machine commands |
+//! | [`planning`] | uniform-cost search, for all tasks at once |
+//! | [`feedback`] | trainer strategies and the belief over tasks (SABL, I-SABL) |
+//! | [`language`] | words, IBM Model 2, weighted EM |
+//! | [`session`] | Algorithm 1: the [`Agent`] |
+//!
+//! and beside them [`capacity`] and [`memory`] (how large every table is, and who owns it), [`symbols`] (names) and [`probability`]
+//! (products that never underflow).
+//!
+//! # A robot that learns
+//! ```
+//! use goodbot::{Agent, Options, feedback::Feedback, home::{self, Area, Cell, HomeBuilder, Moves}, oomdp::Domain};
+//! goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
+//! let mut memory = Memory::new();
+//! let parts = memory.split();
+//! let mut builder = HomeBuilder::new(parts.home);
+//! builder.room("room0", Area::new(0, 0, 8, 4), "red")?;
+//! builder.room("room1", Area::new(0, 4, 8, 8), "green")?;
+//! builder.door("door0", Area::new(2, 4, 2, 4))?;
+//! builder.agent("agent0", Cell::new(4, 2))?;
+//! let (home, mut state) = builder.build(Moves::Push)?;
+//! let mut agent = Agent::new(parts.agent, &home::paper_tasks()?, Options::PAPER)?;
+//!
+//! agent.hear(&home, &state, "go to the green room")?;
+//! for _ in 0..6 {
+//!     agent.plan_fully(&home, &state)?;
+//!     let decision = agent.decide::<rand_pcg::Pcg32>(None)?;
+//!     agent.feedback(decision.action, Feedback::Reward)?;
+//!     state = goodbot::oomdp::apply(&home, &state, decision.action).unwrap_or(state);
+//! }
+//! agent.finish(&home)?;
+//! agent.learn_fully();
+//! assert_eq!(home.agent_cell(&state).y, 5);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # What it promises
+//! No allocation, no `unsafe`, no panic on any input. Every capacity is a field of [`Capacities`], and an error names the field to raise.
+//! Only `+ - * /` on f32: the same input gives the same bits on x86-64, wasm32 and Cortex-M. Long work goes in parts, with a budget that
+//! the caller sets.
+
+#![no_std]
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+#![deny(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable)]
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing))]
+
+#[cfg(any(feature = "std", test))]
+extern crate std;
+
+#[macro_use]
+pub mod memory;
+pub mod capacity;
+pub mod feedback;
+pub mod home;
+pub mod language;
+pub mod oomdp;
+pub mod planning;
+pub mod probability;
+pub mod session;
+pub mod symbols;
+pub mod task;
+
+pub use capacity::Capacities;
+#[cfg(feature = "std")]
+pub use memory::HeapMemory;
+pub use session::{Agent, AgentError, Options};

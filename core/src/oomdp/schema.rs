@@ -1,0 +1,95 @@
+//! What a domain speaks of: object classes, the attributes that objects of a class carry, and propositional functions.
+//!
+//! The language model sees a domain only through these names, so two robots whose schemas share names share what they learned.
+
+use super::objects::ObjectId;
+use crate::capacity::ARGUMENTS;
+
+/// A class of objects, by its position in [`Schema::classes`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct ClassId(pub u8);
+
+/// A propositional function, by its position in [`Schema::propositions`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct PropositionId(pub u8);
+
+/// A class of objects: `room`, `block`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Class<'a> {
+    /// The machine token of the class.
+    pub name: &'a str,
+}
+
+/// Which class carries an attribute, and how the attribute proposition is called there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Carrier<'a> {
+    /// The class.
+    pub class: ClassId,
+    /// What stands before the capitalised value: `roomIs` makes `roomIsRed`.
+    pub prefix: &'a str,
+}
+
+/// An attribute: `color`, carried by rooms and blocks. Its values are data.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Attribute<'a> {
+    /// The attribute's name in files.
+    pub name: &'a str,
+    /// The classes that carry it, in the order of machine commands.
+    pub carriers: &'a [Carrier<'a>],
+}
+
+/// A propositional function over objects: `blockInRoom(block, room)`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Proposition<'a> {
+    /// The machine token of the proposition.
+    pub name: &'a str,
+    /// The class of each argument, at most [`ARGUMENTS`].
+    pub parameters: &'a [ClassId],
+}
+
+/// The classes, attributes and propositional functions of a domain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Schema<'a> {
+    /// The classes.
+    pub classes: &'a [Class<'a>],
+    /// The attributes, in the order of machine commands, at most [`ATTRIBUTES`](crate::capacity::ATTRIBUTES).
+    pub attributes: &'a [Attribute<'a>],
+    /// The propositional functions.
+    pub propositions: &'a [Proposition<'a>],
+}
+
+impl<'a> Schema<'a> {
+    /// The class with this name.
+    pub fn class(&self, name: &str) -> Option<ClassId> {
+        self.classes.iter().position(|class| class.name == name).map(|position| ClassId(position as u8))
+    }
+
+    /// The propositional function with this name.
+    pub fn proposition(&self, name: &str) -> Option<PropositionId> {
+        self.propositions.iter().position(|proposition| proposition.name == name).map(|position| PropositionId(position as u8))
+    }
+
+    /// The name of a class; empty for one that the schema does not have.
+    pub fn class_name(&self, class: ClassId) -> &'a str {
+        self.classes.get(usize::from(class.0)).map_or("", |class| class.name)
+    }
+
+    /// The name of a propositional function; empty for one that the schema does not have.
+    pub fn proposition_name(&self, proposition: PropositionId) -> &'a str {
+        self.propositions.get(usize::from(proposition.0)).map_or("", |proposition| proposition.name)
+    }
+
+    /// The argument classes of a propositional function; none for one that the schema does not have.
+    pub fn parameters(&self, proposition: PropositionId) -> &'a [ClassId] {
+        self.propositions.get(usize::from(proposition.0)).map_or(&[], |proposition| proposition.parameters)
+    }
+}
+
+/// A propositional function of objects: `blockInRoom(block0, room2)`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GroundProposition {
+    /// The propositional function.
+    pub proposition: PropositionId,
+    /// Its arguments; those beyond the function's parameters are object 0 and mean nothing.
+    pub arguments: [ObjectId; ARGUMENTS],
+}

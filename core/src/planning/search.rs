@@ -1,0 +1,379 @@
+//! One uniform-cost search from the current state that serves every task.
+//!
+//! Each state that is reached carries the set of first actions with which some shortest way to it begins. The first goal state that the
+//! search meets for a task gives the task's distance, and the first actions of all its goal states at that distance are its optimal set:
+//! every action a with cost(s,a) + dist(step(s,a)) = dist(s). The search ends when each task has met a goal or nothing is left.
+//!
+//! The frontier is a ring of bit sets, one for each distance that is open at the same time, and each state's first actions take one byte
+//! (two where the domain has more than eight actions): with costs of 1 that is 11 bits a state. A domain whose state numbers run higher
+//! than the memory is searched through a hash table of state numbers; where that fills up, the tasks that have no goal nearer than the
+//! first state that found no room are *unknown*.
+
+use super::Progress;
+use super::goals::GoalTable;
+use crate::oomdp::domain::MOST_COST;
+use crate::oomdp::{Action, ActionSet, Domain, apply};
+use crate::task::TaskSet;
+
+/// Memory for a [`Search`].
+#[derive(Debug)]
+pub struct PlanMemory<'m> {
+    /// First actions: one byte a state, two where the domain has more than eight actions.
+    pub first_actions: &'m mut [u8],
+    /// Bit sets over the states: as many as the dearest action costs, and two.
+    pub frontier: &'m mut [u32],
+    /// State numbers, where states are hashed; may be empty.
+    pub hashed: &'m mut [u64],
+    /// The optimal set of each task.
+    pub optimal: &'m mut [ActionSet],
+    /// The distance of each task.
+    pub distances: &'m mut [u32],
+}
+
+/// What the search found for one task: which actions are right here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OptimalSet {
+    /// The task holds: only doing nothing is right.
+    Goal,
+    /// These actions begin a shortest way to the goal.
+    Toward(ActionSet),
+    /// No goal can be reached any more: every applicable action and doing nothing are equally right.
+    DeadEnd(ActionSet),
+    /// The search was bounded before it found out.
+    Unknown,
+}
+
+impl OptimalSet {
+    /// The actions, `None` where they are unknown.
+    pub fn actions(self) -> Option<ActionSet> {
+        match self {
+            Self::Goal => Some(ActionSet::NOOP),
+            Self::Toward(actions) | Self::DeadEnd(actions) => Some(actions),
+            Self::Unknown => None,
+        }
+    }
+}
+
+const EMPTY: u64 = u64::MAX;
+
+/// A search, under way or done.
+#[derive(Debug)]
+pub struct Search<'m> {
+    memory: PlanMemory<'m>,
+    /// States that fit.
+    slots: usize,
+    /// u32s of one bit set.
+    words: usize,
+    /// Bit sets in the ring; the one after the last holds the states that are done.
+    ring: usize,
+    /// Second byte of a state's first actions, as an offset; 0 where one byte is enough.
+    second_byte: usize,
+    hashing: bool,
+    level: u32,
+    cursor: usize,
+    /// Whether any state is left at a distance beyond this level.
+    ahead: usize,
+    /// The distance of the first state that found no room.
+    horizon: u32,
+    wanted: TaskSet,
+    unresolved: TaskSet,
+    found_now: TaskSet,
+    goal_here: TaskSet,
+    dead: TaskSet,
+    applicable: ActionSet,
+    running: bool,
+    expanded: u32,
+}
+
+impl<'m> Search<'m> {
+    /// A search that has not begun.
+    pub fn new(memory: PlanMemory<'m>) -> Self {
+        Self {
+            memory,
+            slots: 0,
+            words: 0,
+            ring: 0,
+            second_byte: 0,
+            hashing: false,
+            level: 0,
+            cursor: 0,
+            ahead: 0,
+            horizon: u32::MAX,
+            wanted: TaskSet::EMPTY,
+            unresolved: TaskSet::EMPTY,
+            found_now: TaskSet::EMPTY,
+            goal_here: TaskSet::EMPTY,
+            dead: TaskSet::EMPTY,
+            applicable: ActionSet::EMPTY,
+            running: false,
+            expanded: 0,
+        }
+    }
+
+    /// Begins at `state`, for the tasks in `wanted`. Those in `dead` are known to be dead ends: once no goal can be reached, none can be
+    /// reached from any later state.
+    pub fn begin<D: Domain + ?Sized>(&mut self, domain: &D, goals: &GoalTable<'_>, state: &D::State, wanted: TaskSet, dead: TaskSet) {
+        let actions = domain.actions();
+        let dearest = actions.iter().map(|kind| kind.cost).max().unwrap_or(1).clamp(1, MOST_COST);
+        self.ring = usize::from(dearest).saturating_add(1);
+        let bytes = if actions.len() > 8 { 2 } else { 1 };
+        let sets = self.ring.saturating_add(1);
+        let by_frontier = (self.memory.frontier.len() / sets).saturating_mul(32);
+        let room = (self.memory.first_actions.len() / bytes).min(by_frontier);
+        let count = domain.state_count();
+        self.hashing = count > room as u64;
+        self.slots = if self.hashing { room.min(self.memory.hashed.len()) } else { usize::try_from(count).unwrap_or(room) };
+        self.words = self.slots.div_ceil(32);
+        self.second_byte = if bytes == 2 { self.slots } else { 0 };
+        self.memory.frontier.iter_mut().take(self.words.saturating_mul(sets)).for_each(|word| *word = 0);
+        if self.hashing {
+            self.memory.hashed.iter_mut().take(self.slots).for_each(|number| *number = EMPTY);
+        }
+        self.memory.optimal.iter_mut().for_each(|set| *set = ActionSet::EMPTY);
+        self.memory.distances.iter_mut().for_each(|distance| *distance = u32::MAX);
+        (self.level, self.cursor, self.ahead, self.horizon, self.expanded) = (0, 0, 0, u32::MAX, 0);
+        self.found_now = TaskSet::EMPTY;
+        self.goal_here = goals.satisfied(domain, state).common(wanted);
+        self.dead = dead.common(wanted).without(self.goal_here);
+        self.wanted = wanted;
+        self.unresolved = wanted.without(self.goal_here).without(self.dead);
+        self.applicable = ActionSet::NOOP;
+        for action in (0..actions.len().min(Action::MOST)).map(|position| Action(position as u8)) {
+            if domain.step(state, action).is_some() {
+                self.applicable = self.applicable.with(action);
+            }
+        }
+        self.running = !self.unresolved.is_empty();
+        if self.running {
+            self.open_first(domain, state);
+        }
+    }
+
+    fn open_first<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) {
+        match self.slot(domain.number(state)) {
+            Some(slot) => {
+                self.set_bit(self.ring, slot);
+                for action in self.applicable.iter().filter(|&action| action != Action::NOOP) {
+                    self.follow(domain, state, action, ActionSet::of(action));
+                }
+            }
+            // Not even the state itself finds room: nothing can be said.
+            None => self.horizon = 0,
+        }
+    }
+
+    fn slot(&mut self, number: u64) -> Option<usize> {
+        if !self.hashing {
+            return usize::try_from(number).ok().filter(|&slot| slot < self.slots);
+        }
+        // Multiplicative hashing, linear probing; a probe that runs long means that the table is as good as full.
+        let spread = number.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        let mut slot = ((spread >> 32).wrapping_mul(self.slots as u64) >> 32) as usize;
+        for _ in 0..64 {
+            let entry = self.memory.hashed.get_mut(..self.slots)?.get_mut(slot)?;
+            if *entry == EMPTY {
+                *entry = number;
+                return Some(slot);
+            }
+            if *entry == number {
+                return Some(slot);
+            }
+            slot = slot.wrapping_add(1);
+            if slot >= self.slots {
+                slot = 0;
+            }
+        }
+        None
+    }
+
+    fn bit(&self, set: usize, slot: usize) -> bool {
+        let word = set.wrapping_mul(self.words).wrapping_add(slot / 32);
+        self.memory.frontier.get(word).is_some_and(|word| word >> (slot % 32) & 1 == 1)
+    }
+
+    fn set_bit(&mut self, set: usize, slot: usize) {
+        let word = set.wrapping_mul(self.words).wrapping_add(slot / 32);
+        if let Some(word) = self.memory.frontier.get_mut(word) {
+            *word |= 1 << (slot % 32);
+        }
+    }
+
+    fn clear_bit(&mut self, set: usize, slot: usize) {
+        let word = set.wrapping_mul(self.words).wrapping_add(slot / 32);
+        if let Some(word) = self.memory.frontier.get_mut(word) {
+            *word &= !(1 << (slot % 32));
+        }
+    }
+
+    fn first_actions(&self, slot: usize) -> ActionSet {
+        let byte = |at: usize| self.memory.first_actions.get(at).copied().unwrap_or(0);
+        let high = if self.second_byte > 0 { byte(slot.wrapping_add(self.second_byte)) } else { 0 };
+        ActionSet(u16::from_le_bytes([byte(slot), high]))
+    }
+
+    fn set_first_actions(&mut self, slot: usize, actions: ActionSet) {
+        let [low, high] = actions.0.to_le_bytes();
+        if let Some(byte) = self.memory.first_actions.get_mut(slot) {
+            *byte = low;
+        }
+        if self.second_byte > 0
+            && let Some(byte) = self.memory.first_actions.get_mut(slot.wrapping_add(self.second_byte))
+        {
+            *byte = high;
+        }
+    }
+
+    /// The bit set of the states that are `cost` beyond this level.
+    fn set_at(&self, cost: usize) -> usize {
+        (self.level as usize).wrapping_add(cost).checked_rem(self.ring).unwrap_or(0)
+    }
+
+    #[inline]
+    fn follow<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, action: Action, first: ActionSet) {
+        let Some(next) = domain.step(state, action) else { return };
+        if next == *state {
+            return;
+        }
+        let cost = domain.actions().get(usize::from(action.0)).map_or(1, |kind| kind.cost.clamp(1, MOST_COST));
+        let distance = self.level.saturating_add(u32::from(cost));
+        let Some(slot) = self.slot(domain.number(&next)) else {
+            self.horizon = self.horizon.min(distance);
+            return;
+        };
+        if self.bit(self.ring, slot) {
+            return;
+        }
+        let cost = usize::from(cost);
+        let dearest = self.ring.saturating_sub(1);
+        match (0..=dearest).find(|&nearer| self.bit(self.set_at(nearer), slot)) {
+            Some(nearer) if nearer < cost => {}
+            Some(same) if same == cost => {
+                let both = self.first_actions(slot).union(first);
+                self.set_first_actions(slot, both);
+            }
+            further => {
+                match further {
+                    Some(further) => self.clear_bit(self.set_at(further), slot),
+                    None => self.ahead = self.ahead.saturating_add(1),
+                }
+                self.set_bit(self.set_at(cost), slot);
+                self.set_first_actions(slot, first);
+            }
+        }
+    }
+
+    /// Goes on, expanding at most `budget` states (at least one).
+    pub fn advance<D: Domain + ?Sized>(&mut self, domain: &D, goals: &GoalTable<'_>, budget: u32) -> Progress {
+        let mut left = budget.max(1);
+        while self.running {
+            if self.cursor >= self.words {
+                self.finish_level();
+                continue;
+            }
+            let word = self.set_at(0).wrapping_mul(self.words).wrapping_add(self.cursor);
+            let bits = self.memory.frontier.get(word).copied().unwrap_or(0);
+            if bits == 0 {
+                self.cursor = self.cursor.wrapping_add(1);
+                continue;
+            }
+            if left == 0 {
+                return Progress::Working;
+            }
+            left = left.saturating_sub(1);
+            let slot = self.cursor.wrapping_mul(32).wrapping_add(bits.trailing_zeros() as usize);
+            self.expand(domain, goals, slot);
+        }
+        Progress::Done
+    }
+
+    #[inline]
+    fn expand<D: Domain + ?Sized>(&mut self, domain: &D, goals: &GoalTable<'_>, slot: usize) {
+        self.clear_bit(self.set_at(0), slot);
+        self.set_bit(self.ring, slot);
+        self.ahead = self.ahead.saturating_sub(1);
+        self.expanded = self.expanded.saturating_add(1);
+        let number = if self.hashing { self.memory.hashed.get(slot).copied().unwrap_or(0) } else { slot as u64 };
+        let state = domain.numbered(number);
+        let first = self.first_actions(slot);
+        let met = goals.satisfied(domain, &state).common(self.unresolved);
+        if !met.is_empty() {
+            self.found_now = self.found_now.union(met);
+            for task in met.iter() {
+                if let Some(set) = self.memory.optimal.get_mut(task) {
+                    *set = set.union(first);
+                }
+                if let Some(distance) = self.memory.distances.get_mut(task) {
+                    *distance = self.level;
+                }
+            }
+        }
+        for position in 0..domain.actions().len().min(Action::MOST) {
+            self.follow(domain, &state, Action(position as u8), first);
+        }
+    }
+
+    fn finish_level(&mut self) {
+        self.unresolved = self.unresolved.without(self.found_now);
+        self.found_now = TaskSet::EMPTY;
+        self.cursor = 0;
+        self.level = self.level.saturating_add(1);
+        // From the first state that found no room on, a goal may be missing, and so may a way to one.
+        self.running = !self.unresolved.is_empty() && self.ahead > 0 && self.level < self.horizon;
+        if !self.running && self.horizon == u32::MAX {
+            self.dead = self.dead.union(self.unresolved);
+            self.unresolved = TaskSet::EMPTY;
+        }
+    }
+
+    /// Whether it has come to its end.
+    pub fn is_done(&self) -> bool {
+        !self.running
+    }
+
+    /// What it found for a task. Meaningful when it is done.
+    pub fn optimal(&self, task: usize) -> OptimalSet {
+        if self.goal_here.contains(task) {
+            OptimalSet::Goal
+        } else if self.dead.contains(task) {
+            OptimalSet::DeadEnd(self.applicable)
+        } else if self.unresolved.contains(task) || !self.wanted.contains(task) {
+            OptimalSet::Unknown
+        } else {
+            self.memory.optimal.get(task).map_or(OptimalSet::Unknown, |&set| OptimalSet::Toward(set))
+        }
+    }
+
+    /// The cost of a shortest way to a task's goal; `None` where there is none or it is unknown.
+    pub fn distance(&self, task: usize) -> Option<u32> {
+        match self.optimal(task) {
+            OptimalSet::Goal => Some(0),
+            OptimalSet::Toward(_) => self.memory.distances.get(task).copied(),
+            OptimalSet::DeadEnd(_) | OptimalSet::Unknown => None,
+        }
+    }
+
+    /// The tasks whose goals cannot be reached from here, nor from anywhere later.
+    pub fn dead(&self) -> TaskSet {
+        self.dead
+    }
+
+    /// The tasks of which nothing is known, because the search was bounded.
+    pub fn unknown(&self) -> TaskSet {
+        self.unresolved
+    }
+
+    /// The actions that can be done here, doing nothing included.
+    pub fn applicable(&self) -> ActionSet {
+        self.applicable
+    }
+
+    /// How many states were expanded.
+    pub fn expanded(&self) -> u32 {
+        self.expanded
+    }
+}
+
+/// The state after a walk: `None` where an action of it cannot be done.
+pub fn walk<D: Domain + ?Sized>(domain: &D, start: &D::State, actions: impl IntoIterator<Item = Action>) -> Option<D::State> {
+    actions.into_iter().try_fold(*start, |state, action| apply(domain, &state, action))
+}

@@ -1,0 +1,139 @@
+//! Probabilities that never underflow, with nothing but `+ - * /`.
+//!
+//! The probability of a long command, or of the feedback of a long session, is a product of many small factors: far below the smallest
+//! f32. A [`Scaled`] keeps a mantissa and a power of two beside it. Powers of two are exact, so rescaling loses nothing, and no logarithm
+//! is taken: the same input gives the same bits on every target.
+
+/// A non-negative number `mantissa * 2^exponent`, the mantissa in [0.5, 1) or 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scaled {
+    mantissa: f32,
+    exponent: i32,
+}
+
+impl Scaled {
+    /// Nothing.
+    pub const ZERO: Self = Self { mantissa: 0.0, exponent: 0 };
+    /// Certainty.
+    pub const ONE: Self = Self { mantissa: 0.5, exponent: 1 };
+
+    /// The scaled form of `value`; zero for what is negative or not a number, the largest f32 for infinity.
+    pub fn new(value: f32) -> Self {
+        Self { mantissa: value, exponent: 0 }.normalised()
+    }
+
+    fn normalised(self) -> Self {
+        // Written so that NaN counts as nothing too.
+        if !(self.mantissa > 0.0) {
+            return Self::ZERO;
+        }
+        let mut mantissa = self.mantissa.min(f32::MAX);
+        let mut exponent = self.exponent;
+        if mantissa < f32::MIN_POSITIVE {
+            mantissa *= 16_777_216.0;
+            exponent = exponent.saturating_sub(24);
+        }
+        let bits = mantissa.to_bits();
+        let biased = (bits >> 23) as i32;
+        Self { mantissa: f32::from_bits((bits & 0x007f_ffff) | 0x3f00_0000), exponent: exponent.saturating_add(biased.saturating_sub(126)) }
+    }
+
+    /// Whether it is exactly zero.
+    pub fn is_zero(self) -> bool {
+        self.mantissa == 0.0
+    }
+
+    /// The product.
+    pub fn times(self, other: Self) -> Self {
+        Self { mantissa: self.mantissa * other.mantissa, exponent: self.exponent.saturating_add(other.exponent) }.normalised()
+    }
+
+    /// The product with a plain factor.
+    pub fn scaled_by(self, factor: f32) -> Self {
+        self.times(Self::new(factor))
+    }
+
+    /// The sum.
+    pub fn plus(self, other: Self) -> Self {
+        if self.is_zero() {
+            return other;
+        }
+        if other.is_zero() {
+            return self;
+        }
+        let exponent = self.exponent.max(other.exponent);
+        let at = |part: Self| part.mantissa * power_of_two(part.exponent.saturating_sub(exponent));
+        Self { mantissa: at(self) + at(other), exponent }.normalised()
+    }
+
+    /// The ratio `self / whole` as an f32; 0 where the whole is 0.
+    pub fn over(self, whole: Self) -> f32 {
+        if whole.is_zero() || self.is_zero() {
+            return 0.0;
+        }
+        (self.mantissa / whole.mantissa) * power_of_two(self.exponent.saturating_sub(whole.exponent))
+    }
+
+    /// The number as an f32, 0 where it is too small for one.
+    pub fn value(self) -> f32 {
+        self.mantissa * power_of_two(self.exponent)
+    }
+
+    /// Whether this is more than `other`.
+    pub fn exceeds(self, other: Self) -> bool {
+        if self.is_zero() || other.is_zero() || self.exponent == other.exponent {
+            return self.mantissa > other.mantissa;
+        }
+        self.exponent > other.exponent
+    }
+}
+
+/// 2^exponent, 0 below the normal range and the largest power above it.
+fn power_of_two(exponent: i32) -> f32 {
+    if exponent < -126 {
+        return 0.0;
+    }
+    f32::from_bits((exponent.min(127).saturating_add(127) as u32) << 23)
+}
+
+/// The sum of `parts`.
+pub fn total(parts: impl Iterator<Item = Scaled>) -> Scaled {
+    parts.fold(Scaled::ZERO, Scaled::plus)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_product_of_ten_thousand_small_factors_keeps_its_ratios() {
+        let long = |factor: f32| (0..10_000).fold(Scaled::ONE, |product, _| product.scaled_by(factor));
+        let (small, smaller) = (long(0.001), long(0.001).scaled_by(0.25));
+        assert!(!small.is_zero());
+        assert_eq!(smaller.over(small), 0.25);
+        assert_eq!(smaller.over(small.plus(smaller)), 0.2);
+    }
+
+    #[test]
+    fn what_is_no_probability_counts_as_nothing() {
+        assert!(Scaled::new(f32::NAN).is_zero());
+        assert!(Scaled::new(-1.0).is_zero());
+        assert!(Scaled::new(f32::INFINITY).value().is_finite());
+    }
+
+    #[test]
+    fn subnormal_numbers_are_kept() {
+        let tiny = f32::MIN_POSITIVE / 8.0;
+        assert_eq!(Scaled::new(tiny).over(Scaled::new(tiny * 2.0)), 0.5);
+    }
+
+    #[test]
+    fn order_is_the_order_of_the_numbers() {
+        let numbers = [0.0, 1e-30, 0.4, 0.5, 0.75, 3.0];
+        for (i, &a) in numbers.iter().enumerate() {
+            for (j, &b) in numbers.iter().enumerate() {
+                assert_eq!(Scaled::new(a).exceeds(Scaled::new(b)), i > j, "{a} {b}");
+            }
+        }
+    }
+}

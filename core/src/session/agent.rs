@@ -1,0 +1,556 @@
+//! The robot's mind: Algorithm 1.
+//!
+//! [`Agent::hear`] a command, [`Agent::plan`] from the state the robot is in, [`Agent::decide`] on an action, do it, and tell what the
+//! trainer said with [`Agent::feedback`]; over and over, until [`Agent::finish`]. Planning and learning go in parts: `plan` and `learn`
+//! take a budget and say whether they are done.
+
+use super::candidates::{CandidateMemory, Candidates};
+use crate::capacity::{Capacity, CapacityError, LIFTED_TASKS};
+use crate::feedback::belief::BeliefError;
+use crate::feedback::simulated::below;
+use crate::feedback::{Belief, BeliefMemory, Feedback, Judgement, Strategy};
+use crate::language::{LanguageMemory, LanguageModel, Sentence, Settings};
+use crate::oomdp::{Action, ActionSet, Domain};
+use crate::planning::{GoalMemory, GoalTable, OptimalSet, PlanMemory, Progress, Search};
+use crate::probability::{Scaled, total};
+use crate::task::{Expression, GroundedTask, LiftedTask, TaskSet, ground};
+use core::fmt;
+use heapless::Vec;
+use rand_core::Rng;
+
+/// How machine commands are weighted when a session ends.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Weights {
+    /// By their own explanation of the command too (paper, Algorithm 1).
+    #[default]
+    Paper,
+    /// By the tasks' posterior alone, evenly over each task's constraints (the authors' later program).
+    Belief,
+}
+
+/// How an agent understands and learns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// The language model's training.
+    pub language: Settings,
+    /// How machine commands are weighted.
+    pub weights: Weights,
+    /// Weights up to this are dropped.
+    pub least_weight: f32,
+}
+
+impl Options {
+    /// The paper's.
+    pub const PAPER: Self = Self { language: Settings::PAPER, weights: Weights::Paper, least_weight: 5e-5 };
+}
+
+/// Memory for what one session needs.
+#[derive(Debug)]
+pub struct SessionMemory<'m> {
+    /// One entry a grounded task.
+    pub tasks: &'m mut [GroundedTask],
+    /// The machine commands.
+    pub candidates: CandidateMemory<'m>,
+    /// The belief.
+    pub belief: BeliefMemory<'m>,
+    /// The goals.
+    pub goals: GoalMemory<'m>,
+    /// The search.
+    pub plan: PlanMemory<'m>,
+}
+
+/// Memory for an [`Agent`].
+#[derive(Debug)]
+pub struct AgentMemory<'m> {
+    /// What it learns.
+    pub language: LanguageMemory<'m>,
+    /// What one session needs.
+    pub session: SessionMemory<'m>,
+}
+
+/// Why the agent could not do what it was asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum AgentError {
+    /// The command has no word.
+    EmptyCommand,
+    /// There is no task to do here: none is permissible, or all are done already.
+    NoTask,
+    /// No session is under way: hear a command first.
+    NoSession,
+    /// The plan for this state is not done: call `plan` until it is.
+    NotPlanned,
+    /// The last session is still being learned from: call `learn` until it is.
+    StillLearning,
+    /// The action cannot be done in the state that was planned for.
+    NotApplicable,
+    /// A strategy or a prior is no probability.
+    NotAProbability,
+    /// Something was full. What was learned before is kept.
+    Capacity(CapacityError),
+}
+
+impl From<CapacityError> for AgentError {
+    fn from(error: CapacityError) -> Self {
+        Self::Capacity(error)
+    }
+}
+
+impl From<BeliefError> for AgentError {
+    fn from(error: BeliefError) -> Self {
+        match error {
+            BeliefError::Strategy(_) => Self::NotAProbability,
+            BeliefError::Capacity(error) => Self::Capacity(error),
+        }
+    }
+}
+
+impl fmt::Display for AgentError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::EmptyCommand => "the command has no word; say what to do",
+            Self::NoTask => "there is nothing to do here: every task is done already or needs objects that are not here",
+            Self::NoSession => "no session is under way; give a command first",
+            Self::NotPlanned => "the plan for this state is not done; plan on until it is",
+            Self::StillLearning => "the last session is still being learned from; learn on until it is done",
+            Self::NotApplicable => "the action cannot be done in this state",
+            Self::NotAProbability => "a prior is not a number from 0 to 1, or all are 0",
+            Self::Capacity(error) => return error.fmt(f),
+        })
+    }
+}
+
+impl core::error::Error for AgentError {}
+
+/// What a command begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hearing {
+    /// A new session: the belief starts again.
+    New,
+    /// The same command again in the same initial state: the belief goes on.
+    Continues,
+}
+
+/// What the agent does next, and for which task.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Decision {
+    /// The action.
+    pub action: Action,
+    /// The task that it follows: the most likely one.
+    pub task: usize,
+    /// What the plan says for that task. Where it is a dead end or unknown, the action is to do nothing.
+    pub plan: OptimalSet,
+}
+
+/// The robot's mind.
+#[derive(Debug)]
+pub struct Agent<'m> {
+    options: Options,
+    language: LanguageModel<'m>,
+    lifted: Vec<LiftedTask, LIFTED_TASKS>,
+    tasks: &'m mut [GroundedTask],
+    task_count: usize,
+    candidates: Candidates<'m>,
+    belief: Belief<'m>,
+    goals: GoalTable<'m>,
+    search: Search<'m>,
+    sentence: Sentence,
+    start: Option<u64>,
+    planned: Option<u64>,
+    dead: TaskSet,
+    followed: Option<usize>,
+}
+
+impl<'m> Agent<'m> {
+    /// An agent that has learned nothing yet. `lifted` are the tasks that commands may mean, as many as [`LIFTED_TASKS`] at most.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where there are more.
+    pub fn new(memory: AgentMemory<'m>, lifted: &[LiftedTask], options: Options) -> Result<Self, CapacityError> {
+        let AgentMemory { language, session } = memory;
+        Ok(Self {
+            options,
+            language: LanguageModel::new(language, options.language),
+            lifted: Vec::from_slice(lifted).map_err(|_| CapacityError::new(Capacity::LiftedTasks, LIFTED_TASKS, lifted.len()))?,
+            tasks: session.tasks,
+            task_count: 0,
+            candidates: Candidates::new(session.candidates),
+            belief: Belief::new(session.belief),
+            goals: GoalTable::new(session.goals),
+            search: Search::new(session.plan),
+            sentence: Sentence::new(),
+            start: None,
+            planned: None,
+            dead: TaskSet::EMPTY,
+            followed: None,
+        })
+    }
+
+    /// Replaces the trainer strategies and their probabilities, which are renormalised. A session under way ends unlearned.
+    ///
+    /// # Errors
+    /// [`AgentError::NotAProbability`] or [`AgentError::Capacity`]; the strategies are then as before.
+    pub fn set_strategies(&mut self, strategies: &[(Strategy, f32)]) -> Result<(), AgentError> {
+        self.belief.set_strategies(strategies)?;
+        self.start = None;
+        Ok(())
+    }
+
+    /// The language model.
+    pub fn language(&self) -> &LanguageModel<'m> {
+        &self.language
+    }
+
+    /// The belief over tasks and strategies.
+    pub fn belief(&self) -> &Belief<'m> {
+        &self.belief
+    }
+
+    /// The lifted tasks.
+    pub fn lifted(&self) -> &[LiftedTask] {
+        &self.lifted
+    }
+
+    /// The tasks of this session.
+    pub fn tasks(&self) -> &[GroundedTask] {
+        self.tasks.get(..self.task_count).unwrap_or(&[])
+    }
+
+    /// The machine commands of this session.
+    pub fn candidates(&self) -> &Candidates<'m> {
+        &self.candidates
+    }
+
+    /// The plan.
+    pub fn search(&self) -> &Search<'m> {
+        &self.search
+    }
+
+    /// The words of the command.
+    pub fn sentence(&self) -> &Sentence {
+        &self.sentence
+    }
+
+    /// Hears a command in the state that the session starts from: the tasks possible here get their prior from the language model,
+    /// Pr(t|e,s) proportional to the sum over l of Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c).
+    ///
+    /// # Errors
+    /// [`AgentError`]; no session is then under way, and what was learned is kept.
+    pub fn hear<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
+        self.open(domain, state, command)?;
+        let priors = self.understand(domain)?;
+        self.begin(domain, priors)
+    }
+
+    /// Hears a command whose task prior is given: `prior(domain, task)` for each task, in any unit.
+    ///
+    /// # Errors
+    /// As [`hear`](Self::hear), and [`AgentError::NotAProbability`].
+    pub fn hear_with_prior<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        state: &D::State,
+        command: &str,
+        prior: impl Fn(&GroundedTask, &LiftedTask) -> f32,
+    ) -> Result<(), AgentError> {
+        self.open(domain, state, command)?;
+        // The machine commands' likelihoods are still needed when the session is learned from.
+        let mut priors = self.understand(domain)?;
+        for (position, slot) in priors.iter_mut().enumerate() {
+            let task = self.tasks.get(position).copied().unwrap_or(GroundedTask::UNUSED);
+            let value = self.lifted.get(usize::from(task.lifted)).map_or(0.0, |lifted| prior(&task, lifted));
+            if !(0.0..=f32::MAX).contains(&value) {
+                return Err(AgentError::NotAProbability);
+            }
+            *slot = Scaled::new(value);
+        }
+        if total(priors.iter().copied()).is_zero() {
+            return Err(AgentError::NotAProbability);
+        }
+        self.begin(domain, priors)
+    }
+
+    /// Hears the same command again in the same initial state: the belief goes on.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSession`] where the last session did not start in this state.
+    pub fn hear_again<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<(), AgentError> {
+        if self.start != Some(domain.number(state)) || self.tasks().is_empty() {
+            return Err(AgentError::NoSession);
+        }
+        self.planned = None;
+        self.dead = TaskSet::EMPTY;
+        Ok(())
+    }
+
+    fn open<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
+        if self.language.is_training() {
+            return Err(AgentError::StillLearning);
+        }
+        self.start = None;
+        self.planned = None;
+        self.followed = None;
+        self.dead = TaskSet::EMPTY;
+        self.task_count = 0;
+        self.language.forget_unlearned();
+        self.sentence = self.language.hear(command)?;
+        if self.sentence.is_empty() {
+            return Err(AgentError::EmptyCommand);
+        }
+        let count = ground(domain, &self.lifted, state, self.tasks)?;
+        if count == 0 {
+            return Err(AgentError::NoTask);
+        }
+        self.goals.fill(domain, &self.lifted, self.tasks.get(..count).unwrap_or(&[]), state)?;
+        self.task_count = count;
+        self.start = Some(domain.number(state));
+        Ok(())
+    }
+
+    fn begin<D: Domain + ?Sized>(&mut self, _domain: &D, priors: Vec<Scaled, { TaskSet::MOST }>) -> Result<(), AgentError> {
+        self.belief.restart(priors.into_iter()).map_err(|error| {
+            self.start = None;
+            error.into()
+        })
+    }
+
+    /// Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c), for each task. Fills the candidates.
+    fn understand<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<Vec<Scaled, { TaskSet::MOST }>, AgentError> {
+        self.candidates.clear();
+        let mut priors = Vec::new();
+        for position in 0..self.task_count {
+            let explained = self.for_each_candidate(domain, position, |candidates, language, sentence, tokens| {
+                let found = match candidates.find(tokens) {
+                    Some(found) => found,
+                    None => candidates.add(tokens, language.likelihood(sentence, tokens))?,
+                };
+                Ok(candidates.entries().get(found).map_or(Scaled::ZERO, |entry| entry.likelihood))
+            });
+            let explained = explained.inspect_err(|_| self.start = None)?;
+            let prior = self.tasks.get(position).map_or(0.0, |task| task.prior);
+            let _ = priors.push(explained.scaled_by(prior));
+        }
+        // A command that nothing explains says nothing.
+        if total(priors.iter().copied()).is_zero() {
+            for (slot, task) in priors.iter_mut().zip(self.tasks.iter()) {
+                *slot = Scaled::new(task.prior);
+            }
+        }
+        Ok(priors)
+    }
+
+    /// The sum over the constraints of a task of Pr(c|s,l,t) times what `each` gives for the machine command.
+    fn for_each_candidate<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        position: usize,
+        mut each: impl FnMut(&mut Candidates<'m>, &LanguageModel<'m>, &Sentence, &[crate::symbols::Symbol]) -> Result<Scaled, CapacityError>,
+    ) -> Result<Scaled, AgentError> {
+        let Some(task) = self.tasks.get(position) else { return Ok(Scaled::ZERO) };
+        let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { return Ok(Scaled::ZERO) };
+        let expression = Expression::new(domain, lifted, task, self.language.tokens_mut())?;
+        let share = 1.0 / f32::from(expression.constraints());
+        let mut sum = Scaled::ZERO;
+        for constraint in 0..expression.constraints() {
+            let tokens = expression.machine_command(constraint)?;
+            sum = sum.plus(each(&mut self.candidates, &self.language, &self.sentence, &tokens)?.scaled_by(share));
+        }
+        Ok(sum)
+    }
+
+    /// Plans for `state`, expanding at most `budget` states of the search. Call until done; a different state begins anew.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSession`].
+    pub fn plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, budget: u32) -> Result<Progress, AgentError> {
+        if self.start.is_none() {
+            return Err(AgentError::NoSession);
+        }
+        let number = domain.number(state);
+        if self.planned != Some(number) {
+            self.planned = Some(number);
+            self.search.begin(domain, &self.goals, state, TaskSet::first(self.task_count), self.dead);
+        }
+        let progress = self.search.advance(domain, &self.goals, budget);
+        if progress == Progress::Done {
+            self.dead = self.dead.union(self.search.dead());
+        }
+        Ok(progress)
+    }
+
+    /// The most likely task: the largest posterior. On a tie the task that is followed stays; otherwise the generator draws, and without
+    /// one the first in order is taken.
+    pub fn most_likely<R: Rng + ?Sized>(&self, random: Option<&mut R>) -> Option<usize> {
+        let weight = |task: usize| self.belief.weight(task);
+        let mut best = Scaled::ZERO;
+        for task in 0..self.task_count {
+            if weight(task).exceeds(best) {
+                best = weight(task);
+            }
+        }
+        let tied = || (0..self.task_count).filter(|&task| !best.exceeds(weight(task)));
+        if let Some(followed) = self.followed.filter(|&followed| tied().any(|task| task == followed)) {
+            return Some(followed);
+        }
+        let draw = random.map_or(0, |random| below(tied().count(), random));
+        tied().nth(draw)
+    }
+
+    /// Decides on an action in the state that was planned for: one of the optimal set of the most likely task, which `random` draws (the
+    /// first in order without it). At the task's goal, in a dead end, and where the set is unknown, the action is to do nothing.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSession`] or [`AgentError::NotPlanned`].
+    pub fn decide<R: Rng + ?Sized>(&mut self, mut random: Option<&mut R>) -> Result<Decision, AgentError> {
+        self.check_planned()?;
+        let task = self.most_likely(random.as_deref_mut()).ok_or(AgentError::NoSession)?;
+        self.followed = Some(task);
+        let plan = self.search.optimal(task);
+        let action = match plan {
+            OptimalSet::Toward(actions) => {
+                let draw = random.map_or(0, |random| below(actions.len(), random));
+                actions.iter().nth(draw).unwrap_or(Action::NOOP)
+            }
+            OptimalSet::Goal | OptimalSet::DeadEnd(_) | OptimalSet::Unknown => Action::NOOP,
+        };
+        Ok(Decision { action, task, plan })
+    }
+
+    fn check_planned(&self) -> Result<(), AgentError> {
+        if self.start.is_none() {
+            return Err(AgentError::NoSession);
+        }
+        if self.planned.is_none() || !self.search.is_done() { Err(AgentError::NotPlanned) } else { Ok(()) }
+    }
+
+    fn check_applicable(&self, action: Action) -> Result<(), AgentError> {
+        self.check_planned()?;
+        if self.search.applicable().contains(action) { Ok(()) } else { Err(AgentError::NotApplicable) }
+    }
+
+    /// Takes in the trainer's feedback to `action`, done in the state that was planned for. Gives `false` where the feedback is impossible
+    /// under every task and strategy, and was ignored.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSession`], [`AgentError::NotPlanned`] or [`AgentError::NotApplicable`].
+    pub fn feedback(&mut self, action: Action, feedback: Feedback) -> Result<bool, AgentError> {
+        self.check_applicable(action)?;
+        let search = &self.search;
+        Ok(self.belief.observe_feedback(feedback, |task| match search.optimal(task).actions() {
+            Some(actions) if actions.contains(action) => Judgement::Correct,
+            Some(_) => Judgement::Incorrect,
+            None => Judgement::Unknown,
+        }))
+    }
+
+    /// Takes in that the trainer did `action` to show the way, in the state that was planned for: it is in the optimal set with
+    /// probability 1 - epsilon, spread evenly over that set, else spread evenly over the other applicable actions.
+    ///
+    /// # Errors
+    /// As [`feedback`](Self::feedback).
+    pub fn demonstration(&mut self, action: Action) -> Result<bool, AgentError> {
+        self.check_applicable(action)?;
+        let search = &self.search;
+        let applicable = search.applicable();
+        Ok(self.belief.observe(|strategy, task| {
+            let optimal = search.optimal(task).actions()?;
+            let others = ActionSet(applicable.0 & !optimal.0);
+            if others.is_empty() {
+                return Some(1.0 / optimal.len().max(1) as f32);
+            }
+            Some(if optimal.contains(action) {
+                (1.0 - strategy.epsilon()) / optimal.len().max(1) as f32
+            } else {
+                strategy.epsilon() / others.len().max(1) as f32
+            })
+        }))
+    }
+
+    /// Ends the session without learning from it.
+    pub fn forget(&mut self) {
+        self.language.forget_unlearned();
+        // What the candidates would weigh is now meaningless; the tasks stay, for `hear_again`.
+        self.planned = None;
+    }
+
+    /// Ends the session and learns from it: each machine command with its share of the posterior joins the training data, and training on
+    /// all of them begins. Call [`learn`](Self::learn) until it is done.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSession`], or [`AgentError::Capacity`]: the session is then forgotten and everything learned before is kept.
+    pub fn finish<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+        if self.start.is_none() {
+            return Err(AgentError::NoSession);
+        }
+        if self.language.is_training() {
+            return Err(AgentError::StillLearning);
+        }
+        self.weigh(domain)?;
+        let whole = total(self.candidates.entries().iter().map(|entry| entry.weight));
+        let share = |weight: Scaled| Some(weight.over(whole)).filter(|&share| share > self.options.least_weight);
+        let kept: f32 = self.candidates.entries().iter().filter_map(|entry| share(entry.weight)).sum();
+        let candidates = &self.candidates;
+        let pairs =
+            candidates.entries().iter().filter_map(|entry| share(entry.weight).map(|share| (candidates.tokens(entry), share / kept)));
+        let added = self.language.add_session(&self.sentence, pairs);
+        self.planned = None;
+        if let Err(error) = added {
+            self.language.forget_unlearned();
+            return Err(error.into());
+        }
+        self.language.begin_training();
+        Ok(())
+    }
+
+    /// The weight of each machine command of the session as it stands, for [`finish`](Self::finish) and for those who look on: the entries
+    /// of [`candidates`](Self::candidates) then have their weights.
+    ///
+    /// # Errors
+    /// [`AgentError::Capacity`].
+    pub fn weigh<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+        for position in 0..self.candidates.entries().len() {
+            if let Some(entry) = self.candidates.entry_mut(position) {
+                entry.weight = Scaled::ZERO;
+            }
+        }
+        for position in 0..self.task_count {
+            let prior = self.tasks.get(position).map_or(0.0, |task| task.prior);
+            let weights = self.options.weights;
+            let evidence = match weights {
+                Weights::Paper => self.belief.evidence(position).scaled_by(prior),
+                Weights::Belief => self.belief.weight(position),
+            };
+            let Some(task) = self.tasks.get(position) else { continue };
+            let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
+            let constraints = Expression::new(domain, lifted, task, self.language.tokens_mut())?.constraints();
+            let evidence = evidence.scaled_by(1.0 / f32::from(constraints));
+            self.for_each_candidate(domain, position, |candidates, _, _, tokens| {
+                if let Some(entry) = candidates.find(tokens).and_then(|found| candidates.entry_mut(found)) {
+                    let explained = if weights == Weights::Paper { entry.likelihood } else { Scaled::ONE };
+                    entry.weight = entry.weight.plus(evidence.times(explained));
+                }
+                Ok(Scaled::ZERO)
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Goes on learning, with at most about `budget` table cells of work.
+    pub fn learn(&mut self, budget: u32) -> Progress {
+        self.language.train(budget)
+    }
+
+    /// Plans to the end.
+    ///
+    /// # Errors
+    /// As [`plan`](Self::plan).
+    pub fn plan_fully<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<(), AgentError> {
+        while self.plan(domain, state, u32::MAX)? == Progress::Working {}
+        Ok(())
+    }
+
+    /// Learns to the end.
+    pub fn learn_fully(&mut self) {
+        while self.learn(u32::MAX) == Progress::Working {}
+    }
+}

@@ -1,0 +1,164 @@
+//! Interned names: each distinct text is kept once and known by a small number.
+//!
+//! Words, machine tokens, object names and attribute values ("yellow", "chair") are data that arrive as the robot lives, so they cannot
+//! be enums. A [`Symbols`] table keeps their bytes end to end in memory that the caller lends it.
+
+use crate::capacity::{Capacity, CapacityError, NAME_BYTES};
+
+/// A text known to a [`Symbols`] table, by its position there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Symbol(pub u16);
+
+impl Symbol {
+    /// The position in the table.
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// Texts, each kept once, in the order in which they first came.
+///
+/// ```
+/// use goodbot::{capacity::Capacity, symbols::Symbols};
+/// let (mut bytes, mut ends) = ([0; 16], [0; 4]);
+/// let mut symbols = Symbols::new(&mut bytes, &mut ends, Capacity::Words, Capacity::WordBytes);
+/// let red = symbols.intern("red").unwrap();
+/// assert_eq!(symbols.intern("red"), Ok(red));
+/// assert_eq!(symbols.text(red), "red");
+/// assert_eq!(symbols.find("green"), None);
+/// ```
+#[derive(Debug)]
+pub struct Symbols<'m> {
+    bytes: &'m mut [u8],
+    ends: &'m mut [u16],
+    len: usize,
+    count_capacity: Capacity,
+    byte_capacity: Capacity,
+}
+
+impl<'m> Symbols<'m> {
+    /// An empty table over `bytes` (all texts end to end, at most 65,535 of them) and `ends` (one entry a text). The two capacities are
+    /// named in errors.
+    pub fn new(bytes: &'m mut [u8], ends: &'m mut [u16], count_capacity: Capacity, byte_capacity: Capacity) -> Self {
+        Self { bytes, ends, len: 0, count_capacity, byte_capacity }
+    }
+
+    /// How many texts there are.
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// Bytes that the texts take together.
+    pub fn byte_len(&self) -> usize {
+        self.start(self.len)
+    }
+
+    fn start(&self, position: usize) -> usize {
+        match position.checked_sub(1) {
+            Some(previous) => self.ends.get(previous).copied().unwrap_or(0) as usize,
+            None => 0,
+        }
+    }
+
+    fn raw(&self, position: usize) -> &[u8] {
+        if position >= self.len {
+            return &[];
+        }
+        self.bytes.get(self.start(position)..self.start(position.saturating_add(1))).unwrap_or(&[])
+    }
+
+    /// The text of `symbol`; empty for a symbol of another table that this one does not have.
+    pub fn text(&self, symbol: Symbol) -> &str {
+        core::str::from_utf8(self.raw(symbol.index())).unwrap_or("")
+    }
+
+    /// All texts, in order.
+    pub fn iter(&self) -> impl Iterator<Item = (Symbol, &str)> {
+        (0..self.len).map(|position| {
+            let symbol = Symbol(position as u16);
+            (symbol, self.text(symbol))
+        })
+    }
+
+    /// The symbol of `text`, if the table has it.
+    pub fn find(&self, text: &str) -> Option<Symbol> {
+        let wanted = text.as_bytes();
+        let mut start = 0;
+        for (position, &end) in self.ends.iter().take(self.len).enumerate() {
+            let end = end as usize;
+            if end.wrapping_sub(start) == wanted.len() && self.bytes.get(start..end) == Some(wanted) {
+                return Some(Symbol(position as u16));
+            }
+            start = end;
+        }
+        None
+    }
+
+    /// The symbol of `text`, added if the table does not have it yet.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where the text is longer than [`NAME_BYTES`] or the table is full; the table is then unchanged.
+    pub fn intern(&mut self, text: &str) -> Result<Symbol, CapacityError> {
+        if text.len() > NAME_BYTES {
+            return Err(CapacityError::new(Capacity::NameBytes, NAME_BYTES, text.len()));
+        }
+        if let Some(symbol) = self.find(text) {
+            return Ok(symbol);
+        }
+        let start = self.start(self.len);
+        let end = start.saturating_add(text.len());
+        let most = self.bytes.len().min(usize::from(u16::MAX));
+        let full = CapacityError::new(self.byte_capacity, most, end);
+        let end_entry = u16::try_from(end).map_err(|_| full)?;
+        let most_symbols = self.ends.len().min(usize::from(u16::MAX) - 1);
+        if self.len >= most_symbols {
+            return Err(CapacityError::full(self.count_capacity, most_symbols));
+        }
+        let Some(room) = self.bytes.get_mut(start..end) else { return Err(full) };
+        room.copy_from_slice(text.as_bytes());
+        if let Some(entry) = self.ends.get_mut(self.len) {
+            *entry = end_entry;
+        }
+        let symbol = Symbol(self.len as u16);
+        self.len = self.len.saturating_add(1);
+        Ok(symbol)
+    }
+
+    /// Forgets all texts from position `len` on.
+    pub fn truncate(&mut self, len: usize) {
+        self.len = self.len.min(len);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_full_table_says_what_to_raise_and_keeps_what_it_has() {
+        let (mut bytes, mut ends) = ([0; 8], [0; 2]);
+        let mut symbols = Symbols::new(&mut bytes, &mut ends, Capacity::Words, Capacity::WordBytes);
+        symbols.intern("red").unwrap();
+        assert_eq!(symbols.intern("yellow"), Err(CapacityError::new(Capacity::WordBytes, 8, 9)));
+        symbols.intern("blue").unwrap();
+        assert_eq!(symbols.intern("a"), Err(CapacityError::new(Capacity::Words, 2, 3)));
+        assert_eq!(symbols.find("blue"), Some(Symbol(1)));
+    }
+
+    #[test]
+    fn truncating_makes_room_again() {
+        let (mut bytes, mut ends) = ([0; 8], [0; 2]);
+        let mut symbols = Symbols::new(&mut bytes, &mut ends, Capacity::Words, Capacity::WordBytes);
+        symbols.intern("red").unwrap();
+        symbols.intern("blue").unwrap();
+        symbols.truncate(1);
+        assert_eq!(symbols.find("blue"), None);
+        assert_eq!(symbols.intern("green"), Ok(Symbol(1)));
+        assert_eq!(symbols.byte_len(), 8);
+    }
+}

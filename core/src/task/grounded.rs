@@ -1,0 +1,110 @@
+//! Grounded tasks: a lifted task with its variables bound to objects.
+
+use super::{LiftedTask, TaskSet};
+use crate::capacity::{ARGUMENTS, Capacity, CapacityError, VARIABLES_PER_TASK};
+use crate::oomdp::{Domain, GroundProposition, ObjectId, ObjectSet};
+
+/// A lifted task with its variables bound to objects, and its prior Pr(l|s) Pr(t|s,l).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GroundedTask {
+    /// The lifted task, by its position among those of the session.
+    pub lifted: u8,
+    /// The object of each variable.
+    pub bindings: [ObjectId; VARIABLES_PER_TASK],
+    /// Its probability before any command.
+    pub prior: f32,
+}
+
+impl GroundedTask {
+    /// What unused memory holds.
+    pub const UNUSED: Self = Self { lifted: 0, bindings: [ObjectId(0); VARIABLES_PER_TASK], prior: 0.0 };
+
+    /// The conjunction, with the objects in it. `lifted` is the task that it grounds.
+    pub fn propositions(&self, lifted: &LiftedTask) -> impl Iterator<Item = GroundProposition> {
+        let bindings = self.bindings;
+        lifted.propositions.iter().map(move |part| {
+            let mut arguments = [ObjectId(0); ARGUMENTS];
+            for (argument, &variable) in arguments.iter_mut().zip(&part.variables) {
+                *argument = bindings.get(usize::from(variable)).copied().unwrap_or(ObjectId(0));
+            }
+            GroundProposition { proposition: part.proposition, arguments }
+        })
+    }
+}
+
+/// Grounds every lifted task that the environment permits: one task for each way to bind its variables to different objects, except
+/// those that hold already. Pr(l|s) is uniform over the permissible lifted tasks and Pr(t|s,l) over the groundings left; what is left is
+/// renormalised (paper, section 3). Gives the number of tasks.
+///
+/// # Errors
+/// A [`CapacityError`] where `tasks` is too small.
+pub fn ground<D: Domain + ?Sized>(
+    domain: &D,
+    lifted: &[LiftedTask],
+    state: &D::State,
+    tasks: &mut [GroundedTask],
+) -> Result<usize, CapacityError> {
+    let limit = tasks.len().min(TaskSet::MOST);
+    let (mut count, mut groups) = (0_usize, 0_usize);
+    for (position, task) in lifted.iter().enumerate() {
+        let first = count;
+        let mut bindings = Some([ObjectId(0); VARIABLES_PER_TASK]).filter(|_| !task.variables.is_empty());
+        if let Some(start) = bindings {
+            bindings = next_binding(domain.objects(), task, start, true);
+        }
+        while let Some(bound) = bindings {
+            let grounded = GroundedTask { lifted: position as u8, bindings: bound, prior: 0.0 };
+            if !grounded.propositions(task).all(|part| domain.holds(&part, state)) {
+                match tasks.get_mut(count).filter(|_| count < limit) {
+                    Some(slot) => *slot = grounded,
+                    None => return Err(CapacityError::full(Capacity::Tasks, limit)),
+                }
+                count = count.saturating_add(1);
+            }
+            bindings = next_binding(domain.objects(), task, bound, false);
+        }
+        let group = tasks.get_mut(first..count).unwrap_or(&mut []);
+        let share = 1.0 / group.len().max(1) as f32;
+        groups = groups.saturating_add(usize::from(!group.is_empty()));
+        for grounded in group {
+            grounded.prior = share;
+        }
+    }
+    let share = 1.0 / groups.max(1) as f32;
+    for grounded in tasks.iter_mut().take(count) {
+        grounded.prior *= share;
+    }
+    Ok(count)
+}
+
+/// The next assignment of different objects of the right classes, in the order of the objects, the last variable counting fastest.
+fn next_binding(
+    objects: &ObjectSet<'_>,
+    task: &LiftedTask,
+    mut bound: [ObjectId; VARIABLES_PER_TASK],
+    first: bool,
+) -> Option<[ObjectId; VARIABLES_PER_TASK]> {
+    let variables = task.variables.as_slice();
+    // The variable to set next, and the first object to try for it.
+    let mut variable = if first { 0 } else { variables.len().checked_sub(1)? };
+    let mut from = if first { 0 } else { bound.get(variable)?.index().saturating_add(1) };
+    loop {
+        let class = *variables.get(variable)?;
+        let taken = bound.get(..variable)?;
+        let found = objects.iter().skip(from).find(|(id, object)| object.class == class && !taken.contains(id)).map(|(id, _)| id);
+        match found {
+            Some(id) => {
+                *bound.get_mut(variable)? = id;
+                variable = variable.saturating_add(1);
+                from = 0;
+                if variable == variables.len() {
+                    return Some(bound);
+                }
+            }
+            None => {
+                variable = variable.checked_sub(1)?;
+                from = bound.get(variable)?.index().saturating_add(1);
+            }
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! Tasks (paper, section 3, task model): what the robot could be asked to do here.
+//!
+//! - [`lifted`]: a conjunction of propositional functions over typed variables;
+//! - [`grounded`]: its variables bound to objects;
+//! - [`constraint`]: which attributes of the bound objects a command may mention;
+//! - [`machine_command`]: a task and a constraint as the sentence that a command is translated from.
+
+pub mod constraint;
+pub mod grounded;
+pub mod lifted;
+pub mod machine_command;
+
+pub use grounded::{GroundedTask, ground};
+pub use lifted::{LiftedProposition, LiftedTask, TaskTextError};
+pub use machine_command::Expression;
+
+/// A set of a session's tasks, one bit each, by position.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct TaskSet(pub u64);
+
+impl TaskSet {
+    /// How many tasks a session can have at most.
+    pub const MOST: usize = 64;
+    /// No task.
+    pub const EMPTY: Self = Self(0);
+
+    /// The first `count` tasks.
+    pub const fn first(count: usize) -> Self {
+        if count >= Self::MOST { Self(u64::MAX) } else { Self((1 << count) - 1) }
+    }
+
+    /// The set of one task; empty for a position that no task can have.
+    pub const fn of(task: usize) -> Self {
+        if task < Self::MOST { Self(1 << task) } else { Self(0) }
+    }
+
+    /// Whether the set has this task.
+    pub const fn contains(self, task: usize) -> bool {
+        self.0 & Self::of(task).0 != 0
+    }
+
+    /// Whether there is none.
+    pub const fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// The tasks of both.
+    #[must_use]
+    pub const fn union(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// The tasks that `other` does not have.
+    #[must_use]
+    pub const fn without(self, other: Self) -> Self {
+        Self(self.0 & !other.0)
+    }
+
+    /// The tasks that `other` has too.
+    #[must_use]
+    pub const fn common(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
+    /// The positions, in order.
+    pub fn iter(self) -> impl Iterator<Item = usize> {
+        let mut rest = self.0;
+        core::iter::from_fn(move || {
+            let next = rest.trailing_zeros();
+            rest &= rest.wrapping_sub(1);
+            (next < 64).then_some(next as usize)
+        })
+    }
+}

@@ -1,0 +1,192 @@
+//! Environments: the rooms, doors, blocks and the agent of one home.
+//!
+//! One JSON object. `version` is 1. `objects` has an object each, told apart by `class`:
+//!
+//! | class | further fields |
+//! |---|---|
+//! | `room` | `name`, `left`, `bottom`, `right`, `top`, `color` |
+//! | `door` | `name`, `left`, `bottom`, `right`, `top` |
+//! | `agent` | `name`, `x`, `y` |
+//! | `block` | `name`, `x`, `y`, `color`, `shape` |
+//!
+//! Cells are whole numbers of 32 bits, x to the east, y to the north. Names are unique and such
+//! that a [task](crate::task_text) can hold them. Whether the home makes sense (boxes inside out,
+//! an agent in a wall) is not asked here.
+//!
+//! ```
+//! use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+//!
+//! let text = r#"{"version":1,"objects":[{"class":"room","name":"room0","left":0,"bottom":0,"right":8,"top":4,"color":"red"},{"class":"door","name":"door0","left":2,"bottom":4,"right":2,"top":4},{"class":"agent","name":"agent0","x":4,"y":2},{"class":"block","name":"block0","x":2,"y":2,"color":"yellow","shape":"chair"}]}"#;
+//! let home = EnvironmentFile::parse(text)?;
+//! assert!(matches!(&home.objects[2], ObjectRecord::Agent { x: 4, y: 2, .. }));
+//! assert_eq!(home.to_json_line(), text);
+//!
+//! let error = EnvironmentFile::parse("{\"version\": 1, \"objects\": [\n  {\"class\": \"agent\", \"name\": \"a\", \"x\": 4, \"z\": 2}\n]}");
+//! assert_eq!(
+//!     error.unwrap_err().to_string(),
+//!     r#"line 2: field "objects[0].z": is not known here; known are class, name, x, y"#
+//! );
+//! # Ok::<(), goodbot_formats::FormatError>(())
+//! ```
+
+use std::collections::BTreeSet;
+
+use serde::Serialize;
+
+use crate::error::{FormatError, KNOWN_VERSIONS, Problem};
+use crate::json::{Node, Object, Source};
+use crate::task_text::{TaskTextError, is_usable_name};
+
+/// An environment as it is written.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct EnvironmentFile {
+    /// The format's version.
+    pub version: u32,
+    /// The objects, in the order in which they stand.
+    pub objects: Vec<ObjectRecord>,
+}
+
+/// One object of an environment. Boxes are closed: all four edges belong to them.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(tag = "class", rename_all = "lowercase")]
+pub enum ObjectRecord {
+    /// A room, its walls included.
+    Room {
+        /// The room's name.
+        name: String,
+        /// The westernmost cells.
+        left: i32,
+        /// The southernmost cells.
+        bottom: i32,
+        /// The easternmost cells.
+        right: i32,
+        /// The northernmost cells.
+        top: i32,
+        /// The room's colour.
+        color: String,
+    },
+    /// A door, a gap in walls.
+    Door {
+        /// The door's name.
+        name: String,
+        /// The westernmost cells.
+        left: i32,
+        /// The southernmost cells.
+        bottom: i32,
+        /// The easternmost cells.
+        right: i32,
+        /// The northernmost cells.
+        top: i32,
+    },
+    /// An agent.
+    Agent {
+        /// The agent's name.
+        name: String,
+        /// Its cell, east.
+        x: i32,
+        /// Its cell, north.
+        y: i32,
+    },
+    /// A block that the agent can move.
+    Block {
+        /// The block's name.
+        name: String,
+        /// Its cell, east.
+        x: i32,
+        /// Its cell, north.
+        y: i32,
+        /// The block's colour.
+        color: String,
+        /// The block's shape.
+        shape: String,
+    },
+}
+
+const CLASSES: &[&str] = &["room", "door", "agent", "block"];
+const FIELDS: [&[&str]; 4] = [
+    &["class", "name", "left", "bottom", "right", "top", "color"],
+    &["class", "name", "left", "bottom", "right", "top"],
+    &["class", "name", "x", "y"],
+    &["class", "name", "x", "y", "color", "shape"],
+];
+
+impl EnvironmentFile {
+    /// An environment of these objects, in the newest version.
+    pub fn new(objects: Vec<ObjectRecord>) -> Self {
+        let version = KNOWN_VERSIONS[KNOWN_VERSIONS.len() - 1];
+        EnvironmentFile { version, objects }
+    }
+
+    /// Reads an environment, be it on one line or on many.
+    pub fn parse(text: &str) -> Result<Self, FormatError> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        EnvironmentFile::read(Source::new(text, 1).root()?)
+    }
+
+    pub(crate) fn read(node: Node<'_>) -> Result<Self, FormatError> {
+        let file = node.object()?;
+        let version = file.version()?;
+        file.only(&["version", "objects"])?;
+        let mut names = BTreeSet::new();
+        let mut objects = Vec::new();
+        for node in file.required("objects")?.list()? {
+            let fields = node.object()?;
+            let object = ObjectRecord::read(&fields)?;
+            let name = object.name().to_string();
+            if !names.insert(name.clone()) {
+                return Err(fields.required("name")?.error(Problem::DuplicateName { name }));
+            }
+            objects.push(object);
+        }
+        Ok(EnvironmentFile { version, objects })
+    }
+
+    /// The environment on one line, without a line end.
+    pub fn to_json_line(&self) -> String {
+        serde_json::to_string(self).unwrap_or_default()
+    }
+
+    /// The environment on many lines, for people, with a line end.
+    pub fn to_json_pretty(&self) -> String {
+        let mut text = serde_json::to_string_pretty(self).unwrap_or_default();
+        text.push('\n');
+        text
+    }
+}
+
+impl ObjectRecord {
+    /// The object's name.
+    pub fn name(&self) -> &str {
+        match self {
+            ObjectRecord::Room { name, .. }
+            | ObjectRecord::Door { name, .. }
+            | ObjectRecord::Agent { name, .. }
+            | ObjectRecord::Block { name, .. } => name,
+        }
+    }
+
+    fn read(fields: &Object<'_>) -> Result<Self, FormatError> {
+        let class = fields.required("class")?.word(CLASSES)?;
+        fields.only(FIELDS[class])?;
+        let text = |name| fields.required(name)?.text();
+        let cell = |name| fields.required(name)?.coordinate();
+        let name = text("name")?;
+        if !is_usable_name(&name) {
+            let problem = Problem::Task(TaskTextError::UnusableName { name });
+            return Err(fields.required("name")?.error(problem));
+        }
+        Ok(match class {
+            0 => ObjectRecord::Room {
+                name,
+                left: cell("left")?,
+                bottom: cell("bottom")?,
+                right: cell("right")?,
+                top: cell("top")?,
+                color: text("color")?,
+            },
+            1 => ObjectRecord::Door { name, left: cell("left")?, bottom: cell("bottom")?, right: cell("right")?, top: cell("top")? },
+            2 => ObjectRecord::Agent { name, x: cell("x")?, y: cell("y")? },
+            _ => ObjectRecord::Block { name, x: cell("x")?, y: cell("y")?, color: text("color")?, shape: text("shape")? },
+        })
+    }
+}

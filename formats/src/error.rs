@@ -1,0 +1,268 @@
+//! What is wrong with a text, where, and what to do about it.
+
+use std::fmt;
+
+use crate::task_text::TaskTextError;
+
+/// The versions of the file formats that this crate reads. It writes the last of them.
+pub const KNOWN_VERSIONS: &[u32] = &[1];
+
+/// A text that is not in the format: where, and what is wrong.
+///
+/// Displayed as `FILE:LINE: field "x": what is wrong; what to do`:
+///
+/// ```
+/// use goodbot_formats::environment::EnvironmentFile;
+///
+/// let error = EnvironmentFile::parse(r#"{"version":1,"things":[]}"#).unwrap_err();
+/// assert_eq!(
+///     error.with_file("home.json").to_string(),
+///     r#"home.json:1: field "things": is not known here; known are version, objects"#
+/// );
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct FormatError {
+    /// The file's name, where the caller has given one.
+    pub file: Option<String>,
+    /// The line, counted from 1.
+    pub line: usize,
+    /// The column in characters, counted from 1, where one place is at fault.
+    pub column: Option<usize>,
+    /// The field at fault, with its way from the outside: `environment.objects[2].color`.
+    pub field: Option<String>,
+    /// What is wrong.
+    pub problem: Problem,
+}
+
+/// What can be wrong with a text.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Problem {
+    /// Not JSON; the message of the JSON reader.
+    Syntax(String),
+    /// The text, or the line of a log, ends in the middle of a value.
+    CutShort,
+    /// There is no text at all.
+    NoText,
+    /// Not UTF-8.
+    NotUtf8,
+    /// A line of more than `limit` bytes.
+    LineTooLong {
+        /// The most bytes that a line may have.
+        limit: usize,
+    },
+    /// The file could not be read; the system's message.
+    Read(String),
+    /// A field that the format does not have.
+    UnknownField {
+        /// The fields that it has.
+        known: &'static [&'static str],
+    },
+    /// A field that is given twice.
+    DuplicateField,
+    /// A field that is not there.
+    MissingField,
+    /// A value of another kind than the field has.
+    WrongKind {
+        /// The kind that belongs there.
+        expected: &'static str,
+        /// The kind that was found.
+        found: &'static str,
+    },
+    /// A word that is none of the field's words.
+    UnknownWord {
+        /// The word.
+        found: String,
+        /// The field's words.
+        known: &'static [&'static str],
+    },
+    /// An action that is neither `noop` nor one of the session's actions.
+    UnknownAction {
+        /// The action.
+        found: String,
+        /// The session's actions.
+        known: Vec<String>,
+    },
+    /// A version other than [`KNOWN_VERSIONS`].
+    UnknownVersion {
+        /// The version as written.
+        found: String,
+    },
+    /// A number that is no coordinate, that is no whole number of 32 bits.
+    NotACoordinate {
+        /// The number as written.
+        found: String,
+    },
+    /// A number that counts nothing, that is no whole number from 0.
+    NotACount {
+        /// The number as written.
+        found: String,
+    },
+    /// A number outside of the range from 0 to 1.
+    NotAProbability {
+        /// The number as written.
+        found: String,
+    },
+    /// A list or a name with nothing in it.
+    Empty,
+    /// A list or an object of more than `limit` entries.
+    TooMany {
+        /// The most entries.
+        limit: usize,
+    },
+    /// Probabilities that are all 0.
+    AllZero,
+    /// A name that stands twice where each may stand once.
+    DuplicateName {
+        /// The name.
+        name: String,
+    },
+    /// A text that is no task, or a name that no task could hold.
+    Task(TaskTextError),
+    /// A step before the first session.
+    StepBeforeSession,
+    /// A step after the end of its session.
+    StepAfterEnd,
+    /// An end without a session.
+    EndOutsideSession,
+    /// A session that is not ended.
+    NoEnd {
+        /// Where the next session begins, if it is not the file that ends.
+        next_session: Option<usize>,
+    },
+    /// A step without feedback in a feedback session.
+    FeedbackMissing,
+    /// A step with feedback in a demonstration.
+    FeedbackInDemonstration,
+    /// A field that a session with `continues` cannot have.
+    NotWithContinues,
+    /// A session with `continues` and another command or environment than the one before.
+    ContinuesAnother,
+    /// A session with `continues` after a session that could not be read.
+    ContinuesUnread,
+}
+
+impl FormatError {
+    pub(crate) fn new(line: usize, problem: Problem) -> Self {
+        FormatError { file: None, line, column: None, field: None, problem }
+    }
+
+    pub(crate) fn with_field(mut self, field: impl Into<String>) -> Self {
+        self.field = Some(field.into());
+        self
+    }
+
+    /// The same error, saying which file it is in.
+    pub fn with_file(mut self, file: impl Into<String>) -> Self {
+        self.file = Some(file.into());
+        self
+    }
+}
+
+impl fmt::Display for FormatError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.file {
+            Some(file) => write!(f, "{file}:{}: ", self.line)?,
+            None => write!(f, "line {}: ", self.line)?,
+        }
+        if let Some(field) = &self.field {
+            // Names of fields come from the text: nothing in them may reach a terminal as it is.
+            write!(f, "field {}: ", quoted(field))?;
+        }
+        self.problem.fmt(f)
+    }
+}
+
+impl std::error::Error for FormatError {}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Problem::Syntax(message) => {
+                write!(f, "is not JSON ({message}); correct it (JSON has no NaN, no comments and no comma at the end of a list)")
+            }
+            Problem::CutShort => f.write_str("the text ends in the middle of a value; complete it, or remove what is left of it"),
+            Problem::NoText => f.write_str("there is nothing here; give a file with a JSON text"),
+            Problem::NotUtf8 => f.write_str("is not UTF-8; save the file in UTF-8"),
+            Problem::LineTooLong { limit } => write!(f, "the line has more than {limit} bytes; put each record on a line of its own"),
+            Problem::Read(message) => write!(f, "could not be read ({message}); check the file and its disk"),
+            Problem::UnknownField { known } => {
+                write!(f, "is not known here; known are {}", known.join(", "))
+            }
+            Problem::DuplicateField => f.write_str("is given twice; keep one of the two"),
+            Problem::MissingField => f.write_str("is missing; add it"),
+            Problem::WrongKind { expected, found } => {
+                write!(f, "is {found}; write {expected}")
+            }
+            Problem::UnknownWord { found, known } => write!(f, "{} is not known; write {}", quoted(found), alternatives(known)),
+            Problem::UnknownAction { found, known } => write!(
+                f,
+                "{} is no action of this session; write {} or noop, or name it in the session's \"actions\"",
+                quoted(found),
+                known.iter().map(|k| quoted(k)).collect::<Vec<_>>().join(", ")
+            ),
+            Problem::UnknownVersion { found } => {
+                let known: Vec<_> = KNOWN_VERSIONS.iter().map(u32::to_string).collect();
+                write!(f, "version {found} is not known, known is {}; write that, or use a newer goodbot", known.join(", "))
+            }
+            Problem::NotACoordinate { found } => write!(f, "{found} is no cell; write a whole number from {} to {}", i32::MIN, i32::MAX),
+            Problem::NotACount { found } => {
+                write!(f, "{found} is no count; write a whole number from 0")
+            }
+            Problem::NotAProbability { found } => write!(f, "{found} is no probability; write a number from 0 to 1"),
+            Problem::Empty => f.write_str("is empty; fill it, or leave out what is optional"),
+            Problem::TooMany { limit } => {
+                write!(f, "has more than {limit} entries; write no more than that")
+            }
+            Problem::AllZero => f.write_str("nothing here is above 0; give at least one a probability"),
+            Problem::DuplicateName { name } => {
+                write!(f, "{} is here twice; name each once", quoted(name))
+            }
+            Problem::Task(error) => error.fmt(f),
+            Problem::StepBeforeSession => f.write_str("a step stands before any session; put a session line before it"),
+            Problem::StepAfterEnd => {
+                f.write_str("a step stands after the end of its session; move it before the end line, or begin a session")
+            }
+            Problem::EndOutsideSession => f.write_str("an end stands outside of any session; remove it"),
+            Problem::NoEnd { next_session: Some(line) } => {
+                write!(f, "the session that begins here is not ended when another begins on line {line}; add an end line before that")
+            }
+            Problem::NoEnd { next_session: None } => {
+                f.write_str("the session that begins here is not ended when the file ends; add an end line")
+            }
+            Problem::FeedbackMissing => f.write_str("is missing in a feedback session; add reward, punish or neutral"),
+            Problem::FeedbackInDemonstration => {
+                f.write_str("does not belong in a demonstration; remove it, or make the session's kind feedback")
+            }
+            Problem::NotWithContinues => {
+                f.write_str("does not belong in a session that continues the one before; remove it, or remove \"continues\"")
+            }
+            Problem::ContinuesAnother => f.write_str("the session before has another command or environment; remove \"continues\""),
+            Problem::ContinuesUnread => {
+                f.write_str("the session before could not be read, so nothing can be continued; mend that one first")
+            }
+        }
+    }
+}
+
+/// The text in quotes, with everything unprintable escaped, and not too much of it.
+pub(crate) fn quoted(text: &str) -> String {
+    format!("{:?}", excerpt(text, 80))
+}
+
+/// The text's beginning, of at most this many characters.
+pub(crate) fn excerpt(text: &str, characters: usize) -> String {
+    match text.char_indices().nth(characters) {
+        Some((cut, _)) => format!("{}…", &text[..cut]),
+        None => text.to_string(),
+    }
+}
+
+fn alternatives(words: &[&str]) -> String {
+    match words {
+        [] => String::new(),
+        [only] => only.to_string(),
+        [first @ .., last] => format!("{} or {last}", first.join(", ")),
+    }
+}

@@ -1,0 +1,209 @@
+//! JSON whose values remember where they stand.
+//!
+//! Serde's derived readers hold a tagged record back until its tag is known and have then lost the
+//! lines of its fields. Here a text is checked as a whole and then taken apart value by value: each
+//! is a slice of the text, so its line follows from its place.
+
+use std::collections::BTreeSet;
+
+use serde_json::value::RawValue;
+
+use crate::error::{FormatError, KNOWN_VERSIONS, Problem, excerpt};
+
+mod entries;
+mod source;
+
+use entries::Member;
+pub(crate) use source::Source;
+use source::message;
+
+/// A value in a text.
+#[derive(Clone)]
+pub(crate) struct Node<'a> {
+    source: &'a Source<'a>,
+    raw: &'a RawValue,
+    path: String,
+}
+
+/// An object in a text, with each field once.
+pub(crate) struct Object<'a> {
+    node: Node<'a>,
+    members: Vec<Member<'a>>,
+}
+
+impl<'a> Node<'a> {
+    /// What is wrong with this value.
+    pub(crate) fn error(&self, problem: Problem) -> FormatError {
+        self.error_at(self.raw, &self.path, problem)
+    }
+
+    fn error_at(&self, at: &RawValue, path: &str, problem: Problem) -> FormatError {
+        let (line, column) = self.source.place(at.get());
+        let mut error = FormatError::new(line, problem);
+        error.column = Some(column);
+        if !path.is_empty() {
+            error.field = Some(path.to_string());
+        }
+        error
+    }
+
+    fn field(&self, name: &str) -> String {
+        match self.path.is_empty() {
+            true => name.to_string(),
+            false => format!("{}.{name}", self.path),
+        }
+    }
+
+    fn kind(&self) -> &'static str {
+        match self.raw.get().as_bytes().first() {
+            Some(b'{') => "an object",
+            Some(b'[') => "a list",
+            Some(b'"') => "a text",
+            Some(b'n') => "null",
+            Some(b't') | Some(b'f') => "true or false",
+            _ => "a number",
+        }
+    }
+
+    fn expect(&self, expected: &'static str) -> Result<(), FormatError> {
+        match self.kind() {
+            found if found == expected => Ok(()),
+            found => Err(self.error(Problem::WrongKind { expected, found })),
+        }
+    }
+
+    /// The value as written, or the beginning of it.
+    fn written(&self) -> String {
+        excerpt(self.raw.get(), 40).replace(char::is_control, "?")
+    }
+
+    pub(crate) fn object(self) -> Result<Object<'a>, FormatError> {
+        self.expect("an object")?;
+        let members = self.limited(entries::members(self.raw))?;
+        let mut seen = BTreeSet::new();
+        for member in &members {
+            if !seen.insert(member.name.as_str()) {
+                let path = self.field(&member.name);
+                return Err(self.error_at(member.key, &path, Problem::DuplicateField));
+            }
+        }
+        Ok(Object { node: self, members })
+    }
+
+    pub(crate) fn list(&self) -> Result<Vec<Node<'a>>, FormatError> {
+        self.expect("a list")?;
+        let items = self.limited(entries::items(self.raw))?;
+        let item = |(index, raw)| Node { source: self.source, raw, path: format!("{}[{index}]", self.path) };
+        Ok(items.into_iter().enumerate().map(item).collect())
+    }
+
+    fn limited<T>(&self, entries: Result<Option<Vec<T>>, serde_json::Error>) -> Result<Vec<T>, FormatError> {
+        match entries {
+            Ok(Some(entries)) => Ok(entries),
+            Ok(None) => Err(self.error(Problem::TooMany { limit: entries::LIMIT })),
+            Err(error) => Err(self.error(Problem::Syntax(message(&error)))),
+        }
+    }
+
+    pub(crate) fn text(&self) -> Result<String, FormatError> {
+        self.expect("a text")?;
+        // What is a text by its quotes can still hold half of a surrogate pair.
+        serde_json::from_str(self.raw.get()).map_err(|error| self.error(Problem::Syntax(message(&error))))
+    }
+
+    pub(crate) fn filled_text(&self) -> Result<String, FormatError> {
+        let text = self.text()?;
+        match text.is_empty() {
+            true => Err(self.error(Problem::Empty)),
+            false => Ok(text),
+        }
+    }
+
+    pub(crate) fn filled_list(&self) -> Result<Vec<Node<'a>>, FormatError> {
+        let list = self.list()?;
+        match list.is_empty() {
+            true => Err(self.error(Problem::Empty)),
+            false => Ok(list),
+        }
+    }
+
+    /// One of a few words, by its place in the list of them.
+    pub(crate) fn word(&self, known: &'static [&'static str]) -> Result<usize, FormatError> {
+        let found = self.text()?;
+        match known.iter().position(|word| *word == found) {
+            Some(index) => Ok(index),
+            None => Err(self.error(Problem::UnknownWord { found, known })),
+        }
+    }
+
+    pub(crate) fn truth(&self) -> Result<bool, FormatError> {
+        self.expect("true or false")?;
+        Ok(self.raw.get() == "true")
+    }
+
+    pub(crate) fn coordinate(&self) -> Result<i32, FormatError> {
+        self.expect("a number")?;
+        let found = self.raw.get().parse();
+        found.map_err(|_| self.error(Problem::NotACoordinate { found: self.written() }))
+    }
+
+    pub(crate) fn count(&self) -> Result<u64, FormatError> {
+        self.expect("a number")?;
+        let found = self.raw.get().parse();
+        found.map_err(|_| self.error(Problem::NotACount { found: self.written() }))
+    }
+
+    /// A number from 0 to 1, or to `excess` above 1. Nothing is lost: the nearest number is read.
+    pub(crate) fn probability(&self, excess: f64) -> Result<f64, FormatError> {
+        self.expect("a number")?;
+        match self.raw.get().parse::<f64>() {
+            Ok(value) if (0.0..=1.0 + excess).contains(&value) => Ok(value),
+            _ => Err(self.error(Problem::NotAProbability { found: self.written() })),
+        }
+    }
+}
+
+impl<'a> Object<'a> {
+    /// What is wrong with the object as a whole, told of one of its fields.
+    pub(crate) fn error(&self, name: &str, problem: Problem) -> FormatError {
+        let at = self.members.iter().find(|m| m.name == name);
+        let at = at.map_or(self.node.raw, |m| m.key);
+        self.node.error_at(at, &self.node.field(name), problem)
+    }
+
+    /// Nothing but these fields is there.
+    pub(crate) fn only(&self, known: &'static [&'static str]) -> Result<(), FormatError> {
+        match self.members.iter().find(|m| !known.contains(&m.name.as_str())) {
+            Some(unknown) => Err(self.error(&unknown.name, Problem::UnknownField { known })),
+            None => Ok(()),
+        }
+    }
+
+    /// The field `version` has a known value. To be asked first: another version has other fields.
+    pub(crate) fn version(&self) -> Result<u32, FormatError> {
+        let node = self.required("version")?;
+        let found = node.raw.get().parse::<u32>();
+        match found.ok().filter(|v| KNOWN_VERSIONS.contains(v)) {
+            Some(version) => Ok(version),
+            None => Err(node.error(Problem::UnknownVersion { found: node.written() })),
+        }
+    }
+
+    pub(crate) fn required(&self, name: &'static str) -> Result<Node<'a>, FormatError> {
+        self.optional(name).ok_or_else(|| self.error(name, Problem::MissingField))
+    }
+
+    pub(crate) fn optional(&self, name: &str) -> Option<Node<'a>> {
+        let member = self.members.iter().find(|m| m.name == name)?;
+        Some(self.member(member))
+    }
+
+    /// All fields in the order in which they stand, for objects whose names are data.
+    pub(crate) fn entries(&self) -> impl Iterator<Item = (&str, Node<'a>)> {
+        self.members.iter().map(|m| (m.name.as_str(), self.member(m)))
+    }
+
+    fn member(&self, member: &Member<'a>) -> Node<'a> {
+        Node { source: self.node.source, raw: member.value, path: self.node.field(&member.name) }
+    }
+}

@@ -1,0 +1,186 @@
+//! The line with which a session begins.
+
+use std::collections::BTreeSet;
+use std::ops::Not;
+
+use serde::Serialize;
+
+use super::record::{Kind, StepRecord, write};
+use crate::environment::EnvironmentFile;
+use crate::error::{FormatError, KNOWN_VERSIONS, Problem};
+use crate::json::{Node, Object};
+use crate::task_text::{GroundAtomText, GroundTaskText};
+use crate::weights;
+
+/// A line of type `session`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SessionHeader {
+    /// The session's name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub id: Option<String>,
+    /// How it teaches.
+    pub kind: Kind,
+    /// Where it takes place.
+    pub environment: EnvironmentFile,
+    /// What was said.
+    pub command: String,
+    /// The conjunction that was meant, for evaluation only; at least one proposition.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub intended: Option<Vec<GroundAtomText>>,
+    /// The domain's actions, where they are not the four moves.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub actions: Option<Vec<String>>,
+    /// Whether this is the command before, once more, in the same environment.
+    #[serde(skip_serializing_if = "Not::not")]
+    pub continues: bool,
+    /// The tasks' probabilities, instead of those that the words would give, in their order.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(serialize_with = "write_prior")]
+    pub prior: Option<Vec<(GroundTaskText, f64)>>,
+    /// The trainer strategies to consider, instead of the robot's own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strategies: Option<Vec<StrategyRecord>>,
+}
+
+/// A way in which a trainer may use reward and punishment.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct StrategyRecord {
+    /// The strategy's name.
+    pub name: String,
+    /// How often a correct action meets silence.
+    pub mu_plus: f64,
+    /// How often an incorrect action meets silence.
+    pub mu_minus: f64,
+    /// How often the trainer mistakes the one for the other.
+    pub epsilon: f64,
+    /// How probable the strategy is beforehand.
+    pub prior: f64,
+}
+
+const FIELDS: &[&str] =
+    &["type", "version", "id", "kind", "environment", "command", "intended", "actions", "continues", "prior", "strategies"];
+const KINDS: &[&str] = &["feedback", "demonstration"];
+const MOVES: [&str; 4] = ["north", "south", "east", "west"];
+
+impl SessionHeader {
+    /// The names of the session's actions, the four moves unless it has its own; `noop`, which is
+    /// always one, only where it is named.
+    pub fn action_names(&self) -> impl Iterator<Item = &str> {
+        let own = self.actions.iter().flatten().map(String::as_str);
+        let moves = MOVES.iter().copied();
+        own.chain(moves.filter(|_| self.actions.is_none()))
+    }
+
+    /// The header on one line, without a line end; an error if it could not be read again.
+    pub fn to_json_line(&self) -> Result<String, FormatError> {
+        write("session", KNOWN_VERSIONS.last().copied(), self)
+    }
+
+    pub(super) fn read(fields: &Object<'_>) -> Result<Self, FormatError> {
+        fields.version()?;
+        fields.only(FIELDS)?;
+        let header = SessionHeader {
+            id: fields.optional("id").map(|id| id.text()).transpose()?,
+            kind: match fields.required("kind")?.word(KINDS)? {
+                0 => Kind::Feedback,
+                _ => Kind::Demonstration,
+            },
+            environment: EnvironmentFile::read(fields.required("environment")?)?,
+            command: fields.required("command")?.text()?,
+            intended: fields.optional("intended").map(intended).transpose()?,
+            actions: fields.optional("actions").map(actions).transpose()?,
+            continues: match fields.optional("continues") {
+                Some(continues) => continues.truth()?,
+                None => false,
+            },
+            prior: fields.optional("prior").map(prior).transpose()?,
+            strategies: fields.optional("strategies").map(strategies).transpose()?,
+        };
+        if header.continues {
+            for name in ["prior", "strategies"] {
+                if fields.optional(name).is_some() {
+                    return Err(fields.error(name, Problem::NotWithContinues));
+                }
+            }
+        }
+        Ok(header)
+    }
+
+    /// Whether a step can be one of this session's.
+    pub(super) fn check(&self, step: &StepRecord, line: usize) -> Result<(), FormatError> {
+        let wrong = |field, problem| Err(FormatError::new(line, problem).with_field(field));
+        if step.action != "noop" && !self.action_names().any(|name| name == step.action) {
+            let found = step.action.clone();
+            let known = self.action_names().map(str::to_string).collect();
+            return wrong("action", Problem::UnknownAction { found, known });
+        }
+        match (self.kind, step.feedback) {
+            (Kind::Feedback, None) => wrong("feedback", Problem::FeedbackMissing),
+            (Kind::Demonstration, Some(_)) => wrong("feedback", Problem::FeedbackInDemonstration),
+            _ => Ok(()),
+        }
+    }
+}
+
+fn write_prior<S: serde::Serializer>(prior: &Option<Vec<(GroundTaskText, f64)>>, serializer: S) -> Result<S::Ok, S::Error> {
+    weights::in_order(prior.as_deref().unwrap_or_default(), serializer)
+}
+
+fn intended(node: Node<'_>) -> Result<Vec<GroundAtomText>, FormatError> {
+    let mut atoms = Vec::new();
+    for item in node.filled_list()? {
+        let atom = item.text()?.parse();
+        atoms.push(atom.map_err(|error| item.error(Problem::Task(error)))?);
+    }
+    Ok(atoms)
+}
+
+fn actions(node: Node<'_>) -> Result<Vec<String>, FormatError> {
+    let mut seen = BTreeSet::new();
+    let mut actions = Vec::new();
+    for item in node.filled_list()? {
+        let name = item.filled_text()?;
+        if !seen.insert(name.clone()) {
+            return Err(item.error(Problem::DuplicateName { name }));
+        }
+        actions.push(name);
+    }
+    Ok(actions)
+}
+
+fn prior(node: Node<'_>) -> Result<Vec<(GroundTaskText, f64)>, FormatError> {
+    let tasks = weights::tasks(node.clone(), 0.0)?;
+    above_zero(&node, tasks.iter().map(|(_, p)| *p))?;
+    Ok(tasks)
+}
+
+fn strategies(node: Node<'_>) -> Result<Vec<StrategyRecord>, FormatError> {
+    let mut seen = BTreeSet::new();
+    let mut strategies = Vec::new();
+    for item in node.filled_list()? {
+        let fields = item.object()?;
+        fields.only(&["name", "mu_plus", "mu_minus", "epsilon", "prior"])?;
+        let probability = |name| fields.required(name)?.probability(0.0);
+        let name_node = fields.required("name")?;
+        let name = name_node.filled_text()?;
+        if !seen.insert(name.clone()) {
+            return Err(name_node.error(Problem::DuplicateName { name }));
+        }
+        strategies.push(StrategyRecord {
+            name,
+            mu_plus: probability("mu_plus")?,
+            mu_minus: probability("mu_minus")?,
+            epsilon: probability("epsilon")?,
+            prior: probability("prior")?,
+        });
+    }
+    above_zero(&node, strategies.iter().map(|s| s.prior))?;
+    Ok(strategies)
+}
+
+fn above_zero(node: &Node<'_>, values: impl Iterator<Item = f64>) -> Result<(), FormatError> {
+    match values.fold(0.0, f64::max) > 0.0 {
+        true => Ok(()),
+        false => Err(node.error(Problem::AllZero)),
+    }
+}

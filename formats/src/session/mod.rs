@@ -1,0 +1,80 @@
+//! Session logs: commands, what was done, and how it was judged.
+//!
+//! JSON Lines, any number of sessions one after the other, in the order in which they were
+//! trained. A session is a line of type `session`, a line of type `step` for each action, and a
+//! line of type `end`, which says whether the robot is to learn from it. Blank lines do not count.
+//!
+//! On the session line, `type`, `version` (1), `kind`, `environment` (an
+//! [environment](crate::environment)) and `command` must be there. `kind` is `feedback`, where each
+//! step has a `feedback` of `reward`, `punish` or `neutral`, or `demonstration`, where none has.
+//! May be absent:
+//!
+//! | field | what |
+//! |---|---|
+//! | `id` | the session's name |
+//! | `intended` | what the trainer meant, as [propositions](crate::task_text), for evaluation only |
+//! | `actions` | the domain's actions, where they are not the four moves; `noop` always is one |
+//! | `continues` | `true`: the command before, once more, in the same environment |
+//! | `prior` | from tasks to probabilities, instead of what the words would give |
+//! | `strategies` | the trainer strategies to consider, instead of the robot's own |
+//!
+//! A session that `continues` has neither `prior` nor `strategies`.
+//!
+//! ```
+//! use goodbot_formats::session::{FeedbackWord, SessionReader};
+//!
+//! let log = r#"
+//! {"type":"session","version":1,"id":"w01-3","kind":"feedback","environment":{"version":1,"objects":[{"class":"agent","name":"agent0","x":4,"y":2}]},"command":"go to the red room","intended":["agentInRoom(agent0,room0)"]}
+//! {"type":"step","action":"north","feedback":"reward"}
+//! {"type":"end","learn":true}
+//! "#;
+//! let sessions: Vec<_> = SessionReader::new(log.as_bytes()).collect::<Result<_, _>>()?;
+//! assert_eq!(sessions[0].header.command, "go to the red room");
+//! assert_eq!(sessions[0].steps[0].1.feedback, Some(FeedbackWord::Reward));
+//! assert_eq!(sessions[0].to_lines()?.join("\n"), log.trim());
+//! # Ok::<(), goodbot_formats::FormatError>(())
+//! ```
+
+mod header;
+mod lines;
+mod reader;
+mod record;
+
+pub use header::{SessionHeader, StrategyRecord};
+pub use lines::MAX_LINE_BYTES;
+pub use reader::SessionReader;
+pub use record::{EndRecord, FeedbackWord, Kind, Record, StepRecord};
+
+use crate::error::FormatError;
+
+/// A whole session.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RecordedSession {
+    /// What the session is about.
+    pub header: SessionHeader,
+    /// The line on which it begins, counted from 1.
+    pub header_line: usize,
+    /// The steps, each with its line.
+    pub steps: Vec<(usize, StepRecord)>,
+    /// Whether the robot is to learn from it.
+    pub learn: bool,
+    /// The line on which it ends.
+    pub end_line: usize,
+}
+
+impl RecordedSession {
+    /// The session as lines without line ends. The line numbers in `self` play no part.
+    ///
+    /// What could not be read again is not written: the error is the reader's, and its line counts
+    /// from the session line, which is 1.
+    pub fn to_lines(&self) -> Result<Vec<String>, FormatError> {
+        let mut lines = Vec::with_capacity(self.steps.len() + 2);
+        lines.push(self.header.to_json_line()?);
+        for (index, (_, step)) in self.steps.iter().enumerate() {
+            self.header.check(step, index + 2)?;
+            lines.push(step.to_json_line()?);
+        }
+        lines.push(EndRecord { learn: self.learn }.to_json_line()?);
+        Ok(lines)
+    }
+}

@@ -1,0 +1,186 @@
+//! Whole sessions out of a log, one in memory at a time.
+
+use std::io::BufRead;
+
+use super::header::SessionHeader;
+use super::lines::Lines;
+use super::record::Record;
+use super::{EndRecord, RecordedSession};
+use crate::environment::EnvironmentFile;
+use crate::error::{FormatError, Problem};
+
+/// Reads sessions. An iterator: each item is a whole session or what is wrong with it.
+///
+/// After an error one may stop, or go on: the next item is then the next session of the log, and
+/// what is left of the broken one is passed over. Each broken session is one error. A session that
+/// continues one that could not be read is itself an error.
+///
+/// ```
+/// use goodbot_formats::session::SessionReader;
+///
+/// let session = r#"{"type":"session","version":1,"kind":"demonstration","environment":{"version":1,"objects":[]},"command":"go"}"#;
+/// let log = [session, r#"{"type":"step"}"#, r#"{"type":"end","learn":true}"#,
+///            session, r#"{"type":"end","learn":true}"#].join("\n");
+/// let mut reader = SessionReader::new(log.as_bytes()).with_file("log.jsonl");
+/// assert_eq!(
+///     reader.next().unwrap().unwrap_err().to_string(),
+///     r#"log.jsonl:2: field "action": is missing; add it"#
+/// );
+/// assert_eq!(reader.next().unwrap().unwrap().header_line, 4);
+/// assert!(reader.next().is_none());
+/// ```
+pub struct SessionReader<R> {
+    lines: Lines<R>,
+    file: Option<String>,
+    /// A header that was met while its predecessor was not ended.
+    pending: Option<Result<(usize, Box<SessionHeader>), FormatError>>,
+    last: Last,
+}
+
+/// What came before.
+enum Last {
+    /// Nothing.
+    Start,
+    /// A session, of this command in this environment.
+    Session(String, EnvironmentFile),
+    /// Something that could not be read.
+    Broken,
+}
+
+/// Why a line is no record.
+struct Failure {
+    error: FormatError,
+    /// Whether the line looks as if it were to begin a session.
+    session: bool,
+}
+
+impl<R: BufRead> SessionReader<R> {
+    /// A reader of this log.
+    pub fn new(input: R) -> Self {
+        SessionReader { lines: Lines::new(input), file: None, pending: None, last: Last::Start }
+    }
+
+    /// The same reader, saying in its errors which file it reads.
+    pub fn with_file(mut self, file: impl Into<String>) -> Self {
+        self.file = Some(file.into());
+        self
+    }
+
+    /// The next line that is not blank.
+    fn record(&mut self) -> Option<Result<(usize, Record), Failure>> {
+        loop {
+            let line = self.lines.next()?;
+            if line.error.is_none() && line.text.trim().is_empty() {
+                continue;
+            }
+            let record = match line.error {
+                Some(error) => Err(error),
+                None => Record::parse(&line.text, line.number),
+            };
+            return Some(match record {
+                Ok(record) => Ok((line.number, record)),
+                Err(error) => Err(Failure { error, session: line.text.contains("\"session\"") }),
+            });
+        }
+    }
+
+    /// The next session line. What is left of a broken session is passed over.
+    fn header(&mut self) -> Option<Result<(usize, Box<SessionHeader>), FormatError>> {
+        if let Some(pending) = self.pending.take() {
+            return Some(pending);
+        }
+        loop {
+            let broken = matches!(self.last, Last::Broken);
+            let stray = |line, problem| Some(Err(FormatError::new(line, problem)));
+            match self.record()? {
+                Ok((line, Record::Session(header))) => return Some(Ok((line, header))),
+                Err(failure) if failure.session || !broken || is_fatal(&failure.error) => {
+                    return Some(Err(failure.error));
+                }
+                _ if broken => {}
+                Ok((line, Record::Step(_))) => {
+                    return match self.last {
+                        Last::Start => stray(line, Problem::StepBeforeSession),
+                        _ => stray(line, Problem::StepAfterEnd),
+                    };
+                }
+                Ok((line, Record::End(_))) => return stray(line, Problem::EndOutsideSession),
+                Err(failure) => return Some(Err(failure.error)),
+            }
+        }
+    }
+
+    /// Whether the session continues what came before, if it says so.
+    fn check_continues(&self, line: usize, header: &SessionHeader) -> Result<(), FormatError> {
+        let problem = match &self.last {
+            _ if !header.continues => return Ok(()),
+            Last::Broken => Problem::ContinuesUnread,
+            Last::Session(command, environment) if *command != header.command || *environment != header.environment => {
+                Problem::ContinuesAnother
+            }
+            _ => return Ok(()),
+        };
+        Err(FormatError::new(line, problem).with_field("continues"))
+    }
+
+    fn session(&mut self) -> Option<Result<RecordedSession, FormatError>> {
+        let (header_line, header) = match self.header()? {
+            Ok(header) => header,
+            Err(error) => return Some(Err(error)),
+        };
+        Some(self.rest(header_line, *header))
+    }
+
+    /// What follows on a session line, up to the end.
+    fn rest(&mut self, begin: usize, header: SessionHeader) -> Result<RecordedSession, FormatError> {
+        self.check_continues(begin, &header)?;
+        let mut steps = Vec::new();
+        loop {
+            let next = match self.record() {
+                None => {
+                    let problem = Problem::NoEnd { next_session: None };
+                    return Err(FormatError::new(begin, problem));
+                }
+                Some(Ok((line, Record::Step(step)))) => {
+                    header.check(&step, line)?;
+                    steps.push((line, step));
+                    continue;
+                }
+                Some(Ok((end_line, Record::End(EndRecord { learn })))) => {
+                    return Ok(RecordedSession { header, header_line: begin, steps, learn, end_line });
+                }
+                Some(Ok((line, Record::Session(next)))) => Ok((line, next)),
+                Some(Err(failure)) if failure.session => Err(failure.error),
+                Some(Err(failure)) => return Err(failure.error),
+            };
+            // Two sessions are touched: this one is told of now, the next one after that.
+            let next_session = Some(next.as_ref().map_or_else(|e| e.line, |(line, _)| *line));
+            self.pending = Some(next);
+            return Err(FormatError::new(begin, Problem::NoEnd { next_session }));
+        }
+    }
+}
+
+/// Errors that are not to be passed over even within a broken session.
+fn is_fatal(error: &FormatError) -> bool {
+    matches!(error.problem, Problem::Read(_) | Problem::LineTooLong { .. })
+}
+
+impl<R: BufRead> Iterator for SessionReader<R> {
+    type Item = Result<RecordedSession, FormatError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let mut result = self.session()?;
+        self.last = match &result {
+            Ok(session) => {
+                let header = &session.header;
+                Last::Session(header.command.clone(), header.environment.clone())
+            }
+            Err(_) => Last::Broken,
+        };
+        if let (Err(error), Some(file)) = (&mut result, &self.file) {
+            error.file = Some(file.clone());
+        }
+        Some(result)
+    }
+}

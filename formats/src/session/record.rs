@@ -1,0 +1,155 @@
+//! The lines of a log, each for itself.
+
+use serde::Serialize;
+
+use super::header::SessionHeader;
+use crate::error::{FormatError, Problem};
+use crate::json::Source;
+
+/// How a session teaches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Kind {
+    /// The robot acts and its trainer judges each step.
+    Feedback,
+    /// The trainer shows what is to be done.
+    Demonstration,
+}
+
+/// What the trainer said to a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum FeedbackWord {
+    /// Praise.
+    Reward,
+    /// Blame.
+    Punish,
+    /// Silence.
+    Neutral,
+}
+
+/// A line of type `step`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct StepRecord {
+    /// The name of the action.
+    pub action: String,
+    /// What the trainer said to it; absent in a demonstration.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub feedback: Option<FeedbackWord>,
+}
+
+/// A line of type `end`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct EndRecord {
+    /// Whether the robot is to learn from the session.
+    pub learn: bool,
+}
+
+/// A line of any type.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Record {
+    /// A session begins.
+    Session(Box<SessionHeader>),
+    /// An action.
+    Step(StepRecord),
+    /// The session ends.
+    End(EndRecord),
+}
+
+const TYPES: &[&str] = &["session", "step", "end"];
+const FEEDBACK_WORDS: &[&str] = &["reward", "punish", "neutral"];
+
+/// A record with its type before its fields.
+#[derive(Serialize)]
+struct Typed<'a, T> {
+    #[serde(rename = "type")]
+    kind: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    version: Option<u32>,
+    #[serde(flatten)]
+    record: &'a T,
+}
+
+/// Writes a record, and reads it again to be sure that it can be.
+pub(super) fn write<T: Serialize>(kind: &'static str, version: Option<u32>, record: &T) -> Result<String, FormatError> {
+    let typed = Typed { kind, version, record };
+    let line = serde_json::to_string(&typed).map_err(|error| FormatError::new(1, Problem::Syntax(error.to_string())))?;
+    Record::parse(&line, 1)?;
+    Ok(line)
+}
+
+impl FeedbackWord {
+    /// The word as it is written.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            FeedbackWord::Reward => "reward",
+            FeedbackWord::Punish => "punish",
+            FeedbackWord::Neutral => "neutral",
+        }
+    }
+}
+
+impl StepRecord {
+    /// The step on one line, without a line end; an error if it could not be read again.
+    pub fn to_json_line(&self) -> Result<String, FormatError> {
+        write("step", None, self)
+    }
+}
+
+impl EndRecord {
+    /// The end on one line, without a line end.
+    pub fn to_json_line(&self) -> Result<String, FormatError> {
+        write("end", None, self)
+    }
+}
+
+impl Record {
+    /// Reads a line; `line` is its number in the file, for errors.
+    ///
+    /// Whether the line belongs where it stands is not asked: that is what a
+    /// [`SessionReader`](super::SessionReader) is for.
+    ///
+    /// ```
+    /// use goodbot_formats::session::Record;
+    ///
+    /// let error = Record::parse(r#"{"type":"step","action":"north","feedback":"good"}"#, 7);
+    /// assert_eq!(
+    ///     error.unwrap_err().to_string(),
+    ///     r#"line 7: field "feedback": "good" is not known; write reward, punish or neutral"#
+    /// );
+    /// ```
+    pub fn parse(text: &str, line: usize) -> Result<Self, FormatError> {
+        let source = Source::new(text, line);
+        let fields = source.root()?.object()?;
+        match fields.required("type")?.word(TYPES)? {
+            0 => Ok(Record::Session(Box::new(SessionHeader::read(&fields)?))),
+            1 => {
+                fields.only(&["type", "action", "feedback"])?;
+                let feedback = match fields.optional("feedback") {
+                    None => None,
+                    Some(word) => Some(match word.word(FEEDBACK_WORDS)? {
+                        0 => FeedbackWord::Reward,
+                        1 => FeedbackWord::Punish,
+                        _ => FeedbackWord::Neutral,
+                    }),
+                };
+                let action = fields.required("action")?.filled_text()?;
+                Ok(Record::Step(StepRecord { action, feedback }))
+            }
+            _ => {
+                fields.only(&["type", "learn"])?;
+                let learn = fields.required("learn")?.truth()?;
+                Ok(Record::End(EndRecord { learn }))
+            }
+        }
+    }
+
+    /// The record on one line, without a line end; an error if it could not be read again.
+    pub fn to_json_line(&self) -> Result<String, FormatError> {
+        match self {
+            Record::Session(header) => header.to_json_line(),
+            Record::Step(step) => step.to_json_line(),
+            Record::End(end) => end.to_json_line(),
+        }
+    }
+}

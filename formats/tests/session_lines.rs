@@ -1,0 +1,140 @@
+//! The lines of a log, each for itself.
+
+use goodbot_formats::session::{FeedbackWord, Kind, Record, SessionHeader, StepRecord};
+use goodbot_formats::{FormatError, Problem};
+
+const HEADER: &str = r#"{"type":"session","version":1,"id":"w01-3","kind":"feedback","environment":{"version":1,"objects":[{"class":"agent","name":"agent0","x":4,"y":2}]},"command":"go to the red room","intended":["agentInRoom(agent0,room0)"],"actions":["north","pull"],"prior":{"agentInRoom(agent0,room0)":0.25,"agentInRoom(agent0,room1) & blockInRoom(block0,room2)":0.3333333333333333},"strategies":[{"name":"balanced","mu_plus":0.75,"mu_minus":0.75,"epsilon":0.1,"prior":0.32}]}"#;
+
+fn header() -> SessionHeader {
+    match Record::parse(HEADER, 1) {
+        Ok(Record::Session(header)) => *header,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// What is said of the header after this replacement.
+fn refused(from: &str, to: &str) -> FormatError {
+    assert!(HEADER.contains(from), "{from}");
+    match Record::parse(&HEADER.replacen(from, to, 1), 3) {
+        Ok(read) => panic!("{to} was read as {read:?}"),
+        Err(error) => error,
+    }
+}
+
+#[test]
+fn every_field_of_a_header_is_read_and_written_in_order() {
+    let header = header();
+    assert_eq!(header.id.as_deref(), Some("w01-3"));
+    assert_eq!(header.kind, Kind::Feedback);
+    assert_eq!(header.prior.as_ref().unwrap()[1].0.atoms().len(), 2);
+    assert_eq!(header.strategies.as_ref().unwrap()[0].mu_minus, 0.75);
+    assert_eq!(header.action_names().collect::<Vec<_>>(), ["north", "pull"]);
+    assert_eq!(header.to_json_line().unwrap(), HEADER);
+}
+
+#[test]
+fn a_header_may_have_the_least() {
+    let text = r#"{"type":"session","version":1,"kind":"demonstration","environment":{"version":1,"objects":[]},"command":""}"#;
+    let record = Record::parse(text, 1).unwrap();
+    assert_eq!(record.to_json_line().unwrap(), text);
+    let Record::Session(header) = record else { panic!() };
+    assert!(!header.continues && header.prior.is_none());
+    assert_eq!(header.action_names().count(), 4);
+}
+
+#[test]
+fn steps_and_ends_are_written_as_they_were_read() {
+    for text in [
+        r#"{"type":"step","action":"north","feedback":"reward"}"#,
+        r#"{"type":"step","action":"say \"é\""}"#,
+        r#"{"type":"end","learn":false}"#,
+    ] {
+        assert_eq!(Record::parse(text, 1).unwrap().to_json_line().unwrap(), text);
+    }
+    assert_eq!(FeedbackWord::Punish.as_str(), "punish");
+}
+
+#[test]
+fn a_fault_is_told_with_line_and_field_and_what_to_do() {
+    for (from, to, wanted) in [
+        (
+            "\"version\":1,\"id\"",
+            "\"version\":2,\"id\"",
+            "\"version\": version 2 is not known, known is 1; write that, or use a newer goodbot",
+        ),
+        (
+            "\"version\":1,\"objects\"",
+            "\"version\":0,\"objects\"",
+            "\"environment.version\": version 0 is not known, known is 1; write that, or use a newer goodbot",
+        ),
+        ("\"x\":4", "\"z\":4", "\"environment.objects[0].z\": is not known here; known are class, name, x, y"),
+        ("\"feedback\"", "\"praise\"", "\"kind\": \"praise\" is not known; write feedback or demonstration"),
+        ("\"session\"", "\"sesion\"", "\"type\": \"sesion\" is not known; write session, step or end"),
+        ("\"command\"", "\"id\"", "\"id\": is given twice; keep one of the two"),
+        ("\"w01-3\"", "null", "\"id\": is null; write a text"),
+        ("[\"agentInRoom(agent0,room0)\"]", "[]", "\"intended\": is empty; fill it, or leave out what is optional"),
+        (
+            "(agent0,room0)\"]",
+            "(agent0\"]",
+            "\"intended[0]\": is no task, \",\" or \")\" belongs at its character 19; write it like agentInRoom(agent0,room1) & blockInRoom(block0,room2)",
+        ),
+        ("\"pull\"", "\"north\"", "\"actions[1]\": \"north\" is here twice; name each once"),
+        ("\"pull\"", "\"\"", "\"actions[1]\": is empty; fill it, or leave out what is optional"),
+        ("\"balanced\"", "\"\"", "\"strategies[0].name\": is empty; fill it, or leave out what is optional"),
+        ("\"epsilon\"", "\"eps\"", "\"strategies[0].eps\": is not known here; known are name, mu_plus, mu_minus, epsilon, prior"),
+        ("\"prior\":0.32", "\"prior\":0", "\"strategies\": nothing here is above 0; give at least one a probability"),
+        (
+            "\"prior\":{",
+            "\"continues\":true,\"prior\":{",
+            "\"prior\": does not belong in a session that continues the one before; remove it, or remove \"continues\"",
+        ),
+        ("\"prior\":{", "\"continues\":1,\"prior\":{", "\"continues\": is a number; write true or false"),
+    ] {
+        assert_eq!(refused(from, to).to_string(), format!("line 3: field {wanted}"));
+    }
+}
+
+#[test]
+fn a_session_that_continues_has_no_strategies() {
+    let text = HEADER.replace("\"prior\":{", "\"x\":{");
+    let start = text.find(",\"x\":{").unwrap();
+    let end = text.find(",\"strategies\"").unwrap();
+    let text = format!("{},\"continues\":true{}", &text[..start], &text[end..]);
+    let error = Record::parse(&text, 1).unwrap_err();
+    assert_eq!((error.field.as_deref(), error.problem), (Some("strategies"), Problem::NotWithContinues));
+}
+
+#[test]
+fn what_is_outside_of_0_to_1_or_not_finite_is_no_probability() {
+    for field in ["mu_plus\":0.75", "mu_minus\":0.75", "epsilon\":0.1", "prior\":0.32", "agentInRoom(agent0,room0)\":0.25"] {
+        let name = field.split('"').next().unwrap();
+        for number in ["-0.1", "1.0000001", "1e999", "2"] {
+            let error = refused(field, &format!("{name}\":{number}"));
+            let found = number.to_string();
+            assert_eq!(error.problem, Problem::NotAProbability { found });
+            assert!(error.field.unwrap().ends_with(name));
+        }
+        for no_number in ["NaN", "Infinity", "-Infinity"] {
+            let error = refused(field, &format!("{name}\":{no_number}"));
+            assert!(matches!(error.problem, Problem::Syntax(_)));
+        }
+        let error = refused(field, &format!("{name}\":null"));
+        assert!(matches!(error.problem, Problem::WrongKind { .. }));
+    }
+}
+
+#[test]
+fn what_could_not_be_read_again_is_not_written() {
+    let mut nan = header();
+    nan.strategies.as_mut().unwrap()[0].epsilon = f64::NAN;
+    let error = nan.to_json_line().unwrap_err();
+    assert_eq!(error.field.as_deref(), Some("strategies[0].epsilon"));
+    let mut both = header();
+    both.continues = true;
+    assert_eq!(both.to_json_line().unwrap_err().problem, Problem::NotWithContinues);
+    let mut version = header();
+    version.environment.version = 7;
+    assert!(version.to_json_line().is_err());
+    let step = StepRecord { action: String::new(), feedback: None };
+    assert_eq!(step.to_json_line().unwrap_err().problem, Problem::Empty);
+}

@@ -1,0 +1,50 @@
+//! Homes and walks as the reference numbers write them.
+
+use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeMemory, HomeState, Moves};
+use goodbot::oomdp::Domain;
+use goodbot::task::{GroundedTask, LiftedTask};
+use serde_json::Value;
+
+/// A whole number of the reference.
+fn number(value: &Value) -> i32 {
+    i32::try_from(value.as_i64().expect("a whole number")).expect("a small number")
+}
+
+/// A reference file.
+pub fn read(file: &str) -> Option<Value> {
+    let text = std::fs::read_to_string(crate::external(file)?).expect("the file can be read");
+    Some(serde_json::from_str(&text).expect("the file is JSON"))
+}
+
+/// A home from a reference world.
+pub fn home<'m>(world: &Value, memory: HomeMemory<'m>, moves: Moves) -> (Home<'m>, HomeState) {
+    let mut builder = HomeBuilder::new(memory);
+    let text = |value: &Value| value.as_str().expect("a name").to_owned();
+    let area =
+        |row: &Value, from: usize| Area::new(number(&row[from]), number(&row[from + 1]), number(&row[from + 2]), number(&row[from + 3]));
+    for row in world["rooms"].as_array().expect("rooms") {
+        builder.room(&text(&row[0]), area(row, 2), &text(&row[1])).expect("a room");
+    }
+    for row in world["doors"].as_array().expect("doors") {
+        builder.door(&text(&row[0]), area(row, 1)).expect("a door");
+    }
+    for row in world["blocks"].as_array().expect("blocks") {
+        let cell = Cell::new(number(&row[3]), number(&row[4]));
+        builder.block(&text(&row[0]), cell, &text(&row[1]), &text(&row[2])).expect("a block");
+    }
+    builder.agent("agent0", Cell::new(number(&world["agent"][0]), number(&world["agent"][1]))).expect("an agent");
+    builder.build(moves).expect("a home")
+}
+
+/// A task as the reference writes it: `blockInRoom(block0, room1)`.
+pub fn task_text<D: Domain>(domain: &D, lifted: &[LiftedTask], task: &GroundedTask) -> String {
+    let parts: Vec<String> = task
+        .propositions(&lifted[usize::from(task.lifted)])
+        .map(|part| {
+            let parameters = domain.schema().parameters(part.proposition).len();
+            let names: Vec<&str> = part.arguments[..parameters].iter().map(|&object| domain.objects().name(object)).collect();
+            format!("{}({})", domain.schema().proposition_name(part.proposition), names.join(", "))
+        })
+        .collect();
+    parts.join(" & ")
+}
