@@ -23,8 +23,7 @@ impl Scaled {
     }
 
     fn normalised(self) -> Self {
-        // Written so that NaN counts as nothing too.
-        if !(self.mantissa > 0.0) {
+        if self.mantissa.is_nan() || self.mantissa <= 0.0 {
             return Self::ZERO;
         }
         let mut mantissa = self.mantissa.min(f32::MAX);

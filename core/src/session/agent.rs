@@ -4,132 +4,19 @@
 //! trainer said with [`Agent::feedback`]; over and over, until [`Agent::finish`]. Planning and learning go in parts: `plan` and `learn`
 //! take a budget and say whether they are done.
 
-use super::candidates::{CandidateMemory, Candidates};
+use super::candidates::Candidates;
+use super::error::AgentError;
+use super::options::{AgentMemory, Options};
 use crate::capacity::{Capacity, CapacityError, LIFTED_TASKS};
-use crate::feedback::belief::BeliefError;
 use crate::feedback::simulated::below;
-use crate::feedback::{Belief, BeliefMemory, Feedback, Judgement, Strategy};
-use crate::language::{LanguageMemory, LanguageModel, Sentence, Settings};
+use crate::feedback::{Belief, Feedback, Judgement, Strategy};
+use crate::language::{LanguageModel, Sentence};
 use crate::oomdp::{Action, ActionSet, Domain};
-use crate::planning::{GoalMemory, GoalTable, OptimalSet, PlanMemory, Progress, Search};
+use crate::planning::{GoalTable, OptimalSet, Progress, Search};
 use crate::probability::{Scaled, total};
 use crate::task::{Expression, GroundedTask, LiftedTask, TaskSet, ground};
-use core::fmt;
 use heapless::Vec;
 use rand_core::Rng;
-
-/// How machine commands are weighted when a session ends.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Weights {
-    /// By their own explanation of the command too (paper, Algorithm 1).
-    #[default]
-    Paper,
-    /// By the tasks' posterior alone, evenly over each task's constraints (the authors' later program).
-    Belief,
-}
-
-/// How an agent understands and learns.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
-    /// The language model's training.
-    pub language: Settings,
-    /// How machine commands are weighted.
-    pub weights: Weights,
-    /// Weights up to this are dropped.
-    pub least_weight: f32,
-}
-
-impl Options {
-    /// The paper's.
-    pub const PAPER: Self = Self { language: Settings::PAPER, weights: Weights::Paper, least_weight: 5e-5 };
-}
-
-/// Memory for what one session needs.
-#[derive(Debug)]
-pub struct SessionMemory<'m> {
-    /// One entry a grounded task.
-    pub tasks: &'m mut [GroundedTask],
-    /// The machine commands.
-    pub candidates: CandidateMemory<'m>,
-    /// The belief.
-    pub belief: BeliefMemory<'m>,
-    /// The goals.
-    pub goals: GoalMemory<'m>,
-    /// The search.
-    pub plan: PlanMemory<'m>,
-}
-
-/// Memory for an [`Agent`].
-#[derive(Debug)]
-pub struct AgentMemory<'m> {
-    /// What it learns.
-    pub language: LanguageMemory<'m>,
-    /// What one session needs.
-    pub session: SessionMemory<'m>,
-}
-
-/// Why the agent could not do what it was asked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum AgentError {
-    /// The command has no word.
-    EmptyCommand,
-    /// There is no task to do here: none is permissible, or all are done already.
-    NoTask,
-    /// No session is under way: hear a command first.
-    NoSession,
-    /// The plan for this state is not done: call `plan` until it is.
-    NotPlanned,
-    /// The last session is still being learned from: call `learn` until it is.
-    StillLearning,
-    /// The action cannot be done in the state that was planned for.
-    NotApplicable,
-    /// A strategy or a prior is no probability.
-    NotAProbability,
-    /// Something was full. What was learned before is kept.
-    Capacity(CapacityError),
-}
-
-impl From<CapacityError> for AgentError {
-    fn from(error: CapacityError) -> Self {
-        Self::Capacity(error)
-    }
-}
-
-impl From<BeliefError> for AgentError {
-    fn from(error: BeliefError) -> Self {
-        match error {
-            BeliefError::Strategy(_) => Self::NotAProbability,
-            BeliefError::Capacity(error) => Self::Capacity(error),
-        }
-    }
-}
-
-impl fmt::Display for AgentError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::EmptyCommand => "the command has no word; say what to do",
-            Self::NoTask => "there is nothing to do here: every task is done already or needs objects that are not here",
-            Self::NoSession => "no session is under way; give a command first",
-            Self::NotPlanned => "the plan for this state is not done; plan on until it is",
-            Self::StillLearning => "the last session is still being learned from; learn on until it is done",
-            Self::NotApplicable => "the action cannot be done in this state",
-            Self::NotAProbability => "a prior is not a number from 0 to 1, or all are 0",
-            Self::Capacity(error) => return error.fmt(f),
-        })
-    }
-}
-
-impl core::error::Error for AgentError {}
-
-/// What a command begins.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Hearing {
-    /// A new session: the belief starts again.
-    New,
-    /// The same command again in the same initial state: the belief goes on.
-    Continues,
-}
 
 /// What the agent does next, and for which task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -145,20 +32,20 @@ pub struct Decision {
 /// The robot's mind.
 #[derive(Debug)]
 pub struct Agent<'m> {
-    options: Options,
-    language: LanguageModel<'m>,
-    lifted: Vec<LiftedTask, LIFTED_TASKS>,
-    tasks: &'m mut [GroundedTask],
-    task_count: usize,
-    candidates: Candidates<'m>,
-    belief: Belief<'m>,
-    goals: GoalTable<'m>,
-    search: Search<'m>,
-    sentence: Sentence,
-    start: Option<u64>,
-    planned: Option<u64>,
-    dead: TaskSet,
-    followed: Option<usize>,
+    pub(super) options: Options,
+    pub(super) language: LanguageModel<'m>,
+    pub(super) lifted: Vec<LiftedTask, LIFTED_TASKS>,
+    pub(super) tasks: &'m mut [GroundedTask],
+    pub(super) task_count: usize,
+    pub(super) candidates: Candidates<'m>,
+    pub(super) belief: Belief<'m>,
+    pub(super) goals: GoalTable<'m>,
+    pub(super) search: Search<'m>,
+    pub(super) sentence: Sentence,
+    pub(super) start: Option<u64>,
+    pub(super) planned: Option<u64>,
+    pub(super) dead: TaskSet,
+    pub(super) followed: Option<usize>,
 }
 
 impl<'m> Agent<'m> {
@@ -239,7 +126,7 @@ impl<'m> Agent<'m> {
     pub fn hear<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
         self.open(domain, state, command)?;
         let priors = self.understand(domain)?;
-        self.begin(domain, priors)
+        self.begin(priors)
     }
 
     /// Hears a command whose task prior is given: `prior(domain, task)` for each task, in any unit.
@@ -267,7 +154,7 @@ impl<'m> Agent<'m> {
         if total(priors.iter().copied()).is_zero() {
             return Err(AgentError::NotAProbability);
         }
-        self.begin(domain, priors)
+        self.begin(priors)
     }
 
     /// Hears the same command again in the same initial state: the belief goes on.
@@ -307,7 +194,7 @@ impl<'m> Agent<'m> {
         Ok(())
     }
 
-    fn begin<D: Domain + ?Sized>(&mut self, _domain: &D, priors: Vec<Scaled, { TaskSet::MOST }>) -> Result<(), AgentError> {
+    fn begin(&mut self, priors: Vec<Scaled, { TaskSet::MOST }>) -> Result<(), AgentError> {
         self.belief.restart(priors.into_iter()).map_err(|error| {
             self.start = None;
             error.into()
@@ -340,7 +227,7 @@ impl<'m> Agent<'m> {
     }
 
     /// The sum over the constraints of a task of Pr(c|s,l,t) times what `each` gives for the machine command.
-    fn for_each_candidate<D: Domain + ?Sized>(
+    pub(super) fn for_each_candidate<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
         position: usize,
@@ -466,80 +353,6 @@ impl<'m> Agent<'m> {
         }))
     }
 
-    /// Ends the session without learning from it.
-    pub fn forget(&mut self) {
-        self.language.forget_unlearned();
-        // What the candidates would weigh is now meaningless; the tasks stay, for `hear_again`.
-        self.planned = None;
-    }
-
-    /// Ends the session and learns from it: each machine command with its share of the posterior joins the training data, and training on
-    /// all of them begins. Call [`learn`](Self::learn) until it is done.
-    ///
-    /// # Errors
-    /// [`AgentError::NoSession`], or [`AgentError::Capacity`]: the session is then forgotten and everything learned before is kept.
-    pub fn finish<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
-        if self.start.is_none() {
-            return Err(AgentError::NoSession);
-        }
-        if self.language.is_training() {
-            return Err(AgentError::StillLearning);
-        }
-        self.weigh(domain)?;
-        let whole = total(self.candidates.entries().iter().map(|entry| entry.weight));
-        let share = |weight: Scaled| Some(weight.over(whole)).filter(|&share| share > self.options.least_weight);
-        let kept: f32 = self.candidates.entries().iter().filter_map(|entry| share(entry.weight)).sum();
-        let candidates = &self.candidates;
-        let pairs =
-            candidates.entries().iter().filter_map(|entry| share(entry.weight).map(|share| (candidates.tokens(entry), share / kept)));
-        let added = self.language.add_session(&self.sentence, pairs);
-        self.planned = None;
-        if let Err(error) = added {
-            self.language.forget_unlearned();
-            return Err(error.into());
-        }
-        self.language.begin_training();
-        Ok(())
-    }
-
-    /// The weight of each machine command of the session as it stands, for [`finish`](Self::finish) and for those who look on: the entries
-    /// of [`candidates`](Self::candidates) then have their weights.
-    ///
-    /// # Errors
-    /// [`AgentError::Capacity`].
-    pub fn weigh<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
-        for position in 0..self.candidates.entries().len() {
-            if let Some(entry) = self.candidates.entry_mut(position) {
-                entry.weight = Scaled::ZERO;
-            }
-        }
-        for position in 0..self.task_count {
-            let prior = self.tasks.get(position).map_or(0.0, |task| task.prior);
-            let weights = self.options.weights;
-            let evidence = match weights {
-                Weights::Paper => self.belief.evidence(position).scaled_by(prior),
-                Weights::Belief => self.belief.weight(position),
-            };
-            let Some(task) = self.tasks.get(position) else { continue };
-            let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
-            let constraints = Expression::new(domain, lifted, task, self.language.tokens_mut())?.constraints();
-            let evidence = evidence.scaled_by(1.0 / f32::from(constraints));
-            self.for_each_candidate(domain, position, |candidates, _, _, tokens| {
-                if let Some(entry) = candidates.find(tokens).and_then(|found| candidates.entry_mut(found)) {
-                    let explained = if weights == Weights::Paper { entry.likelihood } else { Scaled::ONE };
-                    entry.weight = entry.weight.plus(evidence.times(explained));
-                }
-                Ok(Scaled::ZERO)
-            })?;
-        }
-        Ok(())
-    }
-
-    /// Goes on learning, with at most about `budget` table cells of work.
-    pub fn learn(&mut self, budget: u32) -> Progress {
-        self.language.train(budget)
-    }
-
     /// Plans to the end.
     ///
     /// # Errors
@@ -547,10 +360,5 @@ impl<'m> Agent<'m> {
     pub fn plan_fully<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<(), AgentError> {
         while self.plan(domain, state, u32::MAX)? == Progress::Working {}
         Ok(())
-    }
-
-    /// Learns to the end.
-    pub fn learn_fully(&mut self) {
-        while self.learn(u32::MAX) == Progress::Working {}
     }
 }

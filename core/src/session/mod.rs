@@ -1,10 +1,17 @@
 //! The training session (paper, Algorithm 1): from a command to tasks, actions, feedback, and a language model that has learned.
 //!
 //! - [`candidates`]: the machine commands that this session's tasks can be expressed by, and how well each explains the command;
-//! - [`agent`]: the robot's mind: hears, plans, decides, takes feedback, learns.
+//! - [`agent`]: the robot's mind: hears, plans, decides, takes feedback;
+//! - [`learning`]: what it does when the session ends;
+//! - [`options`], [`error`]: how it learns, and why it may refuse.
 
 pub mod agent;
 pub mod candidates;
+pub mod error;
+pub mod learning;
+pub mod options;
 
-pub use agent::{Agent, AgentError, AgentMemory, Decision, Hearing, Options, SessionMemory, Weights};
+pub use agent::{Agent, Decision};
 pub use candidates::{Candidate, CandidateMemory, Candidates};
+pub use error::AgentError;
+pub use options::{AgentMemory, Options, SessionMemory, Weights};

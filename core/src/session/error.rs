@@ -1,0 +1,59 @@
+//! Why an agent could not do what it was asked.
+
+use crate::capacity::CapacityError;
+use crate::feedback::belief::BeliefError;
+use core::fmt;
+
+/// Why the agent could not do what it was asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum AgentError {
+    /// The command has no word.
+    EmptyCommand,
+    /// There is no task to do here: none is permissible, or all are done already.
+    NoTask,
+    /// No session is under way: hear a command first.
+    NoSession,
+    /// The plan for this state is not done: call `plan` until it is.
+    NotPlanned,
+    /// The last session is still being learned from: call `learn` until it is.
+    StillLearning,
+    /// The action cannot be done in the state that was planned for.
+    NotApplicable,
+    /// A strategy or a prior is no probability.
+    NotAProbability,
+    /// Something was full. What was learned before is kept.
+    Capacity(CapacityError),
+}
+
+impl From<CapacityError> for AgentError {
+    fn from(error: CapacityError) -> Self {
+        Self::Capacity(error)
+    }
+}
+
+impl From<BeliefError> for AgentError {
+    fn from(error: BeliefError) -> Self {
+        match error {
+            BeliefError::Strategy(_) => Self::NotAProbability,
+            BeliefError::Capacity(error) => Self::Capacity(error),
+        }
+    }
+}
+
+impl fmt::Display for AgentError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::EmptyCommand => "the command has no word; say what to do",
+            Self::NoTask => "there is nothing to do here: every task is done already or needs objects that are not here",
+            Self::NoSession => "no session is under way; give a command first",
+            Self::NotPlanned => "the plan for this state is not done; plan on until it is",
+            Self::StillLearning => "the last session is still being learned from; learn on until it is done",
+            Self::NotApplicable => "the action cannot be done in this state",
+            Self::NotAProbability => "a prior is not a number from 0 to 1, or all are 0",
+            Self::Capacity(error) => return error.fmt(f),
+        })
+    }
+}
+
+impl core::error::Error for AgentError {}

@@ -1,0 +1,90 @@
+//! The end of a session: each machine command takes its share of the posterior, and the language model learns from it.
+
+use super::agent::Agent;
+use super::error::AgentError;
+use super::options::Weights;
+use crate::oomdp::Domain;
+use crate::planning::Progress;
+use crate::probability::{Scaled, total};
+use crate::task::Expression;
+
+impl Agent<'_> {
+    /// Ends the session without learning from it.
+    pub fn forget(&mut self) {
+        self.language.forget_unlearned();
+        // What the candidates would weigh is now meaningless; the tasks stay, for `hear_again`.
+        self.planned = None;
+    }
+
+    /// Ends the session and learns from it: each machine command with its share of the posterior joins the training data, and training on
+    /// all of them begins. Call [`learn`](Self::learn) until it is done.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSession`], or [`AgentError::Capacity`]: the session is then forgotten and everything learned before is kept.
+    pub fn finish<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+        if self.start.is_none() {
+            return Err(AgentError::NoSession);
+        }
+        if self.language.is_training() {
+            return Err(AgentError::StillLearning);
+        }
+        self.weigh(domain)?;
+        let whole = total(self.candidates.entries().iter().map(|entry| entry.weight));
+        let share = |weight: Scaled| Some(weight.over(whole)).filter(|&share| share > self.options.least_weight);
+        let kept: f32 = self.candidates.entries().iter().filter_map(|entry| share(entry.weight)).sum();
+        let candidates = &self.candidates;
+        let pairs =
+            candidates.entries().iter().filter_map(|entry| share(entry.weight).map(|share| (candidates.tokens(entry), share / kept)));
+        let added = self.language.add_session(&self.sentence, pairs);
+        self.planned = None;
+        if let Err(error) = added {
+            self.language.forget_unlearned();
+            return Err(error.into());
+        }
+        self.language.begin_training();
+        Ok(())
+    }
+
+    /// The weight of each machine command of the session as it stands, for [`finish`](Self::finish) and for those who look on: the entries
+    /// of [`candidates`](Self::candidates) then have their weights.
+    ///
+    /// # Errors
+    /// [`AgentError::Capacity`].
+    pub fn weigh<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+        for position in 0..self.candidates.entries().len() {
+            if let Some(entry) = self.candidates.entry_mut(position) {
+                entry.weight = Scaled::ZERO;
+            }
+        }
+        for position in 0..self.task_count {
+            let prior = self.tasks.get(position).map_or(0.0, |task| task.prior);
+            let weights = self.options.weights;
+            let evidence = match weights {
+                Weights::Paper => self.belief.evidence(position).scaled_by(prior),
+                Weights::Belief => self.belief.weight(position),
+            };
+            let Some(task) = self.tasks.get(position) else { continue };
+            let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
+            let constraints = Expression::new(domain, lifted, task, self.language.tokens_mut())?.constraints();
+            let evidence = evidence.scaled_by(1.0 / f32::from(constraints));
+            self.for_each_candidate(domain, position, |candidates, _, _, tokens| {
+                if let Some(entry) = candidates.find(tokens).and_then(|found| candidates.entry_mut(found)) {
+                    let explained = if weights == Weights::Paper { entry.likelihood } else { Scaled::ONE };
+                    entry.weight = entry.weight.plus(evidence.times(explained));
+                }
+                Ok(Scaled::ZERO)
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Goes on learning, with at most about `budget` table cells of work.
+    pub fn learn(&mut self, budget: u32) -> Progress {
+        self.language.train(budget)
+    }
+
+    /// Learns to the end.
+    pub fn learn_fully(&mut self) {
+        while self.learn(u32::MAX) == Progress::Working {}
+    }
+}
