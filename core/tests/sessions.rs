@@ -137,7 +137,7 @@ fn a_search_that_finds_no_room_says_that_it_does_not_know_and_takes_no_evidence(
 
 #[test]
 fn a_hashed_search_knows_the_tasks_whose_goals_are_near() {
-    goodbot::memory! { struct Hashed = Capacities { states: 128, hashed_states: 128, ..Capacities::SMALL }; }
+    goodbot::memory! { struct Hashed = Capacities { states: 320, hashed_states: 320, ..Capacities::SMALL }; }
     let (mut memory, mut full, mut rooms_memory) = (Hashed::new(), Memory::new(), Memory::new());
     let (home, start) = rooms(rooms_memory.split().home, Some(Cell::new(4, 2)));
     let mut bounded = agent(memory.split().agent);
