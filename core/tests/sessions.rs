@@ -267,3 +267,34 @@ fn the_same_seed_decides_the_same() {
     assert_eq!(run(7), run(7));
     assert!((0..20).any(|seed| run(seed) != run(7)));
 }
+
+#[test]
+fn a_forgotten_session_can_be_taken_up_again_and_learned_from() {
+    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
+    let (home, start) = rooms(rooms_memory.split().home, None);
+    let mut agent = agent(memory.split().agent);
+    agent.hear(&home, &start, "go to the red room").unwrap();
+    agent.plan_fully(&home, &start).unwrap();
+    agent.feedback(Action(2), Feedback::Reward).unwrap();
+    let before = probabilities(&agent);
+    agent.forget();
+    agent.hear_again(&home, &start).unwrap();
+    assert_eq!(probabilities(&agent), before, "the belief goes on");
+    agent.finish(&home).unwrap();
+    agent.learn_fully();
+    assert_eq!(agent.language().tables().words(), 5);
+    let words: Vec<String> = agent.language().words().iter().map(|(_, word)| word.to_owned()).collect();
+    assert_eq!(words, ["go", "to", "the", "red", "room"]);
+}
+
+#[test]
+fn a_forgotten_session_changes_nothing_that_was_learned() {
+    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
+    let (home, start) = rooms(rooms_memory.split().home, None);
+    let mut agent = agent(memory.split().agent);
+    agent.hear(&home, &start, "fly to the moon").unwrap();
+    agent.forget();
+    agent.hear(&home, &start, "go").unwrap();
+    assert_eq!(agent.language().words().len(), 1);
+    assert_eq!(agent.language().bitext().sessions(), 0);
+}

@@ -9,10 +9,9 @@ use crate::probability::{Scaled, total};
 use crate::task::Expression;
 
 impl Agent<'_> {
-    /// Ends the session without learning from it.
+    /// Ends the session without learning from it. What it made known of words and machine tokens is forgotten with the next command, so
+    /// that the same session can still be taken up again.
     pub fn forget(&mut self) {
-        self.language.forget_unlearned();
-        // What the candidates would weigh is now meaningless; the tasks stay, for `hear_again`.
         self.planned = None;
     }
 
@@ -38,6 +37,7 @@ impl Agent<'_> {
         let added = self.language.add_session(&self.sentence, pairs);
         self.planned = None;
         if let Err(error) = added {
+            self.start = None;
             self.language.forget_unlearned();
             return Err(error.into());
         }
