@@ -17,8 +17,8 @@ const COLORS: [&str; ROOMS] = ["red", "green", "blue", "yellow"];
 const DRAWS: usize = 1_000;
 
 impl Homes {
-    /// Homes at random. In each, every command that is given there can be obeyed and is not obeyed yet, and the agent does not start in a
-    /// room that one of them speaks of. `memory` is where the homes are tried out.
+    /// Homes at random. In each, every command that is given there can be obeyed and is not obeyed yet. `memory` is where they are tried
+    /// out.
     pub fn random<R: Rng + ?Sized>(random: &mut R, memory: &mut HomeMemory<'_>) -> Self {
         let mut homes = Self::FIXED;
         let names = [HomeName::A, HomeName::B, HomeName::C, HomeName::D, HomeName::E, HomeName::F];
@@ -46,29 +46,21 @@ fn solvable_layout<R: Rng + ?Sized>(name: HomeName, drawn: &Layout, random: &mut
     *drawn
 }
 
-/// A layout with rooms and blocks for the exercises of a home. `None` where no room is left for the agent to start in.
+/// A layout with rooms and blocks for the exercises of a home. `None` where one thing would stand on another.
 fn layout<R: Rng + ?Sized>(name: HomeName, drawn: &Layout, random: &mut R) -> Option<Layout> {
-    let Plan { mut layout, east, north } = if name == HomeName::Test { four_rooms(random) } else { three_rooms(random) };
+    let Plan { mut layout, east, north, start } = if name == HomeName::Test { four_rooms(random) } else { three_rooms(random) };
     let mut colors = COLORS;
     shuffle(&mut colors, random);
     for (room, color) in layout.rooms.iter_mut().flatten().zip(colors) {
         room.1 = color;
     }
-    // The tests speak of all rooms; there it is enough that the agent itself need not stay where it is.
-    let is_spoken_of = |color: &str| {
-        exercises(name).any(|exercise| exercise.intention.room == color && (name != HomeName::Test || exercise.intention.block.is_none()))
-    };
-    layout.agent = cell_in(&layout, |color| !is_spoken_of(color), 1, random)?;
-    for (slot, block) in layout.blocks.iter_mut().zip(drawn.blocks) {
-        if let Some(block) = block {
-            *slot = Some(BlockPlan { cell: Cell::new(0, 0), ..block });
-        }
-    }
-    for position in 0..layout.blocks.len() {
+    layout.agent = cell_in(&layout, start, 1, random)?;
+    for (position, block) in drawn.blocks.into_iter().enumerate() {
+        let Some(block) = block else { continue };
         // Against a wall, a block can no longer be pushed every way.
-        let cell = cell_in(&layout, |_| true, 2, random)?;
-        if let Some(Some(block)) = layout.blocks.get_mut(position) {
-            block.cell = cell;
+        let cell = cell_in(&layout, start, 2, random)?;
+        if let Some(slot) = layout.blocks.get_mut(position) {
+            *slot = Some(BlockPlan { cell, ..block });
         }
     }
     Some(turned(layout, east, north, random))
@@ -85,6 +77,8 @@ struct Plan {
     layout: Layout,
     east: i32,
     north: i32,
+    /// The room where agent and block start, `None` for any.
+    start: Option<usize>,
 }
 
 /// Where a wall may cross a home of this length: each side of it keeps three cells.
@@ -97,12 +91,19 @@ fn door<R: Rng + ?Sized>(from: i32, to: i32, random: &mut R) -> i32 {
     between(from + 2, to - 2, random)
 }
 
-/// One room over the whole width, two beside each other behind it; a door to each, and sometimes one between the two. At most 49 cells are
-/// free, so that a controller can plan for a block in it.
+/// One room over the whole width, two beside each other behind it. One of the three has a door to each of the others; there the agent and
+/// the block start, so that no room lies on the way to another. At most 49 cells are free: a controller can plan for a block in them.
 fn three_rooms<R: Rng + ?Sized>(random: &mut R) -> Plan {
     let (east, north) = [(8, 8), (8, 9), (9, 8)].get(below(3, random)).copied().unwrap_or((8, 8));
     let (middle, split) = (wall(north, random), wall(east, random));
-    let between_the_two = Cell::new(split, door(middle, north, random));
+    let wide_to_left = Cell::new(door(0, split, random), middle);
+    let wide_to_right = Cell::new(door(split, east, random), middle);
+    let left_to_right = Cell::new(split, door(middle, north, random));
+    let (start, one, other) = match below(3, random) {
+        0 => (0, wide_to_left, wide_to_right),
+        1 => (1, wide_to_left, left_to_right),
+        _ => (2, wide_to_right, left_to_right),
+    };
     let layout = Layout {
         rooms: [
             Some((Area::new(0, 0, east, middle), "")),
@@ -110,16 +111,11 @@ fn three_rooms<R: Rng + ?Sized>(random: &mut R) -> Plan {
             Some((Area::new(split, middle, east, north), "")),
             None,
         ],
-        doors: [
-            Some(Cell::new(door(0, split, random), middle)),
-            Some(Cell::new(door(split, east, random), middle)),
-            Some(between_the_two).filter(|_| below(2, random) == 0),
-            None,
-        ],
+        doors: [Some(one), Some(other), None, None],
         agent: Cell::new(0, 0),
         blocks: [None; 2],
     };
-    Plan { layout, east, north }
+    Plan { layout, east, north, start: Some(start) }
 }
 
 /// Two rooms beside each other and two behind them, each with a door to both its neighbours.
@@ -142,13 +138,13 @@ fn four_rooms<R: Rng + ?Sized>(random: &mut R) -> Plan {
         agent: Cell::new(0, 0),
         blocks: [None; 2],
     };
-    Plan { layout, east, north }
+    Plan { layout, east, north, start: None }
 }
 
-/// A free cell inside a room of a colour that will do, at least so far from its border.
-fn cell_in<R: Rng + ?Sized>(layout: &Layout, will_do: impl Fn(&str) -> bool, far: i32, random: &mut R) -> Option<Cell> {
-    let rooms = || layout.rooms.iter().flatten().filter(|(_, color)| will_do(color));
-    let (area, _) = rooms().nth(below(rooms().count(), random))?;
+/// A cell inside one room or any, at least so far from its border. `None` where something stands there.
+fn cell_in<R: Rng + ?Sized>(layout: &Layout, room: Option<usize>, far: i32, random: &mut R) -> Option<Cell> {
+    let room = room.unwrap_or_else(|| below(layout.rooms.iter().flatten().count(), random));
+    let (area, _) = layout.rooms.iter().flatten().nth(room)?;
     let cell = Cell::new(between(area.left + far, area.right - far, random), between(area.bottom + far, area.top - far, random));
     let taken = layout.agent == cell || layout.blocks.iter().flatten().any(|block| block.cell == cell);
     (!taken).then_some(cell)
