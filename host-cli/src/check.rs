@@ -13,7 +13,7 @@ use goodbot_formats::session::{Kind, RecordedSession, SessionReader};
 use std::io::Write;
 use std::process::ExitCode;
 
-/// Checks environments, session logs and beliefs, and names every fault.
+/// Check environments, session logs and beliefs, and name every fault
 ///
 /// What a file is is seen from what is in it. Of an environment it is asked whether the home makes
 /// sense; of a session log also whether each step can be done where it is done, and whether the

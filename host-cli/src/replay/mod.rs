@@ -19,7 +19,7 @@ use report::Totals;
 use std::io::{self, BufWriter, Stdout, Write};
 use std::process::ExitCode;
 
-/// Goes through recorded sessions and tells what the robot believes after each step.
+/// Go through recorded sessions and tell what the robot believes after each step
 ///
 /// The robot begins knowing no word. Each session gives it the command, the steps as they were
 /// taken and the trainer's feedback; where the session says so, it then learns. Several files are
