@@ -5,9 +5,12 @@
 
 #![forbid(unsafe_code)]
 
+mod check;
 mod cli;
+mod load;
 mod outcome;
 mod paper;
+mod replay;
 
 use clap::{CommandFactory, Parser};
 use cli::{Cli, Command};
@@ -19,6 +22,8 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let done = match cli.command.unwrap_or(Command::Paper(cli.paper)) {
         Command::Paper(options) => paper::run(&options),
+        Command::Replay(args) => return replay::run(&args),
+        Command::Check(args) => return check::run(&args),
         Command::Completions { shell } => completions(shell),
     };
     outcome::exit_code(done)
