@@ -13,7 +13,7 @@
 //! | [`language`] | words, IBM Model 2, weighted EM |
 //! | [`session`] | Algorithm 1: the [`Agent`] |
 //!
-//! and beside them [`capacity`] and [`memory`] (how large every table is, and who owns it), [`symbols`] (names) and [`probability`]
+//! and beside them [`capacity`] and [`mod@memory`] (how large every table is, and who owns it), [`symbols`] (names) and [`probability`]
 //! (products that never underflow).
 //!
 //! # A robot that learns
