@@ -1,6 +1,7 @@
 //! What can be typed.
 
 use crate::check::CheckArgs;
+use crate::merge::MergeArgs;
 use crate::paper::trainer::TrainerChoice;
 use crate::replay::ReplayArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
@@ -44,6 +45,7 @@ pub enum Command {
     Paper(PaperOptions),
     Replay(ReplayArgs),
     Check(CheckArgs),
+    Merge(MergeArgs),
     /// Print a script that completes commands and options in your shell
     #[command(after_help = "Example:\n  goodbot completions bash > ~/.local/share/bash-completion/completions/goodbot")]
     Completions {

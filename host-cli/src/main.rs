@@ -8,9 +8,11 @@
 mod check;
 mod cli;
 mod load;
+mod merge;
 mod outcome;
 mod paper;
 mod replay;
+mod whole_file;
 
 use clap::{CommandFactory, Parser};
 use cli::{Cli, Command};
@@ -24,6 +26,7 @@ fn main() -> ExitCode {
         Command::Paper(options) => paper::run(&options),
         Command::Replay(args) => return replay::run(&args),
         Command::Check(args) => return check::run(&args),
+        Command::Merge(options) => merge::run(&options),
         Command::Completions { shell } => completions(shell),
     };
     outcome::exit_code(done)
