@@ -11,8 +11,9 @@ use crate::task::Expression;
 
 impl Agent<'_> {
     /// Ends the session without learning from it. What it made known of words and machine tokens is forgotten with the next command, so
-    /// that the same session can still be taken up again.
+    /// that the same session can still be taken up again with [`hear_again`](Self::hear_again).
     pub fn forget(&mut self) {
+        self.ended = true;
         self.planned = None;
     }
 
@@ -21,12 +22,10 @@ impl Agent<'_> {
     /// [`forgetting`](crate::language::forgetting) says.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`], or [`AgentError::Capacity`] where the session could not be kept even alone: it is then forgotten and
-    /// everything learned before is kept.
+    /// [`AgentError::NoSession`], [`AgentError::StillLearning`], or [`AgentError::Capacity`] where the session could not be kept even
+    /// alone: it is then forgotten and everything learned before is kept.
     pub fn finish<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
-        if self.start.is_none() {
-            return Err(AgentError::NoSession);
-        }
+        self.check_under_way()?;
         if self.language.is_training() {
             return Err(AgentError::StillLearning);
         }
@@ -37,6 +36,7 @@ impl Agent<'_> {
         let candidates = &self.candidates;
         let weighted = |entry: &Candidate| share(entry.weight).map(|share| (candidates.tokens(entry), share / kept));
         let pairs = || candidates.entries().iter().filter_map(weighted);
+        self.ended = true;
         self.planned = None;
         let added = self.language.add_session_making_room(&self.sentence, candidates.all_tokens(), pairs);
         if let Err(error) = added {
