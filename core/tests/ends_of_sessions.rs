@@ -1,6 +1,9 @@
 //! How a session ends, and that an ended one stays ended until it is taken up again.
 
+use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeMemory, HomeState, Moves};
+use goodbot::language::Settings;
+use goodbot::oomdp::Action;
 use goodbot::{Agent, AgentError, Capacities, Options};
 
 goodbot::memory! { struct Memory = Capacities::SMALL; }
@@ -57,4 +60,25 @@ fn after_a_prior_that_is_no_probability_no_session_is_under_way() {
         assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NoSession));
         assert_eq!(agent.hear_again(&home, &start), Err(AgentError::NoSession));
     }
+}
+
+#[test]
+fn a_command_of_a_length_never_heard_is_learned_from_too() {
+    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
+    let (home, start) = rooms(rooms_memory.split().home);
+    let options = Options { language: Settings { length: true, ..Settings::PAPER }, ..Options::PAPER };
+    let mut agent = Agent::new(memory.split().agent, &home::paper_tasks().unwrap(), options).unwrap();
+    agent.hear(&home, &start, "go to the red room").unwrap();
+    agent.finish(&home).unwrap();
+    agent.learn_fully();
+    let pairs = agent.language().bitext().pairs().len();
+    // Pr(n|l) is 0 for each machine command: nothing explains three words, and the feedback alone tells what they mean.
+    agent.hear(&home, &start, "red room now").unwrap();
+    agent.plan_fully(&home, &start).unwrap();
+    agent.feedback(Action(2), Feedback::Reward).unwrap();
+    agent.finish(&home).unwrap();
+    agent.learn_fully();
+    let added = agent.language().bitext().pairs().get(pairs..).unwrap();
+    let whole: f32 = added.iter().map(|pair| pair.weight).sum();
+    assert!((whole - 1.0).abs() < 1e-5, "the session's weights add up to {whole}");
 }

@@ -51,11 +51,20 @@ impl Agent<'_> {
     }
 
     /// The weight of each machine command of the session as it stands, for [`finish`](Self::finish) and for those who look on: the entries
-    /// of [`candidates`](Self::candidates) then have their weights.
+    /// of [`candidates`](Self::candidates) then have their weights, in no unit: their share of the sum is what is learned. Where no machine
+    /// command explains the words, the tasks' posterior alone counts, evenly over each task's constraints.
     ///
     /// # Errors
     /// [`AgentError::Capacity`].
     pub fn weigh<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+        self.weigh_by(domain, self.options.weights)?;
+        if self.options.weights == Weights::Paper && self.candidates.entries().iter().all(|entry| entry.weight.is_zero()) {
+            self.weigh_by(domain, Weights::Belief)?;
+        }
+        Ok(())
+    }
+
+    fn weigh_by<D: Domain + ?Sized>(&mut self, domain: &D, weights: Weights) -> Result<(), AgentError> {
         for position in 0..self.candidates.entries().len() {
             if let Some(entry) = self.candidates.entry_mut(position) {
                 entry.weight = Scaled::ZERO;
@@ -63,7 +72,6 @@ impl Agent<'_> {
         }
         for position in 0..self.task_count {
             let prior = self.tasks.get(position).map_or(0.0, |task| task.prior);
-            let weights = self.options.weights;
             let evidence = match weights {
                 Weights::Paper => self.belief.evidence(position).scaled_by(prior),
                 Weights::Belief => self.belief.weight(position),
