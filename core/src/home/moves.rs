@@ -290,4 +290,41 @@ impl Domain for Home<'_> {
         }
         self.blocks().iter().position(|&block| block == subject).map(|position| position.saturating_add(1))
     }
+
+    fn stands_still(&self, variable: usize) -> bool {
+        variable != 0
+    }
+
+    fn ways_in(&self) -> usize {
+        match self.moves {
+            Moves::Push => 8,
+            Moves::PushAndPull => 12,
+        }
+    }
+
+    // 0 to 3: the agent came from there and touched nothing; 4 to 7: it pushed the block that is now ahead; 8 to 11: it swapped places
+    // with the block that is now there.
+    #[inline]
+    fn way_in(&self, state: &HomeState, way: usize) -> Option<HomeState> {
+        let direction = way % 4;
+        let from = self.neighbour(state.agent, direction);
+        if from == WALL {
+            return None;
+        }
+        let block = if way < 8 {
+            if self.block_on(state, from).is_some() {
+                return None;
+            }
+            if way < 4 {
+                return Some(HomeState { agent: from, ..*state });
+            }
+            // North and south, east and west stand side by side.
+            self.neighbour(state.agent, direction ^ 1)
+        } else {
+            from
+        };
+        let mut before = HomeState { agent: from, ..*state };
+        *before.blocks.get_mut(self.block_on(state, block)?)? = state.agent;
+        Some(before)
+    }
 }

@@ -133,6 +133,24 @@ pub trait Domain {
     fn reads(&self, _proposition: &GroundProposition) -> Option<usize> {
         None
     }
+
+    /// Whether a variable keeps its value until the robot acts on it: where a block is, not where the robot is. In a home too large for
+    /// exact plans, such a variable is taken to stand still in the plans of tasks that do not read it.
+    fn stands_still(&self, _variable: usize) -> bool {
+        false
+    }
+
+    /// How many states at most lead to one state by one action, if the domain wants to say: 0 is always correct, and makes the sweep
+    /// slower.
+    fn ways_in(&self) -> usize {
+        0
+    }
+
+    /// A state from which an action may lead to `state`, for each `way` below [`ways_in`](Self::ways_in). All states from which one does
+    /// must be among them; others do no harm.
+    fn way_in(&self, _state: &Self::State, _way: usize) -> Option<Self::State> {
+        None
+    }
 }
 
 /// The name of an action of a domain, `noop` included.

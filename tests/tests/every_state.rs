@@ -1,0 +1,59 @@
+//! The plans of every state at once, against reference numbers computed by an independent implementation.
+
+use goodbot::home::{self, Moves};
+use goodbot::oomdp::Domain;
+use goodbot::planning::{GoalTable, Progress, Sweep};
+use goodbot::task::{GroundedTask, TaskSet, ground};
+use goodbot::{Capacities, HeapMemory};
+use goodbot_tests::fixture::{home, read, task_text};
+
+#[derive(Default)]
+struct Sums {
+    max: u64,
+    total: u64,
+    goals: u64,
+    optimal_moves: u64,
+}
+
+#[test]
+fn one_sweep_gives_the_reference_plans_of_every_state_of_every_home() {
+    let Some(reference) = read("fixtures/plans.json") else { return };
+    for case in reference.as_array().unwrap() {
+        let mut memory = HeapMemory::new(&Capacities::STANDARD);
+        let parts = memory.split();
+        let (home, start) = home(&case["world"], parts.home, Moves::PushAndPull);
+        let lifted = home::paper_tasks().unwrap();
+        let mut tasks = [GroundedTask::UNUSED; 64];
+        let count = ground(&home, &lifted, &start, &mut tasks).unwrap();
+        let tasks = &tasks[..count];
+        let mut goals = GoalTable::new(parts.agent.session.goals);
+        goals.fill(&home, &lifted, tasks, &start).unwrap();
+        let mut sweep = Sweep::new(parts.agent.session.sweep);
+        assert!(sweep.begin(&home, &start, TaskSet::first(count)));
+        while sweep.advance(&home, &goals, 10_000) == Progress::Working {}
+
+        let mut sums: Vec<Sums> = tasks.iter().map(|_| Sums::default()).collect();
+        let mut reachable = 0;
+        for number in 0..home.state_count() {
+            let state = home.numbered(number);
+            if !sweep.knows(&home, &state) {
+                continue;
+            }
+            reachable += 1;
+            for (task, sums) in sums.iter_mut().enumerate() {
+                let Some(distance) = sweep.distance(&home, &state, task).map(u64::from) else { continue };
+                sums.max = sums.max.max(distance);
+                sums.total += distance;
+                sums.goals += u64::from(distance == 0);
+                sums.optimal_moves += sweep.toward(&home, &state, task).len() as u64;
+            }
+        }
+        assert_eq!(reachable, case["reachable"].as_u64().unwrap());
+        for (task, sums) in tasks.iter().zip(&sums) {
+            let name = task_text(&home, &lifted, task);
+            let expected = |field: &str| case["tasks"][&name][field].as_u64().unwrap();
+            let found = [sums.max, sums.total, sums.goals, sums.optimal_moves];
+            assert_eq!(found, ["max", "total", "goals", "optimal_moves"].map(expected), "{name}");
+        }
+    }
+}
