@@ -113,6 +113,12 @@ impl<'m> GoalTable<'m> {
         }
     }
 
+    /// The variables that a task's propositions read, one bit each; `None` where one of them reads more than one.
+    pub fn variables_of<D: Domain + ?Sized>(&self, domain: &D, task: usize) -> Option<u32> {
+        let mut parts = self.memory.parts.iter().take(self.parts).filter(|part| part.tasks.contains(task));
+        parts.try_fold(0, |read, part| Some(read | 1_u32.checked_shl(domain.reads(&part.proposition)? as u32)?))
+    }
+
     /// The tasks that hold in `state`.
     #[inline]
     pub fn satisfied<D: Domain + ?Sized>(&self, domain: &D, state: &D::State) -> TaskSet {

@@ -2,14 +2,21 @@
 //!
 //! - [`goals`]: which tasks a state satisfies, at the same cost for one task as for 64;
 //! - [`search`]: one uniform-cost search from the current state that serves all tasks, in steps as large as the caller allows;
-//! - [`sweep`]: one sweep from all goals that serves all tasks in every state, where the memory allows it.
+//! - [`sweep`]: one sweep from all goals that serves all tasks in every state, where the memory allows it;
+//! - [`relaxed`]: plans for homes too large for either, with the blocks that do not matter to a task standing still;
+//! - [`planner`]: which of them serves a state.
 
 pub mod goals;
 mod lanes;
+mod optimal_set;
+pub mod planner;
+pub mod relaxed;
 pub mod search;
+mod standing;
 pub mod sweep;
 
 pub use goals::{GoalMemory, GoalTable};
+pub use planner::Planner;
 pub use search::{OptimalSet, PlanMemory, Search};
 pub use sweep::Sweep;
 

@@ -9,8 +9,11 @@
 //! than the memory is searched through a hash table of state numbers; where that fills up, the tasks that have no goal nearer than the
 //! first state that found no room are *unknown*.
 
+mod results;
+
 use super::Progress;
 use super::goals::GoalTable;
+pub use super::optimal_set::OptimalSet;
 use crate::oomdp::domain::MOST_COST;
 use crate::oomdp::{Action, ActionSet, Domain, apply};
 use crate::task::TaskSet;
@@ -28,30 +31,6 @@ pub struct PlanMemory<'m> {
     pub optimal: &'m mut [ActionSet],
     /// The distance of each task.
     pub distances: &'m mut [u32],
-}
-
-/// What the search found for one task: which actions are right here.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum OptimalSet {
-    /// The task holds: only doing nothing is right.
-    Goal,
-    /// These actions begin a shortest way to the goal.
-    Toward(ActionSet),
-    /// No goal can be reached any more: every applicable action and doing nothing are equally right.
-    DeadEnd(ActionSet),
-    /// The search was bounded before it found out.
-    Unknown,
-}
-
-impl OptimalSet {
-    /// The actions, `None` where they are unknown.
-    pub fn actions(self) -> Option<ActionSet> {
-        match self {
-            Self::Goal => Some(ActionSet::NOOP),
-            Self::Toward(actions) | Self::DeadEnd(actions) => Some(actions),
-            Self::Unknown => None,
-        }
-    }
 }
 
 const EMPTY: u64 = u64::MAX;
@@ -81,6 +60,10 @@ pub struct Search<'m> {
     goal_here: TaskSet,
     dead: TaskSet,
     applicable: ActionSet,
+    /// Tasks planned with blocks taken to stand still.
+    relaxed: TaskSet,
+    /// Whether this search is one of several for the same state.
+    in_part: bool,
     running: bool,
     expanded: u32,
 }
@@ -105,6 +88,8 @@ impl<'m> Search<'m> {
             goal_here: TaskSet::EMPTY,
             dead: TaskSet::EMPTY,
             applicable: ActionSet::EMPTY,
+            relaxed: TaskSet::EMPTY,
+            in_part: false,
             running: false,
             expanded: 0,
         }
@@ -113,39 +98,88 @@ impl<'m> Search<'m> {
     /// Begins at `state`, for the tasks in `wanted`. Those in `dead` are known to be dead ends: once no goal can be reached, none can be
     /// reached from any later state.
     pub fn begin<D: Domain + ?Sized>(&mut self, domain: &D, goals: &GoalTable<'_>, state: &D::State, wanted: TaskSet, dead: TaskSet) {
-        let actions = domain.actions();
-        let dearest = actions.iter().map(|kind| kind.cost).max().unwrap_or(1).clamp(1, MOST_COST);
-        self.ring = usize::from(dearest).saturating_add(1);
-        let bytes = if actions.len() > 8 { 2 } else { 1 };
-        let sets = self.ring.saturating_add(1);
+        self.stand(domain, goals, state, wanted, dead);
+        self.in_part = false;
+        self.start(domain, state);
+    }
+
+    /// Begins a search for some of the tasks that are not resolved yet, in a domain of its own; the other tasks' results stay.
+    pub(super) fn begin_part<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, tasks: TaskSet) {
+        (self.level, self.cursor, self.ahead, self.horizon) = (0, 0, 0, u32::MAX);
+        (self.unresolved, self.found_now) = (tasks, TaskSet::EMPTY);
+        self.in_part = true;
+        self.start(domain, state);
+    }
+
+    /// Ends a part. Gives the tasks for which it found nothing; the others' sets count as relaxed, but for those of the `whole` space.
+    pub(super) fn end_part(&mut self, tasks: TaskSet, whole: bool) -> TaskSet {
+        if whole && self.horizon == u32::MAX {
+            self.dead = self.dead.union(self.unresolved);
+            self.unresolved = TaskSet::EMPTY;
+        }
+        if !whole {
+            self.relaxed = self.relaxed.union(tasks.without(self.unresolved));
+        }
+        self.unresolved
+    }
+
+    pub(super) fn leave_unknown(&mut self, tasks: TaskSet) {
+        self.unresolved = tasks;
+    }
+
+    pub(super) fn can_hash(&self) -> bool {
+        !self.memory.hashed.is_empty()
+    }
+
+    /// How many states fit where they are not hashed.
+    pub fn room<D: Domain + ?Sized>(&self, domain: &D) -> usize {
+        let (bytes, sets) = (bytes(domain), ring(domain).saturating_add(1));
         let by_frontier = (self.memory.frontier.len() / sets).saturating_mul(32);
-        let room = (self.memory.first_actions.len() / bytes).min(by_frontier);
+        (self.memory.first_actions.len() / bytes).min(by_frontier)
+    }
+
+    fn start<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) {
+        self.ring = ring(domain);
+        let sets = self.ring.saturating_add(1);
+        let room = self.room(domain);
         let count = domain.state_count();
         self.hashing = count > room as u64;
         self.slots = if self.hashing { room.min(self.memory.hashed.len()) } else { usize::try_from(count).unwrap_or(room) };
         self.words = self.slots.div_ceil(32);
-        self.second_byte = if bytes == 2 { self.slots } else { 0 };
+        self.second_byte = if bytes(domain) == 2 { self.slots } else { 0 };
         self.memory.frontier.iter_mut().take(self.words.saturating_mul(sets)).for_each(|word| *word = 0);
         if self.hashing {
             self.memory.hashed.iter_mut().take(self.slots).for_each(|number| *number = EMPTY);
         }
+        self.running = !self.unresolved.is_empty();
+        if self.running {
+            self.open_first(domain, state);
+        }
+    }
+
+    /// What can be said of `state` without any search; the rest of `wanted` is unresolved.
+    pub(super) fn stand<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        goals: &GoalTable<'_>,
+        state: &D::State,
+        wanted: TaskSet,
+        dead: TaskSet,
+    ) {
+        self.expanded = 0;
         self.memory.optimal.iter_mut().for_each(|set| *set = ActionSet::EMPTY);
         self.memory.distances.iter_mut().for_each(|distance| *distance = u32::MAX);
-        (self.level, self.cursor, self.ahead, self.horizon, self.expanded) = (0, 0, 0, u32::MAX, 0);
-        self.found_now = TaskSet::EMPTY;
+        (self.level, self.cursor, self.ahead, self.horizon) = (0, 0, 0, u32::MAX);
+        (self.found_now, self.relaxed) = (TaskSet::EMPTY, TaskSet::EMPTY);
         self.goal_here = goals.satisfied(domain, state).common(wanted);
         self.dead = dead.common(wanted).without(self.goal_here);
         self.wanted = wanted;
         self.unresolved = wanted.without(self.goal_here).without(self.dead);
         self.applicable = ActionSet::NOOP;
-        for action in (0..actions.len().min(Action::MOST)).map(|position| Action(position as u8)) {
+        for action in (0..domain.actions().len().min(Action::MOST)).map(|position| Action(position as u8)) {
             if domain.step(state, action).is_some() {
                 self.applicable = self.applicable.with(action);
             }
-        }
-        self.running = !self.unresolved.is_empty();
-        if self.running {
-            self.open_first(domain, state);
         }
     }
 
@@ -319,58 +353,22 @@ impl<'m> Search<'m> {
         self.level = self.level.saturating_add(1);
         // From the first state that found no room on, a goal may be missing, and so may a way to one.
         self.running = !self.unresolved.is_empty() && self.ahead > 0 && self.level < self.horizon;
-        if !self.running && self.horizon == u32::MAX {
+        if !self.running && self.horizon == u32::MAX && !self.in_part {
             self.dead = self.dead.union(self.unresolved);
             self.unresolved = TaskSet::EMPTY;
         }
     }
+}
 
-    /// Whether it has come to its end.
-    pub fn is_done(&self) -> bool {
-        !self.running
-    }
+/// Distances that are open at the same time: as many as the dearest action costs, and one.
+fn ring<D: Domain + ?Sized>(domain: &D) -> usize {
+    let dearest = domain.actions().iter().map(|kind| kind.cost).max().unwrap_or(1).clamp(1, MOST_COST);
+    usize::from(dearest).saturating_add(1)
+}
 
-    /// What it found for a task. Meaningful when it is done.
-    pub fn optimal(&self, task: usize) -> OptimalSet {
-        if self.goal_here.contains(task) {
-            OptimalSet::Goal
-        } else if self.dead.contains(task) {
-            OptimalSet::DeadEnd(self.applicable)
-        } else if self.unresolved.contains(task) || !self.wanted.contains(task) {
-            OptimalSet::Unknown
-        } else {
-            self.memory.optimal.get(task).map_or(OptimalSet::Unknown, |&set| OptimalSet::Toward(set))
-        }
-    }
-
-    /// The cost of a shortest way to a task's goal; `None` where there is none or it is unknown.
-    pub fn distance(&self, task: usize) -> Option<u32> {
-        match self.optimal(task) {
-            OptimalSet::Goal => Some(0),
-            OptimalSet::Toward(_) => self.memory.distances.get(task).copied(),
-            OptimalSet::DeadEnd(_) | OptimalSet::Unknown => None,
-        }
-    }
-
-    /// The tasks whose goals cannot be reached from here, nor from anywhere later.
-    pub fn dead(&self) -> TaskSet {
-        self.dead
-    }
-
-    /// The tasks of which nothing is known, because the search was bounded.
-    pub fn unknown(&self) -> TaskSet {
-        self.unresolved
-    }
-
-    /// The actions that can be done here, doing nothing included.
-    pub fn applicable(&self) -> ActionSet {
-        self.applicable
-    }
-
-    /// How many states were expanded.
-    pub fn expanded(&self) -> u32 {
-        self.expanded
-    }
+/// Bytes of a state's first actions.
+fn bytes<D: Domain + ?Sized>(domain: &D) -> usize {
+    if domain.actions().len() > 8 { 2 } else { 1 }
 }
 
 /// The state after a walk: `None` where an action of it cannot be done.

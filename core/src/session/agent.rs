@@ -12,11 +12,14 @@ use crate::feedback::simulated::below;
 use crate::feedback::{Belief, Feedback, Judgement, Strategy};
 use crate::language::{LanguageModel, Sentence};
 use crate::oomdp::{Action, ActionSet, Domain};
-use crate::planning::{GoalTable, OptimalSet, Progress, Search};
+use crate::planning::{GoalTable, OptimalSet, Planner, Progress, Search};
 use crate::probability::{Scaled, total};
 use crate::task::{Expression, GroundedTask, LiftedTask, TaskSet, ground};
 use heapless::Vec;
 use rand_core::Rng;
+
+/// Below this probability a task is not planned: its optimal set is unknown, and what happens is no evidence for or against it.
+pub const NEGLIGIBLE: f32 = 1e-9;
 
 /// What the agent does next, and for which task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,7 +43,7 @@ pub struct Agent<'m> {
     pub(super) candidates: Candidates<'m>,
     pub(crate) belief: Belief<'m>,
     pub(super) goals: GoalTable<'m>,
-    pub(super) search: Search<'m>,
+    pub(super) planner: Planner<'m>,
     pub(super) sentence: Sentence,
     pub(super) start: Option<u64>,
     pub(super) ended: bool,
@@ -65,7 +68,7 @@ impl<'m> Agent<'m> {
             candidates: Candidates::new(session.candidates),
             belief: Belief::new(session.belief),
             goals: GoalTable::new(session.goals),
-            search: Search::new(session.plan),
+            planner: Planner::new(session.plan, session.sweep),
             sentence: Sentence::new(),
             start: None,
             ended: false,
@@ -117,7 +120,7 @@ impl<'m> Agent<'m> {
 
     /// The plan.
     pub fn search(&self) -> &Search<'m> {
-        &self.search
+        self.planner.search()
     }
 
     /// The words of the command.
@@ -216,6 +219,7 @@ impl<'m> Agent<'m> {
         }
         self.goals.fill(domain, &self.lifted, self.tasks.get(..count).unwrap_or(&[]), state)?;
         self.task_count = count;
+        self.planner.forget(count);
         self.start = Some(domain.number(state));
         Ok(())
     }
@@ -280,13 +284,21 @@ impl<'m> Agent<'m> {
         let number = domain.number(state);
         if self.planned != Some(number) {
             self.planned = Some(number);
-            self.search.begin(domain, &self.goals, state, TaskSet::first(self.task_count), self.dead);
+            let wanted = self.worth_planning();
+            self.planner.begin(domain, &self.goals, state, wanted, self.dead);
         }
-        let progress = self.search.advance(domain, &self.goals, budget);
+        let progress = self.planner.advance(domain, &self.goals, state, budget);
         if progress == Progress::Done {
-            self.dead = self.dead.union(self.search.dead());
+            self.dead = self.dead.union(self.search().dead());
         }
         Ok(progress)
+    }
+
+    /// The tasks whose probability still matters: [`NEGLIGIBLE`] or more.
+    fn worth_planning(&self) -> TaskSet {
+        let least = self.belief.whole().scaled_by(NEGLIGIBLE);
+        let matters = |&task: &usize| !least.exceeds(self.belief.weight(task));
+        (0..self.task_count).filter(matters).fold(TaskSet::EMPTY, |set, task| set.union(TaskSet::of(task)))
     }
 
     /// The most likely task: the largest posterior. On a tie the task that is followed stays; otherwise the generator draws, and without
@@ -316,7 +328,7 @@ impl<'m> Agent<'m> {
         self.check_planned()?;
         let task = self.most_likely(random.as_deref_mut()).ok_or(AgentError::NoSession)?;
         self.followed = Some(task);
-        let plan = self.search.optimal(task);
+        let plan = self.search().optimal(task);
         let action = match plan {
             OptimalSet::Toward(actions) => {
                 let draw = random.map_or(0, |random| below(actions.len(), random));
@@ -329,12 +341,12 @@ impl<'m> Agent<'m> {
 
     fn check_planned(&self) -> Result<(), AgentError> {
         self.check_under_way()?;
-        if self.planned.is_none() || !self.search.is_done() { Err(AgentError::NotPlanned) } else { Ok(()) }
+        if self.planned.is_none() || !self.planner.is_done() { Err(AgentError::NotPlanned) } else { Ok(()) }
     }
 
     fn check_applicable(&self, action: Action) -> Result<(), AgentError> {
         self.check_planned()?;
-        if self.search.applicable().contains(action) { Ok(()) } else { Err(AgentError::NotApplicable) }
+        if self.search().applicable().contains(action) { Ok(()) } else { Err(AgentError::NotApplicable) }
     }
 
     /// Takes in the trainer's feedback to `action`, done in the state that was planned for. Gives `false` where the feedback is impossible
@@ -344,7 +356,7 @@ impl<'m> Agent<'m> {
     /// [`AgentError::NoSession`], [`AgentError::NotPlanned`] or [`AgentError::NotApplicable`].
     pub fn feedback(&mut self, action: Action, feedback: Feedback) -> Result<bool, AgentError> {
         self.check_applicable(action)?;
-        let search = &self.search;
+        let search = self.planner.search();
         Ok(self.belief.observe_feedback(feedback, |task| match search.optimal(task).actions() {
             Some(actions) if actions.contains(action) => Judgement::Correct,
             Some(_) => Judgement::Incorrect,
@@ -359,7 +371,7 @@ impl<'m> Agent<'m> {
     /// As [`feedback`](Self::feedback).
     pub fn demonstration(&mut self, action: Action) -> Result<bool, AgentError> {
         self.check_applicable(action)?;
-        let search = &self.search;
+        let search = self.planner.search();
         let applicable = search.applicable();
         Ok(self.belief.observe(|strategy, task| {
             let optimal = search.optimal(task).actions()?;

@@ -1,0 +1,86 @@
+//! What a search found, by itself or from a sweep.
+
+use super::{OptimalSet, Search};
+use crate::oomdp::{ActionSet, Domain};
+use crate::planning::{GoalTable, Sweep};
+use crate::task::TaskSet;
+
+impl Search<'_> {
+    /// Takes what a sweep knows of `state`, for the tasks in `wanted`, instead of searching. Gives `false`, and changes nothing, where the
+    /// sweep does not know the state.
+    pub fn adopt<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        goals: &GoalTable<'_>,
+        state: &D::State,
+        wanted: TaskSet,
+        sweep: &Sweep<'_>,
+    ) -> bool {
+        if !sweep.knows(domain, state) {
+            return false;
+        }
+        let dead = wanted.without(sweep.reachable(domain, state));
+        self.stand(domain, goals, state, wanted, dead);
+        for task in self.unresolved.iter() {
+            if let (Some(set), Some(distance)) = (self.memory.optimal.get_mut(task), self.memory.distances.get_mut(task)) {
+                *set = sweep.toward(domain, state, task);
+                *distance = sweep.distance(domain, state, task).unwrap_or(u32::MAX);
+            }
+        }
+        (self.unresolved, self.running) = (TaskSet::EMPTY, false);
+        true
+    }
+
+    /// Whether it has come to its end.
+    pub fn is_done(&self) -> bool {
+        !self.running
+    }
+
+    /// What it found for a task. Meaningful when it is done.
+    pub fn optimal(&self, task: usize) -> OptimalSet {
+        if self.goal_here.contains(task) {
+            OptimalSet::Goal
+        } else if self.dead.contains(task) {
+            OptimalSet::DeadEnd(self.applicable)
+        } else if self.unresolved.contains(task) || !self.wanted.contains(task) {
+            OptimalSet::Unknown
+        } else {
+            self.memory.optimal.get(task).map_or(OptimalSet::Unknown, |&set| OptimalSet::Toward(set))
+        }
+    }
+
+    /// The cost of a shortest way to a task's goal; `None` where there is none or it is unknown.
+    pub fn distance(&self, task: usize) -> Option<u32> {
+        match self.optimal(task) {
+            OptimalSet::Goal => Some(0),
+            OptimalSet::Toward(_) => self.memory.distances.get(task).copied(),
+            OptimalSet::DeadEnd(_) | OptimalSet::Unknown => None,
+        }
+    }
+
+    /// The tasks whose goals cannot be reached from here, nor from anywhere later.
+    pub fn dead(&self) -> TaskSet {
+        self.dead
+    }
+
+    /// The tasks of which nothing is known, because the search was bounded.
+    pub fn unknown(&self) -> TaskSet {
+        self.unresolved
+    }
+
+    /// The tasks that were planned with the blocks that do not matter to them taken to stand still, because the joint state space is out
+    /// of reach: their optimal sets and distances are approximate.
+    pub fn relaxed(&self) -> TaskSet {
+        self.relaxed
+    }
+
+    /// The actions that can be done here, doing nothing included.
+    pub fn applicable(&self) -> ActionSet {
+        self.applicable
+    }
+
+    /// How many states were expanded.
+    pub fn expanded(&self) -> u32 {
+        self.expanded
+    }
+}
