@@ -2,8 +2,11 @@
 
 #![deny(missing_docs)]
 
+pub mod brute_force;
 pub mod fixture;
+pub mod random_homes;
 pub mod school;
+pub mod turning_robot;
 
 use std::path::PathBuf;
 

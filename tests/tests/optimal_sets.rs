@@ -1,0 +1,116 @@
+//! Optimal sets against brute force, in random homes and for a robot whose actions cost 1 to 5.
+
+use goodbot::home::{self, Moves};
+use goodbot::oomdp::{Domain, PropositionId};
+use goodbot::planning::{GoalMemory, GoalTable, OptimalSet, Progress, Search, Sweep};
+use goodbot::session::SessionMemory;
+use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
+use goodbot::{Capacities, HeapMemory};
+use goodbot_tests::brute_force::BruteForce;
+use goodbot_tests::random_homes::{Size, below, random_home};
+use goodbot_tests::turning_robot::TurningRobot;
+use rand_pcg::Pcg32;
+
+const ROOMY: Capacities = Capacities { states: 1 << 14, hashed_states: 1 << 14, sweep_words: 1 << 18, ..Capacities::STANDARD };
+
+/// How many optimal sets were compared.
+fn compare<D: Domain>(domain: &D, start: &D::State, lifted: &[LiftedTask], memory: SessionMemory<'_>, every: usize) -> usize {
+    let SessionMemory { tasks, goals, plan, sweep, .. } = memory;
+    let GoalMemory { parts, entries } = goals;
+    let count = ground(domain, lifted, start, tasks).unwrap();
+    let tasks: &[GroundedTask] = &tasks[..count];
+    let mut goals = GoalTable::new(GoalMemory { parts, entries });
+    goals.fill(domain, lifted, tasks, start).unwrap();
+    let truth = BruteForce::new(domain, start, lifted, tasks);
+
+    let mut sweep = Sweep::new(sweep);
+    let swept = sweep.begin(domain, start, TaskSet::first(count));
+    while sweep.advance(domain, &goals, 100) == Progress::Working {}
+    let (mut search, mut compared) = (Search::new(plan), 0);
+    for (position, state) in truth.states.iter().enumerate().step_by(every) {
+        search.begin(domain, &goals, state, TaskSet::first(count), TaskSet::EMPTY);
+        while search.advance(domain, &goals, 100) == Progress::Working {}
+        assert!(search.unknown().is_empty());
+        for task in 0..count {
+            assert_eq!(search.optimal(task), truth.optimal(position, task), "search, state {position}, task {task}");
+            assert_eq!(search.distance(task), truth.distances[task][position]);
+        }
+        if swept {
+            assert!(search.adopt(domain, &goals, state, TaskSet::first(count), &sweep));
+            for task in 0..count {
+                assert_eq!(search.optimal(task), truth.optimal(position, task), "sweep, state {position}, task {task}");
+                assert_eq!(search.distance(task), truth.distances[task][position]);
+            }
+        }
+        compared += count;
+    }
+    compared
+}
+
+#[test]
+fn search_and_sweep_give_the_optimal_sets_of_brute_force_in_random_homes() {
+    let mut random = Pcg32::new(7, 7);
+    let pairs = LiftedTask::parse("agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2)", &home::SCHEMA).unwrap();
+    let [agent, block] = home::paper_tasks().unwrap();
+    for round in 0..12 {
+        let mut memory = HeapMemory::new(&ROOMY);
+        let parts = memory.split();
+        let size = Size { columns: 2 + round % 2, rows: 1 + round / 9, side: 2 + round % 2, blocks: 1 + i32::from(round % 3 == 0) };
+        let moves = if round % 2 == 0 { Moves::Push } else { Moves::PushAndPull };
+        let (home, start) = random_home(&mut random, size, moves, parts.home);
+        let lifted = [agent.clone(), block.clone(), pairs.clone()];
+        let compared = compare(&home, &start, &lifted, parts.agent.session, 7);
+        assert!(compared > 0, "{size:?}");
+    }
+}
+
+/// The tasks of the robot and of the crate.
+fn robot_tasks(robot: &TurningRobot<'_>) -> [LiftedTask; 2] {
+    [0, 1].map(|proposition| LiftedTask::single(PropositionId(proposition), &robot.schema()).unwrap())
+}
+
+#[test]
+fn actions_of_different_costs_hashed_or_not_give_the_optimal_sets_of_brute_force() {
+    let mut random = Pcg32::new(8, 8);
+    for round in 0..8 {
+        let mut memory = HeapMemory::new(&ROOMY);
+        let parts = memory.split();
+        let blocked = vec![2 + below(&mut random, 9), 12 + below(&mut random, 11)];
+        let mut robot = TurningRobot::new(5, blocked, vec![24, 1 + below(&mut random, 20), 20], parts.home.objects);
+        if round % 2 == 1 {
+            robot.gap = 1_000_003;
+        }
+        let start = robot.start(0, 7);
+        compare(&robot, &start, &robot_tasks(&robot), parts.agent.session, 41);
+    }
+}
+
+#[test]
+fn a_search_that_runs_out_of_memory_says_unknown_and_never_anything_wrong() {
+    let mut memory = HeapMemory::new(&Capacities { states: 4_096, hashed_states: 300, ..ROOMY });
+    let parts = memory.split();
+    let mut robot = TurningRobot::new(5, vec![6, 17], vec![24, 1, 20], parts.home.objects);
+    robot.gap = 1_000_003;
+    let (start, lifted) = (robot.start(0, 7), robot_tasks(&robot));
+    let mut tasks = [GroundedTask::UNUSED; 8];
+    let count = ground(&robot, &lifted, &start, &mut tasks).unwrap();
+    let mut goals = GoalTable::new(parts.agent.session.goals);
+    goals.fill(&robot, &lifted, &tasks[..count], &start).unwrap();
+    let truth = BruteForce::new(&robot, &start, &lifted, &tasks[..count]);
+    let mut search = Search::new(parts.agent.session.plan);
+    let (mut known, mut unknown) = (0, 0);
+    for (position, state) in truth.states.iter().enumerate().step_by(13) {
+        search.begin(&robot, &goals, state, TaskSet::first(count), TaskSet::EMPTY);
+        while search.advance(&robot, &goals, 50) == Progress::Working {}
+        for task in 0..count {
+            match search.optimal(task) {
+                OptimalSet::Unknown => unknown += 1,
+                found => {
+                    assert_eq!(found, truth.optimal(position, task));
+                    known += 1;
+                }
+            }
+        }
+    }
+    assert!(known > 100 && unknown > 100, "{known} known, {unknown} unknown");
+}
