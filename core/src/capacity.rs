@@ -106,9 +106,11 @@ impl Capacities {
         length_pairs: 16,
     };
 
-    /// u32s of the search's frontier: four bit sets over the states, enough for actions that cost 1 and 2.
+    /// u32s of the search's frontier: four bit sets over the states, enough for actions that cost 1 and 2, and a bit for each of their
+    /// words.
     pub const fn frontier_words(&self) -> usize {
-        self.states.div_ceil(32).saturating_mul(4)
+        let words = self.states.div_ceil(32);
+        words.saturating_add(words.div_ceil(32)).saturating_mul(4)
     }
 
     /// For hosts and browsers: about fifteen megabytes, most of them for a million search states, and sixteen for a sweep.

@@ -6,6 +6,7 @@
 //! - [`relaxed`]: plans for homes too large for either, with the blocks that do not matter to a task standing still;
 //! - [`planner`]: which of them serves a state.
 
+mod frontier;
 pub mod goals;
 mod lanes;
 mod optimal_set;

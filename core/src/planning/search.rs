@@ -12,6 +12,7 @@
 mod results;
 
 use super::Progress;
+use super::frontier::Frontier;
 use super::goals::GoalTable;
 pub use super::optimal_set::OptimalSet;
 use crate::oomdp::domain::MOST_COST;
@@ -23,7 +24,8 @@ use crate::task::TaskSet;
 pub struct PlanMemory<'m> {
     /// First actions: one byte a state, two where the domain has more than eight actions.
     pub first_actions: &'m mut [u8],
-    /// Bit sets over the states: as many as the dearest action costs, and two.
+    /// Bit sets over the states, as many as the dearest action costs, and two: see
+    /// [`Capacities::frontier_words`](crate::Capacities::frontier_words).
     pub frontier: &'m mut [u32],
     /// State numbers, where states are hashed; may be empty.
     pub hashed: &'m mut [u64],
@@ -38,18 +40,17 @@ const EMPTY: u64 = u64::MAX;
 /// A search, under way or done.
 #[derive(Debug)]
 pub struct Search<'m> {
-    memory: PlanMemory<'m>,
+    first_actions: &'m mut [u8],
+    frontier: Frontier<'m>,
+    hashed: &'m mut [u64],
+    optimal: &'m mut [ActionSet],
+    distances: &'m mut [u32],
     /// States that fit.
     slots: usize,
-    /// u32s of one bit set.
-    words: usize,
-    /// Bit sets in the ring; the one after the last holds the states that are done.
-    ring: usize,
     /// Second byte of a state's first actions, as an offset; 0 where one byte is enough.
     second_byte: usize,
     hashing: bool,
     level: u32,
-    cursor: usize,
     /// Whether any state is left at a distance beyond this level.
     ahead: usize,
     /// The distance of the first state that found no room.
@@ -72,14 +73,15 @@ impl<'m> Search<'m> {
     /// A search that has not begun.
     pub fn new(memory: PlanMemory<'m>) -> Self {
         Self {
-            memory,
+            first_actions: memory.first_actions,
+            frontier: Frontier::new(memory.frontier),
+            hashed: memory.hashed,
+            optimal: memory.optimal,
+            distances: memory.distances,
             slots: 0,
-            words: 0,
-            ring: 0,
             second_byte: 0,
             hashing: false,
             level: 0,
-            cursor: 0,
             ahead: 0,
             horizon: u32::MAX,
             wanted: TaskSet::EMPTY,
@@ -105,7 +107,7 @@ impl<'m> Search<'m> {
 
     /// Begins a search for some of the tasks that are not resolved yet, in a domain of its own; the other tasks' results stay.
     pub(super) fn begin_part<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, tasks: TaskSet) {
-        (self.level, self.cursor, self.ahead, self.horizon) = (0, 0, 0, u32::MAX);
+        (self.level, self.ahead, self.horizon) = (0, 0, u32::MAX);
         (self.unresolved, self.found_now) = (tasks, TaskSet::EMPTY);
         self.in_part = true;
         self.start(domain, state);
@@ -128,28 +130,23 @@ impl<'m> Search<'m> {
     }
 
     pub(super) fn can_hash(&self) -> bool {
-        !self.memory.hashed.is_empty()
+        !self.hashed.is_empty()
     }
 
     /// How many states fit where they are not hashed.
     pub fn room<D: Domain + ?Sized>(&self, domain: &D) -> usize {
-        let (bytes, sets) = (bytes(domain), ring(domain).saturating_add(1));
-        let by_frontier = (self.memory.frontier.len() / sets).saturating_mul(32);
-        (self.memory.first_actions.len() / bytes).min(by_frontier)
+        (self.first_actions.len() / bytes(domain)).min(self.frontier.room(ring(domain)))
     }
 
     fn start<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) {
-        self.ring = ring(domain);
-        let sets = self.ring.saturating_add(1);
         let room = self.room(domain);
         let count = domain.state_count();
         self.hashing = count > room as u64;
-        self.slots = if self.hashing { room.min(self.memory.hashed.len()) } else { usize::try_from(count).unwrap_or(room) };
-        self.words = self.slots.div_ceil(32);
+        self.slots = if self.hashing { room.min(self.hashed.len()) } else { usize::try_from(count).unwrap_or(room) };
         self.second_byte = if bytes(domain) == 2 { self.slots } else { 0 };
-        self.memory.frontier.iter_mut().take(self.words.saturating_mul(sets)).for_each(|word| *word = 0);
+        self.frontier.lay_out(self.slots, ring(domain));
         if self.hashing {
-            self.memory.hashed.iter_mut().take(self.slots).for_each(|number| *number = EMPTY);
+            self.hashed.iter_mut().take(self.slots).for_each(|number| *number = EMPTY);
         }
         self.running = !self.unresolved.is_empty();
         if self.running {
@@ -167,9 +164,9 @@ impl<'m> Search<'m> {
         dead: TaskSet,
     ) {
         self.expanded = 0;
-        self.memory.optimal.iter_mut().for_each(|set| *set = ActionSet::EMPTY);
-        self.memory.distances.iter_mut().for_each(|distance| *distance = u32::MAX);
-        (self.level, self.cursor, self.ahead, self.horizon) = (0, 0, 0, u32::MAX);
+        self.optimal.iter_mut().for_each(|set| *set = ActionSet::EMPTY);
+        self.distances.iter_mut().for_each(|distance| *distance = u32::MAX);
+        (self.level, self.ahead, self.horizon) = (0, 0, u32::MAX);
         (self.found_now, self.relaxed) = (TaskSet::EMPTY, TaskSet::EMPTY);
         self.goal_here = goals.satisfied(domain, state).common(wanted);
         self.dead = dead.common(wanted).without(self.goal_here);
@@ -186,7 +183,7 @@ impl<'m> Search<'m> {
     fn open_first<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) {
         match self.slot(domain.number(state)) {
             Some(slot) => {
-                self.set_bit(self.ring, slot);
+                self.frontier.finish(slot);
                 for action in self.applicable.iter().filter(|&action| action != Action::NOOP) {
                     self.follow(domain, state, action, ActionSet::of(action));
                 }
@@ -204,7 +201,7 @@ impl<'m> Search<'m> {
         let spread = number.wrapping_mul(0x9e37_79b9_7f4a_7c15);
         let mut slot = ((spread >> 32).wrapping_mul(self.slots as u64) >> 32) as usize;
         for _ in 0..64 {
-            let entry = self.memory.hashed.get_mut(..self.slots)?.get_mut(slot)?;
+            let entry = self.hashed.get_mut(..self.slots)?.get_mut(slot)?;
             if *entry == EMPTY {
                 *entry = number;
                 return Some(slot);
@@ -220,46 +217,22 @@ impl<'m> Search<'m> {
         None
     }
 
-    fn bit(&self, set: usize, slot: usize) -> bool {
-        let word = set.wrapping_mul(self.words).wrapping_add(slot / 32);
-        self.memory.frontier.get(word).is_some_and(|word| word >> (slot % 32) & 1 == 1)
-    }
-
-    fn set_bit(&mut self, set: usize, slot: usize) {
-        let word = set.wrapping_mul(self.words).wrapping_add(slot / 32);
-        if let Some(word) = self.memory.frontier.get_mut(word) {
-            *word |= 1 << (slot % 32);
-        }
-    }
-
-    fn clear_bit(&mut self, set: usize, slot: usize) {
-        let word = set.wrapping_mul(self.words).wrapping_add(slot / 32);
-        if let Some(word) = self.memory.frontier.get_mut(word) {
-            *word &= !(1 << (slot % 32));
-        }
-    }
-
     fn first_actions(&self, slot: usize) -> ActionSet {
-        let byte = |at: usize| self.memory.first_actions.get(at).copied().unwrap_or(0);
+        let byte = |at: usize| self.first_actions.get(at).copied().unwrap_or(0);
         let high = if self.second_byte > 0 { byte(slot.wrapping_add(self.second_byte)) } else { 0 };
         ActionSet(u16::from_le_bytes([byte(slot), high]))
     }
 
     fn set_first_actions(&mut self, slot: usize, actions: ActionSet) {
         let [low, high] = actions.0.to_le_bytes();
-        if let Some(byte) = self.memory.first_actions.get_mut(slot) {
+        if let Some(byte) = self.first_actions.get_mut(slot) {
             *byte = low;
         }
         if self.second_byte > 0
-            && let Some(byte) = self.memory.first_actions.get_mut(slot.wrapping_add(self.second_byte))
+            && let Some(byte) = self.first_actions.get_mut(slot.wrapping_add(self.second_byte))
         {
             *byte = high;
         }
-    }
-
-    /// The bit set of the states that are `cost` beyond this level.
-    fn set_at(&self, cost: usize) -> usize {
-        (self.level as usize).wrapping_add(cost).checked_rem(self.ring).unwrap_or(0)
     }
 
     #[inline]
@@ -274,12 +247,11 @@ impl<'m> Search<'m> {
             self.horizon = self.horizon.min(distance);
             return;
         };
-        if self.bit(self.ring, slot) {
+        if self.frontier.is_done(slot) {
             return;
         }
         let cost = usize::from(cost);
-        let dearest = self.ring.saturating_sub(1);
-        match (0..=dearest).find(|&nearer| self.bit(self.set_at(nearer), slot)) {
+        match self.frontier.open_at(slot) {
             Some(nearer) if nearer < cost => {}
             Some(same) if same == cost => {
                 let both = self.first_actions(slot).union(first);
@@ -287,10 +259,10 @@ impl<'m> Search<'m> {
             }
             further => {
                 match further {
-                    Some(further) => self.clear_bit(self.set_at(further), slot),
+                    Some(further) => self.frontier.close(slot, further),
                     None => self.ahead = self.ahead.saturating_add(1),
                 }
-                self.set_bit(self.set_at(cost), slot);
+                self.frontier.open(slot, cost);
                 self.set_first_actions(slot, first);
             }
         }
@@ -300,43 +272,35 @@ impl<'m> Search<'m> {
     pub fn advance<D: Domain + ?Sized>(&mut self, domain: &D, goals: &GoalTable<'_>, budget: u32) -> Progress {
         let mut left = budget.max(1);
         while self.running {
-            if self.cursor >= self.words {
-                self.finish_level();
-                continue;
-            }
-            let word = self.set_at(0).wrapping_mul(self.words).wrapping_add(self.cursor);
-            let bits = self.memory.frontier.get(word).copied().unwrap_or(0);
-            if bits == 0 {
-                self.cursor = self.cursor.wrapping_add(1);
-                continue;
-            }
             if left == 0 {
                 return Progress::Working;
             }
-            left = left.saturating_sub(1);
-            let slot = self.cursor.wrapping_mul(32).wrapping_add(bits.trailing_zeros() as usize);
-            self.expand(domain, goals, slot);
+            match self.frontier.take() {
+                Some(slot) => {
+                    left = left.saturating_sub(1);
+                    self.expand(domain, goals, slot);
+                }
+                None => self.finish_level(),
+            }
         }
         Progress::Done
     }
 
     #[inline]
     fn expand<D: Domain + ?Sized>(&mut self, domain: &D, goals: &GoalTable<'_>, slot: usize) {
-        self.clear_bit(self.set_at(0), slot);
-        self.set_bit(self.ring, slot);
         self.ahead = self.ahead.saturating_sub(1);
         self.expanded = self.expanded.saturating_add(1);
-        let number = if self.hashing { self.memory.hashed.get(slot).copied().unwrap_or(0) } else { slot as u64 };
+        let number = if self.hashing { self.hashed.get(slot).copied().unwrap_or(0) } else { slot as u64 };
         let state = domain.numbered(number);
         let first = self.first_actions(slot);
         let met = goals.satisfied(domain, &state).common(self.unresolved);
         if !met.is_empty() {
             self.found_now = self.found_now.union(met);
             for task in met.iter() {
-                if let Some(set) = self.memory.optimal.get_mut(task) {
+                if let Some(set) = self.optimal.get_mut(task) {
                     *set = set.union(first);
                 }
-                if let Some(distance) = self.memory.distances.get_mut(task) {
+                if let Some(distance) = self.distances.get_mut(task) {
                     *distance = self.level;
                 }
             }
@@ -349,7 +313,7 @@ impl<'m> Search<'m> {
     fn finish_level(&mut self) {
         self.unresolved = self.unresolved.without(self.found_now);
         self.found_now = TaskSet::EMPTY;
-        self.cursor = 0;
+        self.frontier.next_level();
         self.level = self.level.saturating_add(1);
         // From the first state that found no room on, a goal may be missing, and so may a way to one.
         self.running = !self.unresolved.is_empty() && self.ahead > 0 && self.level < self.horizon;

@@ -22,7 +22,7 @@ impl Search<'_> {
         let dead = wanted.without(sweep.reachable(domain, state));
         self.stand(domain, goals, state, wanted, dead);
         for task in self.unresolved.iter() {
-            if let (Some(set), Some(distance)) = (self.memory.optimal.get_mut(task), self.memory.distances.get_mut(task)) {
+            if let (Some(set), Some(distance)) = (self.optimal.get_mut(task), self.distances.get_mut(task)) {
                 *set = sweep.toward(domain, state, task);
                 *distance = sweep.distance(domain, state, task).unwrap_or(u32::MAX);
             }
@@ -45,7 +45,7 @@ impl Search<'_> {
         } else if self.unresolved.contains(task) || !self.wanted.contains(task) {
             OptimalSet::Unknown
         } else {
-            self.memory.optimal.get(task).map_or(OptimalSet::Unknown, |&set| OptimalSet::Toward(set))
+            self.optimal.get(task).map_or(OptimalSet::Unknown, |&set| OptimalSet::Toward(set))
         }
     }
 
@@ -53,7 +53,7 @@ impl Search<'_> {
     pub fn distance(&self, task: usize) -> Option<u32> {
         match self.optimal(task) {
             OptimalSet::Goal => Some(0),
-            OptimalSet::Toward(_) => self.memory.distances.get(task).copied(),
+            OptimalSet::Toward(_) => self.distances.get(task).copied(),
             OptimalSet::DeadEnd(_) | OptimalSet::Unknown => None,
         }
     }

@@ -1,0 +1,127 @@
+//! goodbot beside others on the same work, in one run: ratios of medians of nine.
+//!
+//! The Python that has NLTK is named by the environment variable `GOODBOT_PEERS_PYTHON`; without it that comparison is left out.
+
+use std::hint::black_box;
+use std::io::Write;
+use std::process::{Command, ExitCode, Stdio};
+use std::time::Duration;
+
+use goodbot::language::Settings;
+use goodbot::oomdp::{Action, Domain};
+use goodbot::{Capacities, HeapMemory};
+use goodbot_benches::homes::{LARGE, Scene, Tasks, size};
+use goodbot_benches::language::{model, sessions, train};
+use goodbot_benches::timing::{ROUNDS, in_turn, median, ratio, time};
+use pathfinding::directed::dijkstra::dijkstra;
+use serde_json::{Value, json};
+
+fn main() -> ExitCode {
+    let comparisons: [fn() -> Result<(), String>; 3] = [against_dijkstra, many_tasks, against_nltk];
+    for comparison in comparisons {
+        if let Err(problem) = comparison() {
+            eprintln!("error: {problem}");
+            return ExitCode::FAILURE;
+        }
+    }
+    ExitCode::SUCCESS
+}
+
+fn show(what: &str, times: (Duration, Duration), least: Option<f64>, most: Option<f64>) -> Result<(), String> {
+    let ratio = ratio(times);
+    println!("{what}: {ratio:.2} ({:.3} ms against {:.3} ms)", times.0.as_secs_f64() * 1e3, times.1.as_secs_f64() * 1e3);
+    if least.is_some_and(|least| ratio < least) || most.is_some_and(|most| ratio > most) {
+        return Err(format!("{what} is {ratio:.2}, which is not within {least:?} to {most:?}"));
+    }
+    Ok(())
+}
+
+/// All tasks by one search, against one search a task by the crate pathfinding.
+fn against_dijkstra() -> Result<(), String> {
+    let mut memory = HeapMemory::new(&LARGE);
+    let mut scene = Scene::new(size(3, 2), Tasks::Paper, &mut memory);
+    let peer = |scene: &Scene<'_>| -> Vec<Option<u32>> {
+        let (home, goals) = (&scene.home, &scene.goals);
+        let next = |&number: &u64| {
+            let state = home.numbered(number);
+            (0..4).filter_map(move |action| home.step(&state, Action(action))).map(|next| (home.number(&next), 1_u32))
+        };
+        let found = |task: usize| {
+            let goal = |&number: &u64| goals.satisfied(home, &home.numbered(number)).contains(task);
+            dijkstra(&home.number(&scene.start), |number| next(number).collect::<Vec<_>>(), goal).map(|(_, cost)| cost)
+        };
+        (0..scene.tasks.len()).map(found).collect()
+    };
+    scene.plan();
+    let ours: Vec<Option<u32>> = (0..scene.tasks.len()).map(|task| scene.planner.search().distance(task)).collect();
+    if ours != peer(&scene) {
+        return Err(format!("the distances are not equal: {ours:?} here, {:?} there", peer(&scene)));
+    }
+    let (mut theirs, mut own) = (Vec::new(), Vec::new());
+    for _ in 0..ROUNDS {
+        own.push(time(&mut || scene.plan()));
+        theirs.push(time(&mut || drop(black_box(peer(&scene)))));
+    }
+    println!("{} states, {} tasks, equal distances", scene.home.state_count(), scene.tasks.len());
+    show("one pathfinding::dijkstra a task / one search for all", (median(theirs), median(own)), Some(20.0), None)
+}
+
+/// 64 tasks against eight of them, in one state space.
+fn many_tasks() -> Result<(), String> {
+    let (mut memory, mut other) = (HeapMemory::new(&LARGE), HeapMemory::new(&LARGE));
+    let mut many = Scene::new(size(12, 1), Tasks::Count(64), &mut memory);
+    let mut few = Scene::new(size(12, 1), Tasks::Count(8), &mut other);
+    println!("{} states, {} and {} tasks", many.home.state_count(), many.tasks.len(), few.tasks.len());
+    let times = in_turn(&mut || many.plan(), &mut || few.plan());
+    show("64 tasks / 8 tasks", times, None, Some(1.5))
+}
+
+/// Ten rounds of Model 2 against NLTK's, first whether the tables are equal.
+fn against_nltk() -> Result<(), String> {
+    let Some(python) = std::env::var_os("GOODBOT_PEERS_PYTHON") else {
+        println!("skipped: no Python with NLTK is named; `cargo xtask compare` installs one");
+        return Ok(());
+    };
+    let data = sessions(64);
+    let pairs: Vec<Value> = data.iter().flat_map(|(english, machine)| machine.iter().map(move |tokens| json!([tokens, english]))).collect();
+    let request = json!({ "pairs": pairs, "rounds": 10, "times": ROUNDS }).to_string();
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/peers/model2.py");
+    let mut child = Command::new(&python)
+        .arg(script)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .map_err(|error| format!("{} could not be started: {error}", python.display()))?;
+    if let Some(mut input) = child.stdin.take() {
+        input.write_all(request.as_bytes()).map_err(|error| error.to_string())?;
+    }
+    let output = child.wait_with_output().map_err(|error| error.to_string())?;
+    let reply: Value = serde_json::from_slice(&output.stdout).map_err(|error| format!("model2.py gave no tables: {error}"))?;
+
+    let mut memory = HeapMemory::new(&Capacities::STANDARD);
+    let settings = Settings { smoothing: 0.0, ..Settings::PAPER };
+    let mut model = model(memory.split().agent.language, &data, settings, 1.0);
+    let times: Vec<Duration> = (0..ROUNDS).map(|_| time(&mut || train(&mut model))).collect();
+    let rows = |table: &str| reply[table].as_array().cloned().unwrap_or_default();
+    let (mut cells, mut largest) = (0, 0.0_f64);
+    let mut compare = |ours: f32, theirs: &Value| {
+        cells += 1;
+        largest = largest.max((f64::from(ours) - theirs.as_f64().unwrap_or(f64::NAN)).abs());
+    };
+    for row in rows("t") {
+        let token = row[0].as_str().and_then(|token| model.tokens().find(token));
+        let Some(word) = row[1].as_str().and_then(|word| model.words().find(word)) else { continue };
+        compare(model.tables().translation(word, token), &row[2]);
+    }
+    for row in rows("a") {
+        let at = |column: usize| row[column].as_u64().and_then(|number| usize::try_from(number).ok()).unwrap_or(usize::MAX);
+        compare(model.tables().alignment(at(0), at(1), at(2), at(3)), &row[4]);
+    }
+    println!("{} pairs of 64 sessions, {cells} cells of t and a, largest difference {largest:.1e}", pairs.len());
+    if cells == 0 || largest > 1e-3 {
+        return Err("the tables are not equal".into());
+    }
+    let seconds = reply["seconds"].as_array().cloned().unwrap_or_default();
+    let theirs = seconds.iter().filter_map(Value::as_f64).map(Duration::from_secs_f64).collect();
+    show("NLTK's IBMModel2 / weighted EM", (median(theirs), median(times)), Some(200.0), None)
+}

@@ -1,0 +1,94 @@
+//! The homes that plans are measured in, with their tasks.
+
+use goodbot::home::{Home, HomeState, Moves, SCHEMA};
+use goodbot::memory::Memory;
+use goodbot::planning::{GoalTable, Planner, Progress, Sweep};
+use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
+use goodbot::{Capacities, HeapMemory};
+use goodbot_tests::random_homes::{Size, random_home};
+use rand_pcg::Pcg32;
+
+/// Room for four million states and their sweep.
+pub const LARGE: Capacities = Capacities { states: 1 << 22, hashed_states: 1 << 20, sweep_words: 1 << 25, ..Capacities::STANDARD };
+
+/// A home of so many rooms, three cells to a side, and so many blocks.
+pub const fn size(rooms: i32, blocks: i32) -> Size {
+    let columns = if rooms > 3 { rooms / 2 } else { rooms };
+    Size { columns, rows: rooms / columns, side: 3, blocks }
+}
+
+/// A home with tasks and what plans for them.
+#[derive(Debug)]
+pub struct Scene<'m> {
+    /// The home.
+    pub home: Home<'m>,
+    /// Where all begins.
+    pub start: HomeState,
+    /// The lifted tasks.
+    pub lifted: Vec<LiftedTask>,
+    /// The tasks.
+    pub tasks: Vec<GroundedTask>,
+    /// Which of them a state satisfies.
+    pub goals: GoalTable<'m>,
+    /// What plans.
+    pub planner: Planner<'m>,
+}
+
+/// Which tasks a scene has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tasks {
+    /// The paper's two kinds, all of them.
+    Paper,
+    /// So many, evenly taken from the first 64 of the paper's and those of agent and block together.
+    Count(usize),
+}
+
+impl<'m> Scene<'m> {
+    /// The scene of one size and one set of tasks, the same every time.
+    pub fn new(size: Size, tasks: Tasks, memory: &'m mut HeapMemory) -> Self {
+        let Memory { home, agent } = memory.split();
+        let (home, start) = random_home(&mut Pcg32::new(3, 3), size, Moves::Push, home);
+        let mut texts = vec!["agentInRoom(?a, ?r)", "blockInRoom(?o, ?r)"];
+        if tasks != Tasks::Paper {
+            texts.push("agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2)");
+        }
+        let lifted: Vec<LiftedTask> = texts.iter().map(|text| LiftedTask::parse(text, &SCHEMA).expect("a lifted task")).collect();
+        let mut all = [GroundedTask::UNUSED; TaskSet::MOST];
+        let mut grounded = Vec::new();
+        // More than 64 tasks are refused as a whole, so each kind is grounded alone.
+        for (kind, lifted) in lifted.iter().enumerate() {
+            let count = ground(&home, std::slice::from_ref(lifted), &start, &mut all).unwrap_or(TaskSet::MOST);
+            grounded.extend(all.iter().take(count).map(|task| GroundedTask { lifted: kind as u8, ..*task }));
+        }
+        if let Tasks::Count(count) = tasks {
+            grounded.truncate(TaskSet::MOST);
+            grounded = grounded.iter().step_by((grounded.len() / count).max(1)).take(count).copied().collect();
+        }
+        let mut goals = GoalTable::new(agent.session.goals);
+        goals.fill(&home, &lifted, &grounded, &start).expect("room for the goals");
+        let mut planner = Planner::new(agent.session.plan, agent.session.sweep);
+        planner.forget(grounded.len());
+        Self { home, start, lifted, tasks: grounded, goals, planner }
+    }
+
+    /// All its tasks.
+    pub fn all(&self) -> TaskSet {
+        TaskSet::first(self.tasks.len())
+    }
+
+    /// Plans at its start, knowing nothing of before.
+    pub fn plan(&mut self) {
+        self.planner.forget(self.tasks.len());
+        let all = self.all();
+        self.planner.begin(&self.home, &self.goals, &self.start, all, TaskSet::EMPTY);
+        while self.planner.advance(&self.home, &self.goals, &self.start, u32::MAX) == Progress::Working {}
+    }
+}
+
+/// Sweeps the whole space of a scene.
+pub fn sweep<'w>(scene: &Scene<'_>, words: &'w mut [u64]) -> Sweep<'w> {
+    let mut sweep = Sweep::new(words);
+    assert!(sweep.begin(&scene.home, &scene.start, scene.all()), "room for the sweep");
+    while sweep.advance(&scene.home, &scene.goals, u32::MAX) == Progress::Working {}
+    sweep
+}

@@ -1,0 +1,65 @@
+//! A bitext to learn from, and models that have learned.
+
+use goodbot::language::{LanguageMemory, LanguageModel, Settings};
+use goodbot::planning::Progress;
+
+/// One sentence pair: machine tokens and English words, in which no word stands twice.
+pub type Pair = (Vec<String>, Vec<String>);
+
+/// So many sessions of commands to go to rooms and to take things there, each with several machine commands of decreasing weight.
+pub fn sessions(count: usize) -> Vec<(Vec<String>, Vec<Vec<String>>)> {
+    const COLOURS: [&str; 6] = ["red", "green", "blue", "yellow", "purple", "orange"];
+    const SHAPES: [&str; 4] = ["chair", "bag", "backpack", "basket"];
+    const VERBS: [&str; 4] = ["go", "move", "walk", "please"];
+    let words = |text: String| text.split(' ').map(str::to_owned).collect::<Vec<_>>();
+    let capital = |text: &str| text.chars().next().map(|first| first.to_uppercase().to_string() + &text[1..]).unwrap_or_default();
+    (0..count)
+        .map(|session| {
+            let colour = COLOURS[session % 6];
+            let room = capital(colour);
+            let (thing, own) = (SHAPES[session / 3 % 4], COLOURS[session / 2 % 6]);
+            if session % 2 == 0 {
+                let english = format!("{} to the {colour} room", VERBS[session / 2 % 4]);
+                let machine = [format!("agentInRoom agent room roomIs{room} room"), "agentInRoom agent room".into()];
+                (words(english), machine.map(words).to_vec())
+            } else {
+                let english = format!("take that {thing} over to the {colour} room");
+                let task = "blockInRoom block room";
+                let (shape, is) = (format!("shape{} block", capital(thing)), format!("blockIs{} block", capital(own)));
+                let machine = [
+                    task.to_owned(),
+                    format!("{task} {shape}"),
+                    format!("{task} roomIs{room} room"),
+                    format!("{task} roomIs{room} room {shape}"),
+                    format!("{task} {is} roomIs{room} room {shape}"),
+                ];
+                (words(english), machine.map(words).to_vec())
+            }
+        })
+        .collect()
+}
+
+/// A model that holds these sessions, each machine command with this weight, and has not been trained.
+pub fn model<'m>(
+    memory: LanguageMemory<'m>,
+    data: &[(Vec<String>, Vec<Vec<String>>)],
+    settings: Settings,
+    weight: f32,
+) -> LanguageModel<'m> {
+    let mut model = LanguageModel::new(memory, settings);
+    for (english, machine) in data {
+        let sentence = model.hear(&english.join(" ")).expect("a command");
+        let commands: Vec<Vec<_>> = machine
+            .iter()
+            .map(|tokens| tokens.iter().map(|token| model.tokens_mut().intern(token).expect("room for the token")).collect())
+            .collect();
+        model.add_session(&sentence, commands.iter().map(|command| (&command[..], weight))).expect("room for the session");
+    }
+    model
+}
+
+/// Trains from uniform tables to the end.
+pub fn train(model: &mut LanguageModel<'_>) {
+    model.begin_training();
+    while model.train(u32::MAX) == Progress::Working {}
+}

@@ -1,0 +1,8 @@
+//! The works that are measured, and how: one list for time, instructions, plots and comparisons.
+
+#![deny(missing_docs)]
+
+pub mod homes;
+pub mod language;
+pub mod timing;
+pub mod works;

@@ -1,0 +1,85 @@
+//! Each work by its name, ready to be done over and over.
+
+use crate::homes::{LARGE, Scene, Tasks, size, sweep};
+use crate::language::{model, sessions, train};
+use goodbot::feedback::Feedback;
+use goodbot::home::{self, Moves};
+use goodbot::language::Settings;
+use goodbot::oomdp::Action;
+use goodbot::{Agent, Capacities, HeapMemory, Options};
+use goodbot_tests::random_homes::random_home;
+use rand_pcg::Pcg32;
+
+/// A piece of work.
+pub struct Work {
+    /// Its name.
+    pub name: String,
+    /// Makes it ready; each call of what it gives does it once.
+    pub prepare: Box<dyn Fn() -> Box<dyn FnMut()>>,
+}
+
+/// Memory that stays until the program ends.
+pub fn lasting(capacities: &Capacities) -> &'static mut HeapMemory {
+    Box::leak(Box::new(HeapMemory::new(capacities)))
+}
+
+fn work(name: impl Into<String>, prepare: impl Fn() -> Box<dyn FnMut()> + 'static) -> Work {
+    Work { name: name.into(), prepare: Box::new(prepare) }
+}
+
+/// All of them, the quick ones first.
+pub fn all() -> Vec<Work> {
+    let mut works = vec![work("hear a command", hear), work("feedback to one action", feedback)];
+    for count in [8, 64, 512] {
+        works.push(work(format!("EM round, {count} sessions"), move || em_round(count)));
+    }
+    for (rooms, blocks) in [(3, 0), (3, 1), (6, 1), (12, 1), (3, 2), (6, 2), (3, 3), (6, 4)] {
+        works.push(work(format!("plan, {rooms} rooms, {blocks} blocks"), move || plan(rooms, blocks)));
+    }
+    for (rooms, blocks) in [(3, 1), (12, 1), (3, 2)] {
+        works.push(work(format!("sweep, {rooms} rooms, {blocks} blocks"), move || whole_sweep(rooms, blocks)));
+    }
+    works
+}
+
+/// An agent that has learned 16 sessions, and its home.
+fn learned() -> (Agent<'static>, home::Home<'static>, home::HomeState) {
+    let parts = lasting(&LARGE).split();
+    let (home, start) = random_home(&mut Pcg32::new(3, 3), size(3, 2), Moves::Push, parts.home);
+    let mut agent = Agent::new(parts.agent, &home::paper_tasks().expect("the tasks"), Options::PAPER).expect("an agent");
+    for (english, _) in sessions(16) {
+        agent.hear(&home, &start, &english.join(" ")).expect("a command");
+        agent.finish(&home).expect("room for the session");
+        agent.learn_fully();
+    }
+    (agent, home, start)
+}
+
+fn hear() -> Box<dyn FnMut()> {
+    let (mut agent, home, start) = learned();
+    Box::new(move || agent.hear(&home, &start, "take the red chair to the blue room").expect("a command"))
+}
+
+fn feedback() -> Box<dyn FnMut()> {
+    let (mut agent, home, start) = learned();
+    agent.hear(&home, &start, "take the red chair to the blue room").expect("a command");
+    agent.plan_fully(&home, &start).expect("a plan");
+    Box::new(move || assert!(agent.feedback(Action(0), Feedback::Neutral).expect("a session")))
+}
+
+fn em_round(count: usize) -> Box<dyn FnMut()> {
+    let settings = Settings { rounds: 1, ..Settings::PAPER };
+    let mut model = model(lasting(&Capacities::STANDARD).split().agent.language, &sessions(count), settings, 0.25);
+    Box::new(move || train(&mut model))
+}
+
+fn plan(rooms: i32, blocks: i32) -> Box<dyn FnMut()> {
+    let mut scene = Scene::new(size(rooms, blocks), Tasks::Paper, lasting(&LARGE));
+    Box::new(move || scene.plan())
+}
+
+fn whole_sweep(rooms: i32, blocks: i32) -> Box<dyn FnMut()> {
+    let scene = Scene::new(size(rooms, blocks), Tasks::Paper, lasting(&LARGE));
+    let mut words = vec![0; LARGE.sweep_words];
+    Box::new(move || assert!(!sweep(&scene, &mut words).is_working()))
+}
