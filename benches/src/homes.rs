@@ -44,10 +44,25 @@ pub enum Tasks {
 }
 
 impl<'m> Scene<'m> {
-    /// The scene of one size and one set of tasks, the same every time.
-    pub fn new(size: Size, tasks: Tasks, memory: &'m mut HeapMemory) -> Self {
+    /// The first scene whose agent can get about: one from which a search for all tasks expands a twentieth of the joint states at least,
+    /// or the first of all where that is out of reach.
+    pub fn roomy(size: Size, tasks: Tasks, memory: &'m mut HeapMemory) -> Self {
+        let expands = |seed: u64| {
+            let mut own = HeapMemory::new(&LARGE);
+            let mut scene = Scene::seeded(seed, size, Tasks::Paper, &mut own);
+            if scene.home.state_count() > LARGE.states as u64 {
+                return true;
+            }
+            scene.plan();
+            u64::from(scene.planner.search().expanded()) * 20 > scene.home.state_count()
+        };
+        Self::seeded((0..100).find(|&seed| expands(seed)).unwrap_or(0), size, tasks, memory)
+    }
+
+    /// The scene of a seed.
+    pub fn seeded(seed: u64, size: Size, tasks: Tasks, memory: &'m mut HeapMemory) -> Self {
         let Memory { home, agent } = memory.split();
-        let (home, start) = random_home(&mut Pcg32::new(3, 3), size, Moves::Push, home);
+        let (home, start) = random_home(&mut Pcg32::new(seed, 3), size, Moves::Push, home);
         let mut texts = vec!["agentInRoom(?a, ?r)", "blockInRoom(?o, ?r)"];
         if tasks != Tasks::Paper {
             texts.push("agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2)");

@@ -74,12 +74,12 @@ fn em_round(count: usize) -> Box<dyn FnMut()> {
 }
 
 fn plan(rooms: i32, blocks: i32) -> Box<dyn FnMut()> {
-    let mut scene = Scene::new(size(rooms, blocks), Tasks::Paper, lasting(&LARGE));
+    let mut scene = Scene::roomy(size(rooms, blocks), Tasks::Paper, lasting(&LARGE));
     Box::new(move || scene.plan())
 }
 
 fn whole_sweep(rooms: i32, blocks: i32) -> Box<dyn FnMut()> {
-    let scene = Scene::new(size(rooms, blocks), Tasks::Paper, lasting(&LARGE));
+    let scene = Scene::roomy(size(rooms, blocks), Tasks::Paper, lasting(&LARGE));
     let mut words = vec![0; LARGE.sweep_words];
     Box::new(move || assert!(!sweep(&scene, &mut words).is_working()))
 }

@@ -7,12 +7,15 @@ use std::io::Write;
 use std::process::{Command, ExitCode, Stdio};
 use std::time::Duration;
 
+use goodbot::home::HomeState;
 use goodbot::language::Settings;
 use goodbot::oomdp::{Action, Domain};
+use goodbot::task::GroundedTask;
 use goodbot::{Capacities, HeapMemory};
-use goodbot_benches::homes::{LARGE, Scene, Tasks, size};
+use goodbot_benches::homes::{LARGE, Scene, Tasks, size, sweep};
 use goodbot_benches::language::{model, sessions, train};
 use goodbot_benches::timing::{ROUNDS, in_turn, median, ratio, time};
+use goodbot_tests::random_homes::Size;
 use pathfinding::directed::dijkstra::dijkstra;
 use serde_json::{Value, json};
 
@@ -36,43 +39,64 @@ fn show(what: &str, times: (Duration, Duration), least: Option<f64>, most: Optio
     Ok(())
 }
 
-/// All tasks by one search, against one search a task by the crate pathfinding.
-fn against_dijkstra() -> Result<(), String> {
-    let mut memory = HeapMemory::new(&LARGE);
-    let mut scene = Scene::new(size(3, 2), Tasks::Paper, &mut memory);
-    let peer = |scene: &Scene<'_>| -> Vec<Option<u32>> {
-        let (home, goals) = (&scene.home, &scene.goals);
-        let next = |&number: &u64| {
-            let state = home.numbered(number);
-            (0..4).filter_map(move |action| home.step(&state, Action(action))).map(|next| (home.number(&next), 1_u32))
-        };
-        let found = |task: usize| {
-            let goal = |&number: &u64| goals.satisfied(home, &home.numbered(number)).contains(task);
-            dijkstra(&home.number(&scene.start), |number| next(number).collect::<Vec<_>>(), goal).map(|(_, cost)| cost)
-        };
-        (0..scene.tasks.len()).map(found).collect()
+/// The homes of three rooms and two blocks that searches are compared in.
+const HOMES: Size = Size { columns: 3, rows: 1, side: 4, blocks: 2 };
+
+/// The distance of each task by a search of its own, as one writes it with the crate pathfinding.
+fn one_dijkstra_a_task(scene: &Scene<'_>) -> Vec<Option<u32>> {
+    let next = |state: &HomeState| -> Vec<(HomeState, u32)> {
+        (0..4).filter_map(|action| Some((scene.home.step(state, Action(action))?, 1))).collect()
     };
-    scene.plan();
-    let ours: Vec<Option<u32>> = (0..scene.tasks.len()).map(|task| scene.planner.search().distance(task)).collect();
-    if ours != peer(&scene) {
-        return Err(format!("the distances are not equal: {ours:?} here, {:?} there", peer(&scene)));
+    let distance = |task: &GroundedTask| {
+        let lifted = &scene.lifted[usize::from(task.lifted)];
+        let goal = |state: &HomeState| task.propositions(lifted).all(|part| scene.home.holds(&part, state));
+        dijkstra(&scene.start, next, goal).map(|(_, cost)| cost)
+    };
+    scene.tasks.iter().map(distance).collect()
+}
+
+/// All tasks by one search, against one search a task by the crate pathfinding, from the start of nine random homes; and by one sweep for
+/// every state, against the same peer for every state.
+fn against_dijkstra() -> Result<(), String> {
+    let mut words = vec![0; LARGE.sweep_words];
+    let (mut theirs, mut own, mut own_sweeps, mut theirs_everywhere) = [Duration::ZERO; 4].into();
+    let (mut tasks, mut dead) = (0, 0);
+    for seed in 0..9 {
+        let mut memory = HeapMemory::new(&LARGE);
+        let mut scene = Scene::seeded(seed, HOMES, Tasks::Paper, &mut memory);
+        scene.plan();
+        let ours: Vec<Option<u32>> = (0..scene.tasks.len()).map(|task| scene.planner.search().distance(task)).collect();
+        let peer = one_dijkstra_a_task(&scene);
+        if ours != peer {
+            return Err(format!("the distances are not equal: {ours:?} here, {peer:?} there"));
+        }
+        tasks += ours.len();
+        dead += ours.iter().filter(|distance| distance.is_none()).count();
+        let (mut slow, mut fast) = (Vec::new(), Vec::new());
+        for _ in 0..ROUNDS {
+            fast.push(time(&mut || scene.plan()));
+            slow.push(time(&mut || drop(black_box(one_dijkstra_a_task(&scene)))));
+        }
+        own += median(fast);
+        let slow = median(slow);
+        theirs += slow;
+        own_sweeps += median((0..3).map(|_| time(&mut || drop(sweep(&scene, &mut words)))).collect());
+        let swept = sweep(&scene, &mut words);
+        let known = (0..scene.home.state_count()).filter(|&number| swept.knows(&scene.home, &scene.home.numbered(number))).count();
+        theirs_everywhere += slow * u32::try_from(known).unwrap_or(u32::MAX);
     }
-    let (mut theirs, mut own) = (Vec::new(), Vec::new());
-    for _ in 0..ROUNDS {
-        own.push(time(&mut || scene.plan()));
-        theirs.push(time(&mut || drop(black_box(peer(&scene)))));
-    }
-    println!("{} states, {} tasks, equal distances", scene.home.state_count(), scene.tasks.len());
-    show("one pathfinding::dijkstra a task / one search for all", (median(theirs), median(own)), Some(20.0), None)
+    println!("nine random homes, three rooms, two blocks: {tasks} tasks, {dead} of them dead ends, equal distances");
+    show("one pathfinding::dijkstra a task / one search for all", (theirs, own), Some(1.0), None)?;
+    show("the same for every state, the peer's time from one / one sweep", (theirs_everywhere, own_sweeps), Some(20.0), None)
 }
 
 /// 64 tasks against eight of them, in one state space.
 fn many_tasks() -> Result<(), String> {
     let (mut memory, mut other) = (HeapMemory::new(&LARGE), HeapMemory::new(&LARGE));
-    let mut many = Scene::new(size(12, 1), Tasks::Count(64), &mut memory);
-    let mut few = Scene::new(size(12, 1), Tasks::Count(8), &mut other);
-    println!("{} states, {} and {} tasks", many.home.state_count(), many.tasks.len(), few.tasks.len());
+    let mut many = Scene::roomy(size(12, 1), Tasks::Count(64), &mut memory);
+    let mut few = Scene::roomy(size(12, 1), Tasks::Count(8), &mut other);
     let times = in_turn(&mut || many.plan(), &mut || few.plan());
+    println!("{} states, {} and {} tasks", many.planner.search().expanded(), many.tasks.len(), few.tasks.len());
     show("64 tasks / 8 tasks", times, None, Some(1.5))
 }
 

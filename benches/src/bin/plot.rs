@@ -1,2 +1,99 @@
-//! soon
-fn main() {}
+//! Draws what a plan costs against the number of states and of tasks: `plot FILE.svg`.
+
+use std::process::ExitCode;
+
+use goodbot::HeapMemory;
+use goodbot_benches::homes::{LARGE, Scene, Tasks, size, sweep};
+use goodbot_benches::timing::{ROUNDS, median, time};
+use plotters::prelude::*;
+
+type Points = Vec<(f64, f64)>;
+type Failure = Box<dyn std::error::Error>;
+
+fn main() -> ExitCode {
+    let Some(file) = std::env::args().nth(1) else {
+        eprintln!("error: name the SVG file to draw");
+        return ExitCode::from(2);
+    };
+    match draw(&file) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {file} could not be drawn: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn milliseconds(work: &mut dyn FnMut()) -> f64 {
+    median((0..ROUNDS).map(|_| time(work)).collect()).as_secs_f64() * 1e3
+}
+
+/// The cost of a search and of a sweep, by the states there are.
+fn by_states() -> (Points, Points) {
+    let (mut searches, mut sweeps) = (Vec::new(), Vec::new());
+    let mut words = vec![0; LARGE.sweep_words];
+    for (rooms, blocks) in [(3, 1), (6, 1), (12, 1), (3, 2), (6, 2), (3, 3)] {
+        let mut memory = HeapMemory::new(&LARGE);
+        let mut scene = Scene::roomy(size(rooms, blocks), Tasks::Paper, &mut memory);
+        let states = scene.home.state_count() as f64;
+        searches.push((states, milliseconds(&mut || scene.plan())));
+        sweeps.push((states, milliseconds(&mut || drop(sweep(&scene, &mut words)))));
+        eprintln!("{rooms} rooms, {blocks} blocks: {states} states, {:?} {:?}", searches.last(), sweeps.last());
+    }
+    for points in [&mut searches, &mut sweeps] {
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    }
+    (searches, sweeps)
+}
+
+/// The same for one home, by the number of tasks.
+fn by_tasks() -> (Points, Points) {
+    let (mut searches, mut sweeps) = (Vec::new(), Vec::new());
+    let mut words = vec![0; LARGE.sweep_words];
+    for count in [1, 2, 4, 8, 16, 32, 64] {
+        let mut memory = HeapMemory::new(&LARGE);
+        let mut scene = Scene::roomy(size(12, 1), Tasks::Count(count), &mut memory);
+        searches.push((count as f64, milliseconds(&mut || scene.plan())));
+        sweeps.push((count as f64, milliseconds(&mut || drop(sweep(&scene, &mut words)))));
+        eprintln!("{count} tasks: {:?} {:?}", searches.last(), sweeps.last());
+    }
+    (searches, sweeps)
+}
+
+fn draw(file: &str) -> Result<(), Failure> {
+    let area = SVGBackend::new(file, (1_000, 420)).into_drawing_area();
+    area.fill(&WHITE)?;
+    let (left, right) = area.split_horizontally(500);
+    chart(&left, "cost against joint states", "states", by_states())?;
+    chart(&right, "cost against tasks: 12 rooms, 1 block", "tasks", by_tasks())?;
+    area.present()?;
+    Ok(())
+}
+
+fn chart(
+    area: &DrawingArea<SVGBackend<'_>, plotters::coord::Shift>,
+    caption: &str,
+    across: &str,
+    lines: (Points, Points),
+) -> Result<(), Failure> {
+    let all = || lines.0.iter().chain(&lines.1);
+    let range = |pick: fn(&(f64, f64)) -> f64| {
+        let values = || all().map(pick);
+        values().fold(f64::MAX, f64::min) * 0.7..values().fold(f64::MIN, f64::max) * 1.4
+    };
+    let mut chart = ChartBuilder::on(area)
+        .caption(caption, ("sans-serif", 18))
+        .margin(12)
+        .x_label_area_size(40)
+        .y_label_area_size(60)
+        .build_cartesian_2d(range(|point| point.0).log_scale(), range(|point| point.1).log_scale())?;
+    chart.configure_mesh().x_desc(across).y_desc("milliseconds").draw()?;
+    for (points, colour, name) in [(&lines.0, &BLUE, "one search, all tasks"), (&lines.1, &RED, "one sweep, all tasks and states")] {
+        chart
+            .draw_series(LineSeries::new(points.iter().copied(), colour).point_size(3))?
+            .label(name)
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 16, y)], colour));
+    }
+    chart.configure_series_labels().position(SeriesLabelPosition::UpperLeft).background_style(WHITE).border_style(BLACK).draw()?;
+    Ok(())
+}

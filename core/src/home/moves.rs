@@ -25,7 +25,7 @@ const ACTIONS: [ActionKind<'static>; 5] = [
 ];
 
 /// Where the agent and each block are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct HomeState {
     pub(super) agent: Spot,
     pub(super) blocks: [Spot; BLOCKS],
@@ -254,6 +254,27 @@ impl Domain for Home<'_> {
             }
         }
         state
+    }
+
+    #[inline]
+    fn number_after(&self, state: &HomeState, number: u64, action: Action) -> Option<u64> {
+        let direction = usize::from(action.0);
+        if direction >= 4 {
+            return self.step(state, action).map(|next| self.number(&next));
+        }
+        let ahead = self.neighbour(state.agent, direction);
+        if ahead == WALL {
+            return Some(number);
+        }
+        let moved = number.wrapping_sub(u64::from(state.agent)).wrapping_add(u64::from(ahead));
+        let Some(block) = self.block_on(state, ahead) else { return Some(moved) };
+        let beyond = self.neighbour(ahead, direction);
+        if beyond == WALL || self.block_on(state, beyond).is_some() {
+            return Some(number);
+        }
+        let spots = self.places.len() as u64;
+        let worth = (0..block).fold(spots, |worth, _| worth.wrapping_mul(spots));
+        Some(moved.wrapping_add(u64::from(beyond).wrapping_sub(u64::from(ahead)).wrapping_mul(worth)))
     }
 
     fn variables(&self) -> usize {

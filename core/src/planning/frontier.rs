@@ -4,6 +4,19 @@
 //! sets for the same 32 states lie side by side: one state's marks are in one cache line. Above them, one bit for each word says whether
 //! it was touched, so that neither finding the next state nor clearing up takes time for states that a search never came near.
 
+/// How a way to a state compares with the ways known before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Way {
+    /// The first.
+    New,
+    /// Shorter than those before.
+    Shorter,
+    /// One more of the shortest.
+    AsShort,
+    /// No shorter than one that is known.
+    NoShorter,
+}
+
 /// The bit sets of one search.
 #[derive(Debug)]
 pub(super) struct Frontier<'m> {
@@ -39,20 +52,18 @@ impl<'m> Frontier<'m> {
     /// Begins anew, for so many states. The caller has made sure that there is room.
     pub(super) fn lay_out(&mut self, states: usize, ring: usize) {
         let sets = self.sets();
-        for group in 0..self.groups {
-            let summary = self.groups.wrapping_add(group / 32).wrapping_mul(sets);
-            let touched = self.memory.get(summary..summary.wrapping_add(sets)).unwrap_or(&[]).iter().fold(0, |all, bits| all | bits);
-            if group % 32 == 0 && touched == 0 {
-                continue;
-            }
-            if touched >> (group % 32) & 1 == 1 {
+        for cursor in 0..self.groups.div_ceil(32) {
+            let at = self.groups.wrapping_add(cursor).wrapping_mul(sets);
+            let summaries = self.memory.get_mut(at..at.wrapping_add(sets)).unwrap_or(&mut []);
+            let mut touched = summaries.iter().fold(0, |all, bits| all | bits);
+            summaries.fill(0);
+            while touched != 0 {
+                let group = cursor.wrapping_mul(32).wrapping_add(touched.trailing_zeros() as usize);
+                touched &= touched.wrapping_sub(1);
                 let start = group.wrapping_mul(sets);
                 self.memory.get_mut(start..start.wrapping_add(sets)).unwrap_or(&mut []).fill(0);
             }
         }
-        let summaries = self.groups.wrapping_mul(sets);
-        let end = summaries.wrapping_add(self.groups.div_ceil(32).wrapping_mul(sets));
-        self.memory.get_mut(summaries..end).unwrap_or(&mut []).fill(0);
         (self.groups, self.ring, self.head, self.cursor) = (states.div_ceil(32), ring, 0, 0);
     }
 
@@ -74,11 +85,6 @@ impl<'m> Frontier<'m> {
     }
 
     #[inline]
-    fn has(&self, set: usize, slot: usize) -> bool {
-        self.memory.get(self.word(set, slot)).is_some_and(|word| word >> (slot % 32) & 1 == 1)
-    }
-
-    #[inline]
     fn put(&mut self, set: usize, slot: usize) {
         let (word, sets) = (self.word(set, slot), self.sets());
         let Some(bits) = self.memory.get_mut(word) else { return };
@@ -92,37 +98,43 @@ impl<'m> Frontier<'m> {
         }
     }
 
-    /// Whether a state is done.
-    #[inline]
-    pub(super) fn is_done(&self, slot: usize) -> bool {
-        self.has(self.ring, slot)
-    }
-
     /// Marks a state as done.
     #[inline]
     pub(super) fn finish(&mut self, slot: usize) {
         self.put(self.ring, slot);
     }
 
-    /// How far beyond the distance under way a state is open.
+    /// Meets a state on a way that is `cost` beyond the distance under way, and opens it there if no other way to it is as near.
     #[inline]
-    pub(super) fn open_at(&self, slot: usize) -> Option<usize> {
-        (0..self.ring).find(|&cost| self.has(self.set_at(cost), slot))
-    }
-
-    /// Opens a state so far beyond the distance under way.
-    #[inline]
-    pub(super) fn open(&mut self, slot: usize, cost: usize) {
-        self.put(self.set_at(cost), slot);
-    }
-
-    /// Takes a state out that is open so far beyond the distance under way.
-    #[inline]
-    pub(super) fn close(&mut self, slot: usize, cost: usize) {
-        let word = self.word(self.set_at(cost), slot);
-        if let Some(bits) = self.memory.get_mut(word) {
-            *bits &= !(1 << (slot % 32));
-        }
+    pub(super) fn meet(&mut self, slot: usize, cost: usize) -> Way {
+        let (sets, ring, set, bit) = (self.sets(), self.ring, self.set_at(cost), 1_u32 << (slot % 32));
+        let start = (slot / 32).wrapping_mul(sets);
+        let Some(group) = self.memory.get_mut(start..start.wrapping_add(sets)) else { return Way::NoShorter };
+        let way = if group.iter().fold(0, |all, word| all | word) & bit == 0 {
+            Way::New
+        } else if group.last().is_some_and(|done| done & bit != 0) {
+            return Way::NoShorter;
+        } else if group.get(set).is_some_and(|word| word & bit != 0) {
+            return Way::AsShort;
+        } else {
+            let head = self.head;
+            let farther = (cost..ring).map(|cost| {
+                if head.wrapping_add(cost) >= ring { head.wrapping_add(cost).wrapping_sub(ring) } else { head.wrapping_add(cost) }
+            });
+            let mut found = false;
+            for set in farther {
+                if let Some(word) = group.get_mut(set) {
+                    found |= *word & bit != 0;
+                    *word &= !bit;
+                }
+            }
+            if !found {
+                return Way::NoShorter;
+            }
+            Way::Shorter
+        };
+        self.put(set, slot);
+        way
     }
 
     /// Takes the next state of the distance under way, which is then done.
@@ -176,17 +188,28 @@ mod tests {
             assert!(frontier.room(ring) >= states);
             frontier.lay_out(states, ring);
             assert_eq!(frontier.take(), None);
-            frontier.open(states - 1, 1);
-            frontier.open(1_025, 1);
-            frontier.open(40, 1);
-            frontier.close(40, 1);
-            assert_eq!(frontier.open_at(1_025), Some(1));
+            assert_eq!([states - 1, 1_025, 1_025].map(|slot| frontier.meet(slot, 1)), [Way::New, Way::New, Way::AsShort]);
             frontier.next_level();
             assert_eq!(core::iter::from_fn(|| frontier.take()).collect::<std::vec::Vec<_>>(), [1_025, states - 1]);
-            assert!(frontier.is_done(1_025) && !frontier.is_done(40));
+            assert_eq!(frontier.meet(1_025, 1), Way::NoShorter);
             // Left open when the next search begins.
-            frontier.open(77, 1);
+            assert_eq!(frontier.meet(77, 1), Way::New);
         }
+    }
+
+    #[test]
+    fn a_shorter_way_that_is_found_later_is_taken() {
+        let mut memory = [0; 100];
+        let mut frontier = Frontier::new(&mut memory);
+        frontier.lay_out(100, 6);
+        assert_eq!([5, 3, 3, 4].map(|cost| frontier.meet(50, cost)), [Way::New, Way::Shorter, Way::AsShort, Way::NoShorter]);
+        let levels: std::vec::Vec<_> = (0..6)
+            .map(|_| {
+                frontier.next_level();
+                frontier.take()
+            })
+            .collect();
+        assert_eq!(levels, [None, None, Some(50), None, None, None]);
     }
 
     #[test]

@@ -12,7 +12,7 @@
 mod results;
 
 use super::Progress;
-use super::frontier::Frontier;
+use super::frontier::{Frontier, Way};
 use super::goals::GoalTable;
 pub use super::optimal_set::OptimalSet;
 use crate::oomdp::domain::MOST_COST;
@@ -185,7 +185,7 @@ impl<'m> Search<'m> {
             Some(slot) => {
                 self.frontier.finish(slot);
                 for action in self.applicable.iter().filter(|&action| action != Action::NOOP) {
-                    self.follow(domain, state, action, ActionSet::of(action));
+                    self.follow(domain, state, domain.number(state), action, ActionSet::of(action));
                 }
             }
             // Not even the state itself finds room: nothing can be said.
@@ -236,33 +236,22 @@ impl<'m> Search<'m> {
     }
 
     #[inline]
-    fn follow<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, action: Action, first: ActionSet) {
-        let Some(next) = domain.step(state, action) else { return };
-        if next == *state {
-            return;
-        }
+    fn follow<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, number: u64, action: Action, first: ActionSet) {
+        let Some(next) = domain.number_after(state, number, action).filter(|&next| next != number) else { return };
         let cost = domain.actions().get(usize::from(action.0)).map_or(1, |kind| kind.cost.clamp(1, MOST_COST));
         let distance = self.level.saturating_add(u32::from(cost));
-        let Some(slot) = self.slot(domain.number(&next)) else {
+        let Some(slot) = self.slot(next) else {
             self.horizon = self.horizon.min(distance);
             return;
         };
-        if self.frontier.is_done(slot) {
-            return;
-        }
-        let cost = usize::from(cost);
-        match self.frontier.open_at(slot) {
-            Some(nearer) if nearer < cost => {}
-            Some(same) if same == cost => {
+        match self.frontier.meet(slot, usize::from(cost)) {
+            Way::NoShorter => {}
+            Way::AsShort => {
                 let both = self.first_actions(slot).union(first);
                 self.set_first_actions(slot, both);
             }
-            further => {
-                match further {
-                    Some(further) => self.frontier.close(slot, further),
-                    None => self.ahead = self.ahead.saturating_add(1),
-                }
-                self.frontier.open(slot, cost);
+            way => {
+                self.ahead = self.ahead.saturating_add(usize::from(way == Way::New));
                 self.set_first_actions(slot, first);
             }
         }
@@ -306,7 +295,7 @@ impl<'m> Search<'m> {
             }
         }
         for position in 0..domain.actions().len().min(Action::MOST) {
-            self.follow(domain, &state, Action(position as u8), first);
+            self.follow(domain, &state, number, Action(position as u8), first);
         }
     }
 

@@ -201,8 +201,8 @@ impl<'m> Sweep<'m> {
             *left = left.wrapping_sub(1);
             let state = domain.numbered(at as u64);
             for action in (0..self.layout.actions).map(|position| Action(position as u8)) {
-                let Some(next) = domain.step(&state, action).filter(|next| *next != state) else { continue };
-                let Ok(next) = usize::try_from(domain.number(&next)) else { continue };
+                let Some(next) = domain.number_after(&state, at as u64, action) else { continue };
+                let Ok(next) = usize::try_from(next) else { continue };
                 if insert(self.set_mut(known), next) {
                     insert(self.set_mut(open), next);
                     anew |= next / 64 < cursor;
@@ -332,8 +332,8 @@ impl<'m> Sweep<'m> {
             for position in 0..self.layout.actions {
                 let cost = domain.actions().get(position).map_or(1, |kind| u32::from(kind.cost.clamp(1, MOST_COST)));
                 let Some(earlier) = self.level.checked_sub(cost) else { continue };
-                let Some(next) = domain.step(&state, Action(position as u8)) else { continue };
-                let Ok(next) = usize::try_from(domain.number(&next)) else { continue };
+                let Some(next) = domain.number_after(&state, at as u64, Action(position as u8)) else { continue };
+                let Ok(next) = usize::try_from(next) else { continue };
                 let nearer = self.lane(self.level_plane(earlier), next).common(missing);
                 if !nearer.is_empty() {
                     width.add(self.plane_mut(position), at, nearer);
