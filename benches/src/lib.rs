@@ -2,6 +2,7 @@
 
 #![deny(missing_docs)]
 
+pub mod dijkstra;
 pub mod homes;
 pub mod language;
 pub mod timing;

@@ -2,11 +2,12 @@
 
 use crate::homes::{LARGE, Scene, Tasks, size, sweep};
 use crate::language::{model, sessions, train};
-use goodbot::feedback::Feedback;
+use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{self, Moves};
 use goodbot::language::Settings;
 use goodbot::oomdp::Action;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
+use goodbot_course::{Homes, generator, run_course};
 use goodbot_tests::random_homes::random_home;
 use rand_pcg::Pcg32;
 
@@ -30,6 +31,7 @@ fn work(name: impl Into<String>, prepare: impl Fn() -> Box<dyn FnMut()> + 'stati
 /// All of them, the quick ones first.
 pub fn all() -> Vec<Work> {
     let mut works = vec![work("hear a command", hear), work("feedback to one action", feedback)];
+    works.push(work("the course", || Box::new(course)));
     for count in [8, 64, 512] {
         works.push(work(format!("EM round, {count} sessions"), move || em_round(count)));
     }
@@ -65,6 +67,14 @@ fn feedback() -> Box<dyn FnMut()> {
     agent.hear(&home, &start, "take the red chair to the blue room").expect("a command");
     agent.plan_fully(&home, &start).expect("a plan");
     Box::new(move || assert!(agent.feedback(Action(0), Feedback::Neutral).expect("a session")))
+}
+
+/// Seven lessons and five tests in the fixed homes, by a new agent.
+pub fn course() {
+    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let mut parts = memory.split();
+    let mut agent = Agent::new(parts.agent, &home::paper_tasks().expect("the tasks"), Options::PAPER).expect("an agent");
+    run_course(&mut agent, &mut parts.home, &Homes::FIXED, Strategy::BALANCED, &mut generator(1), &mut ()).expect("a course");
 }
 
 fn em_round(count: usize) -> Box<dyn FnMut()> {

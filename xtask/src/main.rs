@@ -1,5 +1,7 @@
 //! goodbot's development commands: `cargo xtask --help`.
 
+mod compare;
+mod instructions;
 mod process;
 mod project;
 mod steps;
@@ -25,6 +27,16 @@ enum Task {
     Setup,
     /// Runs every check and every test; stops at the first that fails.
     Test(test::Options),
+    /// Measures goodbot beside other programs on the same work; those that cannot be installed are left out.
+    Compare,
+    /// Counts the instructions of each benchmark, by valgrind.
+    Instructions {
+        /// Only works with this in their name.
+        #[arg(default_value = "")]
+        filter: String,
+    },
+    /// Draws what a plan costs against states and tasks, as docs/planning-cost.svg.
+    Plot,
 }
 
 fn main() -> ExitCode {
@@ -38,6 +50,19 @@ fn run() -> Result<ExitCode> {
     match Arguments::parse().command {
         Task::Setup => toolchain::setup()?,
         Task::Test(options) => return test::run(&options),
+        Task::Compare => compare::run()?,
+        Task::Instructions { filter } => instructions::run(&filter)?,
+        Task::Plot => process::run(project::cargo().args([
+            "run",
+            "--release",
+            "--quiet",
+            "--package",
+            "goodbot-benches",
+            "--bin",
+            "plot",
+            "--",
+            "docs/planning-cost.svg",
+        ]))?,
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -7,20 +7,18 @@ use std::io::Write;
 use std::process::{Command, ExitCode, Stdio};
 use std::time::Duration;
 
-use goodbot::home::HomeState;
 use goodbot::language::Settings;
-use goodbot::oomdp::{Action, Domain};
-use goodbot::task::GroundedTask;
+use goodbot::oomdp::Domain;
 use goodbot::{Capacities, HeapMemory};
+use goodbot_benches::dijkstra::{HOMES, one_dijkstra_a_task};
 use goodbot_benches::homes::{LARGE, Scene, Tasks, size, sweep};
 use goodbot_benches::language::{model, sessions, train};
 use goodbot_benches::timing::{ROUNDS, in_turn, median, ratio, time};
-use goodbot_tests::random_homes::Size;
-use pathfinding::directed::dijkstra::dijkstra;
+use goodbot_benches::works;
 use serde_json::{Value, json};
 
 fn main() -> ExitCode {
-    let comparisons: [fn() -> Result<(), String>; 3] = [against_dijkstra, many_tasks, against_nltk];
+    let comparisons: [fn() -> Result<(), String>; 4] = [against_dijkstra, many_tasks, the_course, against_nltk];
     for comparison in comparisons {
         if let Err(problem) = comparison() {
             eprintln!("error: {problem}");
@@ -37,22 +35,6 @@ fn show(what: &str, times: (Duration, Duration), least: Option<f64>, most: Optio
         return Err(format!("{what} is {ratio:.2}, which is not within {least:?} to {most:?}"));
     }
     Ok(())
-}
-
-/// The homes of three rooms and two blocks that searches are compared in.
-const HOMES: Size = Size { columns: 3, rows: 1, side: 4, blocks: 2 };
-
-/// The distance of each task by a search of its own, as one writes it with the crate pathfinding.
-fn one_dijkstra_a_task(scene: &Scene<'_>) -> Vec<Option<u32>> {
-    let next = |state: &HomeState| -> Vec<(HomeState, u32)> {
-        (0..4).filter_map(|action| Some((scene.home.step(state, Action(action))?, 1))).collect()
-    };
-    let distance = |task: &GroundedTask| {
-        let lifted = &scene.lifted[usize::from(task.lifted)];
-        let goal = |state: &HomeState| task.propositions(lifted).all(|part| scene.home.holds(&part, state));
-        dijkstra(&scene.start, next, goal).map(|(_, cost)| cost)
-    };
-    scene.tasks.iter().map(distance).collect()
 }
 
 /// All tasks by one search, against one search a task by the crate pathfinding, from the start of nine random homes; and by one sweep for
@@ -98,6 +80,12 @@ fn many_tasks() -> Result<(), String> {
     let times = in_turn(&mut || many.plan(), &mut || few.plan());
     println!("{} states, {} and {} tasks", many.planner.search().expanded(), many.tasks.len(), few.tasks.len());
     show("64 tasks / 8 tasks", times, None, Some(1.5))
+}
+
+/// The whole course: planning, inference and learning.
+fn the_course() -> Result<(), String> {
+    let course = median((0..ROUNDS).map(|_| time(&mut works::course)).collect());
+    show("50 ms / the course of seven lessons and five tests", (Duration::from_millis(50), course), Some(1.0), None)
 }
 
 /// Ten rounds of Model 2 against NLTK's, first whether the tables are equal.

@@ -3,6 +3,7 @@
 use std::process::ExitCode;
 
 use goodbot::HeapMemory;
+use goodbot::oomdp::Domain;
 use goodbot_benches::homes::{LARGE, Scene, Tasks, size, sweep};
 use goodbot_benches::timing::{ROUNDS, median, time};
 use plotters::prelude::*;

@@ -1,0 +1,43 @@
+//! What must not become slower, as ratios of medians taken in one run.
+
+use std::hint::black_box;
+
+use goodbot::HeapMemory;
+use goodbot::language::Settings;
+use goodbot_benches::dijkstra::{HOMES, one_dijkstra_a_task};
+use goodbot_benches::homes::{LARGE, Scene, Tasks, size};
+use goodbot_benches::language::{model, sessions, train};
+use goodbot_benches::timing::{in_turn, ratio};
+
+#[test]
+fn sixty_four_tasks_cost_hardly_more_than_eight() {
+    let (mut memory, mut other) = (HeapMemory::new(&LARGE), HeapMemory::new(&LARGE));
+    let mut many = Scene::roomy(size(12, 1), Tasks::Count(64), &mut memory);
+    let mut few = Scene::roomy(size(12, 1), Tasks::Count(8), &mut other);
+    assert_eq!((many.tasks.len(), few.tasks.len()), (64, 8));
+    let ratio = ratio(in_turn(&mut || many.plan(), &mut || few.plan()));
+    assert!(ratio < 1.5, "{ratio}");
+}
+
+#[test]
+fn one_search_for_all_tasks_is_faster_than_one_dijkstra_a_task_and_finds_the_same_distances() {
+    let mut memory = HeapMemory::new(&LARGE);
+    let mut scene = Scene::roomy(HOMES, Tasks::Paper, &mut memory);
+    scene.plan();
+    let ours: Vec<Option<u32>> = (0..scene.tasks.len()).map(|task| scene.planner.search().distance(task)).collect();
+    assert_eq!(ours, one_dijkstra_a_task(&scene));
+    let mut other_memory = HeapMemory::new(&LARGE);
+    let other = Scene::roomy(HOMES, Tasks::Paper, &mut other_memory);
+    let ratio = ratio(in_turn(&mut || drop(black_box(one_dijkstra_a_task(&other))), &mut || scene.plan()));
+    assert!(ratio > 1.2, "{ratio}");
+}
+
+#[test]
+fn training_takes_time_linear_in_the_sessions() {
+    let settings = Settings { rounds: 1, ..Settings::PAPER };
+    let (mut memory, mut other) = (HeapMemory::new(&LARGE), HeapMemory::new(&LARGE));
+    let mut many = model(memory.split().agent.language, &sessions(512), settings, 0.25);
+    let mut few = model(other.split().agent.language, &sessions(64), settings, 0.25);
+    let ratio = ratio(in_turn(&mut || train(&mut many), &mut || train(&mut few)));
+    assert!(ratio < 16.0, "eight times the data take {ratio} times as long");
+}
