@@ -62,7 +62,7 @@ fn against_dijkstra() -> Result<(), String> {
         own += median(fast);
         let slow = median(slow);
         theirs += slow;
-        own_sweeps += median((0..3).map(|_| time(&mut || drop(sweep(&scene, &mut words)))).collect());
+        own_sweeps += median((0..3).map(|_| time(&mut || assert!(!sweep(&scene, &mut words).is_working()))).collect());
         let swept = sweep(&scene, &mut words);
         let known = (0..scene.home.state_count()).filter(|&number| swept.knows(&scene.home, &scene.home.numbered(number))).count();
         theirs_everywhere += slow * u32::try_from(known).unwrap_or(u32::MAX);

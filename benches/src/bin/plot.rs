@@ -38,7 +38,7 @@ fn by_states() -> (Points, Points) {
         let mut scene = Scene::roomy(size(rooms, blocks), Tasks::Paper, &mut memory);
         let states = scene.home.state_count() as f64;
         searches.push((states, milliseconds(&mut || scene.plan())));
-        sweeps.push((states, milliseconds(&mut || drop(sweep(&scene, &mut words)))));
+        sweeps.push((states, milliseconds(&mut || assert!(!sweep(&scene, &mut words).is_working()))));
         eprintln!("{rooms} rooms, {blocks} blocks: {states} states, {:?} {:?}", searches.last(), sweeps.last());
     }
     for points in [&mut searches, &mut sweeps] {
@@ -55,7 +55,7 @@ fn by_tasks() -> (Points, Points) {
         let mut memory = HeapMemory::new(&LARGE);
         let mut scene = Scene::roomy(size(12, 1), Tasks::Count(count), &mut memory);
         searches.push((count as f64, milliseconds(&mut || scene.plan())));
-        sweeps.push((count as f64, milliseconds(&mut || drop(sweep(&scene, &mut words)))));
+        sweeps.push((count as f64, milliseconds(&mut || assert!(!sweep(&scene, &mut words).is_working()))));
         eprintln!("{count} tasks: {:?} {:?}", searches.last(), sweeps.last());
     }
     (searches, sweeps)
