@@ -18,7 +18,7 @@ use crate::oomdp::Domain;
 use crate::task::TaskSet;
 
 /// How many expansions of forward searches cost as much as a sweep, for each state there is (measured: `docs/performance.md`).
-const SWEEP_WORTH: u64 = 4;
+const SWEEP_WORTH: u64 = 24;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Way {
