@@ -4,6 +4,7 @@
 
 pub mod brute_force;
 pub mod fixture;
+pub mod hostile;
 pub mod random_homes;
 pub mod school;
 pub mod turning_robot;

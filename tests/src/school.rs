@@ -59,18 +59,36 @@ pub fn tests() -> Vec<Lesson> {
 impl Lesson {
     /// The home: four rooms of nine cells, two and two, with a door between each two neighbours.
     pub fn home<'m>(&self, memory: HomeMemory<'m>) -> (Home<'m>, HomeState) {
+        self.home_in_order(&(0..11).collect::<Vec<_>>(), memory)
+    }
+
+    /// The same home, its objects added in another order: 0 to 3 are the rooms, 4 to 7 the doors, 8 and 9 the blocks, 10 the agent. What
+    /// `order` leaves out comes last.
+    pub fn home_in_order<'m>(&self, order: &[usize], memory: HomeMemory<'m>) -> (Home<'m>, HomeState) {
         let mut builder = HomeBuilder::new(memory);
         let corners = [(0, 0), (4, 0), (0, 4), (4, 4)];
-        for (position, ((x, y), color)) in corners.into_iter().zip(self.rooms).enumerate() {
-            builder.room(&format!("room{position}"), Area::new(x, y, x + 4, y + 4), color).expect("a room");
+        let gaps = [(4, 2), (4, 6), (2, 4), (6, 4)];
+        let cells = [Cell::new(2, 2), Cell::new(6, 2)];
+        let rest = (0..11).filter(|object| !order.contains(object));
+        for object in order.iter().copied().chain(rest) {
+            match object {
+                0..4 => {
+                    let (x, y) = corners[object];
+                    builder.room(&format!("room{object}"), Area::new(x, y, x + 4, y + 4), self.rooms[object]).expect("a room");
+                }
+                4..8 => {
+                    let (x, y) = gaps[object - 4];
+                    builder.door(&format!("door{}", object - 4), Area::new(x, y, x, y)).expect("a door");
+                }
+                8..10 => {
+                    let Some((color, shape)) = self.blocks.get(object - 8) else { continue };
+                    builder.block(&format!("block{}", object - 8), cells[object - 8], color, shape).expect("a block");
+                }
+                _ => {
+                    builder.agent("agent0", Cell::new(1, 1)).expect("an agent");
+                }
+            }
         }
-        for (position, (x, y)) in [(4, 2), (4, 6), (2, 4), (6, 4)].into_iter().enumerate() {
-            builder.door(&format!("door{position}"), Area::new(x, y, x, y)).expect("a door");
-        }
-        for (position, ((color, shape), cell)) in self.blocks.iter().zip([Cell::new(2, 2), Cell::new(6, 2)]).enumerate() {
-            builder.block(&format!("block{position}"), cell, color, shape).expect("a block");
-        }
-        builder.agent("agent0", Cell::new(1, 1)).expect("an agent");
         builder.build(Moves::PushAndPull).expect("a home")
     }
 

@@ -162,3 +162,41 @@ fn a_model_of_another_domain_is_refused() {
     let mut other = Agent::new(memory.split().agent, &tasks, Options::PAPER).unwrap();
     assert_eq!(other.restore(&saved(&agent)), Err(RestoreError::OtherDomain));
 }
+
+/// The model after the paper's course with a trainer of three strategies, saved in format 1. The file stays as it is for ever.
+const FORMAT_1: &[u8] = include_bytes!("format_1.model");
+
+#[test]
+fn a_file_of_format_1_is_understood_for_ever() {
+    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let mut agent = agent(&mut memory);
+    agent.restore(FORMAT_1).unwrap();
+    agent.learn_fully();
+    let bitext = agent.language().bitext();
+    assert_eq!((bitext.sessions(), agent.language().words().len()), (7, 12));
+    assert_eq!(*agent.options(), Options::PAPER);
+    assert_eq!(agent.belief().strategies().len(), 3);
+    assert_eq!(school::tests_passed(&mut agent), 5);
+}
+
+#[test]
+fn a_later_format_is_refused_by_its_number() {
+    let mut bytes = FORMAT_1.to_vec();
+    bytes[8] = 2;
+    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let mut agent = agent(&mut memory);
+    assert_eq!(agent.restore(&bytes), Err(RestoreError::Version { found: 2 }));
+}
+
+#[test]
+fn what_was_joined_without_room_is_undone() {
+    let mut memory = HeapMemory::new(&Capacities { words: 8, ..Capacities::SMALL });
+    let mut agent = agent(&mut memory);
+    train(&mut agent, &school::lessons()[0], Strategy::BALANCED, &mut Pcg32::new(1, 1)).unwrap();
+    let knew = mind(&mut agent);
+    let before = saved(&agent);
+    assert!(matches!(agent.join(FORMAT_1), Err(RestoreError::Capacity(error)) if error.capacity == Capacity::Words));
+    agent.learn_fully();
+    assert_eq!(saved(&agent), before);
+    assert_eq!(mind(&mut agent)[3..], knew[3..]);
+}

@@ -2,8 +2,8 @@
 
 use super::error::{Part, RestoreError};
 use super::record::{
-    CHECK, CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OptionsRecord, PairRecord, SessionRecord, Sizes, StrategyRecord,
-    VERSION, is_weight,
+    CHECK, CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OPTIONS_BYTES, OptionsRecord, PairRecord, SessionRecord, Sizes,
+    StrategyRecord, VERSION, is_weight,
 };
 use crate::capacity::NAME_BYTES;
 use crate::session::Options;
@@ -204,9 +204,13 @@ fn split_array<'a, const N: usize>(rest: &mut &'a [u8]) -> Option<&'a [u8; N]> {
     Some(array)
 }
 
-/// The options: a record in a byte string of its own.
+/// The options: a record in a byte string of its own. Fields that later versions append to it are 0 where a file does not have them.
 fn options(rest: &mut &[u8]) -> Option<Options> {
-    let mut bytes: &[u8] = take(rest)?;
-    let record: OptionsRecord = take(&mut bytes)?;
-    (bytes.is_empty() && record.is_sound()).then(|| record.options())
+    let bytes: &[u8] = take(rest)?;
+    let mut filled = [0; OPTIONS_BYTES];
+    filled.get_mut(..bytes.len())?.copy_from_slice(bytes);
+    let mut left = filled.as_slice();
+    let record: OptionsRecord = take(&mut left)?;
+    let read = OPTIONS_BYTES.saturating_sub(left.len());
+    (bytes.len() <= read && record.is_sound()).then(|| record.options())
 }

@@ -47,7 +47,10 @@ pub struct Sizes {
     pub length_pairs: u32,
 }
 
-/// How the robot learns: [`Options`], field by field.
+/// Room for the options' record.
+pub(crate) const OPTIONS_BYTES: usize = 32;
+
+/// How the robot learns: [`Options`], field by field. New fields are appended, and their 0 is what was before there was a choice.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct OptionsRecord {
     pub smoothing: f32,
@@ -131,7 +134,7 @@ pub struct PairRecord {
 /// Bytes that a model saved from memory of these capacities takes at most: how large a buffer or a storage slot must be.
 pub const fn most_bytes(capacities: &Capacities) -> usize {
     // A length or number takes 5 bytes at most, a position 3, an f32 4.
-    let fixed = LEAST_BYTES + 5 + 13 * 5 + (5 + 3 * 4 + 5 + 2) + 6 * 5;
+    let fixed = LEAST_BYTES + 5 + 13 * 5 + (5 + OPTIONS_BYTES) + 6 * 5;
     let names = capacities.words + capacities.word_bytes + capacities.tokens + capacities.token_bytes;
     let commands = capacities.commands + 3 * capacities.command_tokens;
     let sessions = 6 * capacities.sessions + 3 * capacities.sentence_words;

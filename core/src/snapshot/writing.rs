@@ -2,7 +2,8 @@
 
 use super::error::SaveError;
 use super::record::{
-    CHECK, CHECK_BYTES, HEADER_BYTES, LEAST_BYTES, MAGIC, OptionsRecord, PairRecord, Sizes, StrategyRecord, VERSION, is_weight,
+    CHECK, CHECK_BYTES, HEADER_BYTES, LEAST_BYTES, MAGIC, OPTIONS_BYTES, OptionsRecord, PairRecord, Sizes, StrategyRecord, VERSION,
+    is_weight,
 };
 use crate::feedback::Belief;
 use crate::language::LanguageModel;
@@ -10,9 +11,6 @@ use crate::session::Options;
 use crate::symbols::Symbol;
 use postcard::ser_flavors::Size;
 use serde::ser::{Serialize, SerializeStruct, Serializer};
-
-/// Room for the options' record: three f32s, a number and two flags.
-const OPTIONS_BYTES: usize = 24;
 
 /// What a model file says, ready to be written.
 pub(super) struct Writing<'a, 'm> {

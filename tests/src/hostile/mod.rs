@@ -1,0 +1,64 @@
+//! What is done with hostile input: one function for each fuzz target, called by `fuzz/fuzz_targets` and by the tests alike.
+//!
+//! Each takes any bytes. None may panic, and what comes out must be sound: no NaN, no probability outside [0, 1].
+
+mod budgets;
+mod bytes;
+mod calls;
+mod environment;
+mod model;
+mod session;
+mod tokenizer;
+
+pub use budgets::budgets;
+pub use bytes::Bytes;
+pub use calls::calls;
+pub use environment::environment;
+pub use model::{model, sign};
+pub use session::session;
+pub use tokenizer::tokenizer;
+
+use goodbot::Agent;
+
+/// A fuzz target: its name, which is that of its corpus too, and what it does.
+pub type Target = (&'static str, fn(&[u8]));
+
+/// All fuzz targets.
+pub const TARGETS: [Target; 6] = [
+    ("environment", environment),
+    ("session", session),
+    ("model", model),
+    ("tokenizer", tokenizer),
+    ("calls", calls),
+    ("budgets", budgets),
+];
+
+/// Every belief and parameter of an agent that can be looked at is a probability, and the posterior sums to 1.
+fn assert_sound(agent: &Agent<'_>) {
+    let probability = |what: &str, value: f32| assert!((0.0..=1.0).contains(&value), "{what} is {value}");
+    let belief = agent.belief();
+    let sum: f32 = (0..belief.tasks()).map(|task| belief.probability(task)).sum();
+    assert!(belief.tasks() == 0 || belief.whole().is_zero() || (sum - 1.0).abs() < 1e-4, "the posterior sums to {sum}");
+    for task in 0..belief.tasks() {
+        probability("a task's posterior", belief.probability(task));
+    }
+    for strategy in 0..belief.strategies().len() {
+        probability("a strategy's posterior", belief.strategy_probability(strategy));
+    }
+    if agent.language().is_training() {
+        return;
+    }
+    let (language, tables) = (agent.language(), agent.language().tables());
+    for (token, _) in language.tokens().iter() {
+        for (word, _) in language.words().iter() {
+            probability("a translation", tables.translation(word, Some(token)));
+        }
+    }
+    for lengths in tables.length_pairs() {
+        for i in 0..usize::from(lengths.english) {
+            for j in 0..=usize::from(lengths.machine) {
+                probability("an alignment", tables.alignment(j, i, usize::from(lengths.machine), usize::from(lengths.english)));
+            }
+        }
+    }
+}

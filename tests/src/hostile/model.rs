@@ -1,0 +1,57 @@
+//! Model files: any bytes.
+
+use super::assert_sound;
+use goodbot::home::paper_tasks;
+use goodbot::snapshot::Contents;
+use goodbot::{Agent, Capacities, HeapMemory, Options};
+
+/// Takes any bytes as a model file, and once more with its length and check corrected, so that what is behind them is reached. What is
+/// restored can be trained, is sound, and is saved as a file that restores to the same.
+pub fn model(input: &[u8]) {
+    restore(input);
+    let mut signed = input.to_vec();
+    sign(&mut signed);
+    restore(&signed);
+}
+
+fn restore(bytes: &[u8]) {
+    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let mut agent = Agent::new(memory.split().agent, &paper_tasks().expect("the paper's tasks"), Options::PAPER).expect("two tasks fit");
+    let before = saved(&agent);
+    if agent.restore(bytes).is_err() {
+        assert_eq!(saved(&agent), before, "a refused model changes nothing");
+        return;
+    }
+    let contents = Contents::read(bytes).expect("what was restored can be read");
+    assert_eq!(agent.language().bitext().sessions(), contents.sessions.len());
+    agent.learn_fully();
+    assert_sound(&agent);
+    let first = saved(&agent);
+    agent.restore(&first).expect("what was saved can be restored");
+    agent.learn_fully();
+    assert_eq!(saved(&agent), first);
+    agent.join(bytes).expect("a model joined to itself adds nothing");
+    assert_eq!(saved(&agent), first);
+}
+
+fn saved(agent: &Agent<'_>) -> Vec<u8> {
+    let mut buffer = vec![0; agent.saved_bytes().expect("the model can be saved")];
+    agent.save(&mut buffer).expect("the model can be saved");
+    buffer
+}
+
+/// Corrects the length and the check of a model file, as one would who changes it on purpose.
+pub fn sign(bytes: &mut Vec<u8>) {
+    let length = bytes.len().max(18);
+    bytes.resize(length, 0);
+    bytes[10..14].copy_from_slice(&(length as u32).to_le_bytes());
+    let check = crc32(&bytes[..length - 4]);
+    bytes[length - 4..].copy_from_slice(&check.to_le_bytes());
+}
+
+/// CRC-32 by its definition, not by the library that the core takes.
+fn crc32(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(u32::MAX, |crc, &byte| {
+        (0..8).fold(crc ^ u32::from(byte), |crc, _| if crc & 1 == 1 { (crc >> 1) ^ 0xedb8_8320 } else { crc >> 1 })
+    })
+}
