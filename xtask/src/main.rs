@@ -1,5 +1,6 @@
 //! goodbot's development commands: `cargo xtask --help`.
 
+mod page;
 mod process;
 mod project;
 mod steps;
@@ -23,6 +24,8 @@ struct Arguments {
 enum Task {
     /// Makes sure that goodbot can be built for microcontrollers and for the browser.
     Setup,
+    /// Writes the trainer page, `dist/goodbot.html`.
+    Page,
     /// Runs every check and every test; stops at the first that fails.
     Test(test::Options),
 }
@@ -37,6 +40,7 @@ fn main() -> ExitCode {
 fn run() -> Result<ExitCode> {
     match Arguments::parse().command {
         Task::Setup => toolchain::setup()?,
+        Task::Page => page::build()?,
         Task::Test(options) => return test::run(&options),
     }
     Ok(ExitCode::SUCCESS)
