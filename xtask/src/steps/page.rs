@@ -30,5 +30,8 @@ fn in_browser(tally: &mut Tally) -> Result<()> {
     process::run(&mut node)?;
     let mut compare = project::cargo();
     compare.args(["test", "--package", "goodbot-wasm", "--test", "exported_by_the_page"]).env(EXPORT, &export);
-    process::run_with_lines(&mut compare, |line| tally.read(line))
+    process::run_with_lines(&mut compare, |line| tally.read(line))?;
+    let mut check = project::cargo();
+    check.args(["run", "--quiet", "--package", "goodbot-cli", "--", "check"]);
+    process::run(check.args(["home.json", "sessions.jsonl"].map(|file| export.join(file))))
 }
