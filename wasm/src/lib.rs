@@ -1,1 +1,31 @@
+//! goodbot for the browser: one world, one robot, and what a page needs to show them.
+//!
+//! [`World`] is plain Rust and is tested on the host; [`bindings`] is the same surface for JavaScript. What the page draws comes as JSON
+//! texts, whose fields are the public structs of [`view`].
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`world`] | the home, the robot's mind and the session under way |
+//! | [`training`] | a session from a command to a robot that has learned |
+//! | [`replay`] | a session of a log, once more |
+//! | [`view`] | what the page draws: the scene, the beliefs, the evidence, the heat map |
+//! | [`words`] | which word of a command speaks for which task |
+//! | [`route`] | where a task would lead the robot, for the ghost on the floor plan |
+//! | [`cells`] | memory together with what lives in it |
+//! | [`course`] | the paper's lessons and tests |
+//! | [`bindings`] | the surface for JavaScript |
 
+#![deny(missing_docs)]
+
+pub mod bindings;
+pub mod cells;
+pub mod course;
+mod log;
+pub mod replay;
+pub mod route;
+pub mod training;
+pub mod view;
+pub mod words;
+pub mod world;
+
+pub use world::{Refusal, World};

@@ -2,6 +2,7 @@
 
 mod compare;
 mod instructions;
+mod page;
 mod process;
 mod project;
 mod steps;
@@ -25,6 +26,8 @@ struct Arguments {
 enum Task {
     /// Makes sure that goodbot can be built for microcontrollers and for the browser.
     Setup,
+    /// Writes the trainer page, `dist/goodbot.html`.
+    Page,
     /// Runs every check and every test; stops at the first that fails.
     Test(test::Options),
     /// Measures goodbot beside other programs on the same work; those that cannot be installed are left out.
@@ -49,6 +52,7 @@ fn main() -> ExitCode {
 fn run() -> Result<ExitCode> {
     match Arguments::parse().command {
         Task::Setup => toolchain::setup()?,
+        Task::Page => page::build()?,
         Task::Test(options) => return test::run(&options),
         Task::Compare => compare::run()?,
         Task::Instructions { filter } => instructions::run(&filter)?,

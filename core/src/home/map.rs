@@ -52,13 +52,13 @@ impl<'a, 'm> Map<'a, 'm> {
             return '@';
         }
         if let Some(block) = objects.of_class(BLOCK).find(|&block| self.home.block_cell(self.state, block) == Some(cell)) {
-            return first(block, SHAPE).and_then(|letter| letter.to_uppercase().next()).unwrap_or('O');
+            return first(block, SHAPE).map_or('O', |letter| letter.to_ascii_uppercase());
         }
         if super::layout::spot_of(self.home.places(), cell).is_none() {
             return if objects.of_class(ROOM).any(|room| self.home.area(room).holds(cell)) { '#' } else { ' ' };
         }
         if let Some(room) = objects.of_class(ROOM).find(|&room| self.home.area(room).holds_strictly(cell)) {
-            return first(room, COLOR).and_then(|letter| letter.to_lowercase().next()).unwrap_or('.');
+            return first(room, COLOR).map_or('.', |letter| letter.to_ascii_lowercase());
         }
         if objects.of_class(DOOR).any(|door| self.home.area(door).holds(cell)) { '+' } else { '.' }
     }

@@ -76,14 +76,15 @@ fn push(command: &mut Tokens, token: Symbol) -> Result<(), CapacityError> {
     command.push(token).map_err(|_| CapacityError::full(Capacity::TokensPerCommand, TOKENS_PER_COMMAND))
 }
 
-/// `roomIs` and `red` make `roomIsRed`.
+/// `roomIs` and `red` make `roomIsRed`. A first letter beyond ASCII stays as it is: it names the value as well, and the table of all
+/// capitals is twelve kilobytes.
 fn attribute_token(prefix: &str, value: &str) -> Result<String<NAME_BYTES>, CapacityError> {
     let too_long = |_| CapacityError::new(Capacity::NameBytes, NAME_BYTES, prefix.len().saturating_add(value.len()));
     let mut token = String::new();
     token.push_str(prefix).map_err(too_long)?;
     let mut letters = value.chars();
-    for capital in letters.next().into_iter().flat_map(char::to_uppercase) {
-        token.push(capital).map_err(too_long)?;
+    if let Some(first) = letters.next() {
+        token.push(first.to_ascii_uppercase()).map_err(too_long)?;
     }
     token.push_str(letters.as_str()).map_err(too_long)?;
     Ok(token)

@@ -6,6 +6,7 @@ mod clippy;
 mod cross;
 mod docs;
 mod format;
+mod page;
 mod style;
 mod tests;
 
@@ -40,6 +41,7 @@ pub const ALL: &[Step] = &[
     cross::SETUP,
     cross::MICROCONTROLLER,
     cross::BROWSER,
+    page::STEP,
 ];
 
 /// How many tests ran, over all steps.

@@ -1,0 +1,234 @@
+// The editor: rooms, doors, blocks and the robot, by pointer on the plan and by numbers in a list.
+const PALETTE = ['red', 'green', 'blue', 'yellow', 'purple', 'orange', 'tan', 'teal', 'magenta'];
+const FORMS = ['chair', 'bag', 'backpack', 'basket', 'star'];
+const build = { file: null, tool: 'move', chosen: null, drag: null, error: '' };
+
+const nameFor = kind => {
+  let number = 0;
+  while (build.file.objects.some(object => object.name === kind + number)) number += 1;
+  return kind + number;
+};
+
+function enterBuild() {
+  stopSession();
+  build.file = parsed(world.environment());
+  build.chosen = null;
+  changed();
+}
+
+// After every change: is this a home? If so, the robot lives in it.
+function changed() {
+  const json = JSON.stringify(build.file);
+  build.error = Core.check(json);
+  if (!build.error) enterHome(json);
+  if (!build.error) keep(KEYS.home, json);
+  render();
+}
+
+function boundsOf(objects) {
+  const rooms = objects.filter(object => object.class === 'room');
+  const all = rooms.length ? rooms : [{ left: 0, bottom: 0, right: 8, top: 8 }];
+  const side = (name, pick) => pick(...all.map(room => room[name]));
+  return { left: side('left', Math.min) - 1, bottom: side('bottom', Math.min) - 1, right: side('right', Math.max) + 1, top: side('top', Math.max) + 1 };
+}
+
+// The drawing as it is, even where it is no home.
+function draftScene() {
+  const bounds = boundsOf(build.file.objects);
+  const of = kind => build.file.objects.filter(object => object.class === kind);
+  const [rooms, doors] = [of('room'), of('door')];
+  const holds = (box, x, y) => x >= box.left && x <= box.right && y >= box.bottom && y <= box.top;
+  let map = '';
+  for (let y = bounds.top; y >= bounds.bottom; y -= 1) {
+    for (let x = bounds.left; x <= bounds.right; x += 1) {
+      const around = rooms.filter(room => holds(room, x, y));
+      const border = around.some(room => x === room.left || x === room.right || y === room.bottom || y === room.top);
+      map += !around.length ? ' ' : border && !doors.some(door => holds(door, x, y)) ? '#' : '.';
+    }
+    map += '\n';
+  }
+  return { bounds, rooms, doors, blocks: of('block'), agent: of('agent')[0], map };
+}
+
+function renderBuild() {
+  $('build').hidden = state.mode !== 'build';
+  $('draft').toggleAttribute('hidden', state.mode !== 'build');
+  if (state.mode !== 'build') return;
+  const scene = draftScene();
+  const frame = new Frame(scene.bounds);
+  build.frame = frame;
+  const root = $('draft');
+  root.setAttribute('viewBox', '0 0 ' + frame.width + ' ' + frame.height);
+  root.style.setProperty('--columns', scene.bounds.right - scene.bounds.left + 1);
+  root.style.aspectRatio = frame.width + ' / ' + frame.height;
+  let grid = '';
+  for (let x = 0; x <= frame.width; x += CELL) grid += 'M' + x + ' 0v' + frame.height;
+  for (let y = 0; y <= frame.height; y += CELL) grid += 'M0 ' + y + 'h' + frame.width;
+  root.replaceChildren(draw('path', { d: grid, class: 'grid' }), houseDrawing(frame, scene), ...scene.blocks.map(block => thingDrawing(frame, block, false)));
+  if (scene.agent) root.append(thingDrawing(frame, scene.agent, true));
+  const chosen = build.file.objects[build.chosen];
+  if (chosen) {
+    const box = boxOf(chosen);
+    root.append(draw('rect', {
+      x: frame.x(box.left) - CELL / 2, y: frame.y(box.top) - CELL / 2, width: (box.right - box.left + 1) * CELL, height: (box.top - box.bottom + 1) * CELL, class: 'chosen',
+    }));
+    if (chosen.class === 'room') root.append(draw('circle', { cx: frame.x(chosen.right), cy: frame.y(chosen.bottom), r: 11, class: 'handle' }));
+  }
+  if (build.drag && build.drag.box) {
+    const { box } = build.drag;
+    root.append(draw('rect', {
+      x: frame.x(box.left) - CELL / 2, y: frame.y(box.top) - CELL / 2, width: (box.right - box.left + 1) * CELL, height: (box.top - box.bottom + 1) * CELL, class: 'chosen',
+    }));
+  }
+  $('build-error').textContent = build.error ? 'Not a home yet: ' + build.error + '.' : 'This is a home. The robot is in it.';
+  $('build-error').className = build.error ? 'wrong' : 'fine';
+  for (const tool of document.querySelectorAll('[data-tool]')) tool.setAttribute('aria-pressed', tool.dataset.tool === build.tool);
+  renderObjects();
+}
+
+const boxOf = object => (object.class === 'room' || object.class === 'door' ? object : { left: object.x, right: object.x, bottom: object.y, top: object.y });
+
+// The list of objects, with a field for everything that can be changed.
+function renderObjects() {
+  const active = document.activeElement;
+  const focused = active && active.dataset.field;
+  $('objects').replaceChildren(...build.file.objects.map((object, index) => {
+    const title = object.class === 'agent' ? 'robot' : object.class === 'door' ? object.name : (object.color + ' ' + (object.shape || 'room'));
+    const row = make('details', { name: 'object', open: index === build.chosen }, make('summary', { 'data-field': index + '.summary' }, title, make('small', {}, ' ' + (title === object.name ? '' : object.name))));
+    row.addEventListener('toggle', () => {
+      if (row.open && build.chosen !== index) {
+        build.chosen = index;
+        renderBuild();
+      }
+    });
+    const fields = make('div', { class: 'fields' });
+    for (const [field, value] of Object.entries(object)) {
+      if (field === 'class') continue;
+      const options = { color: PALETTE, shape: FORMS }[field];
+      const key = index + '.' + field;
+      const input = options
+        ? make('select', { 'data-field': key }, ...[...new Set([...options, value])].map(option => make('option', { value: option, selected: option === value }, option)))
+        : make('input', { type: typeof value === 'number' ? 'number' : 'text', value, 'data-field': key });
+      input.addEventListener('change', () => {
+        object[field] = typeof value === 'number' ? Math.round(Number(input.value)) : input.value;
+        build.chosen = index;
+        changed();
+      });
+      fields.append(make('label', {}, { color: 'colour' }[field] || field, input));
+    }
+    fields.append(make('button', { type: 'button', class: 'small', onclick: () => { build.file.objects.splice(index, 1); build.chosen = null; changed(); } }, 'Remove'));
+    row.append(fields);
+    return row;
+  }));
+  if (focused) {
+    const again = $('objects').querySelector('[data-field="' + focused + '"]');
+    if (again) again.focus();
+  }
+}
+
+function addObject(kind, box) {
+  const color = PALETTE[build.file.objects.filter(object => object.class === kind).length % PALETTE.length];
+  const add = object => {
+    build.file.objects.push(object);
+    build.chosen = build.file.objects.length - 1;
+  };
+  if (kind === 'room') add({ class: 'room', name: nameFor('room'), ...box, color });
+  else if (kind === 'door') add({ class: 'door', name: nameFor('door'), ...box });
+  else if (kind === 'block') add({ class: 'block', name: nameFor('block'), x: box.left, y: box.bottom, color, shape: FORMS[build.file.objects.length % FORMS.length] });
+  else {
+    const agent = build.file.objects.findIndex(object => object.class === 'agent');
+    if (agent >= 0) {
+      Object.assign(build.file.objects[agent], { x: box.left, y: box.bottom });
+      build.chosen = agent;
+    } else add({ class: 'agent', name: 'agent0', x: box.left, y: box.bottom });
+  }
+  changed();
+}
+
+function cellUnder(event) {
+  const box = $('draft').getBoundingClientRect();
+  const { bounds } = build.frame;
+  const columns = bounds.right - bounds.left + 1;
+  const size = box.width / columns;
+  return { x: bounds.left + Math.floor((event.clientX - box.left) / size), y: bounds.top - Math.floor((event.clientY - box.top) / size) };
+}
+
+// What lies on a cell: things before doors before rooms.
+function objectAt({ x, y }) {
+  const holds = box => x >= box.left && x <= box.right && y >= box.bottom && y <= box.top;
+  for (const kinds of [['agent', 'block'], ['door'], ['room']]) {
+    const found = build.file.objects.findIndex(object => kinds.includes(object.class) && holds(boxOf(object)));
+    if (found >= 0) return found;
+  }
+  return null;
+}
+
+const span = (a, b) => ({ left: Math.min(a.x, b.x), bottom: Math.min(a.y, b.y), right: Math.max(a.x, b.x), top: Math.max(a.y, b.y) });
+
+function setUpBuild() {
+  const root = $('draft');
+  root.addEventListener('pointerdown', event => {
+    event.preventDefault();
+    root.setPointerCapture(event.pointerId);
+    const cell = cellUnder(event);
+    if (build.tool === 'move') {
+      const chosen = build.file.objects[build.chosen];
+      const resizing = chosen && chosen.class === 'room' && cell.x === chosen.right && cell.y === chosen.bottom;
+      if (!resizing) build.chosen = objectAt(cell);
+      build.drag = { from: cell, resizing, before: build.chosen === null ? null : { ...build.file.objects[build.chosen] } };
+    } else build.drag = { from: cell, box: span(cell, cell) };
+    renderBuild();
+  });
+  root.addEventListener('pointermove', event => {
+    if (!build.drag) return;
+    const cell = cellUnder(event);
+    const { from, before, resizing, box } = build.drag;
+    if (box) build.drag.box = build.tool === 'room' || build.tool === 'door' ? span(from, cell) : span(cell, cell);
+    else if (before) {
+      const object = build.file.objects[build.chosen];
+      const [dx, dy] = [cell.x - from.x, cell.y - from.y];
+      if (resizing) Object.assign(object, { right: Math.max(before.left + 2, before.right + dx), bottom: Math.min(before.top - 2, before.bottom + dy) });
+      else for (const [field, d] of [['x', dx], ['left', dx], ['right', dx], ['y', dy], ['bottom', dy], ['top', dy]]) if (field in object) object[field] = before[field] + d;
+    }
+    // The frame stays while dragging, so that the plan does not slide away under the pointer.
+    const { frame } = build;
+    renderBuild();
+    if (!box && before) build.frame = frame;
+  });
+  root.addEventListener('pointerup', () => {
+    const { drag } = build;
+    build.drag = null;
+    if (drag && drag.box) addObject(build.tool, drag.box);
+    else if (drag && drag.before) changed();
+  });
+  root.addEventListener('pointercancel', () => { build.drag = null; });
+  for (const tool of document.querySelectorAll('[data-tool]')) tool.addEventListener('click', () => { build.tool = tool.dataset.tool; renderBuild(); });
+  for (const button of document.querySelectorAll('[data-add]')) {
+    button.addEventListener('click', () => {
+      const bounds = boundsOf(build.file.objects);
+      const x = bounds.right - 1;
+      const kind = button.dataset.add;
+      addObject(kind, kind === 'room' ? { left: x, bottom: bounds.bottom + 1, right: x + 4, top: bounds.bottom + 5 } : { left: x, bottom: bounds.bottom + 3, right: x, top: bounds.bottom + 3 });
+      const field = $('objects').querySelector('.fields [data-field^="' + build.chosen + '."]');
+      if (field) field.focus();
+    });
+  }
+  $('clear').addEventListener('click', () => { build.file = { version: 1, objects: [] }; build.chosen = null; changed(); });
+  $('export-json').addEventListener('click', () => { $('home-text').value = JSON.stringify(build.file); });
+  $('export-map').addEventListener('click', () => { $('home-text').value = toTextMap(build.error ? draftScene() : state.scene); });
+  $('download-home').addEventListener('click', () => download('home.json', JSON.stringify(build.file), 'application/json'));
+  $('import').addEventListener('click', () => {
+    const text = $('home-text').value;
+    try {
+      const file = text.trim().startsWith('{') ? JSON.parse(text) : fromTextMap(text);
+      const error = Core.check(JSON.stringify(file));
+      if (error) throw new Error(error);
+      build.file = file;
+      build.chosen = null;
+      changed();
+      tell('The home is taken over.');
+    } catch (error) {
+      tell('This text is no home: ' + error.message, true);
+    }
+  });
+}

@@ -1,0 +1,200 @@
+// The floor plan: a drawing as by hand, seen from above.
+const CELL = 48;
+
+// A small number that is always the same for the same place, so that the hand does not tremble.
+function wobble(x, y, seed) {
+  const mixed = Math.sin(x * 127.1 + y * 311.7 + seed * 74.7) * 43758.5453;
+  return (mixed - Math.floor(mixed) - 0.5) * 2;
+}
+
+// A line from cell to cell as a hand would draw it.
+function stroke(x0, y0, x1, y1, seed, amount) {
+  const parts = Math.max(1, Math.round(Math.hypot(x1 - x0, y1 - y0) / (CELL * 1.5)));
+  const across = [-(y1 - y0), x1 - x0].map(side => side / (Math.hypot(x1 - x0, y1 - y0) || 1));
+  let path = '';
+  for (let part = 0; part <= parts; part += 1) {
+    const share = part / parts;
+    const off = wobble(x0 + (x1 - x0) * share, y0 + (y1 - y0) * share, seed) * amount;
+    const point = [x0 + (x1 - x0) * share + across[0] * off, y0 + (y1 - y0) * share + across[1] * off].map(value => value.toFixed(1));
+    if (part === 0) path += 'M' + point.join(' ');
+    else {
+      const middle = share - 0.5 / parts;
+      const bend = wobble(x1 + part, y0 - part, seed + 3) * amount;
+      path += 'Q' + (x0 + (x1 - x0) * middle + across[0] * bend).toFixed(1) + ' ' + (y0 + (y1 - y0) * middle + across[1] * bend).toFixed(1) + ' ' + point.join(' ');
+    }
+  }
+  return path;
+}
+
+// Where things are on the drawing: north is up, and a margin of half a cell lies around the walls.
+class Frame {
+  constructor(bounds) {
+    this.bounds = bounds;
+    this.width = (bounds.right - bounds.left + 1) * CELL;
+    this.height = (bounds.top - bounds.bottom + 1) * CELL;
+  }
+
+  x(x) {
+    return (x - this.bounds.left + 0.5) * CELL;
+  }
+
+  y(y) {
+    return (this.bounds.top - y + 0.5) * CELL;
+  }
+}
+
+// The walls: runs of cells that are wall, from middle to middle. `wall(x, y)` says what is wall.
+function wallPaths(frame, wall) {
+  const { left, right, bottom, top } = frame.bounds;
+  const paths = [];
+  const runs = (from, to, at, isWall, line) => {
+    let start = null;
+    for (let i = from; i <= to + 1; i += 1) {
+      if (i <= to && isWall(i)) {
+        if (start === null) start = i;
+      } else if (start !== null) {
+        line(start, i - 1, at);
+        start = null;
+      }
+    }
+  };
+  // A run that ends at a door goes on to the door's edge.
+  const isDoor = (x, y) => frame.door && frame.door(x, y);
+  for (let y = bottom; y <= top; y += 1) {
+    runs(left, right, y, x => wall(x, y), (x0, x1) => {
+      const from = frame.x(x0) - (isDoor(x0 - 1, y) ? CELL / 2 : 0);
+      const to = frame.x(x1) + (isDoor(x1 + 1, y) ? CELL / 2 : 0);
+      if (to > from) paths.push([from, frame.y(y), to, frame.y(y)]);
+    });
+  }
+  for (let x = left; x <= right; x += 1) {
+    runs(bottom, top, x, y => wall(x, y), (y0, y1) => {
+      const from = frame.y(y0) + (isDoor(x, y0 - 1) ? CELL / 2 : 0);
+      const to = frame.y(y1) - (isDoor(x, y1 + 1) ? CELL / 2 : 0);
+      if (from > to) paths.push([frame.x(x), from, frame.x(x), to]);
+    });
+  }
+  return paths;
+}
+
+function doorDrawing(frame, door, wall) {
+  const group = draw('g', { class: 'door' });
+  for (let x = door.left; x <= door.right; x += 1) {
+    for (let y = door.bottom; y <= door.top; y += 1) {
+      const [cx, cy, half] = [frame.x(x), frame.y(y), CELL / 2];
+      const lies = wall(x - 1, y) || wall(x + 1, y);
+      group.append(draw('path', {
+        d: lies ? 'M' + (cx - half) + ' ' + cy + 'h' + CELL : 'M' + cx + ' ' + (cy - half) + 'v' + CELL, class: 'sill',
+      }));
+      group.append(draw('path', {
+        d: lies ? 'M' + (cx - half + 3) + ' ' + cy + 'v-' + (CELL * 0.62) + 'a' + CELL * 0.62 + ' ' + CELL * 0.62 + ' 0 0 1 ' + CELL * 0.62 + ' ' + CELL * 0.62
+          : 'M' + cx + ' ' + (cy - half + 3) + 'h' + (CELL * 0.62) + 'a' + CELL * 0.62 + ' ' + CELL * 0.62 + ' 0 0 1 -' + CELL * 0.62 + ' ' + CELL * 0.62,
+        class: 'swing',
+      }));
+    }
+  }
+  return group;
+}
+
+// What does not move: floors, names, doors and walls.
+function houseDrawing(frame, scene) {
+  const rows = scene.map.split('\n');
+  const character = (x, y) => (rows[frame.bounds.top - y] || '')[x - frame.bounds.left] || ' ';
+  const wall = (x, y) => character(x, y) === '#';
+  frame.door = (x, y) => scene.doors.some(door => x >= door.left && x <= door.right && y >= door.bottom && y <= door.top);
+  const house = draw('g', { class: 'house' });
+  for (const room of scene.rooms) {
+    const [x0, x1, y0, y1] = [frame.x(room.left), frame.x(room.right), frame.y(room.top), frame.y(room.bottom)];
+    house.append(draw('rect', { x: x0, y: y0, width: x1 - x0, height: y1 - y0, class: 'floor', style: '--tint:' + colorOf(room.color) }));
+    let hatch = '';
+    for (let at = x0 - (y1 - y0) + 14; at < x1; at += 17) {
+      const [hx0, hx1] = [Math.max(at, x0), Math.min(at + y1 - y0, x1)];
+      if (hx1 > hx0) hatch += stroke(hx0, y1 - (hx0 - at), hx1, y1 - (hx1 - at), at, 1.6);
+    }
+    house.append(draw('path', { d: hatch, class: 'hatch', style: '--tint:' + colorOf(room.color) }));
+  }
+  let dots = '';
+  for (let y = frame.bounds.bottom; y <= frame.bounds.top; y += 1) {
+    for (let x = frame.bounds.left; x <= frame.bounds.right; x += 1) if (!wall(x, y) && character(x, y) !== ' ') dots += 'M' + frame.x(x) + ' ' + frame.y(y) + 'v.1';
+  }
+  house.append(draw('path', { d: dots, class: 'dots' }));
+  for (const door of scene.doors) house.append(doorDrawing(frame, door, wall));
+  let [thick, thin] = ['', ''];
+  wallPaths(frame, wall).forEach(([x0, y0, x1, y1], index) => {
+    thick += stroke(x0, y0, x1, y1, index, 1.3);
+    thin += stroke(x0 - 2, y0 + 2, x1 + 2, y1 + 2, index + 50, 2.2);
+  });
+  house.append(draw('path', { d: thick, class: 'wall' }), draw('path', { d: thin, class: 'wall again' }));
+  for (const room of scene.rooms) {
+    house.append(draw('text', { x: frame.x(room.left) + 12, y: frame.y(room.top) + 23, class: 'roomname' }, room.color + ' room'));
+  }
+  return house;
+}
+
+function thingDrawing(frame, thing, isRobot) {
+  const group = draw('g', { class: isRobot ? 'robot' : 'block', 'data-name': thing.name });
+  group.style.transform = 'translate(' + frame.x(thing.x) + 'px,' + frame.y(thing.y) + 'px)';
+  group.append(...(isRobot ? robotDrawing() : blockDrawing(thing)));
+  if (!isRobot && state.settings.names) group.append(draw('text', { y: 24, class: 'blockname' }, thing.color + ' ' + thing.shape));
+  return group;
+}
+
+// The plan as it stands in the page. It is built anew for another home; else things only move.
+const plan = { frame: null, key: '', things: new Map(), ahead: null };
+
+function renderPlan() {
+  const scene = state.scene;
+  const key = JSON.stringify([scene.bounds, scene.rooms, scene.doors, scene.blocks.map(block => [block.name, block.color, block.shape]), state.settings.names]);
+  const root = $('plan');
+  if (key !== plan.key) {
+    plan.key = key;
+    plan.frame = new Frame(scene.bounds);
+    root.replaceChildren(houseDrawing(plan.frame, scene));
+    root.setAttribute('viewBox', '0 0 ' + plan.frame.width + ' ' + plan.frame.height);
+    root.style.setProperty('--columns', scene.bounds.right - scene.bounds.left + 1);
+    root.style.aspectRatio = plan.frame.width + ' / ' + plan.frame.height;
+    plan.ahead = draw('g', { class: 'ahead' });
+    root.append(plan.ahead);
+    plan.things = new Map();
+    plan.things.set(scene.agent.name, thingDrawing(plan.frame, scene.agent, true));
+    for (const block of scene.blocks) plan.things.set(block.name, thingDrawing(plan.frame, block, false));
+    root.append(...plan.things.values());
+  }
+  for (const thing of [...scene.blocks, scene.agent]) {
+    plan.things.get(thing.name).style.transform = 'translate(' + plan.frame.x(thing.x) + 'px,' + plan.frame.y(thing.y) + 'px)';
+  }
+  renderAhead();
+  root.setAttribute('aria-label', 'Floor plan. ' + describeScene(scene)[0]);
+  $('twin').replaceChildren(...describeScene(scene).map(line => make('li', {}, line)));
+  $('textmap').textContent = scene.map;
+  const robot = plan.things.get(scene.agent.name);
+  const session = state.session;
+  const feeling = session && session.feedback ? session.feedback : '';
+  robot.setAttribute('class', 'robot ' + ({ reward: 'happy', punish: 'sad' }[feeling] || '') + (state.phase === 'learning' || state.phase === 'planning' ? ' thinking' : '') +
+    (session && session.decided ? ' looks-' + session.decided.action : ''));
+  robot.style.setProperty('--sure', session && session.decided ? session.decided.confidence.toFixed(2) : 0);
+}
+
+// Footprints to where the most likely task leads, and a ghost of what will stand there.
+function renderAhead() {
+  const route = state.settings.ghost && state.session && state.route;
+  if (!route || route.cells.length < 2) {
+    plan.ahead.replaceChildren();
+    return;
+  }
+  let prints = '';
+  for (let at = 1; at < route.cells.length; at += 1) {
+    const [[x0, y0], [x1, y1]] = [route.cells[at - 1], route.cells[at]];
+    const middle = [(plan.frame.x(x0) + plan.frame.x(x1)) / 2, (plan.frame.y(y0) + plan.frame.y(y1)) / 2];
+    prints += 'M' + middle.join(' ') + 'v.1';
+    if (at < route.cells.length - 1) prints += 'M' + plan.frame.x(x1) + ' ' + plan.frame.y(y1) + 'v.1';
+  }
+  const here = new Map([...state.scene.blocks, state.scene.agent].map(thing => [thing.name, thing]));
+  const moved = route.end.filter(thing => here.get(thing.name).x !== thing.x || here.get(thing.name).y !== thing.y);
+  const ghosts = moved.map(thing => {
+    const ghost = thingDrawing(plan.frame, thing, thing.name === state.scene.agent.name);
+    ghost.setAttribute('class', ghost.getAttribute('class') + ' ghost');
+    return ghost;
+  });
+  plan.ahead.replaceChildren(draw('path', { d: prints, class: 'prints' }), ...ghosts);
+}

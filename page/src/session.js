@@ -1,0 +1,254 @@
+// A training session: hear, act, take feedback, until the trainer ends it. The core plans and learns in parts, between two frames.
+const SPEEDS = {
+  step: { label: 'one step at a time', delay: () => Infinity },
+  slow: { label: 'slow', delay: () => 2600 },
+  normal: { label: 'normal', delay: () => 1400 },
+  fast: { label: 'fast', delay: () => 380 },
+  once: { label: 'at once', delay: () => 0 },
+  confidence: { label: 'by confidence', delay: sure => 350 + 2900 * RULES[state.settings.rule].wait(sure) },
+};
+
+// How long the robot waits, from 0 to 1, the less sure it is of its next action (the authors' three rules).
+const RULES = {
+  linear: { label: 'linear', wait: sure => 1 - sure },
+  sigmoid: { label: 'sigmoid', wait: sure => 1 / (1 + Math.exp(12 * (sure - 0.6))) },
+  threshold: { label: 'threshold', wait: sure => (sure < 0.7 ? 1 : 0) },
+};
+
+const PLAN_BUDGET = 20000;
+const LEARN_BUDGET = 60000;
+const RESTS = 3;
+const MOST_STEPS = 300;
+
+const parsed = text => JSON.parse(text);
+
+function refresh() {
+  state.scene = parsed(world.scene());
+  state.belief = parsed(world.belief());
+}
+
+// Begins a session. `intended` is the name of a task for a trainer who gives the feedback by itself; `looking` walks without feedback.
+function startSession(command, { intended = null, looking = false } = {}) {
+  stopSession();
+  if (attempt(() => (world.hear(command), true)) !== true) {
+    render();
+    return false;
+  }
+  refresh();
+  state.support = attempt(() => parsed(world.support()));
+  state.evidence = [];
+  state.undo = state.undo && { ...state.undo };
+  const task = state.belief.tasks.findIndex(task => task.name === intended);
+  state.session = {
+    command, intended: task < 0 ? null : task, looking, heard: ranked(), decided: null, feedback: null, rests: 0, steps: 0, paused: false, wake: null, over: false,
+  };
+  const best = ranked()[0];
+  announce('The robot heard: ' + command + '. Most likely: ' + best.words + ', ' + percent(best.probability) + '.');
+  go(state.session);
+  return true;
+}
+
+// Ends the session under way without learning.
+function stopSession() {
+  const session = state.session;
+  if (session) {
+    session.over = true;
+    wake(session);
+  }
+  state.session = null;
+  state.route = null;
+  if (state.phase !== 'learning') state.phase = 'none';
+  world.forget();
+}
+
+function wake(session) {
+  const { wake: resolve } = session;
+  session.wake = null;
+  if (resolve) resolve();
+}
+
+// Waits for so many milliseconds, or until somebody wakes the session.
+function pause(session, milliseconds) {
+  return new Promise(resolve => {
+    session.wake = resolve;
+    if (milliseconds < Infinity) setTimeout(() => { if (session.wake === resolve) wake(session); }, milliseconds);
+  });
+}
+
+async function go(session) {
+  while (!session.over) {
+    state.phase = 'planning';
+    let started = performance.now();
+    let done = false;
+    while (!done) {
+      done = attempt(() => world.plan(PLAN_BUDGET));
+      if (done === undefined) return stopSession(), render();
+      if (!done && performance.now() - started > 12) {
+        render();
+        await nextFrame();
+        if (session.over) return undefined;
+        started = performance.now();
+      }
+    }
+    const decided = attempt(() => parsed(world.act()));
+    if (!decided) return stopSession(), render();
+    session.decided = decided;
+    session.feedback = null;
+    session.given = false;
+    refresh();
+    state.route = state.settings.ghost ? parsed(world.route(decided.task)) : null;
+    state.phase = 'waiting';
+    session.since = performance.now();
+    const auto = session.intended !== null || session.looking;
+    const delay = waitOf(session, auto);
+    session.delay = delay;
+    render();
+    if (delay > 300) announce('The robot ' + acted(decided.action) + '. ' + speech().join(' '));
+    if (session.intended !== null && !session.looking) {
+      if (delay > 0) await pause(session, delay * 0.55);
+      if (session.over) return undefined;
+      if (!session.given) session.feedback = world.simulatedFeedback(session.intended);
+      render();
+      if (delay > 0) await pause(session, delay * 0.45);
+      else if (session.steps % 8 === 0) await nextFrame();
+    } else {
+      if (delay > 0) await pause(session, delay);
+      else await nextFrame();
+    }
+    if (session.over) return undefined;
+    while (session.paused && !session.stepping) {
+      state.phase = 'paused';
+      render();
+      await pause(session, Infinity);
+      if (session.over) return undefined;
+    }
+    session.stepping = false;
+    commit(session);
+    if (await ended(session)) return undefined;
+  }
+  return undefined;
+}
+
+// At its goal the robot waits for the trainer; else as long as the speed says.
+function waitOf(session, auto) {
+  const { action, confidence } = session.decided;
+  const speed = SPEEDS[state.settings.speed];
+  if (auto) return state.settings.speed === 'step' && !state.tour.watching ? Infinity : Math.min(speed.delay(confidence), 2600);
+  if (action === 'noop') return Infinity;
+  return state.settings.speed === 'once' ? 120 : speed.delay(confidence);
+}
+
+// The core takes in the feedback to the last action.
+function commit(session) {
+  const evidence = attempt(() => parsed(world.judge(session.feedback || 'neutral')));
+  if (!evidence) return;
+  state.evidence.push(evidence);
+  session.steps += 1;
+  session.rests = session.decided.action === 'noop' ? session.rests + 1 : 0;
+  session.given = false;
+  state.belief = parsed(world.belief());
+}
+
+// Whether a session that goes on by itself has come to its end.
+async function ended(session) {
+  if (session.intended === null && !session.looking) return false;
+  const plan = session.decided.plans[session.looking ? session.decided.task : session.intended];
+  const there = plan === 'goal' && session.rests >= (session.looking ? 1 : RESTS);
+  if (!there && plan !== 'dead end' && session.steps < MOST_STEPS) return false;
+  if (session.looking) {
+    stopSession();
+    render();
+    if (session.onEnd) session.onEnd();
+  } else await finishSession();
+  return true;
+}
+
+// The trainer's word on the last action. The last one before the next action counts.
+function giveFeedback(feedback) {
+  const session = state.session;
+  if (!session || !session.decided || state.phase === 'planning' || state.phase === 'learning') return;
+  session.feedback = feedback;
+  session.given = true;
+  announce((feedback === 'reward' ? 'Good' : 'Bad') + ': ' + acted(session.decided.action) + '.');
+  render();
+  const waits = session.decided.action === 'noop' || state.settings.speed === 'step';
+  if (waits && !session.paused && session.intended === null && !session.looking) {
+    clearTimeout(session.soon);
+    session.soon = setTimeout(() => wake(session), 450);
+  }
+}
+
+function togglePause() {
+  const session = state.session;
+  if (!session) return;
+  session.paused = !session.paused;
+  if (session.paused) state.phase = 'paused';
+  else {
+    state.phase = 'waiting';
+    wake(session);
+  }
+  announce(session.paused ? 'Paused.' : 'Going on.');
+  render();
+}
+
+function stepOnce() {
+  const session = state.session;
+  if (!session || !session.decided) return;
+  session.stepping = true;
+  if (state.settings.speed !== 'step') session.paused = true;
+  wake(session);
+}
+
+// Finish and learn.
+async function finishSession() {
+  const session = state.session;
+  if (!session || state.phase === 'learning') return;
+  if (session.decided && state.evidence.length === session.steps && session.feedback && session.given) commit(session);
+  session.over = true;
+  clearTimeout(session.soon);
+  wake(session);
+  const before = { model: world.save(), log: kept(KEYS.log) };
+  const heat = heatNow();
+  const log = attempt(() => world.finish());
+  if (log === undefined) {
+    stopSession();
+    render();
+    return;
+  }
+  state.phase = 'learning';
+  state.route = null;
+  render();
+  while (!world.learn(LEARN_BUDGET)) await nextFrame();
+  state.undo = before;
+  appendLog(log);
+  keepModel();
+  state.heat = { now: heatNow(), before: heat };
+  state.session = null;
+  state.phase = 'none';
+  render();
+  if (session.onEnd) session.onEnd();
+  else tell('Learned. The robot now knows ' + sessionsWord() + '.');
+}
+
+function finishWithoutLearning() {
+  if (!state.session) return;
+  stopSession();
+  render();
+  tell('Finished without learning: the robot knows what it knew before.');
+}
+
+// Takes back what the last session taught.
+function undoSession() {
+  if (!state.undo) return;
+  stopSession();
+  const { model, log } = state.undo;
+  state.undo = null;
+  if (attempt(() => (takeModel(model), true)) !== true) return;
+  keep(KEYS.log, log);
+  keepModel();
+  state.heat = { now: heatNow(), before: null };
+  render();
+  tell('The last session is forgotten: ' + sessionsWord() + ' left.');
+}
+
+const heatNow = () => parsed(world.heat());

@@ -1,0 +1,116 @@
+// The guided tour: the paper's seven lessons and five tests, with a score.
+let course = null;
+const stops = () => [...course.lessons.map(stop => ({ ...stop, test: false })), ...course.tests.map(stop => ({ ...stop, test: true }))];
+const homeNamed = name => JSON.stringify(course.homes.find(([other]) => other === name)[1]);
+
+const HINTS = [
+  'It knows no word yet and will just try something. Say Good when it goes the right way, Bad when it does not.',
+  'A new room, the same house. Does it already know what “room” means?',
+  'New colours. It has to ask your thumbs again – but not for long.',
+  'By now, “go to the” should be clear.',
+  'Something new: there is a chair, and it can be pushed.',
+  'A bag this time. It pushes; it cannot pull.',
+  'The last lesson. It may well need no correction at all.',
+];
+
+const stopAt = () => stops()[state.tour.at];
+
+function enterStop(at) {
+  stopSession();
+  state.tour.at = Math.max(0, Math.min(at, stops().length));
+  const stop = stopAt();
+  if (stop) enterHome(homeNamed(stop.home));
+  else refresh();
+  keepTour();
+  $('command').value = stop ? stop.command : '';
+  state.evidence = [];
+  state.support = null;
+  render();
+}
+
+function enterHome(json) {
+  stopSession();
+  if (attempt(() => (world.setEnvironment(json), true)) !== true) return false;
+  refresh();
+  state.evidence = [];
+  state.support = null;
+  if (state.mode !== 'tour') keep(KEYS.home, json);
+  return true;
+}
+
+// Begins the lesson or test where the tour stands.
+function beginStop(auto) {
+  const stop = stopAt();
+  if (!stop) return;
+  world.reset();
+  refresh();
+  if (!startSession(stop.command, { intended: stop.test ? null : auto ? stop.intended : null, looking: stop.test })) return;
+  const heard = state.session.heard[0];
+  const right = heard.name === stop.intended;
+  state.session.onEnd = () => passStop(right);
+  if (stop.test) announce('Test: ' + stop.command + '. The robot thinks: ' + heard.words + '. ' + (right ? 'Right.' : 'Wrong.'));
+}
+
+// The lesson or test is over: on to the next.
+function passStop(right) {
+  state.tour.done[state.tour.at] = right ? 'right' : 'wrong';
+  enterStop(state.tour.at + 1);
+  if (state.tour.watching && stopAt()) setTimeout(() => { if (state.tour.watching && !state.session) beginStop(true); }, state.settings.speed === 'once' ? 0 : 900);
+  else {
+    state.tour.watching = false;
+    if (!stopAt()) announce('The tour is over. ' + scoreWords());
+    render();
+  }
+}
+
+const rightTests = () => course.tests.filter((_, at) => state.tour.done[course.lessons.length + at] === 'right').length;
+const scoreWords = () => rightTests() + ' of ' + course.tests.length + ' tests understood';
+
+function watchTour() {
+  if (state.tour.watching) {
+    state.tour.watching = false;
+    stopSession();
+    enterStop(state.tour.at);
+    return;
+  }
+  if (!stopAt()) restartTour();
+  state.tour.watching = true;
+  beginStop(true);
+}
+
+function restartTour() {
+  stopSession();
+  state.undo = { model: world.save(), log: kept(KEYS.log) };
+  newRobot();
+  state.tour = { at: 0, done: [], watching: false };
+  enterStop(0);
+}
+
+function renderTour() {
+  const { at, done, watching } = state.tour;
+  const all = stops();
+  const stop = all[at];
+  const lessons = course.lessons.length;
+  $('tour').hidden = state.mode !== 'tour';
+  if (state.mode !== 'tour') return;
+  $('dots').replaceChildren(...all.map((each, index) => {
+    const status = done[index] ? (done[index] === 'right' ? 'understood at once' : each.test ? 'not understood' : 'learned') : index === at ? 'now' : 'to come';
+    const name = (each.test ? 'Test ' + (index - lessons + 1) : 'Lesson ' + (index + 1)) + ': ' + status;
+    return make('li', { class: [each.test ? 'test' : 'lesson', index === at ? 'now' : '', done[index] || ''].join(' '), 'aria-current': index === at ? 'step' : null },
+      make('span', { class: 'hidden' }, name), make('span', { 'aria-hidden': 'true', title: name }, done[index] === 'right' ? '★' : done[index] ? (each.test ? '✗' : '✓') : each.test ? '?' : index + 1));
+  }));
+  $('score').textContent = done.length > lessons ? scoreWords() : '';
+  if (!stop) {
+    $('tour-title').textContent = 'The tour is over: ' + scoreWords() + '.';
+    $('tour-hint').textContent = rightTests() === course.tests.length ? 'Your robot understands commands that it has never heard. Now say what you like, in the free play.'
+      : 'Some words are still unclear to it. Train on in the free play, or begin the tour again.';
+  } else {
+    $('tour-title').textContent = (stop.test ? 'Test ' + (at - lessons + 1) + ' of ' + course.tests.length : 'Lesson ' + (at + 1) + ' of ' + lessons) + ': “' + stop.command + '”';
+    $('tour-hint').textContent = stop.test ? 'It has never heard this command. It gets no feedback now: does it understand?' : HINTS[at];
+  }
+  $('lesson').hidden = !stop || watching || Boolean(state.session);
+  $('lesson').textContent = stop && stop.test ? 'Ask it' : 'Say it';
+  $('auto').hidden = !stop || stop.test || watching || Boolean(state.session);
+  $('watch').textContent = watching ? 'Stop watching' : stop ? 'Watch the whole tour' : 'Watch it again';
+  $('again').hidden = watching || (at === 0 && !done.length);
+}

@@ -1,0 +1,44 @@
+// The page in words: what a screen reader reads, and what the status line says.
+const ACTIONS = { north: 'moved north', south: 'moved south', east: 'moved east', west: 'moved west', noop: 'stayed where it is' };
+const acted = action => ACTIONS[action] || action;
+
+function roomAt(scene, x, y) {
+  const inside = scene.rooms.find(room => x > room.left && x < room.right && y > room.bottom && y < room.top);
+  return inside ? 'the ' + inside.color + ' room' : 'a doorway';
+}
+
+// The floor plan as sentences.
+function describeScene(scene) {
+  const at = thing => 'column ' + (thing.x - scene.bounds.left + 1) + ', row ' + (scene.bounds.top - thing.y + 1) + ', in ' + roomAt(scene, thing.x, thing.y);
+  const lines = ['The robot is at ' + at(scene.agent) + '.'];
+  for (const block of scene.blocks) lines.push('The ' + block.color + ' ' + block.shape + ' is at ' + at(block) + '.');
+  for (const room of scene.rooms) {
+    lines.push('The ' + room.color + ' room spans columns ' + (room.left - scene.bounds.left + 1) + ' to ' + (room.right - scene.bounds.left + 1) +
+      ' and rows ' + (scene.bounds.top - room.top + 1) + ' to ' + (scene.bounds.top - room.bottom + 1) + ', walls included.');
+  }
+  for (const door of scene.doors) lines.push('A door is at column ' + (door.left - scene.bounds.left + 1) + ', row ' + (scene.bounds.top - door.top + 1) + '.');
+  return lines;
+}
+
+const ranked = () => state.belief.tasks.map((task, index) => ({ ...task, index })).sort((a, b) => b.probability - a.probability || a.index - b.index);
+
+// What the robot says of itself.
+function speech() {
+  const session = state.session;
+  if (state.phase === 'learning') return ['Thinking it over …', 'I am learning from our session.'];
+  if (!session) {
+    if (state.sessions === 0) return ['Hello! Tell me what to do.', 'I know no word yet. Say Good or Bad while I try.'];
+    return ['Ready. Tell me what to do.', 'I have learned from ' + sessionsWord() + '.'];
+  }
+  const best = ranked()[0];
+  if (!best) return ['…', ''];
+  const sure = best.probability > 0.8 ? 'You mean' : best.probability > 0.45 ? 'I think you mean' : 'Perhaps you mean';
+  const head = sure + ': ' + best.words + '?';
+  if (session.decided && session.decided.action === 'noop') {
+    const plan = session.decided.plans[session.decided.task];
+    if (plan === 'goal') return ['Here I am: ' + best.words + '.', 'Was that it? Tell me, or finish.'];
+    if (plan === 'dead end') return ['I am stuck.', 'From here I cannot ' + best.words + ' any more.'];
+    return ['I am lost.', 'This home is too large for me to plan that.'];
+  }
+  return [head.replace(/\?$/, sure === 'You mean' ? '.' : '?'), percent(best.probability) + ' sure of it.'];
+}

@@ -1,0 +1,47 @@
+// Opens the page from a file, and watches that it makes no error and asks no other host for anything.
+import assert from 'node:assert/strict';
+import { existsSync } from 'node:fs';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const file = fileURLToPath(new URL('../../dist/goodbot.html', import.meta.url));
+export const address = pathToFileURL(file).href;
+
+const FLAGS = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+
+export async function launch() {
+  assert.ok(existsSync(file), 'dist/goodbot.html is not there: cargo xtask page');
+  const executablePath = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
+  return chromium.launch({ executablePath, args: FLAGS });
+}
+
+// A page of its own, with a storage of its own. `complaints` is what went wrong in it.
+export async function open(browser, options = {}, hash = '') {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  page.complaints = [];
+  page.on('console', message => { if (message.type() === 'error' || message.type() === 'warning') page.complaints.push(message.text()); });
+  page.on('pageerror', error => page.complaints.push(String(error)));
+  page.on('request', request => { if (!/^(file|data|blob):/.test(request.url())) page.complaints.push('asked for ' + request.url()); });
+  await page.goto(address + hash);
+  await page.waitForSelector('body.ready');
+  return page;
+}
+
+export async function close(page) {
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+}
+
+export const model = page => page.evaluate(() => Array.from(window.goodbot.save()));
+
+// Free play in the home of that name.
+export async function play(page, home) {
+  await page.click('[data-mode=play]');
+  await page.selectOption('#home', home);
+}
+
+export const opened = async (page, title) => {
+  const details = page.locator('details', { has: page.getByRole('heading', { name: title }) });
+  if (!(await details.evaluate(element => element.open))) await details.locator('summary').click();
+};

@@ -1,0 +1,126 @@
+import assert from 'node:assert/strict';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { close, launch, model, open, opened, play } from './browser.mjs';
+
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser.close());
+
+async function teach(page) {
+  await page.selectOption('#speed', 'once');
+  await page.click('#auto');
+  await page.getByText('I have learned from 1 session').waitFor();
+}
+
+async function saved(page, button) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click(button)]);
+  return readFileSync(await download.path());
+}
+
+test('a reload keeps the model', async () => {
+  const page = await open(browser);
+  await teach(page);
+  const old = await model(page);
+  await page.reload();
+  await page.waitForSelector('body.ready');
+  await page.getByText('I have learned from 1 session').waitFor();
+  assert.deepEqual(await model(page), old);
+  await close(page);
+});
+
+test('undo forgets the last session', async () => {
+  const page = await open(browser);
+  const old = await model(page);
+  await teach(page);
+  assert.notDeepEqual(await model(page), old);
+  await page.click('#undo');
+  await page.getByText('The last session is forgotten').first().waitFor();
+  assert.deepEqual(await model(page), old);
+  await close(page);
+});
+
+test('a model goes out as a file and comes back into another page', async () => {
+  const page = await open(browser);
+  await page.selectOption('#speed', 'once');
+  await page.click('#watch');
+  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await opened(page, 'Settings, keeping, sharing');
+  const bytes = await saved(page, '#save-model');
+  const log = await saved(page, '#save-log');
+  assert.equal(log.toString().split('\n').filter(line => line.includes('"type":"session"')).length, 7);
+  const other = await open(browser);
+  await opened(other, 'Settings, keeping, sharing');
+  await other.setInputFiles('#load-model', { name: 'robot.goodbot', mimeType: 'application/octet-stream', buffer: bytes });
+  await other.getByText('Kept in this browser: 7 sessions').waitFor();
+  assert.deepEqual(await model(other), Array.from(bytes));
+  // For the host's tests: what this model believes of a command, to the last bit.
+  const folder = process.env.GOODBOT_PAGE_EXPORT;
+  if (folder) {
+    mkdirSync(folder, { recursive: true });
+    const command = 'take the purple chair to the green room';
+    const [belief, environment] = await other.evaluate(said => {
+      const course = JSON.parse(window.goodbot.constructor.course(0));
+      const home = JSON.stringify(course.homes.find(([name]) => name === 'Test')[1]);
+      window.goodbot.setEnvironment(home);
+      window.goodbot.hear(said);
+      return [window.goodbot.belief(), home];
+    }, command);
+    writeFileSync(join(folder, 'model.goodbot'), bytes);
+    writeFileSync(join(folder, 'sessions.jsonl'), log);
+    writeFileSync(join(folder, 'asked.json'), JSON.stringify({ command, environment, belief: JSON.parse(belief) }));
+  } else console.log('GOODBOT_PAGE_EXPORT is not set: nothing is written for the host’s tests');
+  await close(page);
+  await close(other);
+});
+
+test('a session log teaches another page the same', async () => {
+  const page = await open(browser);
+  await teach(page);
+  await opened(page, 'Settings, keeping, sharing');
+  const log = await saved(page, '#save-log');
+  const other = await open(browser);
+  await opened(other, 'Settings, keeping, sharing');
+  const load = buffer => other.setInputFiles('#load-log', { name: 'sessions.jsonl', mimeType: 'application/jsonl', buffer });
+  await load(log);
+  await other.getByText('The robot has gone through the log').first().waitFor();
+  const learned = await model(page);
+  assert.deepEqual(await model(other), learned);
+  await load(Buffer.from(log.toString().replace('"noop"', '"fly"')));
+  await other.getByText('fly is no action here').first().waitFor();
+  assert.deepEqual(await model(other), learned);
+  await close(page);
+  await close(other);
+});
+
+test('a damaged model file is refused, and the old model stays', async () => {
+  const page = await open(browser);
+  await teach(page);
+  const old = await model(page);
+  await opened(page, 'Settings, keeping, sharing');
+  const damaged = Buffer.from(old);
+  damaged[Math.floor(damaged.length / 2)] ^= 0x40;
+  for (const buffer of [damaged, Buffer.from('no model at all'), Buffer.from(old.slice(0, -3))]) {
+    await page.setInputFiles('#load-model', { name: 'robot.goodbot', mimeType: 'application/octet-stream', buffer });
+    await page.getByText('This file is no model that can be used').first().waitFor();
+    assert.deepEqual(await model(page), old);
+    await page.evaluate(() => { document.getElementById('toast').hidden = true; document.getElementById('live').textContent = ''; });
+  }
+  await close(page);
+});
+
+test('a link carries the home and the settings', async () => {
+  const page = await open(browser);
+  await play(page, 'E');
+  await page.selectOption('#speed', 'slow');
+  await opened(page, 'Settings, keeping, sharing');
+  await page.click('#share');
+  const hash = await page.evaluate(() => location.hash);
+  const home = await page.evaluate(() => window.goodbot.environment());
+  const other = await open(browser, {}, hash);
+  assert.equal(await other.evaluate(() => window.goodbot.environment()), home);
+  assert.equal(await other.inputValue('#speed'), 'slow');
+  await close(page);
+  await close(other);
+});

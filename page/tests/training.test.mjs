@@ -1,0 +1,120 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { close, launch, model, open, opened, play } from './browser.mjs';
+
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser.close());
+
+test('the tour to its end with the auto-trainer: five of five', async () => {
+  const page = await open(browser);
+  await page.selectOption('#speed', 'once');
+  await page.click('#watch');
+  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  assert.match(await page.textContent('#tour-title'), /5 of 5 tests understood/);
+  assert.equal(await page.evaluate(() => window.goodbot.sessions()), 7);
+  await close(page);
+});
+
+test('a session by keyboard alone teaches the robot', async () => {
+  const page = await open(browser);
+  const focus = async id => {
+    for (let press = 0; press < 60; press += 1) {
+      if (await page.evaluate(() => document.activeElement.id) === id) return;
+      await page.keyboard.press('Tab');
+    }
+    assert.fail('#' + id + ' cannot be reached by the Tab key');
+  };
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Tab');
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.mode), 'play');
+  await page.keyboard.press('Enter');
+  await focus('command');
+  await page.keyboard.type('go to the red room');
+  await page.keyboard.press('Enter');
+  await focus('say-it').catch(() => {});
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press('p');
+  await page.getByText('No word yet, for').waitFor();
+  await page.keyboard.press('b');
+  await page.keyboard.press('ArrowRight');
+  await page.getByText('Good bot, for').waitFor();
+  await page.keyboard.press('n');
+  await page.getByText('No word yet, for').waitFor();
+  await opened(page, 'Step by step');
+  assert.match(await page.textContent('#steps tr'), /Good/, 'of several words, the last counts');
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press('f');
+  await page.getByText('I have learned from 1 session').waitFor();
+  await close(page);
+});
+
+test('shortcuts that are switched off do nothing', async () => {
+  const page = await open(browser);
+  await opened(page, 'Settings, keeping, sharing');
+  await page.uncheck('#set-shortcuts');
+  await play(page, 'A');
+  await page.fill('#command', 'go to the red room');
+  await page.click('#say-it');
+  await page.getByText('No word yet, for').waitFor();
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press('g');
+  assert.match(await page.textContent('#to'), /No word yet/);
+  await close(page);
+});
+
+test('a session by touch alone, on a screen 360 pixels wide', async () => {
+  const page = await open(browser, { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
+  await page.tap('[data-mode=play]');
+  await page.tap('#command');
+  await page.fill('#command', 'go to the green room');
+  await page.tap('#say-it');
+  await page.getByText('No word yet, for').waitFor();
+  await page.tap('#good');
+  await page.getByText('Good bot, for').waitFor();
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  assert.ok(wide <= 360, 'the page is ' + wide + ' pixels wide');
+  await page.tap('#finish');
+  await page.getByText('I have learned from 1 session').waitFor();
+  await close(page);
+});
+
+test('finishing without learning leaves the model as it was', async () => {
+  const page = await open(browser);
+  await play(page, 'D');
+  await page.selectOption('#speed', 'fast');
+  const old = await model(page);
+  await page.fill('#command', 'take the blue chair to the yellow room');
+  await page.click('#say-it');
+  await page.getByText('No word yet, for').waitFor();
+  await page.click('#bad');
+  await page.waitForFunction(() => document.querySelectorAll('#steps tr').length > 1);
+  await page.click('#drop');
+  await page.getByText('Finished without learning').first().waitFor();
+  assert.deepEqual(await model(page), old);
+  await close(page);
+});
+
+test('the next step waits longer the less sure the robot is', async () => {
+  const page = await open(browser);
+  await play(page, 'A');
+  await page.selectOption('#speed', 'confidence');
+  assert.ok(await page.isVisible('#rule'));
+  assert.deepEqual(await page.locator('#rule option').allTextContents(), ['linear', 'sigmoid', 'threshold']);
+  await page.fill('#command', 'go to the red room');
+  await page.click('#say-it');
+  await page.getByText('No word yet, for').waitFor();
+  const waits = () => page.evaluate(() => parseFloat(document.getElementById('wait').style.animationDuration));
+  const unsure = await waits();
+  for (let step = 0; step < 3; step += 1) {
+    await page.click('#good');
+    await page.click('#next');
+    await page.getByText('No word yet, for').waitFor();
+  }
+  assert.match(await page.textContent('#bars .best .value'), /9\d %/);
+  await page.click('#pause');
+  const sure = await waits();
+  assert.ok(Number.isNaN(sure) || sure < unsure, sure + ' against ' + unsure);
+  await close(page);
+});

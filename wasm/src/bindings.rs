@@ -1,0 +1,167 @@
+//! The surface for JavaScript: one class, `Goodbot`. Texts that are said to be JSON have the fields of the named struct of
+//! [`view`](crate::view). A refusal is thrown as an `Error` whose message is for people.
+
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+use crate::course;
+use crate::world::{self, Refusal, World};
+
+type Thrown<T> = Result<T, JsError>;
+
+fn thrown(refusal: Refusal) -> JsError {
+    JsError::new(&refusal.0)
+}
+
+fn json(value: &impl Serialize) -> Thrown<String> {
+    serde_json::to_string(value).map_err(|error| JsError::new(&error.to_string()))
+}
+
+/// One world with one robot.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct Goodbot(World);
+
+#[wasm_bindgen]
+impl Goodbot {
+    /// A robot that has learned nothing yet; `seed` decides its draws among actions that are equally good.
+    #[wasm_bindgen(constructor)]
+    pub fn new(seed: u32) -> Thrown<Goodbot> {
+        World::new(u64::from(seed)).map(Self).map_err(thrown)
+    }
+
+    /// Says why an environment, as JSON, cannot be used; empty where it can.
+    pub fn check(environment: &str) -> String {
+        world::check(environment).err().map_or_else(String::new, |refusal| refusal.0)
+    }
+
+    /// The paper's lessons and tests, in the homes as drawn (seed 0) or at random: JSON, [`Course`](crate::course::Course).
+    pub fn course(seed: u32) -> Thrown<String> {
+        json(&if seed == 0 { course::fixed() } else { course::random(u64::from(seed)) })
+    }
+
+    /// Moves the robot to another home, as JSON. Throws where that cannot be used; the old one then stays.
+    #[wasm_bindgen(js_name = setEnvironment)]
+    pub fn set_environment(&mut self, environment: &str) -> Thrown<()> {
+        self.0.set_environment(environment).map_err(thrown)
+    }
+
+    /// The home as it was entered, as JSON.
+    pub fn environment(&self) -> String {
+        self.0.environment()
+    }
+
+    /// Puts everything back to where it was when the home was entered.
+    pub fn reset(&mut self) {
+        self.0.reset();
+    }
+
+    /// The home as it is now: JSON, [`Scene`](crate::view::Scene).
+    pub fn scene(&self) -> Thrown<String> {
+        json(&self.0.scene())
+    }
+
+    /// Whether the robot also learns how its trainer uses reward and punishment.
+    #[wasm_bindgen(js_name = setLearnsStyle)]
+    pub fn set_learns_style(&mut self, learns: bool) -> Thrown<()> {
+        self.0.set_learns_style(learns).map_err(thrown)
+    }
+
+    /// Whether the robot learns how its trainer uses reward and punishment: a model file may have changed that.
+    #[wasm_bindgen(js_name = learnsStyle)]
+    pub fn learns_style(&self) -> bool {
+        self.0.learns_style()
+    }
+
+    /// Hears a command.
+    pub fn hear(&mut self, command: &str) -> Thrown<()> {
+        self.0.hear(command).map_err(thrown)
+    }
+
+    /// Goes on planning, expanding at most `budget` states. Gives whether the plan is done.
+    pub fn plan(&mut self, budget: u32) -> Thrown<bool> {
+        self.0.plan(budget).map_err(thrown)
+    }
+
+    /// Decides on an action and does it: JSON, [`Decided`](crate::view::Decided).
+    pub fn act(&mut self) -> Thrown<String> {
+        json(&self.0.act().map_err(thrown)?)
+    }
+
+    /// Does the action of this name instead of one of the robot's own, as a log has it.
+    #[wasm_bindgen(js_name = actAs)]
+    pub fn act_as(&mut self, action: &str) -> Thrown<()> {
+        self.0.act_as(action).map_err(thrown)
+    }
+
+    /// Takes in what the trainer said to the last action, `reward`, `punish` or `neutral`: JSON, [`Evidence`](crate::view::Evidence).
+    pub fn judge(&mut self, feedback: &str) -> Thrown<String> {
+        json(&self.0.judge(feedback).map_err(thrown)?)
+    }
+
+    /// What a simulated trainer who means the given task says to the last action.
+    #[wasm_bindgen(js_name = simulatedFeedback)]
+    pub fn simulated_feedback(&mut self, intended: usize) -> Thrown<String> {
+        self.0.simulated_feedback(intended).map(str::to_owned).map_err(thrown)
+    }
+
+    /// Ends the session and begins to learn from it. Gives the session as lines of a log.
+    pub fn finish(&mut self) -> Thrown<String> {
+        self.0.finish().map_err(thrown)
+    }
+
+    /// Goes on learning, with about `budget` table cells of work. Gives whether it is done.
+    pub fn learn(&mut self, budget: u32) -> bool {
+        self.0.learn(budget)
+    }
+
+    /// Ends the session without learning from it.
+    pub fn forget(&mut self) {
+        self.0.forget();
+    }
+
+    /// The session under way as lines of a log that is not learned from.
+    pub fn log(&self) -> Thrown<String> {
+        self.0.log(false).map_err(thrown)
+    }
+
+    /// How many sessions the robot has learned from.
+    pub fn sessions(&self) -> usize {
+        self.0.sessions()
+    }
+
+    /// What the robot has learned, as the bytes of a model file.
+    pub fn save(&self) -> Thrown<Vec<u8>> {
+        self.0.save().map_err(thrown)
+    }
+
+    /// Replaces what the robot has learned by a model file; call `learn` until it is done. Throws where the file is none; what it knew then stays.
+    pub fn restore(&mut self, bytes: &[u8]) -> Thrown<()> {
+        self.0.restore(bytes).map_err(thrown)
+    }
+
+    /// A new robot, which has learned nothing, in the same home.
+    pub fn restart(&mut self) -> Thrown<()> {
+        self.0.restart().map_err(thrown)
+    }
+
+    /// What the robot believes: JSON, [`Belief`](crate::view::Belief).
+    pub fn belief(&self) -> Thrown<String> {
+        json(&self.0.belief())
+    }
+
+    /// Where a task would lead from here: JSON, [`Route`](crate::view::Route), or `null`.
+    pub fn route(&mut self, task: usize) -> Thrown<String> {
+        json(&self.0.route(task))
+    }
+
+    /// Which word of the command speaks for which task: JSON, [`Support`](crate::view::Support).
+    pub fn support(&self) -> Thrown<String> {
+        json(&self.0.support().map_err(thrown)?)
+    }
+
+    /// What every word means to the robot: JSON, [`Heat`](crate::view::Heat).
+    pub fn heat(&self) -> Thrown<String> {
+        json(&self.0.heat())
+    }
+}

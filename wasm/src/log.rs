@@ -1,0 +1,91 @@
+//! The session under way as a log has it. The reader of goodbot's formats is strict and large; this writes what it reads, and a test
+//! has it read.
+
+use goodbot::feedback::Strategy;
+use goodbot_formats::environment::EnvironmentFile;
+use serde::Serialize;
+
+/// What has happened in the session under way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recording {
+    /// What was said.
+    pub command: String,
+    /// Where everything was when it was said.
+    pub environment: EnvironmentFile,
+    /// The trainer strategies to consider, where they are not the ones that every robot starts with.
+    pub strategies: Option<Vec<StrategyLine>>,
+    /// What was done.
+    pub steps: Vec<Step>,
+}
+
+/// A trainer strategy of a log.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StrategyLine {
+    name: String,
+    mu_plus: f32,
+    mu_minus: f32,
+    epsilon: f32,
+    prior: f32,
+}
+
+/// A step of a log.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Step {
+    r#type: &'static str,
+    action: String,
+    feedback: &'static str,
+}
+
+#[derive(Serialize)]
+struct Header<'a> {
+    r#type: &'static str,
+    version: u32,
+    kind: &'static str,
+    environment: &'a EnvironmentFile,
+    command: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    strategies: &'a Option<Vec<StrategyLine>>,
+}
+
+#[derive(Serialize)]
+struct End {
+    r#type: &'static str,
+    learn: bool,
+}
+
+impl Step {
+    /// An action and what was said to it.
+    pub fn new(action: String, feedback: &'static str) -> Self {
+        Self { r#type: "step", action, feedback }
+    }
+}
+
+impl Recording {
+    /// The session as lines, each with its end.
+    pub fn lines(&self, learn: bool) -> Result<String, serde_json::Error> {
+        let Self { command, environment, strategies, steps } = self;
+        let mut lines =
+            serde_json::to_string(&Header { r#type: "session", version: 1, kind: "feedback", environment, command, strategies })?;
+        for step in steps {
+            lines.push('\n');
+            lines.push_str(&serde_json::to_string(step)?);
+        }
+        lines.push('\n');
+        lines.push_str(&serde_json::to_string(&End { r#type: "end", learn })?);
+        lines.push('\n');
+        Ok(lines)
+    }
+}
+
+/// The strategies as logs have them; `None` for the paper's one, which every robot starts with.
+pub fn strategies(strategies: &[(Strategy, f32)], name: impl Fn(usize) -> String) -> Option<Vec<StrategyLine>> {
+    let line = |(at, (strategy, prior)): (usize, &(Strategy, f32))| StrategyLine {
+        name: name(at),
+        mu_plus: strategy.mu_plus(),
+        mu_minus: strategy.mu_minus(),
+        epsilon: strategy.epsilon(),
+        prior: *prior,
+    };
+    let is_paper = matches!(strategies, [(strategy, _)] if *strategy == Strategy::BALANCED);
+    (!is_paper).then(|| strategies.iter().enumerate().map(line).collect())
+}

@@ -1,0 +1,308 @@
+//! A session, from a command to a robot that has learned.
+//!
+//! [`World::hear`], then over and over [`World::plan`] until it is done, [`World::act`], [`World::judge`]; at the end [`World::finish`] and
+//! [`World::learn`] until it is done, or [`World::forget`].
+
+use goodbot::feedback::simulated::unit;
+use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
+use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, ROOM, SHAPE};
+use goodbot::oomdp::{Action, Domain, ObjectId, action_name, action_named, apply};
+use goodbot::planning::{OptimalSet, Progress};
+use goodbot::task::{GroundedTask, LiftedTask};
+
+use crate::log::{Recording, Step, strategies};
+use crate::route::follow;
+use crate::view::{Belief, Decided, Evidence, Heat, Route, Support, Task, TrainerStyle};
+use crate::words::support;
+use crate::world::{Refusal, World, thing};
+
+/// The authors' strategies for a robot that also learns how its trainer uses feedback: name, mu+, mu-, prior.
+const STYLES: [(&str, f32, f32, f32); 3] = [("balanced", 0.75, 0.75, 0.32), ("R+/P-", 0.75, 0.85, 0.36), ("R-/P+", 0.85, 0.75, 0.32)];
+const EPSILON: f32 = 0.1;
+
+impl World {
+    /// Whether the robot also learns how its trainer uses reward and punishment. A session under way ends unlearned.
+    ///
+    /// # Errors
+    /// None where the built-in strategies are sound.
+    pub fn set_learns_style(&mut self, learns: bool) -> Result<(), Refusal> {
+        self.forget();
+        let mut strategies = vec![(Strategy::BALANCED, 1.0)];
+        if learns {
+            strategies.clear();
+            for (_, mu_plus, mu_minus, prior) in STYLES {
+                strategies.push((Strategy::new(mu_plus, mu_minus, EPSILON).map_err(Refusal::from)?, prior));
+            }
+        }
+        self.learns_style = learns;
+        self.mind.with_dependent_mut(|_, agent| agent.set_strategies(&strategies)).map_err(Refusal::from)
+    }
+
+    /// Whether the robot learns how its trainer uses reward and punishment.
+    pub fn learns_style(&self) -> bool {
+        self.learns_style
+    }
+
+    /// Hears a command where everything is now. A session under way ends unlearned.
+    ///
+    /// # Errors
+    /// Why the command cannot be heard; what was learned is kept.
+    pub fn hear(&mut self, command: &str) -> Result<(), Refusal> {
+        self.forget();
+        let environment = self.environment_now();
+        let Self { mind, scout, rooms, state, .. } = self;
+        let home = rooms.borrow_dependent();
+        mind.with_dependent_mut(|_, agent| agent.hear(home, state, command)).map_err(Refusal::from)?;
+        let agent = mind.borrow_dependent();
+        scout.with_dependent_mut(|_, lookout| lookout.goals.fill(home, agent.lifted(), agent.tasks(), state)).map_err(Refusal::from)?;
+        let strategies = strategies(agent.belief().strategies(), style_name);
+        self.recording = Some(Recording { command: command.to_owned(), environment, strategies, steps: Vec::new() });
+        Ok(())
+    }
+
+    /// Whether a session is under way.
+    pub fn is_listening(&self) -> bool {
+        self.recording.is_some()
+    }
+
+    /// Goes on planning for where everything is now, expanding at most `budget` states. Gives whether the plan is done.
+    ///
+    /// # Errors
+    /// Where no session is under way.
+    pub fn plan(&mut self, budget: u32) -> Result<bool, Refusal> {
+        let Self { mind, rooms, state, .. } = self;
+        let progress = mind.with_dependent_mut(|_, agent| agent.plan(rooms.borrow_dependent(), state, budget));
+        Ok(progress.map_err(Refusal::from)? == Progress::Done)
+    }
+
+    /// Decides on an action and does it. The plan must be done; the action waits for [`judge`](Self::judge).
+    ///
+    /// # Errors
+    /// Where no session is under way, the plan is not done, or the last action was not judged.
+    pub fn act(&mut self) -> Result<Decided, Refusal> {
+        self.check_judged()?;
+        let Self { mind, random, .. } = self;
+        let decision = mind.with_dependent_mut(|_, agent| agent.decide(Some(random))).map_err(Refusal::from)?;
+        let agent = self.agent();
+        let plans: Vec<OptimalSet> = (0..agent.tasks().len()).map(|task| agent.search().optimal(task)).collect();
+        let agrees = |(task, plan): (usize, &OptimalSet)| {
+            let right = plan.actions().is_some_and(|actions| actions.contains(decision.action));
+            if right { agent.belief().probability(task) } else { 0.0 }
+        };
+        let decided = Decided {
+            action: action_name(self.home(), decision.action).to_owned(),
+            task: decision.task,
+            confidence: plans.iter().enumerate().map(agrees).sum::<f32>().clamp(0.0, 1.0),
+            plans: plans.iter().map(plan_word).collect(),
+        };
+        self.perform(decision.action);
+        Ok(decided)
+    }
+
+    /// Does the action of this name instead, as a log has it. The plan must be done; the action waits for [`judge`](Self::judge).
+    ///
+    /// # Errors
+    /// As [`act`](Self::act), and where there is no such action.
+    pub fn act_as(&mut self, action: &str) -> Result<(), Refusal> {
+        self.check_judged()?;
+        let action = action_named(self.home(), action).ok_or_else(|| Refusal(format!("{action} is no action here")))?;
+        if !self.agent().search().applicable().contains(action) {
+            return Err(Refusal("the action cannot be done here".to_owned()));
+        }
+        self.perform(action);
+        Ok(())
+    }
+
+    fn check_judged(&self) -> Result<(), Refusal> {
+        if self.acted.is_some() { Err(Refusal("the last action waits for its feedback".to_owned())) } else { Ok(()) }
+    }
+
+    fn perform(&mut self, action: Action) {
+        self.state = apply(self.home(), &self.state, action).unwrap_or(self.state);
+        self.acted = Some(action);
+    }
+
+    /// Takes in what the trainer said to the last action: `reward`, `punish`, or anything else for silence.
+    ///
+    /// # Errors
+    /// Where no action waits for feedback.
+    pub fn judge(&mut self, feedback: &str) -> Result<Evidence, Refusal> {
+        let action = self.acted.ok_or_else(|| Refusal("no action waits for feedback".to_owned()))?;
+        let feedback = match feedback {
+            "reward" => Feedback::Reward,
+            "punish" => Feedback::Punish,
+            _ => Feedback::Neutral,
+        };
+        let agent = self.agent();
+        let judgements = (0..agent.tasks().len()).map(|task| match agent.search().optimal(task).actions() {
+            Some(actions) if actions.contains(action) => "right",
+            Some(_) => "wrong",
+            None => "unknown",
+        });
+        let (judgements, before) = (judgements.collect(), self.probabilities());
+        self.mind.with_dependent_mut(|_, agent| agent.feedback(action, feedback)).map_err(Refusal::from)?;
+        self.acted = None;
+        let action = action_name(self.home(), action).to_owned();
+        if let Some(recording) = &mut self.recording {
+            recording.steps.push(Step::new(action.clone(), feedback.name()));
+        }
+        Ok(Evidence { action, feedback: feedback.name(), judgements, before, after: self.probabilities() })
+    }
+
+    /// What a trainer who means the given task and follows the paper's balanced strategy would say to the last action.
+    ///
+    /// # Errors
+    /// Where no action waits for feedback.
+    pub fn simulated_feedback(&mut self, intended: usize) -> Result<&'static str, Refusal> {
+        let action = self.acted.ok_or_else(|| Refusal("no action waits for feedback".to_owned()))?;
+        let right = self.agent().search().optimal(intended).actions().is_some_and(|actions| actions.contains(action));
+        Ok(SimulatedTrainer { strategy: Strategy::BALANCED }.feedback(right, &mut self.random).name())
+    }
+
+    /// A number from 0 to 1 of the world's own random draws.
+    pub fn random(&mut self) -> f32 {
+        unit(&mut self.random)
+    }
+
+    fn probabilities(&self) -> Vec<f32> {
+        (0..self.agent().tasks().len()).map(|task| self.agent().belief().probability(task)).collect()
+    }
+
+    /// Ends the session and begins to learn from it. Gives the session as lines of a log.
+    ///
+    /// # Errors
+    /// Where no session is under way or something is full; what was learned before is kept.
+    pub fn finish(&mut self) -> Result<String, Refusal> {
+        let log = self.log(true)?;
+        let Self { mind, rooms, .. } = self;
+        let ended = mind.with_dependent_mut(|_, agent| agent.finish(rooms.borrow_dependent()));
+        (self.recording, self.acted) = (None, None);
+        ended.map_err(Refusal::from)?;
+        Ok(log)
+    }
+
+    /// Goes on learning, with at most about `budget` table cells of work. Gives whether it is done.
+    pub fn learn(&mut self, budget: u32) -> bool {
+        self.mind.with_dependent_mut(|_, agent| agent.learn(budget)) == Progress::Done
+    }
+
+    /// Ends the session, if one is under way, without learning from it.
+    pub fn forget(&mut self) {
+        if self.recording.take().is_some() {
+            self.mind.with_dependent_mut(|_, agent| agent.forget());
+        }
+        self.acted = None;
+    }
+
+    /// How many sessions the robot has learned from.
+    pub fn sessions(&self) -> usize {
+        self.agent().language().bitext().sessions()
+    }
+
+    /// The session under way as lines of a log, ended with or without learning.
+    ///
+    /// # Errors
+    /// Where no session is under way.
+    pub fn log(&self, learn: bool) -> Result<String, Refusal> {
+        let recording = self.recording.as_ref().ok_or_else(|| Refusal("no session is under way".to_owned()))?;
+        recording.lines(learn).map_err(Refusal::from)
+    }
+
+    /// What the robot believes. No tasks where no command was heard.
+    pub fn belief(&self) -> Belief {
+        let agent = self.agent();
+        let home = self.home();
+        let tasks = if self.is_listening() { agent.tasks() } else { &[] };
+        let named = |(position, task): (usize, &GroundedTask)| {
+            let lifted = agent.lifted().get(usize::from(task.lifted))?;
+            let probability = agent.belief().probability(position);
+            Some(Task { name: task_name(home, lifted, task), words: task_words(home, lifted, task), probability })
+        };
+        let strategies = (0..agent.belief().strategies().len())
+            .map(|at| TrainerStyle { name: style_name(at), probability: agent.belief().strategy_probability(at) });
+        Belief { tasks: tasks.iter().enumerate().filter_map(named).collect(), strategies: strategies.collect() }
+    }
+
+    /// Where a task would lead from here; `None` where it leads nowhere, or finding out takes too long.
+    pub fn route(&mut self, task: usize) -> Option<Route> {
+        let Self { scout, rooms, state, .. } = self;
+        let home = rooms.borrow_dependent();
+        let states = scout.with_dependent_mut(|_, lookout| follow(lookout, home, state, task))?;
+        let end = states.last()?;
+        let moved = std::iter::once(home.agent()).chain(home.blocks().iter().copied());
+        Some(Route {
+            cells: states.iter().map(|state| home.agent_cell(state)).map(|cell| [cell.x, cell.y]).collect(),
+            end: moved.map(|id| thing(home, end, id)).collect(),
+        })
+    }
+
+    /// Which word of the command speaks for which task.
+    ///
+    /// # Errors
+    /// Where no session is under way or something is full.
+    pub fn support(&self) -> Result<Support, Refusal> {
+        if !self.is_listening() {
+            return Err(Refusal("no session is under way".to_owned()));
+        }
+        support(self.agent(), self.home()).map_err(Refusal::from)
+    }
+
+    /// What every word means to the robot: the translation table as it was last learned.
+    pub fn heat(&self) -> Heat {
+        let language = self.agent().language();
+        let tables = language.tables();
+        let words: Vec<_> = language.words().iter().take(tables.words()).collect();
+        let tokens: Vec<_> = language.tokens().iter().take(tables.tokens()).collect();
+        let cells = tokens.iter().flat_map(|(token, _)| words.iter().map(|(word, _)| tables.translation(*word, Some(*token))));
+        Heat {
+            cells: cells.collect(),
+            words: words.iter().map(|(_, text)| (*text).to_owned()).collect(),
+            tokens: tokens.iter().map(|(_, text)| (*text).to_owned()).collect(),
+        }
+    }
+}
+
+fn style_name(at: usize) -> String {
+    STYLES.get(at).map_or_else(|| format!("style{at}"), |style| style.0.to_owned())
+}
+
+const fn plan_word(plan: &OptimalSet) -> &'static str {
+    match plan {
+        OptimalSet::Toward(_) => "toward",
+        OptimalSet::Goal => "goal",
+        OptimalSet::DeadEnd(_) => "dead end",
+        OptimalSet::Unknown => "unknown",
+    }
+}
+
+/// The task as logs write it.
+fn task_name(home: &Home<'_>, lifted: &LiftedTask, task: &GroundedTask) -> String {
+    let parts = task.propositions(lifted).map(|part| {
+        let parameters = home.schema().parameters(part.proposition).len();
+        let names: Vec<&str> = part.arguments.iter().take(parameters).map(|&object| home.objects().name(object)).collect();
+        format!("{}({})", home.schema().proposition_name(part.proposition), names.join(","))
+    });
+    parts.collect::<Vec<_>>().join(" & ")
+}
+
+/// The task as a person says it. Objects that look alike are told apart by their names.
+fn task_words(home: &Home<'_>, lifted: &LiftedTask, task: &GroundedTask) -> String {
+    let parts = task.propositions(lifted).map(|part| {
+        let [subject, room, _] = part.arguments;
+        match part.proposition {
+            BLOCK_IN_ROOM => format!("take the {} to the {}", described(home, subject), described(home, room)),
+            _ => format!("go to the {}", described(home, room)),
+        }
+    });
+    parts.collect::<Vec<_>>().join(" and ")
+}
+
+fn described(home: &Home<'_>, id: ObjectId) -> String {
+    let objects = home.objects();
+    let class = objects.get(id).map(|object| object.class);
+    let looks = |id: ObjectId| (objects.value(id, COLOR), objects.value(id, SHAPE));
+    let (color, shape) = looks(id);
+    let kind = if class == Some(ROOM) { "room" } else { shape };
+    let alike = objects.iter().filter(|&(other, object)| Some(object.class) == class && looks(other) == (color, shape)).count();
+    if alike > 1 { format!("{color} {kind} ({})", objects.name(id)) } else { format!("{color} {kind}") }
+}

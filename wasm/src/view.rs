@@ -1,0 +1,146 @@
+//! What the page draws. Each struct is the shape of one JSON text of the surface.
+
+use serde::Serialize;
+
+/// A box of cells, its edge included.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Extent {
+    /// The westernmost cells.
+    pub left: i32,
+    /// The southernmost cells.
+    pub bottom: i32,
+    /// The easternmost cells.
+    pub right: i32,
+    /// The northernmost cells.
+    pub top: i32,
+}
+
+/// A room or a door.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Place {
+    /// Its name.
+    pub name: String,
+    /// Its box; a room's border is wall.
+    #[serde(flatten)]
+    pub extent: Extent,
+    /// A room's colour; empty for a door.
+    pub color: String,
+}
+
+/// The agent or a block.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Thing {
+    /// Its name.
+    pub name: String,
+    /// Its cell, east.
+    pub x: i32,
+    /// Its cell, north.
+    pub y: i32,
+    /// A block's colour.
+    pub color: String,
+    /// A block's shape.
+    pub shape: String,
+}
+
+/// The home as it is now.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Scene {
+    /// The box of all rooms.
+    pub bounds: Extent,
+    /// The rooms.
+    pub rooms: Vec<Place>,
+    /// The doors.
+    pub doors: Vec<Place>,
+    /// The blocks.
+    pub blocks: Vec<Thing>,
+    /// The robot.
+    pub agent: Thing,
+    /// The home as text, north up, a line for each row; `#` is wall.
+    pub map: String,
+}
+
+/// A task that the command may mean.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Task {
+    /// As logs write it: `agentInRoom(agent0,room1)`.
+    pub name: String,
+    /// As a person says it: `go to the green room`.
+    pub words: String,
+    /// How probable it is now.
+    pub probability: f32,
+}
+
+/// A way in which the trainer may use reward and punishment.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TrainerStyle {
+    /// Its name in logs.
+    pub name: String,
+    /// How probable it is now.
+    pub probability: f32,
+}
+
+/// What the robot believes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Belief {
+    /// The tasks, in an order that stays for the session.
+    pub tasks: Vec<Task>,
+    /// The trainer's strategies.
+    pub strategies: Vec<TrainerStyle>,
+}
+
+/// What the robot does next.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Decided {
+    /// The action's name.
+    pub action: String,
+    /// The task that it follows, by position.
+    pub task: usize,
+    /// How probable it is that this action is right: the tasks for which it is optimal, together.
+    pub confidence: f32,
+    /// What the plan says for each task: `toward`, `goal`, `dead end` or `unknown`.
+    pub plans: Vec<&'static str>,
+}
+
+/// What one step's feedback said about each task.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Evidence {
+    /// The action that was judged.
+    pub action: String,
+    /// The feedback to it.
+    pub feedback: &'static str,
+    /// For each task whether the action was `right`, `wrong` or `unknown`.
+    pub judgements: Vec<&'static str>,
+    /// The tasks' probabilities before.
+    pub before: Vec<f32>,
+    /// The tasks' probabilities after.
+    pub after: Vec<f32>,
+}
+
+/// Which word speaks for which task.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Support {
+    /// The words of the command.
+    pub words: Vec<String>,
+    /// For each word, each task's share of it; a row sums to 1.
+    pub tasks: Vec<Vec<f32>>,
+}
+
+/// The translation table: how probable each word is, given a machine token.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Heat {
+    /// The words learned so far, one a column.
+    pub words: Vec<String>,
+    /// The machine tokens learned so far, one a row.
+    pub tokens: Vec<String>,
+    /// Row by row.
+    pub cells: Vec<f32>,
+}
+
+/// Where a task leads.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Route {
+    /// The robot's cells from now on, the first being where it is.
+    pub cells: Vec<[i32; 2]>,
+    /// The home at the end.
+    pub end: Vec<Thing>,
+}

@@ -1,0 +1,62 @@
+//! Which word of a command speaks for which task.
+//!
+//! For each word and task, the probability of the word alone under the task: the mean over the task's binding constraints of Model 2's sum
+//! over machine positions of alignment times translation. Each word's row is then made to sum to 1, so that a word that tells nothing is
+//! spread evenly.
+
+use goodbot::capacity::{Capacity, CapacityError};
+use goodbot::home::Home;
+use goodbot::session::Agent;
+use goodbot::symbols::{Symbol, Symbols};
+use goodbot::task::Expression;
+
+use crate::view::Support;
+
+/// What each word of the command under way says of each task.
+///
+/// # Errors
+/// A [`CapacityError`] where a task's machine commands are too many or too long.
+pub fn support(agent: &Agent<'_>, home: &Home<'_>) -> Result<Support, CapacityError> {
+    let language = agent.language();
+    let sentence = agent.sentence();
+    let length = sentence.len();
+    // Interning machine tokens must leave the model's own as they are.
+    let (mut bytes, mut ends) = (vec![0; 4_096], vec![0; 256]);
+    let mut own = Symbols::new(&mut bytes, &mut ends, Capacity::Tokens, Capacity::TokenBytes);
+    let mut rows = vec![Vec::new(); length];
+    for task in agent.tasks() {
+        let Some(lifted) = agent.lifted().get(usize::from(task.lifted)) else { continue };
+        let expression = Expression::new(home, lifted, task, &mut own)?;
+        let mut sums = vec![0.0_f32; length];
+        for constraint in 0..expression.constraints() {
+            let command: Vec<Option<Symbol>> =
+                expression.machine_command(constraint)?.iter().map(|&token| language.tokens().find(own.text(token))).collect();
+            for (i, (word, sum)) in sentence.iter().zip(&mut sums).enumerate() {
+                let Some(word) = *word else { continue };
+                let given =
+                    |j: usize, token| language.tables().alignment(j, i, command.len(), length) * language.tables().translation(word, token);
+                // A machine token that the model does not know explains every word alike.
+                let unknown = 1.0 / language.tables().words().max(1) as f32;
+                *sum += given(0, None);
+                for (j, token) in command.iter().enumerate() {
+                    *sum += match token {
+                        Some(token) => given(j + 1, Some(*token)),
+                        None => language.tables().alignment(j + 1, i, command.len(), length) * unknown,
+                    };
+                }
+            }
+        }
+        for (row, sum) in rows.iter_mut().zip(sums) {
+            row.push(sum / f32::from(expression.constraints()));
+        }
+    }
+    let even = 1.0 / agent.tasks().len().max(1) as f32;
+    for row in &mut rows {
+        let whole: f32 = row.iter().sum();
+        for share in row.iter_mut() {
+            *share = if whole > 0.0 { *share / whole } else { even };
+        }
+    }
+    let words = sentence.iter().map(|word| word.map_or_else(String::new, |word| language.words().text(word).to_owned())).collect();
+    Ok(Support { words, tasks: rows })
+}

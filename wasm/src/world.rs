@@ -1,0 +1,238 @@
+//! The home, the robot's mind and the session under way.
+
+use std::fmt;
+
+use goodbot::home::map::Map;
+use goodbot::home::{self, Area, BLOCK, COLOR, Cell, DOOR, Home, HomeBuilder, HomeError, HomeState, Moves, ROOM, SHAPE};
+use goodbot::oomdp::{Action, Domain, ObjectId};
+use goodbot::{Agent, Options};
+use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+use rand_pcg::Pcg32;
+
+use crate::cells::{MIND, Mind, ROOMS, Rooms, Scout, memory};
+use crate::log::Recording;
+use crate::route;
+use crate::view::{Extent, Place, Scene, Thing};
+
+/// Why something was refused, in words for the person at the page.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refusal(pub String);
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Refusal {}
+
+impl Refusal {
+    pub(crate) fn from(error: impl fmt::Display) -> Self {
+        Self(error.to_string())
+    }
+}
+
+/// The robot that the page starts with stands in a home of one room.
+const FIRST_HOME: &str = r#"{"version":1,"objects":[{"class":"room","name":"room0","left":0,"bottom":0,"right":4,"top":4,"color":"red"},{"class":"agent","name":"agent0","x":2,"y":2}]}"#;
+
+/// One home, one robot, and the session under way.
+pub struct World {
+    pub(crate) mind: Mind,
+    pub(crate) scout: Scout,
+    pub(crate) rooms: Rooms,
+    pub(crate) file: EnvironmentFile,
+    pub(crate) start: HomeState,
+    pub(crate) state: HomeState,
+    pub(crate) acted: Option<Action>,
+    pub(crate) recording: Option<Recording>,
+    pub(crate) learns_style: bool,
+    pub(crate) random: Pcg32,
+}
+
+impl fmt::Debug for World {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("World").field("file", &self.file).field("acted", &self.acted).finish_non_exhaustive()
+    }
+}
+
+pub(crate) fn new_mind() -> Result<Mind, Refusal> {
+    let lifted = home::paper_tasks().map_err(Refusal::from)?;
+    Mind::try_new(memory(&MIND), |memory| Agent::new(memory.borrow_mut().split().agent, &lifted, Options::PAPER)).map_err(Refusal::from)
+}
+
+/// Builds the home of a file. The message of a refusal names the object.
+fn build(file: &EnvironmentFile) -> Result<(Rooms, HomeState), Refusal> {
+    let mut start = None;
+    let refuse = |error: HomeError| {
+        let object = error.object.and_then(|at| file.objects.get(usize::from(at)));
+        Refusal(object.map_or_else(|| error.problem.to_string(), |object| format!("{}: {}", object.name(), error.problem)))
+    };
+    let rooms = Rooms::try_new(memory(&ROOMS), |memory| {
+        let mut builder = HomeBuilder::new(memory.borrow_mut().split().home);
+        for object in &file.objects {
+            match object {
+                ObjectRecord::Room { name, left, bottom, right, top, color } => {
+                    builder.room(name, Area::new(*left, *bottom, *right, *top), color)
+                }
+                ObjectRecord::Door { name, left, bottom, right, top } => builder.door(name, Area::new(*left, *bottom, *right, *top)),
+                ObjectRecord::Agent { name, x, y } => builder.agent(name, Cell::new(*x, *y)),
+                ObjectRecord::Block { name, x, y, color, shape } => builder.block(name, Cell::new(*x, *y), color, shape),
+            }
+            .map_err(refuse)?;
+        }
+        let (home, state) = builder.build(Moves::Push).map_err(refuse)?;
+        start = Some(state);
+        Ok::<_, Refusal>(home)
+    })?;
+    start.map(|start| (rooms, start)).ok_or_else(|| Refusal("the home has no start".to_owned()))
+}
+
+/// Says why an environment cannot be used, if it cannot.
+///
+/// # Errors
+/// The reason.
+pub fn check(json: &str) -> Result<(), Refusal> {
+    build(&EnvironmentFile::parse(json).map_err(Refusal::from)?).map(|_| ())
+}
+
+impl World {
+    /// A robot that has learned nothing yet. `seed` decides its draws among actions that are equally good.
+    ///
+    /// # Errors
+    /// None where the built-in home is sound.
+    pub fn new(seed: u64) -> Result<Self, Refusal> {
+        let file = EnvironmentFile::parse(FIRST_HOME).map_err(Refusal::from)?;
+        let (rooms, start) = build(&file)?;
+        Ok(Self {
+            mind: new_mind()?,
+            scout: route::scout(),
+            rooms,
+            file,
+            start,
+            state: start,
+            acted: None,
+            recording: None,
+            learns_style: false,
+            random: Pcg32::new(seed, 1),
+        })
+    }
+
+    /// Moves the robot to another home. A session under way ends unlearned.
+    ///
+    /// # Errors
+    /// Why the home cannot be used; the old one then stays.
+    pub fn set_environment(&mut self, json: &str) -> Result<(), Refusal> {
+        let file = EnvironmentFile::parse(json).map_err(Refusal::from)?;
+        let (rooms, start) = build(&file)?;
+        self.forget();
+        (self.rooms, self.file, self.start, self.state) = (rooms, file, start, start);
+        Ok(())
+    }
+
+    /// The home as it was entered, as JSON.
+    pub fn environment(&self) -> String {
+        self.file.to_json_line()
+    }
+
+    /// Puts everything back to where it was when the home was entered. A session under way ends unlearned.
+    pub fn reset(&mut self) {
+        self.forget();
+        self.state = self.start;
+    }
+
+    /// A new robot, which has learned nothing, in the same home.
+    ///
+    /// # Errors
+    /// None where the built-in strategies are sound.
+    pub fn restart(&mut self) -> Result<(), Refusal> {
+        self.mind = new_mind()?;
+        (self.recording, self.acted, self.state) = (None, None, self.start);
+        self.set_learns_style(self.learns_style)
+    }
+
+    /// What the robot has learned, as the bytes of a model file.
+    ///
+    /// # Errors
+    /// Where it is still learning.
+    pub fn save(&self) -> Result<Vec<u8>, Refusal> {
+        let agent = self.agent();
+        let mut bytes = vec![0; agent.saved_bytes().map_err(Refusal::from)?];
+        let len = agent.save(&mut bytes).map_err(Refusal::from)?;
+        bytes.truncate(len);
+        Ok(bytes)
+    }
+
+    /// Replaces what the robot has learned by a model file, and begins to learn from what it holds: [`learn`](Self::learn) until that is
+    /// done. A session under way ends unlearned.
+    ///
+    /// # Errors
+    /// Why the file cannot be used; what the robot knew then stays.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
+        self.forget();
+        self.mind.with_dependent_mut(|_, agent| agent.restore(bytes)).map_err(Refusal::from)?;
+        self.learns_style = self.agent().belief().strategies().len() > 1;
+        Ok(())
+    }
+
+    /// The home.
+    pub(crate) fn home(&self) -> &Home<'_> {
+        self.rooms.borrow_dependent()
+    }
+
+    /// The robot's mind.
+    pub fn agent(&self) -> &Agent<'_> {
+        self.mind.borrow_dependent()
+    }
+
+    /// The environment with everything where it is now.
+    pub fn environment_now(&self) -> EnvironmentFile {
+        let (home, mut file) = (self.home(), self.file.clone());
+        for object in &mut file.objects {
+            match object {
+                ObjectRecord::Agent { x, y, .. } => {
+                    let cell = home.agent_cell(&self.state);
+                    (*x, *y) = (cell.x, cell.y);
+                }
+                ObjectRecord::Block { name, x, y, .. } => {
+                    let cell = home.objects().find(name).and_then(|block| home.block_cell(&self.state, block));
+                    if let Some(cell) = cell {
+                        (*x, *y) = (cell.x, cell.y);
+                    }
+                }
+                ObjectRecord::Room { .. } | ObjectRecord::Door { .. } => {}
+            }
+        }
+        file
+    }
+
+    /// The home as it is now.
+    pub fn scene(&self) -> Scene {
+        let home = self.home();
+        let map = Map::new(home, &self.state);
+        let places = |class| home.objects().of_class(class).map(|id| place(home, id)).collect();
+        Scene {
+            bounds: extent(map.bounds()),
+            rooms: places(ROOM),
+            doors: places(DOOR),
+            blocks: home.objects().of_class(BLOCK).map(|id| thing(home, &self.state, id)).collect(),
+            agent: thing(home, &self.state, home.agent()),
+            map: map.to_string(),
+        }
+    }
+}
+
+const fn extent(area: Area) -> Extent {
+    Extent { left: area.left, bottom: area.bottom, right: area.right, top: area.top }
+}
+
+fn place(home: &Home<'_>, id: ObjectId) -> Place {
+    let objects = home.objects();
+    Place { name: objects.name(id).to_owned(), extent: extent(home.area(id)), color: objects.value(id, COLOR).to_owned() }
+}
+
+pub(crate) fn thing(home: &Home<'_>, state: &HomeState, id: ObjectId) -> Thing {
+    let objects = home.objects();
+    let cell = home.block_cell(state, id).unwrap_or_else(|| home.agent_cell(state));
+    let (color, shape) = (objects.value(id, COLOR).to_owned(), objects.value(id, SHAPE).to_owned());
+    Thing { name: objects.name(id).to_owned(), x: cell.x, y: cell.y, color, shape }
+}

@@ -1,0 +1,62 @@
+//! What the page exported in the browser, on the host: the same belief to the last bit, a log that its reader takes, a home that is one.
+//!
+//! The browser tests leave the files in the folder that `GOODBOT_PAGE_EXPORT` names; without it, these tests say that they skip.
+
+use std::path::{Path, PathBuf};
+
+use goodbot_formats::session::SessionReader;
+use goodbot_wasm::World;
+use goodbot_wasm::world::check;
+use serde_json::Value;
+
+fn export() -> Option<PathBuf> {
+    let folder = std::env::var_os("GOODBOT_PAGE_EXPORT").map(PathBuf::from);
+    if folder.is_none() {
+        println!("skipped: GOODBOT_PAGE_EXPORT is not set");
+    }
+    folder
+}
+
+fn read(folder: &Path, file: &str) -> Vec<u8> {
+    std::fs::read(folder.join(file)).unwrap_or_else(|error| panic!("{file}: {error}"))
+}
+
+#[test]
+fn a_model_from_the_page_answers_here_with_the_same_bits() {
+    let Some(folder) = export() else { return };
+    let asked: Value = serde_json::from_slice(&read(&folder, "asked.json")).unwrap();
+    let mut world = World::new(1).unwrap();
+    world.restore(&read(&folder, "model.goodbot")).unwrap();
+    while !world.learn(u32::MAX) {}
+    world.set_environment(asked["environment"].as_str().unwrap()).unwrap();
+    world.hear(asked["command"].as_str().unwrap()).unwrap();
+    let tasks = world.belief().tasks;
+    let theirs = asked["belief"]["tasks"].as_array().unwrap();
+    assert_eq!(tasks.len(), theirs.len());
+    for (ours, theirs) in tasks.iter().zip(theirs) {
+        assert_eq!(ours.name, theirs["name"].as_str().unwrap());
+        // The shortest decimal that gives the number back was written: no bit is lost on the way.
+        let probability: f32 = theirs["probability"].to_string().parse().unwrap();
+        assert_eq!(ours.probability.to_bits(), probability.to_bits(), "{}", ours.name);
+    }
+}
+
+#[test]
+fn the_session_log_of_the_page_is_read_back_and_teaches_the_same_model() {
+    let Some(folder) = export() else { return };
+    let log = read(&folder, "sessions.jsonl");
+    let mut world = World::new(1).unwrap();
+    for session in SessionReader::new(&log[..]) {
+        let session = session.unwrap();
+        assert!(session.learn);
+        world.replay(&session).unwrap();
+    }
+    assert_eq!(world.sessions(), 7);
+    assert_eq!(world.save().unwrap(), read(&folder, "model.goodbot"));
+}
+
+#[test]
+fn a_home_drawn_in_the_page_is_accepted_here() {
+    let Some(folder) = export() else { return };
+    check(&String::from_utf8(read(&folder, "home.json")).unwrap()).unwrap();
+}

@@ -1,0 +1,132 @@
+//! The world that the page shows, as examples.
+
+use goodbot_formats::session::SessionReader;
+use goodbot_wasm::world::check;
+use goodbot_wasm::{World, course};
+
+/// A new robot in the home of the course with this name.
+fn world(home: &str) -> World {
+    let mut world = World::new(7).unwrap();
+    let course = course::fixed();
+    let (_, file) = course.homes.iter().find(|(name, _)| name == home).unwrap();
+    world.set_environment(&file.to_json_line()).unwrap();
+    world
+}
+
+/// Trains by hand: a trainer who says every time whether the action is right for the task with this name.
+fn train(world: &mut World, command: &str, intended: &str) -> String {
+    world.hear(command).unwrap();
+    let intended = world.belief().tasks.iter().position(|task| task.name == intended).unwrap();
+    for _ in 0..12 {
+        while !world.plan(1_000).unwrap() {}
+        let decided = world.act().unwrap();
+        let there = decided.plans[intended] == "goal";
+        let right = there == (decided.action == "noop") && decided.task == intended;
+        world.judge(if right { "reward" } else { "punish" }).unwrap();
+    }
+    let log = world.finish().unwrap();
+    while !world.learn(1_000) {}
+    log
+}
+
+#[test]
+fn a_robot_that_was_trained_understands_the_command_it_was_trained_on() {
+    let mut world = world("A");
+    train(&mut world, "go to the green room", "agentInRoom(agent0,room1)");
+    train(&mut world, "go to the red room", "agentInRoom(agent0,room2)");
+    world.reset();
+    world.hear("go to the red room").unwrap();
+    let tasks = world.belief().tasks;
+    let best = tasks.iter().max_by(|a, b| a.probability.total_cmp(&b.probability)).unwrap();
+    assert_eq!(best.words, "go to the red room");
+    let support = world.support().unwrap();
+    let red = support.words.iter().position(|word| word == "red").unwrap();
+    let task = tasks.iter().position(|task| task.name == best.name).unwrap();
+    assert!(support.tasks[red][task] > 0.5, "{support:?}");
+}
+
+#[test]
+fn feedback_goes_to_the_last_action_and_says_what_it_changed() {
+    let mut world = world("A");
+    world.hear("go to the red room").unwrap();
+    assert!(world.judge("reward").is_err(), "nothing was done yet");
+    while !world.plan(10).unwrap() {}
+    let decided = world.act().unwrap();
+    assert!(world.act().is_err(), "the action was not judged yet");
+    let evidence = world.judge("punish").unwrap();
+    assert_eq!(evidence.action, decided.action);
+    for (task, judgement) in evidence.judgements.iter().enumerate() {
+        let fell = evidence.after[task] < evidence.before[task];
+        assert!(*judgement == "wrong" || fell || evidence.judgements.iter().all(|other| other == judgement));
+    }
+}
+
+#[test]
+fn a_log_of_a_session_is_read_by_its_reader_and_teaches_the_same() {
+    let mut first = world("D");
+    first.set_learns_style(true).unwrap();
+    let log = train(&mut first, "take the blue chair to the yellow room", "blockInRoom(block0,room2)");
+    let sessions: Vec<_> = SessionReader::new(log.as_bytes()).collect::<Result<_, _>>().unwrap();
+    let mut second = World::new(1).unwrap();
+    second.replay(&sessions[0]).unwrap();
+    assert_eq!(second.heat(), first.heat());
+    assert_eq!(sessions[0].to_lines().unwrap().join("\n"), log.trim_end());
+}
+
+#[test]
+fn a_saved_model_believes_the_same_to_the_last_bit() {
+    let mut first = world("A");
+    train(&mut first, "go to the green room", "agentInRoom(agent0,room1)");
+    let mut second = world("A");
+    second.restore(&first.save().unwrap()).unwrap();
+    while !second.learn(100) {}
+    first.reset();
+    for world in [&mut first, &mut second] {
+        world.hear("go to the red room").unwrap();
+    }
+    let bits = |world: &World| world.belief().tasks.iter().map(|task| task.probability.to_bits()).collect::<Vec<_>>();
+    assert_eq!(bits(&second), bits(&first));
+}
+
+#[test]
+fn a_damaged_model_is_refused_and_the_old_one_stays() {
+    let mut world = world("A");
+    train(&mut world, "go to the green room", "agentInRoom(agent0,room1)");
+    let old = world.save().unwrap();
+    let mut damaged = old.clone();
+    let middle = damaged.len() / 2;
+    damaged[middle] ^= 1;
+    assert!(world.restore(&damaged).is_err());
+    assert_eq!(world.save().unwrap(), old);
+}
+
+#[test]
+fn a_home_that_is_none_is_refused_by_the_name_of_what_is_wrong() {
+    let json = r#"{"version":1,"objects":[{"class":"room","name":"hall","left":0,"bottom":0,"right":4,"top":4,"color":"red"},{"class":"agent","name":"robbie","x":0,"y":2}]}"#;
+    let refusal = check(json).unwrap_err();
+    assert!(refusal.0.starts_with("robbie: it stands in a wall"), "{refusal}");
+}
+
+#[test]
+fn the_ghost_stands_where_the_task_is_done() {
+    let mut world = world("D");
+    world.hear("take the blue chair to the yellow room").unwrap();
+    let task = world.belief().tasks.iter().position(|task| task.name == "blockInRoom(block0,room2)").unwrap();
+    let route = world.route(task).unwrap();
+    let chair = route.end.iter().find(|thing| thing.name == "block0").unwrap();
+    assert!(chair.x > 4 && chair.y > 4, "{chair:?} is in the room to the north-east");
+    assert_eq!(route.cells[0], [4, 1]);
+}
+
+#[test]
+fn the_course_can_be_taken_in_homes_at_random() {
+    let course = course::random(5);
+    assert_eq!((course.lessons.len(), course.tests.len(), course.homes.len()), (7, 5, 7));
+    for lesson in course.lessons.iter().chain(&course.tests) {
+        let (_, file) = course.homes.iter().find(|(name, _)| *name == lesson.home).unwrap();
+        let mut world = World::new(1).unwrap();
+        world.set_environment(&file.to_json_line()).unwrap();
+        world.hear(&lesson.command).unwrap();
+        assert!(world.belief().tasks.iter().any(|task| task.name == lesson.intended), "{lesson:?}");
+    }
+}
