@@ -102,6 +102,36 @@ impl Capacities {
         length_pairs: 16,
     };
 
+    /// For the smallest controllers, in 16 KiB of RAM with everything else: homes of up to 41 cells with a block that moves, one trainer
+    /// strategy, and the paper's whole course.
+    pub const TINY: Self = Self {
+        objects: 11,
+        names: 20,
+        name_bytes: 128,
+        cells: 41,
+        tasks: 12,
+        strategies: 1,
+        beliefs: 12,
+        candidates: 40,
+        candidate_tokens: 304,
+        ground_propositions: 12,
+        goal_entries: 0,
+        states: 1_696,
+        hashed_states: 0,
+        words: 14,
+        word_bytes: 64,
+        tokens: 18,
+        token_bytes: 208,
+        commands: 50,
+        command_tokens: 368,
+        sessions: 7,
+        sentence_words: 44,
+        pairs: 112,
+        translations: 240,
+        alignments: 288,
+        length_pairs: 6,
+    };
+
     /// u32s of the search's frontier: four bit sets over the states, enough for actions that cost 1 and 2.
     pub const fn frontier_words(&self) -> usize {
         self.states.div_ceil(32).saturating_mul(4)

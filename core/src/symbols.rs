@@ -120,7 +120,7 @@ impl<'m> Symbols<'m> {
             return Err(CapacityError::full(self.count_capacity, most_symbols));
         }
         let Some(room) = self.bytes.get_mut(start..end) else { return Err(full) };
-        room.copy_from_slice(text.as_bytes());
+        room.iter_mut().zip(text.as_bytes()).for_each(|(slot, &byte)| *slot = byte);
         if let Some(entry) = self.ends.get_mut(self.len) {
             *entry = end_entry;
         }

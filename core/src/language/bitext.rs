@@ -165,6 +165,6 @@ fn span<'a>(spans: &[Span], pool: &'a [Symbol], position: usize, used: usize) ->
 fn put(pool: &mut [Symbol], start: usize, symbols: &[Symbol], capacity: Capacity) -> Result<Span, CapacityError> {
     let end = start.saturating_add(symbols.len());
     let full = CapacityError::new(capacity, pool.len(), end);
-    pool.get_mut(start..end).ok_or(full)?.copy_from_slice(symbols);
+    pool.get_mut(start..end).ok_or(full)?.iter_mut().zip(symbols).for_each(|(slot, &symbol)| *slot = symbol);
     Ok(Span { start: start as u32, len: symbols.len().min(255) as u8 })
 }
