@@ -1,1 +1,43 @@
+//! The paper's experiment as a course: seven lessons, then five tests, with a simulated trainer.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`exercise`] | the commands, what each means, and in which home it is given |
+//! | [`layout`] | the homes: [drawn](layout::fixed), or [at random](layout::random) for each seed |
+//! | [`lesson`] | one lesson: command, actions, feedback, and when the trainer ends it |
+//! | [`course`] | the whole course, and those who look on |
+//!
+//! The crate needs neither heap nor standard library, and one [`generator`] feeds every choice: the command line, a web page and a
+//! controller that start from the same seed see the same course.
+//!
+//! ```
+//! use goodbot::feedback::Strategy;
+//! use goodbot::{Agent, Options, home};
+//! use goodbot_course::{Homes, generator, run_course};
+//! goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
+//! let mut memory = Memory::new();
+//! let mut parts = memory.split();
+//! let mut agent = Agent::new(parts.agent, &home::paper_tasks()?, Options::PAPER)?;
+//! let results = run_course(&mut agent, &mut parts.home, &Homes::FIXED, Strategy::PUNISH_ONLY, &mut generator(1), &mut ())?;
+//! assert!(results.tests.iter().all(|test| test.right));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
+#![no_std]
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+#![deny(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable)]
+
+pub mod course;
+pub mod error;
+pub mod exercise;
+pub mod layout;
+pub mod lesson;
+mod seed;
+
+pub use course::{Observer, Results, Scene, TestReport, run_course};
+pub use error::CourseError;
+pub use exercise::{Exercise, HomeName, Intention, LESSONS, TESTS};
+pub use layout::{Homes, Layout};
+pub use lesson::{Ending, FeedbackCounts, Lesson, LessonReport, Step, Turn, run_lesson};
+pub use seed::generator;

@@ -1,1 +1,31 @@
-fn main() {}
+//! The goodbot command line.
+//!
+//! Exit codes: 0 all well, 1 a result that failed, 2 bad use or bad input. Data goes to standard output, progress and messages to
+//! standard error.
+
+#![forbid(unsafe_code)]
+
+mod cli;
+mod outcome;
+mod paper;
+
+use clap::{CommandFactory, Parser};
+use cli::{Cli, Command};
+use outcome::Failure;
+use std::io::Write;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let done = match cli.command.unwrap_or(Command::Paper(cli.paper)) {
+        Command::Paper(options) => paper::run(&options),
+        Command::Completions { shell } => completions(shell),
+    };
+    outcome::exit_code(done)
+}
+
+fn completions(shell: clap_complete::Shell) -> Result<(), Failure> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Cli::command(), "goodbot", &mut script);
+    Ok(std::io::stdout().lock().write_all(&script)?)
+}

@@ -1,0 +1,113 @@
+//! The whole course: seven lessons, each learned from, then five tests without learning in between.
+
+use crate::error::CourseError;
+use crate::exercise::{Exercise, LESSONS, TESTS};
+use crate::layout::{Homes, lend};
+use crate::lesson::{Ending, FeedbackCounts, LessonReport, Step, run_lesson};
+use goodbot::feedback::{SimulatedTrainer, Strategy};
+use goodbot::home::{Home, HomeMemory, HomeState};
+use goodbot::{Agent, AgentError};
+use rand_core::Rng;
+
+/// What those who look on may see at any time.
+#[derive(Debug)]
+pub struct Scene<'a, 'h, 'm> {
+    /// Which lesson or test, from 0.
+    pub number: usize,
+    /// The command and its meaning.
+    pub exercise: &'static Exercise,
+    /// The home.
+    pub home: &'a Home<'h>,
+    /// Where things stand.
+    pub state: &'a HomeState,
+    /// The agent.
+    pub agent: &'a Agent<'m>,
+    /// The intended task, by its position among those of the session.
+    pub intended: usize,
+}
+
+/// Someone who looks on. Every method may be left out.
+pub trait Observer {
+    /// A lesson begins: the agent has heard the command.
+    fn lesson_begins(&mut self, _scene: &Scene<'_, '_, '_>) {}
+    /// The agent has acted and taken in the feedback; the scene's state is that before the action.
+    fn acted(&mut self, _scene: &Scene<'_, '_, '_>, _step: &Step) {}
+    /// A lesson is over and learned from.
+    fn lesson_ends(&mut self, _number: usize, _agent: &Agent<'_>, _report: &LessonReport) {}
+    /// The agent has heard a test's command.
+    fn tested(&mut self, _scene: &Scene<'_, '_, '_>, _report: &TestReport) {}
+}
+
+impl Observer for () {}
+
+/// What a test came to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TestReport {
+    /// Whether the most likely task is the intended one.
+    pub right: bool,
+    /// The most likely task.
+    pub task: usize,
+    /// The probability of the intended task.
+    pub probability: f32,
+}
+
+/// What a course came to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Results {
+    /// The lessons.
+    pub lessons: [LessonReport; LESSONS.len()],
+    /// The tests.
+    pub tests: [TestReport; TESTS.len()],
+}
+
+impl Results {
+    /// What the trainer said in all lessons together.
+    pub fn feedback(&self) -> FeedbackCounts {
+        self.lessons.iter().fold(FeedbackCounts::default(), |sum, lesson| sum.plus(lesson.feedback))
+    }
+
+    /// Whether every test was right.
+    pub fn all_tests_right(&self) -> bool {
+        self.tests.iter().all(|test| test.right)
+    }
+}
+
+const UNFINISHED: LessonReport =
+    LessonReport { understood: false, ending: Ending::TooLong, steps: 0, feedback: FeedbackCounts { reward: 0, punish: 0, neutral: 0 } };
+
+/// Trains an agent through the lessons and tests it. The agent takes the trainer to follow the strategy that the trainer does follow.
+///
+/// # Errors
+/// [`CourseError`].
+pub fn run_course<R: Rng + ?Sized>(
+    agent: &mut Agent<'_>,
+    memory: &mut HomeMemory<'_>,
+    homes: &Homes,
+    strategy: Strategy,
+    random: &mut R,
+    observer: &mut impl Observer,
+) -> Result<Results, CourseError> {
+    agent.set_strategies(&[(strategy, 1.0)])?;
+    let trainer = SimulatedTrainer { strategy };
+    let mut results = Results { lessons: [UNFINISHED; LESSONS.len()], tests: [TestReport::default(); TESTS.len()] };
+    for (number, (exercise, report)) in LESSONS.iter().zip(&mut results.lessons).enumerate() {
+        let (home, start) = homes.layout(exercise.home).build(lend(memory))?;
+        *report = run_lesson(agent, &home, &start, exercise, &trainer, random, |agent, state, lesson, step| {
+            let scene = Scene { number, exercise, home: &home, state, agent, intended: lesson.intended() };
+            match step {
+                Some(step) => observer.acted(&scene, step),
+                None => observer.lesson_begins(&scene),
+            }
+        })?;
+        observer.lesson_ends(number, agent, report);
+    }
+    let (home, start) = homes.test.build(lend(memory))?;
+    for (number, (exercise, report)) in TESTS.iter().zip(&mut results.tests).enumerate() {
+        let intended = exercise.pose(agent, &home, &start)?.ok_or(CourseError::NotPosed)?;
+        let task = agent.most_likely(Some(&mut *random)).ok_or(CourseError::Agent(AgentError::NoTask))?;
+        *report = TestReport { right: task == intended, task, probability: agent.belief().probability(intended) };
+        observer.tested(&Scene { number, exercise, home: &home, state: &start, agent, intended }, report);
+        agent.forget();
+    }
+    Ok(results)
+}

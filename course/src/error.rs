@@ -1,0 +1,44 @@
+//! Why a course could not go on.
+
+use core::fmt;
+use goodbot::AgentError;
+use goodbot::home::HomeError;
+
+/// Why a course could not go on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum CourseError {
+    /// The agent refused.
+    Agent(AgentError),
+    /// A layout is no home, or does not fit the memory.
+    Home(HomeError),
+    /// The intended task is not among those that the agent can think of here: it holds already, or its objects are missing.
+    NotPosed,
+    /// An action of the plan could not be done.
+    Stuck,
+}
+
+impl From<AgentError> for CourseError {
+    fn from(error: AgentError) -> Self {
+        Self::Agent(error)
+    }
+}
+
+impl From<HomeError> for CourseError {
+    fn from(error: HomeError) -> Self {
+        Self::Home(error)
+    }
+}
+
+impl fmt::Display for CourseError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Agent(error) => error.fmt(f),
+            Self::Home(error) => error.fmt(f),
+            Self::NotPosed => f.write_str("the intended task is not possible here: it holds already, or the home lacks its objects"),
+            Self::Stuck => f.write_str("an action of the plan cannot be done; the domain contradicts itself"),
+        }
+    }
+}
+
+impl core::error::Error for CourseError {}

@@ -1,0 +1,111 @@
+//! The commands of the course, what each means, and where it is given.
+
+use goodbot::home::{AGENT_IN_ROOM, BLOCK_IN_ROOM, COLOR, SHAPE};
+use goodbot::oomdp::{Domain, ObjectId, PropositionId};
+use goodbot::task::{GroundedTask, LiftedTask};
+use goodbot::{Agent, AgentError};
+
+/// What the trainer means by a command: a task told by the looks of its objects.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Intention {
+    /// The propositional function that shall hold.
+    pub proposition: PropositionId,
+    /// The colour and shape of the block; `None` where the agent itself shall go.
+    pub block: Option<(&'static str, &'static str)>,
+    /// The colour of the room.
+    pub room: &'static str,
+}
+
+impl Intention {
+    /// The agent in the room of this colour.
+    pub const fn go(room: &'static str) -> Self {
+        Self { proposition: AGENT_IN_ROOM, block: None, room }
+    }
+
+    /// The block of this colour and shape in the room of that colour.
+    pub const fn take(color: &'static str, shape: &'static str, room: &'static str) -> Self {
+        Self { proposition: BLOCK_IN_ROOM, block: Some((color, shape)), room }
+    }
+
+    /// Whether a task is the one meant.
+    pub fn is<D: Domain + ?Sized>(&self, domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> bool {
+        let value = |object: ObjectId, attribute| domain.objects().value(object, attribute);
+        let mut propositions = task.propositions(lifted);
+        let (Some(only), None) = (propositions.next(), propositions.next()) else { return false };
+        let [subject, room, _] = only.arguments;
+        only.proposition == self.proposition
+            && value(room, COLOR) == self.room
+            && self.block.is_none_or(|(color, shape)| value(subject, COLOR) == color && value(subject, SHAPE) == shape)
+    }
+
+    /// The position of the task meant among those of the agent's session.
+    pub fn find<D: Domain + ?Sized>(&self, agent: &Agent<'_>, domain: &D) -> Option<usize> {
+        let lifted = |task: &GroundedTask| agent.lifted().get(usize::from(task.lifted));
+        agent.tasks().iter().position(|task| lifted(task).is_some_and(|lifted| self.is(domain, lifted, task)))
+    }
+}
+
+/// The homes of the course, by the letters of the paper's drawings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HomeName {
+    /// The first two lessons: rooms alone.
+    A,
+    /// The third lesson: rooms alone.
+    B,
+    /// The fourth lesson: rooms alone.
+    C,
+    /// The fifth lesson: a blue chair.
+    D,
+    /// The sixth lesson: a purple bag.
+    E,
+    /// The seventh lesson: a yellow bag.
+    F,
+    /// All tests: four rooms, a purple chair and a blue bag.
+    Test,
+}
+
+/// A command, what it means, and where it is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Exercise {
+    /// What the trainer says.
+    pub command: &'static str,
+    /// What the trainer means.
+    pub intention: Intention,
+    /// Where.
+    pub home: HomeName,
+}
+
+impl Exercise {
+    const fn new(command: &'static str, intention: Intention, home: HomeName) -> Self {
+        Self { command, intention, home }
+    }
+
+    /// Says the command to the agent and gives the position of the intended task, `None` where it is not possible here.
+    ///
+    /// # Errors
+    /// [`AgentError`].
+    pub fn pose<D: Domain + ?Sized>(&self, agent: &mut Agent<'_>, domain: &D, state: &D::State) -> Result<Option<usize>, AgentError> {
+        agent.hear(domain, state, self.command)?;
+        Ok(self.intention.find(agent, domain))
+    }
+}
+
+/// The seven lessons, in order.
+pub const LESSONS: [Exercise; 7] = [
+    Exercise::new("go to the green room", Intention::go("green"), HomeName::A),
+    Exercise::new("go to the red room", Intention::go("red"), HomeName::A),
+    Exercise::new("go to the blue room", Intention::go("blue"), HomeName::B),
+    Exercise::new("go to the yellow room", Intention::go("yellow"), HomeName::C),
+    Exercise::new("take the blue chair to the yellow room", Intention::take("blue", "chair", "yellow"), HomeName::D),
+    Exercise::new("take the purple bag to the blue room", Intention::take("purple", "bag", "blue"), HomeName::E),
+    Exercise::new("take the yellow bag to the red room", Intention::take("yellow", "bag", "red"), HomeName::F),
+];
+
+/// The five tests, in order.
+pub const TESTS: [Exercise; 5] = [
+    Exercise::new("take the purple chair to the green room", Intention::take("purple", "chair", "green"), HomeName::Test),
+    Exercise::new("take the blue bag to the yellow room", Intention::take("blue", "bag", "yellow"), HomeName::Test),
+    Exercise::new("go to the green room", Intention::go("green"), HomeName::Test),
+    Exercise::new("go to the red room", Intention::go("red"), HomeName::Test),
+    Exercise::new("go to the blue room", Intention::go("blue"), HomeName::Test),
+];

@@ -1,0 +1,111 @@
+//! The homes of the course.
+//!
+//! - [`fixed`]: seven drawings;
+//! - [`random`]: seven homes at random, each solvable;
+//! - [`solvable`]: whether a task can be done at all.
+
+pub mod fixed;
+pub mod random;
+pub mod solvable;
+
+use crate::exercise::HomeName;
+use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeError, HomeMemory, HomeState, Moves};
+use goodbot::oomdp::objects::ObjectMemory;
+
+/// Most rooms of a layout, and most doors.
+pub const ROOMS: usize = 4;
+/// Most blocks of a layout.
+pub const BLOCKS: usize = 2;
+
+/// A block of a layout.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BlockPlan {
+    /// Where it stands.
+    pub cell: Cell,
+    /// Its colour.
+    pub color: &'static str,
+    /// Its shape.
+    pub shape: &'static str,
+}
+
+/// One home as plain data.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Layout {
+    /// The rooms: box and colour.
+    pub rooms: [Option<(Area, &'static str)>; ROOMS],
+    /// The doors.
+    pub doors: [Option<Cell>; ROOMS],
+    /// Where the agent stands.
+    pub agent: Cell,
+    /// The blocks.
+    pub blocks: [Option<BlockPlan>; BLOCKS],
+}
+
+const ROOM_NAMES: [&str; ROOMS] = ["room0", "room1", "room2", "room3"];
+const DOOR_NAMES: [&str; ROOMS] = ["door0", "door1", "door2", "door3"];
+const BLOCK_NAMES: [&str; BLOCKS] = ["block0", "block1"];
+
+impl Layout {
+    /// The home, in memory that is lent to it.
+    ///
+    /// # Errors
+    /// [`HomeError`] where the layout is no home or the memory is too small.
+    pub fn build<'m>(&self, memory: HomeMemory<'m>) -> Result<(Home<'m>, HomeState), HomeError> {
+        let mut builder = HomeBuilder::new(memory);
+        for (name, room) in ROOM_NAMES.iter().zip(&self.rooms) {
+            if let Some((area, color)) = room {
+                builder.room(name, *area, color)?;
+            }
+        }
+        for (name, door) in DOOR_NAMES.iter().zip(&self.doors) {
+            if let Some(cell) = door {
+                builder.door(name, Area::new(cell.x, cell.y, cell.x, cell.y))?;
+            }
+        }
+        for (name, block) in BLOCK_NAMES.iter().zip(&self.blocks) {
+            if let Some(block) = block {
+                builder.block(name, block.cell, block.color, block.shape)?;
+            }
+        }
+        builder.agent("agent0", self.agent)?;
+        builder.build(Moves::Push)
+    }
+}
+
+/// Lends a home's memory on, so that one home after another can live in it.
+pub fn lend<'a>(memory: &'a mut HomeMemory<'_>) -> HomeMemory<'a> {
+    HomeMemory {
+        objects: ObjectMemory {
+            objects: &mut *memory.objects.objects,
+            name_bytes: &mut *memory.objects.name_bytes,
+            name_ends: &mut *memory.objects.name_ends,
+        },
+        areas: &mut *memory.areas,
+        places: &mut *memory.places,
+    }
+}
+
+/// The seven homes of a course.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Homes {
+    /// The homes of the lessons, `A` to `F`.
+    pub lessons: [Layout; 6],
+    /// The home of the tests.
+    pub test: Layout,
+}
+
+impl Homes {
+    /// The layout of one of them.
+    pub const fn layout(&self, name: HomeName) -> &Layout {
+        let [a, b, c, d, e, f] = &self.lessons;
+        match name {
+            HomeName::A => a,
+            HomeName::B => b,
+            HomeName::C => c,
+            HomeName::D => d,
+            HomeName::E => e,
+            HomeName::F => f,
+            HomeName::Test => &self.test,
+        }
+    }
+}

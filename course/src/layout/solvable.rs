@@ -1,0 +1,79 @@
+//! Whether a task can be done from where things stand.
+
+use crate::exercise::Intention;
+use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, HomeState, ROOM, SHAPE};
+use goodbot::oomdp::{Action, Domain, GroundProposition, ObjectId};
+
+/// Most free cells of a home that [`is_solvable`] looks at: one bit each.
+pub const CELLS: usize = 64;
+
+/// Places of the agent and of one block that were reached: a row for each place of the block, a bit for each place of the agent.
+#[derive(Clone, Copy)]
+struct Reached([u64; CELLS]);
+
+impl Reached {
+    fn row(&mut self, block: usize) -> Option<&mut u64> {
+        self.0.get_mut(block)
+    }
+}
+
+/// What an intention asks for in a home, `None` where its objects are missing.
+fn goal(home: &Home<'_>, intention: &Intention) -> Option<GroundProposition> {
+    let objects = home.objects();
+    let room = objects.of_class(ROOM).find(|&room| objects.value(room, COLOR) == intention.room)?;
+    let subject = match intention.block {
+        None => home.agent(),
+        Some((color, shape)) => {
+            *home.blocks().iter().find(|&&block| objects.value(block, COLOR) == color && objects.value(block, SHAPE) == shape)?
+        }
+    };
+    Some(GroundProposition { proposition: intention.proposition, arguments: [subject, room, ObjectId(0)] })
+}
+
+/// Whether the intended task can be done and is not done yet. Every place that the agent and the block in question can come to is tried,
+/// while the other blocks stay where they are. A home of more than [`CELLS`] free cells counts as unsolvable.
+pub fn is_solvable(home: &Home<'_>, start: &HomeState, intention: &Intention) -> bool {
+    let Some(goal) = goal(home, intention) else { return false };
+    if home.places().len() > CELLS || home.holds(&goal, start) {
+        return false;
+    }
+    // The variable of the block that moves; where the agent itself is meant, every block stays.
+    let moving = if goal.proposition == BLOCK_IN_ROOM { home.reads(&goal) } else { None };
+    let place = |state: &HomeState| (moving.map_or(0, |variable| home.value(state, variable)), home.value(state, 0));
+    let (mut reached, mut done) = (Reached([0; CELLS]), Reached([0; CELLS]));
+    let mark = |reached: &mut Reached, (block, agent): (usize, usize)| {
+        if let Some(row) = reached.row(block) {
+            *row |= 1_u64.checked_shl(agent as u32).unwrap_or(0);
+        }
+    };
+    mark(&mut reached, place(start));
+    // Each pass takes up at least one new place; there are finitely many.
+    for _ in 0..CELLS * CELLS {
+        let mut fresh = false;
+        for block in 0..home.places().len() {
+            let open = reached.row(block).map_or(0, |row| *row) & !done.row(block).map_or(0, |row| *row);
+            for agent in (0..CELLS).filter(|&agent| open >> agent & 1 == 1) {
+                fresh = true;
+                mark(&mut done, (block, agent));
+                let at = home.with_value(start, 0, agent);
+                let at = moving.map_or(at, |variable| home.with_value(&at, variable, block));
+                for action in 0..home.actions().len() {
+                    let Some(next) = home.step(&at, Action(action as u8)) else { continue };
+                    let others_stay =
+                        (1..home.variables()).filter(|&other| Some(other) != moving).all(|o| home.value(&next, o) == home.value(start, o));
+                    if !others_stay {
+                        continue;
+                    }
+                    if home.holds(&goal, &next) {
+                        return true;
+                    }
+                    mark(&mut reached, place(&next));
+                }
+            }
+        }
+        if !fresh {
+            return false;
+        }
+    }
+    false
+}

@@ -1,0 +1,228 @@
+//! One lesson: the agent hears a command and acts; a simulated trainer who knows what is meant says "good bot", "bad bot" or nothing,
+//! and ends the lesson.
+
+use crate::error::CourseError;
+use crate::exercise::Exercise;
+use goodbot::Agent;
+use goodbot::feedback::{Feedback, SimulatedTrainer};
+use goodbot::oomdp::{Action, Domain, apply};
+use goodbot::planning::OptimalSet;
+use goodbot::session::Decision;
+use rand_core::Rng;
+
+/// The trainer ends a lesson after so many times of doing nothing in a row at the intended goal.
+pub const RESTS: u8 = 3;
+/// The trainer gives up after so many steps.
+pub const MOST_STEPS: u16 = 300;
+
+/// Why a lesson ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// The agent rests at the intended goal.
+    AtGoal,
+    /// The intended task cannot be done any more.
+    DeadEnd,
+    /// It took too long.
+    TooLong,
+}
+
+impl Ending {
+    /// Its name in output.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::AtGoal => "goal",
+            Self::DeadEnd => "dead end",
+            Self::TooLong => "too long",
+        }
+    }
+}
+
+/// How often the trainer said what.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FeedbackCounts {
+    /// "Good bot."
+    pub reward: u32,
+    /// "Bad bot."
+    pub punish: u32,
+    /// Nothing.
+    pub neutral: u32,
+}
+
+impl FeedbackCounts {
+    /// Counts one more.
+    pub fn count(&mut self, feedback: Feedback) {
+        let counter = match feedback {
+            Feedback::Reward => &mut self.reward,
+            Feedback::Punish => &mut self.punish,
+            Feedback::Neutral => &mut self.neutral,
+        };
+        *counter = counter.saturating_add(1);
+    }
+
+    /// Both together.
+    #[must_use]
+    pub const fn plus(self, other: Self) -> Self {
+        Self {
+            reward: self.reward.saturating_add(other.reward),
+            punish: self.punish.saturating_add(other.punish),
+            neutral: self.neutral.saturating_add(other.neutral),
+        }
+    }
+}
+
+/// What happened in one step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// What the agent did, and for which task.
+    pub decision: Decision,
+    /// Whether that was right for the intended task.
+    pub correct: bool,
+    /// What the trainer said.
+    pub feedback: Feedback,
+}
+
+/// What came of one turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Turn {
+    /// The agent acted.
+    Acted(Step),
+    /// The trainer has ended the lesson.
+    Ended(Ending),
+}
+
+/// A lesson under way.
+#[derive(Clone, Copy, Debug)]
+pub struct Lesson<S> {
+    state: S,
+    intended: usize,
+    understood: Option<bool>,
+    rests: u8,
+    steps: u16,
+    feedback: FeedbackCounts,
+}
+
+/// What a lesson came to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LessonReport {
+    /// Whether the agent set out for the intended task on hearing the command, before any feedback.
+    pub understood: bool,
+    /// Why it ended.
+    pub ending: Ending,
+    /// How many steps it took.
+    pub steps: u16,
+    /// What the trainer said.
+    pub feedback: FeedbackCounts,
+}
+
+impl<S: Copy + PartialEq> Lesson<S> {
+    /// Says the command to the agent.
+    ///
+    /// # Errors
+    /// [`CourseError::Agent`], and [`CourseError::NotPosed`] where the intended task is not possible in `start`.
+    pub fn begin<D>(agent: &mut Agent<'_>, domain: &D, start: &S, exercise: &Exercise) -> Result<Self, CourseError>
+    where
+        D: Domain<State = S> + ?Sized,
+    {
+        let intended = exercise.pose(agent, domain, start)?.ok_or(CourseError::NotPosed)?;
+        Ok(Self { state: *start, intended, understood: None, rests: 0, steps: 0, feedback: FeedbackCounts::default() })
+    }
+
+    /// Where things stand.
+    pub fn state(&self) -> &S {
+        &self.state
+    }
+
+    /// The intended task, by its position among those of the agent's session.
+    pub fn intended(&self) -> usize {
+        self.intended
+    }
+
+    /// What the lesson came to, if it ended now for this reason.
+    pub fn report(&self, ending: Ending) -> LessonReport {
+        LessonReport { understood: self.understood.unwrap_or(false), ending, steps: self.steps, feedback: self.feedback }
+    }
+
+    /// One turn, planned to its end.
+    ///
+    /// # Errors
+    /// [`CourseError`].
+    pub fn step<D, R>(&mut self, agent: &mut Agent<'_>, domain: &D, trainer: &SimulatedTrainer, random: &mut R) -> Result<Turn, CourseError>
+    where
+        D: Domain<State = S> + ?Sized,
+        R: Rng + ?Sized,
+    {
+        agent.plan_fully(domain, &self.state)?;
+        self.act(agent, domain, trainer, random)
+    }
+
+    /// One turn, for a caller who has planned for [`state`](Self::state) in parts.
+    ///
+    /// # Errors
+    /// [`CourseError`].
+    pub fn act<D, R>(&mut self, agent: &mut Agent<'_>, domain: &D, trainer: &SimulatedTrainer, random: &mut R) -> Result<Turn, CourseError>
+    where
+        D: Domain<State = S> + ?Sized,
+        R: Rng + ?Sized,
+    {
+        let right = agent.search().optimal(self.intended);
+        if let Some(ending) = self.ending(right) {
+            return Ok(Turn::Ended(ending));
+        }
+        let decision = agent.decide(Some(&mut *random))?;
+        self.understood.get_or_insert(decision.task == self.intended);
+        let correct = right.actions().is_some_and(|actions| actions.contains(decision.action));
+        let feedback = trainer.feedback(correct, random);
+        agent.feedback(decision.action, feedback)?;
+        self.feedback.count(feedback);
+        self.rests = if right == OptimalSet::Goal && decision.action == Action::NOOP { self.rests.saturating_add(1) } else { 0 };
+        self.steps = self.steps.saturating_add(1);
+        self.state = apply(domain, &self.state, decision.action).ok_or(CourseError::Stuck)?;
+        Ok(Turn::Acted(Step { decision, correct, feedback }))
+    }
+
+    /// Whether the trainer ends the lesson where the intended task's optimal set is this.
+    fn ending(&self, right: OptimalSet) -> Option<Ending> {
+        if self.rests >= RESTS {
+            Some(Ending::AtGoal)
+        } else if matches!(right, OptimalSet::DeadEnd(_)) {
+            Some(Ending::DeadEnd)
+        } else if self.steps >= MOST_STEPS {
+            Some(Ending::TooLong)
+        } else {
+            None
+        }
+    }
+}
+
+/// One lesson from the command to the end, learned from. `on_step` is told of every step with the agent, the state before it and the
+/// intended task.
+///
+/// # Errors
+/// [`CourseError`].
+pub fn run_lesson<D, R>(
+    agent: &mut Agent<'_>,
+    domain: &D,
+    start: &D::State,
+    exercise: &Exercise,
+    trainer: &SimulatedTrainer,
+    random: &mut R,
+    mut on_step: impl FnMut(&Agent<'_>, &D::State, &Lesson<D::State>, Option<&Step>),
+) -> Result<LessonReport, CourseError>
+where
+    D: Domain + ?Sized,
+    R: Rng + ?Sized,
+{
+    let mut lesson = Lesson::begin(agent, domain, start, exercise)?;
+    on_step(agent, start, &lesson, None);
+    loop {
+        let before = *lesson.state();
+        match lesson.step(agent, domain, trainer, random)? {
+            Turn::Acted(step) => on_step(agent, &before, &lesson, Some(&step)),
+            Turn::Ended(ending) => {
+                agent.finish(domain)?;
+                agent.learn_fully();
+                return Ok(lesson.report(ending));
+            }
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! How a command ends: its exit code, and what it says on standard error.
+
+use std::fmt;
+use std::io;
+use std::process::ExitCode;
+
+/// Why a command failed.
+#[derive(Debug)]
+pub enum Failure {
+    /// A result that failed: exit code 1.
+    Result(String),
+    /// Bad use or bad input: exit code 2.
+    Input(String),
+    /// Nobody reads standard output any more, which is no fault; or it cannot be written to.
+    Output(io::Error),
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        Self::Output(error)
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Result(message) | Self::Input(message) => f.write_str(message),
+            Self::Output(error) => write!(f, "cannot write to standard output: {error}"),
+        }
+    }
+}
+
+/// The exit code of a command, its failure told on standard error.
+pub fn exit_code(done: Result<(), Failure>) -> ExitCode {
+    let Err(failure) = done else { return ExitCode::SUCCESS };
+    let code = match &failure {
+        Failure::Output(error) if error.kind() == io::ErrorKind::BrokenPipe => return ExitCode::SUCCESS,
+        Failure::Result(_) | Failure::Output(_) => 1,
+        Failure::Input(_) => 2,
+    };
+    eprintln!("error: {failure}");
+    ExitCode::from(code)
+}

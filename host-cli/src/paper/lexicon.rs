@@ -1,0 +1,40 @@
+//! What an agent has learned: for each machine token, how probable each English word is.
+
+use goodbot::language::LanguageModel;
+
+/// Translation probabilities, with their names.
+#[derive(Debug)]
+pub struct Lexicon {
+    /// The English words.
+    pub words: Vec<String>,
+    /// The machine tokens with their row of probabilities, one a word.
+    pub rows: Vec<(String, Vec<f32>)>,
+}
+
+impl Lexicon {
+    /// What a language model has learned.
+    pub fn of(language: &LanguageModel<'_>) -> Self {
+        let tables = language.tables();
+        let words = || language.words().iter().take(tables.words());
+        let row = |token| words().map(|(word, _)| tables.translation(word, Some(token))).collect();
+        Self {
+            words: words().map(|(_, text)| text.to_owned()).collect(),
+            rows: language.tokens().iter().take(tables.tokens()).map(|(token, text)| (text.to_owned(), row(token))).collect(),
+        }
+    }
+
+    /// t(word | token); 0 where either was never seen.
+    pub fn translation(&self, token: &str, word: &str) -> f32 {
+        let column = self.words.iter().position(|known| known == word);
+        let row = self.rows.iter().find(|(known, _)| known == token);
+        row.zip(column).map_or(0.0, |((_, row), column)| row[column])
+    }
+
+    /// The most probable words of a row, best first.
+    pub fn best(&self, row: &[f32], count: usize) -> Vec<(&str, f32)> {
+        let mut words: Vec<(&str, f32)> = self.words.iter().map(String::as_str).zip(row.iter().copied()).collect();
+        words.sort_by(|a, b| b.1.total_cmp(&a.1));
+        words.truncate(count);
+        words
+    }
+}

@@ -1,0 +1,166 @@
+//! One run as it happens: the home, the command, what the agent believes and does, what the trainer says.
+
+use super::experiment::{Run, run_seed};
+use crate::cli::PaperOptions;
+use crate::outcome::Failure;
+use goodbot::Agent;
+use goodbot::feedback::Feedback;
+use goodbot::home::map::Map;
+use goodbot::home::{AGENT, COLOR, Home, SHAPE};
+use goodbot::oomdp::{Domain, ObjectId, action_name};
+use goodbot::planning::OptimalSet;
+use goodbot_course::{Ending, LESSONS, LessonReport, Observer, Scene, Step, TESTS, TestReport};
+use std::io::{self, Write};
+
+/// Cells of a belief's bar.
+const BAR: usize = 24;
+
+/// Runs one seed and tells it as it happens.
+///
+/// # Errors
+/// [`Failure`].
+pub fn tell(options: &PaperOptions, out: &mut impl Write) -> Result<Run, Failure> {
+    let strategy = options.trainer.strategy;
+    writeln!(out, "An agent that knows no word goes through {} lessons and {} tests.", LESSONS.len(), TESTS.len())?;
+    writeln!(
+        out,
+        "Its trainer ({}) is silent after a right action with probability {}, after a wrong one with {},\nand takes one for the other with {}. Seed {}, {} homes.",
+        options.trainer.name,
+        strategy.mu_plus(),
+        strategy.mu_minus(),
+        strategy.epsilon(),
+        options.seed,
+        options.homes().name(),
+    )?;
+    writeln!(out, "In the drawings @ is the agent, # wall, + a door, a capital letter a block, a small one the room's colour.")?;
+    let mut story = Story { out, failed: None, shown: false };
+    let run = run_seed(options, options.seed, &mut story);
+    match story.failed {
+        Some(error) => Err(error.into()),
+        None => run,
+    }
+}
+
+struct Story<'w, W> {
+    out: &'w mut W,
+    /// The first fault in writing; nothing is written after it.
+    failed: Option<io::Error>,
+    /// Whether the home of the tests has been shown.
+    shown: bool,
+}
+
+impl<W: Write> Story<'_, W> {
+    fn write(&mut self, tell: impl FnOnce(&mut W) -> io::Result<()>) {
+        if self.failed.is_none() {
+            self.failed = tell(self.out).err();
+        }
+    }
+}
+
+impl<W: Write> Observer for Story<'_, W> {
+    fn lesson_begins(&mut self, scene: &Scene<'_, '_, '_>) {
+        self.write(|out| {
+            writeln!(out, "\nLesson {} of {}\n", scene.number + 1, LESSONS.len())?;
+            home(out, scene)?;
+            writeln!(out, "\n  Trainer: \"{}\"\n  What it may mean, to the agent:", scene.exercise.command)?;
+            beliefs(out, scene)
+        });
+    }
+
+    fn acted(&mut self, scene: &Scene<'_, '_, '_>, step: &Step) {
+        self.write(|out| {
+            let number = |task| scene.agent.belief().probability(task);
+            let best = (0..scene.agent.tasks().len()).max_by(|&a, &b| number(a).total_cmp(&number(b))).unwrap_or(0);
+            let said = match step.feedback {
+                Feedback::Reward => "\"good bot\"",
+                Feedback::Punish => "\"bad bot\"",
+                Feedback::Neutral => "",
+            };
+            let why = if matches!(step.decision.plan, OptimalSet::DeadEnd(_)) { " (cannot be done any more)" } else { "" };
+            writeln!(
+                out,
+                "    {:<6} for {:<32} {said:<10}  now {:.3} {}",
+                action_name(scene.home, step.decision.action),
+                format!("{}{why}", task_in_words(scene, step.decision.task)),
+                number(best),
+                task_in_words(scene, best),
+            )
+        });
+    }
+
+    fn lesson_ends(&mut self, _number: usize, _agent: &Agent<'_>, report: &LessonReport) {
+        self.write(|out| {
+            let ending = match report.ending {
+                Ending::AtGoal => "done as meant",
+                Ending::DeadEnd => "it cannot be done any more",
+                Ending::TooLong => "the trainer gave up",
+            };
+            let feedback = report.feedback;
+            let understood = if report.understood { "understood on hearing" } else { "not understood on hearing" };
+            writeln!(
+                out,
+                "  {understood}; {ending} after {} steps, {} \"good bot\", {} \"bad bot\"",
+                report.steps, feedback.reward, feedback.punish
+            )
+        });
+    }
+
+    fn tested(&mut self, scene: &Scene<'_, '_, '_>, report: &TestReport) {
+        let first = !std::mem::replace(&mut self.shown, true);
+        self.write(|out| {
+            if first {
+                writeln!(out, "\nTests: new commands, no feedback, nothing learned in between\n")?;
+                home(out, scene)?;
+            }
+            writeln!(out, "\n  \"{}\": {}", scene.exercise.command, if report.right { "right" } else { "wrong" })?;
+            beliefs(out, scene)
+        });
+    }
+}
+
+fn home(out: &mut impl Write, scene: &Scene<'_, '_, '_>) -> io::Result<()> {
+    for line in Map::new(scene.home, scene.state).to_string().lines() {
+        writeln!(out, "    {line}")?;
+    }
+    Ok(())
+}
+
+/// Each task with its probability as a bar, the intended one marked.
+fn beliefs(out: &mut impl Write, scene: &Scene<'_, '_, '_>) -> io::Result<()> {
+    for task in 0..scene.agent.tasks().len() {
+        let probability = scene.agent.belief().probability(task);
+        let cells = (probability * BAR as f32).round() as usize;
+        let meant = if task == scene.intended { "  <- meant" } else { "" };
+        let bar = format!("{}{}", "█".repeat(cells), "·".repeat(BAR.saturating_sub(cells)));
+        writeln!(out, "    {bar} {probability:.3}  {}{meant}", task_in_words(scene, task))?;
+    }
+    Ok(())
+}
+
+/// `go to green room`, `blue chair to red room`.
+fn task_in_words(scene: &Scene<'_, '_, '_>, task: usize) -> String {
+    let agent = scene.agent;
+    let Some(task) = agent.tasks().get(task) else { return String::new() };
+    let Some(lifted) = agent.lifted().get(usize::from(task.lifted)) else { return String::new() };
+    let parts: Vec<String> = task
+        .propositions(lifted)
+        .map(|part| {
+            let [subject, place, _] = part.arguments;
+            format!("{} to {}", thing(scene.home, subject), thing(scene.home, place))
+        })
+        .collect();
+    parts.join(" and ")
+}
+
+fn thing(home: &Home<'_>, object: ObjectId) -> String {
+    let objects = home.objects();
+    let color = objects.value(object, COLOR);
+    match objects.get(object).map(|known| known.class) {
+        Some(AGENT) => "go".to_owned(),
+        Some(class) => {
+            let shape = objects.value(object, SHAPE);
+            format!("{color} {}", if shape.is_empty() { home.schema().class_name(class) } else { shape }).trim().to_owned()
+        }
+        None => String::new(),
+    }
+}
