@@ -9,7 +9,6 @@ use semihosting::sys::arm_compat::{ExitReason, sys_exit_extended, sys_write0};
 const CONTROL: *mut u32 = 0xE000_E010 as *mut u32;
 const RELOAD: *mut u32 = 0xE000_E014 as *mut u32;
 const CURRENT: *mut u32 = 0xE000_E018 as *mut u32;
-const MOST: u32 = 0x00FF_FFFF;
 
 /// Instructions for each tick of the processor clock, times 2^16. The emulator is told that an instruction takes 64 ns.
 #[cfg(not(feature = "microbit"))]
@@ -17,18 +16,40 @@ const PER_TICK: u64 = 40_960; // 25 MHz: 40 / 64
 #[cfg(feature = "microbit")]
 const PER_TICK: u64 = 64_000; // 16 MHz: 62.5 / 64
 
-static WRAPS: AtomicU32 = AtomicU32::new(0);
+/// The longest period, in instructions.
+pub const MOST_PERIOD: u32 = 10_000_000;
+
+static PERIODS: AtomicU32 = AtomicU32::new(0);
+/// Ticks of the processor clock in a period.
+static PERIOD: AtomicU32 = AtomicU32::new(1);
 
 #[exception]
 fn SysTick() {
-    WRAPS.store(WRAPS.load(Ordering::Relaxed).wrapping_add(1), Ordering::Relaxed);
+    PERIODS.store(PERIODS.load(Ordering::Relaxed).wrapping_add(1), Ordering::Relaxed);
 }
 
-/// Starts the counter.
-pub fn start_counter() {
+/// Periods since the counter was started.
+#[allow(dead_code, reason = "only the fixed tick asks for it")]
+pub fn periods() -> u32 {
+    PERIODS.load(Ordering::Relaxed)
+}
+
+/// Sleeps until the period that comes after `period` begins.
+#[allow(dead_code, reason = "only the fixed tick sleeps")]
+pub fn sleep_through(period: u32) {
+    while periods() == period {
+        // SAFETY: waits for an interrupt; the counter's comes once a period.
+        unsafe { core::arch::asm!("wfi", options(nomem, nostack, preserves_flags)) };
+    }
+}
+
+/// Starts the counter, with a period of so many instructions, at most [`MOST_PERIOD`].
+pub fn start_counter(period: u32) {
+    let ticks = ((u64::from(period.min(MOST_PERIOD)) << 16) / PER_TICK) as u32;
+    PERIOD.store(ticks, Ordering::Relaxed);
     // SAFETY: every Cortex-M that this runs on has these registers, and nothing else uses them.
     unsafe {
-        RELOAD.write_volatile(MOST);
+        RELOAD.write_volatile(ticks.wrapping_sub(1));
         CURRENT.write_volatile(0);
         CONTROL.write_volatile(0b111);
     }
@@ -36,12 +57,13 @@ pub fn start_counter() {
 
 /// Instructions since the counter was started.
 pub fn instructions() -> u64 {
+    let period = PERIOD.load(Ordering::Relaxed);
     loop {
-        let before = WRAPS.load(Ordering::Relaxed);
+        let before = periods();
         // SAFETY: as above; reading has no effect but on a flag that is not used.
         let left = unsafe { CURRENT.read_volatile() };
-        if WRAPS.load(Ordering::Relaxed) == before {
-            let ticks = u64::from(before).wrapping_mul(u64::from(MOST) + 1).wrapping_add(u64::from(MOST.wrapping_sub(left)));
+        if periods() == before {
+            let ticks = u64::from(before).wrapping_mul(u64::from(period)).wrapping_add(u64::from(period.wrapping_sub(left)));
             return ticks.wrapping_mul(PER_TICK) >> 16;
         }
     }

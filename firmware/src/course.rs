@@ -4,17 +4,13 @@
 #![no_main]
 
 mod board;
+mod memory;
 mod stack;
 
 use board::report;
-use goodbot_drill::{LESSONS, SEED, Watch, Work, run};
+use goodbot_drill::{Budget, LESSONS, SEED, Watch, Work, run};
 
-#[cfg(not(feature = "tiny"))]
-goodbot::memory! { struct RobotMemory = goodbot::Capacities::SMALL; }
-#[cfg(feature = "tiny")]
-goodbot::memory! { struct RobotMemory = goodbot::Capacities::TINY; }
-
-static mut MEMORY: RobotMemory = RobotMemory::new();
+static mut MEMORY: memory::RobotMemory = memory::RobotMemory::new();
 
 /// The dearest of each kind of work, in instructions.
 struct Counter {
@@ -25,6 +21,8 @@ struct Counter {
     /// The first plan of each lesson.
     plans: [u64; LESSONS],
     acted: bool,
+    round: u64,
+    longest_round: u64,
     all: u64,
 }
 
@@ -39,6 +37,9 @@ impl Watch for Counter {
         if let Some(most) = self.most.get_mut(work as usize) {
             *most = spent.max(*most);
         }
+        if work == Work::Learn {
+            self.round = self.round.wrapping_add(spent);
+        }
         self.acted &= work != Work::Hear;
         if let (Some(first), Some(plan), false) = (self.first.get_mut(number), self.plans.get_mut(number), self.acted) {
             match work {
@@ -51,21 +52,35 @@ impl Watch for Counter {
             }
         }
     }
+
+    fn round(&mut self) {
+        self.longest_round = self.longest_round.max(self.round);
+        self.round = 0;
+    }
 }
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    board::start_counter();
+    board::start_counter(board::MOST_PERIOD);
     // SAFETY: this function runs once, and nothing else touches the static.
     let memory = unsafe { &mut *(&raw mut MEMORY) };
-    let mut counter =
-        Counter { began: 0, most: [0; Work::ALL.len()], first: [0; LESSONS], plans: [0; LESSONS], acted: false, all: 0 };
-    let outcome = run(memory.split(), SEED, &mut counter);
+    let mut counter = Counter {
+        began: 0,
+        most: [0; Work::ALL.len()],
+        first: [0; LESSONS],
+        plans: [0; LESSONS],
+        acted: false,
+        round: 0,
+        longest_round: 0,
+        all: 0,
+    };
+    let outcome = run(memory.split(), SEED, Budget::ROUNDS, &mut counter);
     report("statics", stack::statics());
     report("stack", stack::deepest());
     for ((_, name), &most) in Work::ALL.iter().zip(&counter.most) {
         report(name, most);
     }
+    report("round", counter.longest_round);
     for &plan in &counter.plans {
         report("first-plan", plan);
     }

@@ -183,7 +183,7 @@ impl<'m> Agent<'m> {
         self.dead = TaskSet::EMPTY;
         self.task_count = 0;
         self.language.forget_unlearned();
-        self.sentence = self.language.hear(command)?;
+        self.language.hear_into(command, &mut self.sentence)?;
         if self.sentence.is_empty() {
             return Err(AgentError::EmptyCommand);
         }

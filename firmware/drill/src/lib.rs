@@ -15,4 +15,4 @@ pub mod run;
 mod wasm;
 
 pub use digest::Digest;
-pub use run::{LESSONS, Outcome, SEED, Watch, Work, run};
+pub use run::{Budget, LESSONS, Outcome, SEED, Watch, Work, run};

@@ -23,14 +23,14 @@ pub enum Work {
     Build,
     /// Hearing a command.
     Hear,
-    /// Planning for all tasks from one state, to the end.
+    /// Planning for all tasks from one state: one call.
     Plan,
     /// One action with its feedback: choosing it, and learning from what the trainer says.
     Act,
     /// Weighing the session's machine commands.
     Finish,
-    /// One round of expectation maximisation.
-    Round,
+    /// Learning: one call.
+    Learn,
 }
 
 impl Work {
@@ -41,7 +41,7 @@ impl Work {
         (Self::Plan, "plan"),
         (Self::Act, "act"),
         (Self::Finish, "finish"),
-        (Self::Round, "round"),
+        (Self::Learn, "learn"),
     ];
 }
 
@@ -52,9 +52,26 @@ pub trait Watch {
 
     /// The work that began last has ended; it was for the lesson or test of this number, the lessons first.
     fn end(&mut self, _work: Work, _number: usize) {}
+
+    /// A round of expectation maximisation is over.
+    fn round(&mut self) {}
 }
 
 impl Watch for () {}
+
+/// How much work one call may do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Budget {
+    /// States of the search.
+    pub plan: u32,
+    /// Table cells of the training.
+    pub learn: u32,
+}
+
+impl Budget {
+    /// Plans in one call. Learning goes in the smallest parts, so that every round's end is seen.
+    pub const ROUNDS: Self = Self { plan: u32::MAX, learn: 1 };
+}
 
 /// How the run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,14 +90,14 @@ pub struct Outcome {
 ///
 /// # Errors
 /// [`CourseError`]: where the memory is too small, mostly.
-pub fn run(memory: Memory<'_>, seed: u64, watch: &mut impl Watch) -> Result<Outcome, CourseError> {
+pub fn run(memory: Memory<'_>, seed: u64, budget: Budget, watch: &mut impl Watch) -> Result<Outcome, CourseError> {
     let Memory { home: mut rooms, agent } = memory;
     let tasks = home::paper_tasks().map_err(|_| CourseError::NotPosed)?;
     let mut agent = Agent::new(agent, &tasks, Options::PAPER).map_err(AgentError::from)?;
     let mut outcome = Outcome { passed: 0, tests: TESTS.len() as u32, steps: 0, digest: Digest::EMPTY };
     let mut random = generator(seed);
     for (number, lesson) in exercise::LESSONS.iter().enumerate() {
-        train(&mut agent, lend(&mut rooms), lesson, number, &mut random, &mut outcome, watch)?;
+        train(&mut agent, lend(&mut rooms), (number, lesson), &mut random, &mut outcome, budget, watch)?;
     }
     for (number, test) in TESTS.iter().enumerate() {
         let number = LESSONS.wrapping_add(number);
@@ -101,10 +118,10 @@ pub fn run(memory: Memory<'_>, seed: u64, watch: &mut impl Watch) -> Result<Outc
 fn train<R: rand_core::Rng>(
     agent: &mut Agent<'_>,
     rooms: HomeMemory<'_>,
-    exercise: &Exercise,
-    number: usize,
+    (number, exercise): (usize, &Exercise),
     random: &mut R,
     outcome: &mut Outcome,
+    budget: Budget,
     watch: &mut impl Watch,
 ) -> Result<(), CourseError> {
     let trainer = SimulatedTrainer { strategy: Strategy::BALANCED };
@@ -117,9 +134,14 @@ fn train<R: rand_core::Rng>(
     watch.end(Work::Hear, number);
     take(agent, &mut outcome.digest);
     loop {
-        watch.begin();
-        agent.plan_fully(&home, lesson.state())?;
-        watch.end(Work::Plan, number);
+        loop {
+            watch.begin();
+            let progress = agent.plan(&home, lesson.state(), budget.plan)?;
+            watch.end(Work::Plan, number);
+            if progress == Progress::Done {
+                break;
+            }
+        }
         watch.begin();
         let turn = lesson.act(agent, &home, &trainer, random)?;
         watch.end(Work::Act, number);
@@ -132,16 +154,18 @@ fn train<R: rand_core::Rng>(
     watch.begin();
     agent.finish(&home)?;
     watch.end(Work::Finish, number);
-    watch.begin();
-    let mut round = agent.language().training().round();
-    while agent.learn(1) == Progress::Working {
-        if agent.language().training().round() != round {
-            round = agent.language().training().round();
-            watch.end(Work::Round, number);
-            watch.begin();
+    loop {
+        let round = agent.language().training().round();
+        watch.begin();
+        let progress = agent.learn(budget.learn);
+        watch.end(Work::Learn, number);
+        if progress == Progress::Done || agent.language().training().round() != round {
+            watch.round();
+        }
+        if progress == Progress::Done {
+            break;
         }
     }
-    watch.end(Work::Round, number);
     Ok(())
 }
 

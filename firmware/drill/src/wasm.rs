@@ -1,6 +1,6 @@
 //! The drill for a WebAssembly engine: nothing is imported.
 
-use crate::{SEED, run};
+use crate::{Budget, SEED, run};
 use std::boxed::Box;
 
 goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
@@ -9,5 +9,5 @@ goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
 #[unsafe(no_mangle)]
 pub extern "C" fn goodbot_drill_digest() -> u32 {
     let mut memory = Box::new(Memory::new());
-    run(memory.split(), SEED, &mut ()).map_or(0, |outcome| outcome.digest.0)
+    run(memory.split(), SEED, Budget::ROUNDS, &mut ()).map_or(0, |outcome| outcome.digest.0)
 }
