@@ -91,6 +91,7 @@ fn main() -> ! {
             report("steps", u64::from(outcome.steps));
             report("digest", u64::from(outcome.digest.0));
             report("passed", u64::from(outcome.passed));
+            report("tests", u64::from(outcome.tests));
             board::exit(if outcome.passed == outcome.tests { 0 } else { 1 })
         }
         Err(_) => {

@@ -1,5 +1,7 @@
 //! goodbot's development commands: `cargo xtask --help`.
 
+mod firmware;
+mod footprint;
 mod process;
 mod project;
 mod steps;
@@ -25,6 +27,8 @@ enum Task {
     Setup,
     /// Runs every check and every test; stops at the first that fails.
     Test(test::Options),
+    /// Measures what the robot costs on each emulated board, and writes docs/footprint.md.
+    Footprint(footprint::Options),
 }
 
 fn main() -> ExitCode {
@@ -38,6 +42,7 @@ fn run() -> Result<ExitCode> {
     match Arguments::parse().command {
         Task::Setup => toolchain::setup()?,
         Task::Test(options) => return test::run(&options),
+        Task::Footprint(options) => return footprint::run(&options),
     }
     Ok(ExitCode::SUCCESS)
 }

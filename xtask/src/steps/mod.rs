@@ -5,6 +5,7 @@
 mod clippy;
 mod cross;
 mod docs;
+mod firmware;
 mod format;
 mod style;
 mod tests;
@@ -40,6 +41,11 @@ pub const ALL: &[Step] = &[
     cross::SETUP,
     cross::MICROCONTROLLER,
     cross::BROWSER,
+    firmware::COURSE,
+    firmware::TICK,
+    firmware::SAME_BITS,
+    firmware::NO_PANIC,
+    firmware::FOOTPRINT,
 ];
 
 /// How many tests ran, over all steps.
