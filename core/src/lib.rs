@@ -12,6 +12,7 @@
 //! | [`feedback`] | trainer strategies and the belief over tasks (SABL, I-SABL) |
 //! | [`language`] | words, IBM Model 2, weighted EM |
 //! | [`session`] | Algorithm 1: the [`Agent`] |
+//! | [`snapshot`] | what is learned, as bytes |
 //!
 //! and beside them [`capacity`] and [`memory`] (how large every table is, and who owns it), [`symbols`] (names) and [`probability`]
 //! (products that never underflow).
@@ -67,6 +68,7 @@ pub mod oomdp;
 pub mod planning;
 pub mod probability;
 pub mod session;
+pub mod snapshot;
 pub mod symbols;
 pub mod task;
 

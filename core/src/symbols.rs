@@ -58,6 +58,11 @@ impl<'m> Symbols<'m> {
         self.start(self.len)
     }
 
+    /// How many texts, and how many bytes of them, there is room for.
+    pub(crate) fn room(&self) -> (usize, usize) {
+        (self.ends.len().min(usize::from(u16::MAX) - 1), self.bytes.len().min(usize::from(u16::MAX)))
+    }
+
     fn start(&self, position: usize) -> usize {
         match position.checked_sub(1) {
             Some(previous) => self.ends.get(previous).copied().unwrap_or(0) as usize,

@@ -2,7 +2,7 @@
 //!
 //! Equal machine commands are kept once. A session's English command is kept once, however many machine commands it goes with.
 
-use crate::capacity::{Capacity, CapacityError};
+use crate::capacity::{Capacities, Capacity, CapacityError};
 use crate::symbols::Symbol;
 
 /// Where a run of symbols lies in its pool.
@@ -96,6 +96,23 @@ impl<'m> Bitext<'m> {
         span(self.memory.commands, self.memory.command_tokens, usize::from(command), self.used.commands)
     }
 
+    /// The pairs of one session.
+    pub fn pairs_of(&self, session: u16) -> &[Pair] {
+        let pairs = self.pairs();
+        let start = pairs.partition_point(|pair| pair.session < session);
+        let end = pairs.partition_point(|pair| pair.session <= session);
+        pairs.get(start..end).unwrap_or(&[])
+    }
+
+    /// How much the memory holds.
+    pub(crate) fn room(&self, rooms: &mut Capacities) {
+        rooms.commands = self.memory.commands.len().min(usize::from(u16::MAX));
+        rooms.command_tokens = self.memory.command_tokens.len();
+        rooms.sessions = self.memory.sessions.len().min(usize::from(u16::MAX));
+        rooms.sentence_words = self.memory.sentence_words.len();
+        rooms.pairs = self.memory.pairs.len();
+    }
+
     /// How much is used now; [`rewind`](Self::rewind) takes it.
     pub fn extent(&self) -> Extent {
         self.used
@@ -132,9 +149,14 @@ impl<'m> Bitext<'m> {
             return Err(CapacityError::full(Capacity::Pairs, limit));
         }
         let command = self.intern_command(tokens)?;
-        if let Some(entry) = self.memory.pairs.get_mut(self.used.pairs) {
-            *entry = Pair { session: self.used.sessions.saturating_sub(1) as u16, command, weight };
-        }
+        self.add_pair_with(command, weight)
+    }
+
+    /// Adds a pair of the last session's English command and a machine command, by its position.
+    pub(crate) fn add_pair_with(&mut self, command: u16, weight: f32) -> Result<(), CapacityError> {
+        let full = CapacityError::full(Capacity::Pairs, self.memory.pairs.len());
+        let entry = self.memory.pairs.get_mut(self.used.pairs).ok_or(full)?;
+        *entry = Pair { session: self.used.sessions.saturating_sub(1) as u16, command, weight };
         self.used.pairs = self.used.pairs.saturating_add(1);
         Ok(())
     }
@@ -144,6 +166,11 @@ impl<'m> Bitext<'m> {
         if let Some(command) = known {
             return Ok(command);
         }
+        self.add_command(tokens)
+    }
+
+    /// Adds a machine command. Gives its position.
+    pub(crate) fn add_command(&mut self, tokens: &[Symbol]) -> Result<u16, CapacityError> {
         let limit = self.memory.commands.len().min(usize::from(u16::MAX));
         let Some(entry) = self.memory.commands.get_mut(self.used.commands).filter(|_| self.used.commands < limit) else {
             return Err(CapacityError::full(Capacity::Commands, limit));
