@@ -52,7 +52,7 @@ impl<const READ: usize, const WRITE: usize, const ERASE: usize> Flash<READ, WRIT
         if from + length > self.bytes.len() {
             return Err(Refusal::OutOfBounds);
         }
-        if from % unit != 0 || length % unit != 0 { Err(Refusal::NotAligned) } else { Ok(()) }
+        if !from.is_multiple_of(unit) || !length.is_multiple_of(unit) { Err(Refusal::NotAligned) } else { Ok(()) }
     }
 
     /// Spends the power that one byte takes.

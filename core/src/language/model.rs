@@ -49,10 +49,10 @@ pub struct LanguageMemory<'m> {
 #[derive(Debug)]
 pub struct LanguageModel<'m> {
     settings: Settings,
-    words: Symbols<'m>,
-    tokens: Symbols<'m>,
-    bitext: Bitext<'m>,
-    tables: Tables<'m>,
+    pub(super) words: Symbols<'m>,
+    pub(super) tokens: Symbols<'m>,
+    pub(super) bitext: Bitext<'m>,
+    pub(super) tables: Tables<'m>,
     training: Training,
     learned_words: usize,
     learned_tokens: usize,
@@ -119,8 +119,8 @@ impl<'m> LanguageModel<'m> {
         self.tokens.truncate(self.learned_tokens);
     }
 
-    /// The words of a command, new ones interned. Where the vocabulary is full, a new word is `None`: the command can be heard, but not
-    /// learned from.
+    /// The words of a command, new ones interned. Where the vocabulary is full, a new word is `None`: it says nothing, and is left out when
+    /// the command is learned from.
     ///
     /// # Errors
     /// A [`CapacityError`] where the command or one of its words is too long.
@@ -210,6 +210,11 @@ impl<'m> LanguageModel<'m> {
     pub(crate) fn data_replaced(&mut self) -> Result<(), CapacityError> {
         (self.learned_words, self.learned_tokens) = (self.words.len(), self.tokens.len());
         self.tables.fits(self.tokens.len(), self.words.len())?;
+        self.rebuild_lengths()
+    }
+
+    /// Lays the alignment tables out anew for the pairs of lengths that the data have now. A training must follow.
+    pub(super) fn rebuild_lengths(&mut self) -> Result<(), CapacityError> {
         self.tables.length_pairs = 0;
         for pair in self.bitext.pairs() {
             self.tables.add_lengths(self.bitext.command(pair.command).len(), self.bitext.sentence(pair.session).len())?;

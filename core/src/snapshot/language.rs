@@ -6,6 +6,7 @@ use super::record::Sizes;
 use super::writing::Writing;
 use crate::capacity::{Capacity, CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::language::LanguageModel;
+use crate::language::lengths::SeenLengths;
 use crate::session::Options;
 use crate::symbols::Symbol;
 use heapless::Vec;
@@ -121,26 +122,5 @@ fn for_each_length(contents: &Contents<'_>, mut see: impl FnMut(usize, usize)) {
                 see(command.len(), session.words.len());
             }
         }
-    }
-}
-
-/// The pairs of lengths seen so far, one bit each.
-struct SeenLengths {
-    seen: [u128; TOKENS_PER_COMMAND + 1],
-    pairs: usize,
-    cells: usize,
-}
-
-impl SeenLengths {
-    fn new() -> Self {
-        Self { seen: [0; TOKENS_PER_COMMAND + 1], pairs: 0, cells: 0 }
-    }
-
-    fn see(&mut self, machine: usize, english: usize) {
-        let bit = 1_u128.checked_shl(english as u32).unwrap_or(0);
-        let Some(seen) = self.seen.get_mut(machine).filter(|seen| **seen & bit == 0) else { return };
-        *seen |= bit;
-        self.pairs = self.pairs.saturating_add(1);
-        self.cells = self.cells.saturating_add(machine.saturating_add(1).saturating_mul(english));
     }
 }
