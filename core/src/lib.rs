@@ -12,6 +12,8 @@
 //! | [`feedback`] | trainer strategies and the belief over tasks (SABL, I-SABL) |
 //! | [`language`] | words, IBM Model 2, weighted EM |
 //! | [`session`] | Algorithm 1: the [`Agent`] |
+//! | [`snapshot`] | what is learned, as bytes |
+//! | [`storage`] | those bytes in flash, safe from power cuts |
 //!
 //! and beside them [`capacity`] and [`memory`] (how large every table is, and who owns it), [`symbols`] (names) and [`probability`]
 //! (products that never underflow).
@@ -67,6 +69,8 @@ pub mod oomdp;
 pub mod planning;
 pub mod probability;
 pub mod session;
+pub mod snapshot;
+pub mod storage;
 pub mod symbols;
 pub mod task;
 

@@ -58,6 +58,11 @@ impl<'m> Symbols<'m> {
         self.start(self.len)
     }
 
+    /// How many texts, and how many bytes of them, there is room for.
+    pub(crate) fn room(&self) -> (usize, usize) {
+        (self.ends.len().min(usize::from(u16::MAX) - 1), self.bytes.len().min(usize::from(u16::MAX)))
+    }
+
     fn start(&self, position: usize) -> usize {
         match position.checked_sub(1) {
             Some(previous) => self.ends.get(previous).copied().unwrap_or(0) as usize,
@@ -129,6 +134,27 @@ impl<'m> Symbols<'m> {
         Ok(symbol)
     }
 
+    /// Forgets one text. Those after it move up: each of their symbols becomes the one before.
+    pub fn remove(&mut self, symbol: Symbol) {
+        let position = symbol.index();
+        if position >= self.len {
+            return;
+        }
+        let (start, end) = (self.start(position), self.start(position.saturating_add(1)));
+        let (all, length) = (self.byte_len(), end.saturating_sub(start));
+        if let Some(bytes) = self.bytes.get_mut(start..all) {
+            bytes.rotate_left(length);
+        }
+        let last = self.len.saturating_sub(1);
+        if let Some(ends) = self.ends.get_mut(position..self.len) {
+            ends.rotate_left(1);
+        }
+        for end in self.ends.iter_mut().take(last).skip(position) {
+            *end = end.saturating_sub(length as u16);
+        }
+        self.len = last;
+    }
+
     /// Forgets all texts from position `len` on.
     pub fn truncate(&mut self, len: usize) {
         self.len = self.len.min(len);
@@ -148,6 +174,23 @@ mod tests {
         symbols.intern("blue").unwrap();
         assert_eq!(symbols.intern("a"), Err(CapacityError::new(Capacity::Words, 2, 3)));
         assert_eq!(symbols.find("blue"), Some(Symbol(1)));
+    }
+
+    #[test]
+    fn a_removed_text_leaves_the_others_in_order() {
+        for removed in 0..4 {
+            let (mut bytes, mut ends) = ([0; 16], [0; 4]);
+            let mut symbols = Symbols::new(&mut bytes, &mut ends, Capacity::Words, Capacity::WordBytes);
+            let mut texts = std::vec!["red", "", "blue", "green"];
+            for text in &texts {
+                symbols.intern(text).unwrap();
+            }
+            symbols.remove(Symbol(removed));
+            symbols.remove(Symbol(9));
+            texts.remove(usize::from(removed));
+            assert!(symbols.iter().map(|(_, text)| text).eq(texts));
+            assert_eq!(symbols.intern("pink"), Ok(Symbol(3)));
+        }
     }
 
     #[test]

@@ -2,7 +2,6 @@
 
 use crate::paper::trainer::TrainerChoice;
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
-use std::num::NonZeroU32;
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -56,11 +55,12 @@ silence after a wrong one, and of taking one for the other.
   punish-only  0.7,0.05,0.1   punishes nearly every wrong action
   reward-only  0.05,0.7,0.1   rewards nearly every right action
 
-With --json there is one line for each run and a last line for all of them together:
-  {\"type\":\"summary\",\"trainer\":\"balanced\",…,\"test_right\":[five shares],\"test_all_right\":share,…}
-train_right: the shares of runs in which a lesson's command was understood before any feedback. test_right: those in which
-the most likely task was the one meant. translations: each word's mean probability given a machine token. feedback: how
-often the trainer said what, all runs together.
+With --json there is one line for each run, and a last line for all together:
+  train_right     shares of runs in which a lesson's command was understood before any feedback
+  test_right      shares of runs in which the most likely task was the one meant, for each test
+  test_all_right  share of runs in which all tests were right
+  translations    mean probability of a word given a machine token
+  feedback        how often the trainers said what, all runs together
 
 Examples:
   goodbot paper --seed 3 --layouts random
@@ -74,8 +74,8 @@ pub struct PaperOptions {
     #[arg(long, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON", default_value = "balanced", allow_hyphen_values = true)]
     pub trainer: TrainerChoice,
     /// How many agents to train, each with a seed of its own, counted up from --seed
-    #[arg(long, value_name = "N", default_value = "1")]
-    pub runs: NonZeroU32,
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    pub runs: u32,
     /// Seed of the first run: the same seed gives the same run everywhere
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
@@ -137,7 +137,7 @@ pub enum Model {
 impl PaperOptions {
     /// Whether one run is told as a story.
     pub fn is_story(&self) -> bool {
-        self.runs.get() == 1 && !self.json
+        self.runs == 1 && !self.json
     }
 
     /// Which homes, where that was not said.

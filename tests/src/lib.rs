@@ -3,6 +3,7 @@
 #![deny(missing_docs)]
 
 pub mod fixture;
+pub mod school;
 
 use std::path::PathBuf;
 

@@ -63,6 +63,25 @@ impl<'m> Belief<'m> {
         Ok(())
     }
 
+    /// How many strategies there is room for.
+    pub(crate) fn most_strategies(&self) -> usize {
+        self.memory.strategies.len()
+    }
+
+    /// Takes strategies with exactly these probabilities, which were checked and fit; none leaves those that are. The belief is then about
+    /// no tasks.
+    pub(crate) fn take_over(&mut self, strategies: impl Iterator<Item = (Strategy, f32)>) {
+        let mut count = 0_usize;
+        for (slot, strategy) in self.memory.strategies.iter_mut().zip(strategies) {
+            *slot = strategy;
+            count = count.saturating_add(1);
+        }
+        if count > 0 {
+            self.strategies = count;
+        }
+        self.tasks = 0;
+    }
+
     /// Starts again with these task priors; the strategies' marginals so far are kept.
     ///
     /// # Errors

@@ -2,7 +2,7 @@
 //!
 //! Equal machine commands are kept once. A session's English command is kept once, however many machine commands it goes with.
 
-use crate::capacity::{Capacity, CapacityError};
+use crate::capacity::{Capacities, Capacity, CapacityError};
 use crate::symbols::Symbol;
 
 /// Where a run of symbols lies in its pool.
@@ -96,6 +96,23 @@ impl<'m> Bitext<'m> {
         span(self.memory.commands, self.memory.command_tokens, usize::from(command), self.used.commands)
     }
 
+    /// The pairs of one session.
+    pub fn pairs_of(&self, session: u16) -> &[Pair] {
+        let pairs = self.pairs();
+        let start = pairs.partition_point(|pair| pair.session < session);
+        let end = pairs.partition_point(|pair| pair.session <= session);
+        pairs.get(start..end).unwrap_or(&[])
+    }
+
+    /// How much the memory holds.
+    pub(crate) fn room(&self, rooms: &mut Capacities) {
+        rooms.commands = self.memory.commands.len().min(usize::from(u16::MAX));
+        rooms.command_tokens = self.memory.command_tokens.len();
+        rooms.sessions = self.memory.sessions.len().min(usize::from(u16::MAX));
+        rooms.sentence_words = self.memory.sentence_words.len();
+        rooms.pairs = self.memory.pairs.len();
+    }
+
     /// How much is used now; [`rewind`](Self::rewind) takes it.
     pub fn extent(&self) -> Extent {
         self.used
@@ -132,11 +149,65 @@ impl<'m> Bitext<'m> {
             return Err(CapacityError::full(Capacity::Pairs, limit));
         }
         let command = self.intern_command(tokens)?;
-        if let Some(entry) = self.memory.pairs.get_mut(self.used.pairs) {
-            *entry = Pair { session: self.used.sessions.saturating_sub(1) as u16, command, weight };
-        }
+        self.add_pair_with(command, weight)
+    }
+
+    /// Adds a pair of the last session's English command and a machine command, by its position.
+    pub(crate) fn add_pair_with(&mut self, command: u16, weight: f32) -> Result<(), CapacityError> {
+        let full = CapacityError::full(Capacity::Pairs, self.memory.pairs.len());
+        let entry = self.memory.pairs.get_mut(self.used.pairs).ok_or(full)?;
+        *entry = Pair { session: self.used.sessions.saturating_sub(1) as u16, command, weight };
         self.used.pairs = self.used.pairs.saturating_add(1);
         Ok(())
+    }
+
+    /// Forgets a session and its pairs. Those after it move up by one.
+    pub(super) fn remove_session(&mut self, session: u16) {
+        let position = usize::from(session);
+        if position >= self.used.sessions {
+            return;
+        }
+        remove_span(self.memory.sessions, &mut self.used.sessions, self.memory.sentence_words, &mut self.used.sentence_words, position);
+        let mut kept = 0_usize;
+        for from in 0..self.used.pairs {
+            let Some(mut pair) = self.memory.pairs.get(from).copied() else { continue };
+            if pair.session == session {
+                continue;
+            }
+            if pair.session > session {
+                pair.session = pair.session.saturating_sub(1);
+            }
+            if let Some(slot) = self.memory.pairs.get_mut(kept) {
+                *slot = pair;
+            }
+            kept = kept.saturating_add(1);
+        }
+        self.used.pairs = kept;
+        self.remove_unused_commands();
+    }
+
+    /// Forgets the machine commands that no pair has.
+    fn remove_unused_commands(&mut self) {
+        for command in (0..self.used.commands as u16).rev() {
+            if self.pairs().iter().any(|pair| pair.command == command) {
+                continue;
+            }
+            let tokens = (&mut *self.memory.command_tokens, &mut self.used.command_tokens);
+            remove_span(self.memory.commands, &mut self.used.commands, tokens.0, tokens.1, usize::from(command));
+            for pair in self.memory.pairs.iter_mut().take(self.used.pairs).filter(|pair| pair.command > command) {
+                pair.command = pair.command.saturating_sub(1);
+            }
+        }
+    }
+
+    /// The words of all sessions.
+    pub(super) fn words_mut(&mut self) -> &mut [Symbol] {
+        self.memory.sentence_words.get_mut(..self.used.sentence_words).unwrap_or(&mut [])
+    }
+
+    /// The tokens of all machine commands.
+    pub(super) fn tokens_mut(&mut self) -> &mut [Symbol] {
+        self.memory.command_tokens.get_mut(..self.used.command_tokens).unwrap_or(&mut [])
     }
 
     fn intern_command(&mut self, tokens: &[Symbol]) -> Result<u16, CapacityError> {
@@ -144,6 +215,11 @@ impl<'m> Bitext<'m> {
         if let Some(command) = known {
             return Ok(command);
         }
+        self.add_command(tokens)
+    }
+
+    /// Adds a machine command. Gives its position.
+    pub(crate) fn add_command(&mut self, tokens: &[Symbol]) -> Result<u16, CapacityError> {
         let limit = self.memory.commands.len().min(usize::from(u16::MAX));
         let Some(entry) = self.memory.commands.get_mut(self.used.commands).filter(|_| self.used.commands < limit) else {
             return Err(CapacityError::full(Capacity::Commands, limit));
@@ -160,6 +236,22 @@ fn span<'a>(spans: &[Span], pool: &'a [Symbol], position: usize, used: usize) ->
     let Some(span) = spans.get(position).filter(|_| position < used) else { return &[] };
     let start = span.start as usize;
     pool.get(start..start.saturating_add(usize::from(span.len))).unwrap_or(&[])
+}
+
+/// Removes one span of a table and its symbols from their pool; what follows moves up.
+fn remove_span(spans: &mut [Span], used: &mut usize, pool: &mut [Symbol], pool_used: &mut usize, position: usize) {
+    let Some(spans) = spans.get_mut(position..*used) else { return };
+    let Some(&mut removed) = spans.first_mut() else { return };
+    let length = usize::from(removed.len);
+    if let Some(pool) = pool.get_mut(removed.start as usize..*pool_used).filter(|pool| pool.len() >= length) {
+        pool.rotate_left(length);
+    }
+    spans.rotate_left(1);
+    for span in spans {
+        span.start = span.start.saturating_sub(u32::from(removed.len));
+    }
+    *used = used.saturating_sub(1);
+    *pool_used = pool_used.saturating_sub(length);
 }
 
 fn put(pool: &mut [Symbol], start: usize, symbols: &[Symbol], capacity: Capacity) -> Result<Span, CapacityError> {

@@ -4,11 +4,14 @@
 //! - [`bitext`]: the training data, pairs of an English command and a machine command, each with a weight;
 //! - [`tables`]: IBM Model 2's translation and alignment tables;
 //! - [`likelihood`]: Pr(e|m), exactly, without underflow;
+//! - [`forgetting`]: what gives way when memory is full;
 //! - [`em`]: weighted expectation maximisation, in steps as large as the caller allows;
 //! - [`model`]: all of it together.
 
 pub mod bitext;
 pub mod em;
+pub mod forgetting;
+pub(crate) mod lengths;
 pub mod likelihood;
 pub mod model;
 pub mod tables;

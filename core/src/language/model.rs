@@ -1,11 +1,11 @@
 //! The language model as a whole: vocabularies, training data and parameters.
 
-use super::bitext::{Bitext, BitextMemory};
+use super::bitext::{Bitext, BitextMemory, Extent};
 use super::em::Training;
 use super::likelihood::{length_likelihood, likelihood};
 use super::tables::{TableMemory, Tables};
 use super::tokenizer::{Sentence, for_each_word};
-use crate::capacity::{Capacity, CapacityError, WORDS_PER_COMMAND};
+use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
 use crate::planning::Progress;
 use crate::probability::Scaled;
 use crate::symbols::{Symbol, Symbols};
@@ -49,10 +49,10 @@ pub struct LanguageMemory<'m> {
 #[derive(Debug)]
 pub struct LanguageModel<'m> {
     settings: Settings,
-    words: Symbols<'m>,
-    tokens: Symbols<'m>,
-    bitext: Bitext<'m>,
-    tables: Tables<'m>,
+    pub(super) words: Symbols<'m>,
+    pub(super) tokens: Symbols<'m>,
+    pub(super) bitext: Bitext<'m>,
+    pub(super) tables: Tables<'m>,
     training: Training,
     learned_words: usize,
     learned_tokens: usize,
@@ -119,8 +119,8 @@ impl<'m> LanguageModel<'m> {
         self.tokens.truncate(self.learned_tokens);
     }
 
-    /// The words of a command, new ones interned. Where the vocabulary is full, a new word is `None`: the command can be heard, but not
-    /// learned from.
+    /// The words of a command, new ones interned. Where the vocabulary is full, a new word is `None`: it says nothing, and is left out when
+    /// the command is learned from.
     ///
     /// # Errors
     /// A [`CapacityError`] where the command or one of its words is too long.
@@ -174,6 +174,63 @@ impl<'m> LanguageModel<'m> {
         result
     }
 
+    /// How much each table holds.
+    pub(crate) fn rooms(&self) -> Capacities {
+        let mut rooms = Capacities { ..Capacities::SMALL };
+        (rooms.words, rooms.word_bytes) = self.words.room();
+        (rooms.tokens, rooms.token_bytes) = self.tokens.room();
+        self.bitext.room(&mut rooms);
+        self.tables.room(&mut rooms);
+        rooms
+    }
+
+    /// The English words of the sessions that were learned from.
+    pub(crate) fn learned_words(&self) -> impl Iterator<Item = &str> {
+        (0..self.learned_words).map(|position| self.words.text(Symbol(position as u16)))
+    }
+
+    /// The machine tokens of those sessions.
+    pub(crate) fn learned_tokens(&self) -> impl Iterator<Item = &str> {
+        (0..self.learned_tokens).map(|position| self.tokens.text(Symbol(position as u16)))
+    }
+
+    /// Forgets everything, and takes other settings.
+    pub(crate) fn clear(&mut self, settings: Settings) {
+        self.settings = settings;
+        self.words.truncate(0);
+        self.tokens.truncate(0);
+        self.bitext.rewind(Extent::default());
+        (self.learned_words, self.learned_tokens) = (0, 0);
+    }
+
+    pub(crate) fn words_mut(&mut self) -> &mut Symbols<'m> {
+        &mut self.words
+    }
+
+    pub(crate) fn bitext_mut(&mut self) -> &mut Bitext<'m> {
+        &mut self.bitext
+    }
+
+    /// Takes note that the training data are others now: all their words and tokens are learned ones, and there is a table for each of
+    /// their pairs of lengths. A training must follow.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where the tables have no room.
+    pub(crate) fn data_replaced(&mut self) -> Result<(), CapacityError> {
+        (self.learned_words, self.learned_tokens) = (self.words.len(), self.tokens.len());
+        self.tables.fits(self.tokens.len(), self.words.len())?;
+        self.rebuild_lengths()
+    }
+
+    /// Lays the alignment tables out anew for the pairs of lengths that the data have now. A training must follow.
+    pub(super) fn rebuild_lengths(&mut self) -> Result<(), CapacityError> {
+        self.tables.length_pairs = 0;
+        for pair in self.bitext.pairs() {
+            self.tables.add_lengths(self.bitext.command(pair.command).len(), self.bitext.sentence(pair.session).len())?;
+        }
+        Ok(())
+    }
+
     fn try_add_session<'a>(
         &mut self,
         sentence: &[Option<Symbol>],
@@ -195,6 +252,9 @@ impl<'m> LanguageModel<'m> {
 
     /// Begins training on all the data, from uniform parameters.
     pub fn begin_training(&mut self) {
+        if self.is_training() {
+            self.tables.clear_counts();
+        }
         self.training = Training::begin(&mut self.tables, &self.bitext, self.learned_words, self.learned_tokens, &self.settings);
     }
 

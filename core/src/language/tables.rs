@@ -3,7 +3,7 @@
 //! Position 0 of every machine command is NULL. The translation table has a row for NULL and one for each machine token, a column for
 //! each English word. Each pair of lengths l, n that the data have has its own n rows of l + 1 alignment probabilities.
 
-use crate::capacity::{Capacity, CapacityError};
+use crate::capacity::{Capacities, Capacity, CapacityError};
 use crate::symbols::Symbol;
 
 /// A pair of lengths and where its alignment table lies.
@@ -57,9 +57,22 @@ pub struct Tables<'m> {
 impl<'m> Tables<'m> {
     /// Untrained parameters.
     pub fn new(memory: TableMemory<'m>) -> Self {
-        memory.translation_counts.fill(0.0);
-        memory.alignment_counts.fill(0.0);
-        Self { memory, length_pairs: 0, words: 0, tokens: 0 }
+        let mut tables = Self { memory, length_pairs: 0, words: 0, tokens: 0 };
+        tables.clear_counts();
+        tables
+    }
+
+    /// Forgets the counts of a training that did not come to its end.
+    pub(super) fn clear_counts(&mut self) {
+        self.memory.translation_counts.fill(0.0);
+        self.memory.alignment_counts.fill(0.0);
+    }
+
+    /// How much the tables hold.
+    pub(super) fn room(&self, rooms: &mut Capacities) {
+        rooms.translations = self.memory.translations.len().min(self.memory.translation_counts.len());
+        rooms.alignments = self.memory.alignments.len().min(self.memory.alignment_counts.len());
+        rooms.length_pairs = self.memory.length_pairs.len();
     }
 
     /// V: the English words that the parameters were trained on; 0 for an untrained model.

@@ -79,7 +79,7 @@ pub const MOST_COST: u8 = 16;
 /// gaps where that is possible: the search keeps its marks in plain arrays by that number, and only hashes where the numbers run higher
 /// than its memory.
 ///
-/// `examples/turning_robot.rs` brings a second robot by this trait.
+/// `examples/turning_robot` brings a second robot by this trait.
 pub trait Domain {
     /// All that changes as the robot acts.
     type State: Copy + PartialEq;

@@ -32,13 +32,13 @@ pub struct Decision {
 /// The robot's mind.
 #[derive(Debug)]
 pub struct Agent<'m> {
-    pub(super) options: Options,
-    pub(super) language: LanguageModel<'m>,
+    pub(crate) options: Options,
+    pub(crate) language: LanguageModel<'m>,
     pub(super) lifted: Vec<LiftedTask, LIFTED_TASKS>,
     pub(super) tasks: &'m mut [GroundedTask],
     pub(super) task_count: usize,
     pub(super) candidates: Candidates<'m>,
-    pub(super) belief: Belief<'m>,
+    pub(crate) belief: Belief<'m>,
     pub(super) goals: GoalTable<'m>,
     pub(super) search: Search<'m>,
     pub(super) sentence: Sentence,
@@ -91,6 +91,11 @@ impl<'m> Agent<'m> {
     /// The belief over tasks and strategies.
     pub fn belief(&self) -> &Belief<'m> {
         &self.belief
+    }
+
+    /// How it understands and learns.
+    pub fn options(&self) -> &Options {
+        &self.options
     }
 
     /// The lifted tasks.
@@ -171,6 +176,15 @@ impl<'m> Agent<'m> {
         self.planned = None;
         self.dead = TaskSet::EMPTY;
         Ok(())
+    }
+
+    /// Ends a session under way, and forgets which tasks it had.
+    pub(crate) fn end_session(&mut self) {
+        (self.start, self.planned, self.followed) = (None, None, None);
+        self.dead = TaskSet::EMPTY;
+        self.task_count = 0;
+        self.candidates.clear();
+        self.sentence.clear();
     }
 
     fn open<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {

@@ -67,6 +67,27 @@ impl<'m> Candidates<'m> {
         self.memory.tokens.get(start..start.saturating_add(usize::from(candidate.len))).unwrap_or(&[])
     }
 
+    /// The tokens of all.
+    pub(super) fn all_tokens(&self) -> &[Symbol] {
+        self.memory.tokens.get(..self.used).unwrap_or(&[])
+    }
+
+    /// The tokens of all, to be renamed.
+    pub(super) fn all_tokens_mut(&mut self) -> &mut [Symbol] {
+        self.memory.tokens.get_mut(..self.used).unwrap_or(&mut [])
+    }
+
+    /// Takes note that the tokens were renamed.
+    pub(super) fn renamed(&mut self) {
+        for position in 0..self.len {
+            let Some(entry) = self.entries().get(position) else { continue };
+            let renewed = check(self.tokens(entry));
+            if let Some(entry) = self.entry_mut(position) {
+                entry.check = renewed;
+            }
+        }
+    }
+
     /// The position of the machine command with these tokens, if it is among them.
     pub fn find(&self, tokens: &[Symbol]) -> Option<usize> {
         let check = check(tokens);

@@ -1,6 +1,7 @@
 //! The end of a session: each machine command takes its share of the posterior, and the language model learns from it.
 
 use super::agent::Agent;
+use super::candidates::Candidate;
 use super::error::AgentError;
 use super::options::Weights;
 use crate::oomdp::Domain;
@@ -9,18 +10,19 @@ use crate::probability::{Scaled, total};
 use crate::task::Expression;
 
 impl Agent<'_> {
-    /// Ends the session without learning from it.
+    /// Ends the session without learning from it. What it made known of words and machine tokens is forgotten with the next command, so
+    /// that the same session can still be taken up again.
     pub fn forget(&mut self) {
-        self.language.forget_unlearned();
-        // What the candidates would weigh is now meaningless; the tasks stay, for `hear_again`.
         self.planned = None;
     }
 
     /// Ends the session and learns from it: each machine command with its share of the posterior joins the training data, and training on
-    /// all of them begins. Call [`learn`](Self::learn) until it is done.
+    /// all of them begins. Call [`learn`](Self::learn) until it is done. Where memory is full, other sessions give way, as
+    /// [`forgetting`](crate::language::forgetting) says.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`], or [`AgentError::Capacity`]: the session is then forgotten and everything learned before is kept.
+    /// [`AgentError::NoSession`], or [`AgentError::Capacity`] where the session could not be kept even alone: it is then forgotten and
+    /// everything learned before is kept.
     pub fn finish<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
         if self.start.is_none() {
             return Err(AgentError::NoSession);
@@ -33,14 +35,17 @@ impl Agent<'_> {
         let share = |weight: Scaled| Some(weight.over(whole)).filter(|&share| share > self.options.least_weight);
         let kept: f32 = self.candidates.entries().iter().filter_map(|entry| share(entry.weight)).sum();
         let candidates = &self.candidates;
-        let pairs =
-            candidates.entries().iter().filter_map(|entry| share(entry.weight).map(|share| (candidates.tokens(entry), share / kept)));
-        let added = self.language.add_session(&self.sentence, pairs);
+        let weighted = |entry: &Candidate| share(entry.weight).map(|share| (candidates.tokens(entry), share / kept));
+        let pairs = || candidates.entries().iter().filter_map(weighted);
         self.planned = None;
+        let added = self.language.add_session_making_room(&self.sentence, candidates.all_tokens(), pairs);
         if let Err(error) = added {
+            self.start = None;
             self.language.forget_unlearned();
             return Err(error.into());
         }
+        self.language.tidy_vocabulary(&mut self.sentence, self.candidates.all_tokens_mut())?;
+        self.candidates.renamed();
         self.language.begin_training();
         Ok(())
     }

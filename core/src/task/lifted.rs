@@ -2,6 +2,7 @@
 
 use crate::capacity::{ARGUMENTS, Capacity, CapacityError, PROPOSITIONS_PER_TASK, VARIABLES_PER_TASK};
 use crate::oomdp::{ClassId, PropositionId, Schema};
+use crate::snapshot::vocabulary::digest;
 use core::fmt;
 use heapless::Vec;
 
@@ -19,6 +20,7 @@ pub struct LiftedProposition {
 pub struct LiftedTask {
     pub(crate) propositions: Vec<LiftedProposition, PROPOSITIONS_PER_TASK>,
     pub(crate) variables: Vec<ClassId, VARIABLES_PER_TASK>,
+    vocabulary: u32,
 }
 
 /// What is wrong with the text of a lifted task.
@@ -63,7 +65,7 @@ impl LiftedTask {
     /// # Errors
     /// [`TaskTextError`] where the schema does not have it, or it has more arguments than a proposition can.
     pub fn single(proposition: PropositionId, schema: &Schema<'_>) -> Result<Self, TaskTextError> {
-        let mut task = Self { propositions: Vec::new(), variables: Vec::new() };
+        let mut task = Self { propositions: Vec::new(), variables: Vec::new(), vocabulary: digest(schema) };
         let parameters = schema.parameters(proposition);
         if parameters.is_empty() {
             return Err(TaskTextError::UnknownProposition);
@@ -93,7 +95,7 @@ impl LiftedTask {
     /// # Errors
     /// [`TaskTextError`].
     pub fn parse(text: &str, schema: &Schema<'_>) -> Result<Self, TaskTextError> {
-        let mut task = Self { propositions: Vec::new(), variables: Vec::new() };
+        let mut task = Self { propositions: Vec::new(), variables: Vec::new(), vocabulary: digest(schema) };
         let mut names: Vec<&str, VARIABLES_PER_TASK> = Vec::new();
         for part in text.split('&') {
             let (name, rest) = part.split_once('(').ok_or(TaskTextError::Form)?;
@@ -142,6 +144,11 @@ impl LiftedTask {
     /// The conjunction.
     pub fn propositions(&self) -> &[LiftedProposition] {
         &self.propositions
+    }
+
+    /// The [`digest`] of the vocabulary that it is written in.
+    pub fn vocabulary(&self) -> u32 {
+        self.vocabulary
     }
 
     /// The class of each variable.

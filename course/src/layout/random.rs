@@ -1,4 +1,8 @@
 //! The course's homes at random: other sizes, colours, doors and places in each, turned and mirrored, and always solvable.
+//!
+//! Rooms are at least three cells wide and high, with doors and blocks away from the corners, so that a block which is pushed into a room
+//! can be got out again. Otherwise a block that has come to the intended room would often be stuck there: then no other task can be done
+//! any more, nothing the agent does is wrong for them, and the trainer's feedback at the goal cannot tell the intended one from the rest.
 
 use super::solvable::is_solvable;
 use super::{BlockPlan, Homes, Layout, ROOMS, lend};
@@ -11,12 +15,10 @@ use rand_core::Rng;
 const COLORS: [&str; ROOMS] = ["red", "green", "blue", "yellow"];
 /// How often a layout is drawn anew before the fixed one is taken instead.
 const DRAWS: usize = 1_000;
-/// The coordinate of the walls to the east and north; those to the west and south are at 0.
-const SIDE: i32 = 8;
 
 impl Homes {
-    /// Homes at random. In each, every command that is given there can be obeyed and is not obeyed yet, and the agent does not start in a
-    /// room that one of them speaks of. `memory` is where the homes are tried out.
+    /// Homes at random. In each, every command that is given there can be obeyed and is not obeyed yet. `memory` is where they are tried
+    /// out.
     pub fn random<R: Rng + ?Sized>(random: &mut R, memory: &mut HomeMemory<'_>) -> Self {
         let mut homes = Self::FIXED;
         let names = [HomeName::A, HomeName::B, HomeName::C, HomeName::D, HomeName::E, HomeName::F];
@@ -44,31 +46,24 @@ fn solvable_layout<R: Rng + ?Sized>(name: HomeName, drawn: &Layout, random: &mut
     *drawn
 }
 
-/// A layout with rooms and blocks for the exercises of a home. `None` where no room is left for the agent to start in.
+/// A layout with rooms and blocks for the exercises of a home. `None` where one thing would stand on another.
 fn layout<R: Rng + ?Sized>(name: HomeName, drawn: &Layout, random: &mut R) -> Option<Layout> {
-    let mut layout = if name == HomeName::Test { four_rooms(random) } else { three_rooms(random) };
+    let Plan { mut layout, east, north, start } = if name == HomeName::Test { four_rooms(random) } else { three_rooms(random) };
     let mut colors = COLORS;
     shuffle(&mut colors, random);
     for (room, color) in layout.rooms.iter_mut().flatten().zip(colors) {
         room.1 = color;
     }
-    // The tests speak of all rooms; there it is enough that the agent itself need not stay where it is.
-    let is_spoken_of = |color: &str| {
-        exercises(name).any(|exercise| exercise.intention.room == color && (name != HomeName::Test || exercise.intention.block.is_none()))
-    };
-    layout.agent = cell_in(&layout, |color| !is_spoken_of(color), random)?;
-    for (slot, block) in layout.blocks.iter_mut().zip(drawn.blocks) {
-        if let Some(block) = block {
-            *slot = Some(BlockPlan { cell: Cell::new(0, 0), ..block });
+    layout.agent = cell_in(&layout, start, 1, random)?;
+    for (position, block) in drawn.blocks.into_iter().enumerate() {
+        let Some(block) = block else { continue };
+        // Against a wall, a block can no longer be pushed every way.
+        let cell = cell_in(&layout, start, 2, random)?;
+        if let Some(slot) = layout.blocks.get_mut(position) {
+            *slot = Some(BlockPlan { cell, ..block });
         }
     }
-    for position in 0..layout.blocks.len() {
-        let cell = cell_in(&layout, |_| true, random)?;
-        if let Some(Some(block)) = layout.blocks.get_mut(position) {
-            block.cell = cell;
-        }
-    }
-    Some(turned(layout, random))
+    Some(turned(layout, east, north, random))
 }
 
 /// A number from `first` to `last`.
@@ -77,54 +72,80 @@ fn between<R: Rng + ?Sized>(first: i32, last: i32, random: &mut R) -> i32 {
     first.saturating_add(below(count, random) as i32)
 }
 
-/// One room over the whole width, two beside each other behind it; a door to each, and sometimes one between the two.
-fn three_rooms<R: Rng + ?Sized>(random: &mut R) -> Layout {
-    let (wide, split) = (between(3, 5, random), between(3, 5, random));
-    let between_the_two = Cell::new(split, between(wide + 1, SIDE - 1, random));
-    Layout {
+/// Rooms without colours, and the coordinates of the walls to the east and north; those to the west and south are at 0.
+struct Plan {
+    layout: Layout,
+    east: i32,
+    north: i32,
+    /// The room where agent and block start, `None` for any.
+    start: Option<usize>,
+}
+
+/// Where a wall may cross a home of this length: each side of it keeps three cells.
+fn wall<R: Rng + ?Sized>(length: i32, random: &mut R) -> i32 {
+    between(4, length - 4, random)
+}
+
+/// Where a door may stand between two corners: not in a corner, where a block that comes through would be stuck.
+fn door<R: Rng + ?Sized>(from: i32, to: i32, random: &mut R) -> i32 {
+    between(from + 2, to - 2, random)
+}
+
+/// One room over the whole width, two beside each other behind it. One of the three has a door to each of the others; there the agent and
+/// the block start, so that no room lies on the way to another. At most 49 cells are free: a controller can plan for a block in them.
+fn three_rooms<R: Rng + ?Sized>(random: &mut R) -> Plan {
+    let (east, north) = [(8, 8), (8, 9), (9, 8)].get(below(3, random)).copied().unwrap_or((8, 8));
+    let (middle, split) = (wall(north, random), wall(east, random));
+    let wide_to_left = Cell::new(door(0, split, random), middle);
+    let wide_to_right = Cell::new(door(split, east, random), middle);
+    let left_to_right = Cell::new(split, door(middle, north, random));
+    let (start, one, other) = match below(3, random) {
+        0 => (0, wide_to_left, wide_to_right),
+        1 => (1, wide_to_left, left_to_right),
+        _ => (2, wide_to_right, left_to_right),
+    };
+    let layout = Layout {
         rooms: [
-            Some((Area::new(0, 0, SIDE, wide), "")),
-            Some((Area::new(0, wide, split, SIDE), "")),
-            Some((Area::new(split, wide, SIDE, SIDE), "")),
+            Some((Area::new(0, 0, east, middle), "")),
+            Some((Area::new(0, middle, split, north), "")),
+            Some((Area::new(split, middle, east, north), "")),
             None,
         ],
-        doors: [
-            Some(Cell::new(between(1, split - 1, random), wide)),
-            Some(Cell::new(between(split + 1, SIDE - 1, random), wide)),
-            Some(between_the_two).filter(|_| below(2, random) == 0),
-            None,
-        ],
+        doors: [Some(one), Some(other), None, None],
         agent: Cell::new(0, 0),
         blocks: [None; 2],
-    }
+    };
+    Plan { layout, east, north, start: Some(start) }
 }
 
 /// Two rooms beside each other and two behind them, each with a door to both its neighbours.
-fn four_rooms<R: Rng + ?Sized>(random: &mut R) -> Layout {
-    let (middle, front, back) = (between(3, SIDE - 3, random), between(3, SIDE - 3, random), between(3, SIDE - 3, random));
-    Layout {
+fn four_rooms<R: Rng + ?Sized>(random: &mut R) -> Plan {
+    let (east, north) = (between(8, 9, random), between(8, 9, random));
+    let (middle, front, back) = (wall(north, random), wall(east, random), wall(east, random));
+    let layout = Layout {
         rooms: [
             Some((Area::new(0, 0, front, middle), "")),
-            Some((Area::new(front, 0, SIDE, middle), "")),
-            Some((Area::new(0, middle, back, SIDE), "")),
-            Some((Area::new(back, middle, SIDE, SIDE), "")),
+            Some((Area::new(front, 0, east, middle), "")),
+            Some((Area::new(0, middle, back, north), "")),
+            Some((Area::new(back, middle, east, north), "")),
         ],
         doors: [
-            Some(Cell::new(front, between(1, middle - 1, random))),
-            Some(Cell::new(back, between(middle + 1, SIDE - 1, random))),
-            Some(Cell::new(between(1, front.min(back) - 1, random), middle)),
-            Some(Cell::new(between(front.max(back) + 1, SIDE - 1, random), middle)),
+            Some(Cell::new(front, door(0, middle, random))),
+            Some(Cell::new(back, door(middle, north, random))),
+            Some(Cell::new(door(0, front.min(back), random), middle)),
+            Some(Cell::new(door(front.max(back), east, random), middle)),
         ],
         agent: Cell::new(0, 0),
         blocks: [None; 2],
-    }
+    };
+    Plan { layout, east, north, start: None }
 }
 
-/// A free cell inside a room of a colour that will do.
-fn cell_in<R: Rng + ?Sized>(layout: &Layout, will_do: impl Fn(&str) -> bool, random: &mut R) -> Option<Cell> {
-    let rooms = || layout.rooms.iter().flatten().filter(|(_, color)| will_do(color));
-    let (area, _) = rooms().nth(below(rooms().count(), random))?;
-    let cell = Cell::new(between(area.left + 1, area.right - 1, random), between(area.bottom + 1, area.top - 1, random));
+/// A cell inside one room or any, at least so far from its border. `None` where something stands there.
+fn cell_in<R: Rng + ?Sized>(layout: &Layout, room: Option<usize>, far: i32, random: &mut R) -> Option<Cell> {
+    let room = room.unwrap_or_else(|| below(layout.rooms.iter().flatten().count(), random));
+    let (area, _) = layout.rooms.iter().flatten().nth(room)?;
+    let cell = Cell::new(between(area.left + far, area.right - far, random), between(area.bottom + far, area.top - far, random));
     let taken = layout.agent == cell || layout.blocks.iter().flatten().any(|block| block.cell == cell);
     (!taken).then_some(cell)
 }
@@ -136,11 +157,11 @@ fn shuffle<T, R: Rng + ?Sized>(items: &mut [T], random: &mut R) {
 }
 
 /// The layout turned and mirrored at random: eight ways to lay it on the floor.
-fn turned<R: Rng + ?Sized>(layout: Layout, random: &mut R) -> Layout {
+fn turned<R: Rng + ?Sized>(layout: Layout, east: i32, north: i32, random: &mut R) -> Layout {
     let way = below(8, random);
     let cell = |cell: Cell| {
-        let x = if way & 1 == 0 { cell.x } else { SIDE - cell.x };
-        let y = if way & 2 == 0 { cell.y } else { SIDE - cell.y };
+        let x = if way & 1 == 0 { cell.x } else { east - cell.x };
+        let y = if way & 2 == 0 { cell.y } else { north - cell.y };
         if way & 4 == 0 { Cell::new(x, y) } else { Cell::new(y, x) }
     };
     let area = |area: Area| {

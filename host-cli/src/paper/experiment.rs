@@ -54,7 +54,7 @@ fn attempt(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> R
 /// # Errors
 /// [`Failure::Result`] where a run failed.
 pub fn run_all(options: &PaperOptions) -> Result<Vec<Run>, Failure> {
-    let count = options.runs.get();
+    let count = options.runs;
     let bar = if count > 1 { ProgressBar::new(u64::from(count)) } else { ProgressBar::hidden() };
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos} of {len} agents trained, {eta} left") {
         bar.set_style(style);

@@ -5,7 +5,7 @@
 //! - [`story`]: one run as it happens;
 //! - [`table`]: results as tables;
 //! - [`summary`]: all runs together, and JSON;
-//! - [`plot`]: pictures;
+//! - [`plot`][]: pictures;
 //! - [`trainer`]: trainers as they are typed.
 
 mod experiment;

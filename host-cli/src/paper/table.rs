@@ -34,7 +34,7 @@ pub fn one_run(out: &mut impl Write, run: &Run) -> io::Result<()> {
 /// Many runs: shares of right answers.
 pub fn many_runs(out: &mut impl Write, options: &PaperOptions, summary: &Summary) -> io::Result<()> {
     let (name, homes) = (&options.trainer.name, options.homes().name());
-    let last = options.seed.wrapping_add(u64::from(options.runs.get()) - 1);
+    let last = options.seed.wrapping_add(u64::from(options.runs) - 1);
     writeln!(out, "{} agents, seeds {} to {last}, trainer {name}, {homes} homes\n", summary.runs, options.seed)?;
     writeln!(out, "Lessons: understood on hearing")?;
     for (exercise, share) in LESSONS.iter().zip(summary.train_right) {

@@ -1,0 +1,73 @@
+//! A robot of another kind in the same rooms: it turns left, turns right and drives forward, and its heading is part of its state.
+//!
+//! This is all that a robot brings: its state, its actions with their costs, what they do, and a number for each state. The objects and
+//! the propositional functions are the home's, so what was learned in one is understood in the other.
+
+use goodbot::home::{Home, HomeState, SCHEMA};
+use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition, ObjectSet, Schema};
+
+/// Driving forward costs twice a turn.
+const ACTIONS: [ActionKind<'static>; 3] =
+    [ActionKind { name: "left", cost: 1 }, ActionKind { name: "right", cost: 1 }, ActionKind { name: "forward", cost: 2 }];
+
+/// The home's actions for each heading: north, east, south, west.
+const AHEAD: [Action; 4] = [Action(0), Action(2), Action(1), Action(3)];
+
+/// Where everything is, and where the robot looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TurningState {
+    /// Where everything is.
+    pub home: HomeState,
+    /// 0 north, 1 east, 2 south, 3 west.
+    pub heading: u8,
+}
+
+/// The robot and its rooms.
+pub struct TurningRobot<'m> {
+    /// The rooms.
+    pub home: Home<'m>,
+}
+
+impl Domain for TurningRobot<'_> {
+    type State = TurningState;
+
+    fn schema(&self) -> Schema<'_> {
+        SCHEMA
+    }
+
+    fn objects(&self) -> &ObjectSet<'_> {
+        self.home.objects()
+    }
+
+    fn actions(&self) -> &[ActionKind<'_>] {
+        &ACTIONS
+    }
+
+    fn step(&self, state: &TurningState, action: Action) -> Option<TurningState> {
+        match action {
+            Action(0) => Some(TurningState { heading: (state.heading + 3) % 4, ..*state }),
+            Action(1) => Some(TurningState { heading: (state.heading + 1) % 4, ..*state }),
+            Action(2) => {
+                let ahead = AHEAD.get(usize::from(state.heading))?;
+                Some(TurningState { home: self.home.step(&state.home, *ahead)?, ..*state })
+            }
+            _ => None,
+        }
+    }
+
+    fn holds(&self, proposition: &GroundProposition, state: &TurningState) -> bool {
+        self.home.holds(proposition, &state.home)
+    }
+
+    fn state_count(&self) -> u64 {
+        self.home.state_count().saturating_mul(4)
+    }
+
+    fn number(&self, state: &TurningState) -> u64 {
+        self.home.number(&state.home) * 4 + u64::from(state.heading)
+    }
+
+    fn numbered(&self, number: u64) -> TurningState {
+        TurningState { home: self.home.numbered(number / 4), heading: (number % 4) as u8 }
+    }
+}

@@ -1,0 +1,219 @@
+//! What gives way when memory is full, so that learning goes on. Of two sessions that are equal by a rule, the older one goes.
+//!
+//! - Where a new session finds no room among the others, the one that teaches least goes: the one whose rarest word stands in the most
+//!   sessions. But where more than a quarter of the sessions have words that no other session has, the one with the most such words goes.
+//! - Where the alignment tables are full, a session goes whose English command has the rarest length.
+//! - Where the vocabulary is full, rare words go first: the session goes that has the most words that no other has. Words and machine
+//!   tokens that nothing has any more go with it. An eighth of the vocabulary is kept free, so that the next command is heard whole.
+//!
+//! The newest session never goes. One that could not be kept even alone is refused, and nothing is forgotten for it.
+
+use super::lengths::SeenLengths;
+use super::model::LanguageModel;
+use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
+use crate::symbols::{Symbol, Symbols};
+use heapless::Vec;
+
+/// The part of the vocabulary that is kept free: one in so many.
+const FREE_PART: usize = 8;
+
+/// The part of the sessions that may have a word of their own: one in so many.
+const OWN_WORDS_PART: usize = 4;
+
+/// Why a session has to give way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Want {
+    /// Room for one more session.
+    Session,
+    /// Room for the alignment tables of a command of so many words.
+    Lengths(usize),
+    /// Room for words and machine tokens.
+    Vocabulary,
+}
+
+impl LanguageModel<'_> {
+    /// Adds one session to the training data, as [`add_session`](Self::add_session) does; where memory is full, other sessions give way.
+    /// Words that found no room when they were heard are left out. [`tidy_vocabulary`](Self::tidy_vocabulary) and a training must follow.
+    ///
+    /// `session_tokens` are the machine tokens that must stay.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where the session could not be kept even alone; nothing is forgotten then.
+    pub(crate) fn add_session_making_room<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
+        &mut self,
+        sentence: &[Option<Symbol>],
+        session_tokens: &[Symbol],
+        pairs: impl Fn() -> I,
+    ) -> Result<(), CapacityError> {
+        let words: Vec<Symbol, WORDS_PER_COMMAND> = sentence.iter().flatten().copied().collect();
+        self.check_alone(&words, session_tokens, pairs())?;
+        loop {
+            let (extent, length_pairs) = (self.bitext.extent(), self.tables.length_pairs);
+            match self.add_to_data(&words, pairs()) {
+                Ok(()) => return Ok(()),
+                Err(error) => {
+                    self.bitext.rewind(extent);
+                    self.tables.length_pairs = length_pairs;
+                    let want = match error.capacity {
+                        Capacity::Alignments | Capacity::LengthPairs => Want::Lengths(words.len()),
+                        _ => Want::Session,
+                    };
+                    let Some(session) = self.least(want, self.bitext.sessions()) else { return Err(error) };
+                    self.bitext.remove_session(session);
+                    self.rebuild_lengths()?;
+                }
+            }
+        }
+    }
+
+    fn add_to_data<'a>(&mut self, words: &[Symbol], pairs: impl Iterator<Item = (&'a [Symbol], f32)>) -> Result<(), CapacityError> {
+        self.bitext.add_session(words)?;
+        for (command, weight) in pairs {
+            self.bitext.add_pair(command, weight)?;
+            self.tables.add_lengths(command.len(), words.len())?;
+        }
+        Ok(())
+    }
+
+    /// Whether a session could be kept if there were no other.
+    fn check_alone<'a>(
+        &self,
+        words: &[Symbol],
+        tokens: &[Symbol],
+        pairs: impl Iterator<Item = (&'a [Symbol], f32)>,
+    ) -> Result<(), CapacityError> {
+        let rooms = self.rooms();
+        let fits = |capacity, limit: usize, given: usize| {
+            if given > limit { Err(CapacityError::new(capacity, limit, given)) } else { Ok(()) }
+        };
+        if words.is_empty() {
+            return Err(CapacityError::full(Capacity::Words, rooms.words.min(self.words.len())));
+        }
+        let (mut count, mut command_tokens, mut lengths) = (0_usize, 0_usize, SeenLengths::new());
+        for (command, _) in pairs {
+            count = count.saturating_add(1);
+            command_tokens = command_tokens.saturating_add(command.len());
+            lengths.see(command.len(), words.len());
+        }
+        fits(Capacity::Sessions, rooms.sessions, 1)?;
+        fits(Capacity::SentenceWords, rooms.sentence_words, words.len())?;
+        fits(Capacity::Pairs, rooms.pairs, count)?;
+        fits(Capacity::Commands, rooms.commands, count)?;
+        fits(Capacity::CommandTokens, rooms.command_tokens, command_tokens)?;
+        fits(Capacity::LengthPairs, rooms.length_pairs, lengths.pairs)?;
+        fits(Capacity::Alignments, rooms.alignments, lengths.cells)?;
+        let different = |table: &Symbols<'_>, used: &[Symbol]| table.iter().filter(|(symbol, _)| used.contains(symbol)).count();
+        let cells = different(&self.tokens, tokens).saturating_add(1).saturating_mul(different(&self.words, words));
+        fits(Capacity::Translations, rooms.translations, cells)
+    }
+
+    /// Makes sure that the vocabulary fits the tables and has an eighth free, now that a session was added. Symbols may change: those of
+    /// the session, in `sentence` and `session_tokens`, are renamed with the rest. A training must follow.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] that [`add_session_making_room`](Self::add_session_making_room) would have given.
+    pub(crate) fn tidy_vocabulary(&mut self, sentence: &mut [Option<Symbol>], session_tokens: &mut [Symbol]) -> Result<(), CapacityError> {
+        self.remove_unused_words(sentence);
+        while !self.vocabulary_has_room() {
+            self.remove_unused_tokens(session_tokens);
+            if self.vocabulary_has_room() {
+                break;
+            }
+            let others = self.bitext.sessions().saturating_sub(1);
+            let Some(session) = self.least(Want::Vocabulary, others) else { break };
+            self.bitext.remove_session(session);
+            self.remove_unused_words(sentence);
+        }
+        self.data_replaced()
+    }
+
+    fn vocabulary_has_room(&self) -> bool {
+        let Capacities { words, word_bytes, tokens, token_bytes, .. } = self.rooms();
+        let free = |used: usize, room: usize| room.saturating_sub(used) >= room / FREE_PART;
+        free(self.words.len(), words)
+            && free(self.words.byte_len(), word_bytes)
+            && free(self.tokens.len(), tokens)
+            && free(self.tokens.byte_len(), token_bytes)
+            && self.tables.fits(self.tokens.len(), self.words.len()).is_ok()
+    }
+
+    /// The session to give way among the first so many.
+    fn least(&self, want: Want, among: usize) -> Option<u16> {
+        let sessions = || (0..among).map(|session| session as u16);
+        let oldest_with_most = |rank: &dyn Fn(u16) -> usize| {
+            let mut best: Option<(u16, usize)> = None;
+            for session in sessions() {
+                let rank = rank(session);
+                if best.is_none_or(|(_, other)| rank > other) {
+                    best = Some((session, rank));
+                }
+            }
+            best.map(|(session, _)| session)
+        };
+        let length = |session| self.bitext.sentence(session).len();
+        if let Want::Lengths(new) = want
+            && sessions().any(|session| length(session) != new)
+        {
+            let as_long = |wanted| sessions().filter(|&session| length(session) == wanted).count();
+            return oldest_with_most(&|session| {
+                if length(session) == new { 0 } else { usize::MAX.saturating_sub(as_long(length(session))) }
+            });
+        }
+        let own = |session| self.own_words(session);
+        let protected = sessions().filter(|&session| own(session) > 0).count();
+        if want == Want::Vocabulary || protected > among / OWN_WORDS_PART {
+            return oldest_with_most(&own);
+        }
+        oldest_with_most(&|session| self.rarest(session))
+    }
+
+    /// In how many sessions a word stands.
+    fn sessions_with(&self, word: Symbol) -> usize {
+        (0..self.bitext.sessions() as u16).filter(|&session| self.bitext.sentence(session).contains(&word)).count()
+    }
+
+    /// How many words of a session no other session has.
+    fn own_words(&self, session: u16) -> usize {
+        self.bitext.sentence(session).iter().filter(|&&word| self.sessions_with(word) <= 1).count()
+    }
+
+    /// In how many sessions the rarest word of a session stands, itself included.
+    fn rarest(&self, session: u16) -> usize {
+        self.bitext.sentence(session).iter().map(|&word| self.sessions_with(word)).min().unwrap_or(usize::MAX)
+    }
+
+    /// Forgets the words that no session has.
+    fn remove_unused_words(&mut self, sentence: &mut [Option<Symbol>]) {
+        for position in (0..self.words.len() as u16).rev() {
+            let word = Symbol(position);
+            if self.bitext.words_mut().contains(&word) {
+                continue;
+            }
+            self.words.remove(word);
+            self.bitext.words_mut().iter_mut().for_each(|other| close_up(other, word));
+            for heard in sentence.iter_mut() {
+                *heard = heard.filter(|&heard| heard != word);
+                heard.iter_mut().for_each(|other| close_up(other, word));
+            }
+        }
+    }
+
+    /// Forgets the machine tokens that neither a machine command nor the session has.
+    fn remove_unused_tokens(&mut self, session_tokens: &mut [Symbol]) {
+        for position in (0..self.tokens.len() as u16).rev() {
+            let token = Symbol(position);
+            if self.bitext.tokens_mut().contains(&token) || session_tokens.contains(&token) {
+                continue;
+            }
+            self.tokens.remove(token);
+            self.bitext.tokens_mut().iter_mut().chain(&mut *session_tokens).for_each(|other| close_up(other, token));
+        }
+    }
+}
+
+/// Moves a symbol up where one before it was removed.
+fn close_up(symbol: &mut Symbol, removed: Symbol) {
+    if *symbol > removed {
+        symbol.0 = symbol.0.saturating_sub(1);
+    }
+}

@@ -1,0 +1,64 @@
+//! Saving and restoring the whole robot's mind.
+
+use super::contents::Contents;
+use super::error::{RestoreError, SaveError};
+use super::writing::Writing;
+use crate::capacity::{Capacity, CapacityError};
+use crate::session::Agent;
+
+impl Agent<'_> {
+    /// Saves all that was learned to the front of the buffer: the training data, the options, and the trainer strategies with what is
+    /// believed of them now. Gives the length. A session under way is not saved; a training under way begins anew when restored.
+    ///
+    /// # Errors
+    /// [`SaveError`]; the buffer may then hold anything.
+    pub fn save(&self, buffer: &mut [u8]) -> Result<usize, SaveError> {
+        self.writing().write(buffer)
+    }
+
+    /// Bytes that [`save`](Self::save) would write now.
+    ///
+    /// # Errors
+    /// [`SaveError::Unsound`].
+    pub fn saved_bytes(&self) -> Result<usize, SaveError> {
+        self.writing().bytes()
+    }
+
+    /// Takes over all that a model file holds, in place of what was learned here, and begins training on it: call
+    /// [`learn`](Self::learn) until it is done. Everything is checked before anything is changed. A session under way ends unlearned.
+    ///
+    /// # Errors
+    /// [`RestoreError`]; the agent is then as before.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
+        let contents = Contents::read(bytes)?;
+        if contents.vocabulary != 0 && contents.vocabulary != self.vocabulary() {
+            return Err(RestoreError::OtherDomain);
+        }
+        let limit = self.belief.most_strategies();
+        if contents.strategies.len() > limit {
+            return Err(CapacityError::new(Capacity::Strategies, limit, contents.strategies.len()).into());
+        }
+        self.language.check_room(&contents)?;
+        self.end_session();
+        self.options = contents.options;
+        self.belief.take_over(contents.strategies.iter().filter_map(|record| record.strategy()));
+        self.language.take_over(&contents);
+        Ok(())
+    }
+
+    /// The digest of the vocabulary that the lifted tasks are written in; 0 for an agent without tasks.
+    pub fn vocabulary(&self) -> u32 {
+        self.lifted().first().map_or(0, |task| task.vocabulary())
+    }
+
+    fn writing(&self) -> Writing<'_, '_> {
+        let sizes = self.language.sizes(self.belief.most_strategies());
+        Writing {
+            vocabulary: self.vocabulary(),
+            options: *self.options(),
+            language: self.language(),
+            strategies: Some(self.belief()),
+            sizes,
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! A model file that was checked, to look into without restoring it.
+
+use super::error::{Part, RestoreError};
+use super::record::{
+    CHECK, CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OptionsRecord, PairRecord, SessionRecord, Sizes, StrategyRecord,
+    VERSION, is_weight,
+};
+use crate::capacity::NAME_BYTES;
+use crate::session::Options;
+use core::marker::PhantomData;
+use serde::Deserialize;
+
+/// A sequence of records of one kind, read as it is walked through.
+#[derive(Debug)]
+pub struct Section<'a, T> {
+    count: u32,
+    bytes: &'a [u8],
+    record: PhantomData<T>,
+}
+
+impl<T> Clone for Section<'_, T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T> Copy for Section<'_, T> {}
+
+impl<'a, T: Deserialize<'a>> Section<'a, T> {
+    /// How many records.
+    pub fn len(&self) -> usize {
+        self.count as usize
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// The records, in order.
+    pub fn iter(&self) -> impl Iterator<Item = T> + use<'a, T> {
+        let mut rest = self.bytes;
+        (0..self.count).map_while(move |_| take(&mut rest))
+    }
+}
+
+/// Where every so many records of a section begin, so that any of them is found by reading few.
+pub(super) struct Index<'a, T> {
+    marks: [&'a [u8]; MARKS],
+    stride: usize,
+    record: PhantomData<T>,
+}
+
+const MARKS: usize = 32;
+
+impl<'a, T: Deserialize<'a>> Section<'a, T> {
+    pub(super) fn index(&self) -> Index<'a, T> {
+        let stride = self.len().div_ceil(MARKS).max(1);
+        let mut marks: [&[u8]; MARKS] = [&[]; MARKS];
+        let mut rest = self.bytes;
+        for mark in &mut marks {
+            *mark = rest;
+            for _ in 0..stride {
+                let _: Option<T> = take(&mut rest);
+            }
+        }
+        Index { marks, stride, record: PhantomData }
+    }
+}
+
+impl<'a, T: Deserialize<'a>> Index<'a, T> {
+    /// The record at a position that the section has.
+    pub(super) fn get(&self, position: usize) -> Option<T> {
+        let mut rest = *self.marks.get(position.checked_div(self.stride)?)?;
+        for _ in 0..position.checked_rem(self.stride)? {
+            let _: T = take(&mut rest)?;
+        }
+        take(&mut rest)
+    }
+}
+
+/// Reads one value off the front.
+fn take<'a, T: Deserialize<'a>>(rest: &mut &'a [u8]) -> Option<T> {
+    let (value, after) = postcard::take_from_bytes(rest).ok()?;
+    *rest = after;
+    Some(value)
+}
+
+/// Reads one section off the front; `check` says whether a record can be.
+fn section<'a, T: Deserialize<'a>>(
+    rest: &mut &'a [u8],
+    part: Part,
+    mut check: impl FnMut(&T) -> bool,
+) -> Result<Section<'a, T>, RestoreError> {
+    let wrong = RestoreError::Inconsistent(part);
+    let count: u32 = take(rest).ok_or(wrong)?;
+    let bytes = *rest;
+    for _ in 0..count {
+        let record: T = take(rest).ok_or(wrong)?;
+        if !check(&record) {
+            return Err(wrong);
+        }
+    }
+    Ok(Section { count, bytes, record: PhantomData })
+}
+
+/// A model file that was checked: whole, undamaged, and every number in it in its range.
+///
+/// ```
+/// use goodbot::{Agent, Options, home, snapshot::Contents};
+/// goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
+/// let mut memory = Memory::new();
+/// let mut agent = Agent::new(memory.split().agent, &home::paper_tasks()?, Options::PAPER)?;
+/// let mut buffer = [0; 4_096];
+/// let saved = agent.save(&mut buffer)?;
+/// let contents = Contents::read(&buffer[..saved])?;
+/// assert_eq!(contents.sessions.len(), 0);
+/// agent.restore(&buffer[..saved])?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Contents<'a> {
+    /// The digest of the domain's vocabulary; 0 where the model was saved without a domain.
+    pub vocabulary: u32,
+    /// How large the tables were that it was saved from.
+    pub sizes: Sizes,
+    /// How the robot learns.
+    pub options: Options,
+    /// The trainer strategies and their probabilities.
+    pub strategies: Section<'a, StrategyRecord>,
+    /// The English words.
+    pub words: Section<'a, &'a str>,
+    /// The machine tokens.
+    pub tokens: Section<'a, &'a str>,
+    /// The machine commands.
+    pub commands: Section<'a, CommandRecord>,
+    /// The sessions.
+    pub sessions: Section<'a, SessionRecord>,
+    /// The pairs of all sessions, session by session.
+    pub pairs: Section<'a, PairRecord>,
+}
+
+impl<'a> Contents<'a> {
+    /// Reads and checks a model file.
+    ///
+    /// # Errors
+    /// [`RestoreError`] where it is not one, or is damaged.
+    pub fn read(bytes: &'a [u8]) -> Result<Self, RestoreError> {
+        let mut rest = payload(bytes)?;
+        let rest = &mut rest;
+        let head = RestoreError::Inconsistent(Part::Head);
+        let vocabulary: u32 = take(rest).ok_or(head)?;
+        let sizes: Sizes = take(rest).ok_or(head)?;
+        let options = options(rest).ok_or(RestoreError::Inconsistent(Part::Options))?;
+        let strategies: Section<'a, StrategyRecord> =
+            section(rest, Part::Strategies, |record: &StrategyRecord| record.strategy().is_some())?;
+        let sum: f32 = strategies.iter().map(|record| record.probability).sum();
+        // An agent always has a strategy; a language model alone has none.
+        if !strategies.is_empty() && sum <= 0.0 {
+            return Err(RestoreError::Inconsistent(Part::Strategies));
+        }
+        let words = section(rest, Part::Words, |text: &&str| text.len() <= NAME_BYTES)?;
+        let tokens = section(rest, Part::Tokens, |text: &&str| text.len() <= NAME_BYTES)?;
+        let (word_count, token_count) = (words.len(), tokens.len());
+        let below = |positions: &[u16], count: usize| positions.iter().all(|&position| usize::from(position) < count);
+        let commands = section(rest, Part::Commands, |command: &CommandRecord| below(command, token_count))?;
+        let mut wanted = 0_u64;
+        let sessions = section(rest, Part::Sessions, |session: &SessionRecord| {
+            wanted = wanted.saturating_add(u64::from(session.pairs));
+            below(&session.words, word_count)
+        })?;
+        let command_count = commands.len();
+        let sound = |pair: &PairRecord| usize::from(pair.command) < command_count && is_weight(pair.weight);
+        let pairs = section(rest, Part::Pairs, sound)?;
+        if pairs.len() as u64 != wanted || !rest.is_empty() {
+            return Err(RestoreError::Inconsistent(Part::Pairs));
+        }
+        Ok(Self { vocabulary, sizes, options, strategies, words, tokens, commands, sessions, pairs })
+    }
+}
+
+/// What is between the header and the check, where both are right.
+fn payload(bytes: &[u8]) -> Result<&[u8], RestoreError> {
+    let mut rest = bytes.strip_prefix(&MAGIC).ok_or(RestoreError::NotAModel)?;
+    let truncated = RestoreError::Length { stated: LEAST_BYTES as u32, given: bytes.len() };
+    let found = u16::from_le_bytes(*split_array(&mut rest).ok_or(truncated)?);
+    if found != VERSION {
+        return Err(RestoreError::Version { found });
+    }
+    let stated = u32::from_le_bytes(*split_array(&mut rest).ok_or(truncated)?);
+    if usize::try_from(stated) != Ok(bytes.len()) || bytes.len() < LEAST_BYTES {
+        return Err(RestoreError::Length { stated, given: bytes.len() });
+    }
+    let (checked, check) = bytes.split_last_chunk::<CHECK_BYTES>().ok_or(truncated)?;
+    if CHECK.checksum(checked) != u32::from_le_bytes(*check) {
+        return Err(RestoreError::Damaged);
+    }
+    checked.get(HEADER_BYTES..).ok_or(truncated)
+}
+
+fn split_array<'a, const N: usize>(rest: &mut &'a [u8]) -> Option<&'a [u8; N]> {
+    let (array, after) = rest.split_first_chunk::<N>()?;
+    *rest = after;
+    Some(array)
+}
+
+/// The options: a record in a byte string of its own.
+fn options(rest: &mut &[u8]) -> Option<Options> {
+    let mut bytes: &[u8] = take(rest)?;
+    let record: OptionsRecord = take(&mut bytes)?;
+    (bytes.is_empty() && record.is_sound()).then(|| record.options())
+}

@@ -1,0 +1,118 @@
+//! Why a model could not be saved or restored.
+
+use crate::capacity::CapacityError;
+use core::fmt;
+
+/// Why a model could not be saved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SaveError {
+    /// The buffer is too small.
+    Buffer {
+        /// Bytes that the model takes.
+        needed: usize,
+        /// Bytes of the buffer.
+        given: usize,
+    },
+    /// A setting or a weight is one that could not be restored: not a number, negative, or beyond any use.
+    Unsound,
+}
+
+impl fmt::Display for SaveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Buffer { needed, given } => write!(f, "the model takes {needed} bytes and the buffer has {given}; give it a larger one"),
+            Self::Unsound => f.write_str("a setting or a weight is not a number, negative or too large; correct it before saving"),
+        }
+    }
+}
+
+impl core::error::Error for SaveError {}
+
+/// Why a model could not be restored. What the robot knew before is unchanged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum RestoreError {
+    /// The bytes do not begin as a model does.
+    NotAModel,
+    /// A format that this version does not know.
+    Version {
+        /// The format's number.
+        found: u16,
+    },
+    /// The bytes are fewer or more than the model says.
+    Length {
+        /// Bytes that the model says.
+        stated: u32,
+        /// Bytes that were given.
+        given: usize,
+    },
+    /// The check at the end is wrong: the bytes were damaged.
+    Damaged,
+    /// The check is right, but a part says what cannot be.
+    Inconsistent(Part),
+    /// It was learned in a domain of another vocabulary.
+    OtherDomain,
+    /// It does not fit into this memory.
+    Capacity(CapacityError),
+}
+
+/// A part of a model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Part {
+    /// The digest of the domain's vocabulary, or the sizes.
+    Head,
+    /// How it learns.
+    Options,
+    /// The trainer strategies.
+    Strategies,
+    /// The English words.
+    Words,
+    /// The machine tokens.
+    Tokens,
+    /// The machine commands.
+    Commands,
+    /// The sessions.
+    Sessions,
+    /// The weighted pairs.
+    Pairs,
+}
+
+impl Part {
+    /// Its name in messages.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Head => "head",
+            Self::Options => "options",
+            Self::Strategies => "strategies",
+            Self::Words => "words",
+            Self::Tokens => "tokens",
+            Self::Commands => "machine commands",
+            Self::Sessions => "sessions",
+            Self::Pairs => "pairs",
+        }
+    }
+}
+
+impl From<CapacityError> for RestoreError {
+    fn from(error: CapacityError) -> Self {
+        Self::Capacity(error)
+    }
+}
+
+impl fmt::Display for RestoreError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotAModel => f.write_str("this is not a goodbot model"),
+            Self::Version { found } => write!(f, "the model has format {found}, and this version reads format {}", super::VERSION),
+            Self::Length { stated, given } => write!(f, "the model says that it has {stated} bytes, and {given} are here"),
+            Self::Damaged => f.write_str("the model is damaged: its check does not match; take another copy"),
+            Self::Inconsistent(part) => write!(f, "the model's {} cannot be; it was not written by goodbot", part.name()),
+            Self::OtherDomain => f.write_str("the model was learned in a domain of another vocabulary"),
+            Self::Capacity(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for RestoreError {}

@@ -1,0 +1,23 @@
+//! What is learned is kept: a model as bytes, the same for firmware, browser, command line and C.
+//!
+//! [`Agent::save`](crate::Agent::save) writes all that the robot has learned, [`Agent::restore`](crate::Agent::restore) takes it back and
+//! begins training on it: the restored robot then has the same parameters, to the last bit, as one that was never switched off. The
+//! parameters themselves are not in the file; the training data are, so that learning goes on as if it had never stopped.
+//! `docs/format.md` says what each byte means.
+//!
+//! - [`contents`]: a model file that was checked, to look into without restoring it;
+//! - [`record`]: the records that it is made of;
+//! - [`error`]: why a model could not be saved or restored;
+//! - [`vocabulary`]: the digest that tells domains apart.
+
+mod agent;
+pub mod contents;
+pub mod error;
+mod language;
+pub mod record;
+pub mod vocabulary;
+mod writing;
+
+pub use contents::Contents;
+pub use error::{RestoreError, SaveError};
+pub use record::{MAGIC, VERSION, most_bytes};

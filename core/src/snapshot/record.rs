@@ -1,0 +1,139 @@
+//! The records of a model file, and their limits.
+//!
+//! A file is a header of [`HEADER_BYTES`], a payload in postcard's encoding, and a CRC-32 of everything before it. All numbers of the header
+//! and the CRC are little-endian.
+
+use crate::Capacities;
+use crate::capacity::{TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
+use crate::feedback::Strategy;
+use crate::language::Settings;
+use crate::session::{Options, Weights};
+use serde::{Deserialize, Serialize};
+
+/// What every model file begins with.
+pub const MAGIC: [u8; 8] = *b"goodbot\0";
+/// The format that this version writes.
+pub const VERSION: u16 = 1;
+/// Bytes of the header: the magic, the version (u16) and the length of the whole file (u32).
+pub const HEADER_BYTES: usize = 14;
+/// Bytes of the CRC-32 at the end.
+pub const CHECK_BYTES: usize = 4;
+/// The shortest file that has a header, a length and a check.
+pub const LEAST_BYTES: usize = HEADER_BYTES + CHECK_BYTES;
+/// The most rounds of EM that a file may ask for, so that no file makes training endless.
+pub const MOST_ROUNDS: u32 = 1_000;
+/// The largest weight and pseudo-count that a file may have, so that no sum of them overflows.
+pub const MOST_WEIGHT: f32 = 1e6;
+
+/// The CRC-32 that ends a file (the one of Ethernet, zip and PNG), bit by bit: no table in flash.
+pub(crate) const CHECK: crc::Crc<u32, crc::NoTable> = crc::Crc::<u32, crc::NoTable>::new(&crc::CRC_32_ISO_HDLC);
+
+/// How large the tables were in the memory that the model was saved from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[expect(missing_docs, reason = "each field is the one of Capacities with the same name")]
+pub struct Sizes {
+    pub strategies: u32,
+    pub words: u32,
+    pub word_bytes: u32,
+    pub tokens: u32,
+    pub token_bytes: u32,
+    pub commands: u32,
+    pub command_tokens: u32,
+    pub sessions: u32,
+    pub sentence_words: u32,
+    pub pairs: u32,
+    pub translations: u32,
+    pub alignments: u32,
+    pub length_pairs: u32,
+}
+
+/// How the robot learns: [`Options`], field by field.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct OptionsRecord {
+    pub smoothing: f32,
+    pub alignment_prior: f32,
+    pub rounds: u32,
+    pub length: bool,
+    pub belief_weights: bool,
+    pub least_weight: f32,
+}
+
+impl OptionsRecord {
+    pub(crate) fn new(options: &Options) -> Self {
+        let Settings { smoothing, alignment_prior, rounds, length } = options.language;
+        let belief_weights = options.weights == Weights::Belief;
+        Self { smoothing, alignment_prior, rounds, length, belief_weights, least_weight: options.least_weight }
+    }
+
+    pub(crate) fn options(&self) -> Options {
+        let Self { smoothing, alignment_prior, rounds, length, belief_weights, least_weight } = *self;
+        let weights = if belief_weights { Weights::Belief } else { Weights::Paper };
+        Options { language: Settings { smoothing, alignment_prior, rounds, length }, weights, least_weight }
+    }
+
+    /// Whether every number can be learned with.
+    pub(crate) fn is_sound(&self) -> bool {
+        [self.smoothing, self.alignment_prior, self.least_weight].into_iter().all(is_weight) && self.rounds <= MOST_ROUNDS
+    }
+}
+
+/// Whether a weight or pseudo-count is one that a file may have.
+pub(crate) fn is_weight(value: f32) -> bool {
+    (0.0..=MOST_WEIGHT).contains(&value)
+}
+
+/// A trainer strategy and its probability.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StrategyRecord {
+    /// Silence after a correct action.
+    pub mu_plus: f32,
+    /// Silence after an incorrect action.
+    pub mu_minus: f32,
+    /// One taken for the other.
+    pub epsilon: f32,
+    /// The probability of the strategy.
+    pub probability: f32,
+}
+
+impl StrategyRecord {
+    pub(crate) fn new(strategy: Strategy, probability: f32) -> Self {
+        Self { mu_plus: strategy.mu_plus(), mu_minus: strategy.mu_minus(), epsilon: strategy.epsilon(), probability }
+    }
+
+    /// The strategy; nothing where a number is no probability.
+    pub fn strategy(&self) -> Option<(Strategy, f32)> {
+        let strategy = Strategy::new(self.mu_plus, self.mu_minus, self.epsilon).ok()?;
+        (0.0..=1.0).contains(&self.probability).then_some((strategy, self.probability))
+    }
+}
+
+/// A machine command: its tokens, by position.
+pub type CommandRecord = heapless::Vec<u16, TOKENS_PER_COMMAND>;
+
+/// A session: the words of its English command, by position, and how many pairs it has.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct SessionRecord {
+    /// The words.
+    pub words: heapless::Vec<u16, WORDS_PER_COMMAND>,
+    /// How many pairs.
+    pub pairs: u32,
+}
+
+/// A machine command that a session's English command may mean, and how much that counts.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PairRecord {
+    /// The machine command, by position.
+    pub command: u16,
+    /// How much it counts.
+    pub weight: f32,
+}
+
+/// Bytes that a model saved from memory of these capacities takes at most: how large a buffer or a storage slot must be.
+pub const fn most_bytes(capacities: &Capacities) -> usize {
+    // A length or number takes 5 bytes at most, a position 3, an f32 4.
+    let fixed = LEAST_BYTES + 5 + 13 * 5 + (5 + 3 * 4 + 5 + 2) + 6 * 5;
+    let names = capacities.words + capacities.word_bytes + capacities.tokens + capacities.token_bytes;
+    let commands = capacities.commands + 3 * capacities.command_tokens;
+    let sessions = 6 * capacities.sessions + 3 * capacities.sentence_words;
+    fixed + 16 * capacities.strategies + names + commands + sessions + 7 * capacities.pairs
+}

@@ -1,0 +1,44 @@
+//! The digest of a domain's vocabulary: robots that speak of the same things can share what they learned.
+
+use super::record::CHECK;
+use crate::oomdp::Schema;
+
+/// A digest of what the domain's machine commands can speak of: its propositional functions with their classes, and its attributes with
+/// their carriers. Never 0, which stands for no domain.
+pub fn digest(schema: &Schema<'_>) -> u32 {
+    let mut digest = CHECK.digest();
+    let mut name = |text: &str| {
+        digest.update(text.as_bytes());
+        digest.update(&[0]);
+    };
+    for proposition in schema.propositions {
+        name(proposition.name);
+        for &class in proposition.parameters {
+            name(schema.class_name(class));
+        }
+        name("");
+    }
+    for attribute in schema.attributes {
+        name(attribute.name);
+        for carrier in attribute.carriers {
+            name(carrier.prefix);
+            name(schema.class_name(carrier.class));
+        }
+        name("");
+    }
+    digest.finalize().max(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::home::SCHEMA;
+    use crate::oomdp::Proposition;
+
+    #[test]
+    fn another_propositional_function_is_another_vocabulary() {
+        let fewer: &[Proposition<'_>] = &SCHEMA.propositions[1..];
+        assert_ne!(digest(&SCHEMA), digest(&Schema { propositions: fewer, ..SCHEMA }));
+        assert_ne!(digest(&SCHEMA), digest(&Schema { attributes: &[], ..SCHEMA }));
+    }
+}

@@ -1,0 +1,127 @@
+//! Writing a model, record by record, without memory of its own.
+
+use super::error::SaveError;
+use super::record::{
+    CHECK, CHECK_BYTES, HEADER_BYTES, LEAST_BYTES, MAGIC, OptionsRecord, PairRecord, Sizes, StrategyRecord, VERSION, is_weight,
+};
+use crate::feedback::Belief;
+use crate::language::LanguageModel;
+use crate::session::Options;
+use crate::symbols::Symbol;
+use postcard::ser_flavors::Size;
+use serde::ser::{Serialize, SerializeStruct, Serializer};
+
+/// Room for the options' record: three f32s, a number and two flags.
+const OPTIONS_BYTES: usize = 24;
+
+/// What a model file says, ready to be written.
+pub(super) struct Writing<'a, 'm> {
+    pub vocabulary: u32,
+    pub options: Options,
+    pub language: &'a LanguageModel<'m>,
+    pub strategies: Option<&'a Belief<'m>>,
+    pub sizes: Sizes,
+}
+
+/// A sequence whose records are made as they are written.
+struct Sequence<F>(F);
+
+impl<T: Serialize, I: Iterator<Item = T>, F: Fn() -> I> Serialize for Sequence<F> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq((self.0)())
+    }
+}
+
+/// A session, with the positions of its words.
+struct Session<'a> {
+    words: &'a [Symbol],
+    pairs: u32,
+}
+
+impl Serialize for Session<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut record = serializer.serialize_struct("SessionRecord", 2)?;
+        record.serialize_field("words", &positions(self.words))?;
+        record.serialize_field("pairs", &self.pairs)?;
+        record.end()
+    }
+}
+
+fn positions(symbols: &[Symbol]) -> impl Serialize {
+    Sequence(move || symbols.iter().map(|symbol| symbol.0))
+}
+
+impl Serialize for Writing<'_, '_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let (language, bitext) = (self.language, self.language.bitext());
+        let mut bytes = [0; OPTIONS_BYTES];
+        let options = postcard::to_slice(&OptionsRecord::new(&self.options), &mut bytes).map_err(serde::ser::Error::custom)?;
+        let mut payload = serializer.serialize_struct("Payload", 9)?;
+        payload.serialize_field("vocabulary", &self.vocabulary)?;
+        payload.serialize_field("sizes", &self.sizes)?;
+        payload.serialize_field("options", &ByteString(options))?;
+        let strategies = || {
+            let known = self.strategies.map_or(&[][..], Belief::strategies);
+            known.iter().enumerate().map(|(position, &(strategy, before))| {
+                let probability = self.strategies.map_or(before, |belief| belief.strategy_probability(position));
+                StrategyRecord::new(strategy, probability)
+            })
+        };
+        payload.serialize_field("strategies", &Sequence(strategies))?;
+        payload.serialize_field("words", &Sequence(|| language.learned_words()))?;
+        payload.serialize_field("tokens", &Sequence(|| language.learned_tokens()))?;
+        payload
+            .serialize_field("commands", &Sequence(|| (0..bitext.commands()).map(|command| positions(bitext.command(command as u16)))))?;
+        let sessions = || {
+            (0..bitext.sessions()).map(|session| {
+                let pairs = bitext.pairs_of(session as u16).len() as u32;
+                Session { words: bitext.sentence(session as u16), pairs }
+            })
+        };
+        payload.serialize_field("sessions", &Sequence(sessions))?;
+        let pairs = || bitext.pairs().iter().map(|pair| PairRecord { command: pair.command, weight: pair.weight });
+        payload.serialize_field("pairs", &Sequence(pairs))?;
+        payload.end()
+    }
+}
+
+struct ByteString<'a>(&'a [u8]);
+
+impl Serialize for ByteString<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_bytes(self.0)
+    }
+}
+
+impl Writing<'_, '_> {
+    /// Bytes of the whole file.
+    pub fn bytes(&self) -> Result<usize, SaveError> {
+        self.check()?;
+        let payload = postcard::serialize_with_flavor(self, Size::default()).map_err(|_| SaveError::Unsound)?;
+        Ok(payload.saturating_add(LEAST_BYTES))
+    }
+
+    /// Whether everything can be restored again.
+    fn check(&self) -> Result<(), SaveError> {
+        let sound =
+            OptionsRecord::new(&self.options).is_sound() && self.language.bitext().pairs().iter().all(|pair| is_weight(pair.weight));
+        if sound { Ok(()) } else { Err(SaveError::Unsound) }
+    }
+
+    /// Writes the whole file to the front of the buffer. Gives its length.
+    pub fn write(&self, buffer: &mut [u8]) -> Result<usize, SaveError> {
+        let needed = self.bytes()?;
+        let too_small = SaveError::Buffer { needed, given: buffer.len() };
+        let file = buffer.get_mut(..needed).ok_or(too_small)?;
+        let stated = u32::try_from(needed).map_err(|_| SaveError::Unsound)?;
+        let (checked, check) = file.split_last_chunk_mut::<CHECK_BYTES>().ok_or(too_small)?;
+        let (header, payload) = checked.split_first_chunk_mut::<HEADER_BYTES>().ok_or(too_small)?;
+        postcard::to_slice(self, payload).map_err(|_| too_small)?;
+        let fields = MAGIC.into_iter().chain(VERSION.to_le_bytes()).chain(stated.to_le_bytes());
+        for (slot, byte) in header.iter_mut().zip(fields) {
+            *slot = byte;
+        }
+        *check = CHECK.checksum(checked).to_le_bytes();
+        Ok(needed)
+    }
+}

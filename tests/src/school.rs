@@ -1,0 +1,146 @@
+//! A small school: homes of four rooms, the paper's seven lessons and five tests, and a trainer who answers by a strategy.
+
+use goodbot::feedback::{SimulatedTrainer, Strategy};
+use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeMemory, HomeState, Moves};
+use goodbot::oomdp::apply;
+use goodbot::planning::OptimalSet;
+use goodbot::session::AgentError;
+use goodbot::task::GroundedTask;
+use goodbot::{Agent, Capacities, HeapMemory};
+use rand_pcg::Pcg32;
+
+/// A block: its colour and shape.
+pub type Block = (&'static str, &'static str);
+
+/// A command with the home that it is given in and what is meant by it.
+#[derive(Clone, Debug)]
+pub struct Lesson {
+    /// What the trainer says.
+    pub command: String,
+    /// The colours of the four rooms; the agent starts in the first.
+    pub rooms: [&'static str; 4],
+    /// The blocks, at most two, the first in the first room and the second in the second.
+    pub blocks: Vec<Block>,
+    /// Which block is meant, if any, and which room.
+    pub intended: (Option<usize>, usize),
+}
+
+fn lesson(command: &str, rooms: [&'static str; 4], blocks: &[Block], intended: (Option<usize>, usize)) -> Lesson {
+    Lesson { command: command.to_owned(), rooms, blocks: blocks.to_vec(), intended }
+}
+
+/// The paper's seven training commands.
+pub fn lessons() -> Vec<Lesson> {
+    vec![
+        lesson("go to the green room", ["blue", "red", "green", "yellow"], &[], (None, 2)),
+        lesson("go to the red room", ["blue", "red", "green", "yellow"], &[], (None, 1)),
+        lesson("go to the blue room", ["red", "yellow", "blue", "green"], &[], (None, 2)),
+        lesson("go to the yellow room", ["red", "yellow", "purple", "green"], &[], (None, 1)),
+        lesson("take the blue chair to the yellow room", ["red", "yellow", "green", "blue"], &[("blue", "chair")], (Some(0), 1)),
+        lesson("take the purple bag to the blue room", ["green", "blue", "red", "yellow"], &[("purple", "bag")], (Some(0), 1)),
+        lesson("take the yellow bag to the red room", ["green", "blue", "red", "yellow"], &[("yellow", "bag")], (Some(0), 2)),
+    ]
+}
+
+/// The paper's five test commands, all in one home.
+pub fn tests() -> Vec<Lesson> {
+    let blocks = [("purple", "chair"), ("blue", "bag")];
+    let rooms = ["purple", "green", "yellow", "red"];
+    let blue = ["purple", "green", "blue", "red"];
+    vec![
+        lesson("take the purple chair to the green room", rooms, &blocks, (Some(0), 1)),
+        lesson("take the blue bag to the yellow room", rooms, &blocks, (Some(1), 2)),
+        lesson("go to the green room", rooms, &blocks, (None, 1)),
+        lesson("go to the red room", rooms, &blocks, (None, 3)),
+        lesson("go to the blue room", blue, &blocks, (None, 2)),
+    ]
+}
+
+impl Lesson {
+    /// The home: four rooms of nine cells, two and two, with a door between each two neighbours.
+    pub fn home<'m>(&self, memory: HomeMemory<'m>) -> (Home<'m>, HomeState) {
+        let mut builder = HomeBuilder::new(memory);
+        let corners = [(0, 0), (4, 0), (0, 4), (4, 4)];
+        for (position, ((x, y), color)) in corners.into_iter().zip(self.rooms).enumerate() {
+            builder.room(&format!("room{position}"), Area::new(x, y, x + 4, y + 4), color).expect("a room");
+        }
+        for (position, (x, y)) in [(4, 2), (4, 6), (2, 4), (6, 4)].into_iter().enumerate() {
+            builder.door(&format!("door{position}"), Area::new(x, y, x, y)).expect("a door");
+        }
+        for (position, ((color, shape), cell)) in self.blocks.iter().zip([Cell::new(2, 2), Cell::new(6, 2)]).enumerate() {
+            builder.block(&format!("block{position}"), cell, color, shape).expect("a block");
+        }
+        builder.agent("agent0", Cell::new(1, 1)).expect("an agent");
+        builder.build(Moves::PushAndPull).expect("a home")
+    }
+
+    /// The position of the intended task among the agent's.
+    pub fn intended(&self, agent: &Agent<'_>) -> usize {
+        // Rooms stand first, doors next, then blocks and the agent; `objects` names them by their order of arrival.
+        let (block, room) = self.intended;
+        let is_it = |task: &GroundedTask| {
+            let first = task.bindings[0].0;
+            task.bindings[1].0 == room as u8
+                && usize::from(task.lifted) == usize::from(block.is_some())
+                && block.is_none_or(|block| first == 8 + block as u8)
+        };
+        agent.tasks().iter().position(is_it).expect("the intended task is possible")
+    }
+}
+
+/// Trains the agent by one lesson to its end: three times doing nothing at the goal, a dead end, or a hundred steps.
+///
+/// # Errors
+/// What the agent refuses.
+pub fn train(agent: &mut Agent<'_>, lesson: &Lesson, trainer: Strategy, random: &mut Pcg32) -> Result<(), AgentError> {
+    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let (home, mut state) = lesson.home(memory.split().home);
+    let trainer = SimulatedTrainer { strategy: trainer };
+    agent.hear(&home, &state, &lesson.command)?;
+    let intended = lesson.intended(agent);
+    let mut at_goal = 0;
+    for _ in 0..100 {
+        agent.plan_fully(&home, &state)?;
+        let decision = agent.decide(Some(&mut *random))?;
+        let optimal = agent.search().optimal(intended);
+        let correct = optimal.actions().is_some_and(|actions| actions.contains(decision.action));
+        agent.feedback(decision.action, trainer.feedback(correct, random))?;
+        if optimal == OptimalSet::Goal && correct {
+            at_goal += 1;
+        }
+        if at_goal == 3 || matches!(optimal, OptimalSet::DeadEnd(_)) {
+            break;
+        }
+        state = apply(&home, &state, decision.action).expect("an action that was decided on can be done");
+    }
+    agent.finish(&home)?;
+    agent.learn_fully();
+    Ok(())
+}
+
+/// How many of the five tests the agent understands: the intended task is the most likely one on hearing the command.
+pub fn tests_passed(agent: &mut Agent<'_>) -> usize {
+    tests().iter().filter(|test| understands(agent, test)).count()
+}
+
+/// Whether the intended task is the most likely one on hearing the command.
+pub fn understands(agent: &mut Agent<'_>, lesson: &Lesson) -> bool {
+    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let (home, state) = lesson.home(memory.split().home);
+    agent.hear(&home, &state, &lesson.command).expect("a test is heard");
+    let intended = lesson.intended(agent);
+    let understood =
+        (0..agent.tasks().len()).all(|task| task == intended || agent.belief().weight(intended).exceeds(agent.belief().weight(task)));
+    agent.forget();
+    understood
+}
+
+/// The posterior over the tasks on hearing a lesson's command, bit by bit.
+pub fn posterior_bits(agent: &mut Agent<'_>, lesson: &Lesson) -> Vec<u32> {
+    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let (home, state) = lesson.home(memory.split().home);
+    agent.hear(&home, &state, &lesson.command).expect("a test is heard");
+    let bits = (0..agent.tasks().len()).map(|task| agent.belief().probability(task).to_bits()).collect();
+    agent.forget();
+    bits
+}

@@ -1,0 +1,254 @@
+//! The power goes at every single byte that a simulated flash writes or erases: the robot comes up with the last complete model.
+
+use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
+use goodbot::feedback::Strategy;
+use goodbot::home::paper_tasks;
+use goodbot::storage::{StorageError, TwoSlots};
+use goodbot::{Agent, Capacities, HeapMemory, Options};
+use goodbot_tests::school::{self, train};
+use rand_core::Rng;
+use rand_pcg::Pcg32;
+
+/// A NOR flash of `ERASE`-byte blocks that is written `WRITE` bytes at a time and read `READ` at a time, and whose power goes after so many
+/// bytes of writing and erasing.
+struct Flash<const READ: usize, const WRITE: usize, const ERASE: usize> {
+    bytes: Vec<u8>,
+    /// Which bytes were written since they were erased.
+    written: Vec<bool>,
+    /// Bytes until the power goes.
+    power: Option<u64>,
+    /// Bytes written and erased so far.
+    worn: u64,
+    random: Pcg32,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Refusal {
+    NoPower,
+    OutOfBounds,
+    NotAligned,
+    NotErased,
+}
+
+impl NorFlashError for Refusal {
+    fn kind(&self) -> NorFlashErrorKind {
+        match self {
+            Self::OutOfBounds => NorFlashErrorKind::OutOfBounds,
+            Self::NotAligned => NorFlashErrorKind::NotAligned,
+            Self::NoPower | Self::NotErased => NorFlashErrorKind::Other,
+        }
+    }
+}
+
+impl<const READ: usize, const WRITE: usize, const ERASE: usize> Flash<READ, WRITE, ERASE> {
+    /// A flash as a robot finds it: nobody erased it.
+    fn new(blocks: usize) -> Self {
+        let mut random = Pcg32::new(11, 13);
+        let bytes = (0..blocks * ERASE).map(|_| random.next_u32() as u8).collect();
+        Self { bytes, written: vec![true; blocks * ERASE], power: None, worn: 0, random }
+    }
+
+    fn check(&self, from: usize, length: usize, unit: usize) -> Result<(), Refusal> {
+        if from + length > self.bytes.len() {
+            return Err(Refusal::OutOfBounds);
+        }
+        if !from.is_multiple_of(unit) || !length.is_multiple_of(unit) { Err(Refusal::NotAligned) } else { Ok(()) }
+    }
+
+    /// Spends the power that one byte takes.
+    fn spend(&mut self) -> Result<(), Refusal> {
+        if self.power == Some(0) {
+            return Err(Refusal::NoPower);
+        }
+        self.power = self.power.map(|power| power - 1);
+        self.worn += 1;
+        Ok(())
+    }
+}
+
+impl<const READ: usize, const WRITE: usize, const ERASE: usize> ErrorType for Flash<READ, WRITE, ERASE> {
+    type Error = Refusal;
+}
+
+impl<const READ: usize, const WRITE: usize, const ERASE: usize> ReadNorFlash for Flash<READ, WRITE, ERASE> {
+    const READ_SIZE: usize = READ;
+
+    fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), Refusal> {
+        let from = offset as usize;
+        self.check(from, bytes.len(), READ)?;
+        bytes.copy_from_slice(&self.bytes[from..from + bytes.len()]);
+        Ok(())
+    }
+
+    fn capacity(&self) -> usize {
+        self.bytes.len()
+    }
+}
+
+impl<const READ: usize, const WRITE: usize, const ERASE: usize> NorFlash for Flash<READ, WRITE, ERASE> {
+    const WRITE_SIZE: usize = WRITE;
+    const ERASE_SIZE: usize = ERASE;
+
+    fn erase(&mut self, from: u32, to: u32) -> Result<(), Refusal> {
+        let (from, to) = (from as usize, to as usize);
+        self.check(from, to - from, ERASE)?;
+        for at in from..to {
+            if let Err(refusal) = self.spend() {
+                // The rest of the block is neither erased nor what it was.
+                for byte in &mut self.bytes[at..at.next_multiple_of(ERASE)] {
+                    *byte |= self.random.next_u32() as u8;
+                }
+                return Err(refusal);
+            }
+            self.bytes[at] = 0xff;
+            self.written[at] = false;
+        }
+        Ok(())
+    }
+
+    fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), Refusal> {
+        let from = offset as usize;
+        self.check(from, bytes.len(), WRITE)?;
+        for (at, &byte) in (from..).zip(bytes) {
+            if self.written[at] {
+                return Err(Refusal::NotErased);
+            }
+            if let Err(refusal) = self.spend() {
+                // Some bits of the byte are written, others not.
+                self.bytes[at] &= byte | self.random.next_u32() as u8;
+                self.written[at] = true;
+                return Err(refusal);
+            }
+            self.bytes[at] &= byte;
+            self.written[at] = true;
+        }
+        Ok(())
+    }
+}
+
+/// Models of a robot after each of the first lessons, each longer than the one before.
+fn models(count: usize) -> Vec<Vec<u8>> {
+    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let mut agent = Agent::new(memory.split().agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let mut random = Pcg32::new(2, 2);
+    let mut models = Vec::new();
+    for lesson in &school::lessons()[..count] {
+        train(&mut agent, lesson, Strategy::BALANCED, &mut random).unwrap();
+        let mut buffer = vec![0; agent.saved_bytes().unwrap()];
+        agent.save(&mut buffer).unwrap();
+        models.push(buffer);
+    }
+    models
+}
+
+/// What the robot comes up with.
+fn load<F: NorFlash<Error = Refusal>>(slots: &mut TwoSlots<F>) -> Option<Vec<u8>> {
+    let mut buffer = vec![0; 4_096];
+    let length = slots.load(&mut buffer).expect("the flash can be read")?;
+    buffer.truncate(length);
+    Some(buffer)
+}
+
+/// Cuts the power at every byte of storing the last model after the others. Gives the number of cuts.
+fn cut_everywhere<const READ: usize, const WRITE: usize, const ERASE: usize>(blocks: usize) -> u64 {
+    let models = models(3);
+    let slot_bytes = (blocks * ERASE) as u32;
+    let mut cuts = 0;
+    // From an empty flash on, then over one model, then over two.
+    for stored in 0..models.len() {
+        let prepared = || {
+            let mut slots = TwoSlots::new(Flash::<READ, WRITE, ERASE>::new(2 * blocks + 2), ERASE as u32, slot_bytes).unwrap();
+            for model in &models[..stored] {
+                slots.store(model).unwrap();
+            }
+            slots
+        };
+        let (old, new) = (stored.checked_sub(1).map(|last| models[last].clone()), &models[stored]);
+        let mut slots = prepared();
+        assert_eq!(load(&mut slots), old);
+        let before = slots.into_flash().worn;
+        let mut slots = prepared();
+        slots.store(new).unwrap();
+        let whole = slots.into_flash().worn - before;
+        for power in 0..whole {
+            let mut flash = prepared().into_flash();
+            flash.power = Some(power);
+            let mut slots = TwoSlots::new(flash, ERASE as u32, slot_bytes).unwrap();
+            assert_eq!(slots.store(new), Err(StorageError::Flash(Refusal::NoPower)));
+            // The power comes back.
+            let mut flash = slots.into_flash();
+            flash.power = None;
+            flash.random = Pcg32::new(power, 1);
+            let mut slots = TwoSlots::new(flash, ERASE as u32, slot_bytes).unwrap();
+            let loaded = load(&mut slots);
+            assert!(loaded == old || loaded.as_ref() == Some(new), "cut after {power} bytes");
+            slots.store(new).unwrap();
+            assert_eq!(load(&mut slots).as_ref(), Some(new));
+            cuts += 1;
+        }
+    }
+    cuts
+}
+
+#[test]
+fn a_power_cut_at_any_byte_leaves_the_old_or_the_new_model() {
+    let cuts = [
+        cut_everywhere::<1, 1, 256>(4),
+        cut_everywhere::<1, 4, 1_024>(1),
+        cut_everywhere::<4, 8, 512>(2),
+        cut_everywhere::<1, 32, 1_024>(1),
+        cut_everywhere::<16, 64, 128>(8),
+        cut_everywhere::<1, 256, 1_024>(1),
+        cut_everywhere::<256, 1, 1_024>(1),
+    ];
+    println!("power cuts survived: {} ({cuts:?} for each flash)", cuts.iter().sum::<u64>());
+    assert!(cuts.iter().all(|&cuts| cuts > 1_000));
+}
+
+#[test]
+fn a_life_of_power_cuts_never_loses_more_than_the_last_model() {
+    let models = models(7);
+    let mut random = Pcg32::new(5, 5);
+    let mut slots = TwoSlots::new(Flash::<1, 4, 1_024>::new(4), 0, 2_048).unwrap();
+    let mut newest: Option<Vec<u8>> = None;
+    let mut survived = 0;
+    for model in models.iter().cycle().take(2_000) {
+        let mut flash = slots.into_flash();
+        flash.power = Some(u64::from(random.next_u32() % 4_000));
+        slots = TwoSlots::new(flash, 0, 2_048).unwrap();
+        let stored = slots.store(model);
+        let loaded = load(&mut slots);
+        match stored {
+            Ok(()) => assert_eq!(loaded.as_ref(), Some(model)),
+            Err(_) => {
+                survived += 1;
+                assert!(loaded == newest || loaded.as_ref() == Some(model));
+            }
+        }
+        newest = loaded;
+    }
+    println!("power cuts survived in one life: {survived} of 2000 models stored");
+    assert!(survived > 500);
+}
+
+#[test]
+fn a_model_that_is_too_long_and_what_is_no_model_leave_the_stored_one() {
+    let models = models(3);
+    let mut slots = TwoSlots::new(Flash::<1, 4, 256>::new(4), 0, 512).unwrap();
+    slots.store(&models[0]).unwrap();
+    let mut long = models[1].clone();
+    assert!(slots.store(&[1, 2, 3]).is_err());
+    long[40] ^= 1;
+    assert!(matches!(slots.store(&long), Err(StorageError::NotAModel(_))));
+    assert_eq!(load(&mut slots).as_ref(), Some(&models[0]));
+    assert_eq!(slots.load(&mut [0; 10]), Err(StorageError::Size { needed: models[0].len(), given: 10 }));
+    let mut slots = TwoSlots::new(Flash::<1, 4, 256>::new(2), 0, 256).unwrap();
+    assert_eq!(slots.store(&models[2]), Err(StorageError::Size { needed: models[2].len(), given: 240 }));
+}
+
+#[test]
+fn slots_off_the_erase_blocks_or_beyond_the_flash_are_refused() {
+    for (start, slot) in [(1, 256), (0, 255), (0, 512), (256, 512), (u32::MAX, 256), (0, 0), (0, u32::MAX)] {
+        assert_eq!(TwoSlots::new(Flash::<1, 4, 256>::new(3), start, slot).map(|_| ()), Err(StorageError::Geometry), "{start} {slot}");
+    }
+}
