@@ -68,15 +68,15 @@ pub const GOODBOT_SMALL: u32 = 0;
 pub const GOODBOT_TINY: u32 = 1;
 
 /// Bytes that the small preset takes where a pointer has four bytes.
-pub const GOODBOT_SMALL_BYTES_32: usize = 40000;
+pub const GOODBOT_SMALL_BYTES_32: usize = 24_576;
 /// Bytes that the small preset takes where a pointer has eight bytes.
-pub const GOODBOT_SMALL_BYTES_64: usize = 40000;
+pub const GOODBOT_SMALL_BYTES_64: usize = 25_600;
 /// Bytes that the tiny preset takes where a pointer has four bytes.
-pub const GOODBOT_TINY_BYTES_32: usize = 40000;
+pub const GOODBOT_TINY_BYTES_32: usize = 13_312;
 /// Bytes that the tiny preset takes where a pointer has eight bytes.
-pub const GOODBOT_TINY_BYTES_64: usize = 40000;
+pub const GOODBOT_TINY_BYTES_64: usize = 14_336;
 /// Bytes that a robot of the caller's own takes beyond that.
-pub const GOODBOT_TABLE_BYTES: usize = 4000;
+pub const GOODBOT_TABLE_BYTES: usize = 1_344;
 
 #[cfg(target_pointer_width = "32")]
 const PROMISED: (usize, usize) = (GOODBOT_SMALL_BYTES_32, GOODBOT_TINY_BYTES_32);

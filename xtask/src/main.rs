@@ -1,5 +1,6 @@
 //! goodbot's development commands: `cargo xtask --help`.
 
+mod capi;
 mod firmware;
 mod footprint;
 mod process;
@@ -29,6 +30,8 @@ enum Task {
     Test(test::Options),
     /// Measures what the robot costs on each emulated board, and writes docs/footprint.md.
     Footprint(footprint::Options),
+    /// Writes the C header capi/include/goodbot.h.
+    Capi,
 }
 
 fn main() -> ExitCode {
@@ -41,6 +44,7 @@ fn main() -> ExitCode {
 fn run() -> Result<ExitCode> {
     match Arguments::parse().command {
         Task::Setup => toolchain::setup()?,
+        Task::Capi => capi::header::write()?,
         Task::Test(options) => return test::run(&options),
         Task::Footprint(options) => return footprint::run(&options),
     }

@@ -53,12 +53,12 @@ impl Image {
         let listed = binutils("size", &["-A"], &self.binary(name))?;
         Ok(sections(&listed).filter(|(section, _)| IN_FLASH.contains(section)).map(|(_, bytes)| bytes).sum())
     }
+}
 
-    /// The symbols of a binary that are there to panic. The handler itself is not among them: the linker keeps it only if it is called.
-    pub fn panics(&self, name: &str) -> Result<Vec<String>> {
-        let listed = binutils("nm", &["--demangle"], &self.binary(name))?;
-        Ok(listed.lines().filter(|line| is_panic(line)).map(str::to_owned).collect())
-    }
+/// The symbols of a binary that are there to panic. The linker keeps only what is called.
+pub fn panics(binary: &Path) -> Result<Vec<String>> {
+    let listed = binutils("nm", &["--demangle"], binary)?;
+    Ok(listed.lines().filter(|line| is_panic(line)).map(str::to_owned).collect())
 }
 
 fn binutils(tool: &str, arguments: &[&str], binary: &Path) -> Result<String> {

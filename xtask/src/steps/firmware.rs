@@ -3,6 +3,7 @@
 use anyhow::{Result, bail};
 
 use super::{Step, Tally};
+use crate::firmware::image::panics;
 use crate::firmware::{digests, trials};
 use crate::footprint;
 
@@ -112,7 +113,7 @@ fn no_panic(_: &mut Tally) -> Result<()> {
     let mut found = 0_usize;
     for trial in trials()? {
         for binary in ["course", "tick"] {
-            for symbol in trial.image.panics(binary)? {
+            for symbol in panics(&trial.image.binary(binary))? {
                 println!("{}: {binary}: {symbol}", trial.name());
                 found += 1;
             }

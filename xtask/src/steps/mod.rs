@@ -2,6 +2,7 @@
 //!
 //! A new step is a file here with a [`Step`] in it and a line in [`ALL`].
 
+mod capi;
 mod clippy;
 mod cross;
 mod docs;
@@ -41,6 +42,9 @@ pub const ALL: &[Step] = &[
     cross::SETUP,
     cross::MICROCONTROLLER,
     cross::BROWSER,
+    capi::HEADER,
+    capi::HOST,
+    capi::BOARD,
     firmware::COURSE,
     firmware::TICK,
     firmware::SAME_BITS,
