@@ -15,7 +15,7 @@
 //! | [`snapshot`] | what is learned, as bytes |
 //! | [`storage`] | those bytes in flash, safe from power cuts |
 //!
-//! and beside them [`capacity`] and [`memory`] (how large every table is, and who owns it), [`symbols`] (names) and [`probability`]
+//! and beside them [`capacity`] and [`mod@memory`] (how large every table is, and who owns it), [`symbols`] (names) and [`probability`]
 //! (products that never underflow).
 //!
 //! # A robot that learns

@@ -1,7 +1,7 @@
 //! Memory that the caller owns, shaped by [`Capacities`](crate::Capacities).
 //!
 //! [`memory!`](crate::memory!) makes a struct of plain arrays, which a controller puts into a static; with the `std` feature,
-//! [`HeapMemory`] takes the same capacities at run time. Both give a [`Memory`], which lends each part of the library its share.
+//! `HeapMemory` takes the same capacities at run time. Both give a [`Memory`], which lends each part of the library its share.
 
 use crate::home::HomeMemory;
 use crate::session::AgentMemory;

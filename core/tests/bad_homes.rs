@@ -99,3 +99,21 @@ fn a_room_beyond_all_measure_is_refused() {
     });
     assert!(matches!(error.problem, Problem::Capacity(CapacityError { capacity: Capacity::Cells, .. })));
 }
+
+/// A home with more states than a u64 can number: two hundred cells and eight blocks.
+#[test]
+fn a_home_with_more_states_than_can_be_numbered_is_refused() {
+    goodbot::memory! { struct Large = Capacities { cells: 200, ..Capacities::SMALL }; }
+    let build = |blocks: i32| {
+        let mut memory = Large::new();
+        let mut builder = HomeBuilder::new(memory.split().home);
+        builder.room("room0", Area::new(0, 0, 21, 11), "red").unwrap();
+        builder.agent("agent0", Cell::new(1, 1)).unwrap();
+        for block in 0..blocks {
+            builder.block(&format!("block{block}"), Cell::new(2 + block, 5), "red", "bag").unwrap();
+        }
+        builder.build(Moves::Push).map(|_| ())
+    };
+    assert_eq!(build(7), Ok(()));
+    assert_eq!(build(8), Err(HomeError { problem: Problem::TooManyStates, object: None }));
+}

@@ -12,7 +12,7 @@ use goodbot_course::{
     CourseError, Ending, Exercise, Homes, Intention, LESSONS, Layout, Observer, Results, Scene, Step, generator, run_course, run_lesson,
 };
 
-const PERFECT: Strategy = Strategy::BALANCED;
+const BALANCED: Strategy = Strategy::BALANCED;
 
 fn lesson(layout: &Layout, exercise: &Exercise, strategy: Strategy, seed: u64) -> (Result<Ending, CourseError>, Vec<Step>) {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
@@ -29,7 +29,7 @@ fn lesson(layout: &Layout, exercise: &Exercise, strategy: Strategy, seed: u64) -
 
 #[test]
 fn a_lesson_ends_when_the_agent_has_rested_at_the_intended_goal() {
-    let (ending, steps) = lesson(Homes::FIXED.layout(HomeName::A), &LESSONS[0], PERFECT, 1);
+    let (ending, steps) = lesson(Homes::FIXED.layout(HomeName::A), &LESSONS[0], BALANCED, 1);
     assert_eq!(ending, Ok(Ending::AtGoal));
     let rests = steps.iter().rev().take_while(|step| step.decision.action == Action::NOOP && step.correct).count();
     assert_eq!(rests, usize::from(RESTS));
@@ -37,7 +37,7 @@ fn a_lesson_ends_when_the_agent_has_rested_at_the_intended_goal() {
 
 #[test]
 fn a_lesson_ends_when_the_block_is_stuck() {
-    // From the south, the chair can only be pushed into the corner that it stands under, and the agent has no way round it.
+    // In a room one cell wide, the chair can only be pushed north, past the door in the east wall, and the agent cannot get round it.
     let layout = Layout {
         rooms: [Some((Area::new(0, 0, 2, 5), "red")), Some((Area::new(2, 0, 6, 5), "green")), None, None],
         doors: [Some(Cell::new(2, 3)), None, None, None],
@@ -45,7 +45,7 @@ fn a_lesson_ends_when_the_block_is_stuck() {
         blocks: [Some(BlockPlan { cell: Cell::new(1, 2), color: "blue", shape: "chair" }), None],
     };
     let take = Exercise { command: "take the chair away", intention: Intention::take("blue", "chair", "green"), home: HomeName::D };
-    let (ending, steps) = lesson(&layout, &take, PERFECT, 1);
+    let (ending, steps) = lesson(&layout, &take, BALANCED, 1);
     assert_eq!(ending, Ok(Ending::DeadEnd));
     assert!(steps.is_empty());
 }
@@ -72,7 +72,7 @@ fn an_infallible_trainer_rewards_exactly_the_right_actions() {
 #[test]
 fn a_command_for_what_is_done_already_is_refused() {
     let done = Exercise { command: "go to the blue room", intention: Intention::go("blue"), home: HomeName::A };
-    assert_eq!(lesson(Homes::FIXED.layout(HomeName::A), &done, PERFECT, 1).0, Err(CourseError::NotPosed));
+    assert_eq!(lesson(Homes::FIXED.layout(HomeName::A), &done, BALANCED, 1).0, Err(CourseError::NotPosed));
 }
 
 fn course(strategy: Strategy, seed: u64, random_homes: bool, observer: &mut impl Observer) -> Results {

@@ -154,6 +154,22 @@ impl EnvironmentFile {
     }
 }
 
+/// The line, counted from 1, on which an object of an environment begins: what is found wrong with the home as a whole can be told in
+/// its place.
+///
+/// ```
+/// let text = "{\"version\": 1, \"objects\": [\n  {\"class\": \"agent\", \"name\": \"a\", \"x\": 4, \"y\": 2}\n]}";
+/// assert_eq!(goodbot_formats::environment::object_line(text, 0), Some(2));
+/// assert_eq!(goodbot_formats::environment::object_line(text, 1), None);
+/// ```
+pub fn object_line(text: &str, object: usize) -> Option<usize> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let source = Source::new(text, 1);
+    let file = source.root().ok()?.object().ok()?;
+    let objects = file.required("objects").ok()?.list().ok()?;
+    objects.get(object).map(Node::line)
+}
+
 impl ObjectRecord {
     /// The object's name.
     pub fn name(&self) -> &str {

@@ -47,6 +47,11 @@ impl<'a> Node<'a> {
         error
     }
 
+    /// The line on which this value begins.
+    pub(crate) fn line(&self) -> usize {
+        self.source.place(self.raw.get()).0
+    }
+
     fn field(&self, name: &str) -> String {
         match self.path.is_empty() {
             true => name.to_string(),

@@ -1,6 +1,9 @@
 //! What can be typed.
 
+use crate::check::CheckArgs;
+use crate::merge::MergeArgs;
 use crate::paper::trainer::TrainerChoice;
+use crate::replay::ReplayArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use std::path::PathBuf;
 
@@ -40,6 +43,9 @@ pub enum Command {
     /// Run the paper's experiment: seven lessons with a simulated trainer, then five tests
     #[command(after_help = PAPER_EXAMPLES)]
     Paper(PaperOptions),
+    Replay(ReplayArgs),
+    Check(CheckArgs),
+    Merge(MergeArgs),
     /// Print a script that completes commands and options in your shell
     #[command(after_help = "Example:\n  goodbot completions bash > ~/.local/share/bash-completion/completions/goodbot")]
     Completions {

@@ -5,9 +5,14 @@
 
 #![forbid(unsafe_code)]
 
+mod check;
 mod cli;
+mod load;
+mod merge;
 mod outcome;
 mod paper;
+mod replay;
+mod whole_file;
 
 use clap::{CommandFactory, Parser};
 use cli::{Cli, Command};
@@ -19,6 +24,9 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let done = match cli.command.unwrap_or(Command::Paper(cli.paper)) {
         Command::Paper(options) => paper::run(&options),
+        Command::Replay(args) => return replay::run(&args),
+        Command::Check(args) => return check::run(&args),
+        Command::Merge(options) => merge::run(&options),
         Command::Completions { shell } => completions(shell),
     };
     outcome::exit_code(done)

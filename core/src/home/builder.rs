@@ -38,6 +38,8 @@ pub enum Problem {
     OnAnother,
     /// A coordinate is further from the origin than [`FARTHEST`](super::layout::FARTHEST).
     TooFar,
+    /// The free cells and the blocks have more states together than a u64 can number.
+    TooManyStates,
     /// Another object has this name.
     DuplicateName,
     /// The name is empty.
@@ -66,6 +68,9 @@ impl core::fmt::Display for Problem {
             Self::InWall => "it stands in a wall or outside every room; move it inside a room or into a doorway",
             Self::OnAnother => "it stands where the agent or another block is; move one of them",
             Self::TooFar => "a coordinate is beyond -255 to 255; move the home nearer to the origin",
+            Self::TooManyStates => {
+                "the free cells and the blocks have more states together than can be numbered; take blocks or cells away"
+            }
             Self::DuplicateName => "another object has this name; give each its own",
             Self::EmptyName => "its name is empty; give it one",
             Self::Capacity(error) => return error.fmt(f),
@@ -193,7 +198,8 @@ impl<'m> HomeBuilder<'m> {
     /// Checks the home as a whole and gives it with its initial state.
     ///
     /// # Errors
-    /// [`HomeError`]: no agent or room, the agent or a block in a wall or on another, or more free cells than the memory holds.
+    /// [`HomeError`]: no agent or room, the agent or a block in a wall or on another, more free cells than the memory holds, or more
+    /// states than can be numbered.
     pub fn build(mut self, moves: Moves) -> Result<(Home<'m>, HomeState), HomeError> {
         let whole = |problem| HomeError { problem, object: None };
         let Some(agent) = self.agent else { return Err(whole(Problem::NoAgent)) };
@@ -208,6 +214,10 @@ impl<'m> HomeBuilder<'m> {
         self.join_neighbours(count);
         let (start, blocks) = self.stand(agent, count)?;
         let block_count = self.objects.of_class(BLOCK).count();
+        // Numbers that ran over would make two states one to the search.
+        if (0..block_count).try_fold(count as u64, |states, _| states.checked_mul(count as u64)).is_none() {
+            return Err(whole(Problem::TooManyStates));
+        }
         Ok((Home::new(self.objects, self.areas, self.places, count, agent, blocks, block_count, moves), start))
     }
 

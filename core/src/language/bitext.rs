@@ -2,7 +2,7 @@
 //!
 //! Equal machine commands are kept once. A session's English command is kept once, however many machine commands it goes with.
 
-use crate::capacity::{Capacities, Capacity, CapacityError};
+use crate::capacity::{Capacities, Capacity, CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::symbols::Symbol;
 
 /// Where a run of symbols lies in its pool.
@@ -128,6 +128,9 @@ impl<'m> Bitext<'m> {
     /// # Errors
     /// A [`CapacityError`]; nothing is added then.
     pub fn add_session(&mut self, words: &[Symbol]) -> Result<(), CapacityError> {
+        if words.len() > WORDS_PER_COMMAND {
+            return Err(CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, words.len()));
+        }
         let start = self.used.sentence_words;
         let limit = self.memory.sessions.len().min(usize::from(u16::MAX));
         let Some(entry) = self.memory.sessions.get_mut(self.used.sessions).filter(|_| self.used.sessions < limit) else {
@@ -211,6 +214,9 @@ impl<'m> Bitext<'m> {
     }
 
     fn intern_command(&mut self, tokens: &[Symbol]) -> Result<u16, CapacityError> {
+        if tokens.len() > TOKENS_PER_COMMAND {
+            return Err(CapacityError::new(Capacity::TokensPerCommand, TOKENS_PER_COMMAND, tokens.len()));
+        }
         let known = (0..self.used.commands as u16).find(|&command| self.command(command) == tokens);
         if let Some(command) = known {
             return Ok(command);

@@ -87,7 +87,7 @@ impl LanguageModel<'_> {
             if given > limit { Err(CapacityError::new(capacity, limit, given)) } else { Ok(()) }
         };
         if words.is_empty() {
-            return Err(CapacityError::full(Capacity::Words, rooms.words.min(self.words.len())));
+            return Err(self.no_room_for_a_word());
         }
         let (mut count, mut command_tokens, mut lengths) = (0_usize, 0_usize, SeenLengths::new());
         for (command, _) in pairs {

@@ -238,7 +238,7 @@ impl<'m> LanguageModel<'m> {
     ) -> Result<(), CapacityError> {
         let mut words: heapless::Vec<Symbol, WORDS_PER_COMMAND> = heapless::Vec::new();
         for &word in sentence {
-            let word = word.ok_or(CapacityError::full(Capacity::Words, self.words.len()))?;
+            let word = word.ok_or(self.no_room_for_a_word())?;
             words.push(word).map_err(|_| CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, sentence.len()))?;
         }
         self.tables.fits(self.tokens.len(), self.words.len())?;
@@ -248,6 +248,12 @@ impl<'m> LanguageModel<'m> {
             self.tables.add_lengths(command.len(), words.len())?;
         }
         Ok(())
+    }
+
+    /// Why a word that was heard is not in the vocabulary.
+    pub(super) fn no_room_for_a_word(&self) -> CapacityError {
+        let (words, bytes) = self.words.room();
+        if self.words.len() < words { CapacityError::full(Capacity::WordBytes, bytes) } else { CapacityError::full(Capacity::Words, words) }
     }
 
     /// Begins training on all the data, from uniform parameters.

@@ -43,6 +43,7 @@ pub struct Agent<'m> {
     pub(super) search: Search<'m>,
     pub(super) sentence: Sentence,
     pub(super) start: Option<u64>,
+    pub(super) ended: bool,
     pub(super) planned: Option<u64>,
     pub(super) dead: TaskSet,
     pub(super) followed: Option<usize>,
@@ -67,6 +68,7 @@ impl<'m> Agent<'m> {
             search: Search::new(session.plan),
             sentence: Sentence::new(),
             start: None,
+            ended: false,
             planned: None,
             dead: TaskSet::EMPTY,
             followed: None,
@@ -127,7 +129,8 @@ impl<'m> Agent<'m> {
     /// Pr(t|e,s) proportional to the sum over l of Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c).
     ///
     /// # Errors
-    /// [`AgentError`]; no session is then under way, and what was learned is kept.
+    /// [`AgentError`]; no session is then under way (but for [`AgentError::StillLearning`], which changes nothing), and what was learned is
+    /// kept.
     pub fn hear<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
         self.open(domain, state, command)?;
         self.understand(domain)
@@ -165,7 +168,8 @@ impl<'m> Agent<'m> {
         Ok(())
     }
 
-    /// Hears the same command again in the same initial state: the belief goes on.
+    /// Hears the same command again in the same initial state: the belief goes on. An ended session, learned from or forgotten, is taken up
+    /// again by this.
     ///
     /// # Errors
     /// [`AgentError::NoSession`] where the last session did not start in this state.
@@ -173,9 +177,14 @@ impl<'m> Agent<'m> {
         if self.start != Some(domain.number(state)) || self.tasks().is_empty() {
             return Err(AgentError::NoSession);
         }
+        self.ended = false;
         self.planned = None;
         self.dead = TaskSet::EMPTY;
         Ok(())
+    }
+
+    pub(super) fn check_under_way(&self) -> Result<(), AgentError> {
+        if self.start.is_none() || self.ended { Err(AgentError::NoSession) } else { Ok(()) }
     }
 
     /// Ends a session under way, and forgets which tasks it had.
@@ -192,6 +201,7 @@ impl<'m> Agent<'m> {
             return Err(AgentError::StillLearning);
         }
         self.start = None;
+        self.ended = false;
         self.planned = None;
         self.followed = None;
         self.dead = TaskSet::EMPTY;
@@ -269,9 +279,7 @@ impl<'m> Agent<'m> {
     /// # Errors
     /// [`AgentError::NoSession`].
     pub fn plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, budget: u32) -> Result<Progress, AgentError> {
-        if self.start.is_none() {
-            return Err(AgentError::NoSession);
-        }
+        self.check_under_way()?;
         let number = domain.number(state);
         if self.planned != Some(number) {
             self.planned = Some(number);
@@ -323,9 +331,7 @@ impl<'m> Agent<'m> {
     }
 
     fn check_planned(&self) -> Result<(), AgentError> {
-        if self.start.is_none() {
-            return Err(AgentError::NoSession);
-        }
+        self.check_under_way()?;
         if self.planned.is_none() || !self.search.is_done() { Err(AgentError::NotPlanned) } else { Ok(()) }
     }
 

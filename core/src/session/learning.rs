@@ -11,8 +11,9 @@ use crate::task::Expression;
 
 impl Agent<'_> {
     /// Ends the session without learning from it. What it made known of words and machine tokens is forgotten with the next command, so
-    /// that the same session can still be taken up again.
+    /// that the same session can still be taken up again with [`hear_again`](Self::hear_again).
     pub fn forget(&mut self) {
+        self.ended = true;
         self.planned = None;
     }
 
@@ -21,12 +22,10 @@ impl Agent<'_> {
     /// [`forgetting`](crate::language::forgetting) says.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`], or [`AgentError::Capacity`] where the session could not be kept even alone: it is then forgotten and
-    /// everything learned before is kept.
+    /// [`AgentError::NoSession`], [`AgentError::StillLearning`], or [`AgentError::Capacity`] where the session could not be kept even
+    /// alone: it is then forgotten and everything learned before is kept.
     pub fn finish<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
-        if self.start.is_none() {
-            return Err(AgentError::NoSession);
-        }
+        self.check_under_way()?;
         if self.language.is_training() {
             return Err(AgentError::StillLearning);
         }
@@ -37,6 +36,7 @@ impl Agent<'_> {
         let candidates = &self.candidates;
         let weighted = |entry: &Candidate| share(entry.weight).map(|share| (candidates.tokens(entry), share / kept));
         let pairs = || candidates.entries().iter().filter_map(weighted);
+        self.ended = true;
         self.planned = None;
         let added = self.language.add_session_making_room(&self.sentence, candidates.all_tokens(), pairs);
         if let Err(error) = added {
@@ -51,11 +51,20 @@ impl Agent<'_> {
     }
 
     /// The weight of each machine command of the session as it stands, for [`finish`](Self::finish) and for those who look on: the entries
-    /// of [`candidates`](Self::candidates) then have their weights.
+    /// of [`candidates`](Self::candidates) then have their weights, in no unit: their share of the sum is what is learned. Where no machine
+    /// command explains the words, the tasks' posterior alone counts, evenly over each task's constraints.
     ///
     /// # Errors
     /// [`AgentError::Capacity`].
     pub fn weigh<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+        self.weigh_by(domain, self.options.weights)?;
+        if self.options.weights == Weights::Paper && self.candidates.entries().iter().all(|entry| entry.weight.is_zero()) {
+            self.weigh_by(domain, Weights::Belief)?;
+        }
+        Ok(())
+    }
+
+    fn weigh_by<D: Domain + ?Sized>(&mut self, domain: &D, weights: Weights) -> Result<(), AgentError> {
         for position in 0..self.candidates.entries().len() {
             if let Some(entry) = self.candidates.entry_mut(position) {
                 entry.weight = Scaled::ZERO;
@@ -63,7 +72,6 @@ impl Agent<'_> {
         }
         for position in 0..self.task_count {
             let prior = self.tasks.get(position).map_or(0.0, |task| task.prior);
-            let weights = self.options.weights;
             let evidence = match weights {
                 Weights::Paper => self.belief.evidence(position).scaled_by(prior),
                 Weights::Belief => self.belief.weight(position),

@@ -47,7 +47,7 @@ pub struct SessionMemory<'m> {
     pub plan: PlanMemory<'m>,
 }
 
-/// Memory for an [`Agent`].
+/// Memory for an [`Agent`](super::Agent).
 #[derive(Debug)]
 pub struct AgentMemory<'m> {
     /// What it learns.

@@ -13,6 +13,7 @@
 mod agent;
 pub mod contents;
 pub mod error;
+mod joining;
 mod language;
 pub mod record;
 pub mod vocabulary;

@@ -18,9 +18,12 @@ pub const SETUP: Step = Step {
 
 pub const MICROCONTROLLER: Step = Step {
     name: "microcontroller",
-    about: "the core is built for a Cortex-M4F",
+    about: "the core and the course are built for a Cortex-M4F",
     fast: false,
-    run: |_| build(Target::Thumbv7emHf, "goodbot"),
+    run: |_| {
+        build(Target::Thumbv7emHf, "goodbot")?;
+        build(Target::Thumbv7emHf, "goodbot-course")
+    },
     next: "the core may use nothing of std but behind its feature `std`, and no heap",
 };
 

@@ -1,0 +1,61 @@
+//! What the language model takes as training data, and what it refuses.
+
+use goodbot::Capacities;
+use goodbot::capacity::{Capacity, TOKENS_PER_COMMAND};
+use goodbot::language::{LanguageModel, Settings};
+use goodbot::planning::Progress;
+use goodbot::symbols::Symbol;
+
+goodbot::memory! { struct Memory = Capacities { words: 8, word_bytes: 8, ..Capacities::SMALL }; }
+
+/// A model that heard one command, which meant the one machine token.
+fn taught(memory: &mut Memory) -> LanguageModel<'_> {
+    let mut model = LanguageModel::new(memory.split().agent.language, Settings::PAPER);
+    let go = model.tokens_mut().intern("agentInRoom").unwrap();
+    let sentence = model.hear("go red").unwrap();
+    model.add_session(&sentence, [([go].as_slice(), 0.75)].into_iter()).unwrap();
+    model
+}
+
+#[test]
+fn training_that_begins_anew_forgets_what_it_had_counted() {
+    let (mut once, mut twice) = (Memory::new(), Memory::new());
+    let (mut once, mut twice) = (taught(&mut once), taught(&mut twice));
+    let teach_more = |model: &mut LanguageModel<'_>| {
+        let room = model.tokens_mut().intern("room").unwrap();
+        let sentence = model.hear("red").unwrap();
+        model.add_session(&sentence, [([room].as_slice(), 1.0)].into_iter()).unwrap();
+        model.begin_training();
+        while model.train(u32::MAX) == Progress::Working {}
+    };
+    teach_more(&mut once);
+    twice.begin_training();
+    assert_eq!(twice.train(1), Progress::Working);
+    teach_more(&mut twice);
+    for word in 0..2 {
+        for token in [None, Some(Symbol(0)), Some(Symbol(1))] {
+            assert_eq!(once.tables().translation(Symbol(word), token), twice.tables().translation(Symbol(word), token));
+        }
+    }
+}
+
+#[test]
+fn a_machine_command_too_long_is_refused_and_what_was_learned_stays() {
+    let mut memory = Memory::new();
+    let mut model = taught(&mut memory);
+    let sentence = model.hear("go").unwrap();
+    let long = [Symbol(0); TOKENS_PER_COMMAND + 1];
+    let error = model.add_session(&sentence, [(long.as_slice(), 1.0)].into_iter()).unwrap_err();
+    assert_eq!((error.capacity, error.given), (Capacity::TokensPerCommand, TOKENS_PER_COMMAND as u32 + 1));
+    assert_eq!(model.bitext().sessions(), 1);
+}
+
+#[test]
+fn a_word_that_finds_no_room_is_refused_by_the_name_of_what_is_full() {
+    let mut memory = Memory::new();
+    let mut model = taught(&mut memory);
+    // Two words of eight are known, but five of eight bytes are taken.
+    let sentence = model.hear("go yellow").unwrap();
+    let error = model.add_session(&sentence, [([Symbol(0)].as_slice(), 1.0)].into_iter()).unwrap_err();
+    assert_eq!((error.capacity, error.limit), (Capacity::WordBytes, 8));
+}

@@ -1,0 +1,119 @@
+//! A home from an environment, and what is wrong with it.
+
+use goodbot::capacity::{Capacity, CapacityError};
+use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeMemory, HomeState, Moves, Problem};
+use goodbot::{Capacities, HeapMemory};
+use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+
+/// What is wrong with a home.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Flaw {
+    /// The object, by its position in the environment, where it is one of them.
+    pub object: Option<usize>,
+    /// What is wrong.
+    pub problem: Problem,
+}
+
+impl Flaw {
+    /// What is wrong and what to do, naming the object.
+    pub fn message(&self, environment: &EnvironmentFile) -> String {
+        match self.object.and_then(|object| environment.objects.get(object)) {
+            Some(object) => format!("object {}: {}", super::fault::quoted(object.name()), self.problem),
+            None => match self.problem {
+                Problem::Capacity(CapacityError { capacity: Capacity::Objects, limit, given }) => {
+                    format!("are {given}, and {limit} are the most; leave out some")
+                }
+                problem => problem.to_string(),
+            },
+        }
+    }
+
+    /// The field at fault, within the environment.
+    pub fn field(&self) -> String {
+        self.object.map_or_else(|| "objects".to_owned(), |object| format!("objects[{object}]"))
+    }
+}
+
+/// Memory for one home of the largest size; the share of an agent is next to nothing.
+pub fn memory() -> HeapMemory {
+    let Capacities { objects, names, name_bytes, cells, .. } = Capacities::STANDARD;
+    HeapMemory::new(&Capacities { objects, names, name_bytes, cells, states: 0, ..Capacities::SMALL })
+}
+
+/// The home of an environment, with its initial state.
+pub fn build<'m>(environment: &EnvironmentFile, moves: Moves, memory: HomeMemory<'m>) -> Result<(Home<'m>, HomeState), Flaw> {
+    let mut builder = HomeBuilder::new(memory);
+    for (position, object) in environment.objects.iter().enumerate() {
+        add(&mut builder, object).map_err(|problem| Flaw { object: Some(position), problem })?;
+    }
+    builder.build(moves).map_err(|error| Flaw { object: error.object.map(usize::from), problem: error.problem })
+}
+
+/// Everything that is wrong with a home.
+pub fn flaws(environment: &EnvironmentFile) -> Vec<Flaw> {
+    let most = Capacities::STANDARD.objects;
+    if environment.objects.len() > most {
+        return vec![Flaw {
+            object: None,
+            problem: Problem::Capacity(CapacityError::new(Capacity::Objects, most, environment.objects.len())),
+        }];
+    }
+    let mut flaws = Vec::new();
+    let has = |wanted: fn(&ObjectRecord) -> bool| environment.objects.iter().any(wanted);
+    if !has(|object| matches!(object, ObjectRecord::Agent { .. })) {
+        flaws.push(Flaw { object: None, problem: Problem::NoAgent });
+    }
+    if !has(|object| matches!(object, ObjectRecord::Room { .. })) {
+        flaws.push(Flaw { object: None, problem: Problem::NoRoom });
+    }
+    flaws.extend(flawed_alone(environment));
+    if flaws.is_empty() {
+        flaws.extend(misplaced(environment));
+    }
+    flaws
+}
+
+/// The objects that cannot be added, whatever else there is.
+fn flawed_alone(environment: &EnvironmentFile) -> Vec<Flaw> {
+    let mut memory = memory();
+    let mut builder = HomeBuilder::new(memory.split().home);
+    let mut flaws = Vec::new();
+    for (position, object) in environment.objects.iter().enumerate() {
+        if let Err(problem) = add(&mut builder, object) {
+            flaws.push(Flaw { object: Some(position), problem });
+            // Where one does not fit, none after it does.
+            if matches!(problem, Problem::Capacity(_)) {
+                break;
+            }
+        }
+    }
+    flaws
+}
+
+/// What stands where it cannot stand: each block is tried without those found before.
+fn misplaced(environment: &EnvironmentFile) -> Vec<Flaw> {
+    let (mut flaws, mut left): (Vec<Flaw>, Vec<usize>) = (Vec::new(), (0..environment.objects.len()).collect());
+    loop {
+        let rest = EnvironmentFile::new(left.iter().filter_map(|&position| environment.objects.get(position).cloned()).collect());
+        let mut memory = memory();
+        let Err(flaw) = build(&rest, Moves::Push, memory.split().home).map(drop) else { return flaws };
+        // Once the agent is left out, nothing more can be tried.
+        if flaw.problem == Problem::NoAgent {
+            return flaws;
+        }
+        let object = flaw.object.and_then(|object| left.get(object).copied());
+        flaws.push(Flaw { object, ..flaw });
+        let Some(object) = object else { return flaws };
+        left.retain(|&position| position != object);
+    }
+}
+
+fn add(builder: &mut HomeBuilder<'_>, object: &ObjectRecord) -> Result<(), Problem> {
+    let added = match object {
+        ObjectRecord::Room { name, left, bottom, right, top, color } => builder.room(name, Area::new(*left, *bottom, *right, *top), color),
+        ObjectRecord::Door { name, left, bottom, right, top } => builder.door(name, Area::new(*left, *bottom, *right, *top)),
+        ObjectRecord::Agent { name, x, y } => builder.agent(name, Cell::new(*x, *y)),
+        ObjectRecord::Block { name, x, y, color, shape } => builder.block(name, Cell::new(*x, *y), color, shape),
+    };
+    added.map(drop).map_err(|error| error.problem)
+}

@@ -1,0 +1,17 @@
+//! From files to what the robot works with: homes, tasks and walks, checked.
+//!
+//! - [`fault`]: what is wrong with a file, and where;
+//! - [`input`]: files and standard input;
+//! - [`home`]: a home from an environment;
+//! - [`kinds`]: the kinds of tasks that commands may mean;
+//! - [`session`]: a recorded session, walked through;
+//! - [`task_name`]: a grounded task as a text.
+
+pub mod fault;
+pub mod home;
+pub mod input;
+pub mod kinds;
+pub mod session;
+pub mod task_name;
+
+pub use fault::Fault;

@@ -1,0 +1,253 @@
+//! A recorded session, checked against its home and walked through before anything is believed of it.
+
+use super::fault::quoted;
+use super::task_name::task_name;
+use super::{Fault, home};
+use goodbot::capacity::{Capacity, CapacityError};
+use goodbot::feedback::{Feedback, Strategy};
+use goodbot::home::{Home, HomeMemory, HomeState, Moves, SCHEMA};
+use goodbot::language::tokenizer::for_each_word;
+use goodbot::oomdp::{Action, Domain, action_named, apply};
+use goodbot::task::{GroundedTask, LiftedTask, ground};
+use goodbot::{AgentError, Capacities};
+use goodbot_formats::session::{FeedbackWord, RecordedSession, StepRecord, StrategyRecord};
+use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
+
+/// One step of a session.
+#[derive(Clone, Copy, Debug)]
+pub struct Step {
+    /// The line it stands on.
+    pub line: usize,
+    /// Where everything was before it.
+    pub before: HomeState,
+    /// What was done.
+    pub action: Action,
+    /// What the trainer said; silence in a demonstration.
+    pub feedback: Feedback,
+    /// Whether it was a move that moved nothing.
+    pub bump: bool,
+}
+
+/// A session that can be replayed.
+#[derive(Debug)]
+pub struct Session<'m> {
+    /// The home.
+    pub home: Home<'m>,
+    /// Where everything is at the beginning.
+    pub start: HomeState,
+    /// The tasks that there are here, with their names.
+    pub tasks: Vec<(GroundedTask, GroundTaskText)>,
+    /// The tasks' recorded prior, in their order.
+    pub prior: Option<Vec<f32>>,
+    /// The recorded strategies.
+    pub strategies: Option<Vec<(Strategy, f32)>>,
+    /// The steps.
+    pub steps: Vec<Step>,
+}
+
+impl Session<'_> {
+    /// The recorded prior of a task, 0 where the record does not name it.
+    pub fn prior_of(&self, task: &GroundedTask) -> f32 {
+        let position = self.tasks.iter().position(|(known, _)| known == task);
+        position.and_then(|position| self.prior.as_ref()?.get(position).copied()).unwrap_or(0.0)
+    }
+}
+
+/// The moves that a session's actions are.
+pub fn moves<'a>(names: impl Iterator<Item = &'a str>) -> Option<Moves> {
+    let mut names: Vec<&str> = names.filter(|&name| name != "noop").collect();
+    names.sort_unstable();
+    match names.as_slice() {
+        ["east", "north", "south", "west"] => Some(Moves::Push),
+        ["east", "north", "pull", "south", "west"] => Some(Moves::PushAndPull),
+        _ => None,
+    }
+}
+
+/// Collects what is wrong with one session.
+struct Checker<'a> {
+    file: &'a str,
+    recorded: &'a RecordedSession,
+    faults: Vec<Fault>,
+}
+
+impl Checker<'_> {
+    fn fault(&mut self, field: impl Into<String>, message: impl std::fmt::Display) {
+        self.faults.push(Fault::on_line(self.file, self.recorded.header_line, message).in_field(field));
+    }
+}
+
+/// Checks a session and walks through it. `lifted` are the tasks that commands may mean.
+///
+/// # Errors
+/// All that is wrong with it.
+pub fn load<'m>(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask], memory: HomeMemory<'m>) -> Result<Session<'m>, Vec<Fault>> {
+    let mut checker = Checker { file, recorded, faults: Vec::new() };
+    let header = &recorded.header;
+    let moves = moves(header.action_names());
+    if moves.is_none() {
+        let message = "a home has the actions north, south, east and west, and may have pull; name these four or five";
+        checker.fault("actions", message);
+    }
+    checker.command();
+    let flaws = home::flaws(&header.environment);
+    for flaw in &flaws {
+        checker.fault(format!("environment.{}", flaw.field()), flaw.message(&header.environment));
+    }
+    let built = match moves {
+        Some(moves) if flaws.is_empty() => home::build(&header.environment, moves, memory).map_err(|flaw| {
+            checker.fault("environment", flaw.message(&header.environment));
+        }),
+        _ => Err(()),
+    };
+    let Ok((home, start)) = built else { return Err(checker.faults) };
+    checker.intended(&home);
+    let tasks = checker.tasks(&home, &start, lifted);
+    let prior = header.prior.as_ref().map(|prior| checker.prior(prior, &tasks));
+    let strategies = header.strategies.as_ref().map(|strategies| checker.strategies(strategies));
+    let steps = checker.walk(&home, &start);
+    match checker.faults.is_empty() {
+        true => Ok(Session { home, start, tasks, prior, strategies, steps }),
+        false => Err(checker.faults),
+    }
+}
+
+impl Checker<'_> {
+    fn command(&mut self) {
+        let mut words = 0_usize;
+        let counted = for_each_word(&self.recorded.header.command, |_| {
+            words += 1;
+            Ok(())
+        });
+        match counted {
+            Err(CapacityError { capacity: Capacity::WordsPerCommand, limit, given }) => {
+                self.fault("command", format!("has {given} words, and {limit} are the most; shorten it"));
+            }
+            Err(CapacityError { limit, .. }) => self.fault("command", format!("has a word of more than {limit} bytes; shorten it")),
+            Ok(()) if words == 0 => self.fault("command", AgentError::EmptyCommand),
+            Ok(()) => {}
+        }
+    }
+
+    fn intended(&mut self, home: &Home<'_>) {
+        for (position, atom) in self.recorded.header.intended.iter().flatten().enumerate() {
+            if let Err(message) = known_atom(home, atom) {
+                self.fault(format!("intended[{position}]"), message);
+            }
+        }
+    }
+
+    fn tasks(&mut self, home: &Home<'_>, start: &HomeState, lifted: &[LiftedTask]) -> Vec<(GroundedTask, GroundTaskText)> {
+        let mut tasks = vec![GroundedTask::UNUSED; Capacities::STANDARD.tasks];
+        let count = match ground(home, lifted, start, &mut tasks) {
+            Ok(0) => {
+                self.fault("environment", AgentError::NoTask);
+                0
+            }
+            Ok(count) => count,
+            Err(CapacityError { limit, .. }) => {
+                self.fault("environment", format!("gives more than {limit} tasks; leave out rooms or blocks"));
+                0
+            }
+        };
+        let mut named = Vec::new();
+        for task in tasks.into_iter().take(count) {
+            let Some(lifted) = lifted.get(usize::from(task.lifted)) else { continue };
+            match task_name(home, lifted, &task) {
+                Ok(name) => named.push((task, name)),
+                Err(error) => self.fault("environment", error),
+            }
+        }
+        named
+    }
+
+    fn prior(&mut self, prior: &[(GroundTaskText, f64)], tasks: &[(GroundedTask, GroundTaskText)]) -> Vec<f32> {
+        let mut values = vec![0.0; tasks.len()];
+        let largest = prior.iter().map(|&(_, value)| value).fold(0.0, f64::max);
+        for (name, value) in prior {
+            let found = tasks.iter().position(|(_, task)| task.holds_exactly(name.atoms()));
+            match found.and_then(|position| values.get_mut(position)) {
+                // In any unit: the largest is 1, so that single precision never makes all of them 0.
+                Some(slot) => *slot = (value / largest) as f32,
+                None if tasks.is_empty() => {}
+                None => {
+                    let message = "is no task here: it holds at the beginning already, names what is not here, or is of a kind not asked \
+                                   for; remove it, or name its kind with --task";
+                    self.fault(format!("prior.{name}"), message);
+                }
+            }
+        }
+        values
+    }
+
+    fn strategies(&mut self, records: &[StrategyRecord]) -> Vec<(Strategy, f32)> {
+        let most = Capacities::STANDARD.strategies;
+        if records.len() > most {
+            self.fault("strategies", format!("are {}, and {most} are the most; leave out the least probable", records.len()));
+        }
+        let largest = records.iter().map(|record| record.prior).fold(0.0, f64::max);
+        let mut strategies = Vec::new();
+        for (position, record) in records.iter().enumerate() {
+            match Strategy::new(record.mu_plus as f32, record.mu_minus as f32, record.epsilon as f32) {
+                Ok(strategy) => strategies.push((strategy, (record.prior / largest) as f32)),
+                Err(error) => self.fault(format!("strategies[{position}]"), error),
+            }
+        }
+        strategies
+    }
+
+    fn walk(&mut self, home: &Home<'_>, start: &HomeState) -> Vec<Step> {
+        let mut state = *start;
+        let mut steps = Vec::new();
+        for (line, record) in &self.recorded.steps {
+            let Some((action, next)) = action_named(home, &record.action).and_then(|action| Some((action, apply(home, &state, action)?)))
+            else {
+                let message = impossible(record, home.agent_cell(&state).x, home.agent_cell(&state).y);
+                self.faults.push(Fault::on_line(self.file, *line, message).in_field("action"));
+                break;
+            };
+            let feedback = match record.feedback {
+                Some(FeedbackWord::Reward) => Feedback::Reward,
+                Some(FeedbackWord::Punish) => Feedback::Punish,
+                Some(FeedbackWord::Neutral) | None => Feedback::Neutral,
+            };
+            steps.push(Step { line: *line, before: state, action, feedback, bump: action != Action::NOOP && next == state });
+            state = next;
+        }
+        steps
+    }
+}
+
+fn impossible(record: &StepRecord, x: i32, y: i32) -> String {
+    let action = quoted(&record.action);
+    format!(
+        "{action} cannot be done here, where the agent is at {x}, {y}: no block beside it has a wall or another block behind it; correct the \
+         steps, or leave out the session"
+    )
+}
+
+/// Whether a proposition is about what is here; what is wrong with it otherwise.
+pub fn known_atom(home: &Home<'_>, atom: &GroundAtomText) -> Result<goodbot::oomdp::GroundProposition, String> {
+    let Some(proposition) = SCHEMA.proposition(atom.function()) else {
+        let known: Vec<&str> = SCHEMA.propositions.iter().map(|known| known.name).collect();
+        return Err(format!("{} is no propositional function; known are {}", quoted(atom.function()), known.join(", ")));
+    };
+    let parameters = SCHEMA.parameters(proposition);
+    if parameters.len() != atom.arguments().len() {
+        let (given, wanted) = (atom.arguments().len(), parameters.len());
+        return Err(format!("{} takes {wanted} objects, and {given} are given; name {wanted}", atom.function()));
+    }
+    let mut arguments = goodbot::oomdp::GroundProposition { proposition, arguments: Default::default() };
+    for ((name, &class), slot) in atom.arguments().iter().zip(parameters).zip(&mut arguments.arguments) {
+        let class_name = SCHEMA.class_name(class);
+        let objects = home.objects();
+        match objects.find(name) {
+            None => return Err(format!("there is no object {}; name a {class_name} of the environment", quoted(name))),
+            Some(id) if objects.get(id).is_some_and(|object| object.class != class) => {
+                return Err(format!("{} is no {class_name}; name a {class_name} of the environment", quoted(name)));
+            }
+            Some(id) => *slot = id,
+        }
+    }
+    Ok(arguments)
+}

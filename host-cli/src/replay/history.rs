@@ -1,0 +1,179 @@
+//! The agent that goes through recorded sessions, one after the other.
+
+use crate::load::session::{Session, load};
+use crate::load::{Fault, home};
+use goodbot::feedback::Feedback;
+use goodbot::session::Options;
+use goodbot::task::LiftedTask;
+use goodbot::{Agent, AgentError, Capacities, HeapMemory};
+use goodbot_formats::environment::EnvironmentFile;
+use goodbot_formats::posterior::PosteriorLine;
+use goodbot_formats::session::{Kind, RecordedSession};
+use goodbot_formats::task_text::GroundAtomText;
+
+/// The name of the paper's trainer strategy, which is considered where no session names others.
+const BALANCED: &str = "balanced";
+
+/// What the agent has room for: recorded histories are longer than what one learns at a time.
+const CAPACITIES: Capacities = Capacities {
+    sessions: 4_096,
+    sentence_words: 131_072,
+    pairs: 262_144,
+    commands: 8_192,
+    command_tokens: 98_304,
+    ..Capacities::STANDARD
+};
+
+/// An agent and what it went through.
+pub struct History {
+    agent: Agent<'static>,
+    lifted: Vec<LiftedTask>,
+    strategies: Vec<String>,
+    last: Last,
+}
+
+/// What came before.
+enum Last {
+    Nothing,
+    Broken,
+    Session(String, EnvironmentFile),
+}
+
+/// What became of one session.
+pub struct Outcome {
+    /// Its name.
+    pub id: String,
+    /// What was said.
+    pub command: String,
+    /// How it taught.
+    pub kind: Kind,
+    /// Whether it continued the one before.
+    pub continues: bool,
+    /// What was meant.
+    pub intended: Option<Vec<GroundAtomText>>,
+    /// The belief before the first step and after each.
+    pub beliefs: Vec<PosteriorLine<f32>>,
+    /// How often each feedback was given: reward, punishment, silence.
+    pub feedback: [usize; 3],
+    /// Whether it was learned from.
+    pub learned: bool,
+    /// What is worth knowing, and no fault.
+    pub remarks: Vec<Fault>,
+}
+
+impl History {
+    /// An agent that has learned nothing yet. `lifted` are the tasks that commands may mean.
+    pub fn new(lifted: &[LiftedTask], options: Options) -> Result<Self, goodbot::capacity::CapacityError> {
+        // One for the whole run of the program.
+        let memory = Box::leak(Box::new(HeapMemory::new(&CAPACITIES)));
+        let agent = Agent::new(memory.split().agent, lifted, options)?;
+        Ok(Self { agent, lifted: lifted.to_vec(), strategies: vec![BALANCED.to_owned()], last: Last::Nothing })
+    }
+
+    /// A session could not be read.
+    pub fn broken(&mut self) {
+        self.last = Last::Broken;
+    }
+
+    /// Replays a session.
+    ///
+    /// # Errors
+    /// What is wrong with it. Nothing is then learned from it.
+    pub fn replay(&mut self, file: &str, recorded: &RecordedSession) -> Result<Outcome, Vec<Fault>> {
+        let replayed = self.try_replay(file, recorded);
+        self.last = match &replayed {
+            Ok(_) => Last::Session(recorded.header.command.clone(), recorded.header.environment.clone()),
+            Err(_) => Last::Broken,
+        };
+        replayed
+    }
+
+    fn try_replay(&mut self, file: &str, recorded: &RecordedSession) -> Result<Outcome, Vec<Fault>> {
+        let header = &recorded.header;
+        let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
+        self.check_continues(file, recorded)?;
+        let mut memory = home::memory();
+        let session = load(file, recorded, &self.lifted, memory.split().home)?;
+        self.begin(recorded, &session).map_err(at(recorded.header_line))?;
+        let id = header.id.clone().unwrap_or_else(|| format!("{file}:{}", recorded.header_line));
+        let mut outcome = Outcome {
+            id,
+            command: header.command.clone(),
+            kind: header.kind,
+            continues: header.continues,
+            intended: header.intended.clone(),
+            beliefs: vec![],
+            feedback: [0; 3],
+            learned: recorded.learn,
+            remarks: vec![],
+        };
+        outcome.beliefs.push(self.belief(&outcome.id, 0, &session));
+        for (step, count) in session.steps.iter().zip(1..) {
+            self.agent.plan_fully(&session.home, &step.before).map_err(at(step.line))?;
+            let counted = match header.kind {
+                Kind::Feedback => {
+                    let [reward, punish, neutral] = &mut outcome.feedback;
+                    *match step.feedback {
+                        Feedback::Reward => reward,
+                        Feedback::Punish => punish,
+                        Feedback::Neutral => neutral,
+                    } += 1;
+                    self.agent.feedback(step.action, step.feedback)
+                }
+                Kind::Demonstration => self.agent.demonstration(step.action),
+            };
+            let mut remark = |message: &str| outcome.remarks.push(Fault::on_line(file, step.line, message));
+            if !counted.map_err(at(step.line))? {
+                remark("this is impossible whatever the task and the strategy, and was ignored");
+            }
+            if !self.agent.search().unknown().is_empty() {
+                remark("the search was bounded: for some tasks the optimal actions are unknown, and the step says nothing of these");
+            }
+            if step.bump && header.kind == Kind::Demonstration {
+                remark("the demonstration goes against a wall or a block that is held, and nothing moves");
+            }
+            outcome.beliefs.push(self.belief(&outcome.id, count, &session));
+        }
+        if recorded.learn {
+            self.agent.finish(&session.home).map_err(at(recorded.end_line))?;
+            self.agent.learn_fully();
+        } else {
+            self.agent.forget();
+        }
+        Ok(outcome)
+    }
+
+    fn check_continues(&self, file: &str, recorded: &RecordedSession) -> Result<(), Vec<Fault>> {
+        let header = &recorded.header;
+        let message = match &self.last {
+            _ if !header.continues => return Ok(()),
+            Last::Session(command, environment) if *command == header.command && *environment == header.environment => return Ok(()),
+            Last::Session(..) => "the session before has another command or environment; remove \"continues\"",
+            Last::Broken => "the session before could not be replayed, so nothing can be continued; mend that one first",
+            Last::Nothing => "there is no session before; remove \"continues\", or name the file with that session first",
+        };
+        Err(vec![Fault::on_line(file, recorded.header_line, message).in_field("continues")])
+    }
+
+    fn begin(&mut self, recorded: &RecordedSession, session: &Session<'_>) -> Result<(), AgentError> {
+        let header = &recorded.header;
+        if let (Some(strategies), Some(records)) = (&session.strategies, &header.strategies) {
+            self.agent.set_strategies(strategies)?;
+            self.strategies = records.iter().map(|record| record.name.clone()).collect();
+        }
+        if header.continues {
+            self.agent.hear_again(&session.home, &session.start)
+        } else if session.prior.is_some() {
+            self.agent.hear_with_prior(&session.home, &session.start, &header.command, |task, _| session.prior_of(task))
+        } else {
+            self.agent.hear(&session.home, &session.start, &header.command)
+        }
+    }
+
+    fn belief(&self, id: &str, step: u64, session: &Session<'_>) -> PosteriorLine<f32> {
+        let belief = self.agent.belief();
+        let tasks = session.tasks.iter().enumerate().map(|(position, (_, name))| (name.clone(), belief.probability(position)));
+        let strategies = self.strategies.iter().enumerate().map(|(position, name)| (name.clone(), belief.strategy_probability(position)));
+        PosteriorLine { session: id.to_owned(), step, tasks: tasks.collect(), strategies: strategies.collect() }
+    }
+}

@@ -1,0 +1,165 @@
+//! `goodbot replay`: Algorithm 1 over recorded sessions, exactly as they were walked.
+//!
+//! - [`history`]: the agent that goes through them, one after the other;
+//! - [`report`]: what is told of each, for people.
+
+mod history;
+mod report;
+
+use crate::cli::{Model, WeightsChoice};
+use crate::load::fault::tell;
+use crate::load::kinds::TaskKinds;
+use crate::load::{Fault, input};
+use clap::Args;
+use goodbot::session::{Options, Weights};
+use goodbot_formats::session::SessionReader;
+use history::{History, Outcome};
+use indicatif::{ProgressBar, ProgressStyle};
+use report::Totals;
+use std::io::{self, BufWriter, Stdout, Write};
+use std::process::ExitCode;
+
+/// Go through recorded sessions and tell what the robot believes after each step
+///
+/// The robot begins knowing no word. Each session gives it the command, the steps as they were
+/// taken and the trainer's feedback; where the session says so, it then learns. Several files are
+/// one history, in the order in which they are named.
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Exit codes: 0 all sessions were replayed, 2 a file is at fault (nothing after the fault is replayed, unless --keep-going is given).
+
+Example: goodbot replay --json lessons.jsonl > beliefs.jsonl"
+)]
+pub struct ReplayArgs {
+    /// Session logs (JSON Lines); - is standard input.
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<String>,
+    /// Prints each belief as a line of JSON: before the first step, and after each.
+    #[arg(long)]
+    json: bool,
+    /// The model's settings.
+    #[arg(long, value_enum, default_value_t = Model::Paper)]
+    model: Model,
+    /// How machine commands are weighted when a session is learned from.
+    #[arg(long, value_enum, default_value_t = WeightsChoice::Paper)]
+    weights: WeightsChoice,
+    #[command(flatten)]
+    kinds: TaskKinds,
+    /// Passes over sessions that are at fault, and counts them.
+    #[arg(long)]
+    keep_going: bool,
+}
+
+impl ReplayArgs {
+    fn options(&self) -> Options {
+        let Model::Paper = self.model;
+        let weights = match self.weights {
+            WeightsChoice::Paper => Weights::Paper,
+            WeightsChoice::Belief => Weights::Belief,
+        };
+        Options { weights, ..Options::PAPER }
+    }
+}
+
+/// Runs the command.
+pub fn run(args: &ReplayArgs) -> ExitCode {
+    let replayed = Replay::new(args).and_then(|mut replay| {
+        let code = replay.files(args);
+        replay.progress.finish_and_clear();
+        code
+    });
+    match replayed {
+        Ok(code) => code,
+        Err(error) => {
+            let code = match error.downcast_ref::<io::Error>() {
+                Some(error) if error.kind() == io::ErrorKind::BrokenPipe => return ExitCode::SUCCESS,
+                Some(_) => 1,
+                None => 2,
+            };
+            eprintln!("error: {error}");
+            ExitCode::from(code)
+        }
+    }
+}
+
+type Failure = Box<dyn std::error::Error>;
+
+/// A replay under way.
+struct Replay {
+    history: History,
+    totals: Totals,
+    progress: ProgressBar,
+    output: BufWriter<Stdout>,
+}
+
+impl Replay {
+    fn new(args: &ReplayArgs) -> Result<Self, Failure> {
+        let style = ProgressStyle::with_template("{spinner} {pos} sessions, {elapsed}")?;
+        Ok(Self {
+            history: History::new(&args.kinds.lifted()?, args.options())?,
+            totals: Totals::default(),
+            progress: ProgressBar::new_spinner().with_style(style),
+            output: BufWriter::new(io::stdout()),
+        })
+    }
+
+    fn files(&mut self, args: &ReplayArgs) -> Result<ExitCode, Failure> {
+        for file in &args.files {
+            let opened = match input::open(file) {
+                Ok(opened) => opened,
+                Err(fault) => {
+                    self.tell(&[fault]);
+                    return Ok(ExitCode::from(2));
+                }
+            };
+            let name = input::name(file);
+            for session in SessionReader::new(opened) {
+                let replayed = match session {
+                    Ok(session) => self.history.replay(name, &session),
+                    Err(error) => {
+                        self.history.broken();
+                        Err(vec![Fault::from_format(name, error)])
+                    }
+                };
+                match replayed {
+                    Ok(outcome) => self.take(args, &outcome)?,
+                    Err(faults) => {
+                        self.tell(&faults);
+                        self.totals.skipped += 1;
+                        if !args.keep_going {
+                            self.output.flush()?;
+                            return Ok(ExitCode::from(2));
+                        }
+                    }
+                }
+                self.progress.inc(1);
+            }
+        }
+        if args.json {
+            if self.totals.skipped > 0 {
+                eprintln!("{} sessions at fault were passed over", self.totals.skipped);
+            }
+        } else {
+            write!(self.output, "{}", self.totals)?;
+        }
+        self.output.flush()?;
+        Ok(ExitCode::from(if self.totals.sessions == 0 { 2 } else { 0 }))
+    }
+
+    fn take(&mut self, args: &ReplayArgs, outcome: &Outcome) -> Result<(), Failure> {
+        self.tell(&outcome.remarks);
+        self.totals.add(outcome);
+        if args.json {
+            for line in &outcome.beliefs {
+                writeln!(self.output, "{}", line.to_json_line()?)?;
+            }
+        } else {
+            write!(self.output, "{outcome}")?;
+        }
+        Ok(())
+    }
+
+    fn tell(&self, faults: &[Fault]) {
+        self.progress.suspend(|| tell(faults));
+    }
+}

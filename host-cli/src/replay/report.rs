@@ -1,0 +1,115 @@
+//! What is told of a replay, for people.
+
+use super::history::Outcome;
+use crate::load::fault::quoted;
+use goodbot_formats::posterior::PosteriorLine;
+use goodbot_formats::session::Kind;
+use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
+use std::fmt;
+
+/// The most likely task of a belief.
+struct MostLikely<'a> {
+    task: &'a GroundTaskText,
+    probability: f32,
+    /// How many tasks are as likely as this one, itself included.
+    tied: usize,
+}
+
+fn most_likely(belief: &PosteriorLine<f32>) -> Option<MostLikely<'_>> {
+    let best = belief.tasks.iter().map(|&(_, probability)| probability).fold(0.0, f32::max);
+    let mut tied = belief.tasks.iter().filter(|&&(_, probability)| probability >= best);
+    let (task, probability) = tied.next()?;
+    Some(MostLikely { task, probability: *probability, tied: 1 + tied.count() })
+}
+
+/// Whether a belief takes the intended task, and it alone, for the most likely one.
+fn is_right(belief: Option<&PosteriorLine<f32>>, intended: &[GroundAtomText]) -> bool {
+    belief.and_then(most_likely).is_some_and(|likely| likely.tied == 1 && likely.task.holds_exactly(intended))
+}
+
+impl fmt::Display for MostLikely<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {:.3}", self.task, self.probability)?;
+        if self.tied > 1 { write!(f, " (one of {} equally likely)", self.tied) } else { Ok(()) }
+    }
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let again = if self.continues { ", once more" } else { "" };
+        writeln!(f, "{}: {}{again}", self.id.escape_debug(), quoted(&self.command))?;
+        if let Some(likely) = self.beliefs.first().and_then(most_likely) {
+            writeln!(f, "  before    {likely}")?;
+        }
+        if let Some(likely) = self.beliefs.last().and_then(most_likely) {
+            writeln!(f, "  after     {likely}")?;
+        }
+        if let Some(intended) = &self.intended {
+            let atoms: Vec<String> = intended.iter().map(ToString::to_string).collect();
+            let known = self.beliefs.iter().flat_map(|belief| &belief.tasks).any(|(task, _)| task.holds_exactly(intended));
+            let right = match (known, is_right(self.beliefs.last(), intended)) {
+                (false, _) => "  (not among the tasks considered)",
+                (true, true) => "  (right)",
+                (true, false) => "",
+            };
+            writeln!(f, "  intended  {}{right}", atoms.join(" & "))?;
+        }
+        let steps = self.beliefs.len().saturating_sub(1);
+        let [reward, punish, neutral] = self.feedback;
+        write!(f, "  {steps} steps")?;
+        match self.kind {
+            Kind::Feedback => write!(f, ": {reward} rewarded, {punish} punished, {neutral} in silence")?,
+            Kind::Demonstration => f.write_str(" shown")?,
+        }
+        writeln!(f, "; {}", if self.learned { "learned from" } else { "not learned from" })
+    }
+}
+
+/// All sessions together.
+#[derive(Debug, Default)]
+pub struct Totals {
+    /// Sessions replayed.
+    pub sessions: usize,
+    /// Sessions at fault.
+    pub skipped: usize,
+    steps: usize,
+    feedback: [usize; 3],
+    learned: usize,
+    intended: usize,
+    right_before: usize,
+    right_after: usize,
+}
+
+impl Totals {
+    /// Adds a session.
+    pub fn add(&mut self, outcome: &Outcome) {
+        self.sessions += 1;
+        self.steps += outcome.beliefs.len().saturating_sub(1);
+        self.learned += usize::from(outcome.learned);
+        self.feedback.iter_mut().zip(outcome.feedback).for_each(|(sum, count)| *sum += count);
+        if let Some(intended) = &outcome.intended {
+            self.intended += 1;
+            self.right_before += usize::from(is_right(outcome.beliefs.first(), intended));
+            self.right_after += usize::from(is_right(outcome.beliefs.last(), intended));
+        }
+    }
+}
+
+impl fmt::Display for Totals {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [reward, punish, neutral] = self.feedback;
+        writeln!(f, "\nsessions             {}, {} learned from", self.sessions, self.learned)?;
+        if self.skipped > 0 {
+            writeln!(f, "passed over          {} at fault", self.skipped)?;
+        }
+        writeln!(f, "steps                {}", self.steps)?;
+        if reward + punish + neutral > 0 {
+            writeln!(f, "feedback             {reward} rewards, {punish} punishments, {neutral} silences")?;
+        }
+        if self.intended > 0 {
+            writeln!(f, "right on hearing     {} of {} whose intended task is known", self.right_before, self.intended)?;
+            writeln!(f, "right at the end     {} of {}", self.right_after, self.intended)?;
+        }
+        Ok(())
+    }
+}

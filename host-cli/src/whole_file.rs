@@ -1,0 +1,30 @@
+//! Files that are written whole or not at all.
+
+use std::fs::File;
+use std::io::Write;
+use std::path::Path;
+
+/// Writes a file so that it has its old content or the new one, whenever the power goes: a new file beside it takes its name when it is
+/// whole and on the disk.
+///
+/// # Errors
+/// What the file system says; the file is then as before.
+pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let mut builder = tempfile::Builder::new();
+    // As any new file; a temporary one would be for its owner alone.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let mut file = builder.tempfile_in(folder)?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    file.persist(path).map_err(|error| error.error)?;
+    // The new name is on the disk when the folder is. Not every system can do that with a folder.
+    if let Ok(folder) = File::open(folder) {
+        let _ = folder.sync_all();
+    }
+    Ok(())
+}
