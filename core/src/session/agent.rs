@@ -155,17 +155,22 @@ impl<'m> Agent<'m> {
             let task = self.tasks.get(position).copied().unwrap_or(GroundedTask::UNUSED);
             let value = self.lifted.get(usize::from(task.lifted)).map_or(0.0, |lifted| prior(&task, lifted));
             if !(0.0..=f32::MAX).contains(&value) {
-                self.start = None;
-                return Err(AgentError::NotAProbability);
+                return self.refuse_prior();
             }
             any |= value > 0.0;
             self.belief.set_prior(position, Scaled::new(value));
         }
         if !any {
-            self.start = None;
-            return Err(AgentError::NotAProbability);
+            return self.refuse_prior();
         }
         Ok(())
+    }
+
+    /// Ends the session that was about to begin: a belief of no tasks is a belief all the same.
+    fn refuse_prior(&mut self) -> Result<(), AgentError> {
+        self.start = None;
+        self.belief.restart(core::iter::empty())?;
+        Err(AgentError::NotAProbability)
     }
 
     /// Hears the same command again in the same initial state: the belief goes on. An ended session, learned from or forgotten, is taken up
