@@ -106,6 +106,37 @@ impl Capacities {
         length_pairs: 16,
     };
 
+    /// For the smallest controllers, in 16 KiB of RAM with everything else: homes of up to 41 cells with a block that moves, one trainer
+    /// strategy, and the paper's whole course.
+    pub const TINY: Self = Self {
+        objects: 11,
+        names: 18,
+        name_bytes: 96,
+        cells: 41,
+        tasks: 10,
+        strategies: 1,
+        beliefs: 10,
+        candidates: 36,
+        candidate_tokens: 240,
+        ground_propositions: 10,
+        goal_entries: 0,
+        states: 1_681,
+        hashed_states: 0,
+        sweep_words: 0,
+        words: 13,
+        word_bytes: 56,
+        tokens: 16,
+        token_bytes: 160,
+        commands: 44,
+        command_tokens: 288,
+        sessions: 7,
+        sentence_words: 44,
+        pairs: 80,
+        translations: 221,
+        alignments: 280,
+        length_pairs: 6,
+    };
+
     /// u32s of the search's frontier: four bit sets over the states, enough for actions that cost 1 and 2, and a bit for each of their
     /// words.
     pub const fn frontier_words(&self) -> usize {

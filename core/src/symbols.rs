@@ -125,7 +125,7 @@ impl<'m> Symbols<'m> {
             return Err(CapacityError::full(self.count_capacity, most_symbols));
         }
         let Some(room) = self.bytes.get_mut(start..end) else { return Err(full) };
-        room.copy_from_slice(text.as_bytes());
+        room.iter_mut().zip(text.as_bytes()).for_each(|(slot, &byte)| *slot = byte);
         if let Some(entry) = self.ends.get_mut(self.len) {
             *entry = end_entry;
         }
@@ -143,11 +143,11 @@ impl<'m> Symbols<'m> {
         let (start, end) = (self.start(position), self.start(position.saturating_add(1)));
         let (all, length) = (self.byte_len(), end.saturating_sub(start));
         if let Some(bytes) = self.bytes.get_mut(start..all) {
-            bytes.rotate_left(length);
+            close_gap(bytes, length);
         }
         let last = self.len.saturating_sub(1);
         if let Some(ends) = self.ends.get_mut(position..self.len) {
-            ends.rotate_left(1);
+            close_gap(ends, 1);
         }
         for end in self.ends.iter_mut().take(last).skip(position) {
             *end = end.saturating_sub(length as u16);
@@ -158,6 +158,18 @@ impl<'m> Symbols<'m> {
     /// Forgets all texts from position `len` on.
     pub fn truncate(&mut self, len: usize) {
         self.len = self.len.min(len);
+    }
+}
+
+/// Moves what stands behind the first `gap` entries to the front. The standard rotation can panic, and brings the text for it into a
+/// controller's flash.
+pub(crate) fn close_gap<T: Copy>(entries: &mut [T], gap: usize) {
+    let mut to = 0_usize;
+    while let Some(&entry) = entries.get(to.saturating_add(gap)) {
+        if let Some(slot) = entries.get_mut(to) {
+            *slot = entry;
+        }
+        to = to.saturating_add(1);
     }
 }
 

@@ -1,6 +1,9 @@
 //! goodbot's development commands: `cargo xtask --help`.
 
+mod capi;
 mod compare;
+mod firmware;
+mod footprint;
 mod instructions;
 mod page;
 mod process;
@@ -40,6 +43,10 @@ enum Task {
     },
     /// Draws what a plan costs against states and tasks, as docs/planning-cost.svg.
     Plot,
+    /// Measures what the robot costs on each emulated board, and writes docs/footprint.md.
+    Footprint(footprint::Options),
+    /// Writes the C header capi/include/goodbot.h.
+    Capi,
 }
 
 fn main() -> ExitCode {
@@ -67,6 +74,8 @@ fn run() -> Result<ExitCode> {
             "--",
             "docs/planning-cost.svg",
         ]))?,
+        Task::Capi => capi::header::write()?,
+        Task::Footprint(options) => return footprint::run(&options),
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -89,6 +89,30 @@ pub fn run_within(command: &mut Command, limit: Duration) -> Result<()> {
     Ok(())
 }
 
+/// Runs a program that is stopped when `limit` has passed, and returns its exit code and what it prints.
+pub fn capture_within(command: &mut Command, limit: Duration) -> Result<(i32, String)> {
+    let line = shown(command);
+    let mut child =
+        command.stdin(Stdio::null()).stdout(Stdio::piped()).spawn().with_context(|| format!("`{line}` could not be started"))?;
+    let mut stdout = child.stdout.take().context("no standard output")?;
+    let said = thread::spawn(move || {
+        let mut bytes = Vec::new();
+        let _ = stdout.read_to_end(&mut bytes);
+        String::from_utf8_lossy(&bytes).into_owned()
+    });
+    let start = Instant::now();
+    while start.elapsed() < limit {
+        if let Some(status) = child.try_wait()? {
+            let code = status.code().with_context(|| format!("`{line}` was stopped ({status})"))?;
+            return Ok((code, said.join().unwrap_or_default()));
+        }
+        thread::sleep(Duration::from_millis(20));
+    }
+    child.kill()?;
+    child.wait()?;
+    bail!("`{line}` did not end within {} s; so far it said: {}", limit.as_secs(), said.join().unwrap_or_default())
+}
+
 /// Where on the `PATH` a program is, if it is there.
 pub fn find_program(name: &str) -> Option<PathBuf> {
     let path = std::env::var_os("PATH")?;

@@ -117,6 +117,13 @@ impl<'m> Belief<'m> {
         Ok(())
     }
 
+    /// Replaces the prior of one task; nothing for a task that there is not.
+    pub fn set_prior(&mut self, task: usize, prior: Scaled) {
+        if let Some(slot) = self.memory.priors.get_mut(..self.tasks).and_then(|priors| priors.get_mut(task)) {
+            *slot = prior;
+        }
+    }
+
     /// How many tasks.
     pub fn tasks(&self) -> usize {
         self.tasks

@@ -17,7 +17,9 @@ pub struct Area {
 }
 
 impl Area {
-    /// What unused memory holds: a box that has no cell.
+    /// What unused memory holds.
+    pub const UNUSED: Self = Self { left: 0, bottom: 0, right: 0, top: 0 };
+    /// A box that has no cell.
     pub const NOWHERE: Self = Self { left: 0, bottom: 0, right: -1, top: -1 };
 
     /// The box with these sides.
@@ -77,7 +79,7 @@ pub struct Place {
 
 impl Place {
     /// What unused memory holds.
-    pub const UNUSED: Self = Self { x: 0, y: 0, neighbours: [WALL; 4], rooms: 0, doors: 0 };
+    pub const UNUSED: Self = Self { x: 0, y: 0, neighbours: [0; 4], rooms: 0, doors: 0 };
 
     /// The cell.
     pub const fn cell(&self) -> Cell {

@@ -3,7 +3,7 @@
 //! Equal machine commands are kept once. A session's English command is kept once, however many machine commands it goes with.
 
 use crate::capacity::{Capacities, Capacity, CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
-use crate::symbols::Symbol;
+use crate::symbols::{Symbol, close_gap};
 
 /// Where a run of symbols lies in its pool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -250,9 +250,9 @@ fn remove_span(spans: &mut [Span], used: &mut usize, pool: &mut [Symbol], pool_u
     let Some(&mut removed) = spans.first_mut() else { return };
     let length = usize::from(removed.len);
     if let Some(pool) = pool.get_mut(removed.start as usize..*pool_used).filter(|pool| pool.len() >= length) {
-        pool.rotate_left(length);
+        close_gap(pool, length);
     }
-    spans.rotate_left(1);
+    close_gap(spans, 1);
     for span in spans {
         span.start = span.start.saturating_sub(u32::from(removed.len));
     }
@@ -263,6 +263,6 @@ fn remove_span(spans: &mut [Span], used: &mut usize, pool: &mut [Symbol], pool_u
 fn put(pool: &mut [Symbol], start: usize, symbols: &[Symbol], capacity: Capacity) -> Result<Span, CapacityError> {
     let end = start.saturating_add(symbols.len());
     let full = CapacityError::new(capacity, pool.len(), end);
-    pool.get_mut(start..end).ok_or(full)?.copy_from_slice(symbols);
+    pool.get_mut(start..end).ok_or(full)?.iter_mut().zip(symbols).for_each(|(slot, &symbol)| *slot = symbol);
     Ok(Span { start: start as u32, len: symbols.len().min(255) as u8 })
 }

@@ -126,12 +126,21 @@ impl<'m> LanguageModel<'m> {
     /// A [`CapacityError`] where the command or one of its words is too long.
     pub fn hear(&mut self, command: &str) -> Result<Sentence, CapacityError> {
         let mut sentence = Sentence::new();
+        self.hear_into(command, &mut sentence)?;
+        Ok(sentence)
+    }
+
+    /// Like [`hear`](Self::hear), into a sentence that is there already: it is large for a controller's stack.
+    ///
+    /// # Errors
+    /// As [`hear`](Self::hear).
+    pub fn hear_into(&mut self, command: &str, sentence: &mut Sentence) -> Result<(), CapacityError> {
+        sentence.clear();
         let words = &mut self.words;
         for_each_word(command, |word| {
             let full = CapacityError::full(Capacity::WordsPerCommand, WORDS_PER_COMMAND);
             sentence.push(words.intern(word).ok()).map_err(|_| full)
-        })?;
-        Ok(sentence)
+        })
     }
 
     /// Pr(e|m), times Pr(n|l) where [`Settings::length`] says so.

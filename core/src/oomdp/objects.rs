@@ -27,8 +27,8 @@ pub struct Object {
 }
 
 impl Object {
-    /// What unused memory holds.
-    pub const UNUSED: Self = Self { class: ClassId(u8::MAX), name: Symbol(u16::MAX), values: [None; ATTRIBUTES] };
+    /// What unused memory holds: zeros, so that a static needs no room in flash.
+    pub const UNUSED: Self = Self { class: ClassId(0), name: Symbol(0), values: [None; ATTRIBUTES] };
 }
 
 /// Memory for an [`ObjectSet`].

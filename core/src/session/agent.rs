@@ -13,7 +13,7 @@ use crate::feedback::{Belief, Feedback, Judgement, Strategy};
 use crate::language::{LanguageModel, Sentence};
 use crate::oomdp::{Action, ActionSet, Domain};
 use crate::planning::{GoalTable, OptimalSet, Planner, Progress, Search};
-use crate::probability::{Scaled, total};
+use crate::probability::Scaled;
 use crate::task::{Expression, GroundedTask, LiftedTask, TaskSet, ground};
 use heapless::Vec;
 use rand_core::Rng;
@@ -136,8 +136,7 @@ impl<'m> Agent<'m> {
     /// kept.
     pub fn hear<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
         self.open(domain, state, command)?;
-        let priors = self.understand(domain)?;
-        self.begin(priors)
+        self.understand(domain)
     }
 
     /// Hears a command whose task prior is given: `prior(domain, task)` for each task, in any unit.
@@ -153,21 +152,28 @@ impl<'m> Agent<'m> {
     ) -> Result<(), AgentError> {
         self.open(domain, state, command)?;
         // The machine commands' likelihoods are still needed when the session is learned from.
-        let mut priors = self.understand(domain)?;
-        for (position, slot) in priors.iter_mut().enumerate() {
+        self.understand(domain)?;
+        let mut any = false;
+        for position in 0..self.task_count {
             let task = self.tasks.get(position).copied().unwrap_or(GroundedTask::UNUSED);
             let value = self.lifted.get(usize::from(task.lifted)).map_or(0.0, |lifted| prior(&task, lifted));
             if !(0.0..=f32::MAX).contains(&value) {
-                self.start = None;
-                return Err(AgentError::NotAProbability);
+                return self.refuse_prior();
             }
-            *slot = Scaled::new(value);
+            any |= value > 0.0;
+            self.belief.set_prior(position, Scaled::new(value));
         }
-        if total(priors.iter().copied()).is_zero() {
-            self.start = None;
-            return Err(AgentError::NotAProbability);
+        if !any {
+            return self.refuse_prior();
         }
-        self.begin(priors)
+        Ok(())
+    }
+
+    /// Ends the session that was about to begin: a belief of no tasks is a belief all the same.
+    fn refuse_prior(&mut self) -> Result<(), AgentError> {
+        self.start = None;
+        self.belief.restart(core::iter::empty())?;
+        Err(AgentError::NotAProbability)
     }
 
     /// Hears the same command again in the same initial state: the belief goes on. An ended session, learned from or forgotten, is taken up
@@ -209,7 +215,7 @@ impl<'m> Agent<'m> {
         self.dead = TaskSet::EMPTY;
         self.task_count = 0;
         self.language.forget_unlearned();
-        self.sentence = self.language.hear(command)?;
+        self.language.hear_into(command, &mut self.sentence)?;
         if self.sentence.is_empty() {
             return Err(AgentError::EmptyCommand);
         }
@@ -224,17 +230,19 @@ impl<'m> Agent<'m> {
         Ok(())
     }
 
-    fn begin(&mut self, priors: Vec<Scaled, { TaskSet::MOST }>) -> Result<(), AgentError> {
-        self.belief.restart(priors.into_iter()).map_err(|error| {
+    /// Begins the belief with each task's Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c). Fills the candidates.
+    fn understand<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+        let result = self.try_understand(domain);
+        if result.is_err() {
             self.start = None;
-            error.into()
-        })
+        }
+        result
     }
 
-    /// Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c), for each task. Fills the candidates.
-    fn understand<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<Vec<Scaled, { TaskSet::MOST }>, AgentError> {
+    fn try_understand<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
         self.candidates.clear();
-        let mut priors = Vec::new();
+        self.belief.restart(self.tasks.iter().take(self.task_count).map(|task| Scaled::new(task.prior)))?;
+        let mut any = false;
         for position in 0..self.task_count {
             let explained = self.for_each_candidate(domain, position, |candidates, language, sentence, tokens| {
                 let found = match candidates.find(tokens) {
@@ -242,18 +250,18 @@ impl<'m> Agent<'m> {
                     None => candidates.add(tokens, language.likelihood(sentence, tokens))?,
                 };
                 Ok(candidates.entries().get(found).map_or(Scaled::ZERO, |entry| entry.likelihood))
-            });
-            let explained = explained.inspect_err(|_| self.start = None)?;
-            let prior = self.tasks.get(position).map_or(0.0, |task| task.prior);
-            let _ = priors.push(explained.scaled_by(prior));
+            })?;
+            let prior = explained.scaled_by(self.tasks.get(position).map_or(0.0, |task| task.prior));
+            any |= !prior.is_zero();
+            self.belief.set_prior(position, prior);
         }
         // A command that nothing explains says nothing.
-        if total(priors.iter().copied()).is_zero() {
-            for (slot, task) in priors.iter_mut().zip(self.tasks.iter()) {
-                *slot = Scaled::new(task.prior);
+        if !any {
+            for position in 0..self.task_count {
+                self.belief.set_prior(position, Scaled::new(self.tasks.get(position).map_or(0.0, |task| task.prior)));
             }
         }
-        Ok(priors)
+        Ok(())
     }
 
     /// The sum over the constraints of a task of Pr(c|s,l,t) times what `each` gives for the machine command.

@@ -105,7 +105,7 @@ impl<'m> Candidates<'m> {
         let Some(entry) = self.memory.entries.get_mut(self.len) else {
             return Err(CapacityError::full(Capacity::Candidates, limit));
         };
-        self.memory.tokens.get_mut(self.used..end).ok_or(full)?.copy_from_slice(tokens);
+        self.memory.tokens.get_mut(self.used..end).ok_or(full)?.iter_mut().zip(tokens).for_each(|(slot, &token)| *slot = token);
         *entry = Candidate { start: self.used as u32, len: tokens.len() as u8, check: check(tokens), likelihood, weight: Scaled::ZERO };
         let position = self.len;
         (self.len, self.used) = (self.len.saturating_add(1), end);

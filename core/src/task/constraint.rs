@@ -41,6 +41,15 @@ pub fn facts<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &Grounde
         }
     }
     let key = |fact: &Fact| (fact.attribute, objects.value(fact.object, usize::from(fact.attribute)), fact.carrier);
-    facts.sort_unstable_by(|a, b| key(a).cmp(&key(b)));
+    // By insertion: they are few, and the library's sort is larger than the rest of this module.
+    for unsorted in 1..facts.len() {
+        for earlier in (0..unsorted).rev() {
+            let Some([before, after]) = facts.get_mut(earlier..=earlier.saturating_add(1)) else { break };
+            if key(before) <= key(after) {
+                break;
+            }
+            core::mem::swap(before, after);
+        }
+    }
     Ok(facts)
 }

@@ -2,9 +2,11 @@
 //!
 //! A new step is a file here with a [`Step`] in it and a line in [`ALL`].
 
+mod capi;
 mod clippy;
 mod cross;
 mod docs;
+mod firmware;
 mod format;
 mod page;
 mod style;
@@ -42,6 +44,14 @@ pub const ALL: &[Step] = &[
     cross::MICROCONTROLLER,
     cross::BROWSER,
     page::STEP,
+    capi::HEADER,
+    capi::HOST,
+    capi::BOARD,
+    firmware::COURSE,
+    firmware::TICK,
+    firmware::SAME_BITS,
+    firmware::NO_PANIC,
+    firmware::FOOTPRINT,
 ];
 
 /// How many tests ran, over all steps.

@@ -1,0 +1,847 @@
+/* goodbot: a robot that learns what your words mean from reward and punishment. See docs/robot.md. */
+
+#ifndef GOODBOT_H
+#define GOODBOT_H
+
+/* Written by `cargo xtask capi`; do not change it by hand. */
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+// The version of this interface. It rises when a program that was compiled with an older header would go wrong.
+#define GOODBOT_API_VERSION 1
+
+// The preset for controllers.
+#define GOODBOT_SMALL 0
+
+// The preset for the smallest controllers.
+#define GOODBOT_TINY 1
+
+// Bytes that the small preset takes where a pointer has four bytes.
+#define GOODBOT_SMALL_BYTES_32 24576
+
+// Bytes that the small preset takes where a pointer has eight bytes.
+#define GOODBOT_SMALL_BYTES_64 25600
+
+// Bytes that the tiny preset takes where a pointer has four bytes.
+#define GOODBOT_TINY_BYTES_32 13312
+
+// Bytes that the tiny preset takes where a pointer has eight bytes.
+#define GOODBOT_TINY_BYTES_64 14336
+
+// Bytes that a robot of the caller's own takes beyond that.
+#define GOODBOT_TABLE_BYTES 1344
+
+// Most classes.
+#define GOODBOT_MOST_CLASSES 8
+
+// Most attributes.
+#define GOODBOT_MOST_ATTRIBUTES 4
+
+// Most carriers of all attributes together.
+#define GOODBOT_MOST_CARRIERS 16
+
+// Most propositional functions.
+#define GOODBOT_MOST_PROPOSITIONS 8
+
+// Most arguments of a propositional function.
+#define GOODBOT_MOST_ARGUMENTS 3
+
+// Most actions, doing nothing not counted.
+#define GOODBOT_MOST_ACTIONS 15
+
+// Most tasks.
+#define GOODBOT_MOST_TASKS 8
+
+// In a table of steps: the action cannot be done there.
+#define GOODBOT_CANNOT 65535
+
+// The action of doing nothing, which every robot has.
+#define GOODBOT_NOOP 15
+
+// "Good bot."
+#define GOODBOT_REWARD 1
+
+// "Bad bot."
+#define GOODBOT_PUNISH -1
+
+// Silence.
+#define GOODBOT_NEUTRAL 0
+
+// What the plan says for the task that the robot follows.
+#define GOODBOT_PLAN_GOAL 0
+
+// The action begins a shortest way to the goal.
+#define GOODBOT_PLAN_TOWARD 1
+
+// No goal can be reached any more: the robot does nothing.
+#define GOODBOT_PLAN_DEAD_END 2
+
+// The search was too small to find out: the robot does nothing.
+#define GOODBOT_PLAN_UNKNOWN 3
+
+// What came of a call.
+typedef enum goodbot_status {
+  // Done.
+  GOODBOT_STATUS_OK = 0,
+  // Not done yet: call again.
+  GOODBOT_STATUS_WORKING = 1,
+  // A pointer is null that must not be.
+  GOODBOT_STATUS_NULL = 2,
+  // The handle is none, or its memory was moved or written over.
+  GOODBOT_STATUS_BAD_HANDLE = 3,
+  // The memory is too small: ask for its size.
+  GOODBOT_STATUS_MEMORY = 4,
+  // The memory is not aligned to 8 bytes.
+  GOODBOT_STATUS_ALIGNMENT = 5,
+  // A text is not UTF-8.
+  GOODBOT_STATUS_TEXT = 6,
+  // A table is full: `goodbot_full` says which.
+  GOODBOT_STATUS_FULL = 7,
+  // The home or table is described wrongly, or the call is for the other kind of robot.
+  GOODBOT_STATUS_WORLD = 8,
+  // There is no home yet: describe it and call `goodbot_home_build`.
+  GOODBOT_STATUS_NO_WORLD = 9,
+  // The command has no word.
+  GOODBOT_STATUS_EMPTY_COMMAND = 10,
+  // There is no task to do here.
+  GOODBOT_STATUS_NO_TASK = 11,
+  // No session is under way: hear a command first.
+  GOODBOT_STATUS_NO_SESSION = 12,
+  // The plan for this state is not done: call `goodbot_plan` until it is.
+  GOODBOT_STATUS_NOT_PLANNED = 13,
+  // The last session is still being learned from: call `goodbot_learn` until it is.
+  GOODBOT_STATUS_STILL_LEARNING = 14,
+  // The action cannot be done in this state.
+  GOODBOT_STATUS_NOT_APPLICABLE = 15,
+  // A number is none of those allowed.
+  GOODBOT_STATUS_NUMBER = 16,
+  // There is no object or task of this name or number.
+  GOODBOT_STATUS_UNKNOWN = 17,
+  // The bytes are no model, or were damaged.
+  GOODBOT_STATUS_BAD_MODEL = 18,
+  // The model was learned with another vocabulary.
+  GOODBOT_STATUS_OTHER_DOMAIN = 19,
+  // The buffer is too small.
+  GOODBOT_STATUS_BUFFER = 20,
+  // Anything else.
+  GOODBOT_STATUS_OTHER = 21,
+} goodbot_status;
+
+// A robot. Its memory is the caller's and must not be moved, copied over or freed while it is used.
+typedef struct goodbot goodbot;
+
+// How large each table is. Begin with a preset and raise what is full.
+typedef struct goodbot_capacities {
+  // Objects of one environment: agent, rooms, doors and blocks together. At most 255.
+  uint32_t objects;
+  // Distinct names and attribute values of one environment.
+  uint32_t names;
+  // Bytes that the names and attribute values of one environment take together.
+  uint32_t name_bytes;
+  // Cells of a home that are not wall.
+  uint32_t cells;
+  // Grounded tasks of one session. At most 64, one bit each in a task set.
+  uint32_t tasks;
+  // Trainer strategies told apart at once. At most 8.
+  uint32_t strategies;
+  // Joint beliefs: tasks times strategies.
+  uint32_t beliefs;
+  // Distinct machine commands that one session's tasks and constraints can express.
+  uint32_t candidates;
+  // Machine tokens of all candidates together.
+  uint32_t candidate_tokens;
+  // Distinct ground propositions that one session's tasks are made of.
+  uint32_t ground_propositions;
+  // Entries of the table that finds the tasks satisfied by a state: the values of all state variables together.
+  uint32_t goal_entries;
+  // States that one search can hold, where actions cost 1 each.
+  uint32_t states;
+  // States that one search can hold where the state space is larger than `states` and visited states are hashed. 0 turns it off.
+  uint32_t hashed_states;
+  // Distinct English words. At most 65,534.
+  uint32_t words;
+  // Bytes that those words take together.
+  uint32_t word_bytes;
+  // Distinct machine tokens. At most 65,534.
+  uint32_t tokens;
+  // Bytes that those tokens take together.
+  uint32_t token_bytes;
+  // Distinct machine commands in the training data.
+  uint32_t commands;
+  // Machine tokens of those commands together.
+  uint32_t command_tokens;
+  // Sessions learned from.
+  uint32_t sessions;
+  // English words of those sessions' commands together.
+  uint32_t sentence_words;
+  // Weighted pairs of an English command and a machine command in the training data.
+  uint32_t pairs;
+  // Cells of the translation table: (machine tokens + 1) times English words.
+  uint32_t translations;
+  // Cells of all alignment tables together: (l + 1) times n for each pair of lengths.
+  uint32_t alignments;
+  // Distinct pairs of a machine command's and an English command's length.
+  uint32_t length_pairs;
+} goodbot_capacities;
+
+// Which class carries an attribute, and what stands before the capitalised value: `roomIs` makes `roomIsRed`.
+typedef struct goodbot_carrier {
+  // The class, by position.
+  uint8_t object_class;
+  // The prefix.
+  const char *prefix;
+} goodbot_carrier;
+
+// An attribute, such as colour.
+typedef struct goodbot_attribute {
+  // The name.
+  const char *name;
+  // The classes that carry it.
+  const struct goodbot_carrier *carriers;
+  // How many.
+  uint32_t carrier_count;
+} goodbot_attribute;
+
+// A propositional function, such as `blockInRoom`.
+typedef struct goodbot_proposition {
+  // The name.
+  const char *name;
+  // The class of each argument, by position.
+  uint8_t parameters[GOODBOT_MOST_ARGUMENTS];
+  // How many arguments, one at least.
+  uint32_t parameter_count;
+} goodbot_proposition;
+
+// An object.
+typedef struct goodbot_object {
+  // The class, by position.
+  uint8_t object_class;
+  // The name.
+  const char *name;
+  // The value of each attribute, in the order of the attributes; null for none.
+  const char *values[GOODBOT_MOST_ATTRIBUTES];
+} goodbot_object;
+
+// An action.
+typedef struct goodbot_action {
+  // The name.
+  const char *name;
+  // The cost, 1 to 16.
+  uint32_t cost;
+} goodbot_action;
+
+// What an action leads to from a state: gives true and sets `next`, or gives false where it cannot be done. It must always answer the
+// same, and call nothing of goodbot.
+typedef bool (*goodbot_step)(void *context, uint32_t state, uint8_t action, uint32_t *next);
+
+// Whether a proposition, by position, holds of the objects, by position, in a state. It must always answer the same, and call nothing
+// of goodbot.
+typedef bool (*goodbot_holds)(void *context,
+                              uint32_t state,
+                              uint8_t proposition,
+                              const uint8_t *arguments);
+
+// A robot of the caller's own.
+typedef struct goodbot_table {
+  // The names of the classes.
+  const char *const *classes;
+  // How many.
+  uint32_t class_count;
+  // The attributes; may be null where there is none.
+  const struct goodbot_attribute *attributes;
+  // How many.
+  uint32_t attribute_count;
+  // The propositional functions.
+  const struct goodbot_proposition *propositions;
+  // How many.
+  uint32_t proposition_count;
+  // The objects.
+  const struct goodbot_object *objects;
+  // How many.
+  uint32_t object_count;
+  // The actions.
+  const struct goodbot_action *actions;
+  // How many.
+  uint32_t action_count;
+  // The tasks that commands may mean, such as `blockInRoom(?o, ?r)`.
+  const char *const *tasks;
+  // How many.
+  uint32_t task_count;
+  // How many states there are. They are numbered from 0.
+  uint32_t state_count;
+  // The state that things are in at first.
+  uint32_t start;
+  // The state that each action leads to from each state, `next[state * action_count + action]`, or `GOODBOT_CANNOT`. Null where `step`
+  // is given.
+  const uint16_t *next;
+  // What an action leads to, where there is no table of steps.
+  goodbot_step step;
+  // Which propositions hold.
+  goodbot_holds holds;
+  // Handed to both functions.
+  void *context;
+} goodbot_table;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+// What is wrong, as a sentence for people; a constant text that is never null.
+const char *goodbot_status_text(int32_t status);
+
+// The version of the library that is linked: compare it with `GOODBOT_API_VERSION`.
+uint32_t goodbot_api_version(void);
+
+// How many tasks the command may mean.
+//
+// # Safety
+// `robot` is null or a handle, `count` null or room for a number.
+enum goodbot_status goodbot_task_count(struct goodbot *robot, uint32_t *count);
+
+// How probable a task is.
+//
+// # Safety
+// `robot` is null or a handle, `probability` null or room for a number.
+enum goodbot_status goodbot_task_probability(struct goodbot *robot,
+                                             uint32_t task,
+                                             float *probability);
+
+// The most likely task.
+//
+// # Safety
+// `robot` is null or a handle, `task` null or room for a number.
+enum goodbot_status goodbot_most_likely(struct goodbot *robot, uint32_t *task);
+
+// Writes a task as text, such as `blockInRoom(block0,room1)`, with a 0 at its end. `BUFFER` where it does not fit.
+//
+// # Safety
+// `robot` is null or a handle; `buffer` is null or room for `bytes` bytes.
+enum goodbot_status goodbot_task_text(struct goodbot *robot,
+                                      uint32_t task,
+                                      char *buffer,
+                                      size_t bytes);
+
+// Fills in a preset, `GOODBOT_SMALL` or `GOODBOT_TINY`.
+//
+// # Safety
+// `capacities` is null or points to memory for it.
+enum goodbot_status goodbot_preset(uint32_t preset, struct goodbot_capacities *capacities);
+
+// Bytes that a robot in a home takes with these capacities; 0 for null.
+//
+// # Safety
+// `capacities` is null or points to capacities.
+size_t goodbot_size(const struct goodbot_capacities *capacities);
+
+// Bytes that a robot of the caller's own takes with these capacities; 0 for null.
+//
+// # Safety
+// `capacities` is null or points to capacities.
+size_t goodbot_table_size(const struct goodbot_capacities *capacities);
+
+// Makes a robot that will live in homes, in the caller's memory: `bytes` bytes, aligned to 8, as many as `goodbot_size` says. It
+// understands commands to go to a room and to bring a block to a room.
+//
+// # Safety
+// `memory` is null or the caller's memory for this alone, which stays where it is; `capacities` and `robot` are null or point to what
+// they say.
+enum goodbot_status goodbot_init_home(void *memory,
+                                      size_t bytes,
+                                      const struct goodbot_capacities *capacities,
+                                      struct goodbot **robot);
+
+// Begins to describe a home. What was learned stays; a session under way ends unlearned.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_home_begin(struct goodbot *robot);
+
+// Adds a room: the box of its border, whose cells are wall where no door is, and its colour.
+//
+// # Safety
+// `robot` is null or a handle; the texts are null or C strings.
+enum goodbot_status goodbot_home_room(struct goodbot *robot,
+                                      const char *name,
+                                      int32_t left,
+                                      int32_t bottom,
+                                      int32_t right,
+                                      int32_t top,
+                                      const char *color);
+
+// Adds a door: a box of cells where no wall stands.
+//
+// # Safety
+// As `goodbot_home_room`.
+enum goodbot_status goodbot_home_door(struct goodbot *robot,
+                                      const char *name,
+                                      int32_t left,
+                                      int32_t bottom,
+                                      int32_t right,
+                                      int32_t top);
+
+// Adds a block.
+//
+// # Safety
+// As `goodbot_home_room`.
+enum goodbot_status goodbot_home_block(struct goodbot *robot,
+                                       const char *name,
+                                       int32_t x,
+                                       int32_t y,
+                                       const char *color,
+                                       const char *shape);
+
+// Adds the robot itself.
+//
+// # Safety
+// As `goodbot_home_room`.
+enum goodbot_status goodbot_home_agent(struct goodbot *robot,
+                                       const char *name,
+                                       int32_t x,
+                                       int32_t y);
+
+// Checks the home as a whole. Actions 0 to 3 are then north, south, east and west; a block in the way is pushed. Where it fails, begin
+// the description again.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_home_build(struct goodbot *robot);
+
+// Says where the robot itself or a block is, as sensed.
+//
+// # Safety
+// As `goodbot_home_room`.
+enum goodbot_status goodbot_home_place(struct goodbot *robot,
+                                       const char *name,
+                                       int32_t x,
+                                       int32_t y);
+
+// Where the robot itself or a block is.
+//
+// # Safety
+// As `goodbot_home_room`; `x` and `y` are null or room for a number.
+enum goodbot_status goodbot_home_where(struct goodbot *robot,
+                                       const char *name,
+                                       int32_t *x,
+                                       int32_t *y);
+
+// Bytes that `goodbot_save` would write now.
+//
+// # Safety
+// `robot` is null or a handle, `bytes` null or room for a number.
+enum goodbot_status goodbot_saved_size(struct goodbot *robot, size_t *bytes);
+
+// Saves all that was learned, in a format that is the same on every machine. `written` is given the length.
+//
+// # Safety
+// `robot` is null or a handle; `buffer` is null or room for `bytes` bytes; `written` is null or room for a number.
+enum goodbot_status goodbot_save(struct goodbot *robot,
+                                 uint8_t *buffer,
+                                 size_t bytes,
+                                 size_t *written);
+
+// Takes over what was saved, in place of what was learned here. Call `goodbot_learn` until it is done. On any failure the robot is as
+// before.
+//
+// # Safety
+// `robot` is null or a handle; `model` is null or points to `bytes` bytes.
+enum goodbot_status goodbot_restore(struct goodbot *robot,
+                                    const uint8_t *model,
+                                    size_t bytes);
+
+// Begins the robot's own random choices anew: the same seed, the same choices.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_seed(struct goodbot *robot, uint64_t seed);
+
+// The table that was full last: its name in `name` (cut to `bytes` with its 0), how much it holds, and how much was asked of it.
+// `UNKNOWN` where none was.
+//
+// # Safety
+// `robot` is null or a handle; `name` is room for `bytes` bytes; the others are room for a number.
+enum goodbot_status goodbot_full(struct goodbot *robot,
+                                 char *name,
+                                 size_t bytes,
+                                 uint32_t *limit,
+                                 uint32_t *given);
+
+// What is wrong, as a sentence for people; a constant text that is never null.
+const char *goodbot_status_text(int32_t status);
+
+// Makes a robot of the caller's own, in the caller's memory: `bytes` bytes, aligned to 8, as many as `goodbot_table_size` says. The
+// description and all that it points to must stay as long as the robot is used.
+//
+// # Safety
+// `memory` is null or the caller's memory for this alone, which stays where it is; the other pointers are null or point to what they
+// say.
+enum goodbot_status goodbot_init_table(void *memory,
+                                       size_t bytes,
+                                       const struct goodbot_capacities *capacities,
+                                       const struct goodbot_table *table,
+                                       struct goodbot **robot);
+
+// Says which state things are in, as sensed.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_table_set_state(struct goodbot *robot, uint32_t state);
+
+// Which state things are in.
+//
+// # Safety
+// `robot` is null or a handle, `state` null or room for a number.
+enum goodbot_status goodbot_table_state(struct goodbot *robot, uint32_t *state);
+
+// Says how the trainer rewards and punishes: the probability of silence after a right action and after a wrong one, and of taking one
+// for the other. Without this, it is 0.7, 0.7 and 0.1. A session under way ends unlearned.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_trainer(struct goodbot *robot,
+                                    float mu_plus,
+                                    float mu_minus,
+                                    float epsilon);
+
+// Hears a command: a session begins in the state in which things are now.
+//
+// # Safety
+// `robot` is null or a handle, `command` null or a C string in UTF-8.
+enum goodbot_status goodbot_hear(struct goodbot *robot, const char *command);
+
+// Plans for the state in which things are now, at most `budget` states of the search. `WORKING` means: call again.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_plan(struct goodbot *robot,
+                                 uint32_t budget);
+
+// Decides on an action in the state that was planned for. `plan` may be null; it is given `GOODBOT_PLAN_GOAL` and so on.
+//
+// # Safety
+// `robot` is null or a handle; `action` is room for one, `plan` is null or room for a number.
+enum goodbot_status goodbot_decide(struct goodbot *robot,
+                                   uint8_t *action,
+                                   uint32_t *plan);
+
+// Takes in what the trainer said to an action that was done in the state that was planned for: `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
+// `GOODBOT_NEUTRAL`.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_feedback(struct goodbot *robot,
+                                     uint8_t action,
+                                     int32_t feedback);
+
+// Takes in that the trainer did an action to show the way.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_demonstration(struct goodbot *robot, uint8_t action);
+
+// Takes note that an action was done and did what the description says. A robot that senses where things are says that instead.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_done(struct goodbot *robot,
+                                 uint8_t action);
+
+// Ends the session and begins to learn from it: call `goodbot_learn` until it is done.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_finish(struct goodbot *robot);
+
+// Ends the session without learning from it.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_forget(struct goodbot *robot);
+
+// Goes on learning, at most about `budget` table cells of work. `WORKING` means: call again.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_learn(struct goodbot *robot, uint32_t budget);
+
+// Fills in a preset, `GOODBOT_SMALL` or `GOODBOT_TINY`.
+//
+// # Safety
+// `capacities` is null or points to memory for it.
+enum goodbot_status goodbot_preset(uint32_t preset, struct goodbot_capacities *capacities);
+
+// Bytes that a robot in a home takes with these capacities; 0 for null.
+//
+// # Safety
+// `capacities` is null or points to capacities.
+size_t goodbot_size(const struct goodbot_capacities *capacities);
+
+// Bytes that a robot of the caller's own takes with these capacities; 0 for null.
+//
+// # Safety
+// `capacities` is null or points to capacities.
+size_t goodbot_table_size(const struct goodbot_capacities *capacities);
+
+// Begins the robot's own random choices anew: the same seed, the same choices.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_seed(struct goodbot *robot, uint64_t seed);
+
+// The table that was full last: its name in `name` (cut to `bytes` with its 0), how much it holds, and how much was asked of it.
+// `UNKNOWN` where none was.
+//
+// # Safety
+// `robot` is null or a handle; `name` is room for `bytes` bytes; the others are room for a number.
+enum goodbot_status goodbot_full(struct goodbot *robot,
+                                 char *name,
+                                 size_t bytes,
+                                 uint32_t *limit,
+                                 uint32_t *given);
+
+// Makes a robot that will live in homes, in the caller's memory: `bytes` bytes, aligned to 8, as many as `goodbot_size` says. It
+// understands commands to go to a room and to bring a block to a room.
+//
+// # Safety
+// `memory` is null or the caller's memory for this alone, which stays where it is; `capacities` and `robot` are null or point to what
+// they say.
+enum goodbot_status goodbot_init_home(void *memory,
+                                      size_t bytes,
+                                      const struct goodbot_capacities *capacities,
+                                      struct goodbot **robot);
+
+// Begins to describe a home. What was learned stays; a session under way ends unlearned.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_home_begin(struct goodbot *robot);
+
+// Adds a room: the box of its border, whose cells are wall where no door is, and its colour.
+//
+// # Safety
+// `robot` is null or a handle; the texts are null or C strings.
+enum goodbot_status goodbot_home_room(struct goodbot *robot,
+                                      const char *name,
+                                      int32_t left,
+                                      int32_t bottom,
+                                      int32_t right,
+                                      int32_t top,
+                                      const char *color);
+
+// Adds a door: a box of cells where no wall stands.
+//
+// # Safety
+// As `goodbot_home_room`.
+enum goodbot_status goodbot_home_door(struct goodbot *robot,
+                                      const char *name,
+                                      int32_t left,
+                                      int32_t bottom,
+                                      int32_t right,
+                                      int32_t top);
+
+// Adds a block.
+//
+// # Safety
+// As `goodbot_home_room`.
+enum goodbot_status goodbot_home_block(struct goodbot *robot,
+                                       const char *name,
+                                       int32_t x,
+                                       int32_t y,
+                                       const char *color,
+                                       const char *shape);
+
+// Adds the robot itself.
+//
+// # Safety
+// As `goodbot_home_room`.
+enum goodbot_status goodbot_home_agent(struct goodbot *robot,
+                                       const char *name,
+                                       int32_t x,
+                                       int32_t y);
+
+// Checks the home as a whole. Actions 0 to 3 are then north, south, east and west; a block in the way is pushed. Where it fails, begin
+// the description again.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_home_build(struct goodbot *robot);
+
+// Says where the robot itself or a block is, as sensed.
+//
+// # Safety
+// As `goodbot_home_room`.
+enum goodbot_status goodbot_home_place(struct goodbot *robot,
+                                       const char *name,
+                                       int32_t x,
+                                       int32_t y);
+
+// Where the robot itself or a block is.
+//
+// # Safety
+// As `goodbot_home_room`; `x` and `y` are null or room for a number.
+enum goodbot_status goodbot_home_where(struct goodbot *robot,
+                                       const char *name,
+                                       int32_t *x,
+                                       int32_t *y);
+
+// Makes a robot of the caller's own, in the caller's memory: `bytes` bytes, aligned to 8, as many as `goodbot_table_size` says. The
+// description and all that it points to must stay as long as the robot is used.
+//
+// # Safety
+// `memory` is null or the caller's memory for this alone, which stays where it is; the other pointers are null or point to what they
+// say.
+enum goodbot_status goodbot_init_table(void *memory,
+                                       size_t bytes,
+                                       const struct goodbot_capacities *capacities,
+                                       const struct goodbot_table *table,
+                                       struct goodbot **robot);
+
+// Says which state things are in, as sensed.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_table_set_state(struct goodbot *robot, uint32_t state);
+
+// Which state things are in.
+//
+// # Safety
+// `robot` is null or a handle, `state` null or room for a number.
+enum goodbot_status goodbot_table_state(struct goodbot *robot, uint32_t *state);
+
+// Says how the trainer rewards and punishes: the probability of silence after a right action and after a wrong one, and of taking one
+// for the other. Without this, it is 0.7, 0.7 and 0.1. A session under way ends unlearned.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_trainer(struct goodbot *robot,
+                                    float mu_plus,
+                                    float mu_minus,
+                                    float epsilon);
+
+// Hears a command: a session begins in the state in which things are now.
+//
+// # Safety
+// `robot` is null or a handle, `command` null or a C string in UTF-8.
+enum goodbot_status goodbot_hear(struct goodbot *robot, const char *command);
+
+// Plans for the state in which things are now, at most `budget` states of the search. `WORKING` means: call again.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_plan(struct goodbot *robot,
+                                 uint32_t budget);
+
+// Decides on an action in the state that was planned for. `plan` may be null; it is given `GOODBOT_PLAN_GOAL` and so on.
+//
+// # Safety
+// `robot` is null or a handle; `action` is room for one, `plan` is null or room for a number.
+enum goodbot_status goodbot_decide(struct goodbot *robot,
+                                   uint8_t *action,
+                                   uint32_t *plan);
+
+// Takes in what the trainer said to an action that was done in the state that was planned for: `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
+// `GOODBOT_NEUTRAL`.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_feedback(struct goodbot *robot,
+                                     uint8_t action,
+                                     int32_t feedback);
+
+// Takes in that the trainer did an action to show the way.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_demonstration(struct goodbot *robot, uint8_t action);
+
+// Takes note that an action was done and did what the description says. A robot that senses where things are says that instead.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_done(struct goodbot *robot,
+                                 uint8_t action);
+
+// Ends the session and begins to learn from it: call `goodbot_learn` until it is done.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_finish(struct goodbot *robot);
+
+// Ends the session without learning from it.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_forget(struct goodbot *robot);
+
+// Goes on learning, at most about `budget` table cells of work. `WORKING` means: call again.
+//
+// # Safety
+// `robot` is null or a handle.
+enum goodbot_status goodbot_learn(struct goodbot *robot, uint32_t budget);
+
+// How many tasks the command may mean.
+//
+// # Safety
+// `robot` is null or a handle, `count` null or room for a number.
+enum goodbot_status goodbot_task_count(struct goodbot *robot, uint32_t *count);
+
+// How probable a task is.
+//
+// # Safety
+// `robot` is null or a handle, `probability` null or room for a number.
+enum goodbot_status goodbot_task_probability(struct goodbot *robot,
+                                             uint32_t task,
+                                             float *probability);
+
+// The most likely task.
+//
+// # Safety
+// `robot` is null or a handle, `task` null or room for a number.
+enum goodbot_status goodbot_most_likely(struct goodbot *robot, uint32_t *task);
+
+// Writes a task as text, such as `blockInRoom(block0,room1)`, with a 0 at its end. `BUFFER` where it does not fit.
+//
+// # Safety
+// `robot` is null or a handle; `buffer` is null or room for `bytes` bytes.
+enum goodbot_status goodbot_task_text(struct goodbot *robot,
+                                      uint32_t task,
+                                      char *buffer,
+                                      size_t bytes);
+
+// Bytes that `goodbot_save` would write now.
+//
+// # Safety
+// `robot` is null or a handle, `bytes` null or room for a number.
+enum goodbot_status goodbot_saved_size(struct goodbot *robot, size_t *bytes);
+
+// Saves all that was learned, in a format that is the same on every machine. `written` is given the length.
+//
+// # Safety
+// `robot` is null or a handle; `buffer` is null or room for `bytes` bytes; `written` is null or room for a number.
+enum goodbot_status goodbot_save(struct goodbot *robot,
+                                 uint8_t *buffer,
+                                 size_t bytes,
+                                 size_t *written);
+
+// Takes over what was saved, in place of what was learned here. Call `goodbot_learn` until it is done. On any failure the robot is as
+// before.
+//
+// # Safety
+// `robot` is null or a handle; `model` is null or points to `bytes` bytes.
+enum goodbot_status goodbot_restore(struct goodbot *robot,
+                                    const uint8_t *model,
+                                    size_t bytes);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* GOODBOT_H */
+
+/** Bytes of a robot in a home, known when the program is compiled: `static _Alignas(8) unsigned char memory[GOODBOT_SMALL_BYTES];` */
+#define GOODBOT_SMALL_BYTES (sizeof(void *) == 4 ? GOODBOT_SMALL_BYTES_32 : GOODBOT_SMALL_BYTES_64)
+#define GOODBOT_TINY_BYTES (sizeof(void *) == 4 ? GOODBOT_TINY_BYTES_32 : GOODBOT_TINY_BYTES_64)
+/** Bytes of a robot of the caller's own. */
+#define GOODBOT_SMALL_TABLE_BYTES (GOODBOT_SMALL_BYTES + GOODBOT_TABLE_BYTES)
+#define GOODBOT_TINY_TABLE_BYTES (GOODBOT_TINY_BYTES + GOODBOT_TABLE_BYTES)

@@ -1,0 +1,110 @@
+//! What the robot takes a command to mean.
+
+use crate::robot::{Goodbot, World, give, with};
+use crate::status::GoodbotStatus;
+use crate::training::in_world;
+use core::ffi::c_char;
+use goodbot::oomdp::Domain;
+
+/// How many tasks the command may mean.
+///
+/// # Safety
+/// `robot` is null or a handle, `count` null or room for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_task_count(robot: *mut Goodbot, count: *mut u32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe { with(robot, |robot| give(count, robot.agent.tasks().len() as u32)) }
+}
+
+/// How probable a task is.
+///
+/// # Safety
+/// `robot` is null or a handle, `probability` null or room for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_task_probability(robot: *mut Goodbot, task: u32, probability: *mut f32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            robot.agent.tasks().get(task as usize).ok_or(GoodbotStatus::Unknown)?;
+            give(probability, robot.agent.belief().probability(task as usize))
+        })
+    }
+}
+
+/// The most likely task.
+///
+/// # Safety
+/// `robot` is null or a handle, `task` null or room for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_most_likely(robot: *mut Goodbot, task: *mut u32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let best = robot.agent.most_likely(Some(&mut robot.random)).ok_or(GoodbotStatus::NoSession)?;
+            give(task, best as u32)
+        })
+    }
+}
+
+/// Writes a task as text, such as `blockInRoom(block0,room1)`, with a 0 at its end. `BUFFER` where it does not fit.
+///
+/// # Safety
+/// `robot` is null or a handle; `buffer` is null or room for `bytes` bytes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_task_text(robot: *mut Goodbot, task: u32, buffer: *mut c_char, bytes: usize) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            if buffer.is_null() {
+                return Err(GoodbotStatus::Null.into());
+            }
+            let grounded = robot.agent.tasks().get(task as usize).ok_or(GoodbotStatus::Unknown)?;
+            let lifted = robot.agent.lifted().get(usize::from(grounded.lifted)).ok_or(GoodbotStatus::Unknown)?;
+            let mut writer = Writer { at: buffer, left: bytes };
+            in_world!(&robot.world, |domain, _state| {
+                for (position, part) in grounded.propositions(lifted).enumerate() {
+                    writer.put(if position > 0 { " & " } else { "" });
+                    writer.put(domain.schema().proposition_name(part.proposition));
+                    for (position, object) in
+                        domain.schema().parameters(part.proposition).iter().zip(part.arguments).map(|pair| pair.1).enumerate()
+                    {
+                        writer.put(if position > 0 { "," } else { "(" });
+                        writer.put(domain.objects().name(object));
+                    }
+                    writer.put(")");
+                }
+            });
+            writer.end()
+        })
+    }
+}
+
+/// Writes to a buffer of the caller's.
+struct Writer {
+    at: *mut c_char,
+    left: usize,
+}
+
+impl Writer {
+    fn put(&mut self, text: &str) {
+        for byte in text.bytes() {
+            self.byte(byte);
+        }
+    }
+
+    fn byte(&mut self, byte: u8) {
+        if self.left > 0 {
+            // SAFETY: `left` bytes from `at` on are the caller's room.
+            unsafe { self.at.write(byte as c_char) };
+            self.at = self.at.wrapping_add(1);
+            self.left = self.left.wrapping_sub(1);
+        } else {
+            self.at = core::ptr::null_mut();
+        }
+    }
+
+    fn end(mut self) -> Result<GoodbotStatus, crate::status::Failure> {
+        self.byte(0);
+        if self.at.is_null() { Err(GoodbotStatus::Buffer.into()) } else { Ok(GoodbotStatus::Ok) }
+    }
+}

@@ -1,0 +1,201 @@
+//! The home environment: rooms, doors, blocks, an agent.
+
+use crate::capacities::GoodbotCapacities;
+use crate::robot::{Goodbot, World, give, plot, settle, text, with};
+use crate::status::{Failure, GoodbotStatus};
+use core::ffi::c_char;
+use goodbot::home::{self, Area, Cell, HomeBuilder, Moves};
+use goodbot::oomdp::Domain;
+use goodbot::task::LiftedTask;
+
+/// Makes a robot that will live in homes, in the caller's memory: `bytes` bytes, aligned to 8, as many as `goodbot_size` says. It
+/// understands commands to go to a room and to bring a block to a room.
+///
+/// # Safety
+/// `memory` is null or the caller's memory for this alone, which stays where it is; `capacities` and `robot` are null or point to what
+/// they say.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_init_home(
+    memory: *mut core::ffi::c_void,
+    bytes: usize,
+    capacities: *const GoodbotCapacities,
+    robot: *mut *mut Goodbot,
+) -> GoodbotStatus {
+    if robot.is_null() {
+        return GoodbotStatus::Null;
+    }
+    // SAFETY: the caller's promise.
+    let plot = match unsafe { plot(memory.cast(), bytes, capacities) } {
+        Ok(plot) => plot,
+        Err(status) => return status,
+    };
+    let Ok(tasks): Result<[LiftedTask; 2], _> = home::paper_tasks() else { return GoodbotStatus::Other };
+    // SAFETY: `plot` gave room for it, and `robot` is not null.
+    unsafe { settle(plot.at, plot.memory, &tasks, |_| Ok(World::Nothing), robot) }
+}
+
+/// Begins to describe a home. What was learned stays; a session under way ends unlearned.
+///
+/// # Safety
+/// `robot` is null or a handle.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_home_begin(robot: *mut Goodbot) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            if matches!(robot.world, World::Table(..)) {
+                return Err(GoodbotStatus::World.into());
+            }
+            let memory = robot.empty_home();
+            robot.world = World::Plan(HomeBuilder::new(memory));
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+fn plan(robot: &mut Goodbot) -> Result<&mut HomeBuilder<'static>, Failure> {
+    match &mut robot.world {
+        World::Plan(builder) => Ok(builder),
+        World::Nothing => Err(GoodbotStatus::NoWorld.into()),
+        World::Home(..) | World::Table(..) => Err(GoodbotStatus::World.into()),
+    }
+}
+
+/// Adds a room: the box of its border, whose cells are wall where no door is, and its colour.
+///
+/// # Safety
+/// `robot` is null or a handle; the texts are null or C strings.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_home_room(
+    robot: *mut Goodbot,
+    name: *const c_char,
+    left: i32,
+    bottom: i32,
+    right: i32,
+    top: i32,
+    color: *const c_char,
+) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            plan(robot)?.room(text(name)?, Area::new(left, bottom, right, top), text(color)?)?;
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+/// Adds a door: a box of cells where no wall stands.
+///
+/// # Safety
+/// As `goodbot_home_room`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_home_door(
+    robot: *mut Goodbot,
+    name: *const c_char,
+    left: i32,
+    bottom: i32,
+    right: i32,
+    top: i32,
+) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            plan(robot)?.door(text(name)?, Area::new(left, bottom, right, top))?;
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+/// Adds a block.
+///
+/// # Safety
+/// As `goodbot_home_room`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_home_block(
+    robot: *mut Goodbot,
+    name: *const c_char,
+    x: i32,
+    y: i32,
+    color: *const c_char,
+    shape: *const c_char,
+) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            plan(robot)?.block(text(name)?, Cell::new(x, y), text(color)?, text(shape)?)?;
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+/// Adds the robot itself.
+///
+/// # Safety
+/// As `goodbot_home_room`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_home_agent(robot: *mut Goodbot, name: *const c_char, x: i32, y: i32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            plan(robot)?.agent(text(name)?, Cell::new(x, y))?;
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+/// Checks the home as a whole. Actions 0 to 3 are then north, south, east and west; a block in the way is pushed. Where it fails, begin
+/// the description again.
+///
+/// # Safety
+/// `robot` is null or a handle.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_home_build(robot: *mut Goodbot) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            plan(robot)?;
+            let World::Plan(builder) = core::mem::replace(&mut robot.world, World::Nothing) else {
+                return Err(GoodbotStatus::NoWorld.into());
+            };
+            let (home, start) = builder.build(Moves::Push)?;
+            robot.world = World::Home(home, start);
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+/// Says where the robot itself or a block is, as sensed.
+///
+/// # Safety
+/// As `goodbot_home_room`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_home_place(robot: *mut Goodbot, name: *const c_char, x: i32, y: i32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let World::Home(home, state) = &mut robot.world else { return Err(GoodbotStatus::NoWorld.into()) };
+            let object = home.objects().find(text(name)?).ok_or(GoodbotStatus::Unknown)?;
+            *state = home.placed(state, object, Cell::new(x, y)).ok_or(GoodbotStatus::Number)?;
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+/// Where the robot itself or a block is.
+///
+/// # Safety
+/// As `goodbot_home_room`; `x` and `y` are null or room for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_home_where(robot: *mut Goodbot, name: *const c_char, x: *mut i32, y: *mut i32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let World::Home(home, state) = &robot.world else { return Err(GoodbotStatus::NoWorld.into()) };
+            let object = home.objects().find(text(name)?).ok_or(GoodbotStatus::Unknown)?;
+            let cell = if object == home.agent() { Some(home.agent_cell(state)) } else { home.block_cell(state, object) };
+            let cell = cell.ok_or(GoodbotStatus::Unknown)?;
+            give(x, cell.x)?;
+            give(y, cell.y)
+        })
+    }
+}

@@ -1,0 +1,48 @@
+//! goodbot for C: the interface that `include/goodbot.h` declares.
+//!
+//! The caller owns all memory, every function returns a status, nothing is global, and nothing panics or unwinds across the border.
+//! `docs/robot.md` leads through it.
+//!
+//! - [`status`]: what every function returns;
+//! - [`capacities`]: how large the tables are, and what memory that takes;
+//! - [`arena`]: the caller's memory, dealt out;
+//! - [`robot`]: the handle;
+//! - [`home`]: the home environment;
+//! - [`table`]: robots of the caller's own: classes, objects, propositions and a step function or a table of steps;
+//! - [`training`]: hear, plan, decide, feedback, learn;
+//! - [`beliefs`]: what the robot takes a command to mean;
+//! - [`model`]: saving and restoring what was learned.
+
+#![no_std]
+#![deny(missing_docs)]
+#![deny(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable)]
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::indexing_slicing))]
+
+#[cfg(test)]
+extern crate std;
+
+pub mod arena;
+pub mod beliefs;
+pub mod capacities;
+pub mod home;
+pub mod model;
+pub mod robot;
+pub mod status;
+pub mod table;
+pub mod training;
+
+/// The version of this interface. It rises when a program that was compiled with an older header would go wrong.
+pub const GOODBOT_API_VERSION: u32 = 1;
+
+/// The version of the library that is linked: compare it with `GOODBOT_API_VERSION`.
+#[unsafe(no_mangle)]
+pub extern "C" fn goodbot_api_version() -> u32 {
+    GOODBOT_API_VERSION
+}
+
+/// Never called: nothing here panics. The compiler asks for it all the same.
+#[cfg(all(feature = "alone", not(test)))]
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    loop {}
+}

@@ -1,0 +1,170 @@
+//! What every function returns.
+
+use goodbot::AgentError;
+use goodbot::capacity::CapacityError;
+use goodbot::home::{HomeError, Problem};
+use goodbot::oomdp::objects::ObjectError;
+use goodbot::snapshot::{RestoreError, SaveError};
+use goodbot::task::TaskTextError;
+
+/// What came of a call.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GoodbotStatus {
+    /// Done.
+    Ok = 0,
+    /// Not done yet: call again.
+    Working = 1,
+    /// A pointer is null that must not be.
+    Null = 2,
+    /// The handle is none, or its memory was moved or written over.
+    BadHandle = 3,
+    /// The memory is too small: ask for its size.
+    Memory = 4,
+    /// The memory is not aligned to 8 bytes.
+    Alignment = 5,
+    /// A text is not UTF-8.
+    Text = 6,
+    /// A table is full: `goodbot_full` says which.
+    Full = 7,
+    /// The home or table is described wrongly, or the call is for the other kind of robot.
+    World = 8,
+    /// There is no home yet: describe it and call `goodbot_home_build`.
+    NoWorld = 9,
+    /// The command has no word.
+    EmptyCommand = 10,
+    /// There is no task to do here.
+    NoTask = 11,
+    /// No session is under way: hear a command first.
+    NoSession = 12,
+    /// The plan for this state is not done: call `goodbot_plan` until it is.
+    NotPlanned = 13,
+    /// The last session is still being learned from: call `goodbot_learn` until it is.
+    StillLearning = 14,
+    /// The action cannot be done in this state.
+    NotApplicable = 15,
+    /// A number is none of those allowed.
+    Number = 16,
+    /// There is no object or task of this name or number.
+    Unknown = 17,
+    /// The bytes are no model, or were damaged.
+    BadModel = 18,
+    /// The model was learned with another vocabulary.
+    OtherDomain = 19,
+    /// The buffer is too small.
+    Buffer = 20,
+    /// Anything else.
+    Other = 21,
+}
+
+/// Why a call failed, with the table that was full, if one was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Failure {
+    pub(crate) status: GoodbotStatus,
+    pub(crate) full: Option<CapacityError>,
+}
+
+impl From<GoodbotStatus> for Failure {
+    fn from(status: GoodbotStatus) -> Self {
+        Self { status, full: None }
+    }
+}
+
+impl From<CapacityError> for Failure {
+    fn from(error: CapacityError) -> Self {
+        Self { status: GoodbotStatus::Full, full: Some(error) }
+    }
+}
+
+impl From<AgentError> for Failure {
+    fn from(error: AgentError) -> Self {
+        match error {
+            AgentError::EmptyCommand => GoodbotStatus::EmptyCommand,
+            AgentError::NoTask => GoodbotStatus::NoTask,
+            AgentError::NoSession => GoodbotStatus::NoSession,
+            AgentError::NotPlanned => GoodbotStatus::NotPlanned,
+            AgentError::StillLearning => GoodbotStatus::StillLearning,
+            AgentError::NotApplicable => GoodbotStatus::NotApplicable,
+            AgentError::NotAProbability => GoodbotStatus::Number,
+            AgentError::Capacity(error) => return error.into(),
+            _ => GoodbotStatus::Other,
+        }
+        .into()
+    }
+}
+
+impl From<HomeError> for Failure {
+    fn from(error: HomeError) -> Self {
+        match error.problem {
+            Problem::Capacity(error) => error.into(),
+            _ => GoodbotStatus::World.into(),
+        }
+    }
+}
+
+impl From<ObjectError> for Failure {
+    fn from(error: ObjectError) -> Self {
+        match error {
+            ObjectError::Capacity(error) => error.into(),
+            _ => GoodbotStatus::World.into(),
+        }
+    }
+}
+
+impl From<TaskTextError> for Failure {
+    fn from(error: TaskTextError) -> Self {
+        match error {
+            TaskTextError::Capacity(error) => error.into(),
+            _ => GoodbotStatus::World.into(),
+        }
+    }
+}
+
+impl From<SaveError> for Failure {
+    fn from(error: SaveError) -> Self {
+        match error {
+            SaveError::Buffer { .. } => GoodbotStatus::Buffer.into(),
+            _ => GoodbotStatus::Other.into(),
+        }
+    }
+}
+
+impl From<RestoreError> for Failure {
+    fn from(error: RestoreError) -> Self {
+        match error {
+            RestoreError::Capacity(error) => error.into(),
+            RestoreError::OtherDomain => GoodbotStatus::OtherDomain.into(),
+            _ => GoodbotStatus::BadModel.into(),
+        }
+    }
+}
+
+/// What is wrong, as a sentence for people; a constant text that is never null.
+#[unsafe(no_mangle)]
+pub extern "C" fn goodbot_status_text(status: i32) -> *const core::ffi::c_char {
+    const TEXTS: [&core::ffi::CStr; 22] = [
+        c"done",
+        c"not done yet; call again",
+        c"a pointer is null that must not be",
+        c"the handle is none, or its memory was moved or written over",
+        c"the memory is too small; ask for its size",
+        c"the memory is not aligned to 8 bytes",
+        c"a text is not UTF-8",
+        c"a table is full; goodbot_full says which",
+        c"the home or table is described wrongly, or the call is for the other kind of robot",
+        c"there is no home yet; describe it and build it",
+        c"the command has no word; say what to do",
+        c"there is nothing to do here",
+        c"no session is under way; give a command first",
+        c"the plan for this state is not done; plan on until it is",
+        c"the last session is still being learned from; learn on until it is done",
+        c"the action cannot be done in this state",
+        c"a number is none of those allowed",
+        c"there is no object or task of this name or number",
+        c"the bytes are no model, or were damaged",
+        c"the model was learned with another vocabulary",
+        c"the buffer is too small",
+        c"something else failed",
+    ];
+    usize::try_from(status).ok().and_then(|status| TEXTS.get(status)).unwrap_or(&c"no such status").as_ptr()
+}

@@ -1,0 +1,109 @@
+//! The caller's robot as the core sees it.
+
+use super::description::{GOODBOT_CANNOT, GoodbotHolds, GoodbotStep};
+use core::ffi::c_void;
+use goodbot::oomdp::{Action, ActionKind, Attribute, Class, Domain, GroundProposition, ObjectSet, Proposition, Schema};
+
+/// What an action leads to.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Steps {
+    /// By a table: one entry a state and action.
+    Table(&'static [u16]),
+    /// By a function.
+    Function(GoodbotStep),
+}
+
+/// The caller's robot.
+#[derive(Debug)]
+pub struct TableDomain {
+    pub(super) schema: Schema<'static>,
+    pub(super) objects: ObjectSet<'static>,
+    pub(super) actions: &'static [ActionKind<'static>],
+    pub(super) steps: Steps,
+    pub(super) holds: GoodbotHolds,
+    pub(super) context: *mut c_void,
+    pub(super) states: u32,
+}
+
+impl TableDomain {
+    /// How many states there are.
+    pub fn states(&self) -> u32 {
+        self.states
+    }
+}
+
+/// The parts of a schema, while it is being made.
+pub(super) type Parts = (&'static [Class<'static>], &'static [Attribute<'static>], &'static [Proposition<'static>]);
+
+impl Domain for TableDomain {
+    type State = u32;
+
+    fn schema(&self) -> Schema<'_> {
+        self.schema
+    }
+
+    fn objects(&self) -> &ObjectSet<'_> {
+        &self.objects
+    }
+
+    fn actions(&self) -> &[ActionKind<'_>] {
+        self.actions
+    }
+
+    fn step(&self, state: &u32, action: Action) -> Option<u32> {
+        if usize::from(action.0) >= self.actions.len() {
+            return None;
+        }
+        let next = match self.steps {
+            Steps::Table(table) => {
+                let at = (*state as usize).checked_mul(self.actions.len())?.checked_add(usize::from(action.0))?;
+                u32::from(*table.get(at).filter(|&&next| next != GOODBOT_CANNOT)?)
+            }
+            Steps::Function(step) => {
+                let mut next = 0;
+                // SAFETY: the caller's function, with the context that came with it.
+                let can = unsafe { step?(self.context, *state, action.0, &raw mut next) };
+                can.then_some(next)?
+            }
+        };
+        (next < self.states).then_some(next)
+    }
+
+    fn holds(&self, proposition: &GroundProposition, state: &u32) -> bool {
+        let arguments = proposition.arguments.map(|object| object.0);
+        // SAFETY: the caller's function, with the context that came with it.
+        self.holds.is_some_and(|holds| unsafe { holds(self.context, *state, proposition.proposition.0, arguments.as_ptr()) })
+    }
+
+    fn state_count(&self) -> u64 {
+        u64::from(self.states)
+    }
+
+    fn number(&self, state: &u32) -> u64 {
+        u64::from(*state)
+    }
+
+    fn numbered(&self, number: u64) -> u32 {
+        number as u32
+    }
+
+    fn variables(&self) -> usize {
+        1
+    }
+
+    fn values(&self, _variable: usize) -> usize {
+        self.states as usize
+    }
+
+    fn value(&self, state: &u32, _variable: usize) -> usize {
+        *state as usize
+    }
+
+    fn with_value(&self, _state: &u32, _variable: usize, value: usize) -> u32 {
+        value as u32
+    }
+
+    fn reads(&self, _proposition: &GroundProposition) -> Option<usize> {
+        Some(0)
+    }
+}

@@ -1,0 +1,18 @@
+//! The paper's course as one run that every target repeats bit for bit. Who looks on may count what each part of the work costs.
+//!
+//! - [`run`]: the run: seven lessons by a simulated trainer, then five commands that are only heard;
+//! - [`digest`]: all posteriors as one number.
+
+#![no_std]
+#![deny(missing_docs)]
+
+#[cfg(target_arch = "wasm32")]
+extern crate std;
+
+pub mod digest;
+pub mod run;
+#[cfg(target_arch = "wasm32")]
+mod wasm;
+
+pub use digest::Digest;
+pub use run::{Budget, LESSONS, Outcome, SEED, Watch, Work, run};

@@ -1,0 +1,176 @@
+//! The run: lessons, then tests.
+
+use crate::digest::Digest;
+use goodbot::feedback::{SimulatedTrainer, Strategy};
+use goodbot::home::{self, HomeMemory};
+use goodbot::memory::Memory;
+use goodbot::planning::Progress;
+use goodbot::{Agent, AgentError, Options};
+use goodbot_course::exercise::{self, Exercise, TESTS};
+use goodbot_course::layout::{Layout, lend};
+use goodbot_course::lesson::{Lesson, Turn};
+use goodbot_course::{CourseError, Homes, generator};
+
+/// How many lessons there are.
+pub const LESSONS: usize = exercise::LESSONS.len();
+/// The seed of the run that the targets compare.
+pub const SEED: u64 = 1;
+
+/// A part of the work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Work {
+    /// Building the home.
+    Build,
+    /// Hearing a command.
+    Hear,
+    /// Planning for all tasks from one state: one call.
+    Plan,
+    /// One action with its feedback: choosing it, and learning from what the trainer says.
+    Act,
+    /// Weighing the session's machine commands.
+    Finish,
+    /// Learning: one call.
+    Learn,
+}
+
+impl Work {
+    /// All parts, with the names that they have in output.
+    pub const ALL: [(Self, &'static str); 6] = [
+        (Self::Build, "build"),
+        (Self::Hear, "hear"),
+        (Self::Plan, "plan"),
+        (Self::Act, "act"),
+        (Self::Finish, "finish"),
+        (Self::Learn, "learn"),
+    ];
+}
+
+/// Looks on.
+pub trait Watch {
+    /// The work begins.
+    fn begin(&mut self) {}
+
+    /// The work that began last has ended; it was for the lesson or test of this number, the lessons first.
+    fn end(&mut self, _work: Work, _number: usize) {}
+
+    /// A round of expectation maximisation is over.
+    fn round(&mut self) {}
+}
+
+impl Watch for () {}
+
+/// How much work one call may do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Budget {
+    /// States of the search.
+    pub plan: u32,
+    /// Table cells of the training.
+    pub learn: u32,
+}
+
+impl Budget {
+    /// Plans in one call. Learning goes in the smallest parts, so that every round's end is seen.
+    pub const ROUNDS: Self = Self { plan: u32::MAX, learn: 1 };
+}
+
+/// How the run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Outcome {
+    /// Tests whose command was understood.
+    pub passed: u32,
+    /// How many tests there are.
+    pub tests: u32,
+    /// Actions of all lessons together.
+    pub steps: u32,
+    /// All posteriors: on hearing every command, and after every feedback.
+    pub digest: Digest,
+}
+
+/// Runs the whole course in this memory.
+///
+/// # Errors
+/// [`CourseError`]: where the memory is too small, mostly.
+pub fn run(memory: Memory<'_>, seed: u64, budget: Budget, watch: &mut impl Watch) -> Result<Outcome, CourseError> {
+    let Memory { home: mut rooms, agent } = memory;
+    let tasks = home::paper_tasks().map_err(|_| CourseError::NotPosed)?;
+    let mut agent = Agent::new(agent, &tasks, Options::PAPER).map_err(AgentError::from)?;
+    let mut outcome = Outcome { passed: 0, tests: TESTS.len() as u32, steps: 0, digest: Digest::EMPTY };
+    let mut random = generator(seed);
+    for (number, lesson) in exercise::LESSONS.iter().enumerate() {
+        train(&mut agent, lend(&mut rooms), (number, lesson), &mut random, &mut outcome, budget, watch)?;
+    }
+    for (number, test) in TESTS.iter().enumerate() {
+        let number = LESSONS.wrapping_add(number);
+        watch.begin();
+        let (home, start) = Homes::FIXED.test.build(lend(&mut rooms))?;
+        watch.end(Work::Build, number);
+        watch.begin();
+        agent.hear(&home, &start, test.command)?;
+        watch.end(Work::Hear, number);
+        take(&agent, &mut outcome.digest);
+        let understood = test.intention.find(&agent, &home) == agent.most_likely(Some(&mut random));
+        outcome.passed = outcome.passed.wrapping_add(u32::from(understood));
+        agent.forget();
+    }
+    Ok(outcome)
+}
+
+fn train<R: rand_core::Rng>(
+    agent: &mut Agent<'_>,
+    rooms: HomeMemory<'_>,
+    (number, exercise): (usize, &Exercise),
+    random: &mut R,
+    outcome: &mut Outcome,
+    budget: Budget,
+    watch: &mut impl Watch,
+) -> Result<(), CourseError> {
+    let trainer = SimulatedTrainer { strategy: Strategy::BALANCED };
+    let layout: &Layout = Homes::FIXED.layout(exercise.home);
+    watch.begin();
+    let (home, start) = layout.build(rooms)?;
+    watch.end(Work::Build, number);
+    watch.begin();
+    let mut lesson = Lesson::begin(agent, &home, &start, exercise)?;
+    watch.end(Work::Hear, number);
+    take(agent, &mut outcome.digest);
+    loop {
+        loop {
+            watch.begin();
+            let progress = agent.plan(&home, lesson.state(), budget.plan)?;
+            watch.end(Work::Plan, number);
+            if progress == Progress::Done {
+                break;
+            }
+        }
+        watch.begin();
+        let turn = lesson.act(agent, &home, &trainer, random)?;
+        watch.end(Work::Act, number);
+        if let Turn::Ended(_) = turn {
+            break;
+        }
+        outcome.steps = outcome.steps.wrapping_add(1);
+        take(agent, &mut outcome.digest);
+    }
+    watch.begin();
+    agent.finish(&home)?;
+    watch.end(Work::Finish, number);
+    loop {
+        let round = agent.language().training().round();
+        watch.begin();
+        let progress = agent.learn(budget.learn);
+        watch.end(Work::Learn, number);
+        if progress == Progress::Done || agent.language().training().round() != round {
+            watch.round();
+        }
+        if progress == Progress::Done {
+            break;
+        }
+    }
+    Ok(())
+}
+
+fn take(agent: &Agent<'_>, digest: &mut Digest) {
+    for task in 0..agent.tasks().len() {
+        digest.take(agent.belief().probability(task));
+    }
+}

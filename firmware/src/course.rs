@@ -1,0 +1,102 @@
+//! The paper's whole course, training and tests, on a microcontroller. Prints what it cost; exits with 0 where all five tests pass.
+
+#![no_std]
+#![no_main]
+
+mod board;
+mod memory;
+mod stack;
+
+use board::report;
+use goodbot_drill::{Budget, LESSONS, SEED, Watch, Work, run};
+
+static mut MEMORY: memory::RobotMemory = memory::RobotMemory::new();
+
+/// The dearest of each kind of work, in instructions.
+struct Counter {
+    began: u64,
+    most: [u64; Work::ALL.len()],
+    /// Hearing a command, planning and acting for the first time, for each lesson.
+    first: [u64; LESSONS],
+    /// The first plan of each lesson.
+    plans: [u64; LESSONS],
+    acted: bool,
+    round: u64,
+    longest_round: u64,
+    all: u64,
+}
+
+impl Watch for Counter {
+    fn begin(&mut self) {
+        self.began = board::instructions();
+    }
+
+    fn end(&mut self, work: Work, number: usize) {
+        let spent = board::instructions().wrapping_sub(self.began);
+        self.all = self.all.wrapping_add(spent);
+        if let Some(most) = self.most.get_mut(work as usize) {
+            *most = spent.max(*most);
+        }
+        if work == Work::Learn {
+            self.round = self.round.wrapping_add(spent);
+        }
+        self.acted &= work != Work::Hear;
+        if let (Some(first), Some(plan), false) = (self.first.get_mut(number), self.plans.get_mut(number), self.acted) {
+            match work {
+                Work::Plan => *plan = spent,
+                Work::Act => self.acted = true,
+                _ => {}
+            }
+            if matches!(work, Work::Hear | Work::Plan | Work::Act) {
+                *first = first.wrapping_add(spent);
+            }
+        }
+    }
+
+    fn round(&mut self) {
+        self.longest_round = self.longest_round.max(self.round);
+        self.round = 0;
+    }
+}
+
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    board::start_counter(board::MOST_PERIOD);
+    // SAFETY: this function runs once, and nothing else touches the static.
+    let memory = unsafe { &mut *(&raw mut MEMORY) };
+    let mut counter = Counter {
+        began: 0,
+        most: [0; Work::ALL.len()],
+        first: [0; LESSONS],
+        plans: [0; LESSONS],
+        acted: false,
+        round: 0,
+        longest_round: 0,
+        all: 0,
+    };
+    let outcome = run(memory.split(), SEED, Budget::ROUNDS, &mut counter);
+    report("statics", stack::statics());
+    report("stack", stack::deepest());
+    for ((_, name), &most) in Work::ALL.iter().zip(&counter.most) {
+        report(name, most);
+    }
+    report("round", counter.longest_round);
+    for &plan in &counter.plans {
+        report("first-plan", plan);
+    }
+    report("hear-plan-act", counter.first.iter().copied().max().unwrap_or(0));
+    report("all", counter.all);
+    match outcome {
+        Ok(outcome) => {
+            report("steps", u64::from(outcome.steps));
+            report("digest", u64::from(outcome.digest.0));
+            report("passed", u64::from(outcome.passed));
+            report("tests", u64::from(outcome.tests));
+            board::exit(if outcome.passed == outcome.tests { 0 } else { 1 })
+        }
+        Err(_) => {
+            board::print("error: the memory is too small for the course\n");
+            board::exit(2)
+        }
+    }
+}

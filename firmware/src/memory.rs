@@ -1,0 +1,13 @@
+//! The robot's memory, of the preset that was chosen.
+
+#[cfg(not(feature = "tiny"))]
+goodbot::memory! {
+    /// For controllers.
+    pub struct RobotMemory = goodbot::Capacities::SMALL;
+}
+
+#[cfg(feature = "tiny")]
+goodbot::memory! {
+    /// For the smallest controllers.
+    pub struct RobotMemory = goodbot::Capacities::TINY;
+}

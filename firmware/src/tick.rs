@@ -1,0 +1,68 @@
+//! A control loop with a fixed tick that never waits for the robot's mind: each turn of the loop gives planning or learning a small part
+//! of a tick, and the rest is the controller's own. Prints the longest of each kind of call; exits with 0 where no tick was missed, all
+//! tests pass, and the beliefs are those of a course that was planned and learned in one go.
+
+#![no_std]
+#![no_main]
+
+mod board;
+mod memory;
+#[allow(dead_code, reason = "only the course reports its stack")]
+mod stack;
+
+use board::report;
+use goodbot_drill::{Budget, SEED, Watch, Work, run};
+
+static mut MEMORY: memory::RobotMemory = memory::RobotMemory::new();
+
+/// Instructions of one tick: 10 ms of a processor that does 100 million a second.
+const TICK: u32 = 1_000_000;
+/// What one turn of the loop may do.
+const BUDGET: Budget = Budget { plan: 50, learn: 100 };
+
+/// The loop: after each call it sleeps until the next tick.
+struct Loop {
+    began: u64,
+    period: u32,
+    turns: u32,
+    missed: u32,
+    longest: [u64; Work::ALL.len()],
+}
+
+impl Watch for Loop {
+    fn begin(&mut self) {
+        self.period = board::periods();
+        self.began = board::instructions();
+    }
+
+    fn end(&mut self, work: Work, _number: usize) {
+        let spent = board::instructions().wrapping_sub(self.began);
+        if let Some(longest) = self.longest.get_mut(work as usize) {
+            *longest = spent.max(*longest);
+        }
+        let late = board::periods().wrapping_sub(self.period);
+        self.missed = self.missed.wrapping_add(late);
+        self.turns = self.turns.wrapping_add(1);
+        // Here a robot would read its sensors and set its motors.
+        board::sleep_through(board::periods());
+    }
+}
+
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    // SAFETY: this function runs once, and nothing else touches the static.
+    let memory = unsafe { &mut *(&raw mut MEMORY) };
+    board::start_counter(TICK);
+    let mut turns = Loop { began: 0, period: 0, turns: 0, missed: 0, longest: [0; Work::ALL.len()] };
+    board::sleep_through(0);
+    let outcome = run(memory.split(), SEED, BUDGET, &mut turns);
+    for ((_, name), &longest) in Work::ALL.iter().zip(&turns.longest) {
+        report(name, longest);
+    }
+    report("tick", u64::from(TICK));
+    report("turns", u64::from(turns.turns));
+    report("missed", u64::from(turns.missed));
+    let Ok(outcome) = outcome else { board::exit(2) };
+    report("digest", u64::from(outcome.digest.0));
+    board::exit(if turns.missed == 0 && outcome.passed == outcome.tests { 0 } else { 1 })
+}

@@ -1,0 +1,73 @@
+//! The C examples on this machine and on an emulated board.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Result, bail};
+
+use crate::firmware::board::{Board, emulate};
+use crate::firmware::image::panics;
+use crate::toolchain::{self, Target, need_program};
+use crate::{process, project};
+
+/// The examples in `capi/examples`.
+const EXAMPLES: [&str; 2] = ["home", "lift"];
+
+const WARNINGS: [&str; 5] = ["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror"];
+
+fn capi(file: &str) -> PathBuf {
+    project::root().join("capi").join(file)
+}
+
+/// What makes a static library of the interface.
+const LIBRARY: [&str; 8] = ["--quiet", "--release", "--package", "goodbot-capi", "--features", "alone", "--crate-type", "staticlib"];
+
+/// Builds every example with the host's compiler, with both sanitizers, and runs it.
+pub fn on_host() -> Result<()> {
+    need_program("gcc", &["gcc", "libc6-dev"], "to build the C examples")?;
+    let folder = project::target_dir().join("capi");
+    let mut cargo = project::cargo();
+    process::run(cargo.arg("rustc").args(LIBRARY).arg("--target-dir").arg(&folder))?;
+    let library = folder.join("release/libgoodbot_capi.a");
+    for example in EXAMPLES {
+        let binary = folder.join(example);
+        let mut gcc = Command::new("gcc");
+        gcc.args(WARNINGS).args(["-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-I"]);
+        gcc.arg(capi("include")).arg(capi("examples").join(format!("{example}.c"))).arg(&library).arg("-o").arg(&binary);
+        process::run(&mut gcc)?;
+        process::run(&mut Command::new(&binary))?;
+    }
+    Ok(())
+}
+
+/// Builds every example for the Cortex-M4F and runs it in the emulator.
+pub fn on_board() -> Result<()> {
+    need_program("arm-none-eabi-gcc", &["gcc-arm-none-eabi", "libnewlib-arm-none-eabi"], "to build the C examples for a controller")?;
+    let target = Target::Thumbv7emHf;
+    process::run(toolchain::cross_cargo_as(target, "rustc")?.args(LIBRARY))?;
+    let built = toolchain::artifacts(target, "release");
+    for example in EXAMPLES {
+        let binary = built.join(format!("{example}.elf"));
+        process::run(&mut cross_gcc(example, &built.join("libgoodbot_capi.a"), &binary))?;
+        let (code, said) = emulate(Board::An386, &binary)?;
+        print!("{said}");
+        if code != 0 {
+            bail!("the example {example} ended with {code} on the board");
+        }
+        let panics = panics(&binary)?;
+        if !panics.is_empty() {
+            bail!("the example {example} has symbols that are there to panic: {}", panics.join(", "));
+        }
+    }
+    Ok(())
+}
+
+fn cross_gcc(example: &str, library: &Path, binary: &Path) -> Command {
+    let mut gcc = Command::new("arm-none-eabi-gcc");
+    gcc.args(WARNINGS).args(["-mthumb", "-mcpu=cortex-m4", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16", "-ffp-contract=off", "-O2"]);
+    gcc.args(["-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections", "--specs=rdimon.specs", "-nostartfiles", "-I"]);
+    gcc.arg(capi("include")).arg("-T").arg(capi("examples/board/link.ld"));
+    gcc.arg(capi("examples").join(format!("{example}.c"))).arg(capi("examples/board/start.c"));
+    gcc.arg(library).arg("-o").arg(binary);
+    gcc
+}

@@ -1,0 +1,89 @@
+//! `capi/include/goodbot.h`, as cbindgen writes it.
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result, bail};
+use cbindgen::{Builder, Config, DocumentationStyle, Language, RenameRule};
+
+use crate::project;
+
+/// The sources whose items the header has, in its order.
+const SOURCES: [&str; 10] = [
+    "status.rs",
+    "lib.rs",
+    "capacities.rs",
+    "robot.rs",
+    "home.rs",
+    "table/description.rs",
+    "table/init.rs",
+    "training.rs",
+    "beliefs.rs",
+    "model.rs",
+];
+
+/// Rust's names of types, and C's.
+const TYPES: [(&str, &str); 11] = [
+    ("Goodbot", "goodbot"),
+    ("GoodbotStatus", "goodbot_status"),
+    ("GoodbotCapacities", "goodbot_capacities"),
+    ("GoodbotCarrier", "goodbot_carrier"),
+    ("GoodbotAttribute", "goodbot_attribute"),
+    ("GoodbotProposition", "goodbot_proposition"),
+    ("GoodbotObject", "goodbot_object"),
+    ("GoodbotAction", "goodbot_action"),
+    ("GoodbotTable", "goodbot_table"),
+    ("GoodbotStep", "goodbot_step"),
+    ("GoodbotHolds", "goodbot_holds"),
+];
+
+const TRAILER: &str = "\
+/** Bytes of a robot in a home, known when the program is compiled: `static _Alignas(8) unsigned char memory[GOODBOT_SMALL_BYTES];` */
+#define GOODBOT_SMALL_BYTES (sizeof(void *) == 4 ? GOODBOT_SMALL_BYTES_32 : GOODBOT_SMALL_BYTES_64)
+#define GOODBOT_TINY_BYTES (sizeof(void *) == 4 ? GOODBOT_TINY_BYTES_32 : GOODBOT_TINY_BYTES_64)
+/** Bytes of a robot of the caller's own. */
+#define GOODBOT_SMALL_TABLE_BYTES (GOODBOT_SMALL_BYTES + GOODBOT_TABLE_BYTES)
+#define GOODBOT_TINY_TABLE_BYTES (GOODBOT_TINY_BYTES + GOODBOT_TABLE_BYTES)";
+
+fn path() -> PathBuf {
+    project::root().join("capi/include/goodbot.h")
+}
+
+/// The header as it should be.
+fn generate() -> Result<String> {
+    let mut config = Config {
+        language: Language::C,
+        include_guard: Some("GOODBOT_H".to_owned()),
+        autogen_warning: Some("/* Written by `cargo xtask capi`; do not change it by hand. */".to_owned()),
+        header: Some("/* goodbot: a robot that learns what your words mean from reward and punishment. See docs/robot.md. */".to_owned()),
+        trailer: Some(TRAILER.to_owned()),
+        cpp_compat: true,
+        usize_is_size_t: true,
+        documentation_style: DocumentationStyle::C99,
+        no_includes: true,
+        sys_includes: vec!["stdbool.h".to_owned(), "stddef.h".to_owned(), "stdint.h".to_owned()],
+        ..Config::default()
+    };
+    config.enumeration.rename_variants = RenameRule::ScreamingSnakeCase;
+    config.enumeration.prefix_with_name = true;
+    config.export.rename = TYPES.iter().map(|&(rust, c)| (rust.to_owned(), c.to_owned())).collect();
+    let sources = project::root().join("capi/src");
+    let builder = SOURCES.iter().fold(Builder::new().with_config(config), |builder, file| builder.with_src(sources.join(file)));
+    let mut bytes = Vec::new();
+    builder.generate().context("cbindgen could not read capi/src")?.write(&mut bytes);
+    String::from_utf8(bytes).context("the header is no text")
+}
+
+/// Writes the header.
+pub fn write() -> Result<()> {
+    std::fs::write(path(), generate()?).with_context(|| format!("{} cannot be written", path().display()))
+}
+
+/// Compares the header that is checked in.
+pub fn check() -> Result<()> {
+    let kept = std::fs::read_to_string(path()).with_context(|| format!("{} cannot be read", path().display()))?;
+    if kept != generate()? {
+        bail!("capi/include/goodbot.h is stale: write it again with `cargo xtask capi`");
+    }
+    println!("capi/include/goodbot.h is what capi/src says");
+    Ok(())
+}

@@ -1,0 +1,13 @@
+//! The firmware: built for each board and preset, run in the emulator.
+//!
+//! - [`board`]: the boards and how the emulator is told of them;
+//! - [`image`]: one linked firmware, its sizes and symbols;
+//! - [`trial`]: everything that was built and run, once in a run of this program;
+//! - [`digests`]: the same run on this machine and in WebAssembly.
+
+pub mod board;
+pub mod digests;
+pub mod image;
+pub mod trial;
+
+pub use trial::{Trial, trials};
