@@ -32,6 +32,19 @@ pub fn for_each_word(command: &str, mut take: impl FnMut(&str) -> Result<(), Cap
     words().try_for_each(|word| take(&lower_case(word)?))
 }
 
+/// The beginning of a word, by which its forms are one word: `orange` and `orangey`. All of it where `letters` is 0.
+///
+/// ```
+/// use goodbot::language::tokenizer::word_form;
+/// assert_eq!(word_form("rooms", 4), word_form("room", 4));
+/// assert_eq!(word_form("größer", 3), "grö");
+/// assert_eq!(word_form("whole", 0), "whole");
+/// ```
+pub fn word_form(word: &str, letters: usize) -> &str {
+    let end = word.char_indices().nth(letters).filter(|_| letters > 0);
+    end.and_then(|(end, _)| word.get(..end)).unwrap_or(word)
+}
+
 fn lower_case(text: &str) -> Result<Word, CapacityError> {
     let mut word = Word::new();
     for letter in text.chars().flat_map(char::to_lowercase) {

@@ -273,7 +273,8 @@ impl<'m> Agent<'m> {
     ) -> Result<Scaled, AgentError> {
         let Some(task) = self.tasks.get(position) else { return Ok(Scaled::ZERO) };
         let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { return Ok(Scaled::ZERO) };
-        let expression = Expression::new(domain, lifted, task, self.language.tokens_mut())?;
+        let order = self.language.settings().order;
+        let expression = Expression::new(domain, lifted, task, order, self.language.tokens_mut())?;
         let share = 1.0 / f32::from(expression.constraints());
         let mut sum = Scaled::ZERO;
         for constraint in 0..expression.constraints() {

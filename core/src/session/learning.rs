@@ -78,7 +78,8 @@ impl Agent<'_> {
             };
             let Some(task) = self.tasks.get(position) else { continue };
             let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
-            let constraints = Expression::new(domain, lifted, task, self.language.tokens_mut())?.constraints();
+            let order = self.language.settings().order;
+            let constraints = Expression::new(domain, lifted, task, order, self.language.tokens_mut())?.constraints();
             let evidence = evidence.scaled_by(1.0 / f32::from(constraints));
             self.for_each_candidate(domain, position, |candidates, _, _, tokens| {
                 if let Some(entry) = candidates.find(tokens).and_then(|found| candidates.entry_mut(found)) {

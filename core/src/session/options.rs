@@ -30,6 +30,15 @@ pub struct Options {
 impl Options {
     /// The paper's.
     pub const PAPER: Self = Self { language: Settings::PAPER, weights: Weights::Paper, least_weight: 5e-5 };
+
+    /// The paper's, with the language model that understands people best: [`Settings::DEFAULT`].
+    pub const DEFAULT: Self = Self { language: Settings::DEFAULT, ..Self::PAPER };
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
 }
 
 /// Memory for what one session needs.

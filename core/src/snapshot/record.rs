@@ -8,6 +8,7 @@ use crate::capacity::{TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::feedback::Strategy;
 use crate::language::Settings;
 use crate::session::{Options, Weights};
+use crate::task::TokenOrder;
 use serde::{Deserialize, Serialize};
 
 /// What every model file begins with.
@@ -59,19 +60,24 @@ pub(crate) struct OptionsRecord {
     pub length: bool,
     pub belief_weights: bool,
     pub least_weight: f32,
+    pub word_letters: u8,
+    pub by_proposition: bool,
 }
 
 impl OptionsRecord {
     pub(crate) fn new(options: &Options) -> Self {
-        let Settings { smoothing, alignment_prior, rounds, length } = options.language;
+        let Settings { smoothing, alignment_prior, rounds, length, word_letters, order } = options.language;
+        let by_proposition = order == TokenOrder::Propositions;
         let belief_weights = options.weights == Weights::Belief;
-        Self { smoothing, alignment_prior, rounds, length, belief_weights, least_weight: options.least_weight }
+        let least_weight = options.least_weight;
+        Self { smoothing, alignment_prior, rounds, length, word_letters, by_proposition, belief_weights, least_weight }
     }
 
     pub(crate) fn options(&self) -> Options {
-        let Self { smoothing, alignment_prior, rounds, length, belief_weights, least_weight } = *self;
+        let Self { smoothing, alignment_prior, rounds, length, word_letters, by_proposition, belief_weights, least_weight } = *self;
+        let order = if by_proposition { TokenOrder::Propositions } else { TokenOrder::Attributes };
         let weights = if belief_weights { Weights::Belief } else { Weights::Paper };
-        Options { language: Settings { smoothing, alignment_prior, rounds, length }, weights, least_weight }
+        Options { language: Settings { smoothing, alignment_prior, rounds, length, word_letters, order }, weights, least_weight }
     }
 
     /// Whether every number can be learned with.

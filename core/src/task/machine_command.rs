@@ -1,9 +1,9 @@
 //! Machine commands: a task and a constraint as a sentence of machine tokens, which a command is translated from.
 //!
-//! `blockInRoom block room blockIsYellow block roomIsRed room`: the lifted task's propositions, then the constraint's, each followed by
-//! the classes of its arguments.
+//! `blockInRoom block room blockIsYellow block roomIsRed room`: the lifted task's propositions and the constraint's, each followed by
+//! the classes of its arguments. [`TokenOrder`] says in which order.
 
-use super::constraint::facts;
+use super::constraint::{Fact, facts};
 use super::{GroundedTask, LiftedTask};
 use crate::capacity::{Capacity, CapacityError, FACTS_PER_TASK, NAME_BYTES, TOKENS_PER_COMMAND};
 use crate::oomdp::Domain;
@@ -13,11 +13,25 @@ use heapless::{String, Vec};
 /// The machine tokens of one machine command.
 pub type Tokens = Vec<Symbol, TOKENS_PER_COMMAND>;
 
+/// Where the facts of a constraint stand in a machine command.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TokenOrder {
+    /// After all propositions of the task, by attribute and value (the reference). "The agent in the red room, the block in the blue one"
+    /// and the same with the colours exchanged are then one machine command.
+    #[default]
+    Attributes,
+    /// Each after the first proposition of the task that its object is an argument of, in the order of the arguments. Where a fact
+    /// stands says what it is about.
+    Propositions,
+}
+
 /// All machine commands of one task: the tokens of its propositions, and those of each fact that a constraint may add.
 #[derive(Clone, Debug)]
 pub struct Expression {
     head: Tokens,
     facts: Vec<[Symbol; 2], FACTS_PER_TASK>,
+    /// How many tokens of the head each fact stands behind, in rising order.
+    behind: Vec<u8, FACTS_PER_TASK>,
 }
 
 impl Expression {
@@ -29,23 +43,32 @@ impl Expression {
         domain: &D,
         lifted: &LiftedTask,
         task: &GroundedTask,
+        order: TokenOrder,
         tokens: &mut Symbols<'_>,
     ) -> Result<Self, CapacityError> {
         let schema = domain.schema();
-        let mut head = Tokens::new();
+        let mut expression = Self { head: Tokens::new(), facts: Vec::new(), behind: Vec::new() };
         for part in &lifted.propositions {
-            push(&mut head, tokens.intern(schema.proposition_name(part.proposition))?)?;
+            push(&mut expression.head, tokens.intern(schema.proposition_name(part.proposition))?)?;
             for &class in schema.parameters(part.proposition) {
-                push(&mut head, tokens.intern(schema.class_name(class))?)?;
+                push(&mut expression.head, tokens.intern(schema.class_name(class))?)?;
             }
         }
-        let mut expression = Self { head, facts: Vec::new() };
-        for fact in facts(domain, lifted, task)? {
+        let mut facts = facts(domain, lifted, task)?;
+        if order == TokenOrder::Propositions {
+            facts.sort_unstable_by_key(|fact| (place(domain, lifted, task, fact), fact.attribute));
+        }
+        for fact in facts {
             let Some(attribute) = schema.attributes.get(usize::from(fact.attribute)) else { continue };
             let Some(carrier) = attribute.carriers.get(usize::from(fact.carrier)) else { continue };
             let value = domain.objects().value(fact.object, usize::from(fact.attribute));
             let pair = [tokens.intern(&attribute_token(carrier.prefix, value)?)?, tokens.intern(schema.class_name(carrier.class))?];
+            let behind = match order {
+                TokenOrder::Attributes => expression.head.len() as u8,
+                TokenOrder::Propositions => place(domain, lifted, task, &fact).0,
+            };
             let _ = expression.facts.push(pair);
+            let _ = expression.behind.push(behind);
         }
         Ok(expression)
     }
@@ -60,16 +83,39 @@ impl Expression {
     /// # Errors
     /// A [`CapacityError`] where it has too many tokens.
     pub fn machine_command(&self, constraint: u16) -> Result<Tokens, CapacityError> {
-        let mut command = self.head.clone();
-        for (position, pair) in self.facts.iter().enumerate() {
-            if constraint.checked_shr(position as u32).unwrap_or(0) & 1 == 1 {
-                for &token in pair {
-                    push(&mut command, token)?;
-                }
+        let mut command = Tokens::new();
+        let mut head = self.head.iter();
+        let mut taken = 0;
+        for (position, (pair, &behind)) in self.facts.iter().zip(&self.behind).enumerate() {
+            if constraint.checked_shr(position as u32).unwrap_or(0) & 1 == 0 {
+                continue;
             }
+            for &token in head.by_ref().take(usize::from(behind).saturating_sub(taken)) {
+                push(&mut command, token)?;
+            }
+            taken = taken.max(usize::from(behind));
+            for &token in pair {
+                push(&mut command, token)?;
+            }
+        }
+        for &token in head {
+            push(&mut command, token)?;
         }
         Ok(command)
     }
+}
+
+/// The first proposition that a fact's object is an argument of: how many tokens there are up to its end, and which argument it is.
+fn place<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask, fact: &Fact) -> (u8, u8) {
+    let mut end = 0_usize;
+    for (part, grounded) in lifted.propositions.iter().zip(task.propositions(lifted)) {
+        let parameters = domain.schema().parameters(part.proposition).len();
+        end = end.saturating_add(parameters).saturating_add(1);
+        if let Some(argument) = grounded.arguments.iter().take(parameters).position(|&object| object == fact.object) {
+            return (end as u8, argument as u8);
+        }
+    }
+    (end as u8, 0)
 }
 
 fn push(command: &mut Tokens, token: Symbol) -> Result<(), CapacityError> {

@@ -12,7 +12,7 @@ pub mod machine_command;
 
 pub use grounded::{GroundedTask, ground};
 pub use lifted::{LiftedProposition, LiftedTask, TaskTextError};
-pub use machine_command::Expression;
+pub use machine_command::{Expression, TokenOrder};
 
 /// A set of a session's tasks, one bit each, by position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
