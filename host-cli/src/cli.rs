@@ -2,6 +2,8 @@
 
 use crate::check::CheckArgs;
 use crate::merge::MergeArgs;
+use crate::evaluate::EvaluateOptions;
+use crate::model::Model;
 use crate::paper::trainer::TrainerChoice;
 use crate::replay::ReplayArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
@@ -43,6 +45,8 @@ pub enum Command {
     /// Run the paper's experiment: seven lessons with a simulated trainer, then five tests
     #[command(after_help = PAPER_EXAMPLES)]
     Paper(PaperOptions),
+    /// Train on recorded sessions, ask for those left out, and count right answers
+    Evaluate(EvaluateOptions),
     Replay(ReplayArgs),
     Check(CheckArgs),
     Merge(MergeArgs),
@@ -92,7 +96,7 @@ pub struct PaperOptions {
     #[arg(long, value_enum, default_value_t = WeightsChoice::Paper)]
     pub weights: WeightsChoice,
     /// The model of language and learning
-    #[arg(long, value_enum, default_value_t = Model::Paper)]
+    #[arg(long, value_enum, default_value_t)]
     pub model: Model,
     /// Print JSON lines: one for each run, and a summary at the end
     #[arg(long)]
@@ -131,13 +135,6 @@ pub enum WeightsChoice {
     Paper,
     /// By the belief over tasks alone (the authors' later program)
     Belief,
-}
-
-/// A model of language and learning.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Model {
-    /// The paper's settings
-    Paper,
 }
 
 impl PaperOptions {

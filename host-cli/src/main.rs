@@ -7,8 +7,11 @@
 
 mod check;
 mod cli;
+mod evaluate;
+mod lessons;
 mod load;
 mod merge;
+mod model;
 mod outcome;
 mod paper;
 mod replay;
@@ -27,6 +30,7 @@ fn main() -> ExitCode {
         Command::Replay(args) => return replay::run(&args),
         Command::Check(args) => return check::run(&args),
         Command::Merge(options) => merge::run(&options),
+        Command::Evaluate(options) => evaluate::run(&options),
         Command::Completions { shell } => completions(shell),
     };
     outcome::exit_code(done)

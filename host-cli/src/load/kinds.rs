@@ -9,7 +9,7 @@ use goodbot::task::{LiftedTask, TaskTextError};
 pub struct TaskKinds {
     /// A kind of task that commands may mean, such as "agentInRoom(?a,?r1) & blockInRoom(?o,?r2)"; may be given several times. The
     /// paper's two, if none is given.
-    #[arg(long = "task", value_name = "TASK", value_parser = parse)]
+    #[arg(long = "task", value_name = "TASK", value_parser = Self::parse)]
     kinds: Vec<LiftedTask>,
 }
 
@@ -18,8 +18,9 @@ impl TaskKinds {
     pub fn lifted(&self) -> Result<Vec<LiftedTask>, TaskTextError> {
         if self.kinds.is_empty() { Ok(home::paper_tasks()?.to_vec()) } else { Ok(self.kinds.clone()) }
     }
-}
 
-fn parse(text: &str) -> Result<LiftedTask, String> {
-    LiftedTask::parse(text, &home::SCHEMA).map_err(|error| error.to_string())
+    /// One kind of task.
+    pub fn parse(text: &str) -> Result<LiftedTask, String> {
+        LiftedTask::parse(text, &home::SCHEMA).map_err(|error| error.to_string())
+    }
 }

@@ -6,10 +6,11 @@
 mod history;
 mod report;
 
-use crate::cli::{Model, WeightsChoice};
+use crate::cli::WeightsChoice;
 use crate::load::fault::tell;
 use crate::load::kinds::TaskKinds;
 use crate::load::{Fault, input};
+use crate::model::Model;
 use clap::Args;
 use goodbot::session::{Options, Weights};
 use goodbot_formats::session::SessionReader;
@@ -38,7 +39,7 @@ pub struct ReplayArgs {
     #[arg(long)]
     json: bool,
     /// The model's settings.
-    #[arg(long, value_enum, default_value_t = Model::Paper)]
+    #[arg(long, value_enum, default_value = "paper")]
     model: Model,
     /// How machine commands are weighted when a session is learned from.
     #[arg(long, value_enum, default_value_t = WeightsChoice::Paper)]
@@ -52,12 +53,11 @@ pub struct ReplayArgs {
 
 impl ReplayArgs {
     fn options(&self) -> Options {
-        let Model::Paper = self.model;
         let weights = match self.weights {
             WeightsChoice::Paper => Weights::Paper,
             WeightsChoice::Belief => Weights::Belief,
         };
-        Options { weights, ..Options::PAPER }
+        Options { weights, ..self.model.options() }
     }
 }
 

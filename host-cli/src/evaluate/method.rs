@@ -1,0 +1,162 @@
+//! The models that are compared.
+
+use crate::lessons::training;
+use crate::lessons::{Lesson, MachineCommand};
+use clap::ValueEnum;
+use goodbot::HeapMemory;
+use goodbot::capacity::CapacityError;
+use goodbot::language::tokenizer::for_each_word;
+use goodbot::language::{LanguageModel, Settings};
+use goodbot::task::TokenOrder;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What is trained.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Method {
+    /// Model 2 with the default settings
+    #[default]
+    Default,
+    /// Model 2 with the paper's settings
+    #[value(alias = "paper")]
+    Ibm2,
+    /// Each machine command has words of its own: naive Bayes, no alignment
+    BagOfWords,
+    /// Words are translated into the demonstrated actions, and a task is known by its actions
+    Action,
+}
+
+impl Method {
+    /// The settings of its language model.
+    pub const fn settings(self) -> Settings {
+        match self {
+            Self::Default => Settings::DEFAULT,
+            Self::Ibm2 | Self::BagOfWords | Self::Action => Settings::PAPER,
+        }
+    }
+}
+
+/// The default without one choice at a time, and the paper's.
+pub fn ablations() -> Vec<(&'static str, Settings)> {
+    let default = Settings::DEFAULT;
+    vec![
+        ("default", default),
+        ("  no alignment prior", Settings { alignment_prior: 0.0, ..default }),
+        ("  whole words", Settings { word_letters: 0, ..default }),
+        ("  facts by attribute", Settings { order: TokenOrder::Attributes, ..default }),
+        ("paper", Settings::PAPER),
+        ("  and alignment prior 5", Settings { alignment_prior: 5.0, ..Settings::PAPER }),
+        ("  and five letters", Settings { word_letters: 5, ..Settings::PAPER }),
+        ("  and facts by proposition", Settings { order: TokenOrder::Propositions, ..Settings::PAPER }),
+    ]
+}
+
+/// A trained model.
+pub enum Trained<'m> {
+    /// Model 2.
+    Model2(Box<LanguageModel<'m>>),
+    /// Words of each machine command.
+    Bags(Bags),
+}
+
+impl<'m> Trained<'m> {
+    /// Trains on lessons.
+    ///
+    /// # Errors
+    /// A [`CapacityError`].
+    pub fn on<'l>(
+        method: Method,
+        memory: &'m mut HeapMemory,
+        lessons: impl Iterator<Item = &'l Lesson>,
+        settings: Settings,
+    ) -> Result<Self, CapacityError> {
+        Ok(match method {
+            Method::BagOfWords => Self::Bags(Bags::of(lessons, settings.smoothing)?),
+            Method::Default | Method::Ibm2 | Method::Action => Self::Model2(Box::new(training::train(memory, lessons, settings)?)),
+        })
+    }
+
+    /// The posterior over a lesson's tasks.
+    ///
+    /// # Errors
+    /// A [`CapacityError`].
+    pub fn posterior(&mut self, lesson: &Lesson) -> Result<Vec<f32>, CapacityError> {
+        match self {
+            Self::Model2(model) => training::posterior(model, lesson),
+            Self::Bags(bags) => bags.posterior(lesson),
+        }
+    }
+
+    /// The words that speak most for `said` against `meant`, with how many times more probable they are there.
+    ///
+    /// # Errors
+    /// A [`CapacityError`].
+    pub fn telling(&mut self, lesson: &Lesson, said: usize, meant: usize) -> Result<Vec<(String, f32)>, CapacityError> {
+        let Self::Model2(model) = self else { return Ok(vec![]) };
+        let mut sides = Vec::new();
+        for task in [said, meant] {
+            let Some(reading) = lesson.readings.get(task) else { return Ok(vec![]) };
+            let Some(command) = training::best_command(model, &lesson.command, &reading.commands)? else { return Ok(vec![]) };
+            sides.push(training::explain(model, &lesson.command, command)?);
+        }
+        let [said, meant] = sides.as_slice() else { return Ok(vec![]) };
+        let ratio = |(a, b): (&training::Explained, &training::Explained)| Some((a.word.clone(), a.probability? / b.probability?));
+        let mut words: Vec<(String, f32)> = said.iter().zip(meant).filter_map(ratio).collect();
+        words.sort_by(|a, b| b.1.total_cmp(&a.1));
+        words.truncate(3);
+        Ok(words)
+    }
+}
+
+/// Naive Bayes: how often each word goes with each machine command.
+pub struct Bags {
+    counts: BTreeMap<MachineCommand, (f32, BTreeMap<String, f32>)>,
+    words: BTreeSet<String>,
+    smoothing: f32,
+}
+
+impl Bags {
+    fn of<'l>(lessons: impl Iterator<Item = &'l Lesson>, smoothing: f32) -> Result<Self, CapacityError> {
+        let mut bags = Self { counts: BTreeMap::new(), words: BTreeSet::new(), smoothing };
+        for lesson in lessons.filter(|lesson| lesson.learn) {
+            let words = words(&lesson.command)?;
+            bags.words.extend(words.iter().cloned());
+            for (command, share) in &lesson.pairs {
+                let (whole, counts) = bags.counts.entry(command.clone()).or_default();
+                for word in &words {
+                    *whole += share;
+                    *counts.entry(word.clone()).or_default() += share;
+                }
+            }
+        }
+        Ok(bags)
+    }
+
+    fn posterior(&self, lesson: &Lesson) -> Result<Vec<f32>, CapacityError> {
+        let words = words(&lesson.command)?;
+        let size = self.words.len() as f32;
+        let likelihood = |command: &MachineCommand| {
+            let bag = self.counts.get(command);
+            let each = |word: &String| {
+                let (whole, count) = bag.map_or((0.0, 0.0), |(whole, counts)| (*whole, counts.get(word).copied().unwrap_or(0.0)));
+                f64::from((count + self.smoothing) / (whole + self.smoothing * size))
+            };
+            words.iter().filter(|word| self.words.contains(*word)).map(each).product::<f64>()
+        };
+        let score = |reading: &crate::lessons::Reading| {
+            let sum: f64 = reading.commands.iter().map(likelihood).sum();
+            f64::from(reading.prior) * sum / reading.commands.len().max(1) as f64
+        };
+        let scores: Vec<f64> = lesson.readings.iter().map(score).collect();
+        let whole: f64 = scores.iter().sum();
+        Ok(scores.into_iter().map(|score| (score / whole) as f32).collect())
+    }
+}
+
+fn words(command: &str) -> Result<Vec<String>, CapacityError> {
+    let mut words = Vec::new();
+    for_each_word(command, |word| {
+        words.push(word.to_owned());
+        Ok(())
+    })?;
+    Ok(words)
+}

@@ -1,0 +1,90 @@
+//! The same commands in layouts that no session took place in: the rooms exchange their places, and agent and blocks stand elsewhere.
+
+use crate::lessons::Lesson;
+use crate::lessons::evidence::Witness;
+use crate::outcome::Failure;
+use goodbot::language::Settings;
+use goodbot::task::LiftedTask;
+use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+use goodbot_formats::session::{Kind, RecordedSession, SessionHeader};
+use rand_core::Rng;
+use rayon::prelude::*;
+
+/// How often a layout is drawn anew where what was meant holds already, or nothing stands right.
+const TRIES: usize = 200;
+
+/// Each lesson in `count` other layouts.
+///
+/// # Errors
+/// A [`Failure`] where a lesson's home has no other layout.
+pub fn layouts(
+    lessons: &[Lesson],
+    lifted: &[LiftedTask],
+    settings: Settings,
+    count: usize,
+    seed: u64,
+) -> Result<Vec<Vec<Lesson>>, Failure> {
+    let options = goodbot::Options { language: settings, ..goodbot::Options::DEFAULT };
+    lessons
+        .par_iter()
+        .enumerate()
+        .map_init(
+            || Witness::new(lifted, options, false),
+            |witness, (position, lesson)| {
+                let witness = witness.as_mut().map_err(|error| Failure::Input(error.to_string()))?;
+                let mut random = goodbot_course::generator(seed.wrapping_add(position as u64));
+                (0..count).map(|_| elsewhere(witness, lesson, &mut random)).collect()
+            },
+        )
+        .collect()
+}
+
+fn elsewhere(witness: &mut Witness, lesson: &Lesson, random: &mut impl Rng) -> Result<Lesson, Failure> {
+    for _ in 0..TRIES {
+        let environment = rearranged(&lesson.header.environment, random);
+        let known = environment == lesson.header.environment;
+        let header = SessionHeader { environment, kind: Kind::Demonstration, prior: None, strategies: None, ..lesson.header.clone() };
+        let recorded = RecordedSession { header, header_line: 1, steps: vec![], learn: false, end_line: 1 };
+        // What cannot be built, or asks for what holds already, is drawn anew.
+        if let Ok(lesson) = witness.lesson(&lesson.id, &recorded)
+            && !known
+        {
+            return Ok(lesson);
+        }
+    }
+    Err(Failure::Input(format!("{}: no other layout of this home was found in {TRIES} tries", lesson.id)))
+}
+
+fn rearranged(environment: &EnvironmentFile, random: &mut impl Rng) -> EnvironmentFile {
+    let mut boxes: Vec<[i32; 4]> = environment.objects.iter().filter_map(room_box).collect();
+    for last in (1..boxes.len()).rev() {
+        boxes.swap(last, random.next_u32() as usize % (last + 1));
+    }
+    let places = boxes.clone();
+    let mut boxes = boxes.into_iter();
+    let mut draw = |from: i32, to: i32| from + 1 + (random.next_u32() % (to - from - 1).max(1) as u32) as i32;
+    let mut cell = || {
+        let [left, bottom, right, top] = places[draw(-1, places.len() as i32) as usize];
+        (draw(left, right), draw(bottom, top))
+    };
+    let mut objects = environment.objects.clone();
+    for object in &mut objects {
+        match object {
+            ObjectRecord::Room { left, bottom, right, top, .. } => {
+                if let Some(place) = boxes.next() {
+                    [*left, *bottom, *right, *top] = place;
+                }
+            }
+            ObjectRecord::Agent { x, y, .. } | ObjectRecord::Block { x, y, .. } => (*x, *y) = cell(),
+            ObjectRecord::Door { .. } => {}
+        }
+    }
+    EnvironmentFile::new(objects)
+}
+
+fn room_box(object: &ObjectRecord) -> Option<[i32; 4]> {
+    match object {
+        ObjectRecord::Room { left, bottom, right, top, .. } => Some([*left, *bottom, *right, *top]),
+        _ => None,
+    }
+}

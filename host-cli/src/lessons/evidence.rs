@@ -1,0 +1,183 @@
+//! One session, walked by an agent that knows no word: which task do the steps speak for?
+
+use super::{Lesson, MachineCommand, Reading};
+use crate::load::fault::quoted;
+use crate::load::session::{Session, load};
+use crate::load::{Fault, home};
+use goodbot::capacity::TOKENS_PER_COMMAND;
+use goodbot::home::HomeState;
+use goodbot::oomdp::{Action, Domain, ObjectId, apply};
+use goodbot::planning::OptimalSet;
+use goodbot::probability::total;
+use goodbot::symbols::Symbols;
+use goodbot::task::{Expression, LiftedTask};
+use goodbot::{Agent, AgentError, Capacities, HeapMemory, Options};
+use goodbot_formats::session::{Kind, RecordedSession};
+
+/// Sees what a session shows.
+pub struct Witness {
+    agent: Agent<'static>,
+    lifted: Vec<LiftedTask>,
+    plans: bool,
+}
+
+impl Witness {
+    /// One that knows no word. `plans` says whether each task's plan is wanted.
+    pub fn new(lifted: &[LiftedTask], options: Options, plans: bool) -> Result<Self, goodbot::capacity::CapacityError> {
+        // One for each thread of the program.
+        let memory = Box::leak(Box::new(HeapMemory::new(&Capacities::STANDARD)));
+        Ok(Self { agent: Agent::new(memory.split().agent, lifted, options)?, lifted: lifted.to_vec(), plans })
+    }
+
+    /// Walks through a session. Trainer strategies that the session names are taken; a recorded prior is not, since words made it.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn lesson(&mut self, file: &str, recorded: &RecordedSession) -> Result<Lesson, Vec<Fault>> {
+        let header = &recorded.header;
+        let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
+        let mut memory = home::memory();
+        let session = load(file, recorded, &self.lifted, memory.split().home)?;
+        let intended = match &header.intended {
+            None => None,
+            Some(atoms) => match session.tasks.iter().position(|(_, name)| name.holds_exactly(atoms)) {
+                Some(position) => Some(position),
+                None => {
+                    let message = "is no task here: it holds at the beginning already, or is of a kind not asked for; name its kind with \
+                                   --lifted, or correct it";
+                    return Err(vec![Fault::on_line(file, recorded.header_line, message).in_field("intended")]);
+                }
+            },
+        };
+        let strategies = session.strategies.clone().unwrap_or_else(|| vec![(goodbot::feedback::Strategy::BALANCED, 1.0)]);
+        self.agent.set_strategies(&strategies).map_err(at(recorded.header_line))?;
+        self.agent.hear(&session.home, &session.start, &header.command).map_err(at(recorded.header_line))?;
+        let remarks = self.watch(file, recorded, &session)?;
+        self.agent.weigh(&session.home).map_err(at(recorded.end_line))?;
+        let shown = match header.kind {
+            Kind::Demonstration => recorded.steps.iter().map(|(_, step)| step.action.clone()).collect(),
+            Kind::Feedback => vec![],
+        };
+        let lesson = Lesson {
+            id: header.id.clone().unwrap_or_else(|| format!("{file}:{}", recorded.header_line)),
+            command: header.command.clone(),
+            header: header.clone(),
+            intended,
+            readings: self.readings(&session).map_err(at(recorded.header_line))?,
+            pairs: self.pairs(),
+            shown,
+            learn: recorded.learn,
+            remarks,
+        };
+        self.agent.forget();
+        Ok(lesson)
+    }
+
+    fn watch(&mut self, file: &str, recorded: &RecordedSession, session: &Session<'_>) -> Result<Vec<Fault>, Vec<Fault>> {
+        let mut remarks = vec![];
+        let mut last: HomeState = session.start;
+        for step in &session.steps {
+            let at = |error: AgentError| vec![Fault::on_line(file, step.line, error)];
+            if step.bump && recorded.header.kind == Kind::Demonstration {
+                let cell = session.home.agent_cell(&step.before);
+                let message = format!("walks into a wall or a held block at {}, {}; nothing moves, and the step still counts", cell.x, cell.y);
+                remarks.push(Fault::on_line(file, step.line, message).in_field("action"));
+            }
+            self.agent.plan_fully(&session.home, &step.before).map_err(at)?;
+            match recorded.header.kind {
+                Kind::Feedback => self.agent.feedback(step.action, step.feedback),
+                Kind::Demonstration => self.agent.demonstration(step.action),
+            }
+            .map_err(at)?;
+            last = apply(&session.home, &step.before, step.action).unwrap_or(last);
+        }
+        // A trainer who shows the way stops where it is done.
+        if recorded.header.kind == Kind::Demonstration {
+            let at = |error: AgentError| vec![Fault::on_line(file, recorded.end_line, error)];
+            self.agent.plan_fully(&session.home, &last).map_err(at)?;
+            self.agent.demonstration(Action::NOOP).map_err(at)?;
+        }
+        Ok(remarks)
+    }
+
+    /// The machine commands by their share of the posterior; those up to [`Options::least_weight`] are dropped.
+    fn pairs(&self) -> Vec<(MachineCommand, f32)> {
+        let candidates = self.agent.candidates();
+        let whole = total(candidates.entries().iter().map(|entry| entry.weight));
+        let text = |&token| self.agent.language().tokens().text(token).to_owned();
+        let mut pairs: Vec<(MachineCommand, f32)> = candidates
+            .entries()
+            .iter()
+            .map(|entry| (candidates.tokens(entry).iter().map(text).collect(), entry.weight.over(whole)))
+            .filter(|&(_, share)| share > self.agent.options().least_weight)
+            .collect();
+        let kept: f32 = pairs.iter().map(|&(_, share)| share).sum();
+        pairs.iter_mut().for_each(|(_, share)| *share /= kept);
+        pairs
+    }
+
+    fn readings(&mut self, session: &Session<'_>) -> Result<Vec<Reading>, AgentError> {
+        let mut readings = Vec::new();
+        for (position, (task, name)) in session.tasks.iter().enumerate() {
+            let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
+            readings.push(Reading {
+                name: name.clone(),
+                label: label(&session.home, lifted, &task.bindings),
+                prior: task.prior,
+                posterior: self.agent.belief().probability(position),
+                commands: commands(&session.home, lifted, task, self.agent.options())?,
+                plan: if self.plans { self.plan(session, position)? } else { vec![] },
+            });
+        }
+        Ok(readings)
+    }
+
+    /// The first in order of a task's shortest plans.
+    fn plan(&mut self, session: &Session<'_>, task: usize) -> Result<MachineCommand, AgentError> {
+        let (mut state, mut plan) = (session.start, vec![]);
+        self.agent.hear_again(&session.home, &session.start)?;
+        while plan.len() < TOKENS_PER_COMMAND {
+            self.agent.plan_fully(&session.home, &state)?;
+            let OptimalSet::Toward(actions) = self.agent.search().optimal(task) else { break };
+            let Some((action, next)) = actions.iter().next().and_then(|action| Some((action, apply(&session.home, &state, action)?)))
+            else {
+                break;
+            };
+            plan.push(session.home.actions().get(usize::from(action.0)).map_or_else(String::new, |action| action.name.to_owned()));
+            state = next;
+        }
+        Ok(plan)
+    }
+}
+
+/// The machine commands of a task, one for each constraint.
+pub fn commands<D: Domain>(
+    domain: &D,
+    lifted: &LiftedTask,
+    task: &goodbot::task::GroundedTask,
+    options: &Options,
+) -> Result<Vec<MachineCommand>, AgentError> {
+    let (mut bytes, mut ends) = ([0; 2_048], [0; 64]);
+    let mut tokens = Symbols::new(&mut bytes, &mut ends, goodbot::capacity::Capacity::Tokens, goodbot::capacity::Capacity::TokenBytes);
+    let expression = Expression::new(domain, lifted, task, options.language.order, &mut tokens)?;
+    let text = |constraint| -> Result<MachineCommand, AgentError> {
+        Ok(expression.machine_command(constraint)?.iter().map(|&token| tokens.text(token).to_owned()).collect())
+    };
+    (0..expression.constraints()).map(text).collect()
+}
+
+/// A task by its propositions and the attributes of its objects.
+pub fn label<D: Domain>(domain: &D, lifted: &LiftedTask, bindings: &[ObjectId]) -> String {
+    let functions = lifted.propositions().iter().map(|part| domain.schema().proposition_name(part.proposition).to_owned());
+    let objects = domain.objects();
+    let mut parts: Vec<String> = functions.collect();
+    for &object in bindings.iter().take(lifted.variables().len()) {
+        for (position, _) in domain.schema().attributes.iter().enumerate() {
+            let value = objects.value(object, position);
+            if !value.is_empty() {
+                parts.push(quoted(value).trim_matches('"').to_owned());
+            }
+        }
+    }
+    parts.join(" ")
+}

@@ -1,0 +1,170 @@
+//! A language model trained on many sessions at once, and asked.
+
+use super::{Lesson, MachineCommand};
+use goodbot::capacity::CapacityError;
+use goodbot::language::tokenizer::for_each_word;
+use goodbot::language::{LanguageModel, Settings};
+use goodbot::planning::Progress;
+use goodbot::probability::{Scaled, total};
+use goodbot::symbols::Symbol;
+use goodbot::{Capacities, HeapMemory};
+use std::collections::BTreeSet;
+
+/// Memory for a language model of these lessons, and for no search.
+pub fn memory(lessons: &[Lesson]) -> HeapMemory {
+    HeapMemory::new(&capacities(lessons, Capacities { states: 64, hashed_states: 0, cells: 1, ..Capacities::STANDARD }))
+}
+
+/// Capacities for what these lessons teach, and no less than `least`.
+pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
+    let (mut words, mut tokens, mut commands) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
+    let (mut lengths, mut sentence_words, mut pairs) = (BTreeSet::new(), 0, 0);
+    for lesson in lessons {
+        let mut count = 0;
+        // A command that is too long was refused when the session was read.
+        let _ = for_each_word(&lesson.command, |word| {
+            words.insert(word.to_owned());
+            count += 1;
+            Ok(())
+        });
+        sentence_words += count;
+        pairs += lesson.pairs.len();
+        for (command, _) in &lesson.pairs {
+            lengths.insert((command.len(), count));
+            commands.insert(command);
+        }
+        tokens.extend(lesson.readings.iter().flat_map(|reading| &reading.commands).flatten());
+    }
+    let spare = 64;
+    let (word_count, token_count) = (words.len() + spare, tokens.len() + spare);
+    Capacities {
+        words: least.words.max(word_count),
+        word_bytes: least.word_bytes.max(words.iter().map(String::len).sum::<usize>() + 16 * spare),
+        tokens: least.tokens.max(token_count),
+        token_bytes: least.token_bytes.max(tokens.iter().map(|token| token.len()).sum::<usize>() + 32 * spare),
+        commands: least.commands.max(commands.len()),
+        command_tokens: least.command_tokens.max(commands.iter().map(|command| command.len()).sum()),
+        sessions: least.sessions.max(lessons.len()),
+        sentence_words: least.sentence_words.max(sentence_words),
+        pairs: least.pairs.max(pairs),
+        translations: least.translations.max((token_count + 1) * word_count),
+        alignments: least.alignments.max(lengths.iter().map(|(machine, english)| (machine + 1) * english).sum()),
+        length_pairs: least.length_pairs.max(lengths.len()),
+        ..least
+    }
+}
+
+/// Trains a model on lessons, from uniform parameters.
+///
+/// # Errors
+/// A [`CapacityError`] where the memory was made for fewer lessons.
+pub fn train<'m, 'l>(
+    memory: &'m mut HeapMemory,
+    lessons: impl Iterator<Item = &'l Lesson>,
+    settings: Settings,
+) -> Result<LanguageModel<'m>, CapacityError> {
+    let mut model = LanguageModel::new(memory.split().agent.language, settings);
+    for lesson in lessons.filter(|lesson| lesson.learn) {
+        let sentence = model.hear(&lesson.command)?;
+        let pairs: Vec<(Vec<Symbol>, f32)> = lesson
+            .pairs
+            .iter()
+            .map(|(command, share)| Ok((symbols(&mut model, command)?, *share)))
+            .collect::<Result<_, CapacityError>>()?;
+        model.add_session(&sentence, pairs.iter().map(|(command, share)| (&command[..], *share)))?;
+    }
+    model.begin_training();
+    while model.train(u32::MAX) == Progress::Working {}
+    Ok(model)
+}
+
+/// The symbols of a machine command.
+pub fn symbols(model: &mut LanguageModel<'_>, command: &MachineCommand) -> Result<Vec<Symbol>, CapacityError> {
+    command.iter().map(|token| model.tokens_mut().intern(token)).collect()
+}
+
+/// Pr(t|e,s) for each task of a lesson.
+///
+/// # Errors
+/// A [`CapacityError`] where the command has no room.
+pub fn posterior(model: &mut LanguageModel<'_>, lesson: &Lesson) -> Result<Vec<f32>, CapacityError> {
+    let sentence = model.hear(&lesson.command)?;
+    let mut scores = Vec::new();
+    for reading in &lesson.readings {
+        let share = reading.prior / reading.commands.len().max(1) as f32;
+        let mut sum = Scaled::ZERO;
+        for command in &reading.commands {
+            let command = symbols(model, command)?;
+            sum = sum.plus(model.likelihood(&sentence, &command).scaled_by(share));
+        }
+        scores.push(sum);
+    }
+    model.forget_unlearned();
+    let whole = total(scores.iter().copied());
+    Ok(scores.into_iter().map(|score| score.over(whole)).collect())
+}
+
+/// How a word was explained.
+#[derive(Clone, Debug)]
+pub struct Explained {
+    /// The word, in the form that the model knows it by.
+    pub word: String,
+    /// The machine token that explains it best, `NULL` for none.
+    pub token: String,
+    /// How much of the word's probability that token has.
+    pub share: f32,
+    /// The word's probability given the whole machine command; nothing for a word never heard in training.
+    pub probability: Option<f32>,
+}
+
+/// How the words of a command are explained by a machine command.
+///
+/// # Errors
+/// A [`CapacityError`] where the command has no room.
+pub fn explain(model: &mut LanguageModel<'_>, english: &str, command: &MachineCommand) -> Result<Vec<Explained>, CapacityError> {
+    let sentence = model.hear(english)?;
+    let tokens = symbols(model, command)?;
+    let tables = model.tables();
+    let mut explained = Vec::new();
+    for (i, &word) in sentence.iter().enumerate() {
+        let text = word.map_or_else(String::new, |word| model.words().text(word).to_owned());
+        let known = word.filter(|word| word.index() < tables.words());
+        let part = |j: usize, token: Option<Symbol>| {
+            known.map_or(0.0, |word| tables.alignment(j, i, tokens.len(), sentence.len()) * tables.translation(word, token))
+        };
+        let parts: Vec<f32> =
+            std::iter::once(None).chain(tokens.iter().copied().map(Some)).enumerate().map(|(j, token)| part(j, token)).collect();
+        let whole: f32 = parts.iter().sum();
+        let best = parts.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(j, _)| j);
+        explained.push(Explained {
+            word: text,
+            token: best.checked_sub(1).and_then(|j| command.get(j)).map_or("NULL", String::as_str).to_owned(),
+            share: if whole > 0.0 { parts.get(best).copied().unwrap_or(0.0) / whole } else { 0.0 },
+            probability: known.map(|_| whole),
+        });
+    }
+    model.forget_unlearned();
+    Ok(explained)
+}
+
+/// The machine command of a task that explains a command best.
+///
+/// # Errors
+/// A [`CapacityError`] where the command has no room.
+pub fn best_command<'r>(
+    model: &mut LanguageModel<'_>,
+    english: &str,
+    commands: &'r [MachineCommand],
+) -> Result<Option<&'r MachineCommand>, CapacityError> {
+    let sentence = model.hear(english)?;
+    let (mut best, mut most) = (None, Scaled::ZERO);
+    for command in commands {
+        let tokens = symbols(model, command)?;
+        let likelihood = model.likelihood(&sentence, &tokens);
+        if best.is_none() || likelihood.exceeds(most) {
+            (best, most) = (Some(command), likelihood);
+        }
+    }
+    model.forget_unlearned();
+    Ok(best)
+}
