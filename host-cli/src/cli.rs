@@ -1,8 +1,11 @@
 //! What can be typed.
 
+use crate::ask::AskOptions;
 use crate::check::CheckArgs;
 use crate::merge::MergeArgs;
 use crate::evaluate::EvaluateOptions;
+use crate::inspect::InspectOptions;
+use crate::learn::LearnOptions;
 use crate::model::Model;
 use crate::paper::trainer::TrainerChoice;
 use crate::replay::ReplayArgs;
@@ -45,6 +48,12 @@ pub enum Command {
     /// Run the paper's experiment: seven lessons with a simulated trainer, then five tests
     #[command(after_help = PAPER_EXAMPLES)]
     Paper(PaperOptions),
+    /// Learn from recorded sessions, and write a model
+    Learn(LearnOptions),
+    /// Ask a model what a command means in an environment
+    Ask(AskOptions),
+    /// Print the words that a model knows, and what they mean to it
+    Inspect(InspectOptions),
     /// Train on recorded sessions, ask for those left out, and count right answers
     Evaluate(EvaluateOptions),
     Replay(ReplayArgs),

@@ -5,9 +5,12 @@
 
 #![forbid(unsafe_code)]
 
+mod ask;
 mod check;
 mod cli;
 mod evaluate;
+mod inspect;
+mod learn;
 mod lessons;
 mod load;
 mod merge;
@@ -27,6 +30,9 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let done = match cli.command.unwrap_or(Command::Paper(cli.paper)) {
         Command::Paper(options) => paper::run(&options),
+        Command::Learn(options) => learn::run(&options),
+        Command::Ask(options) => ask::run(&options),
+        Command::Inspect(options) => inspect::run(&options),
         Command::Replay(args) => return replay::run(&args),
         Command::Check(args) => return check::run(&args),
         Command::Merge(options) => merge::run(&options),

@@ -77,8 +77,7 @@ Examples:
 
 /// Runs the command.
 pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
-    let mut lifted = goodbot::home::paper_tasks().map_err(|error| Failure::Input(error.to_string()))?.to_vec();
-    lifted.extend(options.lifted.iter().cloned());
+    let lifted = TaskKinds::and(&options.lifted).map_err(|error| Failure::Input(error.to_string()))?;
     let capacity = |error: goodbot::capacity::CapacityError| Failure::Input(error.to_string());
     if options.ablation {
         let mut rows = Vec::new();

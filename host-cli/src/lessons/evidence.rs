@@ -80,7 +80,8 @@ impl Witness {
             let at = |error: AgentError| vec![Fault::on_line(file, step.line, error)];
             if step.bump && recorded.header.kind == Kind::Demonstration {
                 let cell = session.home.agent_cell(&step.before);
-                let message = format!("walks into a wall or a held block at {}, {}; nothing moves, and the step still counts", cell.x, cell.y);
+                let message =
+                    format!("walks into a wall or a held block at {}, {}; nothing moves, and the step still counts", cell.x, cell.y);
                 remarks.push(Fault::on_line(file, step.line, message).in_field("action"));
             }
             self.agent.plan_fully(&session.home, &step.before).map_err(at)?;
@@ -124,7 +125,6 @@ impl Witness {
                 name: name.clone(),
                 label: label(&session.home, lifted, &task.bindings),
                 prior: task.prior,
-                posterior: self.agent.belief().probability(position),
                 commands: commands(&session.home, lifted, task, self.agent.options())?,
                 plan: if self.plans { self.plan(session, position)? } else { vec![] },
             });

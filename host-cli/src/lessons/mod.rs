@@ -1,12 +1,14 @@
 //! Recorded sessions as training data: what was said, and what each session shows of the task that was meant.
 //!
 //! - [`evidence`]: one session, walked by an agent that knows no word;
-//! - [`training`]: a language model trained on many at once.
+//! - [`training`]: a language model trained on many at once;
+//! - [`restored`]: an agent from a model file.
 //!
 //! The order of the sessions plays no part: the posterior over a session's tasks comes from its prior without any word, Pr(l|s) Pr(t|s,l),
 //! and what the trainer said or showed.
 
 pub mod evidence;
+pub mod restored;
 pub mod training;
 
 use crate::load::{Fault, input};
@@ -31,8 +33,6 @@ pub struct Reading {
     pub label: String,
     /// Its probability before any word.
     pub prior: f32,
-    /// Its probability after what the trainer said or showed.
-    pub posterior: f32,
     /// Its machine commands, equally probable.
     pub commands: Vec<MachineCommand>,
     /// The actions of one of its shortest plans; empty where no one asked for plans.

@@ -124,6 +124,13 @@ pub struct Explained {
 pub fn explain(model: &mut LanguageModel<'_>, english: &str, command: &MachineCommand) -> Result<Vec<Explained>, CapacityError> {
     let sentence = model.hear(english)?;
     let tokens = symbols(model, command)?;
+    let explained = explained(model, &sentence, &tokens);
+    model.forget_unlearned();
+    Ok(explained)
+}
+
+/// The same, for what is interned already.
+pub fn explained(model: &LanguageModel<'_>, sentence: &[Option<Symbol>], tokens: &[Symbol]) -> Vec<Explained> {
     let tables = model.tables();
     let mut explained = Vec::new();
     for (i, &word) in sentence.iter().enumerate() {
@@ -136,15 +143,15 @@ pub fn explain(model: &mut LanguageModel<'_>, english: &str, command: &MachineCo
             std::iter::once(None).chain(tokens.iter().copied().map(Some)).enumerate().map(|(j, token)| part(j, token)).collect();
         let whole: f32 = parts.iter().sum();
         let best = parts.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(j, _)| j);
+        let token = best.checked_sub(1).and_then(|j| tokens.get(j));
         explained.push(Explained {
             word: text,
-            token: best.checked_sub(1).and_then(|j| command.get(j)).map_or("NULL", String::as_str).to_owned(),
+            token: token.map_or("NULL", |&token| model.tokens().text(token)).to_owned(),
             share: if whole > 0.0 { parts.get(best).copied().unwrap_or(0.0) / whole } else { 0.0 },
             probability: known.map(|_| whole),
         });
     }
-    model.forget_unlearned();
-    Ok(explained)
+    explained
 }
 
 /// The machine command of a task that explains a command best.

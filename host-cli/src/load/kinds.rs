@@ -19,6 +19,11 @@ impl TaskKinds {
         if self.kinds.is_empty() { Ok(home::paper_tasks()?.to_vec()) } else { Ok(self.kinds.clone()) }
     }
 
+    /// The paper's two, and others beside them.
+    pub fn and(others: &[LiftedTask]) -> Result<Vec<LiftedTask>, TaskTextError> {
+        Ok(home::paper_tasks()?.into_iter().chain(others.iter().cloned()).collect())
+    }
+
     /// One kind of task.
     pub fn parse(text: &str) -> Result<LiftedTask, String> {
         LiftedTask::parse(text, &home::SCHEMA).map_err(|error| error.to_string())

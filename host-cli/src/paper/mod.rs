@@ -9,8 +9,8 @@
 //! - [`trainer`]: trainers as they are typed.
 
 mod experiment;
-mod lexicon;
-mod plot;
+pub mod lexicon;
+pub mod plot;
 mod story;
 mod summary;
 mod table;

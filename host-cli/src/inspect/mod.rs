@@ -1,0 +1,92 @@
+//! `goodbot inspect`: which words a model knows, and what they mean to it.
+
+use crate::lessons::restored;
+use crate::outcome::Failure;
+use crate::paper::lexicon::Lexicon;
+use crate::paper::plot;
+use clap::{Args, ValueHint};
+use goodbot::home;
+use serde_json::json;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// The options of `goodbot inspect`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  goodbot inspect words.goodbot --plot words.svg")]
+pub struct InspectOptions {
+    /// A model that `goodbot learn` wrote
+    #[arg(value_name = "MODEL", value_hint = ValueHint::FilePath)]
+    model: PathBuf,
+    /// How many words of each token, and tokens of each word
+    #[arg(long, value_name = "N", default_value_t = 8)]
+    most: usize,
+    /// Write a heat map of the most telling words
+    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
+    plot: Option<PathBuf>,
+    /// Print a line of JSON for each token and each word
+    #[arg(long)]
+    json: bool,
+}
+
+/// Runs the command.
+pub fn run(options: &InspectOptions) -> Result<(), Failure> {
+    let lifted = home::paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
+    let agent = restored::agent(&options.model, &lifted)?;
+    let lexicon = Lexicon::of(agent.language());
+    let mut out = std::io::stdout().lock();
+    if !options.json {
+        writeln!(out, "{} sessions, {} words", agent.language().bitext().sessions(), lexicon.words.len())?;
+        writeln!(out, "\nThe words of each machine token: t(word | token)")?;
+    }
+    for (token, row) in &lexicon.rows {
+        let words = lexicon.best(row, options.most);
+        if options.json {
+            let words: serde_json::Map<_, _> = words.iter().map(|&(word, t)| (word.to_owned(), json!(t))).collect();
+            writeln!(out, "{}", json!({"type": "token", "token": token, "words": words}))?;
+        } else {
+            let words: Vec<String> = words.iter().map(|(word, t)| format!("{word} {t:.2}")).collect();
+            writeln!(out, "  {token:18} {}", words.join("  "))?;
+        }
+    }
+    if !options.json {
+        writeln!(out, "\nThe machine tokens of each word, by their share of it")?;
+    }
+    for (column, word) in lexicon.words.iter().enumerate() {
+        let mut tokens: Vec<(&str, f32)> =
+            lexicon.rows.iter().map(|(token, row)| (token.as_str(), row.get(column).copied().unwrap_or(0.0))).collect();
+        let whole: f32 = tokens.iter().map(|(_, t)| t).sum();
+        tokens.sort_by(|a, b| b.1.total_cmp(&a.1));
+        tokens.truncate(options.most);
+        if options.json {
+            let tokens: serde_json::Map<_, _> = tokens.iter().map(|&(token, t)| (token.to_owned(), json!(t / whole))).collect();
+            writeln!(out, "{}", json!({"type": "word", "word": word, "tokens": tokens}))?;
+        } else {
+            let tokens: Vec<String> = tokens.iter().take(4).map(|(token, t)| format!("{token} {:.2}", t / whole)).collect();
+            writeln!(out, "  {word:12} {}", tokens.join("  "))?;
+        }
+    }
+    if let Some(file) = &options.plot {
+        let svg = plot::learned_words(&telling(&lexicon)).map_err(|error| Failure::Result(error.to_string()))?;
+        std::fs::write(file, svg).map_err(|error| Failure::Input(format!("{} cannot be written: {error}", file.display())))?;
+    }
+    Ok(())
+}
+
+/// The most probable words of the tokens alone: a picture of hundreds of words shows none.
+fn telling(lexicon: &Lexicon) -> Lexicon {
+    const MOST: usize = 40;
+    let largest = |column: usize| lexicon.rows.iter().filter_map(|(_, row)| row.get(column).copied()).fold(0.0, f32::max);
+    let mut columns: Vec<usize> = (0..lexicon.words.len()).collect();
+    columns.sort_by(|&a, &b| largest(b).total_cmp(&largest(a)));
+    columns.truncate(MOST);
+    Lexicon {
+        words: columns.iter().filter_map(|&column| lexicon.words.get(column).cloned()).collect(),
+        rows: lexicon
+            .rows
+            .iter()
+            .map(|(token, row)| (token.clone(), columns.iter().filter_map(|&column| row.get(column).copied()).collect()))
+            .collect(),
+    }
+}
