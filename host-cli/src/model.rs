@@ -6,7 +6,7 @@ use goodbot::Options;
 /// A model of language and learning.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Model {
-    /// What understands people best: Model 2 with drawn alignments, five letters a word, facts beside their proposition
+    /// What understands people best: Model 2 with drawn alignments, four letters a word, facts beside their proposition
     #[default]
     Default,
     /// The paper's settings

@@ -42,10 +42,12 @@ pub fn ablations() -> Vec<(&'static str, Settings)> {
         ("default", default),
         ("  no alignment prior", Settings { alignment_prior: 0.0, ..default }),
         ("  whole words", Settings { word_letters: 0, ..default }),
+        ("  smoothing 0.1", Settings { smoothing: 0.1, ..default }),
+        ("  10 rounds", Settings { rounds: 10, ..default }),
         ("  facts by attribute", Settings { order: TokenOrder::Attributes, ..default }),
         ("paper", Settings::PAPER),
-        ("  and alignment prior 5", Settings { alignment_prior: 5.0, ..Settings::PAPER }),
-        ("  and five letters", Settings { word_letters: 5, ..Settings::PAPER }),
+        ("  and alignment prior 4", Settings { alignment_prior: 4.0, ..Settings::PAPER }),
+        ("  and four letters", Settings { word_letters: 4, ..Settings::PAPER }),
         ("  and facts by proposition", Settings { order: TokenOrder::Propositions, ..Settings::PAPER }),
     ]
 }
