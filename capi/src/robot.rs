@@ -124,7 +124,7 @@ pub(crate) unsafe fn settle(
     robot: *mut *mut Goodbot,
 ) -> GoodbotStatus {
     let rooms = RawHome::of(memory.home);
-    let agent = match Agent::new(memory.agent, tasks, Options::PAPER) {
+    let agent = match Agent::new(memory.agent, tasks, Options::DEFAULT) {
         Ok(agent) => agent,
         Err(error) => return Failure::from(error).status,
     };

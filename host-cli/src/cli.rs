@@ -2,10 +2,10 @@
 
 use crate::ask::AskOptions;
 use crate::check::CheckArgs;
-use crate::merge::MergeArgs;
 use crate::evaluate::EvaluateOptions;
 use crate::inspect::InspectOptions;
 use crate::learn::LearnOptions;
+use crate::merge::MergeArgs;
 use crate::model::Model;
 use crate::paper::trainer::TrainerChoice;
 use crate::replay::ReplayArgs;

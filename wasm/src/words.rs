@@ -26,7 +26,7 @@ pub fn support(agent: &Agent<'_>, home: &Home<'_>) -> Result<Support, CapacityEr
     let mut rows = vec![Vec::new(); length];
     for task in agent.tasks() {
         let Some(lifted) = agent.lifted().get(usize::from(task.lifted)) else { continue };
-        let expression = Expression::new(home, lifted, task, &mut own)?;
+        let expression = Expression::new(home, lifted, task, agent.options().language.order, &mut own)?;
         let mut sums = vec![0.0_f32; length];
         for constraint in 0..expression.constraints() {
             let command: Vec<Option<Symbol>> =

@@ -57,7 +57,7 @@ impl fmt::Debug for World {
 
 pub(crate) fn new_mind() -> Result<Mind, Refusal> {
     let lifted = home::paper_tasks().map_err(Refusal::from)?;
-    Mind::try_new(memory(&MIND), |memory| Agent::new(memory.borrow_mut().split().agent, &lifted, Options::PAPER)).map_err(Refusal::from)
+    Mind::try_new(memory(&MIND), |memory| Agent::new(memory.borrow_mut().split().agent, &lifted, Options::DEFAULT)).map_err(Refusal::from)
 }
 
 /// Builds the home of a file. The message of a refusal names the object.

@@ -93,7 +93,7 @@ pub struct Outcome {
 pub fn run(memory: Memory<'_>, seed: u64, budget: Budget, watch: &mut impl Watch) -> Result<Outcome, CourseError> {
     let Memory { home: mut rooms, agent } = memory;
     let tasks = home::paper_tasks().map_err(|_| CourseError::NotPosed)?;
-    let mut agent = Agent::new(agent, &tasks, Options::PAPER).map_err(AgentError::from)?;
+    let mut agent = Agent::new(agent, &tasks, Options::DEFAULT).map_err(AgentError::from)?;
     let mut outcome = Outcome { passed: 0, tests: TESTS.len() as u32, steps: 0, digest: Digest::EMPTY };
     let mut random = generator(seed);
     for (number, lesson) in exercise::LESSONS.iter().enumerate() {
