@@ -43,8 +43,8 @@ fn any_home<'m>(memory: HomeMemory<'m>, random: &mut Pcg32) -> Option<(Home<'m>,
         let _ = builder.room("odd", area, "blue");
         let _ = builder.door("oddDoor", area);
     }
-    for block in 0..below(4, random) {
-        let _ = builder.block(&format!("block{block}"), Cell::new(coordinate(random), coordinate(random)), colours[block], "star");
+    for (block, colour) in colours.iter().enumerate().take(below(4, random)) {
+        let _ = builder.block(&format!("block{block}"), Cell::new(coordinate(random), coordinate(random)), colour, "star");
     }
     let _ = builder.agent("agent0", Cell::new(1 + below(width as usize, random) as i32, 1));
     builder.build(*pick(random, &[Moves::Push, Moves::PushAndPull])).ok()
@@ -154,7 +154,7 @@ macro_rules! walk {
                 ..Settings::PAPER
             };
             let weights = *pick(random, &[Weights::Paper, Weights::Belief]);
-            let options = Options { language, weights, least_weight: *pick(random, &[5e-5, 0.5, 0.0]), ..Options::PAPER };
+            let options = Options { language, weights, least_weight: *pick(random, &[5e-5, 0.5, 0.0]) };
             let mut agent = Agent::new(memory.split().agent, &lifted, options).unwrap();
             let mut at = (0, homes[0].1);
             for _ in 0..120 {

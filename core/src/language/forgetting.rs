@@ -45,7 +45,11 @@ impl LanguageModel<'_> {
         session_tokens: &[Symbol],
         pairs: impl Fn() -> I,
     ) -> Result<(), CapacityError> {
-        let words: Vec<Symbol, WORDS_PER_COMMAND> = sentence.iter().flatten().copied().collect();
+        let mut words: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
+        for &word in sentence.iter().flatten() {
+            let too_long = CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, sentence.len());
+            words.push(word).map_err(|_| too_long)?;
+        }
         self.check_alone(&words, session_tokens, pairs())?;
         loop {
             let (extent, length_pairs) = (self.bitext.extent(), self.tables.length_pairs);

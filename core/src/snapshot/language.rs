@@ -97,12 +97,18 @@ impl LanguageModel<'_> {
             let _ = self.tokens_mut().intern(token);
         }
         for record in contents.commands.iter() {
-            let command: Vec<Symbol, TOKENS_PER_COMMAND> = record.iter().copied().map(Symbol).collect();
+            let mut command: Vec<Symbol, TOKENS_PER_COMMAND> = Vec::new();
+            for token in record.iter() {
+                let _ = command.push(Symbol(token));
+            }
             let _ = self.bitext_mut().add_command(&command);
         }
         let mut pairs = contents.pairs.iter();
         for session in contents.sessions.iter() {
-            let words: Vec<Symbol, WORDS_PER_COMMAND> = session.words.iter().copied().map(Symbol).collect();
+            let mut words: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
+            for word in session.words.iter() {
+                let _ = words.push(Symbol(word));
+            }
             let _ = self.bitext_mut().add_session(&words);
             for pair in pairs.by_ref().take(session.pairs as usize) {
                 let _ = self.bitext_mut().add_pair_with(pair.command, pair.weight);
