@@ -98,7 +98,7 @@ impl LanguageModel<'_> {
         }
         for record in contents.commands.iter() {
             let mut command: Vec<Symbol, TOKENS_PER_COMMAND> = Vec::new();
-            for token in record.iter() {
+            for &token in record.iter() {
                 let _ = command.push(Symbol(token));
             }
             let _ = self.bitext_mut().add_command(&command);
@@ -106,7 +106,7 @@ impl LanguageModel<'_> {
         let mut pairs = contents.pairs.iter();
         for session in contents.sessions.iter() {
             let mut words: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
-            for word in session.words.iter() {
+            for &word in session.words.iter() {
                 let _ = words.push(Symbol(word));
             }
             let _ = self.bitext_mut().add_session(&words);
