@@ -41,7 +41,12 @@ pub fn facts<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &Grounde
         }
     }
     let key = |fact: &Fact| (fact.attribute, objects.value(fact.object, usize::from(fact.attribute)), fact.carrier);
-    // By insertion: they are few, and the library's sort is larger than the rest of this module.
+    sort(&mut facts, key);
+    Ok(facts)
+}
+
+/// Sorts facts by insertion: they are few, and the library's sort, which can panic, is larger than the rest of this module.
+pub(super) fn sort<K: Ord>(facts: &mut Facts, key: impl Fn(&Fact) -> K) {
     for unsorted in 1..facts.len() {
         for earlier in (0..unsorted).rev() {
             let Some([before, after]) = facts.get_mut(earlier..=earlier.saturating_add(1)) else { break };
@@ -51,5 +56,4 @@ pub fn facts<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &Grounde
             core::mem::swap(before, after);
         }
     }
-    Ok(facts)
 }

@@ -3,7 +3,7 @@
 //! `blockInRoom block room blockIsYellow block roomIsRed room`: the lifted task's propositions and the constraint's, each followed by
 //! the classes of its arguments. [`TokenOrder`] says in which order.
 
-use super::constraint::{Fact, facts};
+use super::constraint::{Fact, facts, sort};
 use super::{GroundedTask, LiftedTask};
 use crate::capacity::{Capacity, CapacityError, FACTS_PER_TASK, NAME_BYTES, TOKENS_PER_COMMAND};
 use crate::oomdp::Domain;
@@ -56,7 +56,7 @@ impl Expression {
         }
         let mut facts = facts(domain, lifted, task)?;
         if order == TokenOrder::Propositions {
-            facts.sort_unstable_by_key(|fact| (place(domain, lifted, task, fact), fact.attribute));
+            sort(&mut facts, |fact| (place(domain, lifted, task, fact), fact.attribute));
         }
         for fact in facts {
             let Some(attribute) = schema.attributes.get(usize::from(fact.attribute)) else { continue };
