@@ -42,7 +42,7 @@ fn with_no_argument_one_run_is_told_as_a_story_with_a_picture() {
         "  <- meant",
         "\"take the purple chair to the green room\": right",
         "5 of 5 right",
-        "roomIsGreen    green",
+        "roomIsGreen    gree",
         "picture: goodbot-paper.svg",
     ] {
         assert!(story.contains(part), "no {part:?} in\n{story}");
@@ -114,7 +114,7 @@ fn a_trainer_who_only_punishes_gets_all_tests_right_in_49_of_50_runs() {
 #[test]
 fn the_weights_of_the_authors_program_tell_go_from_take_more_clearly() {
     let take =
-        |weights| summary(&["--runs", "40", "--json", "--weights", weights])["translations"]["blockInRoom"]["take"].as_f64().unwrap();
+        |weights| summary(&["--runs", "40", "--json", "--model", "paper", "--weights", weights])["translations"]["blockInRoom"]["take"].as_f64().unwrap();
     assert!(take("belief") > take("paper"));
 }
 
