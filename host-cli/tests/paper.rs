@@ -113,8 +113,11 @@ fn a_trainer_who_only_punishes_gets_all_tests_right_in_49_of_50_runs() {
 
 #[test]
 fn the_weights_of_the_authors_program_tell_go_from_take_more_clearly() {
-    let take =
-        |weights| summary(&["--runs", "40", "--json", "--model", "paper", "--weights", weights])["translations"]["blockInRoom"]["take"].as_f64().unwrap();
+    let take = |weights| {
+        summary(&["--runs", "40", "--json", "--model", "paper", "--weights", weights])["translations"]["blockInRoom"]["take"]
+            .as_f64()
+            .unwrap()
+    };
     assert!(take("belief") > take("paper"));
 }
 
