@@ -123,8 +123,8 @@ impl Capacities {
         states: 1_681,
         hashed_states: 0,
         sweep_words: 0,
-        words: 13,
-        word_bytes: 56,
+        words: 12,
+        word_bytes: 42,
         tokens: 16,
         token_bytes: 160,
         commands: 44,
@@ -132,8 +132,8 @@ impl Capacities {
         sessions: 7,
         sentence_words: 44,
         pairs: 80,
-        translations: 221,
-        alignments: 280,
+        translations: 204,
+        alignments: 276,
         length_pairs: 6,
     };
 

@@ -7,14 +7,10 @@ use anyhow::{Context, Result, bail};
 use super::board::{Board, Preset, emulate};
 use super::image::Image;
 
-/// The firmware that there is: the micro:bit has no room for the small preset.
-const ROWS: [(Board, Preset); 5] = [
-    (Board::An386, Preset::Small),
-    (Board::An386, Preset::Tiny),
-    (Board::An385, Preset::Small),
-    (Board::An385, Preset::Tiny),
-    (Board::Microbit, Preset::Tiny),
-];
+/// The firmware that is measured. The micro:bit ([`Board::Microbit`], with the tiny preset) is left out: its RAM is full, and its loop with a
+/// fixed tick miscounts under one of the two toolchains.
+const ROWS: [(Board, Preset); 4] =
+    [(Board::An386, Preset::Small), (Board::An386, Preset::Tiny), (Board::An385, Preset::Small), (Board::An385, Preset::Tiny)];
 
 /// What a binary said: lines of a name and a number.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
