@@ -106,7 +106,7 @@ impl Capacities {
         length_pairs: 16,
     };
 
-    /// For the smallest controllers, in 16 KiB of RAM with everything else: homes of up to 41 cells with a block that moves, one trainer
+    /// For the smallest controllers, in little more than 16 KiB of RAM with everything else: homes of up to 41 cells with a block that moves, one trainer
     /// strategy, and the paper's whole course.
     pub const TINY: Self = Self {
         objects: 11,
@@ -123,18 +123,18 @@ impl Capacities {
         states: 1_681,
         hashed_states: 0,
         sweep_words: 0,
-        words: 12,
-        word_bytes: 42,
-        tokens: 16,
-        token_bytes: 160,
-        commands: 44,
-        command_tokens: 288,
-        sessions: 7,
-        sentence_words: 44,
-        pairs: 80,
-        translations: 204,
-        alignments: 276,
-        length_pairs: 6,
+        words: 14,
+        word_bytes: 60,
+        tokens: 18,
+        token_bytes: 190,
+        commands: 56,
+        command_tokens: 380,
+        sessions: 8,
+        sentence_words: 56,
+        pairs: 112,
+        translations: 266,
+        alignments: 340,
+        length_pairs: 8,
     };
 
     /// u32s of the search's frontier: four bit sets over the states, enough for actions that cost 1 and 2, and a bit for each of their

@@ -303,10 +303,12 @@ impl<'m> Sweep<'m> {
 
     fn open_all(&mut self) {
         let (start, len) = self.layout.set_at(self.known_set());
-        let range = start..start.wrapping_add(len);
         let to = self.layout.set_at(self.open_set()).0;
-        if range.end <= self.words.len() && to.wrapping_add(len) <= self.words.len() {
-            self.words.copy_within(range, to);
+        for offset in 0..len {
+            let known = self.words.get(start.wrapping_add(offset)).copied().unwrap_or(0);
+            if let Some(open) = self.words.get_mut(to.wrapping_add(offset)) {
+                *open = known;
+            }
         }
     }
 

@@ -58,14 +58,14 @@ impl Expression {
         if order == TokenOrder::Propositions {
             sort(&mut facts, |fact| (place(domain, lifted, task, fact), fact.attribute));
         }
-        for fact in facts {
+        for fact in &facts {
             let Some(attribute) = schema.attributes.get(usize::from(fact.attribute)) else { continue };
             let Some(carrier) = attribute.carriers.get(usize::from(fact.carrier)) else { continue };
             let value = domain.objects().value(fact.object, usize::from(fact.attribute));
             let pair = [tokens.intern(&attribute_token(carrier.prefix, value)?)?, tokens.intern(schema.class_name(carrier.class))?];
             let behind = match order {
                 TokenOrder::Attributes => expression.head.len() as u8,
-                TokenOrder::Propositions => place(domain, lifted, task, &fact).0,
+                TokenOrder::Propositions => place(domain, lifted, task, fact).0,
             };
             let _ = expression.facts.push(pair);
             let _ = expression.behind.push(behind);
