@@ -25,10 +25,10 @@
 #define GOODBOT_SMALL_BYTES_64 25600
 
 // Bytes that the tiny preset takes where a pointer has four bytes.
-#define GOODBOT_TINY_BYTES_32 13312
+#define GOODBOT_TINY_BYTES_32 15360
 
 // Bytes that the tiny preset takes where a pointer has eight bytes.
-#define GOODBOT_TINY_BYTES_64 14336
+#define GOODBOT_TINY_BYTES_64 16384
 
 // Bytes that a robot of the caller's own takes beyond that.
 #define GOODBOT_TABLE_BYTES 1344

@@ -72,9 +72,9 @@ pub const GOODBOT_SMALL_BYTES_32: usize = 24_576;
 /// Bytes that the small preset takes where a pointer has eight bytes.
 pub const GOODBOT_SMALL_BYTES_64: usize = 25_600;
 /// Bytes that the tiny preset takes where a pointer has four bytes.
-pub const GOODBOT_TINY_BYTES_32: usize = 13_312;
+pub const GOODBOT_TINY_BYTES_32: usize = 15_360;
 /// Bytes that the tiny preset takes where a pointer has eight bytes.
-pub const GOODBOT_TINY_BYTES_64: usize = 14_336;
+pub const GOODBOT_TINY_BYTES_64: usize = 16_384;
 /// Bytes that a robot of the caller's own takes beyond that.
 pub const GOODBOT_TABLE_BYTES: usize = 1_344;
 

@@ -46,7 +46,6 @@ pub const ALL: &[Step] = &[
     page::STEP,
     capi::HEADER,
     capi::HOST,
-    capi::BOARD,
     firmware::COURSE,
     firmware::TICK,
     firmware::SAME_BITS,
