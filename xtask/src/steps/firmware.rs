@@ -22,7 +22,7 @@ const NEXT: &str = "run the binary that failed: `cargo xtask footprint` shows wh
 /// The course, all tests of it, on every board; and its bounds.
 pub const COURSE: Step = Step {
     name: "firmware",
-    about: "the paper's course passes on emulated Cortex-M4F, M3 and M0, in its bounds",
+    about: "the paper's course passes on emulated Cortex-M4F and M3, in its bounds",
     fast: false,
     run: course,
     next: NEXT,
