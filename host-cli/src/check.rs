@@ -23,7 +23,7 @@ use std::process::ExitCode;
 
 Example: goodbot check home.json lessons.jsonl")]
 pub struct CheckArgs {
-    /// Environments (JSON), session logs and beliefs (JSON Lines); - is standard input.
+    /// Environments (JSON), session logs and beliefs (JSON Lines); - is standard input
     #[arg(required = true, value_name = "FILE")]
     files: Vec<String>,
     #[command(flatten)]

@@ -9,6 +9,7 @@ use crate::merge::MergeArgs;
 use crate::model::Model;
 use crate::paper::trainer::TrainerChoice;
 use crate::replay::ReplayArgs;
+use crate::whole_file::new_file;
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use std::path::PathBuf;
 
@@ -19,12 +20,17 @@ Examples:
   goodbot --trainer punish-only        a trainer who only says \"bad bot\"
   goodbot --runs 200                   how often each command is understood
   goodbot --runs 200 --json | tail -1  the same, for programs
-  goodbot completions bash             a script that completes commands and options
+  goodbot check home.json log.jsonl    what is wrong with files of your own
+  goodbot learn log.jsonl --out words.goodbot
+                                       a model from recorded sessions
+  goodbot ask --model words.goodbot --environment home.json \"go to the red room\"
+                                       what that model takes a command to mean
 
-What you see: the robot hears a command in words that it may not know. For every task that is possible
-in the home it holds a belief, acts for the most likely one, and changes its mind as the trainer says
-\"good bot\", \"bad bot\" or nothing. After each lesson it learns what the words mean. In the tests it
-hears new commands and gets no feedback: the most likely task must be the one that is meant.
+What you see: the robot hears a command in words that it may not know. For every task that is \
+possible in the home it holds a belief, acts for the most likely one, and changes its mind as the \
+trainer says \"good bot\", \"bad bot\" or nothing. After each lesson it learns what the words mean. \
+In the tests it hears new commands and gets no feedback: the most likely task must be the one that \
+is meant.
 
 Exit codes: 0 all well, 1 a result that failed, 2 bad use or bad input.";
 
@@ -68,8 +74,8 @@ pub enum Command {
 }
 
 const PAPER_EXAMPLES: &str = "\
-Trainers: each is three probabilities, MU_PLUS,MU_MINUS,EPSILON: of silence after a right action, of
-silence after a wrong one, and of taking one for the other.
+Trainers: each is three probabilities, MU_PLUS,MU_MINUS,EPSILON: of silence after a right action, \
+of silence after a wrong one, and of taking one for the other.
   balanced     0.7,0.7,0.1    silent seven times out of ten
   punish-only  0.7,0.05,0.1   punishes nearly every wrong action
   reward-only  0.05,0.7,0.1   rewards nearly every right action
@@ -96,7 +102,7 @@ pub struct PaperOptions {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     pub runs: u32,
     /// Seed of the first run: the same seed gives the same run everywhere
-    #[arg(long, value_name = "S", default_value_t = 1)]
+    #[arg(long, value_name = "S", default_value_t = 1, allow_negative_numbers = true)]
     pub seed: u64,
     /// The homes: drawn ones, or random ones for each seed [default: fixed for one run as a story, else random]
     #[arg(long, value_enum)]
@@ -111,7 +117,7 @@ pub struct PaperOptions {
     #[arg(long)]
     pub json: bool,
     /// Write a picture: learned words for one run, shares of right answers for several
-    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
+    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath, value_parser = new_file)]
     pub plot: Option<PathBuf>,
     /// Write no picture [default: the story of one run writes goodbot-paper.svg]
     #[arg(long, conflicts_with = "plot")]

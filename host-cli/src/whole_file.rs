@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Writes a file so that it has its old content or the new one, whenever the power goes: a new file beside it takes its name when it is
 /// whole and on the disk.
@@ -10,10 +10,7 @@ use std::path::Path;
 /// # Errors
 /// What the file system says; the file is then as before.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
+    let folder = folder_of(path);
     let mut builder = tempfile::Builder::new();
     // As any new file; a temporary one would be for its owner alone.
     #[cfg(unix)]
@@ -27,4 +24,23 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
         let _ = folder.sync_all();
     }
     Ok(())
+}
+
+fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// The name of a file that is to be written, as it is typed: what cannot be written is better known before the work than after it.
+///
+/// # Errors
+/// Why no file of this name can be written.
+pub fn new_file(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    if path.is_dir() || path.file_name().is_none() {
+        return Err("this is a folder; name a file in it".to_owned());
+    }
+    match tempfile::tempfile_in(folder_of(&path)) {
+        Ok(_) => Ok(path),
+        Err(error) => Err(format!("no file can be written in {}: {error}", folder_of(&path).display())),
+    }
 }

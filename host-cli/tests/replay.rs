@@ -121,6 +121,13 @@ fn sessions_at_fault_are_passed_over_if_asked_for() {
 }
 
 #[test]
+fn a_log_without_a_session_is_refused_in_words() {
+    let run = goodbot(&["replay", "-"], b"");
+    assert_eq!(run.code, 2);
+    assert!(run.messages.contains("there is no session"), "{}", run.messages);
+}
+
+#[test]
 fn the_summary_tells_what_was_believed_before_and_after() {
     let home = format!("{AGENT},{BLOCK}");
     let more = format!(r#","intended":["{TO_GREEN}"]"#);

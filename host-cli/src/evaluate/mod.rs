@@ -16,6 +16,7 @@ use crate::lessons;
 use crate::load::kinds::TaskKinds;
 use crate::model::Model;
 use crate::outcome::Failure;
+use crate::whole_file::{new_file, write_whole};
 use clap::{Args, ValueHint};
 use method::Method;
 use std::num::NonZeroUsize;
@@ -47,13 +48,13 @@ pub struct EvaluateOptions {
     #[arg(long)]
     ablation: bool,
     /// Seed of the parts, layouts and curves
-    #[arg(long, value_name = "S", default_value_t = 1)]
+    #[arg(long, value_name = "S", default_value_t = 1, allow_negative_numbers = true)]
     seed: u64,
     /// Orders of the sessions that a learning curve is averaged over
     #[arg(long, value_name = "N", default_value = "10")]
     runs: NonZeroUsize,
     /// Write accuracy against the number of training sessions as a picture
-    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
+    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath, value_parser = new_file)]
     plot: Option<PathBuf>,
     /// Pass over sessions that are at fault, and count them
     #[arg(long)]
@@ -102,7 +103,7 @@ pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
     if let Some(plot) = &options.plot {
         let points = curve::points(&lessons, options.model, settings, options.runs.get(), options.seed).map_err(capacity)?;
         let svg = curve::draw(&points, options.runs.get()).map_err(|error| Failure::Result(error.to_string()))?;
-        std::fs::write(plot, svg).map_err(|error| Failure::Input(format!("{} cannot be written: {error}", plot.display())))?;
+        write_whole(plot, svg.as_bytes()).map_err(|error| Failure::Input(format!("{} cannot be written: {error}", plot.display())))?;
         if !options.json {
             report::print_curve(&points)?;
         }

@@ -4,6 +4,7 @@ use crate::lessons::restored;
 use crate::outcome::Failure;
 use crate::paper::lexicon::Lexicon;
 use crate::paper::plot;
+use crate::whole_file::{new_file, write_whole};
 use clap::{Args, ValueHint};
 use goodbot::home;
 use serde_json::json;
@@ -23,7 +24,7 @@ pub struct InspectOptions {
     #[arg(long, value_name = "N", default_value_t = 8)]
     most: usize,
     /// Write a heat map of the most telling words
-    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
+    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath, value_parser = new_file)]
     plot: Option<PathBuf>,
     /// Print a line of JSON for each token and each word
     #[arg(long)]
@@ -69,7 +70,7 @@ pub fn run(options: &InspectOptions) -> Result<(), Failure> {
     }
     if let Some(file) = &options.plot {
         let svg = plot::learned_words(&telling(&lexicon)).map_err(|error| Failure::Result(error.to_string()))?;
-        std::fs::write(file, svg).map_err(|error| Failure::Input(format!("{} cannot be written: {error}", file.display())))?;
+        write_whole(file, svg.as_bytes()).map_err(|error| Failure::Input(format!("{} cannot be written: {error}", file.display())))?;
     }
     Ok(())
 }

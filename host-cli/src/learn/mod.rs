@@ -4,6 +4,7 @@ use crate::lessons::{self, training};
 use crate::load::kinds::TaskKinds;
 use crate::model::Model;
 use crate::outcome::Failure;
+use crate::whole_file::{new_file, write_whole};
 use clap::{Args, ValueHint};
 use goodbot::snapshot::most_bytes;
 use goodbot::{Agent, Capacities, HeapMemory};
@@ -24,7 +25,7 @@ pub struct LearnOptions {
     #[arg(required = true, value_name = "FILE", value_hint = ValueHint::FilePath)]
     files: Vec<String>,
     /// Where the model goes
-    #[arg(long, value_name = "MODEL", value_hint = ValueHint::FilePath)]
+    #[arg(long, value_name = "MODEL", value_hint = ValueHint::FilePath, value_parser = new_file)]
     out: PathBuf,
     /// A kind of task beside the paper's two; may be given several times
     #[arg(long = "lifted", value_name = "TASK", value_parser = TaskKinds::parse)]
@@ -59,7 +60,7 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let mut agent = Agent::new(agent_memory.split().agent, &lifted, options.model.options()).map_err(|error| fault(&error))?;
     agent.restore(buffer.get(..length).unwrap_or(&[])).map_err(|error| fault(&error))?;
     let length = agent.save(&mut buffer).map_err(|error| fault(&error))?;
-    std::fs::write(&options.out, buffer.get(..length).unwrap_or(&[]))
+    write_whole(&options.out, buffer.get(..length).unwrap_or(&[]))
         .map_err(|error| Failure::Input(format!("{} cannot be written: {error}", options.out.display())))?;
     let (words, tokens, pairs) = (model.tables().words(), model.tables().tokens(), model.bitext().pairs().len());
     let mut out = std::io::stdout().lock();

@@ -18,6 +18,7 @@ pub mod trainer;
 
 use crate::cli::PaperOptions;
 use crate::outcome::Failure;
+use crate::whole_file::write_whole;
 use experiment::Run;
 use std::io::{BufWriter, Write};
 use std::path::Path;
@@ -62,7 +63,7 @@ fn picture(path: &Path, options: &PaperOptions, runs: &[Run], summary: &Summary)
         _ => plot::shares(summary, options),
     }
     .map_err(|error| Failure::Result(format!("cannot draw the picture: {error}")))?;
-    std::fs::write(path, drawing).map_err(|error| Failure::Input(format!("cannot write {}: {error}", path.display())))
+    write_whole(path, drawing.as_bytes()).map_err(|error| Failure::Input(format!("cannot write {}: {error}", path.display())))
 }
 
 /// The picture at the end of the story. Where nobody asked for it, it may fail: the folder need not be ours to write in.

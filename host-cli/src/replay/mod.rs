@@ -32,21 +32,21 @@ use std::process::ExitCode;
 Example: goodbot replay --json lessons.jsonl > beliefs.jsonl"
 )]
 pub struct ReplayArgs {
-    /// Session logs (JSON Lines); - is standard input.
+    /// Session logs (JSON Lines); - is standard input
     #[arg(required = true, value_name = "FILE")]
     files: Vec<String>,
-    /// Prints each belief as a line of JSON: before the first step, and after each.
+    /// Print each belief as a line of JSON: before the first step, and after each
     #[arg(long)]
     json: bool,
-    /// The model's settings.
+    /// The model's settings; beliefs of other programs are compared under the paper's
     #[arg(long, value_enum, default_value = "paper")]
     model: Model,
-    /// How machine commands are weighted when a session is learned from.
+    /// How machine commands are weighted when a session is learned from
     #[arg(long, value_enum, default_value_t = WeightsChoice::Paper)]
     weights: WeightsChoice,
     #[command(flatten)]
     kinds: TaskKinds,
-    /// Passes over sessions that are at fault, and counts them.
+    /// Pass over sessions that are at fault, and count them
     #[arg(long)]
     keep_going: bool,
 }
@@ -134,6 +134,10 @@ impl Replay {
                 }
                 self.progress.inc(1);
             }
+        }
+        if self.totals.sessions == 0 && self.totals.skipped == 0 {
+            eprintln!("error: there is no session in what was given; give a session log, one JSON text a line");
+            return Ok(ExitCode::from(2));
         }
         if args.json {
             if self.totals.skipped > 0 {
