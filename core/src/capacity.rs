@@ -20,7 +20,7 @@ use core::fmt;
 /// How large each table is. The unit of every field is entries of that table, unless the field says bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Capacities {
-    /// Objects of one environment: agent, rooms, doors and blocks together. At most 255.
+    /// Objects of one environment: agent, rooms, doors and blocks together. At most 255; a home takes 32.
     pub objects: usize,
     /// Distinct names and attribute values of one environment.
     pub names: usize,
