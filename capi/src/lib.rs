@@ -4,6 +4,7 @@
 //! `docs/robot.md` leads through it.
 //!
 //! - [`status`]: what every function returns;
+//! - [`version`]: which interface this is;
 //! - [`capacities`]: how large the tables are, and what memory that takes;
 //! - [`arena`]: the caller's memory, dealt out;
 //! - [`robot`]: the handle;
@@ -30,15 +31,7 @@ pub mod robot;
 pub mod status;
 pub mod table;
 pub mod training;
-
-/// The version of this interface. It rises when a program that was compiled with an older header would go wrong.
-pub const GOODBOT_API_VERSION: u32 = 1;
-
-/// The version of the library that is linked: compare it with `GOODBOT_API_VERSION`.
-#[unsafe(no_mangle)]
-pub extern "C" fn goodbot_api_version() -> u32 {
-    GOODBOT_API_VERSION
-}
+pub mod version;
 
 /// Never called: nothing here panics. The compiler asks for it all the same.
 #[cfg(all(feature = "alone", not(test)))]

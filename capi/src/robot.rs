@@ -225,7 +225,8 @@ pub unsafe extern "C" fn goodbot_full(
         with(robot, |robot| {
             let full = robot.full.ok_or(GoodbotStatus::Unknown)?;
             let field = full.capacity.field();
-            let field = field.rsplit("::").next().unwrap_or(field);
+            let behind_path = field.bytes().rposition(|byte| byte == b':').map_or(0, |colon| colon.saturating_add(1));
+            let field = field.get(behind_path..).unwrap_or(field);
             if name.is_null() || bytes == 0 {
                 return Err(GoodbotStatus::Null.into());
             }

@@ -97,21 +97,24 @@ impl LiftedTask {
     pub fn parse(text: &str, schema: &Schema<'_>) -> Result<Self, TaskTextError> {
         let mut task = Self { propositions: Vec::new(), variables: Vec::new(), vocabulary: digest(schema) };
         let mut names: Vec<&str, VARIABLES_PER_TASK> = Vec::new();
-        for part in text.split('&') {
-            let (name, rest) = part.split_once('(').ok_or(TaskTextError::Form)?;
-            let arguments = rest.trim().strip_suffix(')').ok_or(TaskTextError::Form)?;
-            let proposition = schema.proposition(name.trim()).ok_or(TaskTextError::UnknownProposition)?;
+        for part in pieces(text, b'&') {
+            let (name, rest) = split_at_byte(part, b'(').ok_or(TaskTextError::Form)?;
+            let (arguments, behind) = split_at_byte(rest, b')').ok_or(TaskTextError::Form)?;
+            if !behind.trim_ascii().is_empty() {
+                return Err(TaskTextError::Form);
+            }
+            let proposition = schema.proposition(name.trim_ascii()).ok_or(TaskTextError::UnknownProposition)?;
             let parameters = schema.parameters(proposition);
-            if arguments.split(',').count() != parameters.len() {
+            if pieces(arguments, b',').count() != parameters.len() {
                 return Err(TaskTextError::ArgumentCount);
             }
             if parameters.len() > ARGUMENTS {
                 return Err(CapacityError::new(Capacity::Arguments, ARGUMENTS, parameters.len()).into());
             }
             let mut variables = [0; ARGUMENTS];
-            for ((argument, slot), &class) in arguments.split(',').zip(variables.iter_mut()).zip(parameters) {
-                let variable = argument.trim();
-                if variable.len() < 2 || !variable.starts_with('?') {
+            for ((argument, slot), &class) in pieces(arguments, b',').zip(variables.iter_mut()).zip(parameters) {
+                let variable = argument.trim_ascii();
+                if variable.len() < 2 || variable.as_bytes().first() != Some(&b'?') {
                     return Err(TaskTextError::Form);
                 }
                 let known = names.iter().position(|&name| name == variable);
@@ -157,6 +160,24 @@ impl LiftedTask {
     }
 }
 
+/// What stands before and behind the first `separator`, an ASCII character. The library's own way of splitting brings code that panics into
+/// a controller's flash.
+fn split_at_byte(text: &str, separator: u8) -> Option<(&str, &str)> {
+    let at = text.bytes().position(|byte| byte == separator)?;
+    Some((text.get(..at)?, text.get(at.saturating_add(1)..)?))
+}
+
+/// The pieces of a text between one `separator`, an ASCII character, and the next.
+fn pieces(text: &str, separator: u8) -> impl Iterator<Item = &str> {
+    let mut rest = Some(text);
+    core::iter::from_fn(move || {
+        let all = rest?;
+        let (piece, after) = split_at_byte(all, separator).map_or((all, None), |(piece, after)| (piece, Some(after)));
+        rest = after;
+        Some(piece)
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -173,6 +194,10 @@ mod tests {
         let refused = |text| LiftedTask::parse(text, &SCHEMA).unwrap_err();
         assert_eq!(refused(""), TaskTextError::Form);
         assert_eq!(refused("blockInRoom(?o"), TaskTextError::Form);
+        assert_eq!(refused("blockInRoom(?o, ?r) and more"), TaskTextError::Form);
+        assert_eq!(refused("blockInRoom(?o, ?r) &"), TaskTextError::Form);
+        assert_eq!(refused("blockInRoom(?o, ?r))"), TaskTextError::Form);
+        assert_eq!(refused("blöckInRoom(?o, ?r)"), TaskTextError::UnknownProposition);
         assert_eq!(refused("blockInRoom(o, r)"), TaskTextError::Form);
         assert_eq!(refused("flies(?a)"), TaskTextError::UnknownProposition);
         assert_eq!(refused("blockInRoom(?o)"), TaskTextError::ArgumentCount);

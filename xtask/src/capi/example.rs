@@ -5,6 +5,7 @@ use std::process::Command;
 
 use anyhow::{Result, bail};
 
+use super::header;
 use crate::firmware::board::{Board, emulate};
 use crate::firmware::image::panics;
 use crate::toolchain::{self, Target, need_program};
@@ -46,18 +47,28 @@ pub fn on_board() -> Result<()> {
     let target = Target::Thumbv7emHf;
     process::run(toolchain::cross_cargo_as(target, "rustc")?.args(LIBRARY))?;
     let built = toolchain::artifacts(target, "release");
+    let library = built.join("libgoodbot_capi.a");
     for example in EXAMPLES {
         let binary = built.join(format!("{example}.elf"));
-        process::run(&mut cross_gcc(example, &built.join("libgoodbot_capi.a"), &binary))?;
+        process::run(&mut cross_gcc(example, &library, &binary))?;
         let (code, said) = emulate(Board::An386, &binary)?;
         print!("{said}");
         if code != 0 {
             bail!("the example {example} ended with {code} on the board");
         }
-        let panics = panics(&binary)?;
-        if !panics.is_empty() {
-            bail!("the example {example} has symbols that are there to panic: {}", panics.join(", "));
-        }
+        must_not_panic(&binary)?;
+    }
+    // Not every function is in an example.
+    let binary = built.join("every-function.elf");
+    let mut gcc = cross_gcc(EXAMPLES[0], &library, &binary);
+    process::run(gcc.args(header::functions()?.iter().map(|function| format!("-Wl,--undefined={function}"))))?;
+    must_not_panic(&binary)
+}
+
+fn must_not_panic(binary: &Path) -> Result<()> {
+    let panics = panics(binary)?;
+    if !panics.is_empty() {
+        bail!("{} has symbols that are there to panic: {}", binary.display(), panics.join(", "));
     }
     Ok(())
 }

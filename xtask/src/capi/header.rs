@@ -10,7 +10,7 @@ use crate::project;
 /// The sources whose items the header has, in its order.
 const SOURCES: [&str; 10] = [
     "status.rs",
-    "lib.rs",
+    "version.rs",
     "capacities.rs",
     "robot.rs",
     "home.rs",
@@ -78,6 +78,20 @@ pub fn write() -> Result<()> {
     std::fs::write(path(), generate()?).with_context(|| format!("{} cannot be written", path().display()))
 }
 
+/// The names of all functions that the header declares.
+pub fn functions() -> Result<Vec<String>> {
+    let header = std::fs::read_to_string(path()).with_context(|| format!("{} cannot be read", path().display()))?;
+    Ok(header.lines().filter_map(declared).map(str::to_owned).collect())
+}
+
+/// The function that a line begins to declare.
+fn declared(line: &str) -> Option<&str> {
+    let (before, _) = line.split_once('(')?;
+    let name = before.rsplit([' ', '*']).next()?;
+    let is_type = line.starts_with("typedef") || line.starts_with([' ', '/', '#']);
+    (name.starts_with("goodbot_") && !is_type).then_some(name)
+}
+
 /// Compares the header that is checked in.
 pub fn check() -> Result<()> {
     let kept = std::fs::read_to_string(path()).with_context(|| format!("{} cannot be read", path().display()))?;
@@ -86,4 +100,17 @@ pub fn check() -> Result<()> {
     }
     println!("capi/include/goodbot.h is what capi/src says");
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::declared;
+
+    #[test]
+    fn functions_are_found_in_the_header() {
+        assert_eq!(declared("enum goodbot_status goodbot_save(struct goodbot *robot,"), Some("goodbot_save"));
+        assert_eq!(declared("const char *goodbot_status_text(int32_t status);"), Some("goodbot_status_text"));
+        assert_eq!(declared("typedef bool (*goodbot_holds)(void *context,"), None);
+        assert_eq!(declared(" * `goodbot_full` names it (see there)."), None);
+    }
 }

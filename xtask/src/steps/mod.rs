@@ -46,6 +46,7 @@ pub const ALL: &[Step] = &[
     page::STEP,
     capi::HEADER,
     capi::HOST,
+    capi::BOARD,
     firmware::COURSE,
     firmware::TICK,
     firmware::SAME_BITS,
