@@ -45,7 +45,7 @@ struct RawHome {
     objects: *mut [goodbot::oomdp::Object],
     name_bytes: *mut [u8],
     name_ends: *mut [u16],
-    areas: *mut [goodbot::home::Area],
+    areas: *mut [goodbot::home::layout::StoredArea],
     places: *mut [goodbot::home::Place],
 }
 

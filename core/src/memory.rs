@@ -25,7 +25,7 @@ macro_rules! for_each_table {
             objects: $crate::oomdp::Object = $crate::oomdp::Object::UNUSED; objects,
             name_bytes: u8 = 0; name_bytes,
             name_ends: u16 = 0; names,
-            areas: $crate::home::Area = $crate::home::Area::UNUSED; objects,
+            areas: $crate::home::layout::StoredArea = $crate::home::layout::StoredArea::UNUSED; objects,
             places: $crate::home::Place = $crate::home::Place::UNUSED; cells,
             word_bytes: u8 = 0; word_bytes,
             word_ends: u16 = 0; words,

@@ -85,12 +85,10 @@ pub fn print(text: &str) {
 }
 
 /// Prints a number.
-pub fn print_number(number: u64) {
-    let mut digits = [0_u8; 21];
-    // The machine has no 64-bit division, and its substitute is larger than all of this.
-    let mut rest = number.min(u64::from(u32::MAX)) as u32;
-    let mut length = 0_usize;
-    for slot in digits.iter_mut().take(20).rev() {
+pub fn print_number(number: u32) {
+    let mut digits = [0_u8; 10];
+    let (mut rest, mut length) = (number, 0_usize);
+    for slot in digits.iter_mut().rev() {
         *slot = b'0'.wrapping_add((rest % 10) as u8);
         rest /= 10;
         length = length.wrapping_add(1);
@@ -98,14 +96,14 @@ pub fn print_number(number: u64) {
             break;
         }
     }
-    let from = 20_usize.wrapping_sub(length);
-    if let Some(text) = digits.get(from..20).and_then(|digits| core::str::from_utf8(digits).ok()) {
+    let from = digits.len().wrapping_sub(length);
+    if let Some(text) = digits.get(from..).and_then(|digits| core::str::from_utf8(digits).ok()) {
         print(text);
     }
 }
 
 /// Prints `name number` as a line of its own.
-pub fn report(name: &str, number: u64) {
+pub fn report(name: &str, number: u32) {
     print(name);
     print(" ");
     print_number(number);

@@ -15,15 +15,15 @@ static mut MEMORY: memory::RobotMemory = memory::RobotMemory::new();
 /// The dearest of each kind of work, in instructions.
 struct Counter {
     began: u64,
-    most: [u64; Work::ALL.len()],
+    most: [u32; Work::ALL.len()],
     /// Hearing a command, planning and acting for the first time, for each lesson.
-    first: [u64; LESSONS],
+    first: [u32; LESSONS],
     /// The first plan of each lesson.
-    plans: [u64; LESSONS],
+    plans: [u32; LESSONS],
     acted: bool,
-    round: u64,
-    longest_round: u64,
-    all: u64,
+    round: u32,
+    longest_round: u32,
+    all: u32,
 }
 
 impl Watch for Counter {
@@ -32,7 +32,7 @@ impl Watch for Counter {
     }
 
     fn end(&mut self, work: Work, number: usize) {
-        let spent = board::instructions().wrapping_sub(self.began);
+        let spent = board::instructions().wrapping_sub(self.began) as u32;
         self.all = self.all.wrapping_add(spent);
         if let Some(most) = self.most.get_mut(work as usize) {
             *most = spent.max(*most);
@@ -88,10 +88,10 @@ fn main() -> ! {
     report("all", counter.all);
     match outcome {
         Ok(outcome) => {
-            report("steps", u64::from(outcome.steps));
-            report("digest", u64::from(outcome.digest.0));
-            report("passed", u64::from(outcome.passed));
-            report("tests", u64::from(outcome.tests));
+            report("steps", outcome.steps);
+            report("digest", outcome.digest.0);
+            report("passed", outcome.passed);
+            report("tests", outcome.tests);
             board::exit(if outcome.passed == outcome.tests { 0 } else { 1 })
         }
         Err(_) => {

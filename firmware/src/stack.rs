@@ -10,7 +10,7 @@ unsafe extern "C" {
 }
 
 /// Bytes from the top of the stack to the lowest word that was ever written. The start-up code has painted all of it.
-pub fn deepest() -> u64 {
+pub fn deepest() -> u32 {
     let (top, bottom) = (&raw const _stack_start as usize, &raw const _stack_end as usize);
     let mut at = bottom;
     while at < top {
@@ -21,10 +21,10 @@ pub fn deepest() -> u64 {
         }
         at = at.wrapping_add(4);
     }
-    top.wrapping_sub(at) as u64
+    top.wrapping_sub(at) as u32
 }
 
 /// Bytes of static memory.
-pub fn statics() -> u64 {
-    (&raw const __ebss as usize).wrapping_sub(&raw const __sdata as usize) as u64
+pub fn statics() -> u32 {
+    (&raw const __ebss as usize).wrapping_sub(&raw const __sdata as usize) as u32
 }

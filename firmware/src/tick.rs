@@ -26,7 +26,7 @@ struct Loop {
     period: u32,
     turns: u32,
     missed: u32,
-    longest: [u64; Work::ALL.len()],
+    longest: [u32; Work::ALL.len()],
 }
 
 impl Watch for Loop {
@@ -36,7 +36,7 @@ impl Watch for Loop {
     }
 
     fn end(&mut self, work: Work, _number: usize) {
-        let spent = board::instructions().wrapping_sub(self.began);
+        let spent = board::instructions().wrapping_sub(self.began) as u32;
         if let Some(longest) = self.longest.get_mut(work as usize) {
             *longest = spent.max(*longest);
         }
@@ -59,10 +59,10 @@ fn main() -> ! {
     for ((_, name), &longest) in Work::ALL.iter().zip(&turns.longest) {
         report(name, longest);
     }
-    report("tick", u64::from(TICK));
-    report("turns", u64::from(turns.turns));
-    report("missed", u64::from(turns.missed));
+    report("tick", TICK);
+    report("turns", turns.turns);
+    report("missed", turns.missed);
     let Ok(outcome) = outcome else { board::exit(2) };
-    report("digest", u64::from(outcome.digest.0));
+    report("digest", outcome.digest.0);
     board::exit(if turns.missed == 0 && outcome.passed == outcome.tests { 0 } else { 1 })
 }

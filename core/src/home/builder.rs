@@ -1,6 +1,6 @@
 //! A home from its objects, checked.
 
-use super::layout::{Area, Cell, Place, WALL, is_wall, spot_of};
+use super::layout::{Area, Cell, Place, StoredArea, WALL, is_wall, spot_of};
 use super::moves::{Home, HomeState, Moves};
 use super::{AGENT, BLOCK, DOOR, ROOM};
 use crate::capacity::{BLOCKS, Capacity, CapacityError};
@@ -13,7 +13,7 @@ pub struct HomeMemory<'m> {
     /// The objects and their names.
     pub objects: ObjectMemory<'m>,
     /// One box an object.
-    pub areas: &'m mut [Area],
+    pub areas: &'m mut [StoredArea],
     /// One entry a free cell.
     pub places: &'m mut [Place],
 }
@@ -108,7 +108,7 @@ impl core::error::Error for HomeError {}
 #[derive(Debug)]
 pub struct HomeBuilder<'m> {
     objects: ObjectSet<'m>,
-    areas: &'m mut [Area],
+    areas: &'m mut [StoredArea],
     places: &'m mut [Place],
     agent: Option<ObjectId>,
 }
@@ -140,7 +140,7 @@ impl<'m> HomeBuilder<'m> {
             })
         })?;
         if let Some(slot) = self.areas.get_mut(id.index()) {
-            *slot = area;
+            *slot = StoredArea::of(area);
         }
         Ok(id)
     }
@@ -192,7 +192,7 @@ impl<'m> HomeBuilder<'m> {
     }
 
     fn areas_of(&self, class: ClassId) -> impl Iterator<Item = (ObjectId, Area)> {
-        self.objects.of_class(class).filter_map(|id| Some((id, *self.areas.get(id.index())?)))
+        self.objects.of_class(class).filter_map(|id| Some((id, self.areas.get(id.index())?.area())))
     }
 
     /// Checks the home as a whole and gives it with its initial state.
@@ -258,7 +258,7 @@ impl<'m> HomeBuilder<'m> {
     fn stand(&self, agent: ObjectId, count: usize) -> Result<(HomeState, [ObjectId; BLOCKS]), HomeError> {
         let free = self.places.get(..count).unwrap_or(&[]);
         let spot = |id: ObjectId| {
-            let area = self.areas.get(id.index()).copied().unwrap_or(Area::NOWHERE);
+            let area = self.areas.get(id.index()).map_or(Area::NOWHERE, |area| area.area());
             spot_of(free, Cell::new(area.left, area.bottom)).ok_or(HomeError { problem: Problem::InWall, object: Some(u16::from(id.0)) })
         };
         let mut state = HomeState { agent: spot(agent)?, blocks: [WALL; BLOCKS] };

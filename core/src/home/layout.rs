@@ -17,8 +17,6 @@ pub struct Area {
 }
 
 impl Area {
-    /// What unused memory holds.
-    pub const UNUSED: Self = Self { left: 0, bottom: 0, right: 0, top: 0 };
     /// A box that has no cell.
     pub const NOWHERE: Self = Self { left: 0, bottom: 0, right: -1, top: -1 };
 
@@ -39,6 +37,26 @@ impl Area {
 
     pub(super) const fn is_within_reach(&self) -> bool {
         Cell::new(self.left, self.bottom).is_within_reach() && Cell::new(self.right, self.top).is_within_reach()
+    }
+}
+
+/// A box as a home keeps it: no side is beyond [`FARTHEST`], so that half the bytes are enough.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StoredArea([i16; 4]);
+
+impl StoredArea {
+    /// What unused memory holds.
+    pub const UNUSED: Self = Self([0; 4]);
+
+    /// The box, which is within reach.
+    pub(super) const fn of(area: Area) -> Self {
+        Self([area.left as i16, area.bottom as i16, area.right as i16, area.top as i16])
+    }
+
+    /// The box.
+    pub(super) const fn area(self) -> Area {
+        let [left, bottom, right, top] = self.0;
+        Area::new(left as i32, bottom as i32, right as i32, top as i32)
     }
 }
 

@@ -1,6 +1,6 @@
 //! What the home's actions do, and which propositions hold (model: paper, section 4).
 
-use super::layout::{Area, Cell, Place, Spot, WALL, spot_of};
+use super::layout::{Area, Cell, Place, Spot, StoredArea, WALL, spot_of};
 use super::{AGENT_IN_DOOR, AGENT_IN_ROOM, BLOCK_IN_DOOR, BLOCK_IN_ROOM, SCHEMA};
 use crate::capacity::BLOCKS;
 use crate::oomdp::{Action, ActionKind, Domain, GroundProposition, ObjectId, ObjectSet, Schema};
@@ -35,7 +35,7 @@ pub struct HomeState {
 #[derive(Debug)]
 pub struct Home<'m> {
     objects: ObjectSet<'m>,
-    areas: &'m [Area],
+    areas: &'m [StoredArea],
     places: &'m [Place],
     agent: ObjectId,
     blocks: [ObjectId; BLOCKS],
@@ -47,7 +47,7 @@ impl<'m> Home<'m> {
     #[expect(clippy::too_many_arguments, reason = "called once, by the builder, with what it checked")]
     pub(super) fn new(
         objects: ObjectSet<'m>,
-        areas: &'m [Area],
+        areas: &'m [StoredArea],
         places: &'m [Place],
         count: usize,
         agent: ObjectId,
@@ -75,7 +75,7 @@ impl<'m> Home<'m> {
 
     /// The box of a room or door; a box of no cell for anything else.
     pub fn area(&self, object: ObjectId) -> Area {
-        self.areas.get(..self.objects.len()).and_then(|areas| areas.get(object.index())).copied().unwrap_or(Area::NOWHERE)
+        self.areas.get(..self.objects.len()).and_then(|areas| areas.get(object.index())).map_or(Area::NOWHERE, |area| area.area())
     }
 
     /// The cells that are not wall, row by row from the south, each row from the west.

@@ -5,16 +5,32 @@
 use crate::capacity::{Capacities, Capacity, CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::symbols::{Symbol, close_gap};
 
-/// Where a run of symbols lies in its pool.
+/// Where a run of symbols lies in its pool: the start above the length's byte.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Span {
-    start: u32,
-    len: u8,
-}
+pub struct Span(u32);
+
+/// The most symbols of a pool that spans can reach.
+const MOST_POOL: usize = 1 << 24;
 
 impl Span {
     /// What unused memory holds.
-    pub const UNUSED: Self = Self { start: 0, len: 0 };
+    pub const UNUSED: Self = Self(0);
+
+    const fn new(start: usize, len: usize) -> Self {
+        Self(((start as u32) << 8) | (len & 0xff) as u32)
+    }
+
+    const fn start(self) -> usize {
+        (self.0 >> 8) as usize
+    }
+
+    const fn len(self) -> usize {
+        (self.0 & 0xff) as usize
+    }
+
+    const fn end(self) -> usize {
+        self.start() + self.len()
+    }
 }
 
 /// An English command and a machine command that was meant by it, with the probability of that.
@@ -107,9 +123,9 @@ impl<'m> Bitext<'m> {
     /// How much the memory holds.
     pub(crate) fn room(&self, rooms: &mut Capacities) {
         rooms.commands = self.memory.commands.len().min(usize::from(u16::MAX));
-        rooms.command_tokens = self.memory.command_tokens.len();
+        rooms.command_tokens = self.memory.command_tokens.len().min(MOST_POOL);
         rooms.sessions = self.memory.sessions.len().min(usize::from(u16::MAX));
-        rooms.sentence_words = self.memory.sentence_words.len();
+        rooms.sentence_words = self.memory.sentence_words.len().min(MOST_POOL);
         rooms.pairs = self.memory.pairs.len();
     }
 
@@ -240,21 +256,20 @@ impl<'m> Bitext<'m> {
 
 fn span<'a>(spans: &[Span], pool: &'a [Symbol], position: usize, used: usize) -> &'a [Symbol] {
     let Some(span) = spans.get(position).filter(|_| position < used) else { return &[] };
-    let start = span.start as usize;
-    pool.get(start..start.saturating_add(usize::from(span.len))).unwrap_or(&[])
+    pool.get(span.start()..span.end()).unwrap_or(&[])
 }
 
 /// Removes one span of a table and its symbols from their pool; what follows moves up.
 fn remove_span(spans: &mut [Span], used: &mut usize, pool: &mut [Symbol], pool_used: &mut usize, position: usize) {
     let Some(spans) = spans.get_mut(position..*used) else { return };
     let Some(&mut removed) = spans.first_mut() else { return };
-    let length = usize::from(removed.len);
-    if let Some(pool) = pool.get_mut(removed.start as usize..*pool_used).filter(|pool| pool.len() >= length) {
+    let length = removed.len();
+    if let Some(pool) = pool.get_mut(removed.start()..*pool_used).filter(|pool| pool.len() >= length) {
         close_gap(pool, length);
     }
     close_gap(spans, 1);
     for span in spans {
-        span.start = span.start.saturating_sub(u32::from(removed.len));
+        *span = Span::new(span.start().saturating_sub(length), span.len());
     }
     *used = used.saturating_sub(1);
     *pool_used = pool_used.saturating_sub(length);
@@ -262,7 +277,7 @@ fn remove_span(spans: &mut [Span], used: &mut usize, pool: &mut [Symbol], pool_u
 
 fn put(pool: &mut [Symbol], start: usize, symbols: &[Symbol], capacity: Capacity) -> Result<Span, CapacityError> {
     let end = start.saturating_add(symbols.len());
-    let full = CapacityError::new(capacity, pool.len(), end);
-    pool.get_mut(start..end).ok_or(full)?.iter_mut().zip(symbols).for_each(|(slot, &symbol)| *slot = symbol);
-    Ok(Span { start: start as u32, len: symbols.len().min(255) as u8 })
+    let full = CapacityError::new(capacity, pool.len().min(MOST_POOL), end);
+    pool.get_mut(start..end).filter(|_| end <= MOST_POOL).ok_or(full)?.iter_mut().zip(symbols).for_each(|(slot, &symbol)| *slot = symbol);
+    Ok(Span::new(start, symbols.len().min(255)))
 }

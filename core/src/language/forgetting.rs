@@ -8,7 +8,6 @@
 //!
 //! The newest session never goes. One that could not be kept even alone is refused, and nothing is forgotten for it.
 
-use super::lengths::SeenLengths;
 use super::model::LanguageModel;
 use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
 use crate::symbols::{Symbol, Symbols};
@@ -93,19 +92,26 @@ impl LanguageModel<'_> {
         if words.is_empty() {
             return Err(self.no_room_for_a_word());
         }
-        let (mut count, mut command_tokens, mut lengths) = (0_usize, 0_usize, SeenLengths::new());
+        let (mut count, mut command_tokens) = (0_usize, 0_usize);
+        // All of them have the same English length: one bit a machine length is enough.
+        let (mut seen, mut length_pairs, mut alignments) = (0_u64, 0_usize, 0_usize);
         for (command, _) in pairs {
             count = count.saturating_add(1);
             command_tokens = command_tokens.saturating_add(command.len());
-            lengths.see(command.len(), words.len());
+            let bit = 1_u64.checked_shl(command.len() as u32).unwrap_or(0);
+            if seen & bit == 0 {
+                seen |= bit;
+                length_pairs = length_pairs.saturating_add(1);
+                alignments = alignments.saturating_add(command.len().saturating_add(1).saturating_mul(words.len()));
+            }
         }
         fits(Capacity::Sessions, rooms.sessions, 1)?;
         fits(Capacity::SentenceWords, rooms.sentence_words, words.len())?;
         fits(Capacity::Pairs, rooms.pairs, count)?;
         fits(Capacity::Commands, rooms.commands, count)?;
         fits(Capacity::CommandTokens, rooms.command_tokens, command_tokens)?;
-        fits(Capacity::LengthPairs, rooms.length_pairs, lengths.pairs)?;
-        fits(Capacity::Alignments, rooms.alignments, lengths.cells)?;
+        fits(Capacity::LengthPairs, rooms.length_pairs, length_pairs)?;
+        fits(Capacity::Alignments, rooms.alignments, alignments)?;
         let different = |table: &Symbols<'_>, used: &[Symbol]| table.iter().filter(|(symbol, _)| used.contains(symbol)).count();
         let cells = different(&self.tokens, tokens).saturating_add(1).saturating_mul(different(&self.words, words));
         fits(Capacity::Translations, rooms.translations, cells)

@@ -7,22 +7,31 @@ use crate::symbols::Symbol;
 /// Pr(e|m) of an English command given a machine command; 1 for an untrained model. A word that the model was not trained on is skipped:
 /// it keeps its place in the sentence and says nothing.
 pub fn likelihood(tables: &Tables<'_>, sentence: &[Option<Symbol>], command: &[Symbol]) -> Scaled {
-    let (machine, english) = (command.len(), sentence.len());
-    let width = machine.saturating_add(1);
+    let width = command.len().saturating_add(1);
     let uniform = 1.0 / width as f32;
-    let table = tables.alignment_table(machine, english);
+    let table = tables.alignment_table(command.len(), sentence.len());
     let mut product = Scaled::ONE;
     for (i, word) in sentence.iter().enumerate() {
         let Some(word) = word.filter(|word| word.index() < tables.words()) else { continue };
-        let row = table.and_then(|table| table.get(i.saturating_mul(width)..)).unwrap_or(&[]);
-        let mut sum = 0.0;
-        for (j, token) in core::iter::once(None).chain(command.iter().copied().map(Some)).enumerate() {
-            let alignment = if table.is_some() { row.get(j).copied().unwrap_or(0.0) } else { uniform };
-            sum += alignment * tables.translation(word, token);
-        }
+        let sum = match table {
+            Some(table) => {
+                let start = i.saturating_mul(width);
+                let row = table.get(start..start.saturating_add(width)).unwrap_or(&[]);
+                explained(tables, word, command, row.iter().copied())
+            }
+            None => explained(tables, word, command, core::iter::repeat_n(uniform, width)),
+        };
         product = product.scaled_by(sum);
     }
     product
+}
+
+/// The sum over the tokens, NULL first, of the token's alignment times its translation into a word that the model knows.
+#[inline]
+fn explained(tables: &Tables<'_>, word: Symbol, command: &[Symbol], mut alignments: impl Iterator<Item = f32>) -> f32 {
+    let (column, null) = (tables.column(word), alignments.next().unwrap_or(0.0));
+    let of_null = null * column.translation(0);
+    command.iter().zip(alignments).fold(of_null, |sum, (&token, alignment)| sum + alignment * column.translation(Tables::row(Some(token))))
 }
 
 /// Pr(n|l): the weighted share of the English length among the data of this machine length; 0 for lengths never seen together, 1 for an

@@ -43,6 +43,23 @@ pub struct TableMemory<'m> {
     pub length_pairs: &'m mut [LengthPair],
 }
 
+/// The translations into one word: a column of the table.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Column<'t> {
+    cells: &'t [f32],
+    stride: usize,
+    rows: usize,
+    unseen: f32,
+}
+
+impl Column<'_> {
+    /// t(word | token), by the token's row.
+    #[inline]
+    pub(super) fn translation(&self, row: usize) -> f32 {
+        if row > self.rows { self.unseen } else { self.cells.get(row.wrapping_mul(self.stride)).copied().unwrap_or(0.0) }
+    }
+}
+
 /// The parameters, and room for the expected counts of the next round.
 #[derive(Debug)]
 pub struct Tables<'m> {
@@ -97,15 +114,14 @@ impl<'m> Tables<'m> {
 
     /// t(word | token), NULL for `None`: 1/V for a token never seen, 0 for a word never seen.
     pub fn translation(&self, word: Symbol, token: Option<Symbol>) -> f32 {
-        let row = Self::row(token);
-        if word.index() >= self.words {
-            return 0.0;
-        }
-        if row > self.tokens {
-            return 1.0 / self.words.max(1) as f32;
-        }
-        let cell = row.saturating_mul(self.words).saturating_add(word.index());
-        self.memory.translations.get(cell).copied().unwrap_or(0.0)
+        if word.index() >= self.words { 0.0 } else { self.column(word).translation(Self::row(token)) }
+    }
+
+    /// The translations into one word, which the parameters were trained on.
+    #[inline]
+    pub(super) fn column(&self, word: Symbol) -> Column<'_> {
+        let cells = self.memory.translations.get(word.index()..).unwrap_or(&[]);
+        Column { cells, stride: self.words, rows: self.tokens, unseen: 1.0 / self.words.max(1) as f32 }
     }
 
     /// The trained alignment table of a pair of lengths: n rows of l + 1.

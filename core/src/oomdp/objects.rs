@@ -22,13 +22,18 @@ pub struct Object {
     pub class: ClassId,
     /// Its name.
     pub name: Symbol,
-    /// Its attribute values, in the order of [`Schema::attributes`](super::Schema::attributes).
-    pub values: [Option<Symbol>; ATTRIBUTES],
+    /// One more than the symbol of each attribute value, in the order of [`Schema::attributes`](super::Schema::attributes); 0 for none.
+    values: [u16; ATTRIBUTES],
 }
 
 impl Object {
     /// What unused memory holds: zeros, so that a static needs no room in flash.
-    pub const UNUSED: Self = Self { class: ClassId(0), name: Symbol(0), values: [None; ATTRIBUTES] };
+    pub const UNUSED: Self = Self { class: ClassId(0), name: Symbol(0), values: [0; ATTRIBUTES] };
+
+    /// The value of an attribute, by the attribute's position in the schema.
+    pub fn value(&self, attribute: usize) -> Option<Symbol> {
+        self.values.get(attribute)?.checked_sub(1).map(Symbol)
+    }
 }
 
 /// Memory for an [`ObjectSet`].
@@ -95,7 +100,7 @@ impl<'m> ObjectSet<'m> {
         let mut object = Object { class, name: self.names.intern(name)?, ..Object::UNUSED };
         for (slot, value) in object.values.iter_mut().zip(values) {
             if !value.is_empty() {
-                *slot = Some(self.names.intern(value)?);
+                *slot = self.names.intern(value)?.0.saturating_add(1);
             }
         }
         let id = ObjectId(self.len as u8);
@@ -149,6 +154,6 @@ impl<'m> ObjectSet<'m> {
 
     /// The value of an object's attribute, by the attribute's position in the schema; empty where it has none.
     pub fn value(&self, id: ObjectId, attribute: usize) -> &str {
-        self.get(id).and_then(|object| *object.values.get(attribute)?).map_or("", |value| self.names.text(value))
+        self.get(id).and_then(|object| object.value(attribute)).map_or("", |value| self.names.text(value))
     }
 }

@@ -14,6 +14,8 @@ use crate::language::{LanguageModel, Sentence};
 use crate::oomdp::{Action, ActionSet, Domain};
 use crate::planning::{GoalTable, OptimalSet, Planner, Progress, Search};
 use crate::probability::Scaled;
+use crate::symbols::Symbol;
+use crate::task::machine_command::Tokens;
 use crate::task::{Expression, GroundedTask, LiftedTask, TaskSet, ground};
 use heapless::Vec;
 use rand_core::Rng;
@@ -57,6 +59,7 @@ impl<'m> Agent<'m> {
     ///
     /// # Errors
     /// A [`CapacityError`] where there are more.
+    #[inline(never)]
     pub fn new(memory: AgentMemory<'m>, lifted: &[LiftedTask], options: Options) -> Result<Self, CapacityError> {
         let AgentMemory { language, session } = memory;
         Ok(Self {
@@ -204,6 +207,7 @@ impl<'m> Agent<'m> {
         self.sentence.clear();
     }
 
+    #[inline(never)]
     fn open<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
         if self.language.is_training() {
             return Err(AgentError::StillLearning);
@@ -239,12 +243,13 @@ impl<'m> Agent<'m> {
         result
     }
 
+    #[inline(never)]
     fn try_understand<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
         self.candidates.clear();
         self.belief.restart(self.tasks.iter().take(self.task_count).map(|task| Scaled::new(task.prior)))?;
         let mut any = false;
         for position in 0..self.task_count {
-            let explained = self.for_each_candidate(domain, position, |candidates, language, sentence, tokens| {
+            let explained = self.for_each_candidate(domain, position, |candidates, language, sentence, tokens, _| {
                 let found = match candidates.find(tokens) {
                     Some(found) => found,
                     None => candidates.add(tokens, language.likelihood(sentence, tokens))?,
@@ -264,22 +269,26 @@ impl<'m> Agent<'m> {
         Ok(())
     }
 
-    /// The sum over the constraints of a task of Pr(c|s,l,t) times what `each` gives for the machine command.
+    /// The sum over the constraints of a task of Pr(c|s,l,t), which is the last argument of `each`, times what `each` gives for the machine
+    /// command.
     pub(super) fn for_each_candidate<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
         position: usize,
-        mut each: impl FnMut(&mut Candidates<'m>, &LanguageModel<'m>, &Sentence, &[crate::symbols::Symbol]) -> Result<Scaled, CapacityError>,
+        mut each: impl FnMut(&mut Candidates<'m>, &LanguageModel<'m>, &Sentence, &[Symbol], f32) -> Result<Scaled, CapacityError>,
     ) -> Result<Scaled, AgentError> {
         let Some(task) = self.tasks.get(position) else { return Ok(Scaled::ZERO) };
         let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { return Ok(Scaled::ZERO) };
         let order = self.language.settings().order;
-        let expression = Expression::new(domain, lifted, task, order, self.language.tokens_mut())?;
+        // Left where it was made, and the tokens too: taken out of their results, they would stand on the stack twice.
+        let expression = Expression::new(domain, lifted, task, order, self.language.tokens_mut());
+        let expression = expression.as_ref().map_err(|error| *error)?;
+        let mut tokens = Tokens::new();
         let share = 1.0 / f32::from(expression.constraints());
         let mut sum = Scaled::ZERO;
         for constraint in 0..expression.constraints() {
-            let tokens = expression.machine_command(constraint)?;
-            sum = sum.plus(each(&mut self.candidates, &self.language, &self.sentence, &tokens)?.scaled_by(share));
+            expression.write_machine_command(constraint, &mut tokens)?;
+            sum = sum.plus(each(&mut self.candidates, &self.language, &self.sentence, &tokens, share)?.scaled_by(share));
         }
         Ok(sum)
     }
@@ -288,6 +297,7 @@ impl<'m> Agent<'m> {
     ///
     /// # Errors
     /// [`AgentError::NoSession`].
+    #[inline(never)]
     pub fn plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, budget: u32) -> Result<Progress, AgentError> {
         self.check_under_way()?;
         let number = domain.number(state);

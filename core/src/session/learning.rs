@@ -7,7 +7,6 @@ use super::options::Weights;
 use crate::oomdp::Domain;
 use crate::planning::Progress;
 use crate::probability::{Scaled, total};
-use crate::task::Expression;
 
 impl Agent<'_> {
     /// Ends the session without learning from it. What it made known of words and machine tokens is forgotten with the next command, so
@@ -30,6 +29,12 @@ impl Agent<'_> {
             return Err(AgentError::StillLearning);
         }
         self.weigh(domain)?;
+        self.keep()
+    }
+
+    /// Lets the session's machine commands join the training data, by their weights.
+    #[inline(never)]
+    fn keep(&mut self) -> Result<(), AgentError> {
         let whole = total(self.candidates.entries().iter().map(|entry| entry.weight));
         let share = |weight: Scaled| Some(weight.over(whole)).filter(|&share| share > self.options.least_weight);
         let kept: f32 = self.candidates.entries().iter().filter_map(|entry| share(entry.weight)).sum();
@@ -76,12 +81,10 @@ impl Agent<'_> {
                 Weights::Paper => self.belief.evidence(position).scaled_by(prior),
                 Weights::Belief => self.belief.weight(position),
             };
-            let Some(task) = self.tasks.get(position) else { continue };
-            let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
-            let order = self.language.settings().order;
-            let constraints = Expression::new(domain, lifted, task, order, self.language.tokens_mut())?.constraints();
-            let evidence = evidence.scaled_by(1.0 / f32::from(constraints));
-            self.for_each_candidate(domain, position, |candidates, _, _, tokens| {
+            let mut part = None;
+            self.for_each_candidate(domain, position, |candidates, _, _, tokens, share| {
+                // Equal for all constraints of the task.
+                let evidence = *part.get_or_insert_with(|| evidence.scaled_by(share));
                 if let Some(entry) = candidates.find(tokens).and_then(|found| candidates.entry_mut(found)) {
                     let explained = if weights == Weights::Paper { entry.likelihood } else { Scaled::ONE };
                     entry.weight = entry.weight.plus(evidence.times(explained));

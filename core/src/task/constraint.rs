@@ -32,7 +32,7 @@ pub fn facts<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &Grounde
     for &object in task.bindings.iter().take(lifted.variables.len()) {
         let Some(bound) = objects.get(object) else { continue };
         for (position, attribute) in schema.attributes.iter().enumerate() {
-            if bound.values.get(position).copied().flatten().is_none() {
+            if bound.value(position).is_none() {
                 continue;
             }
             let Some(carrier) = attribute.carriers.iter().position(|carrier: &Carrier<'_>| carrier.class == bound.class) else { continue };

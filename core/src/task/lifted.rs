@@ -18,8 +18,8 @@ pub struct LiftedProposition {
 /// A conjunction of propositional functions over typed variables: `blockInRoom(?o, ?r)`. Reward 1 and termination where it holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LiftedTask {
-    pub(crate) propositions: Vec<LiftedProposition, PROPOSITIONS_PER_TASK>,
-    pub(crate) variables: Vec<ClassId, VARIABLES_PER_TASK>,
+    pub(crate) propositions: Vec<LiftedProposition, PROPOSITIONS_PER_TASK, u8>,
+    pub(crate) variables: Vec<ClassId, VARIABLES_PER_TASK, u8>,
     vocabulary: u32,
 }
 

@@ -11,7 +11,7 @@ use crate::symbols::{Symbol, Symbols};
 use heapless::{String, Vec};
 
 /// The machine tokens of one machine command.
-pub type Tokens = Vec<Symbol, TOKENS_PER_COMMAND>;
+pub type Tokens = Vec<Symbol, TOKENS_PER_COMMAND, u8>;
 
 /// Where the facts of a constraint stand in a machine command.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -29,9 +29,9 @@ pub enum TokenOrder {
 #[derive(Clone, Debug)]
 pub struct Expression {
     head: Tokens,
-    facts: Vec<[Symbol; 2], FACTS_PER_TASK>,
+    facts: Vec<[Symbol; 2], FACTS_PER_TASK, u8>,
     /// How many tokens of the head each fact stands behind, in rising order.
-    behind: Vec<u8, FACTS_PER_TASK>,
+    behind: Vec<u8, FACTS_PER_TASK, u8>,
 }
 
 impl Expression {
@@ -84,6 +84,16 @@ impl Expression {
     /// A [`CapacityError`] where it has too many tokens.
     pub fn machine_command(&self, constraint: u16) -> Result<Tokens, CapacityError> {
         let mut command = Tokens::new();
+        self.write_machine_command(constraint, &mut command)?;
+        Ok(command)
+    }
+
+    /// Like [`machine_command`](Self::machine_command), in place of what `command` held.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where it has too many tokens.
+    pub fn write_machine_command(&self, constraint: u16, command: &mut Tokens) -> Result<(), CapacityError> {
+        command.clear();
         let mut head = self.head.iter();
         let mut taken = 0;
         for (position, (pair, &behind)) in self.facts.iter().zip(&self.behind).enumerate() {
@@ -91,17 +101,17 @@ impl Expression {
                 continue;
             }
             for &token in head.by_ref().take(usize::from(behind).saturating_sub(taken)) {
-                push(&mut command, token)?;
+                push(command, token)?;
             }
             taken = taken.max(usize::from(behind));
             for &token in pair {
-                push(&mut command, token)?;
+                push(command, token)?;
             }
         }
         for &token in head {
-            push(&mut command, token)?;
+            push(command, token)?;
         }
-        Ok(command)
+        Ok(())
     }
 }
 

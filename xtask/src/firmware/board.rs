@@ -1,7 +1,7 @@
 //! The boards and how the emulator is told of them.
 
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Stdio};
 use std::time::Duration;
 
 use anyhow::Result;
@@ -20,7 +20,6 @@ pub enum Board {
     /// A Cortex-M3.
     An385,
     /// The BBC micro:bit: a Cortex-M0 with 16 KiB of RAM.
-    #[allow(dead_code, reason = "its fixed tick is still to be mended")]
     Microbit,
 }
 
@@ -74,10 +73,20 @@ impl Preset {
 
 /// Runs a binary in the emulator, each instruction 64 ns of the board's time; gives its exit code and what it prints.
 pub fn emulate(board: Board, binary: &Path) -> Result<(i32, String)> {
+    process::capture_within(&mut emulator(board, binary)?, LIMIT)
+}
+
+/// Runs a binary that ends by itself, and tells whether the processor stopped it by a fault that nothing could handle.
+pub fn faults(board: Board, binary: &Path) -> Result<bool> {
+    let output = emulator(board, binary)?.stdin(Stdio::null()).output()?;
+    Ok(!output.status.success() && String::from_utf8_lossy(&output.stderr).contains("Lockup"))
+}
+
+fn emulator(board: Board, binary: &Path) -> Result<Command> {
     need_program("qemu-system-arm", &["qemu-system-arm"], "to run the firmware")?;
     let mut qemu = Command::new("qemu-system-arm");
     qemu.args(["-M", board.name(), "-display", "none", "-monitor", "none", "-serial", "none"]);
     qemu.args(["-icount", "shift=6,sleep=off", "-chardev", "stdio,id=out"]);
     qemu.args(["-semihosting-config", "enable=on,target=native,chardev=out", "-kernel"]).arg(binary);
-    process::capture_within(&mut qemu, LIMIT)
+    Ok(qemu)
 }

@@ -12,6 +12,9 @@ use crate::{process, project};
 /// What the linker puts into the flash.
 const IN_FLASH: [&str; 4] = [".vector_table", ".text", ".rodata", ".data"];
 
+/// What a firmware consists of.
+pub const BINARIES: [&str; 3] = ["course", "tick", "overflow"];
+
 /// What a symbol's name has in it if it is there to panic.
 const PANIC: [&str; 8] = ["panic", "unwind", "unwrap_failed", "expect_failed", "slice_index", "_fail", "const_div", "begin_unwind"];
 
@@ -37,7 +40,7 @@ impl Image {
         // The next preset is built into the same place.
         let folder = built.join(format!("{}-{}", board.name(), preset.name()));
         std::fs::create_dir_all(&folder)?;
-        for binary in ["course", "tick"] {
+        for binary in BINARIES {
             std::fs::copy(built.join(binary), folder.join(binary)).with_context(|| format!("{binary} was not built"))?;
         }
         Ok(Self { folder })
