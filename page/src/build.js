@@ -1,6 +1,10 @@
 // The editor: rooms, doors, blocks and the robot, by pointer on the plan and by numbers in a list.
 const PALETTE = ['red', 'green', 'blue', 'yellow', 'purple', 'orange', 'tan', 'teal', 'magenta'];
 const FORMS = ['chair', 'bag', 'backpack', 'basket', 'star'];
+const TOOLS = {
+  move: 'Drag things and rooms; drag a chosen room’s corner to resize it. Colours and shapes are in the list.',
+  room: 'Drag from corner to corner. Rooms that touch share a wall.', door: 'Tap a wall between two rooms.', block: 'Tap where it shall stand.', agent: 'Tap where it shall stand.',
+};
 const build = { file: null, tool: 'move', chosen: null, drag: null, error: '' };
 
 const nameFor = kind => {
@@ -21,7 +25,7 @@ function changed() {
   const json = JSON.stringify(build.file);
   build.error = Core.check(json);
   if (!build.error) enterHome(json);
-  if (!build.error) keep(KEYS.home, json);
+  if (!build.error) keep(KEYS.own, json);
   render();
 }
 
@@ -80,6 +84,7 @@ function renderBuild() {
       x: frame.x(box.left) - CELL / 2, y: frame.y(box.top) - CELL / 2, width: (box.right - box.left + 1) * CELL, height: (box.top - box.bottom + 1) * CELL, class: 'chosen',
     }));
   }
+  $('build-help').textContent = TOOLS[build.tool];
   $('build-error').textContent = build.error ? 'Not a home yet: ' + build.error + '.' : 'This is a home. The robot is in it.';
   $('build-error').className = build.error ? 'wrong' : 'fine';
   for (const tool of document.querySelectorAll('[data-tool]')) tool.setAttribute('aria-pressed', tool.dataset.tool === build.tool);
@@ -217,8 +222,7 @@ function setUpBuild() {
   $('export-json').addEventListener('click', () => { $('home-text').value = JSON.stringify(build.file); });
   $('export-map').addEventListener('click', () => { $('home-text').value = toTextMap(build.error ? draftScene() : state.scene); });
   $('download-home').addEventListener('click', () => download('home.json', JSON.stringify(build.file), 'application/json'));
-  $('import').addEventListener('click', () => {
-    const text = $('home-text').value;
+  const take = text => {
     try {
       const file = text.trim().startsWith('{') ? JSON.parse(text) : fromTextMap(text);
       const error = Core.check(JSON.stringify(file));
@@ -230,5 +234,10 @@ function setUpBuild() {
     } catch (error) {
       tell('This text is no home: ' + error.message, true);
     }
+  };
+  $('import').addEventListener('click', () => take($('home-text').value));
+  $('load-home').addEventListener('change', async () => {
+    $('home-text').value = await readFile($('load-home'), 'text');
+    take($('home-text').value);
   });
 }

@@ -7,6 +7,7 @@ function render() {
   const busy = state.phase === 'learning';
   document.body.dataset.mode = state.mode;
   document.body.dataset.phase = state.phase;
+  document.body.toggleAttribute('data-session', Boolean(session));
   for (const button of document.querySelectorAll('button[data-mode]')) button.setAttribute('aria-pressed', button.dataset.mode === state.mode);
   renderPlan();
   renderTour();
@@ -25,13 +26,18 @@ function render() {
     $(id).setAttribute('aria-disabled', !active);
     const given = Boolean(session && session.feedback === (id === 'good' ? 'reward' : 'punish'));
     $(id).setAttribute('aria-pressed', given);
+    $(id).querySelector('small').textContent = given ? 'it ' + acted(session.decided.action) : '';
   }
-  $('to').textContent = !session || !session.decided ? 'Your word goes to the robot’s last action.' : session.looking ? 'A test: no feedback.'
-    : (session.feedback === 'reward' ? 'Good bot' : session.feedback === 'punish' ? 'Bad bot' : 'No word yet') + ', for: ' + acted(session.decided.action);
+  $('to').textContent = !session || !session.decided ? 'Your word goes to the robot’s last step.' : session.looking ? 'A test: no feedback.'
+    : 'It ' + acted(session.decided.action) + '. ' + ({ reward: 'You said Good.', punish: 'You said Bad.' }[session.feedback] || 'Good or Bad?');
   $('pause').textContent = session && session.paused ? 'Go on' : 'Pause';
   $('pause').disabled = $('next').disabled = !session || busy;
+  for (const id of ['pause', 'next', 'finish', 'drop']) $(id).hidden = !session;
   $('finish').disabled = $('drop').disabled = !session || busy || Boolean(session && session.looking);
-  $('undo').disabled = !state.undo || Boolean(session) || busy;
+  $('undo').hidden = !state.undo || Boolean(session) || busy;
+  for (const element of document.querySelectorAll('.place')) element.hidden = Boolean(session);
+  $('choose').hidden = $('home').value !== 'random' || Boolean(session);
+  renderIdeas();
   const wait = $('wait');
   wait.style.animation = 'none';
   if (session && state.phase === 'waiting' && session.delay > 300 && session.delay < Infinity && !session.paused) {
@@ -39,7 +45,20 @@ function render() {
     wait.style.animation = 'fill ' + session.delay + 'ms linear ' + (session.since - performance.now()) + 'ms both';
   }
   // Who works by keyboard is not left on a button that has gone.
-  if (focused && focused !== document.body && (focused.disabled || focused.closest('[hidden]'))) (session ? $('good') : $('main')).focus({ preventScroll: true });
+  if (focused && focused !== document.body && (focused.disabled || focused.closest('[hidden]'))) (session ? $('good') : $('lesson').offsetParent ? $('lesson') : $('command').offsetParent ? $('command') : $('main')).focus({ preventScroll: true });
+}
+
+// Commands that make sense here, for those who do not know what to say.
+function renderIdeas() {
+  const { rooms, blocks } = state.scene;
+  const room = rooms[(blocks.length + 1) % rooms.length];
+  const ideas = ['go to the ' + rooms[0].color + ' room', ...blocks.slice(0, 2).map(block => 'take the ' + block.color + ' ' + block.shape + ' to the ' + room.color + ' room')];
+  $('ideas').hidden = Boolean(state.session);
+  if ($('ideas').dataset.key === ideas.join()) return;
+  $('ideas').dataset.key = ideas.join();
+  $('ideas').replaceChildren(...ideas.map(idea => make('button', {
+    type: 'button', class: 'idea', onclick: () => { $('command').value = idea; $('say-it').focus(); },
+  }, idea)));
 }
 
 function setMode(mode) {
@@ -50,9 +69,17 @@ function setMode(mode) {
   if (mode === 'build') enterBuild();
   else if (mode === 'tour') enterStop(state.tour.at);
   else {
-    state.evidence = [];
+    enterHome(world.environment());
+    nameHome();
     render();
   }
+}
+
+// Which of the homes on the list this is.
+function nameHome() {
+  const home = world.environment();
+  const known = course.homes.find(([, other]) => JSON.stringify(other) === home);
+  $('home').value = known ? known[0] : home === kept(KEYS.own) ? 'own' : 'random';
 }
 
 function setUpPlay() {
@@ -61,7 +88,7 @@ function setUpPlay() {
   const choose = () => {
     const { value } = $('home');
     if (value === 'own') {
-      const own = kept(KEYS.home);
+      const own = kept(KEYS.own);
       if (own) enterHome(own);
       else setMode('build');
     } else if (value === 'random') {
@@ -90,6 +117,7 @@ function setUp() {
   for (const [id, action] of Object.entries({
     good: () => giveFeedback('reward'), bad: () => giveFeedback('punish'), pause: togglePause, next: stepOnce, finish: finishSession,
     drop: finishWithoutLearning, undo: undoSession, lesson: () => beginStop(false), auto: () => beginStop(true), watch: watchTour, again: restartTour,
+    onward: () => setMode('play'),
   })) $(id).addEventListener('click', action);
   $('heat-before').addEventListener('change', renderHeat);
   window.addEventListener('hashchange', () => {
@@ -102,19 +130,14 @@ function setUp() {
   });
 }
 
-async function expanded(text) {
-  const stream = new Blob([fromBase64(text)]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
 async function main() {
-  core.initSync({ module: await expanded($('module').textContent.trim()) });
+  core.initSync({ module: unpack(fromBase64($('module').textContent.trim()), Number($('module').dataset.size)) });
   Core = core.Goodbot;
   world = new Core(2014);
   // For the curious, at the browser's console, and for tests.
   window.goodbot = world;
   course = parsed(Core.course(0));
-  restoreAll();
+  await restoreAll();
   const own = kept(KEYS.home);
   if (own) attempt(() => world.setEnvironment(own));
   if (readHash()) state.mode = 'play';
@@ -123,6 +146,7 @@ async function main() {
   refresh();
   setUp();
   if (state.mode === 'tour') enterStop(state.tour.at);
+  else nameHome();
   render();
   document.body.classList.add('ready');
 }

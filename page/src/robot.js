@@ -21,6 +21,7 @@ function robotDrawing() {
         draw('path', { d: 'M-3 .2q3 2 6 0', class: 'mouth up' }),
         draw('path', { d: 'M-3 1.600q3-2 6 0', class: 'mouth down' })),
       draw('path', { d: 'M-6 9.500h3M-1.5 9.500h3M3 9.500h3', class: 'line thin' })),
+    draw('path', { d: 'M0-26q-9-6-5-10t5 1q1-5 5-1t-5 10z', class: 'heart' }),
   ];
 }
 

@@ -1,8 +1,8 @@
 // A training session: hear, act, take feedback, until the trainer ends it. The core plans and learns in parts, between two frames.
 const SPEEDS = {
-  step: { label: 'one step at a time', delay: () => Infinity },
+  step: { label: 'step by step', delay: () => Infinity },
   slow: { label: 'slow', delay: () => 2600 },
-  normal: { label: 'normal', delay: () => 1400 },
+  normal: { label: 'normal speed', delay: () => 1400 },
   fast: { label: 'fast', delay: () => 380 },
   once: { label: 'at once', delay: () => 0 },
   confidence: { label: 'by confidence', delay: sure => 350 + 2900 * RULES[state.settings.rule].wait(sure) },
@@ -17,6 +17,7 @@ const RULES = {
 
 const PLAN_BUDGET = 20000;
 const LEARN_BUDGET = 60000;
+const LOOK_BUDGET = 4000;
 const RESTS = 3;
 const MOST_STEPS = 300;
 
@@ -37,7 +38,7 @@ function startSession(command, { intended = null, looking = false } = {}) {
   refresh();
   state.support = attempt(() => parsed(world.support()));
   state.evidence = [];
-  state.undo = state.undo && { ...state.undo };
+  rememberWords(command);
   const task = state.belief.tasks.findIndex(task => task.name === intended);
   state.session = {
     command, intended: task < 0 ? null : task, looking, heard: ranked(), decided: null, feedback: null, rests: 0, steps: 0, paused: false, wake: null, over: false,
@@ -45,7 +46,28 @@ function startSession(command, { intended = null, looking = false } = {}) {
   const best = ranked()[0];
   announce('The robot heard: ' + command + '. Most likely: ' + best.words + ', ' + percent(best.probability) + '.');
   go(state.session);
+  if (!state.tour.watching && state.settings.speed !== 'once') {
+    // On a small screen the plan and the buttons are what matters now; by keyboard, the keys.
+    window.scrollTo({ top: 0 });
+    $('good').focus({ preventScroll: true });
+  }
   return true;
+}
+
+// Looks where the robot is heading, a part at a time, while it waits for a word.
+async function lookAhead(session) {
+  const { decided } = session;
+  state.route = null;
+  if (!state.settings.ghost) return;
+  world.lookAhead(decided.task);
+  let found = world.look(LOOK_BUDGET);
+  while (!found) {
+    await nextFrame();
+    if (session.over || session.decided !== decided) return;
+    found = world.look(LOOK_BUDGET);
+  }
+  state.route = parsed(found);
+  renderPlan();
 }
 
 // Ends the session under way without learning.
@@ -96,8 +118,8 @@ async function go(session) {
     session.feedback = null;
     session.given = false;
     refresh();
-    state.route = state.settings.ghost ? parsed(world.route(decided.task)) : null;
     state.phase = 'waiting';
+    lookAhead(session);
     session.since = performance.now();
     const auto = session.intended !== null || session.looking;
     const delay = waitOf(session, auto);
@@ -166,7 +188,8 @@ async function ended(session) {
 // The trainer's word on the last action. The last one before the next action counts.
 function giveFeedback(feedback) {
   const session = state.session;
-  if (!session || !session.decided || state.phase === 'planning' || state.phase === 'learning') return;
+  if (!session) tell('Nothing to judge yet: first tell the robot what to do.');
+  if (!session || session.looking || !session.decided || state.phase === 'planning' || state.phase === 'learning') return;
   session.feedback = feedback;
   session.given = true;
   announce((feedback === 'reward' ? 'Good' : 'Bad') + ': ' + acted(session.decided.action) + '.');
@@ -207,7 +230,7 @@ async function finishSession() {
   session.over = true;
   clearTimeout(session.soon);
   wake(session);
-  const before = { model: world.save(), log: kept(KEYS.log) };
+  const before = present();
   const heat = heatNow();
   const log = attempt(() => world.finish());
   if (log === undefined) {
@@ -219,7 +242,7 @@ async function finishSession() {
   state.route = null;
   render();
   while (!world.learn(LEARN_BUDGET)) await nextFrame();
-  state.undo = before;
+  keepUndo(before);
   appendLog(log);
   keepModel();
   state.heat = { now: heatNow(), before: heat };
@@ -238,15 +261,24 @@ function finishWithoutLearning() {
 }
 
 // Takes back what the last session taught.
-function undoSession() {
-  if (!state.undo) return;
+async function undoSession() {
+  if (!state.undo || state.phase === 'learning') return;
   stopSession();
-  const { model, log } = state.undo;
-  state.undo = null;
-  if (attempt(() => (takeModel(model), true)) !== true) return;
+  const { model, log, tour } = state.undo;
+  state.phase = 'learning';
+  try {
+    await takeModel(model);
+  } finally {
+    state.phase = 'none';
+  }
+  keepUndo(null);
   keep(KEYS.log, log);
   keepModel();
+  if (tour) Object.assign(state.tour, tour);
   state.heat = { now: heatNow(), before: null };
+  state.evidence = [];
+  refresh();
+  if (state.mode === 'tour') enterStop(state.tour.at);
   render();
   tell('The last session is forgotten: ' + sessionsWord() + ' left.');
 }

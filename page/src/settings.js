@@ -1,10 +1,12 @@
 // Settings, shortcuts, and what is kept and shared.
+const SWITCHES = ['style', 'shortcuts', 'ghost', 'names', 'pull'];
+
 function renderSettings() {
   const { settings } = state;
   $('speed').value = settings.speed;
   $('rule').value = settings.rule;
   $('rule-field').hidden = settings.speed !== 'confidence';
-  for (const name of ['style', 'shortcuts', 'ghost', 'names']) $('set-' + name).checked = settings[name];
+  for (const name of SWITCHES) $('set-' + name).checked = settings[name];
   $('theme').value = settings.theme;
   document.documentElement.dataset.theme = settings.theme;
   document.body.classList.toggle('no-shortcuts', !settings.shortcuts);
@@ -21,7 +23,7 @@ function setUpSettings() {
       render();
     });
   }
-  for (const name of ['style', 'shortcuts', 'ghost', 'names']) {
+  for (const name of SWITCHES) {
     $('set-' + name).addEventListener('change', () => {
       state.settings[name] = $('set-' + name).checked;
       if (name === 'style') {
@@ -29,6 +31,7 @@ function setUpSettings() {
         attempt(() => world.setLearnsStyle(state.settings.style));
         refresh();
       }
+      if (name === 'pull') enterHome(world.environment());
       keepSettings();
       render();
     });
@@ -44,7 +47,7 @@ function setUpSettings() {
   $('save-log').addEventListener('click', () => {
     const log = kept(KEYS.log);
     if (log) download('sessions.jsonl', log, 'application/jsonl');
-    else tell('No session has been learned from yet.');
+    else tell('There is no log: no session has been learned from here.');
   });
   $('share').addEventListener('click', async () => {
     location.hash = hashOf();
@@ -56,7 +59,7 @@ function setUpSettings() {
     }
   });
   $('new-robot').addEventListener('click', () => {
-    state.undo = { model: world.save(), log: kept(KEYS.log) };
+    keepUndo(present());
     newRobot();
     state.tour = { at: 0, done: [], watching: false };
     keepTour();

@@ -1,5 +1,5 @@
 // The page's state, in one place, and small tools to make elements.
-const KEYS = { model: 'goodbot.model', log: 'goodbot.log', settings: 'goodbot.settings', home: 'goodbot.home', tour: 'goodbot.tour' };
+const KEYS = { model: 'goodbot.model', log: 'goodbot.log', settings: 'goodbot.settings', home: 'goodbot.home', own: 'goodbot.own', tour: 'goodbot.tour', undo: 'goodbot.undo', said: 'goodbot.said' };
 
 const state = {
   // tour, play or build
@@ -13,12 +13,17 @@ const state = {
   session: null,
   route: null,
   evidence: [],
+  // The model, the log and the tour before the last session.
   undo: null,
+  // Every word that was said, in full: the core keeps their beginnings.
+  said: [],
+  // What is being learned from, where that takes a while.
+  progress: '',
   sessions: 0,
   saved: true,
   tour: { at: 0, done: [], watching: false },
   settings: {
-    speed: 'normal', rule: 'linear', style: false, shortcuts: true, ghost: true, names: true, theme: 'auto', steps: false,
+    speed: 'normal', rule: 'linear', style: false, shortcuts: true, ghost: true, names: true, theme: 'auto', pull: false,
   },
 };
 

@@ -39,7 +39,15 @@ function appendLog(lines) {
   keep(KEYS.log, (kept(KEYS.log) || '') + lines);
 }
 
-function restoreAll() {
+// What can be undone, also after a reload.
+const present = () => ({ model: world.save(), log: kept(KEYS.log), tour: { at: state.tour.at, done: [...state.tour.done] } });
+
+function keepUndo(undo) {
+  state.undo = undo;
+  keep(KEYS.undo, undo && JSON.stringify({ ...undo, model: toBase64(undo.model) }));
+}
+
+async function restoreAll() {
   const settings = kept(KEYS.settings);
   if (settings) {
     try {
@@ -48,8 +56,17 @@ function restoreAll() {
   }
   const model = kept(KEYS.model);
   if (model) {
-    attempt(() => takeModel(fromBase64(model)));
+    try {
+      await takeModel(fromBase64(model));
+    } catch (error) {
+      tell('What this browser kept cannot be used: ' + error.message + '.', true);
+    }
   }
+  try {
+    const undo = JSON.parse(kept(KEYS.undo));
+    if (undo) state.undo = { ...undo, model: fromBase64(undo.model) };
+  } catch { /* Then nothing can be undone. */ }
+  state.said = (kept(KEYS.said) || '').split(' ').filter(Boolean);
   try {
     const tour = JSON.parse(kept(KEYS.tour));
     if (tour && Array.isArray(tour.done)) Object.assign(state.tour, { at: tour.at | 0, done: tour.done });
@@ -79,10 +96,10 @@ const readFile = (input, how) => new Promise((done, failed) => {
   else reader.readAsText(file);
 });
 
-// Takes over a model; throws where it is none.
-function takeModel(bytes) {
+// Takes over a model, a part at a time; throws where it is none.
+async function takeModel(bytes) {
   world.restore(bytes);
-  while (!world.learn(LEARN_BUDGET));
+  while (!world.learn(LEARN_BUDGET)) await nextFrame();
   state.sessions = world.sessions();
   state.settings.style = world.learnsStyle();
 }
@@ -90,69 +107,35 @@ function takeModel(bytes) {
 async function loadModel(input) {
   const bytes = new Uint8Array(await readFile(input, 'bytes'));
   stopSession();
-  const before = world.save();
+  const before = present();
+  state.phase = 'learning';
   try {
-    takeModel(bytes);
+    await takeModel(bytes);
   } catch (error) {
     tell('This file is no model that can be used: ' + error.message + '. The robot keeps what it knew.', true);
     return;
+  } finally {
+    state.phase = 'none';
+    render();
   }
-  state.undo = { model: before, log: kept(KEYS.log) };
-  state.heat = { now: heatNow(), before: null };
-  keepModel();
-  render();
-  tell('The robot now knows what the file knows: ' + sessionsWord() + '.');
-}
-
-// Goes through the sessions of a log and learns from them, one after the other.
-async function loadLog(input) {
-  const lines = (await readFile(input, 'text')).split('\n').filter(line => line.trim());
-  stopSession();
-  const before = { model: world.save(), log: kept(KEYS.log) };
-  const home = world.environment();
-  state.phase = 'learning';
-  render();
-  let number = 0;
-  try {
-    for (const line of lines) {
-      number += 1;
-      const record = JSON.parse(line);
-      if (record.type === 'session') {
-        const strange = ['prior', 'continues', 'actions'].find(field => field in record) || (record.kind !== 'feedback' && 'kind');
-        if (strange) throw new Error('the page cannot go through a session with this “' + strange + '”; the command line can');
-        world.setEnvironment(JSON.stringify(record.environment));
-        if (record.strategies && !world.learnsStyle()) world.setLearnsStyle(true);
-        world.hear(record.command);
-      } else if (record.type === 'step') {
-        while (!world.plan(PLAN_BUDGET)) await nextFrame();
-        world.actAs(record.action);
-        world.judge(record.feedback);
-      } else if (record.learn) {
-        appendLog(world.finish());
-        while (!world.learn(LEARN_BUDGET)) await nextFrame();
-      } else world.forget();
-    }
-    tell('The robot has gone through the log.');
-  } catch (error) {
-    takeModel(before.model);
-    keep(KEYS.log, before.log);
-    tell('Line ' + number + ' of this log cannot be used: ' + error.message + '. The robot knows what it knew before.', true);
-  }
-  state.phase = 'none';
-  state.undo = before;
-  state.settings.style = world.learnsStyle();
-  world.setEnvironment(home);
+  keepUndo(before);
+  // The log here is of what this robot no longer knows.
+  keep(KEYS.log, null);
   state.heat = { now: heatNow(), before: null };
   keepModel();
   refresh();
   render();
+  tell('The robot now knows what the file knows: ' + sessionsWord() + '.');
 }
 
 const sessionsWord = () => state.sessions + (state.sessions === 1 ? ' session' : ' sessions');
 
+// The settings that a link carries; the look and the keys are everybody's own.
+const SHARED = ['speed', 'rule', 'style', 'pull', 'ghost', 'names'];
+
 // The home and the settings in the address, so that a link is enough to share them.
 function hashOf() {
-  const share = { home: JSON.parse(world.environment()), settings: { speed: state.settings.speed, rule: state.settings.rule, style: state.settings.style } };
+  const share = { home: JSON.parse(world.environment()), settings: Object.fromEntries(SHARED.map(name => [name, state.settings[name]])) };
   return '#' + toBase64(new TextEncoder().encode(JSON.stringify(share))).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
 }
 
@@ -162,10 +145,13 @@ function readHash() {
   try {
     const share = JSON.parse(new TextDecoder().decode(fromBase64(text.replaceAll('-', '+').replaceAll('_', '/'))));
     world.setEnvironment(JSON.stringify(share.home));
-    const { speed, rule, style } = share.settings || {};
-    if (speed in SPEEDS) state.settings.speed = speed;
-    if (rule in RULES) state.settings.rule = rule;
-    if (typeof style === 'boolean') state.settings.style = style;
+    for (const name of SHARED) {
+      const value = (share.settings || {})[name];
+      const known = { speed: value in SPEEDS, rule: value in RULES }[name];
+      if (known || (known === undefined && typeof value === 'boolean')) state.settings[name] = value;
+    }
+    world.setPulls(state.settings.pull);
+    if (state.settings.style !== world.learnsStyle()) world.setLearnsStyle(state.settings.style);
     return true;
   } catch (error) {
     tell('The link could not be read: ' + error.message, true);

@@ -2,6 +2,9 @@
 const SHOWN_TASKS = 8;
 
 function renderThoughts() {
+  const nothing = state.sessions === 0 && !state.session;
+  $('how').hidden = !nothing;
+  for (const card of document.querySelectorAll('.learned')) card.hidden = nothing;
   renderBars();
   renderEvidence();
   renderSupport();
@@ -16,8 +19,8 @@ function renderBars() {
   const tasks = ranked();
   const session = state.session;
   $('sure').textContent = session && session.decided
-    ? 'It is ' + percent(session.decided.confidence) + ' sure that what it just did (' + acted(session.decided.action) + ') is right.'
-    : session ? 'It is making a plan …' : 'Give a command, and its guesses appear here.';
+    ? 'It just ' + acted(session.decided.action) + ', and is ' + percent(session.decided.confidence) + ' sure that this is right.'
+    : session ? 'It is making a plan …' : 'Tell it something, and its guesses appear here.';
   $('bars').replaceChildren(...tasks.slice(0, SHOWN_TASKS).map((task, rank) => {
     const marks = state.evidence.slice(-12).map(evidence => markOf(evidence, task.index));
     const row = make('li', { class: rank === 0 ? 'best' : '' },
@@ -31,6 +34,7 @@ function renderBars() {
     }
     return row;
   }));
+  $('marks').hidden = !tasks.length || !state.evidence.length;
   const rest = tasks.length - SHOWN_TASKS;
   $('rest').textContent = rest > 0 ? 'and ' + rest + ' more, together ' + percent(tasks.slice(SHOWN_TASKS).reduce((sum, task) => sum + task.probability, 0)) : '';
 }
@@ -82,10 +86,11 @@ function renderHeat() {
     : 'How many times in a hundred it expects a word (column) for an idea (row), ' + (before ? 'before' : 'after') + ' the last session.';
   if (empty) return;
   const strongest = Math.max(...heat.cells);
+  const words = heat.words.map(word => inFull(word, heat.letters));
   $('heat').replaceChildren(
-    make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, 'idea'), ...heat.words.map(word => make('th', { scope: 'col' }, word)))),
+    make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, 'idea'), ...words.map(word => make('th', { scope: 'col' }, make('span', {}, word))))),
     make('tbody', {}, ...heat.tokens.map((token, row) => make('tr', {}, make('th', { scope: 'row' }, tokenWords(token)),
-      ...heat.words.map((word, column) => cell(heat.cells[row * heat.words.length + column], 0, strongest, word + ', given ' + tokenWords(token)))))));
+      ...heat.words.map((_, column) => cell(heat.cells[row * heat.words.length + column], 0, strongest, words[column] + ', given ' + tokenWords(token)))))));
 }
 
 const STYLE_WORDS = { balanced: 'says Good and Bad alike', 'R+/P-': 'says Good more than Bad', 'R-/P+': 'says Bad more than Good' };

@@ -4,7 +4,7 @@ const stops = () => [...course.lessons.map(stop => ({ ...stop, test: false })), 
 const homeNamed = name => JSON.stringify(course.homes.find(([other]) => other === name)[1]);
 
 const HINTS = [
-  'It knows no word yet and will just try something. Say Good when it goes the right way, Bad when it does not.',
+  'It knows no word yet, so it will just try something. Press Good when it goes the right way, Bad when it does not.',
   'A new room, the same house. Does it already know what “room” means?',
   'New colours. It has to ask your thumbs again – but not for long.',
   'By now, “go to the” should be clear.',
@@ -30,7 +30,8 @@ function enterStop(at) {
 
 function enterHome(json) {
   stopSession();
-  if (attempt(() => (world.setEnvironment(json), true)) !== true) return false;
+  // In the tour the robot pushes only, as the paper's does.
+  if (attempt(() => (world.setEnvironment(json), world.setPulls(state.settings.pull && state.mode !== 'tour'), true)) !== true) return false;
   refresh();
   state.evidence = [];
   state.support = null;
@@ -80,7 +81,7 @@ function watchTour() {
 
 function restartTour() {
   stopSession();
-  state.undo = { model: world.save(), log: kept(KEYS.log) };
+  keepUndo(present());
   newRobot();
   state.tour = { at: 0, done: [], watching: false };
   enterStop(0);
@@ -99,18 +100,21 @@ function renderTour() {
     return make('li', { class: [each.test ? 'test' : 'lesson', index === at ? 'now' : '', done[index] || ''].join(' '), 'aria-current': index === at ? 'step' : null },
       make('span', { class: 'hidden' }, name), make('span', { 'aria-hidden': 'true', title: name }, done[index] === 'right' ? '★' : done[index] ? (each.test ? '✗' : '✓') : each.test ? '?' : index + 1));
   }));
-  $('score').textContent = done.length > lessons ? scoreWords() : '';
+  $('score').textContent = stop && done.length > lessons ? scoreWords() : '';
   if (!stop) {
     $('tour-title').textContent = 'The tour is over: ' + scoreWords() + '.';
     $('tour-hint').textContent = rightTests() === course.tests.length ? 'Your robot understands commands that it has never heard. Now say what you like, in the free play.'
       : 'Some words are still unclear to it. Train on in the free play, or begin the tour again.';
   } else {
-    $('tour-title').textContent = (stop.test ? 'Test ' + (at - lessons + 1) + ' of ' + course.tests.length : 'Lesson ' + (at + 1) + ' of ' + lessons) + ': “' + stop.command + '”';
+    const name = stop.test ? 'Test ' + (at - lessons + 1) + ' of ' + course.tests.length : 'Lesson ' + (at + 1) + ' of ' + lessons;
+    $('tour-title').textContent = state.session ? name + ': “' + stop.command + '”' : name;
     $('tour-hint').textContent = stop.test ? 'It has never heard this command. It gets no feedback now: does it understand?' : HINTS[at];
   }
   $('lesson').hidden = !stop || watching || Boolean(state.session);
-  $('lesson').textContent = stop && stop.test ? 'Ask it' : 'Say it';
+  $('lesson').textContent = stop ? (stop.test ? 'Ask: “' : 'Tell it: “') + stop.command + '”' : '';
+  $('onward').hidden = Boolean(stop) || watching;
   $('auto').hidden = !stop || stop.test || watching || Boolean(state.session);
+  $('watch').hidden = Boolean(state.session) && !watching;
   $('watch').textContent = watching ? 'Stop watching' : stop ? 'Watch the whole tour' : 'Watch it again';
-  $('again').hidden = watching || (at === 0 && !done.length);
+  $('again').hidden = watching || Boolean(state.session) || (at === 0 && !done.length);
 }

@@ -1,5 +1,5 @@
 // The page in words: what a screen reader reads, and what the status line says.
-const ACTIONS = { north: 'moved north', south: 'moved south', east: 'moved east', west: 'moved west', noop: 'stayed where it is' };
+const ACTIONS = { north: 'moved north', south: 'moved south', east: 'moved east', west: 'moved west', pull: 'pulled', noop: 'stayed where it is' };
 const acted = action => ACTIONS[action] || action;
 
 function roomAt(scene, x, y) {
@@ -22,12 +22,28 @@ function describeScene(scene) {
 
 const ranked = () => state.belief.tasks.map((task, index) => ({ ...task, index })).sort((a, b) => b.probability - a.probability || a.index - b.index);
 
+// The words of a command, as the core hears them.
+const wordsOf = command => command.toLowerCase().split(/\s+/).filter(word => /[\p{L}\p{N}]/u.test(word));
+
+function rememberWords(command) {
+  const fresh = wordsOf(command).filter(word => !state.said.includes(word));
+  if (!fresh.length) return;
+  state.said = [...new Set([...state.said, ...fresh])].slice(-2000);
+  keep(KEYS.said, state.said.join(' '));
+}
+
+// A word that the robot knows by its first letters, in full: as it was said; with dots where nobody said it here.
+function inFull(word, letters) {
+  if (!letters || [...word].length < letters) return word;
+  return state.said.filter(said => said.startsWith(word)).sort((a, b) => a.length - b.length)[0] || word + '…';
+}
+
 // What the robot says of itself.
 function speech() {
   const session = state.session;
-  if (state.phase === 'learning') return ['Thinking it over …', 'I am learning from our session.'];
+  if (state.phase === 'learning') return ['Thinking it over …', state.progress || 'I am learning from our session.'];
   if (!session) {
-    if (state.sessions === 0) return ['Hello! Tell me what to do.', 'I know no word yet. Say Good or Bad while I try.'];
+    if (state.sessions === 0) return ['Hello! I know no word yet.', 'Tell me something, and judge me while I try.'];
     return ['Ready. Tell me what to do.', 'I have learned from ' + sessionsWord() + '.'];
   }
   const best = ranked()[0];

@@ -30,7 +30,7 @@ for (const colorScheme of ['light', 'dark']) {
       await page.selectOption('#speed', 'step');
       await page.fill('#command', 'take the yellow bag to the red room');
       await page.click('#say-it');
-      await page.getByText('No word yet, for').waitFor();
+      await page.getByText('Good or Bad?').waitFor();
       await check(page, 'in a session');
       const wide = await page.evaluate(() => document.documentElement.scrollWidth);
       assert.ok(wide <= width, 'the page is ' + wide + ' pixels wide');

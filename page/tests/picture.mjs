@@ -13,7 +13,7 @@ for (let lesson = 1; lesson <= 4; lesson += 1) {
 await page.selectOption('#speed', 'step');
 await page.click('#lesson');
 for (const word of ['#good', '#bad', '#good', '#good']) {
-  await page.getByText('No word yet, for').waitFor();
+  await page.getByText('Good or Bad?').waitFor();
   await page.click(word);
   await page.waitForTimeout(900);
 }

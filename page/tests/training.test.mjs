@@ -36,12 +36,12 @@ test('a session by keyboard alone teaches the robot', async () => {
   await focus('say-it').catch(() => {});
   await page.evaluate(() => document.activeElement.blur());
   await page.keyboard.press('p');
-  await page.getByText('No word yet, for').waitFor();
+  await page.getByText('Good or Bad?').waitFor();
   await page.keyboard.press('b');
   await page.keyboard.press('ArrowRight');
-  await page.getByText('Good bot, for').waitFor();
+  await page.getByText('You said Good').waitFor();
   await page.keyboard.press('n');
-  await page.getByText('No word yet, for').waitFor();
+  await page.getByText('Good or Bad?').waitFor();
   await opened(page, 'Step by step');
   assert.match(await page.textContent('#steps tr'), /Good/, 'of several words, the last counts');
   await page.evaluate(() => document.activeElement.blur());
@@ -57,10 +57,10 @@ test('shortcuts that are switched off do nothing', async () => {
   await play(page, 'A');
   await page.fill('#command', 'go to the red room');
   await page.click('#say-it');
-  await page.getByText('No word yet, for').waitFor();
+  await page.getByText('Good or Bad?').waitFor();
   await page.evaluate(() => document.activeElement.blur());
   await page.keyboard.press('g');
-  assert.match(await page.textContent('#to'), /No word yet/);
+  assert.match(await page.textContent('#to'), /Good or Bad?/);
   await close(page);
 });
 
@@ -70,9 +70,9 @@ test('a session by touch alone, on a screen 360 pixels wide', async () => {
   await page.tap('#command');
   await page.fill('#command', 'go to the green room');
   await page.tap('#say-it');
-  await page.getByText('No word yet, for').waitFor();
+  await page.getByText('Good or Bad?').waitFor();
   await page.tap('#good');
-  await page.getByText('Good bot, for').waitFor();
+  await page.getByText('You said Good').waitFor();
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
   assert.ok(wide <= 360, 'the page is ' + wide + ' pixels wide');
   await page.tap('#finish');
@@ -87,7 +87,7 @@ test('finishing without learning leaves the model as it was', async () => {
   const old = await model(page);
   await page.fill('#command', 'take the blue chair to the yellow room');
   await page.click('#say-it');
-  await page.getByText('No word yet, for').waitFor();
+  await page.getByText('Good or Bad?').waitFor();
   await page.click('#bad');
   await page.waitForFunction(() => document.querySelectorAll('#steps tr').length > 1);
   await page.click('#drop');
@@ -104,13 +104,13 @@ test('the next step waits longer the less sure the robot is', async () => {
   assert.deepEqual(await page.locator('#rule option').allTextContents(), ['linear', 'sigmoid', 'threshold']);
   await page.fill('#command', 'go to the red room');
   await page.click('#say-it');
-  await page.getByText('No word yet, for').waitFor();
+  await page.getByText('Good or Bad?').waitFor();
   const waits = () => page.evaluate(() => parseFloat(document.getElementById('wait').style.animationDuration));
   const unsure = await waits();
   for (let step = 0; step < 3; step += 1) {
     await page.click('#good');
     await page.click('#next');
-    await page.getByText('No word yet, for').waitFor();
+    await page.getByText('Good or Bad?').waitFor();
   }
   assert.match(await page.textContent('#bars .best .value'), /9\d %/);
   await page.click('#pause');

@@ -61,6 +61,17 @@ impl Goodbot {
         json(&self.0.scene())
     }
 
+    /// Whether the robot can pull blocks too. Puts everything back.
+    #[wasm_bindgen(js_name = setPulls)]
+    pub fn set_pulls(&mut self, pulls: bool) -> Thrown<()> {
+        self.0.set_pulls(pulls).map_err(thrown)
+    }
+
+    /// Whether the robot can pull blocks too.
+    pub fn pulls(&self) -> bool {
+        self.0.pulls()
+    }
+
     /// Whether the robot also learns how its trainer uses reward and punishment.
     #[wasm_bindgen(js_name = setLearnsStyle)]
     pub fn set_learns_style(&mut self, learns: bool) -> Thrown<()> {
@@ -71,6 +82,29 @@ impl Goodbot {
     #[wasm_bindgen(js_name = learnsStyle)]
     pub fn learns_style(&self) -> bool {
         self.0.learns_style()
+    }
+
+    /// Replaces the trainer strategies by those of a log: four numbers each, mu+, mu-, epsilon and how probable it is.
+    #[wasm_bindgen(js_name = setStrategies)]
+    pub fn set_strategies(&mut self, numbers: &[f32]) -> Thrown<()> {
+        self.0.set_strategies(numbers).map_err(thrown)
+    }
+
+    /// Takes up the last command again in the same home, as a log has it: what was believed goes on.
+    #[wasm_bindgen(js_name = hearAgain)]
+    pub fn hear_again(&mut self, command: &str) -> Thrown<()> {
+        self.0.hear_again(command).map_err(thrown)
+    }
+
+    /// Gives the command just heard another prior, as a log has it: a number for each task, in the order of the belief's.
+    #[wasm_bindgen(js_name = setPrior)]
+    pub fn set_prior(&mut self, prior: &[f32]) -> Thrown<()> {
+        self.0.set_prior(prior).map_err(thrown)
+    }
+
+    /// Does the action of this name as the trainer showed it, and learns from that.
+    pub fn demonstrate(&mut self, action: &str) -> Thrown<()> {
+        self.0.demonstrate(action).map_err(thrown)
     }
 
     /// Hears a command.
@@ -150,9 +184,19 @@ impl Goodbot {
         json(&self.0.belief())
     }
 
-    /// Where a task would lead from here: JSON, [`Route`](crate::view::Route), or `null`.
-    pub fn route(&mut self, task: usize) -> Thrown<String> {
-        json(&self.0.route(task))
+    /// Begins to look where a task would lead from here.
+    #[wasm_bindgen(js_name = lookAhead)]
+    pub fn look_ahead(&mut self, task: usize) {
+        self.0.look_ahead(task);
+    }
+
+    /// Goes on looking ahead, expanding about `budget` states: JSON, [`Route`](crate::view::Route), or `null` where the task leads nowhere;
+    /// empty while it is still looking.
+    pub fn look(&mut self, budget: u32) -> Thrown<String> {
+        match self.0.look(budget) {
+            (false, _) => Ok(String::new()),
+            (true, route) => json(&route),
+        }
     }
 
     /// Which word of the command speaks for which task: JSON, [`Support`](crate::view::Support).

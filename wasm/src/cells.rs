@@ -44,6 +44,9 @@ self_cell! {
 /// The robot's mind: all that a host can give it.
 pub const MIND: Capacities = Capacities::STANDARD;
 
+/// The most that any of the mind's tables may hold after a model file from elsewhere.
+pub const MOST_OF_A_FIELD: usize = 1 << 22;
+
 /// A home alone.
 pub const ROOMS: Capacities = Capacities { objects: 32, names: 96, name_bytes: 1_024, cells: 1_024, ..NOTHING };
 

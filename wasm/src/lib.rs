@@ -7,7 +7,7 @@
 //! |---|---|
 //! | [`world`] | the home, the robot's mind and the session under way |
 //! | [`training`] | a session from a command to a robot that has learned |
-//! | [`replay`] | a session of a log, once more |
+//! | [`replay`] | a session of a log, once more, with all that logs may say |
 //! | [`view`] | what the page draws: the scene, the beliefs, the evidence, the heat map |
 //! | [`words`] | which word of a command speaks for which task |
 //! | [`route`] | where a task would lead the robot, for the ghost on the floor plan |

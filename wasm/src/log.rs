@@ -12,6 +12,12 @@ pub struct Recording {
     pub command: String,
     /// Where everything was when it was said.
     pub environment: EnvironmentFile,
+    /// The actions of the robot, where they are not the four moves.
+    pub actions: Option<&'static [&'static str]>,
+    /// Whether it goes on from the session before.
+    pub continues: bool,
+    /// How it teaches: `feedback`, or `demonstration`.
+    pub kind: &'static str,
     /// The trainer strategies to consider, where they are not the ones that every robot starts with.
     pub strategies: Option<Vec<StrategyLine>>,
     /// What was done.
@@ -33,7 +39,8 @@ pub struct StrategyLine {
 pub struct Step {
     r#type: &'static str,
     action: String,
-    feedback: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    feedback: Option<&'static str>,
 }
 
 #[derive(Serialize)]
@@ -43,6 +50,10 @@ struct Header<'a> {
     kind: &'static str,
     environment: &'a EnvironmentFile,
     command: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    actions: Option<&'static [&'static str]>,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    continues: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     strategies: &'a Option<Vec<StrategyLine>>,
 }
@@ -55,7 +66,7 @@ struct End {
 
 impl Step {
     /// An action and what was said to it.
-    pub fn new(action: String, feedback: &'static str) -> Self {
+    pub fn new(action: String, feedback: Option<&'static str>) -> Self {
         Self { r#type: "step", action, feedback }
     }
 }
@@ -63,9 +74,9 @@ impl Step {
 impl Recording {
     /// The session as lines, each with its end.
     pub fn lines(&self, learn: bool) -> Result<String, serde_json::Error> {
-        let Self { command, environment, strategies, steps } = self;
-        let mut lines =
-            serde_json::to_string(&Header { r#type: "session", version: 1, kind: "feedback", environment, command, strategies })?;
+        let &Self { ref command, ref environment, actions, continues, kind, ref strategies, ref steps } = self;
+        let header = Header { r#type: "session", version: 1, kind, environment, command, actions, continues, strategies };
+        let mut lines = serde_json::to_string(&header)?;
         for step in steps {
             lines.push('\n');
             lines.push_str(&serde_json::to_string(step)?);
@@ -76,6 +87,9 @@ impl Recording {
         Ok(lines)
     }
 }
+
+/// The actions of a robot that pulls too, as logs name them.
+pub const PULLING: &[&str] = &["north", "south", "east", "west", "pull"];
 
 /// The strategies as logs have them; `None` for the paper's one, which every robot starts with.
 pub fn strategies(strategies: &[(Strategy, f32)], name: impl Fn(usize) -> String) -> Option<Vec<StrategyLine>> {

@@ -1,32 +1,100 @@
 //! A session of a log, once more: the same command in the same home, the same actions and the same feedback teach the same.
+//!
+//! A log may say more than the page itself does: the tasks' prior, the trainer strategies, a session that goes on from the one before, and
+//! demonstrations.
 
 use goodbot::feedback::Strategy;
+use goodbot::oomdp::action_named;
+use goodbot::task::GroundedTask;
 use goodbot_formats::session::RecordedSession;
 
+use crate::log::Step;
 use crate::world::{Refusal, World};
 
 impl World {
-    /// Goes through a recorded session of feedback and learns from it to the end, if it is to be learned from. The robot is then where
-    /// the session ended.
+    /// Replaces the trainer strategies: for each its mu+, its mu-, its epsilon and how probable it is. A session under way ends unlearned.
+    ///
+    /// # Errors
+    /// What is no probability.
+    pub fn set_strategies(&mut self, numbers: &[f32]) -> Result<(), Refusal> {
+        let mut strategies = Vec::new();
+        for strategy in numbers.as_chunks().0 {
+            let &[mu_plus, mu_minus, epsilon, prior] = strategy;
+            strategies.push((Strategy::new(mu_plus, mu_minus, epsilon).map_err(Refusal::from)?, prior));
+        }
+        self.forget();
+        self.mind.with_dependent_mut(|_, agent| agent.set_strategies(&strategies)).map_err(Refusal::from)
+    }
+
+    /// Hears the command under way once more, with a prior for each task in the order of the belief's, instead of what the words say.
+    ///
+    /// # Errors
+    /// Where no command was heard, or the numbers are no probabilities.
+    pub fn set_prior(&mut self, prior: &[f32]) -> Result<(), Refusal> {
+        let recording = self.recording.take().ok_or_else(|| Refusal("no session is under way".to_owned()))?;
+        let Self { mind, rooms, state, .. } = self;
+        let tasks: Vec<GroundedTask> = mind.borrow_dependent().tasks().to_vec();
+        let of = |task: &GroundedTask| tasks.iter().position(|known| known == task).and_then(|at| prior.get(at).copied()).unwrap_or(0.0);
+        mind.with_dependent_mut(|_, agent| agent.hear_with_prior(rooms.borrow_dependent(), state, &recording.command, |task, _| of(task)))
+            .map_err(Refusal::from)?;
+        self.recording = Some(recording);
+        Ok(())
+    }
+
+    /// Puts everything back, and takes up the last command again: what was believed goes on.
+    ///
+    /// # Errors
+    /// Where the last session was not one of this command in this home.
+    pub fn hear_again(&mut self, command: &str) -> Result<(), Refusal> {
+        self.reset();
+        let Self { mind, rooms, state, .. } = self;
+        mind.with_dependent_mut(|_, agent| agent.hear_again(rooms.borrow_dependent(), state)).map_err(Refusal::from)?;
+        self.record(command, true)
+    }
+
+    /// Takes in that the trainer did the action of this name to show the way, and does it. The plan must be done.
+    ///
+    /// # Errors
+    /// As [`act_as`](Self::act_as).
+    pub fn demonstrate(&mut self, action: &str) -> Result<(), Refusal> {
+        self.act_as(action)?;
+        self.acted = None;
+        let Some(done) = action_named(self.home(), action) else { return Ok(()) };
+        self.mind.with_dependent_mut(|_, agent| agent.demonstration(done)).map_err(Refusal::from)?;
+        if let Some(recording) = &mut self.recording {
+            recording.kind = "demonstration";
+            recording.steps.push(Step::new(action.to_owned(), None));
+        }
+        Ok(())
+    }
+
+    /// Goes through a recorded session and learns from it to the end, if it is to be learned from. The robot is then where the session
+    /// ended.
     ///
     /// # Errors
     /// Why the session cannot be gone through; what was learned before is kept.
     pub fn replay(&mut self, session: &RecordedSession) -> Result<(), Refusal> {
-        self.set_environment(&session.header.environment.to_json_line())?;
-        if let Some(records) = &session.header.strategies {
-            let mut strategies = Vec::new();
-            for record in records {
-                let strategy = Strategy::new(record.mu_plus as f32, record.mu_minus as f32, record.epsilon as f32);
-                strategies.push((strategy.map_err(Refusal::from)?, record.prior as f32));
+        let header = &session.header;
+        if header.continues {
+            self.hear_again(&header.command)?;
+        } else {
+            self.set_pulls(header.action_names().any(|name| name == "pull"))?;
+            self.set_environment(&header.environment.to_json_line())?;
+            if let Some(records) = &header.strategies {
+                let numbers = records.iter().flat_map(|record| [record.mu_plus, record.mu_minus, record.epsilon, record.prior]);
+                self.set_strategies(&numbers.map(|number| number as f32).collect::<Vec<_>>())?;
             }
-            self.mind.with_dependent_mut(|_, agent| agent.set_strategies(&strategies)).map_err(Refusal::from)?;
+            self.hear(&header.command)?;
         }
-        self.hear(&session.header.command)?;
         for (_, step) in &session.steps {
-            let feedback = step.feedback.ok_or_else(|| Refusal("a demonstration is not feedback".to_owned()))?;
             while !self.plan(u32::MAX)? {}
-            self.act_as(&step.action)?;
-            self.judge(feedback.as_str())?;
+            match step.feedback {
+                None => self.demonstrate(&step.action)?,
+                Some(feedback) => {
+                    self.act_as(&step.action)?;
+                    self.judge(feedback.as_str())?;
+                }
+            }
         }
         if session.learn {
             self.finish()?;

@@ -20,23 +20,57 @@ pub fn scout() -> Scout {
     })
 }
 
-/// The states from `state` to the task's goal, following the first optimal action each time. `None` where there is no way, or where
-/// finding it takes too long.
-pub fn follow(lookout: &mut Lookout<'_>, home: &Home<'_>, state: &HomeState, task: usize) -> Option<Vec<HomeState>> {
-    let mut states = vec![*state];
-    let mut left = MOST_EXPANDED;
-    while states.len() <= MOST_STEPS {
-        let here = *states.last()?;
-        lookout.search.begin(home, &lookout.goals, &here, TaskSet::of(task), TaskSet::EMPTY);
-        if lookout.search.advance(home, &lookout.goals, left) == Progress::Working {
-            return None;
-        }
-        left = left.saturating_sub(lookout.search.expanded());
-        match lookout.search.optimal(task) {
-            OptimalSet::Goal => return Some(states),
-            OptimalSet::Toward(actions) => states.push(apply(home, &here, actions.iter().next()?)?),
-            OptimalSet::DeadEnd(_) | OptimalSet::Unknown => return None,
-        }
+/// A look ahead under way: the states on the way to a task's goal, following the first optimal action each time.
+#[derive(Debug)]
+pub struct Lookahead {
+    states: Vec<HomeState>,
+    task: usize,
+    left: u32,
+    searching: bool,
+    arrived: bool,
+}
+
+impl Lookahead {
+    /// A look from a state to where a task is done.
+    pub fn new(state: HomeState, task: usize) -> Self {
+        Self { states: vec![state], task, left: MOST_EXPANDED, searching: false, arrived: false }
     }
-    None
+
+    /// Goes on, expanding at most about `budget` states. A look that is done may lead nowhere.
+    pub fn advance(&mut self, lookout: &mut Lookout<'_>, home: &Home<'_>, budget: u32) -> Progress {
+        let mut budget = budget.max(1);
+        while budget > 0 && !self.arrived {
+            let Some(here) = self.states.last().copied() else { return Progress::Done };
+            if !self.searching {
+                lookout.search.begin(home, &lookout.goals, &here, TaskSet::of(self.task), TaskSet::EMPTY);
+                self.searching = true;
+            }
+            let before = lookout.search.expanded();
+            let progress = lookout.search.advance(home, &lookout.goals, budget.min(self.left));
+            // A search that needs no state at all still counts, so that this ends.
+            let spent = lookout.search.expanded().saturating_sub(before).max(1);
+            (budget, self.left) = (budget.saturating_sub(spent), self.left.saturating_sub(spent));
+            let next = match progress {
+                Progress::Working if self.left == 0 => None,
+                Progress::Working => return Progress::Working,
+                Progress::Done => match lookout.search.optimal(self.task) {
+                    OptimalSet::Goal => {
+                        self.arrived = true;
+                        return Progress::Done;
+                    }
+                    OptimalSet::Toward(actions) => actions.iter().next().and_then(|action| apply(home, &here, action)),
+                    OptimalSet::DeadEnd(_) | OptimalSet::Unknown => None,
+                },
+            };
+            let Some(next) = next.filter(|_| self.left > 0 && self.states.len() < MOST_STEPS) else { return Progress::Done };
+            self.states.push(next);
+            self.searching = false;
+        }
+        Progress::Working
+    }
+
+    /// The states from the first to the goal; `None` where the task leads nowhere, or finding out took too long.
+    pub fn states(self) -> Option<Vec<HomeState>> {
+        self.arrived.then_some(self.states)
+    }
 }

@@ -5,13 +5,14 @@
 
 use goodbot::feedback::simulated::unit;
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
-use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, ROOM, SHAPE};
+use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, HomeState, ROOM, SHAPE};
+use goodbot::language::tokenizer::for_each_word;
 use goodbot::oomdp::{Action, Domain, ObjectId, action_name, action_named, apply};
 use goodbot::planning::{OptimalSet, Progress};
 use goodbot::task::{GroundedTask, LiftedTask};
 
-use crate::log::{Recording, Step, strategies};
-use crate::route::follow;
+use crate::log::{PULLING, Recording, Step, strategies};
+use crate::route::Lookahead;
 use crate::view::{Belief, Decided, Evidence, Heat, Route, Support, Task, TrainerStyle};
 use crate::words::support;
 use crate::world::{Refusal, World, thing};
@@ -34,13 +35,12 @@ impl World {
                 strategies.push((Strategy::new(mu_plus, mu_minus, EPSILON).map_err(Refusal::from)?, prior));
             }
         }
-        self.learns_style = learns;
         self.mind.with_dependent_mut(|_, agent| agent.set_strategies(&strategies)).map_err(Refusal::from)
     }
 
     /// Whether the robot learns how its trainer uses reward and punishment.
     pub fn learns_style(&self) -> bool {
-        self.learns_style
+        self.agent().belief().strategies().len() > 1
     }
 
     /// Hears a command where everything is now. A session under way ends unlearned.
@@ -49,14 +49,22 @@ impl World {
     /// Why the command cannot be heard; what was learned is kept.
     pub fn hear(&mut self, command: &str) -> Result<(), Refusal> {
         self.forget();
+        let Self { mind, rooms, state, .. } = self;
+        mind.with_dependent_mut(|_, agent| agent.hear(rooms.borrow_dependent(), state, command)).map_err(Refusal::from)?;
+        self.record(command, false)
+    }
+
+    /// Begins to write down the session that the mind has begun.
+    pub(crate) fn record(&mut self, command: &str, continues: bool) -> Result<(), Refusal> {
         let environment = self.environment_now();
+        let actions = self.pulls().then_some(PULLING);
         let Self { mind, scout, rooms, state, .. } = self;
-        let home = rooms.borrow_dependent();
-        mind.with_dependent_mut(|_, agent| agent.hear(home, state, command)).map_err(Refusal::from)?;
-        let agent = mind.borrow_dependent();
+        let (home, agent) = (rooms.borrow_dependent(), mind.borrow_dependent());
         scout.with_dependent_mut(|_, lookout| lookout.goals.fill(home, agent.lifted(), agent.tasks(), state)).map_err(Refusal::from)?;
-        let strategies = strategies(agent.belief().strategies(), style_name);
-        self.recording = Some(Recording { command: command.to_owned(), environment, strategies, steps: Vec::new() });
+        let known = agent.belief().strategies();
+        let strategies = if continues { None } else { strategies(known, |at| style_name(known, at)) };
+        let command = command.to_owned();
+        self.recording = Some(Recording { command, environment, actions, continues, kind: "feedback", strategies, steps: Vec::new() });
         Ok(())
     }
 
@@ -113,7 +121,7 @@ impl World {
         Ok(())
     }
 
-    fn check_judged(&self) -> Result<(), Refusal> {
+    pub(crate) fn check_judged(&self) -> Result<(), Refusal> {
         if self.acted.is_some() { Err(Refusal("the last action waits for its feedback".to_owned())) } else { Ok(()) }
     }
 
@@ -144,7 +152,7 @@ impl World {
         self.acted = None;
         let action = action_name(self.home(), action).to_owned();
         if let Some(recording) = &mut self.recording {
-            recording.steps.push(Step::new(action.clone(), feedback.name()));
+            recording.steps.push(Step::new(action.clone(), Some(feedback.name())));
         }
         Ok(Evidence { action, feedback: feedback.name(), judgements, before, after: self.probabilities() })
     }
@@ -218,22 +226,27 @@ impl World {
             let probability = agent.belief().probability(position);
             Some(Task { name: task_name(home, lifted, task), words: task_words(home, lifted, task), probability })
         };
-        let strategies = (0..agent.belief().strategies().len())
-            .map(|at| TrainerStyle { name: style_name(at), probability: agent.belief().strategy_probability(at) });
+        let known = agent.belief().strategies();
+        let strategies =
+            (0..known.len()).map(|at| TrainerStyle { name: style_name(known, at), probability: agent.belief().strategy_probability(at) });
         Belief { tasks: tasks.iter().enumerate().filter_map(named).collect(), strategies: strategies.collect() }
     }
 
-    /// Where a task would lead from here; `None` where it leads nowhere, or finding out takes too long.
-    pub fn route(&mut self, task: usize) -> Option<Route> {
-        let Self { scout, rooms, state, .. } = self;
+    /// Begins to look where a task would lead from here: [`look`](Self::look) until that is done.
+    pub fn look_ahead(&mut self, task: usize) {
+        self.ahead = Some(Lookahead::new(self.state, task));
+    }
+
+    /// Goes on looking ahead, expanding about `budget` states. Gives whether it is done, and then the route; none where the task leads
+    /// nowhere, or finding out takes too long.
+    pub fn look(&mut self, budget: u32) -> (bool, Option<Route>) {
+        let Self { ahead, scout, rooms, .. } = self;
         let home = rooms.borrow_dependent();
-        let states = scout.with_dependent_mut(|_, lookout| follow(lookout, home, state, task))?;
-        let end = states.last()?;
-        let moved = std::iter::once(home.agent()).chain(home.blocks().iter().copied());
-        Some(Route {
-            cells: states.iter().map(|state| home.agent_cell(state)).map(|cell| [cell.x, cell.y]).collect(),
-            end: moved.map(|id| thing(home, end, id)).collect(),
-        })
+        let Some(looking) = ahead else { return (true, None) };
+        if scout.with_dependent_mut(|_, lookout| looking.advance(lookout, home, budget)) == Progress::Working {
+            return (false, None);
+        }
+        (true, ahead.take().and_then(Lookahead::states).and_then(|states| route(home, &states)))
     }
 
     /// Which word of the command speaks for which task.
@@ -244,7 +257,16 @@ impl World {
         if !self.is_listening() {
             return Err(Refusal("no session is under way".to_owned()));
         }
-        support(self.agent(), self.home()).map_err(Refusal::from)
+        let mut support = support(self.agent(), self.home()).map_err(Refusal::from)?;
+        // As they were said, and not only their beginnings.
+        support.words.clear();
+        let command = self.recording.as_ref().map_or("", |recording| &recording.command);
+        for_each_word(command, |word| {
+            support.words.push(word.to_owned());
+            Ok(())
+        })
+        .map_err(Refusal::from)?;
+        Ok(support)
     }
 
     /// What every word means to the robot: the translation table as it was last learned.
@@ -258,12 +280,26 @@ impl World {
             cells: cells.collect(),
             words: words.iter().map(|(_, text)| (*text).to_owned()).collect(),
             tokens: tokens.iter().map(|(_, text)| (*text).to_owned()).collect(),
+            letters: self.agent().options().language.word_letters,
         }
     }
 }
 
-fn style_name(at: usize) -> String {
-    STYLES.get(at).map_or_else(|| format!("style{at}"), |style| style.0.to_owned())
+/// The name of a strategy in logs, which a model file does not keep.
+fn style_name(known: &[(Strategy, f32)], at: usize) -> String {
+    let Some((strategy, _)) = known.get(at) else { return String::new() };
+    let alike =
+        |(_, mu_plus, mu_minus, _): &&(&str, f32, f32, f32)| Strategy::new(*mu_plus, *mu_minus, EPSILON).is_ok_and(|it| it == *strategy);
+    STYLES.iter().find(alike).map_or_else(|| format!("style{at}"), |style| style.0.to_owned())
+}
+
+fn route(home: &Home<'_>, states: &[HomeState]) -> Option<Route> {
+    let end = states.last()?;
+    let moved = std::iter::once(home.agent()).chain(home.blocks().iter().copied());
+    Some(Route {
+        cells: states.iter().map(|state| home.agent_cell(state)).map(|cell| [cell.x, cell.y]).collect(),
+        end: moved.map(|id| thing(home, end, id)).collect(),
+    })
 }
 
 const fn plan_word(plan: &OptimalSet) -> &'static str {

@@ -5,13 +5,14 @@ use std::fmt;
 use goodbot::home::map::Map;
 use goodbot::home::{self, Area, BLOCK, COLOR, Cell, DOOR, Home, HomeBuilder, HomeError, HomeState, Moves, ROOM, SHAPE};
 use goodbot::oomdp::{Action, Domain, ObjectId};
-use goodbot::{Agent, Options};
+use goodbot::snapshot::Contents;
+use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use rand_pcg::Pcg32;
 
-use crate::cells::{MIND, Mind, ROOMS, Rooms, Scout, memory};
+use crate::cells::{MIND, MOST_OF_A_FIELD, Mind, ROOMS, Rooms, Scout, memory};
 use crate::log::Recording;
-use crate::route;
+use crate::route::{self, Lookahead};
 use crate::view::{Extent, Place, Scene, Thing};
 
 /// Why something was refused, in words for the person at the page.
@@ -41,11 +42,12 @@ pub struct World {
     pub(crate) scout: Scout,
     pub(crate) rooms: Rooms,
     pub(crate) file: EnvironmentFile,
+    pub(crate) moves: Moves,
     pub(crate) start: HomeState,
     pub(crate) state: HomeState,
     pub(crate) acted: Option<Action>,
     pub(crate) recording: Option<Recording>,
-    pub(crate) learns_style: bool,
+    pub(crate) ahead: Option<Lookahead>,
     pub(crate) random: Pcg32,
 }
 
@@ -55,13 +57,14 @@ impl fmt::Debug for World {
     }
 }
 
-pub(crate) fn new_mind() -> Result<Mind, Refusal> {
+fn new_mind(capacities: &Capacities) -> Result<Mind, Refusal> {
     let lifted = home::paper_tasks().map_err(Refusal::from)?;
-    Mind::try_new(memory(&MIND), |memory| Agent::new(memory.borrow_mut().split().agent, &lifted, Options::DEFAULT)).map_err(Refusal::from)
+    Mind::try_new(memory(capacities), |memory| Agent::new(memory.borrow_mut().split().agent, &lifted, Options::DEFAULT))
+        .map_err(Refusal::from)
 }
 
 /// Builds the home of a file. The message of a refusal names the object.
-fn build(file: &EnvironmentFile) -> Result<(Rooms, HomeState), Refusal> {
+fn build(file: &EnvironmentFile, moves: Moves) -> Result<(Rooms, HomeState), Refusal> {
     let mut start = None;
     let refuse = |error: HomeError| {
         let object = error.object.and_then(|at| file.objects.get(usize::from(at)));
@@ -80,11 +83,32 @@ fn build(file: &EnvironmentFile) -> Result<(Rooms, HomeState), Refusal> {
             }
             .map_err(refuse)?;
         }
-        let (home, state) = builder.build(Moves::Push).map_err(refuse)?;
+        let (home, state) = builder.build(moves).map_err(refuse)?;
         start = Some(state);
         Ok::<_, Refusal>(home)
     })?;
     start.map(|start| (rooms, start)).ok_or_else(|| Refusal("the home has no start".to_owned()))
+}
+
+/// A robot that has learned more than the page's own, on another machine, keeps its room.
+fn room_for(contents: &Contents<'_>) -> Capacities {
+    let sizes = &contents.sizes;
+    let most = |least: usize, size: u32| least.max((size as usize).min(MOST_OF_A_FIELD));
+    Capacities {
+        words: most(MIND.words, sizes.words),
+        word_bytes: most(MIND.word_bytes, sizes.word_bytes),
+        tokens: most(MIND.tokens, sizes.tokens),
+        token_bytes: most(MIND.token_bytes, sizes.token_bytes),
+        commands: most(MIND.commands, sizes.commands),
+        command_tokens: most(MIND.command_tokens, sizes.command_tokens),
+        sessions: most(MIND.sessions, sizes.sessions),
+        sentence_words: most(MIND.sentence_words, sizes.sentence_words),
+        pairs: most(MIND.pairs, sizes.pairs),
+        translations: most(MIND.translations, sizes.translations),
+        alignments: most(MIND.alignments, sizes.alignments),
+        length_pairs: most(MIND.length_pairs, sizes.length_pairs),
+        ..MIND
+    }
 }
 
 /// Says why an environment cannot be used, if it cannot.
@@ -92,7 +116,7 @@ fn build(file: &EnvironmentFile) -> Result<(Rooms, HomeState), Refusal> {
 /// # Errors
 /// The reason.
 pub fn check(json: &str) -> Result<(), Refusal> {
-    build(&EnvironmentFile::parse(json).map_err(Refusal::from)?).map(|_| ())
+    build(&EnvironmentFile::parse(json).map_err(Refusal::from)?, Moves::Push).map(|_| ())
 }
 
 impl World {
@@ -102,17 +126,19 @@ impl World {
     /// None where the built-in home is sound.
     pub fn new(seed: u64) -> Result<Self, Refusal> {
         let file = EnvironmentFile::parse(FIRST_HOME).map_err(Refusal::from)?;
-        let (rooms, start) = build(&file)?;
+        let moves = Moves::Push;
+        let (rooms, start) = build(&file, moves)?;
         Ok(Self {
-            mind: new_mind()?,
+            mind: new_mind(&MIND)?,
             scout: route::scout(),
             rooms,
             file,
+            moves,
             start,
             state: start,
             acted: None,
             recording: None,
-            learns_style: false,
+            ahead: None,
             random: Pcg32::new(seed, 1),
         })
     }
@@ -123,10 +149,27 @@ impl World {
     /// Why the home cannot be used; the old one then stays.
     pub fn set_environment(&mut self, json: &str) -> Result<(), Refusal> {
         let file = EnvironmentFile::parse(json).map_err(Refusal::from)?;
-        let (rooms, start) = build(&file)?;
+        let (rooms, start) = build(&file, self.moves)?;
         self.forget();
         (self.rooms, self.file, self.start, self.state) = (rooms, file, start, start);
         Ok(())
+    }
+
+    /// Whether the robot can pull blocks too. Puts everything back; a session under way ends unlearned.
+    ///
+    /// # Errors
+    /// None: a home is one with either kind of moves.
+    pub fn set_pulls(&mut self, pulls: bool) -> Result<(), Refusal> {
+        let moves = if pulls { Moves::PushAndPull } else { Moves::Push };
+        let (rooms, start) = build(&self.file, moves)?;
+        self.forget();
+        (self.rooms, self.moves, self.start, self.state) = (rooms, moves, start, start);
+        Ok(())
+    }
+
+    /// Whether the robot can pull blocks too.
+    pub fn pulls(&self) -> bool {
+        self.moves == Moves::PushAndPull
     }
 
     /// The home as it was entered, as JSON.
@@ -145,9 +188,10 @@ impl World {
     /// # Errors
     /// None where the built-in strategies are sound.
     pub fn restart(&mut self) -> Result<(), Refusal> {
-        self.mind = new_mind()?;
+        let learns_style = self.learns_style();
+        self.mind = new_mind(&MIND)?;
         (self.recording, self.acted, self.state) = (None, None, self.start);
-        self.set_learns_style(self.learns_style)
+        self.set_learns_style(learns_style)
     }
 
     /// What the robot has learned, as the bytes of a model file.
@@ -168,9 +212,11 @@ impl World {
     /// # Errors
     /// Why the file cannot be used; what the robot knew then stays.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
+        let contents = Contents::read(bytes).map_err(Refusal::from)?;
+        let mut mind = new_mind(&room_for(&contents))?;
+        mind.with_dependent_mut(|_, agent| agent.restore(bytes)).map_err(Refusal::from)?;
         self.forget();
-        self.mind.with_dependent_mut(|_, agent| agent.restore(bytes)).map_err(Refusal::from)?;
-        self.learns_style = self.agent().belief().strategies().len() > 1;
+        self.mind = mind;
         Ok(())
     }
 

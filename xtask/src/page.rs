@@ -1,7 +1,7 @@
 //! `cargo xtask page`: the trainer page as one HTML file.
 //!
 //! The browser part is built for WebAssembly, its JavaScript glue is generated, and both are put into `page/index.html` together with the
-//! page's own style and scripts. The module is compressed; the browser expands it with what it has on board.
+//! page's own style and scripts. The module is packed with LZMA, and the page unpacks it.
 
 mod assemble;
 mod budget;
@@ -23,13 +23,13 @@ pub fn path() -> PathBuf {
 pub fn build() -> Result<()> {
     let folder = project::target_dir().join("page");
     let parts = parts(&folder)?;
-    let html = assemble::assemble(&project::root().join("page"), &parts)?;
+    let page = assemble::assemble(&project::root().join("page"), &parts)?;
     let path = path();
     if let Some(dist) = path.parent() {
         std::fs::create_dir_all(dist).with_context(|| format!("{} cannot be made", dist.display()))?;
     }
-    std::fs::write(&path, &html).with_context(|| format!("{} cannot be written", path.display()))?;
-    budget::check(&html, &parts)
+    std::fs::write(&path, &page.html).with_context(|| format!("{} cannot be written", path.display()))?;
+    budget::check(&page, parts.wasm.len())
 }
 
 /// What is generated: the module and its glue.

@@ -1,18 +1,20 @@
 //! One HTML file out of its parts.
 
+use std::io::Write;
 use std::path::Path;
 use std::process::Command;
 
 use anyhow::{Context, Result, bail};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use zopfli::{Format, Options};
+use lzma_rust2::{LzmaOptions, LzmaWriter};
 
 use super::Parts;
 use crate::{process, project, toolchain};
 
 /// The page's scripts, in the order in which they stand in the file.
-const SCRIPTS: [&str; 13] = [
+const SCRIPTS: [&str; 15] = [
+    "unpack.js",
     "state.js",
     "storage.js",
     "words.js",
@@ -21,6 +23,7 @@ const SCRIPTS: [&str; 13] = [
     "session.js",
     "thoughts.js",
     "tour.js",
+    "logs.js",
     "build.js",
     "textmap.js",
     "settings.js",
@@ -28,8 +31,20 @@ const SCRIPTS: [&str; 13] = [
     "main.js",
 ];
 
+/// The page, and the parts that stand in it.
+pub struct Page {
+    /// All of it.
+    pub html: String,
+    /// The module, packed, as text.
+    pub module: String,
+    /// The page's scripts with the glue, made small.
+    pub script: String,
+    /// How it looks.
+    pub style: String,
+}
+
 /// Puts style, scripts, glue and module into `index.html`.
-pub fn assemble(folder: &Path, parts: &Parts) -> Result<String> {
+pub fn assemble(folder: &Path, parts: &Parts) -> Result<Page> {
     let read = |name: &str| std::fs::read_to_string(folder.join(name)).with_context(|| format!("page/{name} cannot be read"));
     let mut script = format!("(function () {{\n\"use strict\";\n{}", parts.glue);
     for name in SCRIPTS {
@@ -37,19 +52,19 @@ pub fn assemble(folder: &Path, parts: &Parts) -> Result<String> {
         script.push_str(&read(&format!("src/{name}"))?);
     }
     script.push_str("})();\n");
-    let script = minified(&folder.join("tests"), &script)?;
+    let script = escaped(&minified(&folder.join("tests"), &script)?);
+    let style = without_comments(&read("style.css")?);
+    let module = STANDARD.encode(packed(&parts.wasm)?);
     let mut html = read("index.html")?;
-    for (mark, text) in [
-        ("/*STYLE*/", without_comments(&read("style.css")?)),
-        ("/*SCRIPT*/", escaped(&script)),
-        ("<!--MODULE-->", STANDARD.encode(deflated(&parts.wasm)?)),
-    ] {
+    for (mark, text) in
+        [("/*SIZE*/", &parts.wasm.len().to_string()), ("/*STYLE*/", &style), ("/*SCRIPT*/", &script), ("<!--MODULE-->", &module)]
+    {
         if html.matches(mark).count() != 1 {
             bail!("page/index.html must have {mark} once");
         }
-        html = html.replacen(mark, &text, 1);
+        html = html.replacen(mark, text, 1);
     }
-    Ok(without_comments(&html))
+    Ok(Page { html: without_comments(&html), module, script, style })
 }
 
 /// A script made small by terser, which npm installs beside the page's tests.
@@ -85,10 +100,12 @@ fn escaped(script: &str) -> String {
     script.replace("</script", "<\\/script").replace("<!--", "<\\!--")
 }
 
-fn deflated(bytes: &[u8]) -> Result<Vec<u8>> {
-    let mut deflated = Vec::new();
-    zopfli::compress(Options::default(), Format::Deflate, bytes, &mut deflated)?;
-    Ok(deflated)
+/// An LZMA stream as `page/src/unpack.js` reads it.
+pub fn packed(bytes: &[u8]) -> Result<Vec<u8>> {
+    let options = LzmaOptions { lc: 3, lp: 0, pb: 0, ..LzmaOptions::with_preset(9) };
+    let mut writer = LzmaWriter::new_no_header(Vec::new(), &options, false)?;
+    writer.write_all(bytes)?;
+    Ok(writer.finish()?)
 }
 
 #[cfg(test)]

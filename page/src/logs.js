@@ -1,0 +1,106 @@
+// A session log, gone through once more: the robot learns from its sessions one after the other.
+const LOG_FIELDS = {
+  session: ['type', 'version', 'id', 'kind', 'environment', 'command', 'intended', 'actions', 'prior', 'strategies', 'continues'],
+  step: ['type', 'action', 'feedback'],
+  end: ['type', 'learn'],
+};
+
+function checkRecord(record) {
+  const fields = LOG_FIELDS[record.type];
+  if (!fields) throw new Error('“type” is neither session, step nor end');
+  const strange = Object.keys(record).find(field => !fields.includes(field));
+  if (strange) throw new Error('there is no field “' + strange + '”');
+  if (record.type === 'session' && record.version !== 1) throw new Error('“version” is not 1');
+  if (record.type === 'session' && !['feedback', 'demonstration'].includes(record.kind)) throw new Error('“kind” is neither feedback nor demonstration');
+  const action = (record.actions || []).find(name => !(name in ACTIONS));
+  if (action) throw new Error(action + ' is no action here');
+}
+
+// Begins a session as the log has it; `last` is the one before.
+function beginRecorded(record, last) {
+  if (record.continues) {
+    if (!last || last.command !== record.command || JSON.stringify(last.environment) !== JSON.stringify(record.environment)) {
+      throw new Error('it continues a session that does not stand before it');
+    }
+    world.hearAgain(record.command);
+    return;
+  }
+  world.setPulls((record.actions || []).includes('pull'));
+  world.setEnvironment(JSON.stringify(record.environment));
+  if (record.strategies) world.setStrategies(Float32Array.from(record.strategies.flatMap(one => [one.mu_plus, one.mu_minus, one.epsilon, one.prior])));
+  world.hear(record.command);
+  rememberWords(record.command);
+  if (!record.prior) return;
+  const names = parsed(world.belief()).tasks.map(task => task.name);
+  const strange = Object.keys(record.prior).find(name => !names.includes(name));
+  if (strange) throw new Error('“prior” names ' + strange + ', which is no task of this page');
+  world.setPrior(Float32Array.from(names.map(name => record.prior[name] || 0)));
+}
+
+async function learnFrom(lines) {
+  let [session, last, own, number] = [null, null, [], 0];
+  for (const line of lines) {
+    number += 1;
+    if (!line.trim()) continue;
+    try {
+      const record = JSON.parse(line);
+      checkRecord(record);
+      own.push(line);
+      if ((record.type === 'session') !== (session === null)) throw new Error(session ? 'the session before has no end' : 'no session has begun');
+      if (record.type === 'session') {
+        beginRecorded(record, last);
+        session = record;
+        own = [line];
+      } else if (record.type === 'step') {
+        while (!world.plan(PLAN_BUDGET)) await nextFrame();
+        if (session.kind === 'demonstration') world.demonstrate(record.action);
+        else {
+          world.actAs(record.action);
+          world.judge(record.feedback);
+        }
+      } else {
+        if (record.learn) {
+          world.finish();
+          while (!world.learn(LEARN_BUDGET)) await nextFrame();
+          appendLog(own.join('\n') + '\n');
+        } else world.forget();
+        [session, last] = [null, session];
+        state.sessions = world.sessions();
+        state.progress = 'Line ' + number + ' of ' + lines.length + '.';
+        render();
+        await nextFrame();
+      }
+    } catch (error) {
+      throw new Error('line ' + number + ' of this log cannot be used: ' + error.message);
+    }
+  }
+  if (session) throw new Error('the last session of this log has no end');
+}
+
+async function loadLog(input) {
+  const lines = (await readFile(input, 'text')).trimEnd().split('\n');
+  stopSession();
+  const before = present();
+  const home = world.environment();
+  state.phase = 'learning';
+  render();
+  try {
+    await learnFrom(lines);
+    keepUndo(before);
+    tell('The robot has gone through the log: it now knows ' + sessionsWord() + '.');
+  } catch (error) {
+    world.forget();
+    while (!world.learn(LEARN_BUDGET)) await nextFrame();
+    await takeModel(before.model);
+    keep(KEYS.log, before.log);
+    tell('Nothing was learned: ' + error.message + '. The robot knows what it knew before.', true);
+  }
+  state.phase = 'none';
+  state.progress = '';
+  state.settings.style = world.learnsStyle();
+  enterHome(home);
+  state.heat = { now: heatNow(), before: null };
+  keepModel();
+  refresh();
+  render();
+}
