@@ -31,7 +31,7 @@ pub fn follow(lookout: &mut Lookout<'_>, home: &Home<'_>, state: &HomeState, tas
         if lookout.search.advance(home, &lookout.goals, left) == Progress::Working {
             return None;
         }
-        left = left.saturating_sub(lookout.search.expanded());
+        left = left.saturating_sub(lookout.search.looks());
         match lookout.search.optimal(task) {
             OptimalSet::Goal => return Some(states),
             OptimalSet::Toward(actions) => states.push(apply(home, &here, actions.iter().next()?)?),
