@@ -54,7 +54,7 @@ impl<'m> Scene<'m> {
                 return 0;
             }
             scene.plan();
-            scene.planner.search().expanded()
+            scene.planner.search().looks()
         };
         Self::seeded((0..12).max_by_key(|&seed| (expanded(seed), 12 - seed)).unwrap_or(0), size, tasks, memory)
     }

@@ -42,7 +42,8 @@ pub struct Capacities {
     pub ground_propositions: usize,
     /// Entries of the table that finds the tasks satisfied by a state: the values of all state variables together.
     pub goal_entries: usize,
-    /// States that one search can hold, where actions cost 1 each.
+    /// States that one search can hold that looks at them one by one, where actions cost 1 each: see
+    /// [`search_words`](Self::search_words). Where it looks at rows of them, it holds more.
     pub states: usize,
     /// States that one search can hold where the state space is larger than `states` and visited states are hashed. 0 turns it off.
     pub hashed_states: usize,
@@ -120,7 +121,7 @@ impl Capacities {
         candidate_tokens: 240,
         ground_propositions: 10,
         goal_entries: 0,
-        states: 1_681,
+        states: 1_472,
         hashed_states: 0,
         sweep_words: 0,
         words: 14,
@@ -137,11 +138,10 @@ impl Capacities {
         length_pairs: 8,
     };
 
-    /// u32s of the search's frontier: four bit sets over the states, enough for actions that cost 1 and 2, and a bit for each of their
-    /// words.
-    pub const fn frontier_words(&self) -> usize {
-        let words = self.states.div_ceil(32);
-        words.saturating_add(words.div_ceil(32)).saturating_mul(4)
+    /// u64s of the search: for each 64 states eight words of first actions, and three bit sets with a bit for each of their words.
+    pub const fn search_words(&self) -> usize {
+        let groups = self.states.div_ceil(64);
+        groups.saturating_mul(11).saturating_add(groups.div_ceil(64).saturating_mul(3))
     }
 
     /// For hosts and browsers: about fifteen megabytes, most of them for a million search states, and sixteen for a sweep.

@@ -5,6 +5,7 @@
 pub mod brute_force;
 pub mod fixture;
 pub mod hostile;
+pub mod one_by_one;
 pub mod random_homes;
 pub mod school;
 pub mod turning_robot;

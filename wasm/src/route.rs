@@ -45,10 +45,10 @@ impl Lookahead {
                 lookout.search.begin(home, &lookout.goals, &here, TaskSet::of(self.task), TaskSet::EMPTY);
                 self.searching = true;
             }
-            let before = lookout.search.expanded();
+            let before = lookout.search.looks();
             let progress = lookout.search.advance(home, &lookout.goals, budget.min(self.left));
             // A search that needs no state at all still counts, so that this ends.
-            let spent = lookout.search.expanded().saturating_sub(before).max(1);
+            let spent = lookout.search.looks().saturating_sub(before).max(1);
             (budget, self.left) = (budget.saturating_sub(spent), self.left.saturating_sub(spent));
             let next = match progress {
                 Progress::Working if self.left == 0 => None,

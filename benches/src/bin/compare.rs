@@ -78,7 +78,7 @@ fn many_tasks() -> Result<(), String> {
     let mut many = Scene::roomy(size(12, 1), Tasks::Count(64), &mut memory);
     let mut few = Scene::roomy(size(12, 1), Tasks::Count(8), &mut other);
     let times = in_turn(&mut || many.plan(), &mut || few.plan());
-    println!("{} states, {} and {} tasks", many.planner.search().expanded(), many.tasks.len(), few.tasks.len());
+    println!("{} states, {} and {} tasks", many.planner.search().looks(), many.tasks.len(), few.tasks.len());
     show("64 tasks / 8 tasks", times, None, Some(1.5))
 }
 

@@ -3,7 +3,7 @@
 use super::layout::{Area, Cell, Place, Spot, StoredArea, WALL, spot_of};
 use super::{AGENT_IN_DOOR, AGENT_IN_ROOM, BLOCK_IN_DOOR, BLOCK_IN_ROOM, SCHEMA};
 use crate::capacity::BLOCKS;
-use crate::oomdp::{Action, ActionKind, Domain, GroundProposition, ObjectId, ObjectSet, Schema};
+use crate::oomdp::{Action, ActionKind, Domain, Grid, GroundProposition, ObjectId, ObjectSet, Schema};
 
 /// The actions that a home offers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -41,6 +41,9 @@ pub struct Home<'m> {
     blocks: [ObjectId; BLOCKS],
     block_count: usize,
     moves: Moves,
+    grid: Grid,
+    /// The smallest x and y of the places.
+    corner: (i16, i16),
 }
 
 impl<'m> Home<'m> {
@@ -55,7 +58,9 @@ impl<'m> Home<'m> {
         block_count: usize,
         moves: Moves,
     ) -> Self {
-        Self { objects, areas, places: places.get(..count).unwrap_or(&[]), agent, blocks, block_count, moves }
+        let places = places.get(..count).unwrap_or(&[]);
+        let (grid, corner) = grid_of(places);
+        Self { objects, areas, places, agent, blocks, block_count, moves, grid, corner }
     }
 
     /// Which actions it offers.
@@ -167,6 +172,17 @@ impl<'m> Home<'m> {
             Some(block) => state.blocks.get(block).copied().unwrap_or(WALL),
         }
     }
+}
+
+/// The grid that holds all places, and the smallest x and y.
+fn grid_of(places: &[Place]) -> (Grid, (i16, i16)) {
+    let left = places.iter().map(|place| place.x).min().unwrap_or(0);
+    let right = places.iter().map(|place| place.x).max().unwrap_or(0);
+    let (bottom, top) = (places.first().map_or(0, |place| place.y), places.last().map_or(0, |place| place.y));
+    let cells = |from: i16, to: i16| usize::from(to.wrapping_sub(from).cast_unsigned()).saturating_add(1);
+    let width = cells(left, right).saturating_add(1);
+    let grid = Grid { width, bits: width.saturating_mul(cells(bottom, top)).saturating_sub(1), directions: [0, 1, 2, 3].map(Action) };
+    (grid, (left, bottom))
 }
 
 impl Domain for Home<'_> {
@@ -310,6 +326,24 @@ impl Domain for Home<'_> {
             return Some(0);
         }
         self.blocks().iter().position(|&block| block == subject).map(|position| position.saturating_add(1))
+    }
+
+    fn grid(&self) -> Option<Grid> {
+        Some(self.grid)
+    }
+
+    #[inline]
+    fn bit_of(&self, place: usize) -> usize {
+        let (left, bottom) = self.corner;
+        self.places.get(place).map_or(0, |place| {
+            let (right, up) = (place.x.wrapping_sub(left), place.y.wrapping_sub(bottom));
+            usize::from(up.cast_unsigned()).wrapping_mul(self.grid.width).wrapping_add(usize::from(right.cast_unsigned()))
+        })
+    }
+
+    #[inline]
+    fn taken(&self, state: &HomeState, variable: usize) -> Option<usize> {
+        state.blocks.get(variable.checked_sub(1)?).map(|&spot| usize::from(spot))
     }
 
     fn stands_still(&self, variable: usize) -> bool {

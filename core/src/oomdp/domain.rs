@@ -1,6 +1,6 @@
 //! The seam: what a robot brings of its own.
 
-use super::{GroundProposition, ObjectSet, Schema};
+use super::{Grid, GroundProposition, ObjectSet, Schema};
 
 /// An action, by its position in [`Domain::actions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -144,6 +144,32 @@ pub trait Domain {
     /// exact plans, such a variable is taken to stand still in the plans of tasks that do not read it.
     fn stands_still(&self, _variable: usize) -> bool {
         false
+    }
+
+    /// How the robot's places lie in a grid, if they do: `None` is always correct, and makes the search look at states one by one.
+    ///
+    /// A domain that gives one says this: variable 0 is the robot's place, and the number of a state is its place plus
+    /// [`values(0)`](Self::values) times a number of all else, the row. Every action costs 1. A direction of the grid leads to the
+    /// neighbour cell of the same row where that is free and not [`taken`](Self::taken), and does nothing where it is not free; the other
+    /// actions do nothing where no neighbour cell is taken. What a direction does toward a taken cell, and another action beside one, is
+    /// asked of [`number_after`](Self::number_after).
+    fn grid(&self) -> Option<Grid> {
+        None
+    }
+
+    /// The bit of a place, in a row of the grid: larger for larger places.
+    fn bit_of(&self, _place: usize) -> usize {
+        0
+    }
+
+    /// Whether the robot can ever be at a place, or act on what is there.
+    fn is_free(&self, _place: usize) -> bool {
+        true
+    }
+
+    /// The place that a variable other than the first takes, so that the robot can go there only by acting on it.
+    fn taken(&self, _state: &Self::State, _variable: usize) -> Option<usize> {
+        None
     }
 
     /// How many states at most lead to one state by one action, if the domain wants to say: 0 is always correct, and makes the sweep

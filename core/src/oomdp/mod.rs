@@ -3,12 +3,15 @@
 //!
 //! - [`schema`]: the classes, attributes and propositional functions of a domain, by name;
 //! - [`objects`]: the objects of one environment;
-//! - [`domain`]: the [`Domain`] trait, the seam where a robot brings its own states and actions.
+//! - [`domain`]: the [`Domain`] trait, the seam where a robot brings its own states and actions;
+//! - [`grid`]: how a robot's places lie in a grid, for the search that expands many states at once.
 
 pub mod domain;
+pub mod grid;
 pub mod objects;
 pub mod schema;
 
 pub use domain::{Action, ActionKind, ActionSet, Domain, action_name, action_named, apply};
+pub use grid::Grid;
 pub use objects::{Object, ObjectId, ObjectSet};
 pub use schema::{Attribute, Carrier, Class, ClassId, GroundProposition, Proposition, PropositionId, Schema};

@@ -1,8 +1,11 @@
-//! Which states of a search are open, at which distance, and which are done: bit sets over the states.
+//! Which states of a search are open, at which distance, and which are done, with the first actions that lead to each.
 //!
-//! There is one set for each distance that is open at the same time, in a ring, and one for the states that are done. The words of all
-//! sets for the same 32 states lie side by side: one state's marks are in one cache line. Above them, one bit for each word says whether
-//! it was touched, so that neither finding the next state nor clearing up takes time for states that a search never came near.
+//! There is one bit set for each distance that is open at the same time, in a ring, and one for the states that are done. The words of all
+//! sets for the same 64 states lie side by side, and after them the states' first actions, one byte each, two where the domain has more
+//! than eight actions. Above these groups, one bit for each word of the sets says whether it was touched, so that neither finding the next
+//! state nor clearing up takes time for states that a search never came near.
+
+use crate::oomdp::ActionSet;
 
 /// How a way to a state compares with the ways known before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,59 +20,74 @@ pub(super) enum Way {
     NoShorter,
 }
 
-/// The bit sets of one search.
-#[derive(Debug)]
-pub(super) struct Frontier<'m> {
-    memory: &'m mut [u32],
-    /// Groups of 32 states.
+/// How the marks of one search lie in its memory, and where the search stands in them.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Frontier {
+    /// Groups of 64 states.
     groups: usize,
     /// Distances open at the same time; the set after the last holds the states that are done.
     ring: usize,
+    /// Bytes of a state's first actions.
+    bytes: usize,
     /// The set of the distance under way.
     head: usize,
-    /// The group of 32 groups that is looked through.
+    /// The group of 64 groups that is looked through.
     cursor: usize,
 }
 
-impl<'m> Frontier<'m> {
-    /// No state is open.
-    pub(super) fn new(memory: &'m mut [u32]) -> Self {
-        memory.fill(0);
-        Self { memory, groups: 0, ring: 0, head: 0, cursor: 0 }
+impl Frontier {
+    /// No state is open. `ring` distances are open at the same time, and first actions take `bytes` bytes.
+    pub(super) const fn new(states: usize, ring: usize, bytes: usize) -> Self {
+        Self { groups: states.div_ceil(64), ring, bytes, head: 0, cursor: 0 }
     }
 
-    /// How many states there is room for, with so many distances open at the same time.
-    pub(super) fn room(&self, ring: usize) -> usize {
-        let sets = ring.saturating_add(1);
-        let fits = |groups: usize| groups.saturating_add(groups.div_ceil(32)).saturating_mul(sets) <= self.memory.len();
-        let mut groups = (self.memory.len() / sets).saturating_mul(32) / 33;
-        while fits(groups.saturating_add(1)) {
-            groups = groups.saturating_add(1);
+    const fn words(&self) -> usize {
+        let summaries = self.groups.div_ceil(64).saturating_mul(self.sets());
+        self.groups.saturating_mul(self.stride()).saturating_add(summaries)
+    }
+
+    /// How many states there is room for in so many words.
+    pub(super) fn room(words: usize, ring: usize, bytes: usize) -> usize {
+        let fits = |groups: usize| Self { groups, ..Self::new(0, ring, bytes) }.words() <= words;
+        let mut groups = words / Self::new(0, ring, bytes).stride();
+        while groups > 0 && !fits(groups) {
+            // What is too much is the summaries, less than a sixtieth of all.
+            groups = groups.saturating_sub(1 + groups / 4_096);
         }
-        if fits(groups) { groups.saturating_mul(32) } else { groups.saturating_sub(1).saturating_mul(32) }
+        groups.saturating_mul(64)
     }
 
-    /// Begins anew, for so many states. The caller has made sure that there is room.
-    pub(super) fn lay_out(&mut self, states: usize, ring: usize) {
-        let sets = self.sets();
-        for cursor in 0..self.groups.div_ceil(32) {
-            let at = self.groups.wrapping_add(cursor).wrapping_mul(sets);
-            let summaries = self.memory.get_mut(at..at.wrapping_add(sets)).unwrap_or(&mut []);
+    /// Leaves nothing but zeroes.
+    pub(super) fn clear(&self, marks: &mut [u64]) {
+        let (sets, stride) = (self.sets(), self.stride());
+        for cursor in 0..self.groups.div_ceil(64) {
+            let at = self.summary(cursor, 0);
+            let summaries = marks.get_mut(at..at.wrapping_add(sets)).unwrap_or(&mut []);
             let mut touched = summaries.iter().fold(0, |all, bits| all | bits);
             summaries.fill(0);
             while touched != 0 {
-                let group = cursor.wrapping_mul(32).wrapping_add(touched.trailing_zeros() as usize);
+                let group = cursor.wrapping_mul(64).wrapping_add(touched.trailing_zeros() as usize);
                 touched &= touched.wrapping_sub(1);
-                let start = group.wrapping_mul(sets);
-                self.memory.get_mut(start..start.wrapping_add(sets)).unwrap_or(&mut []).fill(0);
+                let start = group.wrapping_mul(stride);
+                marks.get_mut(start..start.wrapping_add(stride)).unwrap_or(&mut []).fill(0);
             }
         }
-        (self.groups, self.ring, self.head, self.cursor) = (states.div_ceil(32), ring, 0, 0);
     }
 
     #[inline]
     const fn sets(&self) -> usize {
         self.ring.wrapping_add(1)
+    }
+
+    /// Words of a group.
+    #[inline]
+    const fn stride(&self) -> usize {
+        self.sets().wrapping_add(self.bytes.wrapping_mul(8))
+    }
+
+    #[inline]
+    const fn summary(&self, cursor: usize, set: usize) -> usize {
+        self.groups.wrapping_mul(self.stride()).wrapping_add(cursor.wrapping_mul(self.sets())).wrapping_add(set)
     }
 
     /// The bit set of the states that are `cost` beyond the distance under way; the cost of the whole ring is the distance itself.
@@ -80,36 +98,28 @@ impl<'m> Frontier<'m> {
     }
 
     #[inline]
-    const fn word(&self, set: usize, slot: usize) -> usize {
-        (slot / 32).wrapping_mul(self.sets()).wrapping_add(set)
-    }
-
-    #[inline]
-    fn put(&mut self, set: usize, slot: usize) {
-        let (word, sets) = (self.word(set, slot), self.sets());
-        let Some(bits) = self.memory.get_mut(word) else { return };
+    fn put(&self, marks: &mut [u64], set: usize, slot: usize) {
+        let word = (slot / 64).wrapping_mul(self.stride()).wrapping_add(set);
+        let Some(bits) = marks.get_mut(word) else { return };
         let untouched = *bits == 0;
-        *bits |= 1 << (slot % 32);
-        if untouched {
-            let summary = self.groups.wrapping_add(slot / 1024).wrapping_mul(sets).wrapping_add(set);
-            if let Some(summary) = self.memory.get_mut(summary) {
-                *summary |= 1 << (slot / 32 % 32);
-            }
+        *bits |= 1 << (slot % 64);
+        if untouched && let Some(summary) = marks.get_mut(self.summary(slot / 4_096, set)) {
+            *summary |= 1 << (slot / 64 % 64);
         }
     }
 
     /// Marks a state as done.
     #[inline]
-    pub(super) fn finish(&mut self, slot: usize) {
-        self.put(self.ring, slot);
+    pub(super) fn finish(&self, marks: &mut [u64], slot: usize) {
+        self.put(marks, self.ring, slot);
     }
 
     /// Meets a state on a way that is `cost` beyond the distance under way, and opens it there if no other way to it is as near.
     #[inline]
-    pub(super) fn meet(&mut self, slot: usize, cost: usize) -> Way {
-        let (sets, ring, set, bit) = (self.sets(), self.ring, self.set_at(cost), 1_u32 << (slot % 32));
-        let start = (slot / 32).wrapping_mul(sets);
-        let Some(group) = self.memory.get_mut(start..start.wrapping_add(sets)) else { return Way::NoShorter };
+    pub(super) fn meet(&self, marks: &mut [u64], slot: usize, cost: usize) -> Way {
+        let (sets, ring, set, bit) = (self.sets(), self.ring, self.set_at(cost), 1_u64 << (slot % 64));
+        let start = (slot / 64).wrapping_mul(self.stride());
+        let Some(group) = marks.get_mut(start..start.wrapping_add(sets)) else { return Way::NoShorter };
         let way = if group.iter().fold(0, |all, word| all | word) & bit == 0 {
             Way::New
         } else if group.last().is_some_and(|done| done & bit != 0) {
@@ -117,13 +127,9 @@ impl<'m> Frontier<'m> {
         } else if group.get(set).is_some_and(|word| word & bit != 0) {
             return Way::AsShort;
         } else {
-            let head = self.head;
-            let farther = (cost..ring).map(|cost| {
-                if head.wrapping_add(cost) >= ring { head.wrapping_add(cost).wrapping_sub(ring) } else { head.wrapping_add(cost) }
-            });
             let mut found = false;
-            for set in farther {
-                if let Some(word) = group.get_mut(set) {
+            for farther in cost..ring {
+                if let Some(word) = group.get_mut(self.set_at(farther)) {
                     found |= *word & bit != 0;
                     *word &= !bit;
                 }
@@ -133,37 +139,35 @@ impl<'m> Frontier<'m> {
             }
             Way::Shorter
         };
-        self.put(set, slot);
+        self.put(marks, set, slot);
         way
     }
 
     /// Takes the next state of the distance under way, which is then done.
     #[inline]
-    pub(super) fn take(&mut self) -> Option<usize> {
-        let sets = self.sets();
+    pub(super) fn take(&mut self, marks: &mut [u64]) -> Option<usize> {
         loop {
-            if self.cursor.wrapping_mul(32) >= self.groups {
+            if self.cursor.wrapping_mul(64) >= self.groups {
                 return None;
             }
-            let summary_at = self.groups.wrapping_add(self.cursor).wrapping_mul(sets).wrapping_add(self.head);
-            let summary = self.memory.get_mut(summary_at)?;
-            if *summary == 0 {
+            let summary_at = self.summary(self.cursor, self.head);
+            let summary = *marks.get(summary_at)?;
+            if summary == 0 {
                 self.cursor = self.cursor.wrapping_add(1);
                 continue;
             }
-            let group = self.cursor.wrapping_mul(32).wrapping_add(summary.trailing_zeros() as usize);
-            let rest = summary.wrapping_sub(1) & *summary;
-            let word = self.memory.get_mut(group.wrapping_mul(sets).wrapping_add(self.head))?;
+            let group = self.cursor.wrapping_mul(64).wrapping_add(summary.trailing_zeros() as usize);
+            let word = marks.get_mut(group.wrapping_mul(self.stride()).wrapping_add(self.head))?;
             let bits = *word;
             *word = bits & bits.wrapping_sub(1);
             if *word == 0
-                && let Some(summary) = self.memory.get_mut(summary_at)
+                && let Some(bits) = marks.get_mut(summary_at)
             {
-                *summary = rest;
+                *bits = summary & summary.wrapping_sub(1);
             }
             if bits != 0 {
-                let slot = group.wrapping_mul(32).wrapping_add(bits.trailing_zeros() as usize);
-                self.finish(slot);
+                let slot = group.wrapping_mul(64).wrapping_add(bits.trailing_zeros() as usize);
+                self.finish(marks, slot);
                 return Some(slot);
             }
         }
@@ -174,6 +178,35 @@ impl<'m> Frontier<'m> {
         self.head = self.set_at(1);
         self.cursor = 0;
     }
+
+    /// The word of a state's first actions that holds their byte `byte`, and how far up.
+    #[inline]
+    const fn first_actions_at(&self, slot: usize, byte: usize) -> (usize, u32) {
+        let start = (slot / 64).wrapping_mul(self.stride()).wrapping_add(self.sets());
+        (start.wrapping_add(byte.wrapping_mul(8)).wrapping_add(slot / 8 % 8), (slot % 8).wrapping_mul(8) as u32)
+    }
+
+    /// The first actions that lead to a state.
+    #[inline]
+    pub(super) fn first_actions(&self, marks: &[u64], slot: usize) -> ActionSet {
+        let byte = |byte: usize| {
+            let (word, shift) = self.first_actions_at(slot, byte);
+            (marks.get(word).copied().unwrap_or(0) >> shift) as u8
+        };
+        let high = if self.bytes > 1 { byte(1) } else { 0 };
+        ActionSet(u16::from_le_bytes([byte(0), high]))
+    }
+
+    /// Sets the first actions that lead to a state.
+    #[inline]
+    pub(super) fn set_first_actions(&self, marks: &mut [u64], slot: usize, actions: ActionSet) {
+        for (byte, value) in actions.0.to_le_bytes().into_iter().take(self.bytes).enumerate() {
+            let (word, shift) = self.first_actions_at(slot, byte);
+            if let Some(word) = marks.get_mut(word) {
+                *word = *word & !(0xff << shift) | u64::from(value) << shift;
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -181,42 +214,56 @@ mod tests {
     use super::*;
 
     #[test]
-    fn states_come_by_distance_and_a_new_search_finds_nothing_left_over() {
-        let mut memory = std::vec![u32::MAX; 4_000];
-        let mut frontier = Frontier::new(&mut memory);
+    fn states_come_by_distance_and_what_was_marked_can_be_cleared() {
+        let mut marks = std::vec![0; 6_000];
         for (states, ring) in [(31_000, 2), (20_000, 3), (31_000, 2)] {
-            assert!(frontier.room(ring) >= states);
-            frontier.lay_out(states, ring);
-            assert_eq!(frontier.take(), None);
-            assert_eq!([states - 1, 1_025, 1_025].map(|slot| frontier.meet(slot, 1)), [Way::New, Way::New, Way::AsShort]);
+            assert!(Frontier::room(marks.len(), ring, 1) >= states);
+            let mut frontier = Frontier::new(states, ring, 1);
+            assert_eq!(frontier.take(&mut marks), None);
+            assert_eq!([states - 1, 1_025, 1_025].map(|slot| frontier.meet(&mut marks, slot, 1)), [Way::New, Way::New, Way::AsShort]);
             frontier.next_level();
-            assert_eq!(core::iter::from_fn(|| frontier.take()).collect::<std::vec::Vec<_>>(), [1_025, states - 1]);
-            assert_eq!(frontier.meet(1_025, 1), Way::NoShorter);
+            assert_eq!(core::iter::from_fn(|| frontier.take(&mut marks)).collect::<std::vec::Vec<_>>(), [1_025, states - 1]);
+            assert_eq!(frontier.meet(&mut marks, 1_025, 1), Way::NoShorter);
             // Left open when the next search begins.
-            assert_eq!(frontier.meet(77, 1), Way::New);
+            assert_eq!(frontier.meet(&mut marks, 77, 1), Way::New);
+            frontier.clear(&mut marks);
+            assert!(marks.iter().all(|&word| word == 0));
         }
     }
 
     #[test]
     fn a_shorter_way_that_is_found_later_is_taken() {
-        let mut memory = [0; 100];
-        let mut frontier = Frontier::new(&mut memory);
-        frontier.lay_out(100, 6);
-        assert_eq!([5, 3, 3, 4].map(|cost| frontier.meet(50, cost)), [Way::New, Way::Shorter, Way::AsShort, Way::NoShorter]);
+        let mut marks = [0; 100];
+        let mut frontier = Frontier::new(100, 6, 1);
+        assert_eq!([5, 3, 3, 4].map(|cost| frontier.meet(&mut marks, 50, cost)), [Way::New, Way::Shorter, Way::AsShort, Way::NoShorter]);
         let levels: std::vec::Vec<_> = (0..6)
             .map(|_| {
                 frontier.next_level();
-                frontier.take()
+                frontier.take(&mut marks)
             })
             .collect();
         assert_eq!(levels, [None, None, Some(50), None, None, None]);
     }
 
     #[test]
+    fn the_first_actions_of_states_side_by_side_are_kept_apart() {
+        for (bytes, most) in [(1, 0xff), (2, 0xffff)] {
+            let mut marks = [0; 60];
+            let frontier = Frontier::new(130, 2, bytes);
+            for slot in 0..130 {
+                frontier.set_first_actions(&mut marks, slot, ActionSet(most));
+                frontier.set_first_actions(&mut marks, slot, ActionSet((slot as u16 * 3) & most));
+            }
+            assert!((0..130).all(|slot| frontier.first_actions(&marks, slot).0 == (slot as u16 * 3) & most));
+        }
+    }
+
+    #[test]
     fn the_room_is_all_that_fits() {
-        let mut memory = [0; 7];
-        // Two groups of 32 states take six words and their summary three.
-        assert_eq!(Frontier::new(&mut memory).room(2), 32);
-        assert_eq!(Frontier::new(&mut []).room(2), 0);
+        // A group of 64 states takes three words and eight of first actions, and each 64 groups three words more.
+        assert_eq!([13, 14, 24, 25, 36].map(|words| Frontier::room(words, 2, 1)), [0, 64, 64, 128, 192]);
+        assert_eq!(Frontier::room(64 * 11 + 3, 2, 1), 4_096);
+        assert_eq!(Frontier::room(65 * 11 + 3, 2, 1), 4_096);
+        assert_eq!(Frontier::room(65 * 11 + 6, 2, 1), 4_160);
     }
 }

@@ -34,12 +34,24 @@ pub struct GoalMemory<'m> {
     pub entries: &'m mut [TaskSet],
 }
 
+/// Which tasks ask what of a state.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Asked {
+    /// Where the robot is: the first variable.
+    pub(super) of_place: TaskSet,
+    /// Any other variable.
+    pub(super) of_all_else: TaskSet,
+    /// More than one variable at once.
+    pub(super) of_several: TaskSet,
+}
+
 /// Finds the tasks that a state satisfies.
 #[derive(Debug)]
 pub struct GoalTable<'m> {
     memory: GoalMemory<'m>,
     parts: usize,
     variables: usize,
+    asked: Asked,
     all: TaskSet,
     untabled: bool,
 }
@@ -47,7 +59,7 @@ pub struct GoalTable<'m> {
 impl<'m> GoalTable<'m> {
     /// A table of no tasks.
     pub fn new(memory: GoalMemory<'m>) -> Self {
-        Self { memory, parts: 0, variables: 0, all: TaskSet::EMPTY, untabled: false }
+        Self { memory, parts: 0, variables: 0, asked: Asked::default(), all: TaskSet::EMPTY, untabled: false }
     }
 
     /// Fills the table for `tasks`. `state` is any state of the domain.
@@ -62,6 +74,7 @@ impl<'m> GoalTable<'m> {
         state: &D::State,
     ) -> Result<(), CapacityError> {
         (self.parts, self.variables, self.all, self.untabled) = (0, 0, TaskSet::EMPTY, false);
+        self.asked = Asked::default();
         for (position, task) in tasks.iter().enumerate() {
             let Some(lifted) = lifted.get(usize::from(task.lifted)) else { continue };
             for proposition in task.propositions(lifted) {
@@ -71,6 +84,14 @@ impl<'m> GoalTable<'m> {
         let fits = (0..domain.variables()).try_fold(0_usize, |sum, variable| sum.checked_add(domain.values(variable)));
         if fits.is_some_and(|entries| entries <= self.memory.entries.len()) {
             self.tabulate(domain, state);
+        }
+        for part in self.memory.parts.iter().take(self.parts) {
+            let asked = match domain.reads(&part.proposition) {
+                Some(0) => &mut self.asked.of_place,
+                Some(_) => &mut self.asked.of_all_else,
+                None => &mut self.asked.of_several,
+            };
+            *asked = asked.union(part.tasks);
         }
         self.untabled = self.memory.parts.iter().take(self.parts).any(|part| !part.tabled);
         self.all = TaskSet::first(tasks.len());
@@ -113,10 +134,31 @@ impl<'m> GoalTable<'m> {
         }
     }
 
+    pub(super) fn asked(&self) -> Asked {
+        self.asked
+    }
+
     /// The variables that a task's propositions read, one bit each; `None` where one of them reads more than one.
     pub fn variables_of<D: Domain + ?Sized>(&self, domain: &D, task: usize) -> Option<u32> {
         let mut parts = self.memory.parts.iter().take(self.parts).filter(|part| part.tasks.contains(task));
         parts.try_fold(0, |read, part| Some(read | 1_u32.checked_shl(domain.reads(&part.proposition)? as u32)?))
+    }
+
+    /// The tasks that the value of one variable in `state` does not rule out. What is asked of more than one variable at once is left out.
+    #[inline]
+    pub fn not_ruled_out<D: Domain + ?Sized>(&self, domain: &D, state: &D::State, variable: usize) -> TaskSet {
+        if variable < self.variables {
+            let offset = (0..variable).fold(domain.value(state, variable), |sum, earlier| sum.wrapping_add(domain.values(earlier)));
+            return self.memory.entries.get(offset).copied().unwrap_or(TaskSet::EMPTY).common(self.all);
+        }
+        let mut left = self.all;
+        for part in self.memory.parts.iter().take(self.parts) {
+            let asked = !left.common(part.tasks).is_empty() && domain.reads(&part.proposition) == Some(variable);
+            if asked && !domain.holds(&part.proposition, state) {
+                left = left.without(part.tasks);
+            }
+        }
+        left
     }
 
     /// The tasks that hold in `state`.

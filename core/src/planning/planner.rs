@@ -72,7 +72,7 @@ impl<'m> Planner<'m> {
             return;
         }
         let states = domain.state_count();
-        if states <= self.search.room(domain) as u64 {
+        if self.search.fits(domain, goals, self.all) {
             if self.sweep.is_working() {
                 self.way = Way::Sweep;
             } else if self.spent > states.saturating_mul(SWEEP_WORTH) && self.sweep.begin(domain, state, self.all) {
@@ -102,7 +102,7 @@ impl<'m> Planner<'m> {
                 if self.search.advance(domain, goals, budget) == Progress::Working {
                     return Progress::Working;
                 }
-                self.spent = self.spent.saturating_add(u64::from(self.search.expanded()));
+                self.spent = self.spent.saturating_add(u64::from(self.search.looks()));
             }
             Way::Relaxed => {
                 if self.relaxation.advance(&mut self.search, domain, goals, state, budget) == Progress::Working {

@@ -47,7 +47,7 @@ impl Relaxation {
         *self = Self::default();
     }
 
-    /// Goes on, expanding about `budget` states.
+    /// Goes on, with about `budget` looks.
     pub(super) fn advance<D: Domain + ?Sized>(
         &mut self,
         search: &mut Search<'_>,
@@ -56,9 +56,9 @@ impl Relaxation {
         state: &D::State,
         budget: u32,
     ) -> Progress {
-        let before = search.expanded();
+        let before = search.looks();
         while !self.group.is_empty() {
-            let left = budget.saturating_sub(search.expanded().wrapping_sub(before)).max(1);
+            let left = budget.saturating_sub(search.looks().wrapping_sub(before)).max(1);
             let whole = self.is_whole(domain);
             let progress = if whole {
                 search.advance(domain, goals, left)
@@ -104,7 +104,7 @@ impl Relaxation {
                     self.group = TaskSet::EMPTY;
                     return;
                 }
-                search.begin_part(domain, state, self.group);
+                search.begin_part(domain, goals, state, self.group);
                 return;
             }
             let own = goals.variables_of(domain, first).map(|read| Moving(Moving::own(domain).0 | read));
@@ -123,7 +123,7 @@ impl Relaxation {
                 continue;
             };
             (self.group, self.moving) = (group, moving);
-            search.begin_part(&Standing { domain, moving, now: state }, state, group);
+            search.begin_part(&Standing { domain, moving, now: state }, goals, state, group);
             return;
         }
     }

@@ -4,7 +4,7 @@
 //! where the others are, as long as they are not in the way. In a [`Standing`] domain only some variables can change: the robot's own and
 //! those that matter to a task. Every other block is as a wall: an action that would move it does nothing.
 
-use crate::oomdp::{Action, ActionKind, Domain, GroundProposition, ObjectSet, Schema};
+use crate::oomdp::{Action, ActionKind, Domain, Grid, GroundProposition, ObjectSet, Schema};
 
 /// The variables that can change, one bit each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -104,5 +104,24 @@ impl<D: Domain + ?Sized> Domain for Standing<'_, D> {
 
     fn reads(&self, proposition: &GroundProposition) -> Option<usize> {
         self.domain.reads(proposition)
+    }
+
+    fn grid(&self) -> Option<Grid> {
+        self.domain.grid().filter(|_| self.moving.contains(0))
+    }
+
+    #[inline]
+    fn bit_of(&self, place: usize) -> usize {
+        self.domain.bit_of(place)
+    }
+
+    fn is_free(&self, place: usize) -> bool {
+        let standing = (1..self.domain.variables()).filter(|&variable| !self.moving.contains(variable));
+        self.domain.is_free(place) && !standing.into_iter().any(|variable| self.domain.taken(self.now, variable) == Some(place))
+    }
+
+    #[inline]
+    fn taken(&self, state: &Self::State, variable: usize) -> Option<usize> {
+        if self.moving.contains(variable) { self.domain.taken(state, variable) } else { None }
     }
 }

@@ -21,13 +21,14 @@ impl Search<'_> {
         }
         let dead = wanted.without(sweep.reachable(domain, state));
         self.stand(domain, goals, state, wanted, dead);
-        for task in self.unresolved.iter() {
-            if let (Some(set), Some(distance)) = (self.optimal.get_mut(task), self.distances.get_mut(task)) {
+        let found = &mut self.found;
+        for task in found.unresolved.iter() {
+            if let (Some(set), Some(distance)) = (found.optimal.get_mut(task), found.distances.get_mut(task)) {
                 *set = sweep.toward(domain, state, task);
                 *distance = sweep.distance(domain, state, task).unwrap_or(u32::MAX);
             }
         }
-        (self.unresolved, self.running) = (TaskSet::EMPTY, false);
+        found.unresolved = TaskSet::EMPTY;
         true
     }
 
@@ -38,14 +39,14 @@ impl Search<'_> {
 
     /// What it found for a task. Meaningful when it is done.
     pub fn optimal(&self, task: usize) -> OptimalSet {
-        if self.goal_here.contains(task) {
+        if self.found.goal_here.contains(task) {
             OptimalSet::Goal
-        } else if self.dead.contains(task) {
-            OptimalSet::DeadEnd(self.applicable)
-        } else if self.unresolved.contains(task) || !self.wanted.contains(task) {
+        } else if self.found.dead.contains(task) {
+            OptimalSet::DeadEnd(self.found.applicable)
+        } else if self.found.unresolved.contains(task) || !self.found.wanted.contains(task) {
             OptimalSet::Unknown
         } else {
-            self.optimal.get(task).map_or(OptimalSet::Unknown, |&set| OptimalSet::Toward(set))
+            self.found.optimal.get(task).map_or(OptimalSet::Unknown, |&set| OptimalSet::Toward(set))
         }
     }
 
@@ -53,34 +54,34 @@ impl Search<'_> {
     pub fn distance(&self, task: usize) -> Option<u32> {
         match self.optimal(task) {
             OptimalSet::Goal => Some(0),
-            OptimalSet::Toward(_) => self.distances.get(task).copied(),
+            OptimalSet::Toward(_) => self.found.distances.get(task).copied(),
             OptimalSet::DeadEnd(_) | OptimalSet::Unknown => None,
         }
     }
 
     /// The tasks whose goals cannot be reached from here, nor from anywhere later.
     pub fn dead(&self) -> TaskSet {
-        self.dead
+        self.found.dead
     }
 
     /// The tasks of which nothing is known, because the search was bounded.
     pub fn unknown(&self) -> TaskSet {
-        self.unresolved
+        self.found.unresolved
     }
 
     /// The tasks that were planned with the blocks that do not matter to them taken to stand still, because the joint state space is out
     /// of reach: their optimal sets and distances are approximate.
     pub fn relaxed(&self) -> TaskSet {
-        self.relaxed
+        self.found.relaxed
     }
 
     /// The actions that can be done here, doing nothing included.
     pub fn applicable(&self) -> ActionSet {
-        self.applicable
+        self.found.applicable
     }
 
-    /// How many states were expanded.
-    pub fn expanded(&self) -> u32 {
-        self.expanded
+    /// How often it looked: at one state, or at all states of a row at one distance, or at one action that leaves a row.
+    pub fn looks(&self) -> u32 {
+        self.found.looks
     }
 }

@@ -1,0 +1,87 @@
+//! The search that looks at whole rows of states finds what the search finds that looks at them one by one.
+
+use goodbot::home::{self, Moves};
+use goodbot::oomdp::{Action, Domain, apply};
+use goodbot::planning::{GoalTable, OptimalSet, Progress, Search};
+use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
+use goodbot::{Capacities, HeapMemory};
+use goodbot_tests::one_by_one::OneByOne;
+use goodbot_tests::random_homes::{Size, below, random_home};
+use rand_pcg::Pcg32;
+
+const ROOMY: Capacities = Capacities { states: 1 << 20, hashed_states: 0, ..Capacities::STANDARD };
+
+#[derive(Debug, Default)]
+struct Seen {
+    goals: usize,
+    ways: usize,
+    dead_ends: usize,
+    fewer_looks: usize,
+}
+
+/// Compares both in the states of a random walk.
+fn compare(random: &mut Pcg32, size: Size, moves: Moves, budget: u32, goal_entries: usize, seen: &mut Seen) {
+    let mut memory = HeapMemory::new(&Capacities { goal_entries, ..ROOMY });
+    let mut other = HeapMemory::new(&ROOMY);
+    let (parts, other) = (memory.split(), other.split());
+    let (home, start) = random_home(random, size, moves, parts.home);
+    let pairs = LiftedTask::parse("agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2)", &home::SCHEMA).unwrap();
+    let [agent, block] = home::paper_tasks().unwrap();
+    let lifted = [agent, block, pairs];
+    let mut tasks = [GroundedTask::UNUSED; 64];
+    let kinds = if size.columns * size.rows * size.blocks > 8 { 2 } else { 3 };
+    let count = ground(&home, &lifted[..kinds], &start, &mut tasks).unwrap();
+    let mut goals = GoalTable::new(parts.agent.session.goals);
+    goals.fill(&home, &lifted, &tasks[..count], &start).unwrap();
+    let mut other_goals = GoalTable::new(other.agent.session.goals);
+    let one_by_one = OneByOne(&home);
+    other_goals.fill(&one_by_one, &lifted, &tasks[..count], &start).unwrap();
+    let (mut rows, mut states) = (Search::new(parts.agent.session.plan), Search::new(other.agent.session.plan));
+    let mut state = start;
+    for step in 0..8 {
+        let wanted = if step == 3 { TaskSet::of(count / 2) } else { TaskSet::first(count) };
+        rows.begin(&home, &goals, &state, wanted, TaskSet::EMPTY);
+        while rows.advance(&home, &goals, budget) == Progress::Working {}
+        states.begin(&one_by_one, &other_goals, &state, wanted, TaskSet::EMPTY);
+        while states.advance(&one_by_one, &other_goals, u32::MAX) == Progress::Working {}
+        for task in 0..count {
+            assert_eq!(rows.optimal(task), states.optimal(task), "{size:?} {moves:?}, step {step}, task {task}");
+            assert_eq!(rows.distance(task), states.distance(task));
+            match rows.optimal(task) {
+                OptimalSet::Goal => seen.goals += 1,
+                OptimalSet::Toward(_) => seen.ways += 1,
+                OptimalSet::DeadEnd(_) => seen.dead_ends += 1,
+                OptimalSet::Unknown => assert!(!wanted.contains(task)),
+            }
+        }
+        seen.fewer_looks += usize::from(rows.looks() < states.looks());
+        for _ in 0..5 {
+            let action = Action(below(random, home.actions().len() as i32) as u8);
+            state = apply(&home, &state, action).unwrap_or(state);
+        }
+    }
+}
+
+#[test]
+fn rows_and_states_one_by_one_give_equal_sets_and_distances_in_random_homes() {
+    let mut random = Pcg32::new(11, 11);
+    let mut seen = Seen::default();
+    let sizes = [
+        Size { columns: 1, rows: 1, side: 4, blocks: 1 },
+        Size { columns: 3, rows: 1, side: 3, blocks: 0 },
+        Size { columns: 2, rows: 2, side: 3, blocks: 1 },
+        // 71, 95 and 167 bits a row.
+        Size { columns: 2, rows: 2, side: 4, blocks: 2 },
+        Size { columns: 3, rows: 2, side: 3, blocks: 2 },
+        Size { columns: 6, rows: 2, side: 3, blocks: 1 },
+        // A line of rooms in which north and south lead nowhere, and one that is broader than a word.
+        Size { columns: 8, rows: 1, side: 1, blocks: 2 },
+        Size { columns: 15, rows: 1, side: 4, blocks: 1 },
+    ];
+    for size in sizes {
+        for (moves, budget, goal_entries) in [(Moves::Push, u32::MAX, 8_192), (Moves::PushAndPull, 1, 8_192), (Moves::Push, 3, 0)] {
+            compare(&mut random, size, moves, budget, goal_entries, &mut seen);
+        }
+    }
+    assert!(seen.goals > 30 && seen.ways > 500 && seen.dead_ends > 100 && seen.fewer_looks > 100, "{seen:?}");
+}
