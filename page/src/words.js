@@ -20,7 +20,13 @@ function describeScene(scene) {
   return lines;
 }
 
-const ranked = () => state.belief.tasks.map((task, index) => ({ ...task, index })).sort((a, b) => b.probability - a.probability || a.index - b.index);
+// The tasks, the most likely first; among equals the one that the robot follows.
+function ranked() {
+  const followed = state.session && state.session.decided ? state.session.decided.task : -1;
+  return state.belief.tasks.map((task, index) => ({ ...task, index }))
+    .sort((a, b) => b.probability - a.probability || (b.index === followed) - (a.index === followed) || a.index - b.index);
+}
+
 
 // The words of a command, as the core hears them.
 const wordsOf = command => command.toLowerCase().split(/\s+/).filter(word => /[\p{L}\p{N}]/u.test(word));

@@ -8,6 +8,9 @@ let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
+// What a finger must hit, by the way in which it is found.
+const TARGETS = 'button, select, summary, .check, .button, textarea, input:not([type=checkbox], [type=file])';
+
 async function check(page, where) {
   await page.evaluate(() => { for (const details of document.querySelectorAll('.mind > details, .stage > details')) details.open = true; });
   await page.waitForTimeout(400);
@@ -15,6 +18,13 @@ async function check(page, where) {
   const { violations } = await page.evaluate(() => window.axe.run(document));
   const said = violations.flatMap(violation => violation.nodes.map(node => where + ': ' + violation.id + ' at ' + node.target + ' ' + node.failureSummary));
   assert.deepEqual(said, []);
+  const { width } = page.viewportSize();
+  const [wide, small] = await page.evaluate(targets => [document.documentElement.scrollWidth, [...document.querySelectorAll(targets)].filter(element => {
+    const box = element.getBoundingClientRect();
+    return element.offsetParent && (box.height < 43.5 || box.width < 43.5);
+  }).map(element => element.outerHTML.slice(0, 90))], TARGETS);
+  assert.ok(wide <= width, where + ': the page is ' + wide + ' pixels wide');
+  assert.deepEqual(small, [], where + ': too small to touch');
 }
 
 for (const colorScheme of ['light', 'dark']) {
@@ -32,10 +42,12 @@ for (const colorScheme of ['light', 'dark']) {
       await page.click('#say-it');
       await page.getByText('Good or Bad?').waitFor();
       await check(page, 'in a session');
-      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-      assert.ok(wide <= width, 'the page is ' + wide + ' pixels wide');
       await page.click('[data-mode=build]');
       await check(page, 'editor');
+      await page.click('#clear');
+      await page.setInputFiles('#load-model', { name: 'robot.goodbot', mimeType: 'application/octet-stream', buffer: Buffer.from('none') });
+      await page.getByText('This file is no model').first().waitFor();
+      await check(page, 'a drawing that is no home, and a model that is none');
       await close(page);
     });
   }
@@ -48,5 +60,56 @@ test('the floor plan is there in words, and what happens is told', async () => {
   assert.match(await page.textContent('#textmap'), /#########/);
   await page.click('#lesson');
   await page.waitForFunction(() => /The robot (moved|stayed)/.test(document.getElementById('live').textContent));
+  await close(page);
+});
+
+for (const home of ['A', 'B', 'C', 'D', 'E', 'F', 'Test']) {
+  test('on a phone, home ' + home + ' and all that judges are seen whole in a session', async () => {
+    const page = await open(browser, { viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true });
+    await play(page, home);
+    await page.selectOption('#speed', 'step');
+    await page.fill('#command', 'go to the blue room');
+    await page.tap('#say-it');
+    await page.getByText('Good or Bad?').waitFor();
+    const box = async id => page.locator(id).boundingBox();
+    const [plan, desk, good, bad, finish] = await Promise.all(['#plan', '.desk', '#good', '#bad', '#finish'].map(box));
+    assert.equal(await page.evaluate(() => window.scrollY), 0);
+    assert.ok(plan.y >= 0 && plan.y + plan.height <= desk.y, 'the plan ends at ' + (plan.y + plan.height) + ', and the buttons begin at ' + desk.y);
+    assert.ok(plan.width >= 200 && plan.x >= 0 && plan.x + plan.width <= 360, JSON.stringify(plan));
+    for (const button of [good, bad, finish]) assert.ok(button.x >= 0 && button.x + button.width <= 360 && button.y + button.height <= 640, JSON.stringify(button));
+    await close(page);
+  });
+}
+
+test('a first-time visitor sees one sentence and one button to begin with', async () => {
+  for (const viewport of [{ width: 1280, height: 800 }, { width: 360, height: 640 }]) {
+    const page = await open(browser, { viewport });
+    assert.match(await page.textContent('#tour-hint'), /Press Good when it goes the right way, Bad when it does not/);
+    const button = await page.locator('#lesson').boundingBox();
+    assert.match(await page.textContent('#lesson'), /Tell it: “go to the green room”/);
+    assert.ok(button.y + button.height < viewport.height * 0.6, JSON.stringify(button));
+    assert.equal(await page.locator('button.primary:visible').count(), 1, 'only one button stands out');
+    await close(page);
+  }
+});
+
+test('light and dark can be chosen', async () => {
+  const page = await open(browser, { colorScheme: 'light' });
+  const ground = () => page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor);
+  const light = await ground();
+  await page.evaluate(() => { for (const details of document.querySelectorAll('details')) details.open = true; });
+  await page.selectOption('#theme', 'dark');
+  assert.notEqual(await ground(), light);
+  await page.reload();
+  await page.waitForSelector('body.ready');
+  assert.notEqual(await ground(), light, 'after a reload too');
+  await close(page);
+});
+
+test('nothing moves by itself where motion is not wanted', async () => {
+  const page = await open(browser, { reducedMotion: 'reduce' });
+  await page.click('#lesson');
+  await page.getByText('Good or Bad?').waitFor();
+  assert.equal(await page.evaluate(() => document.getAnimations().length), 0);
   await close(page);
 });

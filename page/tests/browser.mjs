@@ -1,6 +1,6 @@
 // Opens the page from a file, and watches that it makes no error and asks no other host for anything.
 import assert from 'node:assert/strict';
-import { existsSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 
@@ -45,3 +45,9 @@ export const opened = async (page, title) => {
   const details = page.locator('details', { has: page.getByRole('heading', { name: title }) });
   if (!(await details.evaluate(element => element.open))) await details.locator('summary').click();
 };
+
+// The bytes that a button downloads.
+export async function saved(page, button) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click(button)]);
+  return readFileSync(await download.path());
+}

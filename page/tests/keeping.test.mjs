@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { close, launch, model, open, opened, play } from './browser.mjs';
+import { close, launch, model, open, opened, play, saved } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -12,11 +12,6 @@ async function teach(page) {
   await page.selectOption('#speed', 'once');
   await page.click('#auto');
   await page.getByText('I have learned from 1 session').waitFor();
-}
-
-async function saved(page, button) {
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click(button)]);
-  return readFileSync(await download.path());
 }
 
 test('a reload keeps the model', async () => {
@@ -38,6 +33,22 @@ test('undo forgets the last session', async () => {
   await page.click('#undo');
   await page.getByText('The last session is forgotten').first().waitFor();
   assert.deepEqual(await model(page), old);
+  await close(page);
+});
+
+test('undo works after a reload too, and goes back to the lesson', async () => {
+  const page = await open(browser);
+  const old = await model(page);
+  await teach(page);
+  assert.match(await page.textContent('#tour-title'), /Lesson 2/);
+  await page.reload();
+  await page.waitForSelector('body.ready');
+  assert.notDeepEqual(await model(page), old);
+  await page.click('#undo');
+  await page.getByText('The last session is forgotten').first().waitFor();
+  assert.deepEqual(await model(page), old);
+  assert.match(await page.textContent('#tour-title'), /Lesson 1/);
+  assert.ok(await page.isHidden('#undo'), 'there is nothing more to undo');
   await close(page);
 });
 
@@ -113,14 +124,26 @@ test('a damaged model file is refused, and the old model stays', async () => {
 test('a link carries the home and the settings', async () => {
   const page = await open(browser);
   await play(page, 'E');
-  await page.selectOption('#speed', 'slow');
+  await page.selectOption('#speed', 'confidence');
+  await page.selectOption('#rule', 'threshold');
   await opened(page, 'Settings, keeping, sharing');
+  await page.check('#set-style');
+  await page.check('#set-pull');
+  await page.uncheck('#set-ghost');
   await page.click('#share');
   const hash = await page.evaluate(() => location.hash);
   const home = await page.evaluate(() => window.goodbot.environment());
   const other = await open(browser, {}, hash);
   assert.equal(await other.evaluate(() => window.goodbot.environment()), home);
-  assert.equal(await other.inputValue('#speed'), 'slow');
+  assert.equal(await other.getAttribute('nav [data-mode=play]', 'aria-pressed'), 'true');
+  assert.deepEqual([await other.inputValue('#speed'), await other.inputValue('#rule'), await other.inputValue('#home')], ['confidence', 'threshold', 'E']);
+  const switches = await Promise.all(['style', 'pull', 'ghost', 'names'].map(name => other.isChecked('#set-' + name)));
+  assert.deepEqual(switches, [true, true, false, true]);
+  assert.deepEqual(await other.evaluate(() => [window.goodbot.learnsStyle(), window.goodbot.pulls()]), [true, true]);
+  const broken = await open(browser, {}, '#no-link-at-all');
+  assert.match(await broken.textContent('#toast'), /The link could not be read/);
+  assert.ok(await broken.isVisible('#lesson'), 'and the page works all the same');
+  await close(broken);
   await close(page);
   await close(other);
 });

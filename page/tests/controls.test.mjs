@@ -1,0 +1,184 @@
+// Pace, pause, feedback, speech: what the trainer has in hand.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { address, close, launch, open, play } from './browser.mjs';
+
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser.close());
+
+async function tell(page, command) {
+  await page.fill('#command', command);
+  await page.click('#say-it');
+  await page.getByText('Good or Bad?').waitFor();
+}
+
+const steps = page => page.evaluate(() => document.querySelectorAll('#steps tr').length);
+const sure = async page => Number((await page.textContent('#sure')).match(/(\d+) %/)[1]) / 100;
+const wait = page => page.evaluate(() => parseFloat(document.getElementById('wait').style.animationDuration));
+
+const RULES = {
+  linear: c => 350 + 2900 * (1 - c),
+  sigmoid: c => 350 + 2900 / (1 + Math.exp(12 * (c - 0.6))),
+  threshold: c => (c < 0.7 ? 3250 : 350),
+};
+
+for (const [rule, expected] of Object.entries(RULES)) {
+  test('by confidence, ' + rule + ': the less sure the robot is, the longer it waits', async () => {
+    const page = await open(browser);
+    await play(page, 'A');
+    assert.ok(await page.isHidden('#rule'));
+    await page.selectOption('#speed', 'confidence');
+    assert.deepEqual(await page.locator('#rule option').allTextContents(), Object.keys(RULES));
+    await page.selectOption('#rule', rule);
+    await page.fill('#command', 'go to the red room');
+    await page.click('#say-it');
+    const waits = [];
+    for (let step = 0; step < 4; step += 1) {
+      await page.getByText('Good or Bad?').waitFor();
+      const [confidence, milliseconds] = [await sure(page), await wait(page)];
+      // The page shows whole hundredths, and no bar where it hardly waits.
+      const [least, most] = [confidence + 0.006, confidence - 0.006].map(expected);
+      if (milliseconds) assert.ok(milliseconds > least - 1 && milliseconds < most + 1, rule + ' at ' + confidence + ': ' + milliseconds);
+      waits.push([confidence, milliseconds || 0]);
+      await page.click('#good');
+      await page.click('#next');
+      if (step === 0) await page.click('#pause');
+    }
+    const [first] = waits;
+    const surest = waits.reduce((best, each) => (each[0] > best[0] ? each : best));
+    assert.ok(surest[0] > first[0] && surest[1] < first[1], JSON.stringify(waits));
+    await close(page);
+  });
+}
+
+test('of several words to one step the last counts, and the button shows what it went to', async () => {
+  const page = await open(browser);
+  await play(page, 'A');
+  await page.selectOption('#speed', 'slow');
+  await tell(page, 'go to the red room');
+  for (const button of ['#good', '#bad', '#good', '#bad']) await page.click(button);
+  assert.equal(await page.getAttribute('#bad', 'aria-pressed'), 'true');
+  assert.equal(await page.getAttribute('#good', 'aria-pressed'), 'false');
+  const action = (await page.textContent('#to')).match(/It (.*)\. You said Bad/)[1];
+  assert.equal(await page.textContent('#bad small'), 'it ' + action);
+  assert.equal(await page.textContent('#good small'), '');
+  await page.waitForFunction(() => document.querySelectorAll('#steps tr').length === 1, null, { timeout: 8000 });
+  assert.match(await page.locator('#steps tr').first().textContent(), new RegExp('1' + action + 'Bad'));
+  await close(page);
+});
+
+test('a paused robot stays; one step is one step', async () => {
+  const page = await open(browser);
+  await play(page, 'A');
+  await page.selectOption('#speed', 'fast');
+  await tell(page, 'go to the red room');
+  await page.click('#pause');
+  const before = await steps(page);
+  await page.waitForTimeout(1200);
+  assert.equal(await steps(page), before);
+  await page.click('#next');
+  await page.waitForFunction(count => document.querySelectorAll('#steps tr').length > count, before);
+  await page.waitForTimeout(800);
+  assert.equal(await steps(page), before + 1);
+  await close(page);
+});
+
+test('slow, normal and fast differ in how long the robot waits', async () => {
+  const page = await open(browser);
+  await play(page, 'A');
+  const waits = [];
+  for (const speed of ['slow', 'normal', 'fast']) {
+    await page.selectOption('#speed', speed);
+    await tell(page, 'go to the red room');
+    waits.push(await wait(page));
+    await page.click('#drop');
+  }
+  assert.deepEqual(waits, [2600, 1400, 380]);
+  await close(page);
+});
+
+test('a test of the tour takes no feedback', async () => {
+  const page = await open(browser);
+  await page.selectOption('#speed', 'once');
+  for (let lesson = 1; lesson <= 7; lesson += 1) {
+    await page.click('#auto');
+    await page.getByText(lesson < 7 ? 'Lesson ' + (lesson + 1) + ' of 7' : 'Test 1 of 5').first().waitFor();
+  }
+  await page.selectOption('#speed', 'slow');
+  await page.click('#lesson');
+  await page.getByText('A test: no feedback.').waitFor();
+  await page.keyboard.press('g');
+  await page.click('#bad', { force: true });
+  assert.deepEqual([await page.getAttribute('#good', 'aria-pressed'), await page.getAttribute('#bad', 'aria-pressed')], ['false', 'false']);
+  await page.waitForFunction(() => document.querySelectorAll('#steps tr').length > 0, null, { timeout: 8000 });
+  assert.match(await page.textContent('#steps tr'), /—/);
+  await close(page);
+});
+
+test('Good and Bad say why they do nothing before a command', async () => {
+  const page = await open(browser);
+  await page.click('#good', { force: true });
+  assert.match(await page.textContent('#toast'), /first tell the robot what to do/);
+  await close(page);
+});
+
+for (const [has, how] of [[true, 'where the browser has it'], [false, 'and not where it has not']]) {
+  test('speech is offered ' + how, async () => {
+    const context = await browser.newContext();
+    const page = await context.newPage();
+    await page.addInitScript(offered => {
+      delete window.webkitSpeechRecognition;
+      delete window.SpeechRecognition;
+      if (!offered) return;
+      window.SpeechRecognition = class {
+        start() {
+          this.onresult({ results: [[{ transcript: 'Go to the RED room' }]] });
+          this.onend();
+        }
+      };
+    }, has);
+    await page.goto(address);
+    await page.waitForSelector('body.ready');
+    await page.click('[data-mode=play]');
+    assert.equal(await page.isVisible('#speak'), has);
+    if (has) {
+      await page.click('#speak');
+      assert.equal(await page.inputValue('#command'), 'go to the red room');
+    }
+    await context.close();
+  });
+}
+
+test('a large home never stops the page', async () => {
+  const page = await open(browser);
+  const [rooms, blocks] = [[], []];
+  for (let at = 0; at < 4; at += 1) rooms.push({ class: 'room', name: 'room' + at, left: 12 * (at % 2), bottom: 12 * (at >> 1), right: 12 * (at % 2) + 12, top: 12 * (at >> 1) + 12, color: ['red', 'green', 'blue', 'yellow'][at] });
+  for (const [at, [x, y]] of [[3, 3], [9, 5]].entries()) blocks.push({ class: 'block', name: 'block' + at, x, y, color: 'blue', shape: ['bag', 'chair'][at] });
+  const doors = [[12, 6], [6, 12], [12, 18], [18, 12]].map(([x, y], at) => ({ class: 'door', name: 'door' + at, left: x, right: x, bottom: y, top: y }));
+  await page.click('[data-mode=build]');
+  await page.fill('#home-text', JSON.stringify({ version: 1, objects: [...rooms, ...doors, ...blocks, { class: 'agent', name: 'agent0', x: 5, y: 5 }] }));
+  await page.click('#import');
+  await page.getByText('The home is taken over').first().waitFor();
+  await page.click('[data-mode=play]');
+  await page.evaluate(() => {
+    let last = performance.now();
+    window.longest = 0;
+    const frame = () => {
+      const now = performance.now();
+      window.longest = Math.max(window.longest, now - last);
+      last = now;
+      requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
+  });
+  const started = Date.now();
+  await page.fill('#command', 'take the bag to the yellow room');
+  await page.click('#say-it');
+  await page.getByText('Good or Bad?').waitFor({ timeout: 60000 });
+  await page.waitForTimeout(1500);
+  const [whole, longest] = [Date.now() - started, await page.evaluate(() => window.longest)];
+  console.log('planned and looked ahead in ' + whole + ' ms; the longest frame took ' + Math.round(longest) + ' ms');
+  assert.ok(longest < whole / 2, longest + ' of ' + whole + ' ms in one go');
+  await close(page);
+});
