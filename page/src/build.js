@@ -38,7 +38,8 @@ function boundsOf(objects) {
 
 // The drawing as it is, even where it is no home.
 function draftScene() {
-  const bounds = boundsOf(build.file.objects);
+  // While something is dragged, the frame stays, so that the drawing does not slide away under the pointer.
+  const bounds = build.drag ? build.frame.bounds : boundsOf(build.file.objects);
   const of = kind => build.file.objects.filter(object => object.class === kind);
   const [rooms, doors] = [of('room'), of('door')];
   const holds = (box, x, y) => x >= box.left && x <= box.right && y >= box.bottom && y <= box.top;
@@ -151,11 +152,9 @@ function addObject(kind, box) {
 }
 
 function cellUnder(event) {
-  const box = $('draft').getBoundingClientRect();
+  const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform($('draft').getScreenCTM().inverse());
   const { bounds } = build.frame;
-  const columns = bounds.right - bounds.left + 1;
-  const size = box.width / columns;
-  return { x: bounds.left + Math.floor((event.clientX - box.left) / size), y: bounds.top - Math.floor((event.clientY - box.top) / size) };
+  return { x: bounds.left + Math.floor(x / CELL), y: bounds.top - Math.floor(y / CELL) };
 }
 
 // What lies on a cell: things before doors before rooms.
@@ -195,10 +194,7 @@ function setUpBuild() {
       if (resizing) Object.assign(object, { right: Math.max(before.left + 2, before.right + dx), bottom: Math.min(before.top - 2, before.bottom + dy) });
       else for (const [field, d] of [['x', dx], ['left', dx], ['right', dx], ['y', dy], ['bottom', dy], ['top', dy]]) if (field in object) object[field] = before[field] + d;
     }
-    // The frame stays while dragging, so that the plan does not slide away under the pointer.
-    const { frame } = build;
     renderBuild();
-    if (!box && before) build.frame = frame;
   });
   root.addEventListener('pointerup', () => {
     const { drag } = build;
@@ -206,7 +202,10 @@ function setUpBuild() {
     if (drag && drag.box) addObject(build.tool, drag.box);
     else if (drag && drag.before) changed();
   });
-  root.addEventListener('pointercancel', () => { build.drag = null; });
+  root.addEventListener('pointercancel', () => {
+    build.drag = null;
+    changed();
+  });
   for (const tool of document.querySelectorAll('[data-tool]')) tool.addEventListener('click', () => { build.tool = tool.dataset.tool; renderBuild(); });
   for (const button of document.querySelectorAll('[data-add]')) {
     button.addEventListener('click', () => {

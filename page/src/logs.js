@@ -37,8 +37,10 @@ function beginRecorded(record, last) {
   world.setPrior(Float32Array.from(names.map(name => record.prior[name] || 0)));
 }
 
+// Goes through the lines, and gives those that were learned from.
 async function learnFrom(lines) {
-  let [session, last, own, number] = [null, null, [], 0];
+  const learned = [];
+  let [session, last, own, number, shown] = [null, null, [], 0, 0];
   for (const line of lines) {
     number += 1;
     if (!line.trim()) continue;
@@ -52,7 +54,7 @@ async function learnFrom(lines) {
         session = record;
         own = [line];
       } else if (record.type === 'step') {
-        while (!world.plan(PLAN_BUDGET)) await nextFrame();
+        await inParts(() => world.plan(PLAN_BUDGET));
         if (session.kind === 'demonstration') world.demonstrate(record.action);
         else {
           world.actAs(record.action);
@@ -61,20 +63,24 @@ async function learnFrom(lines) {
       } else {
         if (record.learn) {
           world.finish();
-          while (!world.learn(LEARN_BUDGET)) await nextFrame();
-          appendLog(own.join('\n') + '\n');
+          await inParts(() => world.learn(LEARN_BUDGET));
+          learned.push(...own);
         } else world.forget();
         [session, last] = [null, session];
         state.sessions = world.sessions();
         state.progress = 'Line ' + number + ' of ' + lines.length + '.';
-        render();
-        await nextFrame();
+        if (performance.now() - shown > 100) {
+          render();
+          await nextFrame();
+          shown = performance.now();
+        }
       }
     } catch (error) {
       throw new Error('line ' + number + ' of this log cannot be used: ' + error.message);
     }
   }
   if (session) throw new Error('the last session of this log has no end');
+  return learned;
 }
 
 async function loadLog(input) {
@@ -85,14 +91,14 @@ async function loadLog(input) {
   state.phase = 'learning';
   render();
   try {
-    await learnFrom(lines);
+    const learned = await learnFrom(lines);
     keepUndo(before);
+    if (learned.length) appendLog(learned.join('\n') + '\n');
     tell('The robot has gone through the log: it now knows ' + sessionsWord() + '.');
   } catch (error) {
     world.forget();
-    while (!world.learn(LEARN_BUDGET)) await nextFrame();
+    await inParts(() => world.learn(LEARN_BUDGET));
     await takeModel(before.model);
-    keep(KEYS.log, before.log);
     tell('Nothing was learned: ' + error.message + '. The robot knows what it knew before.', true);
   }
   state.phase = 'none';

@@ -32,7 +32,8 @@ function render() {
     : 'It ' + acted(session.decided.action) + '. ' + ({ reward: 'You said Good.', punish: 'You said Bad.' }[session.feedback] || 'Good or Bad?');
   $('pause').textContent = session && session.paused ? 'Go on' : 'Pause';
   $('pause').disabled = $('next').disabled = !session || busy;
-  for (const id of ['pause', 'next', 'finish', 'drop']) $(id).hidden = !session;
+  for (const id of ['pause', 'next']) $(id).hidden = !session;
+  for (const id of ['finish', 'drop']) $(id).hidden = !session || session.looking;
   $('finish').disabled = $('drop').disabled = !session || busy || Boolean(session && session.looking);
   $('undo').hidden = !state.undo || Boolean(session) || busy;
   for (const element of document.querySelectorAll('.place')) element.hidden = Boolean(session);
@@ -52,7 +53,7 @@ function render() {
 function renderIdeas() {
   const { rooms, blocks } = state.scene;
   const room = rooms[(blocks.length + 1) % rooms.length];
-  const ideas = ['go to the ' + rooms[0].color + ' room', ...blocks.slice(0, 2).map(block => 'take the ' + block.color + ' ' + block.shape + ' to the ' + room.color + ' room')];
+  const ideas = ['go to the ' + rooms[0].color + ' room', ...blocks.slice(0, 1).map(block => 'take the ' + block.color + ' ' + block.shape + ' to the ' + room.color + ' room'), 'go to the ' + rooms[rooms.length - 1].color + ' room'];
   $('ideas').hidden = Boolean(state.session);
   if ($('ideas').dataset.key === ideas.join()) return;
   $('ideas').dataset.key = ideas.join();
@@ -120,6 +121,7 @@ function setUp() {
     onward: () => setMode('play'),
   })) $(id).addEventListener('click', action);
   $('heat-before').addEventListener('change', renderHeat);
+  $('heat').closest('details').addEventListener('toggle', renderHeat);
   window.addEventListener('hashchange', () => {
     if (readHash()) {
       stopSession();

@@ -60,12 +60,9 @@ async function lookAhead(session) {
   state.route = null;
   if (!state.settings.ghost) return;
   world.lookAhead(decided.task);
-  let found = world.look(LOOK_BUDGET);
-  while (!found) {
-    await nextFrame();
-    if (session.over || session.decided !== decided) return;
-    found = world.look(LOOK_BUDGET);
-  }
+  const stale = () => session.over || session.decided !== decided;
+  const found = await inParts(() => (stale() ? 'null' : world.look(LOOK_BUDGET)));
+  if (stale()) return;
   state.route = parsed(found);
   renderPlan();
 }
@@ -100,18 +97,10 @@ function pause(session, milliseconds) {
 async function go(session) {
   while (!session.over) {
     state.phase = 'planning';
-    let started = performance.now();
-    let done = false;
-    while (!done) {
-      done = attempt(() => world.plan(PLAN_BUDGET));
-      if (done === undefined) return stopSession(), render();
-      if (!done && performance.now() - started > 12) {
-        render();
-        await nextFrame();
-        if (session.over) return undefined;
-        started = performance.now();
-      }
-    }
+    const slow = setTimeout(render, 40);
+    await inParts(() => session.over || attempt(() => world.plan(PLAN_BUDGET)) !== false);
+    clearTimeout(slow);
+    if (session.over) return undefined;
     const decided = attempt(() => parsed(world.act()));
     if (!decided) return stopSession(), render();
     session.decided = decided;
@@ -241,7 +230,7 @@ async function finishSession() {
   state.phase = 'learning';
   state.route = null;
   render();
-  while (!world.learn(LEARN_BUDGET)) await nextFrame();
+  await inParts(() => world.learn(LEARN_BUDGET));
   keepUndo(before);
   appendLog(log);
   keepModel();

@@ -78,6 +78,19 @@ function attempt(action) {
   }
 }
 
+// Long work in parts, `part` until it gives something, with a frame now and then so that the page never stands still.
+async function inParts(part) {
+  let started = performance.now();
+  for (;;) {
+    const done = part();
+    if (done) return done;
+    if (performance.now() - started > 12) {
+      await nextFrame();
+      started = performance.now();
+    }
+  }
+}
+
 const nextFrame = () => new Promise(done => {
   // A hidden page gets no frames, but should go on.
   const timer = setTimeout(done, 60);

@@ -99,7 +99,7 @@ const readFile = (input, how) => new Promise((done, failed) => {
 // Takes over a model, a part at a time; throws where it is none.
 async function takeModel(bytes) {
   world.restore(bytes);
-  while (!world.learn(LEARN_BUDGET)) await nextFrame();
+  await inParts(() => world.learn(LEARN_BUDGET));
   state.sessions = world.sessions();
   state.settings.style = world.learnsStyle();
 }

@@ -67,7 +67,7 @@ function renderSupport() {
   const shares = support.tasks.flat();
   const [weakest, strongest] = [Math.min(...shares), Math.max(...shares)];
   $('support').replaceChildren(
-    make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, 'task'), ...support.words.map(word => make('th', { scope: 'col' }, word)))),
+    make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, 'task'), ...support.words.map(word => make('th', { scope: 'col' }, make('span', {}, word))))),
     make('tbody', {}, ...known.map(task => make('tr', {}, make('th', { scope: 'row' }, task.words),
       ...support.words.map((word, at) => cell(support.tasks[at][task.index], weakest, strongest, word + ', ' + task.words))))));
 }
@@ -76,6 +76,8 @@ function renderSupport() {
 const tokenWords = token => token.replace(/([A-Z])/g, ' $1').toLowerCase();
 
 function renderHeat() {
+  // The table may be large: it is drawn when it is seen.
+  if (!$('heat').closest('details').open) return;
   const older = state.heat.before;
   $('heat-before').disabled = !older || older.words.length === 0;
   const before = $('heat-before').checked && !$('heat-before').disabled;

@@ -44,7 +44,22 @@ export async function play(page, home) {
 export const opened = async (page, title) => {
   const details = page.locator('details', { has: page.getByRole('heading', { name: title }) });
   if (!(await details.evaluate(element => element.open))) await details.locator('summary').click();
+  await page.evaluate(() => new Promise(done => { requestAnimationFrame(() => setTimeout(done)); }));
 };
+
+// Presses at one cell of the drawing and lets go at another. Cells count from the drawing's north-west corner.
+export async function drag(page, tool, from, to = from) {
+  await page.click('[data-tool=' + tool + ']');
+  await page.locator('#draft').scrollIntoViewIfNeeded();
+  const [fx, fy, tx, ty] = await page.evaluate(([start, end]) => [start, end].flatMap(([column, row]) => {
+    const point = new DOMPoint((column + 0.5) * 48, (row + 0.5) * 48).matrixTransform(document.getElementById('draft').getScreenCTM());
+    return [point.x, point.y];
+  }), [from, to]);
+  await page.mouse.move(fx, fy);
+  await page.mouse.down();
+  await page.mouse.move(tx, ty, { steps: 4 });
+  await page.mouse.up();
+}
 
 // The bytes that a button downloads.
 export async function saved(page, button) {

@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { close, launch, model, open, opened, play, saved } from './browser.mjs';
+import { close, drag, launch, model, open, opened, play, saved } from './browser.mjs';
 
 const program = process.env.GOODBOT_CLI;
 const skip = program ? false : 'GOODBOT_CLI is not set: the command line is not there to compare with';
@@ -110,16 +110,7 @@ test('the command line accepts a home drawn in the editor, and the session log',
   const log = file('sessions.jsonl', await saved(page, '#save-log'));
   await page.click('[data-mode=build]');
   await page.click('#clear');
-  const box = await page.locator('#draft').boundingBox();
-  const size = box.width / await page.evaluate(() => document.getElementById('draft').viewBox.baseVal.width / 48);
-  const at = (column, row) => [box.x + (column + 0.5) * size, box.y + (row + 0.5) * size];
-  for (const [tool, from, to] of [['room', [1, 1], [7, 5]], ['agent', [3, 3]], ['block', [5, 3]]]) {
-    await page.click('[data-tool=' + tool + ']');
-    await page.mouse.move(...at(...from));
-    await page.mouse.down();
-    await page.mouse.move(...at(...(to || from)), { steps: 3 });
-    await page.mouse.up();
-  }
+  for (const [tool, ...cells] of [['room', [1, 1], [7, 5]], ['agent', [3, 3]], ['block', [5, 3]]]) await drag(page, tool, ...cells);
   const drawn = await saved(page, '#download-home');
   assert.deepEqual(JSON.parse(drawn).objects.map(object => object.class), ['room', 'agent', 'block']);
   goodbot('check', file('drawn.json', drawn), log);

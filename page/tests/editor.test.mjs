@@ -2,24 +2,11 @@ import assert from 'node:assert/strict';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { close, launch, open, play } from './browser.mjs';
+import { close, drag, launch, open, play } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
-
-// Presses at one cell of the drawing and lets go at another. Cells count from the drawing's north-west corner.
-async function drag(page, tool, from, to = from) {
-  await page.click('[data-tool=' + tool + ']');
-  const box = await page.locator('#draft').boundingBox();
-  const columns = Number(await page.evaluate(() => document.getElementById('draft').viewBox.baseVal.width / 48));
-  const size = box.width / columns;
-  const at = ([column, row]) => [box.x + (column + 0.5) * size, box.y + (row + 0.5) * size];
-  await page.mouse.move(...at(from));
-  await page.mouse.down();
-  await page.mouse.move(...at(to), { steps: 4 });
-  await page.mouse.up();
-}
 
 test('a home drawn by pointer is one that the robot can live in', async () => {
   const page = await open(browser);
@@ -29,6 +16,8 @@ test('a home drawn by pointer is one that the robot can live in', async () => {
   await drag(page, 'room', [1, 1], [6, 6]);
   await drag(page, 'agent', [3, 3]);
   await drag(page, 'block', [4, 4]);
+  const cells = JSON.parse(await page.evaluate(() => window.goodbot.environment())).objects.map(({ left, right, x }) => [left, right, x]);
+  assert.deepEqual(cells.flat().filter(value => value !== undefined).map(value => value - cells[0][0]), [0, 5, 2, 3], 'things stand where the pointer was');
   assert.match(await page.textContent('#build-error'), /This is a home/);
   await page.click('#export-json');
   const json = await page.inputValue('#home-text');
@@ -65,5 +54,68 @@ test('a home goes out as a text map and comes back', async () => {
   const again = JSON.parse(await page.evaluate(() => window.goodbot.environment()));
   const sorted = home => home.objects.map(({ name, ...object }) => JSON.stringify(object)).sort();
   assert.deepEqual(sorted(again), sorted(old));
+  await close(page);
+});
+
+test('things are dragged, rooms resized, and all of it coloured and shaped', async () => {
+  const page = await open(browser);
+  await play(page, 'D');
+  await page.click('[data-mode=build]');
+  const objects = async () => Object.fromEntries(JSON.parse(await page.evaluate(() => window.goodbot.environment())).objects.map(object => [object.name, object]));
+  const before = await objects();
+  const top = Math.max(...Object.values(before).map(object => object.top || 0));
+  const cell = ({ x, y }) => [x + 1, top - y + 1];
+  const { agent0, room0, block0 } = before;
+  await drag(page, 'move', cell(agent0), cell({ x: agent0.x + 1, y: agent0.y }));
+  assert.deepEqual((await objects()).agent0, { ...agent0, x: agent0.x + 1 });
+  await page.click('#draft', { position: { x: 1, y: 1 } });
+  await drag(page, 'move', cell({ x: room0.left + 1, y: room0.bottom + 2 }));
+  assert.match(await page.locator('#objects details[open] summary').textContent(), new RegExp(room0.name));
+  await drag(page, 'move', cell({ x: room0.right, y: room0.bottom }), cell({ x: room0.right, y: room0.bottom - 2 }));
+  assert.equal((await objects()).room0.bottom, room0.bottom - 2);
+  await page.locator('#objects details[open] select').selectOption('teal');
+  assert.equal((await objects()).room0.color, 'teal');
+  await page.locator('#objects summary', { hasText: 'block0' }).click();
+  await page.locator('#objects details[open] label', { hasText: 'shape' }).locator('select').selectOption('star');
+  await page.locator('#objects details[open] label', { hasText: 'colour' }).locator('select').selectOption('magenta');
+  assert.deepEqual((await objects()).block0, { ...block0, shape: 'star', color: 'magenta' });
+  await close(page);
+});
+
+test('a home is drawn by keyboard alone, from nothing', async () => {
+  const page = await open(browser);
+  await page.click('[data-mode=build]');
+  const press = async (selector, key = 'Enter') => {
+    await page.focus(selector);
+    await page.keyboard.press(key);
+  };
+  await press('#clear');
+  await press('[data-add=room]');
+  await press('[data-add=agent]');
+  assert.match(await page.textContent('#build-error'), /Not a home yet: agent0: it stands in a wall/);
+  const field = page.locator('#objects details[open] label', { hasText: /^x$/ }).locator('input');
+  await field.focus();
+  for (let step = 0; step < 8 && !/This is a home/.test(await page.textContent('#build-error')); step += 1) {
+    await page.keyboard.press('ArrowDown');
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('Shift+Tab');
+  }
+  assert.match(await page.textContent('#build-error'), /This is a home/);
+  assert.equal(JSON.parse(await page.evaluate(() => window.goodbot.environment())).objects.length, 2);
+  await close(page);
+});
+
+test('a file that is no home is refused, and one that is one is taken over', async () => {
+  const page = await open(browser);
+  await play(page, 'E');
+  const home = await page.evaluate(() => window.goodbot.environment());
+  await page.click('[data-mode=build]');
+  await page.click('#clear');
+  const load = buffer => page.setInputFiles('#load-home', { name: 'home.json', mimeType: 'application/json', buffer: Buffer.from(buffer) });
+  await load(home.replace('"version":1', '"version":2'));
+  await page.getByText('This text is no home').first().waitFor();
+  await load(home);
+  await page.getByText('The home is taken over').first().waitFor();
+  assert.equal(await page.evaluate(() => window.goodbot.environment()), home);
   await close(page);
 });

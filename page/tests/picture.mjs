@@ -1,10 +1,10 @@
-// Takes the README's picture: `node picture.mjs FILE`.
+// Takes the README's picture, in the middle of the fifth lesson: `node picture.mjs FILE`.
 import { writeFileSync } from 'node:fs';
 import { close, launch, open } from './browser.mjs';
 import { dense } from './png.mjs';
 
 const browser = await launch();
-const page = await open(browser, { viewport: { width: 1100, height: 800 } });
+const page = await open(browser, { viewport: { width: 1280, height: 746 } });
 await page.selectOption('#speed', 'once');
 for (let lesson = 1; lesson <= 4; lesson += 1) {
   await page.click('#auto');
@@ -12,13 +12,16 @@ for (let lesson = 1; lesson <= 4; lesson += 1) {
 }
 await page.selectOption('#speed', 'step');
 await page.click('#lesson');
-for (const word of ['#good', '#bad', '#good', '#good']) {
+for (let step = 0; step < 3; step += 1) {
   await page.getByText('Good or Bad?').waitFor();
-  await page.click(word);
+  const meant = await page.textContent('#bars .best .label');
+  await page.click(/chair to the yellow/.test(meant) ? '#good' : '#bad');
   await page.waitForTimeout(900);
 }
+// The heart is on its way while a word waits for the next step.
+await page.click('#pause');
 await page.click('#good');
-await page.waitForTimeout(300);
+await page.waitForTimeout(230);
 writeFileSync(process.argv[2], dense(await page.screenshot()));
 await close(page);
 await browser.close();

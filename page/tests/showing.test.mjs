@@ -49,6 +49,7 @@ test('words are shown as they were said, where the robot knows their first lette
   assert.ok(learned.words.includes('chai'), 'the robot itself keeps four letters');
   await page.reload();
   await page.waitForSelector('body.ready');
+  await opened(page, 'Its dictionary');
   assert.deepEqual(await page.locator('#heat thead th').allTextContents(), words, 'after a reload too');
   await play(page, 'Test');
   await tell(page, 'Please , take the purplish chairs to the green room');
