@@ -4,6 +4,7 @@ mod capi;
 mod compare;
 mod firmware;
 mod footprint;
+mod guide;
 mod instructions;
 mod page;
 mod process;
