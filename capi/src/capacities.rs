@@ -97,70 +97,27 @@ pub const fn bytes(capacities: &Capacities, table: bool) -> usize {
     }
 }
 
-impl From<&Capacities> for GoodbotCapacities {
-    fn from(from: &Capacities) -> Self {
-        Self {
-            objects: from.objects as u32,
-            names: from.names as u32,
-            name_bytes: from.name_bytes as u32,
-            cells: from.cells as u32,
-            tasks: from.tasks as u32,
-            strategies: from.strategies as u32,
-            beliefs: from.beliefs as u32,
-            candidates: from.candidates as u32,
-            candidate_tokens: from.candidate_tokens as u32,
-            ground_propositions: from.ground_propositions as u32,
-            goal_entries: from.goal_entries as u32,
-            states: from.states as u32,
-            hashed_states: from.hashed_states as u32,
-            words: from.words as u32,
-            word_bytes: from.word_bytes as u32,
-            tokens: from.tokens as u32,
-            token_bytes: from.token_bytes as u32,
-            commands: from.commands as u32,
-            command_tokens: from.command_tokens as u32,
-            sessions: from.sessions as u32,
-            sentence_words: from.sentence_words as u32,
-            pairs: from.pairs as u32,
-            translations: from.translations as u32,
-            alignments: from.alignments as u32,
-            length_pairs: from.length_pairs as u32,
+/// The fields that both have, by name.
+macro_rules! same_fields {
+    ($($field:ident,)*) => {
+        impl From<&Capacities> for GoodbotCapacities {
+            fn from(from: &Capacities) -> Self {
+                Self { $($field: from.$field as u32,)* }
+            }
         }
-    }
-}
 
-impl From<&GoodbotCapacities> for Capacities {
-    fn from(from: &GoodbotCapacities) -> Self {
-        Self {
-            objects: from.objects as usize,
-            names: from.names as usize,
-            name_bytes: from.name_bytes as usize,
-            cells: from.cells as usize,
-            tasks: from.tasks as usize,
-            strategies: from.strategies as usize,
-            beliefs: from.beliefs as usize,
-            candidates: from.candidates as usize,
-            candidate_tokens: from.candidate_tokens as usize,
-            ground_propositions: from.ground_propositions as usize,
-            goal_entries: from.goal_entries as usize,
-            states: from.states as usize,
-            hashed_states: from.hashed_states as usize,
-            // Controllers search forward; a sweep is for hosts.
-            sweep_words: 0,
-            words: from.words as usize,
-            word_bytes: from.word_bytes as usize,
-            tokens: from.tokens as usize,
-            token_bytes: from.token_bytes as usize,
-            commands: from.commands as usize,
-            command_tokens: from.command_tokens as usize,
-            sessions: from.sessions as usize,
-            sentence_words: from.sentence_words as usize,
-            pairs: from.pairs as usize,
-            translations: from.translations as usize,
-            alignments: from.alignments as usize,
-            length_pairs: from.length_pairs as usize,
+        impl From<&GoodbotCapacities> for Capacities {
+            fn from(from: &GoodbotCapacities) -> Self {
+                // Controllers search forward; a sweep is for hosts.
+                Self { $($field: from.$field as usize,)* sweep_words: 0 }
+            }
         }
-    }
+    };
+}
+same_fields! {
+    objects, names, name_bytes, cells, tasks, strategies, beliefs, candidates, candidate_tokens, ground_propositions, goal_entries,
+    states, hashed_states, words, word_bytes, tokens, token_bytes, commands, command_tokens, sessions, sentence_words, pairs,
+    translations, alignments, length_pairs,
 }
 
 /// Fills in a preset, `GOODBOT_SMALL` or `GOODBOT_TINY`.

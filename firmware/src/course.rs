@@ -4,6 +4,7 @@
 #![no_main]
 
 mod board;
+mod fault;
 mod memory;
 mod stack;
 

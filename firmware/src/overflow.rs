@@ -5,6 +5,7 @@
 
 #[allow(dead_code, reason = "it counts nothing")]
 mod board;
+mod fault;
 
 use core::hint::black_box;
 

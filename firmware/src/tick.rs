@@ -6,6 +6,7 @@
 #![no_main]
 
 mod board;
+mod fault;
 mod memory;
 #[allow(dead_code, reason = "only the course reports its stack")]
 mod stack;

@@ -4,6 +4,7 @@ mod capi;
 mod compare;
 mod firmware;
 mod footprint;
+mod guide;
 mod instructions;
 mod page;
 mod process;
@@ -47,6 +48,12 @@ enum Task {
     Footprint(footprint::Options),
     /// Writes the C header capi/include/goodbot.h.
     Capi,
+    /// Builds the C library, and puts it with its header into dist/c.
+    Library {
+        /// For this processor, such as thumbv7em-none-eabihf, instead of this machine.
+        #[arg(long)]
+        target: Option<toolchain::Target>,
+    },
 }
 
 fn main() -> ExitCode {
@@ -75,6 +82,7 @@ fn run() -> Result<ExitCode> {
             "docs/planning-cost.svg",
         ]))?,
         Task::Capi => capi::header::write()?,
+        Task::Library { target } => capi::library::deliver(target)?,
         Task::Footprint(options) => return footprint::run(&options),
     }
     Ok(ExitCode::SUCCESS)

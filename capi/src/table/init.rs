@@ -1,7 +1,7 @@
 //! From the caller's description to a robot.
 
 use super::description::{
-    GOODBOT_MOST_ACTIONS, GOODBOT_MOST_ARGUMENTS, GOODBOT_MOST_ATTRIBUTES, GOODBOT_MOST_CARRIERS, GOODBOT_MOST_CLASSES,
+    GOODBOT_CANNOT, GOODBOT_MOST_ACTIONS, GOODBOT_MOST_ARGUMENTS, GOODBOT_MOST_ATTRIBUTES, GOODBOT_MOST_CARRIERS, GOODBOT_MOST_CLASSES,
     GOODBOT_MOST_PROPOSITIONS, GOODBOT_MOST_TASKS, GoodbotTable,
 };
 use super::domain::{Parts, Steps, TableDomain};
@@ -163,6 +163,10 @@ unsafe fn steps(table: &GoodbotTable) -> Result<Steps, Failure> {
         return Err(GoodbotStatus::Null.into());
     }
     if !table.next.is_null() {
+        // The table's entries cannot name more states.
+        if table.state_count > u32::from(GOODBOT_CANNOT) {
+            return Err(GoodbotStatus::Number.into());
+        }
         let entries = table.state_count.checked_mul(table.action_count).ok_or(GoodbotStatus::Number)?;
         // SAFETY: the caller's promise.
         return Ok(Steps::Table(unsafe { list(table.next, entries, entries as usize) }?));

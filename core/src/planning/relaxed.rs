@@ -37,6 +37,7 @@ impl Relaxation {
     }
 
     /// Begins for the tasks that `search` has not resolved at its state.
+    #[inline(never)]
     pub(super) fn begin<D: Domain + ?Sized>(&mut self, search: &mut Search<'_>, domain: &D, goals: &GoalTable<'_>, state: &D::State) {
         *self = Self { waiting: search.unknown(), tried: self.tried, ..Self::default() };
         self.next_part(search, domain, goals, state);
@@ -48,6 +49,7 @@ impl Relaxation {
     }
 
     /// Goes on, with about `budget` looks.
+    #[inline(never)]
     pub(super) fn advance<D: Domain + ?Sized>(
         &mut self,
         search: &mut Search<'_>,

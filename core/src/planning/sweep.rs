@@ -119,6 +119,7 @@ impl<'m> Sweep<'m> {
     }
 
     /// Begins with the states that can be reached from `state`. Gives whether there is room; nothing is begun where there is none.
+    #[inline(never)]
     pub fn begin<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, wanted: TaskSet) -> bool {
         let tasks = (u64::BITS.saturating_sub(wanted.0.leading_zeros())) as usize;
         self.phase = Phase::Idle;
@@ -172,6 +173,7 @@ impl<'m> Sweep<'m> {
     }
 
     /// Goes on, looking at no more than about `budget` states (at least one).
+    #[inline(never)]
     pub fn advance<D: Domain + ?Sized>(&mut self, domain: &D, goals: &GoalTable<'_>, budget: u32) -> Progress {
         let mut left = budget.max(1);
         loop {

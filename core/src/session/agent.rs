@@ -303,14 +303,20 @@ impl<'m> Agent<'m> {
         let number = domain.number(state);
         if self.planned != Some(number) {
             self.planned = Some(number);
-            let wanted = self.worth_planning();
-            self.planner.begin(domain, &self.goals, state, wanted, self.dead);
+            self.begin_plan(domain, state);
         }
         let progress = self.planner.advance(domain, &self.goals, state, budget);
         if progress == Progress::Done {
             self.dead = self.dead.union(self.search().dead());
         }
         Ok(progress)
+    }
+
+    /// By itself, like every part of the work that takes much of the stack: parts that follow each other then take it in turn.
+    #[inline(never)]
+    fn begin_plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) {
+        let wanted = self.worth_planning();
+        self.planner.begin(domain, &self.goals, state, wanted, self.dead);
     }
 
     /// The tasks whose probability still matters: [`NEGLIGIBLE`] or more.

@@ -5,7 +5,7 @@ use std::process::Command;
 
 use anyhow::{Result, bail};
 
-use super::header;
+use super::{header, library};
 use crate::firmware::board::{Board, emulate};
 use crate::firmware::image::panics;
 use crate::toolchain::{self, Target, need_program};
@@ -20,18 +20,12 @@ fn capi(file: &str) -> PathBuf {
     project::root().join("capi").join(file)
 }
 
-/// What makes a static library of the interface.
-const LIBRARY: [&str; 8] = ["--quiet", "--release", "--package", "goodbot-capi", "--features", "alone", "--crate-type", "staticlib"];
-
 /// Builds every example with the host's compiler, with both sanitizers, and runs it.
 pub fn on_host() -> Result<()> {
     need_program("gcc", &["gcc", "libc6-dev"], "to build the C examples")?;
-    let folder = project::target_dir().join("capi");
-    let mut cargo = project::cargo();
-    process::run(cargo.arg("rustc").args(LIBRARY).arg("--target-dir").arg(&folder))?;
-    let library = folder.join("release/libgoodbot_capi.a");
+    let library = library::build(None)?;
     for example in EXAMPLES {
-        let binary = folder.join(example);
+        let binary = library.with_file_name(example);
         let mut gcc = Command::new("gcc");
         gcc.args(WARNINGS).args(["-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-I"]);
         gcc.arg(capi("include")).arg(capi("examples").join(format!("{example}.c"))).arg(&library).arg("-o").arg(&binary);
@@ -45,9 +39,8 @@ pub fn on_host() -> Result<()> {
 pub fn on_board() -> Result<()> {
     need_program("arm-none-eabi-gcc", &["gcc-arm-none-eabi", "libnewlib-arm-none-eabi"], "to build the C examples for a controller")?;
     let target = Target::Thumbv7emHf;
-    process::run(toolchain::cross_cargo_as(target, "rustc")?.args(LIBRARY))?;
+    let library = library::build(Some(target))?;
     let built = toolchain::artifacts(target, "release");
-    let library = built.join("libgoodbot_capi.a");
     for example in EXAMPLES {
         let binary = built.join(format!("{example}.elf"));
         process::run(&mut cross_gcc(example, &library, &binary))?;

@@ -1,7 +1,7 @@
 //! The boards and how the emulator is told of them.
 
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::time::Duration;
 
 use anyhow::Result;
@@ -73,20 +73,10 @@ impl Preset {
 
 /// Runs a binary in the emulator, each instruction 64 ns of the board's time; gives its exit code and what it prints.
 pub fn emulate(board: Board, binary: &Path) -> Result<(i32, String)> {
-    process::capture_within(&mut emulator(board, binary)?, LIMIT)
-}
-
-/// Runs a binary that ends by itself, and tells whether the processor stopped it by a fault that nothing could handle.
-pub fn faults(board: Board, binary: &Path) -> Result<bool> {
-    let output = emulator(board, binary)?.stdin(Stdio::null()).output()?;
-    Ok(!output.status.success() && String::from_utf8_lossy(&output.stderr).contains("Lockup"))
-}
-
-fn emulator(board: Board, binary: &Path) -> Result<Command> {
     need_program("qemu-system-arm", &["qemu-system-arm"], "to run the firmware")?;
     let mut qemu = Command::new("qemu-system-arm");
     qemu.args(["-M", board.name(), "-display", "none", "-monitor", "none", "-serial", "none"]);
     qemu.args(["-icount", "shift=6,sleep=off", "-chardev", "stdio,id=out"]);
     qemu.args(["-semihosting-config", "enable=on,target=native,chardev=out", "-kernel"]).arg(binary);
-    Ok(qemu)
+    process::capture_within(&mut qemu, LIMIT)
 }

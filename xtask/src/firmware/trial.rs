@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use anyhow::{Context, Result, bail};
 
-use super::board::{Board, Preset, emulate, faults};
+use super::board::{Board, Preset, emulate};
 use super::image::Image;
 
 /// The firmware that is measured.
@@ -15,6 +15,9 @@ const ROWS: [(Board, Preset); 5] = [
     (Board::An385, Preset::Tiny),
     (Board::Microbit, Preset::Tiny),
 ];
+
+/// What a firmware ends with that the processor stopped by a fault.
+const FAULT: i32 = 102;
 
 /// What a binary said: lines of a name and a number.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -71,8 +74,9 @@ impl Trial {
             Ok(Report::read(&said))
         };
         // Otherwise what follows would prove nothing: a stack that runs over could change the numbers that are measured.
-        if !faults(board, &image.binary("overflow"))? {
-            bail!("nothing stops a stack that runs over on {}", board.name());
+        let (code, said) = emulate(board, &image.binary("overflow"))?;
+        if code != FAULT {
+            bail!("no fault stops a stack that runs over on {}: `overflow` ended with {code} and said:\n{said}", board.name());
         }
         let (course, tick) = (report("course")?, report("tick")?);
         Ok(Self { board, preset, image, course, tick })

@@ -18,6 +18,9 @@ use measures::Footprint;
 /// Where the numbers are kept, for the check and for people.
 const NUMBERS: &str = "docs/footprint.json";
 const TABLE: &str = "docs/footprint.md";
+/// Where a short table is for everyone, and between which lines.
+const README: &str = "README.md";
+const MARKS: [&str; 2] = ["<!-- footprint -->\n", "<!-- /footprint -->"];
 
 /// What to do with the table.
 #[derive(Args)]
@@ -42,17 +45,23 @@ pub fn run(options: &Options) -> Result<ExitCode> {
     let root = project::root();
     std::fs::write(root.join(NUMBERS), footprint.to_json()?).with_context(|| format!("{NUMBERS} cannot be written"))?;
     std::fs::write(root.join(TABLE), table::markdown(&footprint)).with_context(|| format!("{TABLE} cannot be written"))?;
-    eprintln!("written: {NUMBERS} and {TABLE}");
+    let readme = read(README)?;
+    std::fs::write(root.join(README), with_table(&readme, &table::brief(&footprint))?)
+        .with_context(|| format!("{README} cannot be written"))?;
+    eprintln!("written: {NUMBERS}, {TABLE} and a table in {README}");
     Ok(ExitCode::SUCCESS)
 }
 
 /// Compares with the numbers that are checked in.
 pub fn check() -> Result<()> {
-    let text = std::fs::read_to_string(project::root().join(NUMBERS)).with_context(|| format!("{NUMBERS} cannot be read"))?;
-    let kept = Footprint::from_json(&text).with_context(|| format!("{NUMBERS} is not what `cargo xtask footprint` writes"))?;
-    let table = std::fs::read_to_string(project::root().join(TABLE)).with_context(|| format!("{TABLE} cannot be read"))?;
-    if table != table::markdown(&kept) {
-        bail!("{TABLE} does not say what {NUMBERS} says: write both again with `cargo xtask footprint`");
+    let kept = Footprint::from_json(&read(NUMBERS)?).with_context(|| format!("{NUMBERS} is not what `cargo xtask footprint` writes"))?;
+    let readme = read(README)?;
+    for (file, is_stale) in
+        [(TABLE, read(TABLE)? != table::markdown(&kept)), (README, readme != with_table(&readme, &table::brief(&kept))?)]
+    {
+        if is_stale {
+            bail!("{file} does not say what {NUMBERS} says: write both again with `cargo xtask footprint`");
+        }
     }
     let complaints = Footprint::measure(trials()?)?.against(&kept);
     if complaints.is_empty() {
@@ -65,7 +74,31 @@ pub fn check() -> Result<()> {
     bail!("{} numbers are higher than {TABLE} says", complaints.len())
 }
 
+fn read(file: &str) -> Result<String> {
+    std::fs::read_to_string(project::root().join(file)).with_context(|| format!("{file} cannot be read"))
+}
+
+/// The README with this table between its marks.
+fn with_table(readme: &str, table: &str) -> Result<String> {
+    let [begin, end] = MARKS;
+    let (before, rest) = readme.split_once(begin).with_context(|| format!("{README} has no line `{}`", begin.trim()))?;
+    let (_, after) = rest.split_once(end).with_context(|| format!("{README} has no line `{end}`"))?;
+    Ok(format!("{before}{begin}{table}{end}{after}"))
+}
+
 /// Bytes of RAM that the course takes: what is static and the deepest stack.
 pub fn ram(trial: &Trial) -> Result<u64> {
     Ok(trial.course.number("statics")? + trial.course.number("stack")?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::with_table;
+
+    #[test]
+    fn the_table_takes_the_place_of_the_old_one_alone() {
+        let readme = "# Title\n<!-- footprint -->\n| old |\n<!-- /footprint -->\nThe end.\n";
+        assert_eq!(with_table(readme, "| new |\n").unwrap(), readme.replace("old", "new"));
+        assert!(with_table("# Title\n", "").is_err());
+    }
 }

@@ -45,6 +45,20 @@ pub fn markdown(footprint: &Footprint) -> String {
     text
 }
 
+/// The few numbers that the README has.
+pub fn brief(footprint: &Footprint) -> String {
+    let columns = [("flash", "flash"), ("hear", "hearing a command"), ("hear-plan-act", "from a command to the first action")];
+    let [flash, rest @ ..] = columns.map(|(name, title)| (name, title.to_owned()));
+    // The first column stands before the sum, the others after it.
+    let (bytes, instructions) = (table(footprint, &[flash], Some(("statics", "stack"))), table(footprint, &rest, None));
+    let mut text = String::new();
+    for (left, right) in bytes.lines().zip(instructions.lines()) {
+        let (_, right) = right.trim_start_matches('|').split_once('|').unwrap_or(("", right));
+        text += &format!("{left}{right}\n");
+    }
+    text
+}
+
 /// One table; the sum of two columns after them, where one is asked for.
 fn table(footprint: &Footprint, columns: &[(&str, String)], sum: Option<(&str, &str)>) -> String {
     let mut head = "| board, preset |".to_owned();
@@ -86,7 +100,17 @@ fn grouped(number: u64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::grouped;
+    use super::*;
+
+    #[test]
+    fn the_brief_table_has_the_sum_of_the_memory_between_bytes_and_instructions() {
+        let json = r#"{"version":1,"rows":{"board":{"flash":50000,"statics":12000,"stack":3000,"hear":70000,"hear-plan-act":90000}}}"#;
+        let expected = "\
+            | board, preset | flash | RAM in all | hearing a command | from a command to the first action |\n\
+            |---|---:|---:|---:|---:|\n\
+            | board | 50,000 | 15,000 | 70,000 | 90,000 |\n";
+        assert_eq!(brief(&Footprint::from_json(json).unwrap()), expected);
+    }
 
     #[test]
     fn numbers_are_grouped_by_thousands() {

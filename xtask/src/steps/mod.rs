@@ -8,6 +8,7 @@ mod cross;
 mod docs;
 mod firmware;
 mod format;
+mod guide;
 mod page;
 mod style;
 mod tests;
@@ -47,6 +48,7 @@ pub const ALL: &[Step] = &[
     capi::HEADER,
     capi::HOST,
     capi::BOARD,
+    guide::STEP,
     firmware::COURSE,
     firmware::TICK,
     firmware::SAME_BITS,

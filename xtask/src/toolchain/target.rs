@@ -1,5 +1,7 @@
 //! The targets that goodbot is built for besides the host.
 
+use std::str::FromStr;
+
 /// A target that goodbot is built for besides the host.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
@@ -40,9 +42,26 @@ impl Target {
     }
 }
 
+impl FromStr for Target {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Self, String> {
+        Self::ALL
+            .into_iter()
+            .find(|target| target.triple() == name)
+            .ok_or_else(|| format!("there are {}", Self::ALL.map(Self::triple).join(", ")))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_target_is_known_by_its_name() {
+        assert_eq!("thumbv6m-none-eabi".parse(), Ok(Target::Thumbv6m));
+        assert!("thumbv9".parse::<Target>().unwrap_err().contains("thumbv7em-none-eabihf"));
+    }
 
     #[test]
     fn cargo_is_told_of_a_target_by_its_name() {

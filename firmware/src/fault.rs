@@ -1,0 +1,25 @@
+//! A fault, which is how the processor answers a stack that leaves the RAM: says so and ends the emulator.
+
+use crate::board;
+
+/// The exit code of a fault.
+const FAULT: u8 = 102;
+
+core::arch::global_asm!(
+    ".section .text.HardFault, \"ax\", %progbits",
+    ".global HardFault",
+    ".type HardFault, %function",
+    ".thumb_func",
+    "HardFault:",
+    // The stack is of no use any more: begin at its top again.
+    "ldr r0, =_stack_start",
+    "mov sp, r0",
+    "bl {fault}",
+    ".ltorg",
+    fault = sym fault,
+);
+
+extern "C" fn fault() -> ! {
+    board::print("fault\n");
+    board::exit(FAULT)
+}

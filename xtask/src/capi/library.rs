@@ -1,0 +1,38 @@
+//! The C interface as a static library, for this machine or a microcontroller.
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+
+use crate::toolchain::{self, Target};
+use crate::{process, project};
+
+/// What makes a static library of the interface.
+const LIBRARY: [&str; 8] = ["--quiet", "--release", "--package", "goodbot-capi", "--features", "alone", "--crate-type", "staticlib"];
+
+/// The library's file, as cargo names it.
+const FILE: &str = "libgoodbot_capi.a";
+
+/// Builds it, for this machine where there is no target. Gives where it is.
+pub fn build(target: Option<Target>) -> Result<PathBuf> {
+    let Some(target) = target else {
+        // Beside the workspace's own files: the feature changes what is built.
+        let folder = project::target_dir().join("capi");
+        process::run(project::cargo().arg("rustc").args(LIBRARY).arg("--target-dir").arg(&folder))?;
+        return Ok(folder.join("release").join(FILE));
+    };
+    process::run(toolchain::cross_cargo_as(target, "rustc")?.args(LIBRARY))?;
+    Ok(toolchain::artifacts(target, "release").join(FILE))
+}
+
+/// Builds it and puts it into a folder, with the header.
+pub fn deliver(target: Option<Target>) -> Result<()> {
+    let built = build(target)?;
+    let folder = project::root().join("dist/c").join(target.map_or("host", Target::triple));
+    std::fs::create_dir_all(&folder)?;
+    for (from, name) in [(built, "libgoodbot.a"), (project::root().join("capi/include/goodbot.h"), "goodbot.h")] {
+        std::fs::copy(&from, folder.join(name)).with_context(|| format!("{} cannot be copied", from.display()))?;
+    }
+    eprintln!("written: libgoodbot.a and goodbot.h in {}", folder.display());
+    Ok(())
+}
