@@ -3,7 +3,7 @@
 use super::layout::{Area, Cell, Place, Spot, StoredArea, WALL, spot_of};
 use super::{AGENT_IN_DOOR, AGENT_IN_ROOM, BLOCK_IN_DOOR, BLOCK_IN_ROOM, SCHEMA};
 use crate::capacity::BLOCKS;
-use crate::oomdp::{Action, ActionKind, Domain, Grid, GroundProposition, ObjectId, ObjectSet, Schema};
+use crate::oomdp::{Action, ActionKind, Divider, Domain, Grid, GroundProposition, ObjectId, ObjectSet, Schema};
 
 /// The actions that a home offers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -44,6 +44,7 @@ pub struct Home<'m> {
     grid: Grid,
     /// The smallest x and y of the places.
     corner: (i16, i16),
+    by_spots: Divider,
 }
 
 impl<'m> Home<'m> {
@@ -60,7 +61,7 @@ impl<'m> Home<'m> {
     ) -> Self {
         let places = places.get(..count).unwrap_or(&[]);
         let (grid, corner) = grid_of(places);
-        Self { objects, areas, places, agent, blocks, block_count, moves, grid, corner }
+        Self { objects, areas, places, agent, blocks, block_count, moves, grid, corner, by_spots: Divider::new(places.len()) }
     }
 
     /// Which actions it offers.
@@ -248,28 +249,8 @@ impl Domain for Home<'_> {
 
     #[inline]
     fn numbered(&self, number: u64) -> HomeState {
-        let spots = self.places.len().max(1);
-        let mut state = HomeState { agent: 0, blocks: [WALL; BLOCKS] };
-        // Small numbers take the short division, which every controller has.
-        match u32::try_from(number) {
-            Ok(mut rest) => {
-                let spots = spots as u32;
-                state.agent = (rest % spots) as Spot;
-                for block in state.blocks.iter_mut().take(self.block_count) {
-                    rest /= spots;
-                    *block = (rest % spots) as Spot;
-                }
-            }
-            Err(_) => {
-                let (spots, mut rest) = (spots as u64, number);
-                state.agent = (rest % spots) as Spot;
-                for block in state.blocks.iter_mut().take(self.block_count) {
-                    rest /= spots;
-                    *block = (rest % spots) as Spot;
-                }
-            }
-        }
-        state
+        let (row, agent) = self.by_spots.split(number);
+        HomeState { agent: agent as Spot, ..self.row(row) }
     }
 
     #[inline]
@@ -333,6 +314,19 @@ impl Domain for Home<'_> {
     }
 
     #[inline]
+    fn row(&self, row: u64) -> HomeState {
+        let (mut state, mut rest) = (HomeState { agent: 0, blocks: [WALL; BLOCKS] }, row);
+        if let Some((last, blocks)) = state.blocks.get_mut(..self.block_count).and_then(<[Spot]>::split_last_mut) {
+            for block in blocks {
+                let (more, spot) = self.by_spots.split(rest);
+                (*block, rest) = (spot as Spot, more);
+            }
+            *last = rest as Spot;
+        }
+        state
+    }
+
+    #[inline]
     fn bit_of(&self, place: usize) -> usize {
         let (left, bottom) = self.corner;
         self.places.get(place).map_or(0, |place| {
@@ -348,6 +342,17 @@ impl Domain for Home<'_> {
 
     fn stands_still(&self, variable: usize) -> bool {
         variable != 0
+    }
+
+    fn ways_on(&self) -> usize {
+        4
+    }
+
+    // A block is pushed from the cell behind it; pulled, it goes to any cell beside it.
+    #[inline]
+    fn way_on(&self, _variable: usize, value: usize, way: usize) -> Option<usize> {
+        let (ahead, behind) = (self.neighbour(value as Spot, way), self.neighbour(value as Spot, way ^ 1));
+        (ahead != WALL && (behind != WALL || self.moves == Moves::PushAndPull)).then_some(usize::from(ahead))
     }
 
     fn ways_in(&self) -> usize {

@@ -57,7 +57,12 @@ impl ActionSet {
 
     /// The actions, in order.
     pub fn iter(self) -> impl Iterator<Item = Action> {
-        (0..=Action::NOOP.0).map(Action).filter(move |&action| self.contains(action))
+        let mut rest = self.0;
+        core::iter::from_fn(move || {
+            let next = rest.trailing_zeros();
+            rest &= rest.wrapping_sub(1);
+            (next < 16).then_some(Action(next as u8))
+        })
     }
 }
 
@@ -157,6 +162,11 @@ pub trait Domain {
         None
     }
 
+    /// A state of a row, with the robot at any place.
+    fn row(&self, row: u64) -> Self::State {
+        self.numbered(row.wrapping_mul(self.values(0) as u64))
+    }
+
     /// The bit of a place, in a row of the grid: larger for larger places.
     fn bit_of(&self, _place: usize) -> usize {
         0
@@ -169,6 +179,18 @@ pub trait Domain {
 
     /// The place that a variable other than the first takes, so that the robot can go there only by acting on it.
     fn taken(&self, _state: &Self::State, _variable: usize) -> Option<usize> {
+        None
+    }
+
+    /// How many values a variable that [stands still](Self::stands_still) can take on after a value by one action, if the domain wants to
+    /// say: 0 is always correct, and makes dead ends take longer to find.
+    fn ways_on(&self) -> usize {
+        0
+    }
+
+    /// A value that a variable can take on after `value` by one action, for each `way` below [`ways_on`](Self::ways_on). All that it can
+    /// take on in any state must be among them; others do no harm.
+    fn way_on(&self, _variable: usize, _value: usize, _way: usize) -> Option<usize> {
         None
     }
 

@@ -6,6 +6,7 @@
 //!
 //! Where the robot goes about in a grid, the search looks at whole [`rows`] of states at once, elsewhere at [`states`] one by one.
 
+mod alone;
 mod findings;
 mod results;
 mod rows;
@@ -64,12 +65,12 @@ impl<'m> Search<'m> {
     /// Begins at `state`, for the tasks in `wanted`. Those in `dead` are known to be dead ends: once no goal can be reached, none can be
     /// reached from any later state.
     pub fn begin<D: Domain + ?Sized>(&mut self, domain: &D, goals: &GoalTable<'_>, state: &D::State, wanted: TaskSet, dead: TaskSet) {
-        self.found.stand(domain, goals, state, wanted, dead);
+        self.stand(domain, goals, state, wanted, dead);
         self.in_part = false;
         self.start(domain, goals, state);
     }
 
-    /// What can be said of `state` without any search; the rest of `wanted` is unresolved.
+    /// What can be said of `state` without a search; the rest of `wanted` is unresolved.
     pub(super) fn stand<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
@@ -80,6 +81,10 @@ impl<'m> Search<'m> {
     ) {
         self.found.stand(domain, goals, state, wanted, dead);
         self.running = false;
+        self.clear();
+        let possible = alone::possible(domain, goals, state, self.found.unresolved, self.marks);
+        self.found.dead = self.found.dead.union(self.found.unresolved.without(possible));
+        self.found.unresolved = possible;
     }
 
     /// Begins a search for some of the tasks that are not resolved yet, in a domain of its own; the other tasks' results stay.
@@ -115,12 +120,7 @@ impl<'m> Search<'m> {
     }
 
     fn start<D: Domain + ?Sized>(&mut self, domain: &D, goals: &GoalTable<'_>, state: &D::State) {
-        match &self.way {
-            Some(Way::Rows(rows)) => rows.clear(self.marks),
-            Some(Way::States(states)) => states.clear(self.marks),
-            None => {}
-        }
-        self.way = None;
+        self.clear();
         self.running = !self.found.unresolved.is_empty();
         if self.running {
             self.way = Some(match Rows::new(domain, goals, self.found.unresolved, self.marks.len()) {
@@ -130,6 +130,15 @@ impl<'m> Search<'m> {
                 }
                 None => Way::States(States::begin(domain, state, self.marks, self.hashed, &self.found)),
             });
+        }
+    }
+
+    /// Leaves nothing but zeroes.
+    fn clear(&mut self) {
+        match self.way.take() {
+            Some(Way::Rows(rows)) => rows.clear(self.marks),
+            Some(Way::States(states)) => states.clear(self.marks),
+            None => {}
         }
     }
 

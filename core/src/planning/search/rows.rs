@@ -11,7 +11,7 @@
 mod look;
 
 use super::findings::Findings;
-use crate::oomdp::{Action, ActionSet, Domain, Grid};
+use crate::oomdp::{Action, ActionSet, Divider, Domain, Grid};
 use crate::planning::GoalTable;
 use crate::task::TaskSet;
 
@@ -25,23 +25,31 @@ pub(super) struct Rows {
     /// Words of a plane.
     words: usize,
     actions: usize,
-    rows: usize,
     /// Places of the robot.
     places: usize,
+    by_places: Divider,
     /// Actions that are no direction of the grid.
     others: ActionSet,
     /// The tasks that ask where the robot is, and those of them that ask nothing else.
     placed: TaskSet,
     only_placed: TaskSet,
-    /// Which of the two planes and sets is of the distance under way.
-    parity: usize,
+    /// Words of a row, and of a bit set over the rows.
+    stride: usize,
+    set: usize,
+    /// Where the bit sets and the rows begin.
+    sets_at: usize,
+    rows_at: usize,
+    /// The planes of the distance under way and of the next, and their sets.
+    here: usize,
+    next: usize,
     /// The word of the set of rows that is looked through.
     cursor: usize,
     /// Whether any row has a state at the next distance.
     ahead: bool,
 }
 
-/// The bit sets over the rows, beside the two of the frontier.
+/// The bit sets over the rows: two of the frontier, one of all rows that were ever reached, and one.
+const SETS: usize = 4;
 const TOUCHED: usize = 2;
 /// The rows in which a task may hold that asks for more than where the robot is.
 const HOPEFUL: usize = 3;
@@ -56,49 +64,58 @@ struct Spot {
 impl Rows {
     /// How a search for these tasks lies in so many words; `None` where the domain has no grid, or it does not fit.
     pub(super) fn new<D: Domain + ?Sized>(domain: &D, goals: &GoalTable<'_>, tasks: TaskSet, words: usize) -> Option<Self> {
-        let grid = domain.grid()?;
+        let mut grid = domain.grid()?;
+        if grid.bits <= grid.width {
+            // With a single line, north and south lead nowhere; what is beside it is so one word at most.
+            grid.width = 1;
+        }
         let asked = goals.asked();
         if !asked.of_several.common(tasks).is_empty() || domain.actions().iter().any(|kind| kind.cost != 1) {
             return None;
         }
         let actions = domain.actions().len().min(Action::MOST);
         let places = domain.values(0).max(1);
+        let rows = usize::try_from(domain.state_count()).ok()? / places;
         let placed = asked.of_place.common(tasks);
-        let all = Self {
+        let plane = grid.bits.div_ceil(64);
+        let stride = plane.checked_mul(actions.saturating_add(2))?;
+        let set = rows.div_ceil(64);
+        let sets_at = plane.checked_mul(2_usize.wrapping_add(placed.0.count_ones() as usize))?;
+        let rows_at = set.checked_mul(SETS)?.checked_add(sets_at)?;
+        if rows.checked_mul(stride)?.checked_add(rows_at)? > words {
+            return None;
+        }
+        let all = ActionSet(ActionSet::of(Action(actions as u8)).0.wrapping_sub(1));
+        let directions = grid.directions.into_iter().fold(ActionSet::EMPTY, ActionSet::with);
+        Some(Self {
             grid,
-            words: grid.bits.div_ceil(64),
+            words: plane,
             actions,
-            rows: usize::try_from(domain.state_count()).ok()? / places,
             places,
-            others: ActionSet(
-                ActionSet::of(Action(actions as u8)).0.wrapping_sub(1)
-                    & !grid.directions.iter().fold(0, |all, &action| all | ActionSet::of(action).0),
-            ),
+            by_places: Divider::new(places),
+            others: ActionSet(all.0 & !directions.0),
             placed,
             only_placed: placed.without(asked.of_all_else),
-            parity: 0,
+            stride,
+            set,
+            sets_at,
+            rows_at,
+            here: actions,
+            next: actions.wrapping_add(1),
             cursor: 0,
             ahead: false,
-        };
-        let needed = all.rows.checked_mul(all.stride())?.checked_add(all.rows_at())?;
-        (needed <= words).then_some(all)
-    }
-
-    /// Words of a row.
-    #[inline]
-    const fn stride(&self) -> usize {
-        self.words.wrapping_mul(self.actions.wrapping_add(2))
-    }
-
-    /// Words of a bit set over the rows.
-    #[inline]
-    const fn set(&self) -> usize {
-        self.rows.div_ceil(64)
+        })
     }
 
     #[inline]
     const fn set_at(&self, set: usize) -> usize {
-        self.cells_at(2_usize.wrapping_add(self.placed.0.count_ones() as usize)).wrapping_add(set.wrapping_mul(self.set()))
+        self.sets_at.wrapping_add(set.wrapping_mul(self.set))
+    }
+
+    /// The bit set of the rows that have a state in one of the frontier's planes.
+    #[inline]
+    const fn frontier_at(&self, plane: usize) -> usize {
+        self.set_at(plane.wrapping_sub(self.actions))
     }
 
     /// The mask of all cells (0), of those that are free (1), and of those at which a task may hold.
@@ -108,19 +125,8 @@ impl Rows {
     }
 
     #[inline]
-    const fn rows_at(&self) -> usize {
-        self.set_at(4)
-    }
-
-    #[inline]
     const fn row_at(&self, row: usize) -> usize {
-        self.rows_at().wrapping_add(row.wrapping_mul(self.stride()))
-    }
-
-    /// The planes of the distance under way and of the next.
-    #[inline]
-    const fn frontiers(&self) -> (usize, usize) {
-        (self.actions.wrapping_add(self.parity), self.actions.wrapping_add(1).wrapping_sub(self.parity))
+        self.rows_at.wrapping_add(row.wrapping_mul(self.stride))
     }
 
     /// Lays out the memory, which holds nothing but zeroes, and opens what `state` leads to.
@@ -149,13 +155,13 @@ impl Rows {
             }
         }
         let hopeful = self.set_at(HOPEFUL);
-        marks.get_mut(hopeful..hopeful.wrapping_add(self.set())).unwrap_or(&mut []).fill(u64::MAX);
+        marks.get_mut(hopeful..hopeful.wrapping_add(self.set)).unwrap_or(&mut []).fill(u64::MAX);
         let number = domain.number(state);
         if let Some(start) = self.spot(domain, number) {
             // Known by any action, it is reached by none again.
             self.reach(marks, start, ActionSet::of(Action(0)));
             if let Some(open) =
-                marks.get_mut(self.row_at(start.row).wrapping_add(self.frontiers().1.wrapping_mul(self.words)).wrapping_add(start.bit / 64))
+                marks.get_mut(self.row_at(start.row).wrapping_add(self.next.wrapping_mul(self.words)).wrapping_add(start.bit / 64))
             {
                 *open = 0;
             }
@@ -176,68 +182,65 @@ impl Rows {
     }
 
     fn spot<D: Domain + ?Sized>(&self, domain: &D, number: u64) -> Option<Spot> {
-        // Small numbers take the short division, which every controller has.
-        let (row, place) = match (u32::try_from(number), u32::try_from(self.places)) {
-            (Ok(number), Ok(places)) => (number.checked_div(places)? as usize, number.checked_rem(places)? as usize),
-            _ => {
-                let places = self.places as u64;
-                (usize::try_from(number.checked_div(places)?).ok()?, number.checked_rem(places)? as usize)
-            }
-        };
-        Some(Spot { row, bit: domain.bit_of(place) })
+        let (row, place) = self.by_places.split(number);
+        Some(Spot { row: usize::try_from(row).ok()?, bit: domain.bit_of(place as usize) })
     }
 
     /// Reaches one state at the next distance, by a way that begins with one of these first actions.
     fn reach(&mut self, marks: &mut [u64], to: Spot, first: ActionSet) {
         let (start, word, bit) = (self.row_at(to.row), to.bit / 64, 1_u64 << (to.bit % 64));
-        let Some(planes) = marks.get_mut(start..start.wrapping_add(self.stride())) else { return };
-        let at = |plane: usize| plane.wrapping_mul(self.words).wrapping_add(word);
-        let known = (0..self.actions).fold(0, |all, action| all | planes.get(at(action)).copied().unwrap_or(0));
-        let (_, next) = self.frontiers();
-        let Some(open) = planes.get_mut(at(next)) else { return };
-        if known & bit != 0 && *open & bit == 0 {
+        let Some(planes) = marks.get_mut(start..start.wrapping_add(self.stride)) else { return };
+        let (mut known, mut at) = (0, word);
+        for _ in 0..self.actions {
+            known |= planes.get(at).copied().unwrap_or(0);
+            at = at.wrapping_add(self.words);
+        }
+        let Some(open) = planes.get_mut(self.next.wrapping_mul(self.words).wrapping_add(word)) else { return };
+        if known & !*open & bit != 0 {
             return;
         }
         *open |= bit;
-        for action in (0..self.actions).filter(|&action| first.contains(Action(action as u8))) {
-            if let Some(plane) = planes.get_mut(at(action)) {
-                *plane |= bit;
+        at = word;
+        for action in 0..self.actions {
+            if let Some(plane) = planes.get_mut(at) {
+                *plane |= if first.0 >> action & 1 == 1 { bit } else { 0 };
             }
+            at = at.wrapping_add(self.words);
         }
         self.open(marks, to.row);
-        self.set_bit(marks, TOUCHED, to.row);
+        self.set_bit(marks, self.set_at(TOUCHED), to.row);
     }
 
     /// Takes note that a row has a state at the next distance.
     #[inline]
     fn open(&mut self, marks: &mut [u64], row: usize) {
-        self.set_bit(marks, 1_usize.wrapping_sub(self.parity), row);
+        self.set_bit(marks, self.frontier_at(self.next), row);
         self.ahead = true;
     }
 
     #[inline]
-    fn set_bit(&self, marks: &mut [u64], set: usize, row: usize) {
-        if let Some(word) = marks.get_mut(self.set_at(set).wrapping_add(row / 64)) {
+    fn set_bit(&self, marks: &mut [u64], set_at: usize, row: usize) {
+        if let Some(word) = marks.get_mut(set_at.wrapping_add(row / 64)) {
             *word |= 1 << (row % 64);
         }
     }
 
     /// Goes on to the next distance. Gives whether there is one.
     pub(super) fn next_level(&mut self) -> bool {
-        (self.parity, self.cursor) = (1_usize.wrapping_sub(self.parity), 0);
+        (self.here, self.next, self.cursor) = (self.next, self.here, 0);
         core::mem::take(&mut self.ahead)
     }
 
     /// Leaves nothing but zeroes.
     pub(super) fn clear(&self, marks: &mut [u64]) {
-        for word in 0..self.set() {
+        for word in 0..self.set {
             let mut touched = marks.get(self.set_at(TOUCHED).wrapping_add(word)).copied().unwrap_or(0);
             while touched != 0 {
                 let start = self.row_at(word.wrapping_mul(64).wrapping_add(touched.trailing_zeros() as usize));
                 touched &= touched.wrapping_sub(1);
-                marks.get_mut(start..start.wrapping_add(self.stride())).unwrap_or(&mut []).fill(0);
+                marks.get_mut(start..start.wrapping_add(self.stride)).unwrap_or(&mut []).fill(0);
             }
         }
-        marks.get_mut(..self.rows_at()).unwrap_or(&mut []).fill(0);
+        marks.get_mut(..self.rows_at).unwrap_or(&mut []).fill(0);
     }
 }

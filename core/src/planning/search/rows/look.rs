@@ -15,18 +15,29 @@ impl Rows {
         goals: &GoalTable<'_>,
     ) -> Option<u32> {
         let row = self.take(marks)?;
-        Some(match (self.words, self.actions) {
+        let state = domain.row(row as u64);
+        let touched = match (self.words, self.actions) {
             // What most homes have, as straight lines.
-            (1, 4) => self.expand(marks, found, domain, goals, row, 1, 4),
-            (words, actions) => self.expand(marks, found, domain, goals, row, words, actions),
-        })
+            (1, 4) => self.spread_word::<4, D>(marks, domain, row, &state),
+            (1, 5) => self.spread_word::<5, D>(marks, domain, row, &state),
+            _ => self.spread_words(marks, domain, row, &state),
+        };
+        self.meet(marks, found, domain, goals, &state, row);
+        let looks = if touched { self.act(marks, domain, &state, row) } else { 1 };
+        let done = self.row_at(row).wrapping_add(self.here.wrapping_mul(self.words));
+        for word in 0..self.words {
+            if let Some(bits) = marks.get_mut(done.wrapping_add(word)) {
+                *bits = 0;
+            }
+        }
+        Some(looks)
     }
 
     /// Takes the next row that has a state at the distance under way.
     #[inline]
     fn take(&mut self, marks: &mut [u64]) -> Option<usize> {
-        let start = self.set_at(self.parity);
-        let set = marks.get_mut(start..start.wrapping_add(self.set()))?;
+        let start = self.frontier_at(self.here);
+        let set = marks.get_mut(start..start.wrapping_add(self.set))?;
         loop {
             let bits = set.get_mut(self.cursor)?;
             if *bits != 0 {
@@ -38,62 +49,77 @@ impl Rows {
         }
     }
 
-    #[inline(always)]
-    #[expect(clippy::too_many_arguments, reason = "what is borrowed apart, and what is constant where it is called")]
-    fn expand<D: Domain + ?Sized>(
+    /// Opens what the robot's moves reach within a row of one word, and gives whether they touch what is taken.
+    #[inline]
+    fn spread_word<const ACTIONS: usize, D: Domain + ?Sized>(
         &mut self,
         marks: &mut [u64],
-        found: &mut Findings<'_>,
         domain: &D,
-        goals: &GoalTable<'_>,
         row: usize,
-        words: usize,
-        actions: usize,
-    ) -> u32 {
-        let state = domain.numbered((row as u64).wrapping_mul(self.places as u64));
-        let (here, next) = self.frontiers();
-        let Some((front, rows)) = marks.split_at_mut_checked(self.rows_at()) else { return 1 };
-        let stride = words.wrapping_mul(actions.wrapping_add(2));
-        let start = row.wrapping_mul(stride);
-        let Some(planes) = rows.get_mut(start..start.wrapping_add(stride)) else { return 1 };
+        state: &D::State,
+    ) -> bool {
+        let Some((front, rows)) = marks.split_at_mut_checked(self.rows_at) else { return false };
+        let Some(planes) = rows.get_mut(row.wrapping_mul(ACTIONS.wrapping_add(2))..) else { return false };
+        let Some((planes, rest)) = planes.split_first_chunk_mut::<ACTIONS>() else { return false };
+        let Some([even, odd]) = rest.first_chunk_mut::<2>() else { return false };
+        let (here, next) = if self.here == ACTIONS { (*even, odd) } else { (*odd, even) };
+        let width = self.grid.width as u32;
+        let beside = |bits: u64| bits << 1 | bits >> 1 | bits.wrapping_shl(width) | bits.wrapping_shr(width);
+        let taken = self.taken(domain, state, 0);
+        let reached = beside(here);
+        let known = planes.iter().fold(0, |all, plane| all | plane) & !*next;
+        let new = reached & front.get(self.cells_at(1)).copied().unwrap_or(0) & !taken & !known;
+        if new != 0 {
+            for plane in planes {
+                *plane |= beside(*plane & here) & new;
+            }
+            *next |= new;
+            self.open(marks, row);
+        }
+        reached & taken != 0
+    }
+
+    /// The same for a row of several words.
+    fn spread_words<D: Domain + ?Sized>(&mut self, marks: &mut [u64], domain: &D, row: usize, state: &D::State) -> bool {
+        let words = self.words;
+        let (here, next) = (self.here, self.next);
+        let Some((front, rows)) = marks.split_at_mut_checked(self.rows_at) else { return false };
+        let start = row.wrapping_mul(self.stride);
+        let Some(planes) = rows.get_mut(start..start.wrapping_add(self.stride)) else { return false };
+        let at = |plane: usize, word: usize| plane.wrapping_mul(words).wrapping_add(word);
+        let get = |planes: &[u64], at: usize| planes.get(at).copied().unwrap_or(0);
         let (mut opened, mut touched) = (0, 0);
         for word in 0..words {
-            let at = |plane: usize| plane.wrapping_mul(words).wrapping_add(word);
-            let get = |planes: &[u64], at: usize| planes.get(at).copied().unwrap_or(0);
-            let taken = self.taken(domain, &state, word);
-            let reached = self.beside(words, word, |word| get(planes, here.wrapping_mul(words).wrapping_add(word)));
-            let known = (0..actions).fold(0, |all, action| all | get(planes, at(action)));
-            let free = get(front, self.cells_at(1).wrapping_add(word));
-            let new = reached & free & !taken & !(known & !get(planes, at(next)));
-            touched |= reached & taken;
-            if new != 0 {
-                for action in 0..actions {
-                    let ways = self.beside(words, word, |word| {
-                        get(planes, action.wrapping_mul(words).wrapping_add(word))
-                            & get(planes, here.wrapping_mul(words).wrapping_add(word))
-                    });
-                    if let Some(plane) = planes.get_mut(at(action)) {
-                        *plane |= ways & new;
-                    }
-                }
-                if let Some(plane) = planes.get_mut(at(next)) {
-                    *plane |= new;
-                }
-                opened |= new;
+            let reached = self.beside(word, |word| get(planes, at(here, word)));
+            if reached == 0 {
+                continue;
             }
+            let taken = self.taken(domain, state, word);
+            let known = (0..self.actions).fold(0, |all, action| all | get(planes, at(action, word))) & !get(planes, at(next, word));
+            let new = reached & get(front, self.cells_at(1).wrapping_add(word)) & !taken & !known;
+            touched |= reached & taken;
+            if new == 0 {
+                continue;
+            }
+            for action in 0..self.actions {
+                let ways = self.beside(word, |word| get(planes, at(action, word)) & get(planes, at(here, word)));
+                if let Some(plane) = planes.get_mut(at(action, word)) {
+                    *plane |= ways & new;
+                }
+            }
+            if let Some(plane) = planes.get_mut(at(next, word)) {
+                *plane |= new;
+            }
+            opened |= new;
         }
         if opened != 0 {
             self.open(marks, row);
         }
-        self.meet(marks, found, domain, goals, &state, row, words, actions);
-        let looks = if touched == 0 { 1 } else { self.act(marks, domain, &state, row, words, actions) };
-        let done = self.row_at(row).wrapping_add(here.wrapping_mul(words));
-        marks.get_mut(done..done.wrapping_add(words)).unwrap_or(&mut []).fill(0);
-        looks
+        touched != 0
     }
 
     /// The bits of a word that are taken.
-    #[inline(always)]
+    #[inline]
     fn taken<D: Domain + ?Sized>(&self, domain: &D, state: &D::State, word: usize) -> u64 {
         let mut bits = 0;
         for variable in 1..domain.variables() {
@@ -105,32 +131,22 @@ impl Rows {
         bits
     }
 
-    /// The bits of one word that are beside the bits of a plane.
-    #[inline(always)]
-    fn beside(&self, words: usize, word: usize, plane: impl Fn(usize) -> u64) -> u64 {
-        let bits = plane(word);
-        if words == 1 {
-            let width = self.grid.width as u32;
-            return bits << 1 | bits >> 1 | bits.checked_shl(width).unwrap_or(0) | bits.checked_shr(width).unwrap_or(0);
-        }
-        let (far, near) = (self.grid.width / 64, (self.grid.width % 64) as u32);
+    /// The bits of one word that are beside the bits of a plane of several words.
+    #[inline]
+    fn beside(&self, word: usize, plane: impl Fn(usize) -> u64) -> u64 {
         // Beyond the first and the last word there is nothing.
-        let (before, after) = (
-            |by: usize| word.checked_sub(by).map_or(0, &plane),
-            |by: usize| {
-                let word = word.wrapping_add(by);
-                if word < words { plane(word) } else { 0 }
-            },
-        );
+        let before = |by: usize| word.checked_sub(by).map_or(0, &plane);
+        let after = |by: usize| if word.wrapping_add(by) < self.words { plane(word.wrapping_add(by)) } else { 0 };
+        let (far, near) = (self.grid.width / 64, (self.grid.width % 64) as u32);
         let over = 63_u32.wrapping_sub(near);
+        let bits = plane(word);
         let up = before(far) << near | before(far.wrapping_add(1)) >> 1 >> over;
         let down = after(far) >> near | after(far.wrapping_add(1)) << 1 << over;
         bits << 1 | before(1) >> 63 | bits >> 1 | after(1) << 63 | up | down
     }
 
     /// Finds the tasks that hold in the row's states of the distance under way.
-    #[inline(always)]
-    #[expect(clippy::too_many_arguments, reason = "what is borrowed apart, and what is constant where it is called")]
+    #[inline]
     fn meet<D: Domain + ?Sized>(
         &self,
         marks: &mut [u64],
@@ -139,9 +155,8 @@ impl Rows {
         goals: &GoalTable<'_>,
         state: &D::State,
         row: usize,
-        words: usize,
-        actions: usize,
     ) {
+        let (words, actions) = (self.words, self.actions);
         let mut tasks = found.unresolved.common(self.only_placed);
         let hopeful = self.set_at(HOPEFUL).wrapping_add(row / 64);
         if marks.get(hopeful).is_some_and(|word| word >> (row % 64) & 1 == 1) {
@@ -164,7 +179,7 @@ impl Rows {
             let mask = self.placed.contains(task).then(|| self.cells_at(self.mask_of(task)));
             for word in 0..words {
                 let cells = mask.map_or(u64::MAX, |mask| marks.get(mask.wrapping_add(word)).copied().unwrap_or(0));
-                let met = plane(self.frontiers().0, word) & cells;
+                let met = plane(self.here, word) & cells;
                 if met != 0 {
                     let first = (0..actions).filter(|&action| plane(action, word) & met != 0);
                     found.meet(task, first.fold(ActionSet::EMPTY, |set, action| set.with(Action(action as u8))));
@@ -174,35 +189,28 @@ impl Rows {
     }
 
     /// Does what the robot can do to what is taken beside it. Gives the looks it took.
-    fn act<D: Domain + ?Sized>(
-        &mut self,
-        marks: &mut [u64],
-        domain: &D,
-        state: &D::State,
-        row: usize,
-        words: usize,
-        actions: usize,
-    ) -> u32 {
+    fn act<D: Domain + ?Sized>(&mut self, marks: &mut [u64], domain: &D, state: &D::State, row: usize) -> u32 {
         let planes = self.row_at(row);
+        let here_at = planes.wrapping_add(self.here.wrapping_mul(self.words));
         let mut looks = 1_u32;
         for variable in 1..domain.variables() {
             let Some(taken) = domain.taken(state, variable).map(|place| domain.bit_of(place)) else { continue };
             for (direction, toward) in self.grid.directions.into_iter().enumerate() {
-                let shift = self.grid.shift(direction);
-                let Some(bit) = taken.checked_add_signed(shift.wrapping_neg()).filter(|&bit| bit < self.grid.bits) else { continue };
-                let has = |marks: &[u64], plane: usize| {
-                    let word = planes.wrapping_add(plane.wrapping_mul(words)).wrapping_add(bit / 64);
-                    marks.get(word).is_some_and(|word| word >> (bit % 64) & 1 == 1)
-                };
-                if !has(marks, self.frontiers().0) {
+                // Behind the first cell there are bits beyond all words.
+                let bit = taken.wrapping_add_signed(self.grid.shift(direction).wrapping_neg());
+                let has = |at: usize| marks.get(at.wrapping_add(bit / 64)).is_some_and(|word| word >> (bit % 64) & 1 == 1);
+                if bit / 64 >= self.words || !has(here_at) {
                     continue;
                 }
-                let first = (0..actions).filter(|&action| has(marks, action));
-                let first = first.fold(ActionSet::EMPTY, |set, action| set.with(Action(action as u8)));
+                let (mut first, mut at) = (ActionSet::EMPTY, planes);
+                for action in 0..self.actions {
+                    first = ActionSet(first.0 | u16::from(has(at)) << action);
+                    at = at.wrapping_add(self.words);
+                }
                 let place = self.place(marks, bit);
                 let here = domain.with_value(state, 0, place);
                 let number = (row as u64).wrapping_mul(self.places as u64).wrapping_add(place as u64);
-                for action in self.others.with(toward).iter() {
+                for action in core::iter::once(toward).chain(self.others.iter()) {
                     looks = looks.wrapping_add(1);
                     let next = domain.number_after(&here, number, action).filter(|&next| next != number);
                     if let Some(next) = next.and_then(|next| self.spot(domain, next)) {

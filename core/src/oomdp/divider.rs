@@ -1,0 +1,48 @@
+//! Division by the same number over and over.
+
+/// Divides by one number, without dividing where the numbers are small: a controller's division takes many steps, or is a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Divider {
+    by: u64,
+    /// 2^32 divided by the number, rounded up: a product with it is too large by less than its 2^32nd part times the number.
+    inverse: u64,
+    /// Where that may be one too much.
+    limit: u64,
+}
+
+impl Divider {
+    /// Divides by `number`, or by 1 where that is 0.
+    pub const fn new(number: usize) -> Self {
+        let by = if number == 0 { 1 } else { number as u64 };
+        Self { by, inverse: (1_u64 << 32).div_ceil(by), limit: (1_u64 << 32) / by }
+    }
+
+    /// The quotient and the rest.
+    #[inline]
+    pub const fn split(&self, number: u64) -> (u64, u64) {
+        if number < self.limit {
+            // Both factors have 32 bits, which takes one multiplication: divided by 1, a number is less than `limit`, 2^32.
+            let quotient = if self.by == 1 { number } else { (number as u32 as u64 * (self.inverse as u32 as u64)) >> 32 };
+            (quotient, number.wrapping_sub(quotient.wrapping_mul(self.by)))
+        } else {
+            (number / self.by, number % self.by)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quotient_and_rest_are_those_of_a_division() {
+        for by in [0, 1, 2, 3, 7, 41, 50, 1_024, 65_534, 65_537, usize::MAX] {
+            let (divider, least) = (Divider::new(by), by.max(1) as u64);
+            let limit = (1 << 32) / least;
+            let near = [0, 1, least, limit, limit / least * least, limit / 2 / least * least, 1 << 32, u64::MAX];
+            for number in near.into_iter().flat_map(|number| [number.saturating_sub(1), number, number.saturating_add(1)]) {
+                assert_eq!(divider.split(number), (number / least, number % least), "{number} / {by}");
+            }
+        }
+    }
+}
