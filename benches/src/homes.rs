@@ -81,7 +81,7 @@ impl<'m> Scene<'m> {
         }
         let mut goals = GoalTable::new(agent.session.goals);
         goals.fill(&home, &lifted, &grounded, &start).expect("room for the goals");
-        let mut planner = Planner::new(agent.session.plan, agent.session.sweep);
+        let mut planner = Planner::new(agent.session.plan, agent.language.tables.counts, agent.session.sweep);
         planner.forget(grounded.len());
         Self { home, start, lifted, tasks: grounded, goals, planner }
     }

@@ -144,6 +144,12 @@ impl Capacities {
         groups.saturating_mul(11).saturating_add(groups.div_ceil(64).saturating_mul(3))
     }
 
+    /// u64s that planning and training have in turn: as many as the search takes, or the expected counts of all table cells, two to each.
+    pub const fn workspace_words(&self) -> usize {
+        let (search, counts) = (self.search_words(), self.translations.saturating_add(self.alignments).div_ceil(2));
+        if search > counts { search } else { counts }
+    }
+
     /// For hosts and browsers: about fifteen megabytes, most of them for a million search states, and sixteen for a sweep.
     pub const STANDARD: Self = Self {
         objects: 32,

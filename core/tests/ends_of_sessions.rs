@@ -39,6 +39,24 @@ fn a_session_is_learned_from_once() {
 }
 
 #[test]
+fn a_session_is_taken_up_again_when_it_is_learned_and_planned_as_before() {
+    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
+    let (home, start) = rooms(rooms_memory.split().home);
+    let mut agent = Agent::new(memory.split().agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    agent.hear(&home, &start, "go to the red room").unwrap();
+    agent.plan_fully(&home, &start).unwrap();
+    let plans = |agent: &Agent<'_>| [0, 1].map(|task| agent.search().optimal(task));
+    let before = plans(&agent);
+    agent.finish(&home).unwrap();
+    // Planning and training have one memory in turn.
+    assert_eq!(agent.hear_again(&home, &start), Err(AgentError::StillLearning));
+    agent.learn_fully();
+    agent.hear_again(&home, &start).unwrap();
+    agent.plan_fully(&home, &start).unwrap();
+    assert_eq!(plans(&agent), before);
+}
+
+#[test]
 fn a_forgotten_session_is_not_learned_from() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
     let (home, start) = rooms(rooms_memory.split().home);

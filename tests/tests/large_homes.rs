@@ -28,7 +28,7 @@ fn judgements(seed: u64) -> (u32, u32, u32) {
     assert!(sweep.begin(&home, &start, all));
     while sweep.advance(&home, &goals, u32::MAX) == Progress::Working {}
 
-    let mut planner = Planner::new(parts.agent.session.plan, &mut []);
+    let mut planner = Planner::new(parts.agent.session.plan, parts.agent.language.tables.counts, &mut []);
     planner.forget(count);
     let (mut equal, mut judged, mut unknown, mut state) = (0, 0, 0, start);
     for _ in 0..60 {

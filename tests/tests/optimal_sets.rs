@@ -3,7 +3,7 @@
 use goodbot::home::{self, Moves};
 use goodbot::oomdp::{Domain, PropositionId};
 use goodbot::planning::{GoalMemory, GoalTable, OptimalSet, Progress, Search, Sweep};
-use goodbot::session::SessionMemory;
+use goodbot::session::{AgentMemory, SessionMemory};
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
 use goodbot::{Capacities, HeapMemory};
 use goodbot_tests::brute_force::BruteForce;
@@ -14,8 +14,9 @@ use rand_pcg::Pcg32;
 const ROOMY: Capacities = Capacities { states: 1 << 15, hashed_states: 1 << 15, sweep_words: 1 << 19, ..Capacities::STANDARD };
 
 /// How many optimal sets were compared.
-fn compare<D: Domain>(domain: &D, start: &D::State, lifted: &[LiftedTask], memory: SessionMemory<'_>, every: usize) -> usize {
-    let SessionMemory { tasks, goals, plan, sweep, .. } = memory;
+fn compare<D: Domain>(domain: &D, start: &D::State, lifted: &[LiftedTask], memory: AgentMemory<'_>, every: usize) -> usize {
+    let AgentMemory { language, session } = memory;
+    let SessionMemory { tasks, goals, plan, sweep, .. } = session;
     let GoalMemory { parts, entries } = goals;
     let count = ground(domain, lifted, start, tasks).unwrap();
     let tasks: &[GroundedTask] = &tasks[..count];
@@ -26,7 +27,7 @@ fn compare<D: Domain>(domain: &D, start: &D::State, lifted: &[LiftedTask], memor
     let mut sweep = Sweep::new(sweep);
     let swept = sweep.begin(domain, start, TaskSet::first(count));
     while sweep.advance(domain, &goals, 100) == Progress::Working {}
-    let (mut search, mut compared) = (Search::new(plan), 0);
+    let (mut search, mut compared) = (Search::new(plan, language.tables.counts), 0);
     for (position, state) in truth.states.iter().enumerate().step_by(every) {
         search.begin(domain, &goals, state, TaskSet::first(count), TaskSet::EMPTY);
         while search.advance(domain, &goals, 100) == Progress::Working {}
@@ -60,7 +61,7 @@ fn search_and_sweep_give_the_optimal_sets_of_brute_force_in_random_homes() {
         let moves = if round % 2 == 0 { Moves::Push } else { Moves::PushAndPull };
         let (home, start) = random_home(&mut random, size, moves, parts.home);
         let lifted = [agent.clone(), block.clone(), pairs.clone()];
-        let compared = compare(&home, &start, &lifted, parts.agent.session, 7);
+        let compared = compare(&home, &start, &lifted, parts.agent, 7);
         assert!(compared > 0, "{size:?}");
     }
 }
@@ -82,7 +83,7 @@ fn actions_of_different_costs_hashed_or_not_give_the_optimal_sets_of_brute_force
             robot.gap = 1_000_003;
         }
         let start = robot.start(0, 7);
-        compare(&robot, &start, &robot_tasks(&robot), parts.agent.session, 41);
+        compare(&robot, &start, &robot_tasks(&robot), parts.agent, 41);
     }
 }
 
@@ -98,7 +99,7 @@ fn a_search_that_runs_out_of_memory_says_unknown_and_never_anything_wrong() {
     let mut goals = GoalTable::new(parts.agent.session.goals);
     goals.fill(&robot, &lifted, &tasks[..count], &start).unwrap();
     let truth = BruteForce::new(&robot, &start, &lifted, &tasks[..count]);
-    let mut search = Search::new(parts.agent.session.plan);
+    let mut search = Search::new(parts.agent.session.plan, parts.agent.language.tables.counts);
     let (mut known, mut unknown) = (0, 0);
     for (position, state) in truth.states.iter().enumerate().step_by(13) {
         search.begin(&robot, &goals, state, TaskSet::first(count), TaskSet::EMPTY);

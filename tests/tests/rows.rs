@@ -36,7 +36,10 @@ fn compare(random: &mut Pcg32, size: Size, moves: Moves, budget: u32, goal_entri
     let mut other_goals = GoalTable::new(other.agent.session.goals);
     let one_by_one = OneByOne(&home);
     other_goals.fill(&one_by_one, &lifted, &tasks[..count], &start).unwrap();
-    let (mut rows, mut states) = (Search::new(parts.agent.session.plan), Search::new(other.agent.session.plan));
+    let (mut rows, mut states) = (
+        Search::new(parts.agent.session.plan, parts.agent.language.tables.counts),
+        Search::new(other.agent.session.plan, other.agent.language.tables.counts),
+    );
     let mut state = start;
     for step in 0..8 {
         let wanted = if step == 3 { TaskSet::of(count / 2) } else { TaskSet::first(count) };

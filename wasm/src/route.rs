@@ -15,8 +15,9 @@ const MOST_STEPS: usize = 300;
 /// A scout who has not looked yet.
 pub fn scout() -> Scout {
     Scout::new(memory(&SCOUT), |memory| {
-        let session = memory.borrow_mut().split().agent.session;
-        Lookout { goals: GoalTable::new(session.goals), search: Search::new(session.plan) }
+        let agent = memory.borrow_mut().split().agent;
+        let search = Search::new(agent.session.plan, agent.language.tables.counts);
+        Lookout { goals: GoalTable::new(agent.session.goals), search }
     })
 }
 

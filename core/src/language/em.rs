@@ -32,6 +32,7 @@ pub struct Training {
 impl Training {
     /// Begins: the tables take their new sizes. The caller has made sure that they fit.
     pub(super) fn begin(tables: &mut Tables<'_>, bitext: &Bitext<'_>, words: usize, tokens: usize, settings: &Settings) -> Self {
+        tables.clear_counts();
         tables.words = words;
         tables.tokens = tokens;
         for pair in tables.memory.length_pairs.iter_mut() {
@@ -103,21 +104,18 @@ fn expect(tables: &mut Tables<'_>, command: &[Symbol], sentence: &[Symbol], weig
     let Some(pair) = tables.length_pair(command.len(), sentence.len()) else { return };
     let start = pair.start as usize;
     let words = tables.words;
-    let memory = &mut tables.memory;
+    let (t, a) = tables.memory.parts();
     let rows = || core::iter::once(0).chain(command.iter().map(|&token| Tables::row(Some(token))));
     for (i, word) in sentence.iter().enumerate() {
         let from = start.saturating_add(i.saturating_mul(width));
-        let (Some(alignment), Some(alignment_count)) =
-            (memory.alignments.get(from..from.saturating_add(width)), memory.alignment_counts.get_mut(from..from.saturating_add(width)))
-        else {
-            return;
-        };
+        let range = from..from.saturating_add(width);
+        let (Some(alignment), Some(alignment_count)) = (a.values.get(range.clone()), a.counts.get_mut(range)) else { return };
         let cell = |row: usize| row.wrapping_mul(words).wrapping_add(word.index());
         if first_round {
             let share = weight / width as f32;
             for (row, count) in rows().zip(alignment_count) {
                 *count += share;
-                if let Some(count) = memory.translation_counts.get_mut(cell(row)) {
+                if let Some(count) = t.counts.get_mut(cell(row)) {
                     *count += share;
                 }
             }
@@ -125,16 +123,16 @@ fn expect(tables: &mut Tables<'_>, command: &[Symbol], sentence: &[Symbol], weig
         }
         let mut whole = 0.0;
         for (row, a) in rows().zip(alignment) {
-            whole += a * memory.translations.get(cell(row)).copied().unwrap_or(0.0);
+            whole += a * t.values.get(cell(row)).copied().unwrap_or(0.0);
         }
         if whole <= 0.0 {
             continue;
         }
         let scale = weight / whole;
         for ((row, a), alignment_count) in rows().zip(alignment).zip(alignment_count) {
-            let share = a * memory.translations.get(cell(row)).copied().unwrap_or(0.0) * scale;
+            let share = a * t.values.get(cell(row)).copied().unwrap_or(0.0) * scale;
             *alignment_count += share;
-            if let Some(count) = memory.translation_counts.get_mut(cell(row)) {
+            if let Some(count) = t.counts.get_mut(cell(row)) {
                 *count += share;
             }
         }
@@ -145,10 +143,8 @@ fn expect(tables: &mut Tables<'_>, command: &[Symbol], sentence: &[Symbol], weig
 fn maximise_translations(tables: &mut Tables<'_>, row: usize, smoothing: f32) {
     let start = row.saturating_mul(tables.words);
     let range = start..start.saturating_add(tables.words);
-    let (Some(row), Some(counts)) = (tables.memory.translations.get_mut(range.clone()), tables.memory.translation_counts.get_mut(range))
-    else {
-        return;
-    };
+    let (t, _) = tables.memory.parts();
+    let (Some(row), Some(counts)) = (t.values.get_mut(range.clone()), t.counts.get_mut(range)) else { return };
     let total: f32 = counts.iter().sum();
     let whole = total + smoothing * row.len() as f32;
     let uniform = 1.0 / row.len().max(1) as f32;
@@ -165,10 +161,8 @@ fn maximise_alignments(tables: &mut Tables<'_>, pair: usize, settings: &Settings
     let (start, cells) = (lengths.start as usize, lengths.cells());
     let width = usize::from(lengths.machine).saturating_add(1);
     let range = start..start.saturating_add(cells);
-    let (Some(alignments), Some(counts)) = (tables.memory.alignments.get_mut(range.clone()), tables.memory.alignment_counts.get_mut(range))
-    else {
-        return 0;
-    };
+    let (_, a) = tables.memory.parts();
+    let (Some(alignments), Some(counts)) = (a.values.get_mut(range.clone()), a.counts.get_mut(range)) else { return 0 };
     let uniform = 1.0 / width as f32;
     for (alignments, counts) in alignments.chunks_mut(width).zip(counts.chunks_mut(width)) {
         let total: f32 = counts.iter().sum();

@@ -277,10 +277,17 @@ impl<'m> LanguageModel<'m> {
 
     /// Begins training on all the data, from uniform parameters.
     pub fn begin_training(&mut self) {
-        if self.is_training() {
-            self.tables.clear_counts();
-        }
         self.training = Training::begin(&mut self.tables, &self.bitext, self.learned_words, self.learned_tokens, &self.settings);
+    }
+
+    /// Gives the words of the expected counts away. Training needs them back: see [`take_workspace`](Self::take_workspace).
+    pub(crate) fn lend_workspace(&mut self) -> &'m mut [u64] {
+        self.tables.lend_counts()
+    }
+
+    /// Takes the words of the expected counts back.
+    pub(crate) fn take_workspace(&mut self, words: &'m mut [u64]) {
+        self.tables.take_counts(words);
     }
 
     /// Goes on with the training, with at most about `budget` table cells of work.

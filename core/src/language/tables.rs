@@ -33,12 +33,10 @@ impl LengthPair {
 pub struct TableMemory<'m> {
     /// t(word | token).
     pub translations: &'m mut [f32],
-    /// Expected counts of the same shape.
-    pub translation_counts: &'m mut [f32],
     /// a(j | i, l, n).
     pub alignments: &'m mut [f32],
-    /// Expected counts of the same shape.
-    pub alignment_counts: &'m mut [f32],
+    /// The expected counts of all cells of both, two to a word. Between trainings it is no matter what is in them.
+    pub counts: &'m mut [u64],
     /// One entry a pair of lengths.
     pub length_pairs: &'m mut [LengthPair],
 }
@@ -60,6 +58,27 @@ impl Column<'_> {
     }
 }
 
+impl TableMemory<'_> {
+    /// The parameters, and the counts of each: t and its counts, then a and its counts.
+    pub(super) fn parts(&mut self) -> (Cells<'_>, Cells<'_>) {
+        let counts: &mut [f32] = bytemuck::try_cast_slice_mut(self.counts).unwrap_or(&mut []);
+        let (translation_counts, alignment_counts) = counts.split_at_mut_checked(self.translations.len()).unwrap_or((&mut [], &mut []));
+        (Cells { values: self.translations, counts: translation_counts }, Cells { values: self.alignments, counts: alignment_counts })
+    }
+}
+
+/// Parameters, and the expected count of each.
+#[derive(Debug)]
+pub(super) struct Cells<'t> {
+    pub values: &'t mut [f32],
+    pub counts: &'t mut [f32],
+}
+
+fn first<T>(all: &mut [T], most: usize) -> &mut [T] {
+    let count = all.len().min(most);
+    all.get_mut(..count).unwrap_or(&mut [])
+}
+
 /// The parameters, and room for the expected counts of the next round.
 #[derive(Debug)]
 pub struct Tables<'m> {
@@ -72,23 +91,33 @@ pub struct Tables<'m> {
 }
 
 impl<'m> Tables<'m> {
-    /// Untrained parameters.
-    pub fn new(memory: TableMemory<'m>) -> Self {
-        let mut tables = Self { memory, length_pairs: 0, words: 0, tokens: 0 };
-        tables.clear_counts();
-        tables
+    /// Untrained parameters. Cells beyond those that can be counted are left out.
+    pub fn new(mut memory: TableMemory<'m>) -> Self {
+        let cells = memory.counts.len().saturating_mul(2);
+        memory.translations = first(memory.translations, cells);
+        memory.alignments = first(memory.alignments, cells.saturating_sub(memory.translations.len()));
+        Self { memory, length_pairs: 0, words: 0, tokens: 0 }
     }
 
-    /// Forgets the counts of a training that did not come to its end.
+    /// Begins to count.
     pub(super) fn clear_counts(&mut self) {
-        self.memory.translation_counts.fill(0.0);
-        self.memory.alignment_counts.fill(0.0);
+        self.memory.counts.fill(0);
+    }
+
+    /// Gives the words of the counts away, until the next training.
+    pub(super) fn lend_counts(&mut self) -> &'m mut [u64] {
+        core::mem::take(&mut self.memory.counts)
+    }
+
+    /// Takes the words of the counts back.
+    pub(super) fn take_counts(&mut self, counts: &'m mut [u64]) {
+        self.memory.counts = counts;
     }
 
     /// How much the tables hold.
     pub(super) fn room(&self, rooms: &mut Capacities) {
-        rooms.translations = self.memory.translations.len().min(self.memory.translation_counts.len());
-        rooms.alignments = self.memory.alignments.len().min(self.memory.alignment_counts.len());
+        rooms.translations = self.memory.translations.len();
+        rooms.alignments = self.memory.alignments.len();
         rooms.length_pairs = self.memory.length_pairs.len();
     }
 
@@ -152,7 +181,7 @@ impl<'m> Tables<'m> {
         let start = self.length_pairs().last().map_or(0, |last| (last.start as usize).saturating_add(last.cells()));
         let pair = LengthPair { machine: machine as u8, english: english as u8, start: start as u32, trained: false, weight: 0.0 };
         let end = start.saturating_add(pair.cells());
-        let room = self.memory.alignments.len().min(self.memory.alignment_counts.len());
+        let room = self.memory.alignments.len();
         if end > room {
             return Err(CapacityError::new(Capacity::Alignments, room, end));
         }
@@ -168,7 +197,7 @@ impl<'m> Tables<'m> {
     /// Whether the translation table has room for so many tokens (NULL not counted) and words.
     pub(super) fn fits(&self, tokens: usize, words: usize) -> Result<(), CapacityError> {
         let cells = tokens.saturating_add(1).saturating_mul(words);
-        let room = self.memory.translations.len().min(self.memory.translation_counts.len());
+        let room = self.memory.translations.len();
         if cells > room { Err(CapacityError::new(Capacity::Translations, room, cells)) } else { Ok(()) }
     }
 }

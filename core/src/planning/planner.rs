@@ -44,9 +44,9 @@ pub struct Planner<'m> {
 
 impl<'m> Planner<'m> {
     /// A planner that knows nothing yet. `sweep` may be empty.
-    pub fn new(plan: PlanMemory<'m>, sweep: &'m mut [u64]) -> Self {
+    pub fn new(plan: PlanMemory<'m>, workspace: &'m mut [u64], sweep: &'m mut [u64]) -> Self {
         Self {
-            search: Search::new(plan),
+            search: Search::new(plan, workspace),
             sweep: Sweep::new(sweep),
             relaxation: Relaxation::default(),
             way: Way::Known,
@@ -55,6 +55,17 @@ impl<'m> Planner<'m> {
             wanted: TaskSet::EMPTY,
             dead: TaskSet::EMPTY,
         }
+    }
+
+    /// Ends what is under way and gives the workspace away, until [`take_workspace`](Self::take_workspace).
+    pub(crate) fn lend_workspace(&mut self) -> &'m mut [u64] {
+        self.way = Way::Known;
+        self.search.lend_workspace()
+    }
+
+    /// Takes the workspace for the search.
+    pub(crate) fn take_workspace(&mut self, workspace: &'m mut [u64]) {
+        self.search.take_workspace(workspace);
     }
 
     /// Forgets what it knows of the graph: the tasks or the domain are others now.

@@ -24,14 +24,40 @@ use crate::task::TaskSet;
 /// Memory for a [`Search`].
 #[derive(Debug)]
 pub struct PlanMemory<'m> {
-    /// First actions and frontier: see [`Capacities::search_words`](crate::Capacities::search_words).
-    pub marks: &'m mut [u64],
+    /// How many words of the workspace are for first actions and the frontier: see
+    /// [`Capacities::search_words`](crate::Capacities::search_words).
+    pub words: usize,
     /// State numbers, where states are hashed; may be empty.
     pub hashed: &'m mut [u64],
     /// The optimal set of each task.
     pub optimal: &'m mut [ActionSet],
     /// The distance of each task.
     pub distances: &'m mut [u32],
+}
+
+/// First actions and the frontier: the first words of the workspace.
+#[derive(Debug)]
+struct Marks<'m> {
+    workspace: &'m mut [u64],
+    words: usize,
+}
+
+impl<'m> Marks<'m> {
+    /// Takes the workspace; nothing is marked.
+    fn take(&mut self, workspace: &'m mut [u64]) {
+        self.workspace = workspace;
+        self.words().fill(0);
+    }
+
+    fn room(&self) -> usize {
+        self.workspace.len().min(self.words)
+    }
+
+    #[inline]
+    fn words(&mut self) -> &mut [u64] {
+        let room = self.room();
+        self.workspace.get_mut(..room).unwrap_or(&mut [])
+    }
 }
 
 /// How the states are looked at.
@@ -44,7 +70,7 @@ enum Way {
 /// A search, under way or done.
 #[derive(Debug)]
 pub struct Search<'m> {
-    marks: &'m mut [u64],
+    marks: Marks<'m>,
     hashed: &'m mut [u64],
     found: Findings<'m>,
     /// How, once it has begun; what it marked is cleared when another begins.
@@ -55,11 +81,23 @@ pub struct Search<'m> {
 }
 
 impl<'m> Search<'m> {
-    /// A search that has not begun.
-    pub fn new(memory: PlanMemory<'m>) -> Self {
-        let PlanMemory { marks, hashed, optimal, distances } = memory;
-        marks.fill(0);
+    /// A search that has not begun, with its marks in the workspace that it has in turn with training.
+    pub fn new(memory: PlanMemory<'m>, workspace: &'m mut [u64]) -> Self {
+        let PlanMemory { words, hashed, optimal, distances } = memory;
+        let mut marks = Marks { workspace: &mut [], words };
+        marks.take(workspace);
         Self { marks, hashed, found: Findings::new(optimal, distances), way: None, in_part: false, running: false }
+    }
+
+    /// Ends the search and gives the workspace away, until [`take_workspace`](Self::take_workspace).
+    pub(super) fn lend_workspace(&mut self) -> &'m mut [u64] {
+        (self.way, self.running) = (None, false);
+        core::mem::take(&mut self.marks.workspace)
+    }
+
+    /// Takes the workspace for its marks.
+    pub(super) fn take_workspace(&mut self, workspace: &'m mut [u64]) {
+        self.marks.take(workspace);
     }
 
     /// Begins at `state`, for the tasks in `wanted`. Those in `dead` are known to be dead ends: once no goal can be reached, none can be
@@ -82,7 +120,7 @@ impl<'m> Search<'m> {
         self.found.stand(domain, goals, state, wanted, dead);
         self.running = false;
         self.clear();
-        let possible = alone::possible(domain, goals, state, self.found.unresolved, self.marks);
+        let possible = alone::possible(domain, goals, state, self.found.unresolved, self.marks.words());
         self.found.dead = self.found.dead.union(self.found.unresolved.without(possible));
         self.found.unresolved = possible;
     }
@@ -116,19 +154,20 @@ impl<'m> Search<'m> {
 
     /// Whether all states fit the memory, so that a search for these tasks finds out everything.
     pub fn fits<D: Domain + ?Sized>(&self, domain: &D, goals: &GoalTable<'_>, tasks: TaskSet) -> bool {
-        domain.state_count() <= States::room(domain, self.marks.len()) as u64 || Rows::new(domain, goals, tasks, self.marks.len()).is_some()
+        domain.state_count() <= States::room(domain, self.marks.room()) as u64
+            || Rows::new(domain, goals, tasks, self.marks.room()).is_some()
     }
 
     fn start<D: Domain + ?Sized>(&mut self, domain: &D, goals: &GoalTable<'_>, state: &D::State) {
         self.clear();
         self.running = !self.found.unresolved.is_empty();
         if self.running {
-            self.way = Some(match Rows::new(domain, goals, self.found.unresolved, self.marks.len()) {
+            self.way = Some(match Rows::new(domain, goals, self.found.unresolved, self.marks.room()) {
                 Some(mut rows) => {
-                    rows.begin(domain, goals, state, self.marks, &self.found);
+                    rows.begin(domain, goals, state, self.marks.words(), &self.found);
                     Way::Rows(rows)
                 }
-                None => Way::States(States::begin(domain, state, self.marks, self.hashed, &self.found)),
+                None => Way::States(States::begin(domain, state, self.marks.words(), self.hashed, &self.found)),
             });
         }
     }
@@ -136,8 +175,8 @@ impl<'m> Search<'m> {
     /// Leaves nothing but zeroes.
     fn clear(&mut self) {
         match self.way.take() {
-            Some(Way::Rows(rows)) => rows.clear(self.marks),
-            Some(Way::States(states)) => states.clear(self.marks),
+            Some(Way::Rows(rows)) => rows.clear(self.marks.words()),
+            Some(Way::States(states)) => states.clear(self.marks.words()),
             None => {}
         }
     }
@@ -155,8 +194,8 @@ impl<'m> Search<'m> {
                 return Progress::Working;
             }
             let looks = match &mut self.way {
-                Some(Way::Rows(rows)) => rows.look(self.marks, &mut self.found, domain, goals),
-                Some(Way::States(states)) => states.look(self.marks, self.hashed, &mut self.found, domain, goals),
+                Some(Way::Rows(rows)) => rows.look(self.marks.words(), &mut self.found, domain, goals),
+                Some(Way::States(states)) => states.look(self.marks.words(), self.hashed, &mut self.found, domain, goals),
                 None => None,
             };
             match looks {

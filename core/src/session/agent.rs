@@ -62,16 +62,18 @@ impl<'m> Agent<'m> {
     #[inline(never)]
     pub fn new(memory: AgentMemory<'m>, lifted: &[LiftedTask], options: Options) -> Result<Self, CapacityError> {
         let AgentMemory { language, session } = memory;
+        let mut language = LanguageModel::new(language, options.language);
+        let workspace = language.lend_workspace();
         Ok(Self {
             options,
-            language: LanguageModel::new(language, options.language),
+            language,
             lifted: Vec::from_slice(lifted).map_err(|_| CapacityError::new(Capacity::LiftedTasks, LIFTED_TASKS, lifted.len()))?,
             tasks: session.tasks,
             task_count: 0,
             candidates: Candidates::new(session.candidates),
             belief: Belief::new(session.belief),
             goals: GoalTable::new(session.goals),
-            planner: Planner::new(session.plan, session.sweep),
+            planner: Planner::new(session.plan, workspace, session.sweep),
             sentence: Sentence::new(),
             start: None,
             ended: false,
@@ -183,10 +185,14 @@ impl<'m> Agent<'m> {
     /// again by this.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`] where the last session did not start in this state.
+    /// [`AgentError::NoSession`] where the last session did not start in this state, and [`AgentError::StillLearning`] while what it ended
+    /// with is being learned.
     pub fn hear_again<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<(), AgentError> {
         if self.start != Some(domain.number(state)) || self.tasks().is_empty() {
             return Err(AgentError::NoSession);
+        }
+        if self.language.is_training() {
+            return Err(AgentError::StillLearning);
         }
         self.ended = false;
         self.planned = None;
@@ -315,8 +321,29 @@ impl<'m> Agent<'m> {
     /// By itself, like every part of the work that takes much of the stack: parts that follow each other then take it in turn.
     #[inline(never)]
     fn begin_plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) {
+        self.workspace_to_planner();
         let wanted = self.worth_planning();
         self.planner.begin(domain, &self.goals, state, wanted, self.dead);
+    }
+
+    /// Lends the workspace to the planner, unless training has it. The two never work at one time: no command is heard before all is learned,
+    /// and learning begins when the session is over.
+    fn workspace_to_planner(&mut self) {
+        if !self.language.is_training() {
+            let workspace = self.language.lend_workspace();
+            if !workspace.is_empty() {
+                self.planner.take_workspace(workspace);
+            }
+        }
+    }
+
+    /// Lends the workspace to a training that is about to begin. What is planned is over.
+    pub(crate) fn workspace_to_training(&mut self) {
+        let workspace = self.planner.lend_workspace();
+        if !workspace.is_empty() {
+            self.planned = None;
+            self.language.take_workspace(workspace);
+        }
     }
 
     /// The tasks whose probability still matters: [`NEGLIGIBLE`] or more.

@@ -51,6 +51,7 @@ impl Agent<'_> {
         }
         self.language.tidy_vocabulary(&mut self.sentence, self.candidates.all_tokens_mut())?;
         self.candidates.renamed();
+        self.workspace_to_training();
         self.language.begin_training();
         Ok(())
     }

@@ -42,6 +42,7 @@ impl Agent<'_> {
         self.end_session();
         self.options = contents.options;
         self.belief.take_over(contents.strategies.iter().filter_map(|record| record.strategy()));
+        self.workspace_to_training();
         self.language.take_over(&contents);
         Ok(())
     }

@@ -21,6 +21,7 @@ impl Agent<'_> {
             return Err(RestoreError::OtherDomain);
         }
         self.end_session();
+        self.workspace_to_training();
         Ok(self.language.join_contents(&contents)?)
     }
 }
