@@ -71,7 +71,7 @@ impl<'m> Agent<'m> {
             candidates: Candidates::new(session.candidates),
             belief: Belief::new(session.belief),
             goals: GoalTable::new(session.goals),
-            planner: Planner::new(session.plan, session.sweep),
+            planner: Planner::new(session.plan),
             sentence: Sentence::new(),
             start: None,
             ended: false,
