@@ -9,8 +9,8 @@ use goodbot::{Capacities, HeapMemory};
 use goodbot_tests::random_homes::{Size, random_home};
 use rand_pcg::Pcg32;
 
-/// Room for four million states and their sweep.
-pub const LARGE: Capacities = Capacities { states: 1 << 22, hashed_states: 1 << 20, sweep_words: 1 << 25, ..Capacities::STANDARD };
+/// Room for four million states looked at one by one.
+pub const LARGE: Capacities = Capacities { states: 1 << 22, hashed_states: 1 << 20, ..Capacities::STANDARD };
 
 /// A home of so many rooms, three cells to a side, and so many blocks.
 pub const fn size(rooms: i32, blocks: i32) -> Size {
@@ -47,7 +47,7 @@ pub enum Tasks {
 impl<'m> Scene<'m> {
     /// Of twelve scenes, the one from whose start the search has most to do; the first where exact plans are out of reach.
     pub fn roomy(size: Size, tasks: Tasks, memory: &'m mut HeapMemory) -> Self {
-        let expanded = |seed: u64| {
+        let looks = |seed: u64| {
             let mut own = HeapMemory::new(&LARGE);
             let mut scene = Scene::seeded(seed, size, tasks, &mut own);
             if scene.home.state_count() > LARGE.states as u64 {
@@ -56,7 +56,7 @@ impl<'m> Scene<'m> {
             scene.plan();
             scene.planner.search().looks()
         };
-        Self::seeded((0..12).max_by_key(|&seed| (expanded(seed), 12 - seed)).unwrap_or(0), size, tasks, memory)
+        Self::seeded((0..12).max_by_key(|&seed| (looks(seed), 12 - seed)).unwrap_or(0), size, tasks, memory)
     }
 
     /// The scene of a seed.
@@ -81,7 +81,7 @@ impl<'m> Scene<'m> {
         }
         let mut goals = GoalTable::new(agent.session.goals);
         goals.fill(&home, &lifted, &grounded, &start).expect("room for the goals");
-        let mut planner = Planner::new(agent.session.plan, agent.language.tables.counts, agent.session.sweep);
+        let mut planner = Planner::new(agent.session.plan, agent.language.tables.counts);
         planner.forget(grounded.len());
         Self { home, start, lifted, tasks: grounded, goals, planner }
     }
@@ -101,7 +101,8 @@ impl<'m> Scene<'m> {
 }
 
 /// Sweeps the whole space of a scene.
-pub fn sweep<'w>(scene: &Scene<'_>, words: &'w mut [u64]) -> Sweep<'w> {
+pub fn sweep<'w>(scene: &Scene<'_>, words: &'w mut Vec<u64>) -> Sweep<'w> {
+    words.resize(Sweep::words_needed(&scene.home, scene.tasks.len()).expect("words that can be counted"), 0);
     let mut sweep = Sweep::new(words);
     assert!(sweep.begin(&scene.home, &scene.start, scene.all()), "room for the sweep");
     while sweep.advance(&scene.home, &scene.goals, u32::MAX) == Progress::Working {}

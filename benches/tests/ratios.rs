@@ -1,6 +1,7 @@
 //! What must not become slower, as ratios of medians taken in one run.
 
 use std::hint::black_box;
+use std::time::Duration;
 
 use goodbot::HeapMemory;
 use goodbot::language::Settings;
@@ -20,16 +21,20 @@ fn sixty_four_tasks_cost_hardly_more_than_eight() {
 }
 
 #[test]
-fn one_search_for_all_tasks_is_faster_than_one_dijkstra_a_task_and_finds_the_same_distances() {
-    let mut memory = HeapMemory::new(&LARGE);
-    let mut scene = Scene::roomy(HOMES, Tasks::Paper, &mut memory);
-    scene.plan();
-    let ours: Vec<Option<u32>> = (0..scene.tasks.len()).map(|task| scene.planner.search().distance(task)).collect();
-    assert_eq!(ours, one_dijkstra_a_task(&scene));
-    let mut other_memory = HeapMemory::new(&LARGE);
-    let other = Scene::roomy(HOMES, Tasks::Paper, &mut other_memory);
-    let ratio = ratio(in_turn(&mut || drop(black_box(one_dijkstra_a_task(&other))), &mut || scene.plan()));
-    assert!(ratio > 1.2, "{ratio}");
+fn one_search_for_all_tasks_is_ten_times_faster_than_one_dijkstra_a_task_and_finds_the_same_distances() {
+    let (mut own, mut theirs) = (Duration::ZERO, Duration::ZERO);
+    for seed in 0..9 {
+        let (mut memory, mut other_memory) = (HeapMemory::new(&LARGE), HeapMemory::new(&LARGE));
+        let mut scene = Scene::seeded(seed, HOMES, Tasks::Paper, &mut memory);
+        scene.plan();
+        let ours: Vec<Option<u32>> = (0..scene.tasks.len()).map(|task| scene.planner.search().distance(task)).collect();
+        assert_eq!(ours, one_dijkstra_a_task(&scene));
+        let other = Scene::seeded(seed, HOMES, Tasks::Paper, &mut other_memory);
+        let (slow, fast) = in_turn(&mut || drop(black_box(one_dijkstra_a_task(&other))), &mut || scene.plan());
+        (own, theirs) = (own + fast, theirs + slow);
+    }
+    let ratio = ratio((theirs, own));
+    assert!(ratio > if cfg!(debug_assertions) { 5.0 } else { 10.0 }, "{ratio}");
 }
 
 #[test]

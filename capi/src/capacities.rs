@@ -108,8 +108,7 @@ macro_rules! same_fields {
 
         impl From<&GoodbotCapacities> for Capacities {
             fn from(from: &GoodbotCapacities) -> Self {
-                // Controllers search forward; a sweep is for hosts.
-                Self { $($field: from.$field as usize,)* sweep_words: 0 }
+                Self { $($field: from.$field as usize,)* }
             }
         }
     };

@@ -47,9 +47,6 @@ pub struct Capacities {
     pub states: usize,
     /// States that one search can hold where the state space is larger than `states` and visited states are hashed. 0 turns it off.
     pub hashed_states: usize,
-    /// u64s of the sweep that finds the plans of all states at once, so that nothing is searched again after an action: see
-    /// [`Sweep::words_needed`](crate::planning::Sweep::words_needed). 0 turns it off.
-    pub sweep_words: usize,
     /// Distinct English words. At most 65,534.
     pub words: usize,
     /// Bytes that those words take together.
@@ -92,7 +89,6 @@ impl Capacities {
         goal_entries: 192,
         states: 2_560,
         hashed_states: 0,
-        sweep_words: 0,
         words: 32,
         word_bytes: 192,
         tokens: 28,
@@ -123,7 +119,6 @@ impl Capacities {
         goal_entries: 0,
         states: 1_472,
         hashed_states: 0,
-        sweep_words: 0,
         words: 14,
         word_bytes: 60,
         tokens: 18,
@@ -150,7 +145,7 @@ impl Capacities {
         if search > counts { search } else { counts }
     }
 
-    /// For hosts and browsers: about fifteen megabytes, most of them for a million search states, and sixteen for a sweep.
+    /// For hosts and browsers: about fifteen megabytes, most of them for a million search states.
     pub const STANDARD: Self = Self {
         objects: 32,
         names: 96,
@@ -165,7 +160,6 @@ impl Capacities {
         goal_entries: 8_192,
         states: 1 << 20,
         hashed_states: 1 << 20,
-        sweep_words: 1 << 21,
         words: 1_024,
         word_bytes: 10_240,
         tokens: 256,

@@ -53,7 +53,6 @@ macro_rules! for_each_table {
             hashed: u64 = 0; hashed_states,
             optimal: $crate::oomdp::ActionSet = $crate::oomdp::ActionSet::EMPTY; tasks,
             distances: u32 = 0; tasks,
-            sweep: u64 = 0; sweep_words,
         }
     };
 }
@@ -109,7 +108,6 @@ macro_rules! split_tables {
                         optimal: &mut it.optimal[..],
                         distances: &mut it.distances[..],
                     },
-                    sweep: &mut it.sweep[..],
                 },
             },
         }

@@ -28,7 +28,8 @@ fn one_sweep_gives_the_reference_plans_of_every_state_of_every_home() {
         let tasks = &tasks[..count];
         let mut goals = GoalTable::new(parts.agent.session.goals);
         goals.fill(&home, &lifted, tasks, &start).unwrap();
-        let mut sweep = Sweep::new(parts.agent.session.sweep);
+        let mut words = vec![0; Sweep::words_needed(&home, count).unwrap()];
+        let mut sweep = Sweep::new(&mut words);
         assert!(sweep.begin(&home, &start, TaskSet::first(count)));
         while sweep.advance(&home, &goals, 10_000) == Progress::Working {}
 

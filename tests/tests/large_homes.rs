@@ -12,10 +12,9 @@ use rand_pcg::Pcg32;
 /// equal where the blocks stand still and where they do not, how many there are, and how many sets were unknown.
 fn judgements(seed: u64) -> (u32, u32, u32) {
     let mut random = Pcg32::new(seed, 1);
-    let mut exact_memory = HeapMemory::new(&Capacities { sweep_words: 1 << 20, ..Capacities::STANDARD });
     // Room for one block and the agent, not for two.
     let mut memory = HeapMemory::new(&Capacities { states: 1 << 12, hashed_states: 0, ..Capacities::STANDARD });
-    let (parts, exact_parts) = (memory.split(), exact_memory.split());
+    let parts = memory.split();
     let size = Size { columns: 3, rows: 1, side: 4, blocks: 2 };
     let (home, start) = random_home(&mut random, size, Moves::Push, parts.home);
     let lifted = home::paper_tasks().unwrap();
@@ -24,11 +23,12 @@ fn judgements(seed: u64) -> (u32, u32, u32) {
     let mut goals = GoalTable::new(parts.agent.session.goals);
     goals.fill(&home, &lifted, &tasks[..count], &start).unwrap();
     let all = TaskSet::first(count);
-    let mut sweep = Sweep::new(exact_parts.agent.session.sweep);
+    let mut words = vec![0; Sweep::words_needed(&home, count).unwrap()];
+    let mut sweep = Sweep::new(&mut words);
     assert!(sweep.begin(&home, &start, all));
     while sweep.advance(&home, &goals, u32::MAX) == Progress::Working {}
 
-    let mut planner = Planner::new(parts.agent.session.plan, parts.agent.language.tables.counts, &mut []);
+    let mut planner = Planner::new(parts.agent.session.plan, parts.agent.language.tables.counts);
     planner.forget(count);
     let (mut equal, mut judged, mut unknown, mut state) = (0, 0, 0, start);
     for _ in 0..60 {

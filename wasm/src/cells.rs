@@ -54,7 +54,6 @@ pub const ROOMS: Capacities = Capacities { objects: 32, names: 96, name_bytes: 1
 pub const SCOUT: Capacities = Capacities { tasks: 64, ground_propositions: 64, goal_entries: 8_192, states: 1 << 18, ..NOTHING };
 
 const NOTHING: Capacities = Capacities {
-    sweep_words: 0,
     objects: 0,
     names: 0,
     name_bytes: 0,

@@ -4,6 +4,7 @@
 
 use std::hint::black_box;
 use std::io::Write;
+use std::ops::Range;
 use std::process::{Command, ExitCode, Stdio};
 use std::time::Duration;
 
@@ -18,7 +19,8 @@ use goodbot_benches::works;
 use serde_json::{Value, json};
 
 fn main() -> ExitCode {
-    let comparisons: [fn() -> Result<(), String>; 4] = [against_dijkstra, many_tasks, the_course, against_nltk];
+    let comparisons: [fn() -> Result<(), String>; 5] =
+        [|| against_dijkstra(0..9), || against_dijkstra(100..109), many_tasks, the_course, against_nltk];
     for comparison in comparisons {
         if let Err(problem) = comparison() {
             eprintln!("error: {problem}");
@@ -39,11 +41,11 @@ fn show(what: &str, times: (Duration, Duration), least: Option<f64>, most: Optio
 
 /// All tasks by one search, against one search a task by the crate pathfinding, from the start of nine random homes; and by one sweep for
 /// every state, against the same peer for every state.
-fn against_dijkstra() -> Result<(), String> {
-    let mut words = vec![0; LARGE.sweep_words];
+fn against_dijkstra(seeds: Range<u64>) -> Result<(), String> {
+    let mut words = Vec::new();
     let (mut theirs, mut own, mut own_sweeps, mut theirs_everywhere) = [Duration::ZERO; 4].into();
-    let (mut tasks, mut dead) = (0, 0);
-    for seed in 0..9 {
+    let (mut tasks, mut dead, mut looks) = (0, 0, 0);
+    for seed in seeds.clone() {
         let mut memory = HeapMemory::new(&LARGE);
         let mut scene = Scene::seeded(seed, HOMES, Tasks::Paper, &mut memory);
         scene.plan();
@@ -53,6 +55,7 @@ fn against_dijkstra() -> Result<(), String> {
             return Err(format!("the distances are not equal: {ours:?} here, {peer:?} there"));
         }
         tasks += ours.len();
+        looks += scene.planner.search().looks();
         dead += ours.iter().filter(|distance| distance.is_none()).count();
         let (mut slow, mut fast) = (Vec::new(), Vec::new());
         for _ in 0..ROUNDS {
@@ -67,8 +70,10 @@ fn against_dijkstra() -> Result<(), String> {
         let known = (0..scene.home.state_count()).filter(|&number| swept.knows(&scene.home, &scene.home.numbered(number))).count();
         theirs_everywhere += slow * u32::try_from(known).unwrap_or(u32::MAX);
     }
-    println!("nine random homes, three rooms, two blocks: {tasks} tasks, {dead} of them dead ends, equal distances");
-    show("one pathfinding::dijkstra a task / one search for all", (theirs, own), Some(1.0), None)?;
+    println!(
+        "the random homes of seeds {seeds:?}, three rooms, two blocks: {tasks} tasks, {dead} of them dead ends, equal distances, {looks} looks"
+    );
+    show("one pathfinding::dijkstra a task / one search for all", (theirs, own), Some(10.0), None)?;
     show("the same for every state, the peer's time from one / one sweep", (theirs_everywhere, own_sweeps), Some(20.0), None)
 }
 
@@ -78,7 +83,7 @@ fn many_tasks() -> Result<(), String> {
     let mut many = Scene::roomy(size(12, 1), Tasks::Count(64), &mut memory);
     let mut few = Scene::roomy(size(12, 1), Tasks::Count(8), &mut other);
     let times = in_turn(&mut || many.plan(), &mut || few.plan());
-    println!("{} states, {} and {} tasks", many.planner.search().looks(), many.tasks.len(), few.tasks.len());
+    println!("{} looks, {} and {} tasks", many.planner.search().looks(), many.tasks.len(), few.tasks.len());
     show("64 tasks / 8 tasks", times, None, Some(1.5))
 }
 

@@ -32,7 +32,7 @@ fn milliseconds(work: &mut dyn FnMut()) -> f64 {
 /// The cost of a search and of a sweep, by the states there are.
 fn by_states() -> (Points, Points) {
     let (mut searches, mut sweeps) = (Vec::new(), Vec::new());
-    let mut words = vec![0; LARGE.sweep_words];
+    let mut words = Vec::new();
     for (rooms, blocks) in [(3, 1), (6, 1), (12, 1), (3, 2), (6, 2), (3, 3)] {
         let mut memory = HeapMemory::new(&LARGE);
         let mut scene = Scene::roomy(size(rooms, blocks), Tasks::Paper, &mut memory);
@@ -50,7 +50,7 @@ fn by_states() -> (Points, Points) {
 /// The same for one home, by the number of tasks.
 fn by_tasks() -> (Points, Points) {
     let (mut searches, mut sweeps) = (Vec::new(), Vec::new());
-    let mut words = vec![0; LARGE.sweep_words];
+    let mut words = Vec::new();
     for count in [1, 2, 4, 8, 16, 32, 64] {
         let mut memory = HeapMemory::new(&LARGE);
         let mut scene = Scene::roomy(size(12, 1), Tasks::Count(count), &mut memory);

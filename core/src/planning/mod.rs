@@ -2,9 +2,9 @@
 //!
 //! - [`goals`]: which tasks a state satisfies, at the same cost for one task as for 64;
 //! - [`search`]: one uniform-cost search from the current state that serves all tasks, in steps as large as the caller allows;
-//! - [`sweep`]: one sweep from all goals that serves all tasks in every state, where the memory allows it;
-//! - [`relaxed`]: plans for homes too large for either, with the blocks that do not matter to a task standing still;
-//! - [`planner`]: which of them serves a state.
+//! - [`sweep`]: one sweep from all goals that serves all tasks in every state, for those who ask for all;
+//! - [`relaxed`]: plans for homes too large for that, with the blocks that do not matter to a task standing still;
+//! - [`planner`]: which way of planning serves a state.
 
 mod frontier;
 pub mod goals;

@@ -73,7 +73,7 @@ impl<'m> Agent<'m> {
             candidates: Candidates::new(session.candidates),
             belief: Belief::new(session.belief),
             goals: GoalTable::new(session.goals),
-            planner: Planner::new(session.plan, workspace, session.sweep),
+            planner: Planner::new(session.plan, workspace),
             sentence: Sentence::new(),
             start: None,
             ended: false,

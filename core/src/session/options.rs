@@ -54,8 +54,6 @@ pub struct SessionMemory<'m> {
     pub goals: GoalMemory<'m>,
     /// The search.
     pub plan: PlanMemory<'m>,
-    /// The sweep; may be empty.
-    pub sweep: &'m mut [u64],
 }
 
 /// Memory for an [`Agent`](super::Agent).

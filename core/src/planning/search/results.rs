@@ -1,37 +1,10 @@
-//! What a search found, by itself or from a sweep.
+//! What a search found.
 
 use super::{OptimalSet, Search};
-use crate::oomdp::{ActionSet, Domain};
-use crate::planning::{GoalTable, Sweep};
+use crate::oomdp::ActionSet;
 use crate::task::TaskSet;
 
 impl Search<'_> {
-    /// Takes what a sweep knows of `state`, for the tasks in `wanted`, instead of searching. Gives `false`, and changes nothing, where the
-    /// sweep does not know the state.
-    pub fn adopt<D: Domain + ?Sized>(
-        &mut self,
-        domain: &D,
-        goals: &GoalTable<'_>,
-        state: &D::State,
-        wanted: TaskSet,
-        sweep: &Sweep<'_>,
-    ) -> bool {
-        if !sweep.knows(domain, state) {
-            return false;
-        }
-        let dead = wanted.without(sweep.reachable(domain, state));
-        self.stand(domain, goals, state, wanted, dead);
-        let found = &mut self.found;
-        for task in found.unresolved.iter() {
-            if let (Some(set), Some(distance)) = (found.optimal.get_mut(task), found.distances.get_mut(task)) {
-                *set = sweep.toward(domain, state, task);
-                *distance = sweep.distance(domain, state, task).unwrap_or(u32::MAX);
-            }
-        }
-        found.unresolved = TaskSet::EMPTY;
-        true
-    }
-
     /// Whether it has come to its end.
     pub fn is_done(&self) -> bool {
         !self.running
