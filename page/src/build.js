@@ -101,11 +101,11 @@ function renderObjects() {
   $('objects').replaceChildren(...build.file.objects.map((object, index) => {
     const title = object.class === 'agent' ? 'robot' : object.class === 'door' ? object.name : (object.color + ' ' + (object.shape || 'room'));
     const row = make('details', { name: 'object', open: index === build.chosen }, make('summary', { 'data-field': index + '.summary' }, title, make('small', {}, ' ' + (title === object.name ? '' : object.name))));
-    row.addEventListener('toggle', () => {
-      if (row.open && build.chosen !== index) {
-        build.chosen = index;
-        renderBuild();
-      }
+    // Not by the event that it was opened: that comes late, and may speak of what has gone.
+    row.firstChild.addEventListener('click', event => {
+      event.preventDefault();
+      build.chosen = build.chosen === index ? null : index;
+      renderBuild();
     });
     const fields = make('div', { class: 'fields' });
     for (const [field, value] of Object.entries(object)) {

@@ -1,4 +1,5 @@
 // Spoken commands, where the browser can recognise speech.
+const SPEECH_ERRORS = { 'not-allowed': 'the microphone may not be used here', network: 'this browser needs a network for that', 'no-speech': 'nothing was said' };
 const Recognition = window.SpeechRecognition || window.webkitSpeechRecognition;
 
 function setUpSpeech() {
@@ -13,7 +14,7 @@ function setUpSpeech() {
       $('command').focus();
       announce('Heard: ' + $('command').value);
     };
-    recognition.onerror = event => tell('The browser heard nothing it could write down (' + event.error + ').', true);
+    recognition.onerror = event => tell('Nothing was heard: ' + (SPEECH_ERRORS[event.error] || event.error) + '.', true);
     recognition.onend = () => button.setAttribute('aria-pressed', 'false');
     button.setAttribute('aria-pressed', 'true');
     recognition.start();

@@ -119,3 +119,26 @@ test('a file that is no home is refused, and one that is one is taken over', asy
   assert.equal(await page.evaluate(() => window.goodbot.environment()), home);
   await close(page);
 });
+
+test('a home is drawn by touch alone', async () => {
+  const page = await open(browser, { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
+  await page.tap('[data-mode=build]');
+  const objects = async () => JSON.parse(await page.evaluate(() => window.goodbot.environment())).objects;
+  const before = await objects();
+  const at = cell => page.evaluate(([column, row]) => {
+    const point = new DOMPoint((column + 0.5) * 48, (row + 0.5) * 48).matrixTransform(document.getElementById('draft').getScreenCTM());
+    return [point.x, point.y];
+  }, cell);
+  await page.tap('[data-tool=block]');
+  await page.touchscreen.tap(...await at([3, 3]));
+  await page.tap('[data-tool=agent]');
+  await page.touchscreen.tap(...await at([2, 3]));
+  const after = await objects();
+  assert.equal(after.length, before.length + 1);
+  const [block, robot] = ['block', 'agent'].map(kind => after.findLast(object => object.class === kind));
+  assert.deepEqual([block.x - robot.x, block.y - robot.y], [1, 0]);
+  await page.getByText('block0').tap();
+  await page.locator('#objects details[open] button', { hasText: 'Remove' }).tap();
+  assert.equal((await objects()).length, before.length);
+  await close(page);
+});

@@ -138,3 +138,48 @@ fn the_course_can_be_taken_in_homes_at_random() {
         assert!(world.belief().tasks.iter().any(|task| task.name == lesson.intended), "{lesson:?}");
     }
 }
+
+#[test]
+fn a_robot_that_pulls_says_so_in_its_log() {
+    let mut world = world("D");
+    world.set_pulls(true).unwrap();
+    world.hear("take the chair").unwrap();
+    while !world.plan(1_000).unwrap() {}
+    world.act_as("north").unwrap();
+    world.judge("reward").unwrap();
+    let log = world.log(true).unwrap();
+    let sessions: Vec<_> = SessionReader::new(log.as_bytes()).collect::<Result<_, _>>().unwrap();
+    assert!(sessions[0].header.action_names().any(|name| name == "pull"));
+    let mut other = World::new(1).unwrap();
+    other.replay(&sessions[0]).unwrap();
+    assert!(other.pulls());
+    assert_eq!(other.sessions(), 1);
+}
+
+#[test]
+fn a_robot_hears_the_same_command_again_and_goes_on_believing() {
+    let mut world = world("A");
+    world.hear("go to the red room").unwrap();
+    while !world.plan(1_000).unwrap() {}
+    world.act().unwrap();
+    world.judge("punish").unwrap();
+    let believed = world.belief().tasks;
+    world.finish().unwrap();
+    while !world.learn(1_000) {}
+    world.hear_again("go to the red room").unwrap();
+    assert_eq!(world.belief().tasks, believed);
+    assert!(world.log(false).unwrap().contains("\"continues\":true"));
+}
+
+#[test]
+fn a_recorded_prior_takes_the_place_of_what_the_words_say() {
+    let mut world = world("A");
+    world.hear("go to the red room").unwrap();
+    let count = world.belief().tasks.len();
+    let mut prior = vec![0.0; count];
+    prior[count - 1] = 0.5;
+    world.set_prior(&prior).unwrap();
+    assert_eq!(world.belief().tasks[count - 1].probability, 1.0);
+    world.hear("go to the red room").unwrap();
+    assert!(world.set_prior(&vec![f32::NAN; count]).is_err());
+}
