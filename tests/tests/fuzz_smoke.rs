@@ -10,7 +10,7 @@ use rand_pcg::Pcg32;
 use std::path::PathBuf;
 
 /// Inputs that are made for each target.
-const MADE: usize = 2_000;
+const MADE: usize = 10_000;
 
 fn corpus(target: &str) -> Vec<Vec<u8>> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../fuzz/corpus").join(target);
@@ -101,6 +101,11 @@ fn hostile_commands_are_refused_or_heard() {
 #[test]
 fn calls_in_any_order_are_refused_or_done() {
     run(target("calls"));
+}
+
+#[test]
+fn calls_of_the_c_interface_in_any_order_give_a_status() {
+    run(target("capi"));
 }
 
 #[test]

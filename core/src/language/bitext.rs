@@ -5,7 +5,8 @@
 use crate::capacity::{Capacities, Capacity, CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::symbols::{Symbol, close_gap};
 
-/// Where a run of symbols lies in its pool: the start above the length's byte.
+/// Where a run of symbols lies in its pool: the start above a byte of the length and, for a session, a bit that says whether its command
+/// was heard more than once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Span(u32);
 
@@ -16,8 +17,16 @@ impl Span {
     /// What unused memory holds.
     pub const UNUSED: Self = Self(0);
 
+    const LENGTH: u32 = 0x7f;
+    const AGAIN: u32 = 0x80;
+
     const fn new(start: usize, len: usize) -> Self {
-        Self(((start as u32) << 8) | (len & 0xff) as u32)
+        Self(((start as u32) << 8) | (len & Self::LENGTH as usize) as u32)
+    }
+
+    /// The same, with its symbols at another place.
+    const fn moved(self, start: usize) -> Self {
+        Self(((start as u32) << 8) | (self.0 & 0xff))
     }
 
     const fn start(self) -> usize {
@@ -25,7 +34,7 @@ impl Span {
     }
 
     const fn len(self) -> usize {
-        (self.0 & 0xff) as usize
+        (self.0 & Self::LENGTH) as usize
     }
 
     const fn end(self) -> usize {
@@ -107,6 +116,18 @@ impl<'m> Bitext<'m> {
         span(self.memory.sessions, self.memory.sentence_words, usize::from(session), self.used.sessions)
     }
 
+    /// Whether a session's English command was heard more than once in the robot's life, as far as its sessions tell.
+    pub fn heard_again(&self, session: u16) -> bool {
+        let span = self.memory.sessions.get(..self.used.sessions).and_then(|sessions| sessions.get(usize::from(session)));
+        span.is_some_and(|span| span.0 & Span::AGAIN != 0)
+    }
+
+    pub(crate) fn set_heard_again(&mut self, session: u16) {
+        if let Some(span) = self.memory.sessions.get_mut(..self.used.sessions).and_then(|all| all.get_mut(usize::from(session))) {
+            span.0 |= Span::AGAIN;
+        }
+    }
+
     /// The tokens of a machine command.
     pub fn command(&self, command: u16) -> &[Symbol] {
         span(self.memory.commands, self.memory.command_tokens, usize::from(command), self.used.commands)
@@ -180,11 +201,16 @@ impl<'m> Bitext<'m> {
         Ok(())
     }
 
-    /// Forgets a session and its pairs. Those after it move up by one.
+    /// Forgets a session and its pairs. Those after it move up by one. Another session of the same English command remembers that it was
+    /// heard before.
     pub(super) fn remove_session(&mut self, session: u16) {
         let position = usize::from(session);
         if position >= self.used.sessions {
             return;
+        }
+        let same = |&other: &u16| other != session && self.sentence(other) == self.sentence(session);
+        if let Some(heir) = (0..self.used.sessions as u16).rev().find(same) {
+            self.set_heard_again(heir);
         }
         remove_span(self.memory.sessions, &mut self.used.sessions, self.memory.sentence_words, &mut self.used.sentence_words, position);
         let mut kept = 0_usize;
@@ -269,7 +295,7 @@ fn remove_span(spans: &mut [Span], used: &mut usize, pool: &mut [Symbol], pool_u
     }
     close_gap(spans, 1);
     for span in spans {
-        *span = Span::new(span.start().saturating_sub(length), span.len());
+        *span = span.moved(span.start().saturating_sub(length));
     }
     *used = used.saturating_sub(1);
     *pool_used = pool_used.saturating_sub(length);
@@ -279,5 +305,5 @@ fn put(pool: &mut [Symbol], start: usize, symbols: &[Symbol], capacity: Capacity
     let end = start.saturating_add(symbols.len());
     let full = CapacityError::new(capacity, pool.len().min(MOST_POOL), end);
     pool.get_mut(start..end).filter(|_| end <= MOST_POOL).ok_or(full)?.iter_mut().zip(symbols).for_each(|(slot, &symbol)| *slot = symbol);
-    Ok(Span::new(start, symbols.len().min(255)))
+    Ok(Span::new(start, symbols.len().min(Span::LENGTH as usize)))
 }

@@ -1,14 +1,24 @@
 //! What gives way when memory is full, so that learning goes on. Of two sessions that are equal by a rule, the older one goes.
 //!
-//! - Where a new session finds no room among the others, the one that teaches least goes: the one whose rarest word stands in the most
-//!   sessions. But where more than a quarter of the sessions have words that no other session has, the one with the most such words goes.
-//! - Where the alignment tables are full, a session goes whose English command has the rarest length.
-//! - Where the vocabulary is full, rare words go first: the session goes that has the most words that no other has. Words and machine
-//!   tokens that nothing has any more go with it. An eighth of the vocabulary is kept free, so that the next command is heard whole.
+//! When a session gives way, another one of the same English command, if there is one, remembers that the command was heard before. A
+//! session is *strange* when its command was heard once in the robot's life, as far as is remembered, and has a word that no other session
+//! has: a slip of the tongue, or something new.
+//!
+//! - Where a new session finds no room among the others, the oldest strange one goes, if more than two and more than an eighth of the
+//!   sessions are strange. Otherwise one goes whose command others have too, if there is one: the one that is repeated most, by how often
+//!   its command is kept and in how many sessions its rarest word stands (three count as many); of these the one that taught least, for it
+//!   goes with the most machine commands.
+//! - Where the alignment tables are full, the new session's machine commands of less than a tenth that need a table of their own are left
+//!   out. Where those of more find no room, the oldest strange session of another length goes, then one whose command has the rarest
+//!   length.
+//! - Where the vocabulary is full, rare words go first: the oldest strange session goes, then the one that has the most words that no
+//!   other has. Words and machine tokens that nothing has any more go with it. An eighth of the vocabulary is kept free, so that the next
+//!   command is heard whole; words, and what is known of objects, are left out where there are more at once.
 //!
 //! The newest session never goes. One that could not be kept even alone is refused, and nothing is forgotten for it.
 
 use super::model::LanguageModel;
+use super::tables::Tables;
 use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
 use crate::symbols::{Symbol, Symbols};
 use heapless::Vec;
@@ -16,8 +26,18 @@ use heapless::Vec;
 /// The part of the vocabulary that is kept free: one in so many.
 const FREE_PART: usize = 8;
 
-/// The part of the sessions that may have a word of their own: one in so many.
-const OWN_WORDS_PART: usize = 4;
+/// The part of the sessions that may be strange: one in so many, or two.
+const STRANGE_PART: usize = 8;
+const STRANGE: usize = 2;
+
+/// A word that stands in so many sessions is well known.
+const WELL_KNOWN: usize = 3;
+
+/// Machine commands of a smaller weight are left out where the alignment tables have no room for their lengths.
+const LIGHT: f32 = 0.1;
+
+/// The least of a session's weight that must be kept.
+const LEAST_KEPT: f32 = 0.5;
 
 /// Why a session has to give way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,7 +72,7 @@ impl LanguageModel<'_> {
         self.check_alone(&words, session_tokens, pairs())?;
         loop {
             let (extent, length_pairs) = (self.bitext.extent(), self.tables.length_pairs);
-            match self.add_to_data(&words, pairs()) {
+            match self.add_to_data(&words, &pairs) {
                 Ok(()) => return Ok(()),
                 Err(error) => {
                     self.bitext.rewind(extent);
@@ -69,11 +89,29 @@ impl LanguageModel<'_> {
         }
     }
 
-    fn add_to_data<'a>(&mut self, words: &[Symbol], pairs: impl Iterator<Item = (&'a [Symbol], f32)>) -> Result<(), CapacityError> {
+    fn add_to_data<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
+        &mut self,
+        words: &[Symbol],
+        pairs: impl Fn() -> I,
+    ) -> Result<(), CapacityError> {
         self.bitext.add_session(words)?;
-        for (command, weight) in pairs {
-            self.bitext.add_pair(command, weight)?;
+        for (command, _) in pairs().filter(|&(_, weight)| weight >= LIGHT) {
             self.tables.add_lengths(command.len(), words.len())?;
+        }
+        let mut left_out = None;
+        for (command, _) in pairs() {
+            left_out = self.tables.add_lengths(command.len(), words.len()).err().or(left_out);
+        }
+        let has_table = |tables: &Tables<'_>, command: &[Symbol]| tables.length_pair(command.len(), words.len()).is_some();
+        let mut kept = 1.0;
+        if let Some(error) = left_out {
+            kept = pairs().filter(|(command, _)| has_table(&self.tables, command)).map(|(_, weight)| weight).sum();
+            if kept < LEAST_KEPT {
+                return Err(error);
+            }
+        }
+        for (command, weight) in pairs().filter(|(command, _)| has_table(&self.tables, command)) {
+            self.bitext.add_pair(command, if left_out.is_some() { weight / kept } else { weight })?;
         }
         Ok(())
     }
@@ -150,31 +188,37 @@ impl LanguageModel<'_> {
     /// The session to give way among the first so many.
     fn least(&self, want: Want, among: usize) -> Option<u16> {
         let sessions = || (0..among).map(|session| session as u16);
-        let oldest_with_most = |rank: &dyn Fn(u16) -> usize| {
-            let mut best: Option<(u16, usize)> = None;
-            for session in sessions() {
-                let rank = rank(session);
-                if best.is_none_or(|(_, other)| rank > other) {
-                    best = Some((session, rank));
-                }
+        let strange = || sessions().filter(|&session| self.is_strange(session));
+        match want {
+            Want::Lengths(new) => {
+                let length = |session| self.bitext.sentence(session).len();
+                let others = || sessions().filter(|&session| length(session) != new);
+                let as_long = |wanted| sessions().filter(|&session| length(session) == wanted).count();
+                let rarest = || oldest_with_most(others(), |session| usize::MAX.saturating_sub(as_long(length(session))));
+                others().find(|&session| self.is_strange(session)).or_else(rarest)
             }
-            best.map(|(session, _)| session)
-        };
-        let length = |session| self.bitext.sentence(session).len();
-        if let Want::Lengths(new) = want
-            && sessions().any(|session| length(session) != new)
-        {
-            let as_long = |wanted| sessions().filter(|&session| length(session) == wanted).count();
-            return oldest_with_most(&|session| {
-                if length(session) == new { 0 } else { usize::MAX.saturating_sub(as_long(length(session))) }
-            });
+            Want::Vocabulary => strange().next().or_else(|| oldest_with_most(sessions(), |session| self.own_words(session))),
+            Want::Session => strange().next().filter(|_| strange().count() > STRANGE.max(among / STRANGE_PART)),
         }
-        let own = |session| self.own_words(session);
-        let protected = sessions().filter(|&session| own(session) > 0).count();
-        if want == Want::Vocabulary || protected > among / OWN_WORDS_PART {
-            return oldest_with_most(&own);
-        }
-        oldest_with_most(&|session| self.rarest(session))
+        .or_else(|| oldest_with_most(sessions(), |session| self.repeated(session)))
+    }
+
+    /// Whether the command was heard once, and has a word that no other session has.
+    fn is_strange(&self, session: u16) -> bool {
+        !self.bitext.heard_again(session) && self.own_words(session) > 0
+    }
+
+    /// How little is lost with a session.
+    fn repeated(&self, session: u16) -> (bool, usize, usize) {
+        let times = self.times_kept(session);
+        let words = self.rarest(session).min(WELL_KNOWN);
+        (times > 1, times.saturating_add(words), self.bitext.pairs_of(session).len())
+    }
+
+    /// How many sessions have the same command, itself included.
+    fn times_kept(&self, session: u16) -> usize {
+        let same = |&other: &u16| self.bitext.sentence(other) == self.bitext.sentence(session);
+        (0..self.bitext.sessions() as u16).filter(same).count()
     }
 
     /// In how many sessions a word stands.
@@ -219,6 +263,18 @@ impl LanguageModel<'_> {
             self.bitext.tokens_mut().iter_mut().chain(&mut *session_tokens).for_each(|other| close_up(other, token));
         }
     }
+}
+
+/// The first session of the highest rank.
+fn oldest_with_most<K: PartialOrd>(sessions: impl Iterator<Item = u16>, rank: impl Fn(u16) -> K) -> Option<u16> {
+    let mut best: Option<(u16, K)> = None;
+    for session in sessions {
+        let rank = rank(session);
+        if best.as_ref().is_none_or(|(_, other)| rank > *other) {
+            best = Some((session, rank));
+        }
+    }
+    best.map(|(session, _)| session)
 }
 
 /// Moves a symbol up where one before it was removed.

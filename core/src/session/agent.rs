@@ -16,6 +16,7 @@ use crate::planning::{GoalTable, OptimalSet, Planner, Progress, Search};
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
 use crate::task::machine_command::Tokens;
+use crate::task::machine_command::intern_heads;
 use crate::task::{Expression, GroundedTask, LiftedTask, TaskSet, ground};
 use heapless::Vec;
 use rand_core::Rng;
@@ -253,6 +254,8 @@ impl<'m> Agent<'m> {
     fn try_understand<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
         self.candidates.clear();
         self.belief.restart(self.tasks.iter().take(self.task_count).map(|task| Scaled::new(task.prior)))?;
+        // The tasks' own tokens come first, and what can be said of objects after them, as far as there is room.
+        intern_heads(&domain.schema(), &self.lifted, self.tasks.get(..self.task_count).unwrap_or(&[]), self.language.tokens_mut())?;
         let mut any = false;
         for position in 0..self.task_count {
             let explained = self.for_each_candidate(domain, position, |candidates, language, sentence, tokens, _| {

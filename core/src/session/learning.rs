@@ -22,7 +22,8 @@ impl Agent<'_> {
     ///
     /// # Errors
     /// [`AgentError::NoSession`], [`AgentError::StillLearning`], or [`AgentError::Capacity`] where the session could not be kept even
-    /// alone: it is then forgotten and everything learned before is kept.
+    /// alone: it is then forgotten and everything learned before is kept. Where none of its words found room, in a vocabulary that was
+    /// restored full, others give way so that the next command is heard whole.
     pub fn finish<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
         self.check_under_way()?;
         if self.language.is_training() {
@@ -47,6 +48,10 @@ impl Agent<'_> {
         if let Err(error) = added {
             self.start = None;
             self.language.forget_unlearned();
+            if self.sentence.iter().all(Option::is_none) {
+                self.language.tidy_vocabulary(&mut self.sentence, &mut [])?;
+                self.language.begin_training();
+            }
             return Err(error.into());
         }
         self.language.tidy_vocabulary(&mut self.sentence, self.candidates.all_tokens_mut())?;

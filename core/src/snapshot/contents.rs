@@ -26,6 +26,10 @@ impl<T> Clone for Section<'_, T> {
 
 impl<T> Copy for Section<'_, T> {}
 
+impl<T> Section<'_, T> {
+    const NONE: Self = Self { count: 0, bytes: &[], record: PhantomData };
+}
+
 impl<'a, T: Deserialize<'a>> Section<'a, T> {
     /// How many records.
     pub fn len(&self) -> usize {
@@ -38,7 +42,7 @@ impl<'a, T: Deserialize<'a>> Section<'a, T> {
     }
 
     /// The records, in order.
-    pub fn iter(&self) -> impl Iterator<Item = T> + use<'a, T> {
+    pub fn iter(&self) -> impl Iterator<Item = T> + Clone + use<'a, T> {
         let mut rest = self.bytes;
         (0..self.count).map_while(move |_| take(&mut rest))
     }
@@ -138,6 +142,8 @@ pub struct Contents<'a> {
     pub sessions: Section<'a, SessionRecord>,
     /// The pairs of all sessions, session by session.
     pub pairs: Section<'a, PairRecord>,
+    /// Whether the command of each session was heard more than once in the robot's life. Files of before this was kept have none.
+    pub heard_again: Section<'a, bool>,
 }
 
 impl<'a> Contents<'a> {
@@ -172,10 +178,15 @@ impl<'a> Contents<'a> {
         let command_count = commands.len();
         let sound = |pair: &PairRecord| usize::from(pair.command) < command_count && is_weight(pair.weight);
         let pairs = section(rest, Part::Pairs, sound)?;
-        if pairs.len() as u64 != wanted || !rest.is_empty() {
+        if pairs.len() as u64 != wanted {
             return Err(RestoreError::Inconsistent(Part::Pairs));
         }
-        Ok(Self { vocabulary, sizes, options, strategies, words, tokens, commands, sessions, pairs })
+        let session_count = sessions.len();
+        let heard_again = if rest.is_empty() { Section::NONE } else { section(rest, Part::HeardAgain, |_: &bool| true)? };
+        if !rest.is_empty() || !(heard_again.is_empty() || heard_again.len() == session_count) {
+            return Err(RestoreError::Inconsistent(Part::HeardAgain));
+        }
+        Ok(Self { vocabulary, sizes, options, strategies, words, tokens, commands, sessions, pairs, heard_again })
     }
 }
 

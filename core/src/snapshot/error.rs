@@ -53,6 +53,8 @@ pub enum RestoreError {
     Inconsistent(Part),
     /// It was learned in a domain of another vocabulary.
     OtherDomain,
+    /// Its words or machine commands are formed in another way than here, so the two cannot be joined.
+    OtherForms,
     /// It does not fit into this memory.
     Capacity(CapacityError),
 }
@@ -77,6 +79,8 @@ pub enum Part {
     Sessions,
     /// The weighted pairs.
     Pairs,
+    /// Which commands were heard more than once.
+    HeardAgain,
 }
 
 impl Part {
@@ -91,6 +95,7 @@ impl Part {
             Self::Commands => "machine commands",
             Self::Sessions => "sessions",
             Self::Pairs => "pairs",
+            Self::HeardAgain => "marks of commands heard again",
         }
     }
 }
@@ -110,6 +115,10 @@ impl fmt::Display for RestoreError {
             Self::Damaged => f.write_str("the model is damaged: its check does not match; take another copy"),
             Self::Inconsistent(part) => write!(f, "the model's {} cannot be; it was not written by goodbot", part.name()),
             Self::OtherDomain => f.write_str("the model was learned in a domain of another vocabulary"),
+            Self::OtherForms => f.write_str(
+                "the models form words or machine commands differently (letters of a word that count, order of facts); \
+                 learn both with the same settings",
+            ),
             Self::Capacity(error) => error.fmt(f),
         }
     }

@@ -1,17 +1,21 @@
 //! Joining what two robots learned.
 
-use super::contents::Contents;
+use super::contents::{Contents, Index};
 use super::error::RestoreError;
+use super::record::{CommandRecord, PairRecord, SessionRecord};
 use crate::capacity::{CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::language::LanguageModel;
+use crate::language::bitext::Pair;
+use crate::language::tokenizer::word_form;
 use crate::session::Agent;
 use crate::symbols::Symbol;
 use heapless::Vec;
 
 impl Agent<'_> {
     /// Adds the sessions of a model file after those learned here, words and machine tokens matched by their text, and begins training: call
-    /// [`learn`](Self::learn) until it is done. Sessions at the beginning that both have, from a common past, are kept once. The options and
-    /// what is believed of the trainers stay those of here. A session under way ends unlearned. Gives how many sessions were added.
+    /// [`learn`](Self::learn) until it is done. A session that both have, the same in words, machine commands and weights to the last bit,
+    /// comes from a common past and is kept once; one that a model has several times is kept as often. The options and what is believed of
+    /// the trainers stay those of here. A session under way ends unlearned. Gives how many sessions were added.
     ///
     /// # Errors
     /// [`RestoreError`]; what was learned is then as before.
@@ -20,6 +24,7 @@ impl Agent<'_> {
         if contents.vocabulary != 0 && contents.vocabulary != self.vocabulary() {
             return Err(RestoreError::OtherDomain);
         }
+        self.language.check_forms(&contents)?;
         self.end_session();
         self.workspace_to_training();
         Ok(self.language.join_contents(&contents)?)
@@ -32,7 +37,20 @@ impl LanguageModel<'_> {
     /// # Errors
     /// [`RestoreError`]; the training data are then as before.
     pub fn join(&mut self, bytes: &[u8]) -> Result<usize, RestoreError> {
-        Ok(self.join_contents(&Contents::read(bytes)?)?)
+        let contents = Contents::read(bytes)?;
+        self.check_forms(&contents)?;
+        Ok(self.join_contents(&contents)?)
+    }
+
+    /// Whole words can be cut to the letters that count here, but cut ones cannot be made whole; and facts stand where they stand.
+    fn check_forms(&self, contents: &Contents<'_>) -> Result<(), RestoreError> {
+        let (here, there) = (self.settings(), &contents.options.language);
+        let letters = |letters: u8| if letters == 0 { u8::MAX } else { letters };
+        if contents.sessions.is_empty() || (here.order == there.order && letters(here.word_letters) <= letters(there.word_letters)) {
+            Ok(())
+        } else {
+            Err(RestoreError::OtherForms)
+        }
     }
 
     fn join_contents(&mut self, contents: &Contents<'_>) -> Result<usize, CapacityError> {
@@ -51,47 +69,93 @@ impl LanguageModel<'_> {
     }
 
     fn add_contents(&mut self, contents: &Contents<'_>) -> Result<usize, CapacityError> {
-        let (words, tokens, commands) = (contents.words.index(), contents.tokens.index(), contents.commands.index());
-        let mut pairs = contents.pairs.iter();
-        let (mut common, mut added) = (true, 0_usize);
+        let texts = Texts { words: contents.words.index(), tokens: contents.tokens.index(), commands: contents.commands.index() };
+        let own = self.bitext().sessions() as u16;
+        let (mut pairs, mut heard_again, mut added) = (contents.pairs.iter(), contents.heard_again.iter(), 0_usize);
         for (position, session) in contents.sessions.iter().enumerate() {
-            let mut sentence: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
-            for &word in &session.words {
-                let word = self.words_mut().intern(words.get(usize::from(word)).unwrap_or(""))?;
-                // As many as the record has, so they fit.
-                let _ = sentence.push(word);
-            }
-            let extent = self.bitext().extent();
-            self.bitext_mut().add_session(&sentence)?;
-            for pair in pairs.by_ref().take(session.pairs as usize) {
-                let mut command: Vec<Symbol, TOKENS_PER_COMMAND> = Vec::new();
-                for &token in &commands.get(usize::from(pair.command)).unwrap_or_default() {
-                    let _ = command.push(self.tokens_mut().intern(tokens.get(usize::from(token)).unwrap_or(""))?);
+            let count = session.pairs as usize;
+            let mut same = (0..own).filter(|&own| self.has_session(own, &session, pairs.clone().take(count), &texts)).peekable();
+            let known = same.peek().is_some().then(|| times_before(contents, position)).and_then(|times| same.nth(times));
+            let at = match known {
+                Some(known) => known,
+                None => {
+                    self.add_record(&session, pairs.clone().take(count), &texts)?;
+                    added = added.saturating_add(1);
+                    self.bitext().sessions().saturating_sub(1) as u16
                 }
-                self.bitext_mut().add_pair(&command, pair.weight)?;
+            };
+            if heard_again.next() == Some(true) {
+                self.bitext_mut().set_heard_again(at);
             }
-            common = common && self.last_repeats(position);
-            if common {
-                self.bitext_mut().rewind(extent);
-            } else {
-                added = added.saturating_add(1);
-            }
+            let _ = pairs.by_ref().take(count).count();
         }
         Ok(added)
     }
 
-    /// Whether the last session is the same, pair by pair, as the one at `position`.
-    fn last_repeats(&self, position: usize) -> bool {
-        let bitext = self.bitext();
-        let last = bitext.sessions().saturating_sub(1);
-        let (one, other) = (position as u16, last as u16);
-        let same_pairs = || {
-            let (ones, others) = (bitext.pairs_of(one), bitext.pairs_of(other));
-            let equal = |(a, b): (&crate::language::bitext::Pair, &crate::language::bitext::Pair)| {
-                a.command == b.command && a.weight.to_bits() == b.weight.to_bits()
-            };
-            ones.len() == others.len() && ones.iter().zip(others).all(equal)
+    /// Whether a session is the one of a file, pair by pair.
+    fn has_session(&self, own: u16, session: &SessionRecord, pairs: impl Iterator<Item = PairRecord>, texts: &Texts<'_>) -> bool {
+        let (bitext, letters) = (self.bitext(), usize::from(self.settings().word_letters));
+        let words = session.words.iter().map(|&word| word_form(texts.words.get(usize::from(word)).unwrap_or(""), letters));
+        let mut own_pairs = bitext.pairs_of(own).iter();
+        let same_command = |command: u16, own: u16| {
+            let command = texts.commands.get(usize::from(command)).unwrap_or_default();
+            let tokens = command.iter().map(|&token| texts.tokens.get(usize::from(token)).unwrap_or(""));
+            bitext.command(own).iter().map(|&token| self.tokens().text(token)).eq(tokens)
         };
-        position < last && bitext.sentence(one) == bitext.sentence(other) && same_pairs()
+        let same_pair =
+            |pair: &PairRecord, own: &Pair| pair.weight.to_bits() == own.weight.to_bits() && same_command(pair.command, own.command);
+        bitext.sentence(own).iter().map(|&word| self.words().text(word)).eq(words)
+            && own_pairs.len() == session.pairs as usize
+            && pairs.into_iter().all(|pair| own_pairs.next().is_some_and(|own| same_pair(&pair, own)))
     }
+
+    fn add_record(
+        &mut self,
+        session: &SessionRecord,
+        pairs: impl Iterator<Item = PairRecord>,
+        texts: &Texts<'_>,
+    ) -> Result<(), CapacityError> {
+        let letters = usize::from(self.settings().word_letters);
+        let mut sentence: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
+        for &word in &session.words {
+            let word = word_form(texts.words.get(usize::from(word)).unwrap_or(""), letters);
+            // As many as the record has, so they fit.
+            let _ = sentence.push(self.words_mut().intern(word)?);
+        }
+        self.bitext_mut().add_session(&sentence)?;
+        for pair in pairs {
+            let mut command: Vec<Symbol, TOKENS_PER_COMMAND> = Vec::new();
+            for &token in &texts.commands.get(usize::from(pair.command)).unwrap_or_default() {
+                let _ = command.push(self.tokens_mut().intern(texts.tokens.get(usize::from(token)).unwrap_or(""))?);
+            }
+            self.bitext_mut().add_pair(&command, pair.weight)?;
+        }
+        Ok(())
+    }
+}
+
+/// The words, machine tokens and machine commands of a file.
+struct Texts<'a> {
+    words: Index<'a, &'a str>,
+    tokens: Index<'a, &'a str>,
+    commands: Index<'a, CommandRecord>,
+}
+
+/// How often a model file has the session at `position` before it.
+fn times_before(contents: &Contents<'_>, position: usize) -> usize {
+    let mut sessions = contents.sessions.iter();
+    let mut pairs = contents.pairs.iter();
+    for session in sessions.by_ref().take(position) {
+        let _ = pairs.by_ref().take(session.pairs as usize).count();
+    }
+    let Some(wanted) = sessions.next() else { return 0 };
+    let (mut times, mut before) = (0_usize, contents.pairs.iter());
+    for session in contents.sessions.iter().take(position) {
+        let same_pairs = || before.clone().take(session.pairs as usize).eq(pairs.clone().take(wanted.pairs as usize));
+        if session.words == wanted.words && session.pairs == wanted.pairs && same_pairs() {
+            times = times.saturating_add(1);
+        }
+        let _ = before.by_ref().take(session.pairs as usize).count();
+    }
+    times
 }

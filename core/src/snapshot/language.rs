@@ -114,6 +114,9 @@ impl LanguageModel<'_> {
                 let _ = self.bitext_mut().add_pair_with(pair.command, pair.weight);
             }
         }
+        for (session, _) in contents.heard_again.iter().enumerate().filter(|&(_, again)| again) {
+            self.bitext_mut().set_heard_again(session as u16);
+        }
         let _ = self.data_replaced();
         self.begin_training();
     }

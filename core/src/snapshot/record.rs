@@ -140,9 +140,9 @@ pub struct PairRecord {
 /// Bytes that a model saved from memory of these capacities takes at most: how large a buffer or a storage slot must be.
 pub const fn most_bytes(capacities: &Capacities) -> usize {
     // A length or number takes 5 bytes at most, a position 3, an f32 4.
-    let fixed = LEAST_BYTES + 5 + 13 * 5 + (5 + OPTIONS_BYTES) + 6 * 5;
+    let fixed = LEAST_BYTES + 5 + 13 * 5 + (5 + OPTIONS_BYTES) + 7 * 5;
     let names = capacities.words + capacities.word_bytes + capacities.tokens + capacities.token_bytes;
     let commands = capacities.commands + 3 * capacities.command_tokens;
-    let sessions = 6 * capacities.sessions + 3 * capacities.sentence_words;
+    let sessions = 7 * capacities.sessions + 3 * capacities.sentence_words;
     fixed + 16 * capacities.strategies + names + commands + sessions + 7 * capacities.pairs
 }

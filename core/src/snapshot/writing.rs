@@ -54,7 +54,7 @@ impl Serialize for Writing<'_, '_> {
         let (language, bitext) = (self.language, self.language.bitext());
         let mut bytes = [0; OPTIONS_BYTES];
         let options = postcard::to_slice(&OptionsRecord::new(&self.options), &mut bytes).map_err(serde::ser::Error::custom)?;
-        let mut payload = serializer.serialize_struct("Payload", 9)?;
+        let mut payload = serializer.serialize_struct("Payload", 10)?;
         payload.serialize_field("vocabulary", &self.vocabulary)?;
         payload.serialize_field("sizes", &self.sizes)?;
         payload.serialize_field("options", &ByteString(options))?;
@@ -79,6 +79,7 @@ impl Serialize for Writing<'_, '_> {
         payload.serialize_field("sessions", &Sequence(sessions))?;
         let pairs = || bitext.pairs().iter().map(|pair| PairRecord { command: pair.command, weight: pair.weight });
         payload.serialize_field("pairs", &Sequence(pairs))?;
+        payload.serialize_field("heard_again", &Sequence(|| (0..bitext.sessions()).map(|session| bitext.heard_again(session as u16))))?;
         payload.end()
     }
 }

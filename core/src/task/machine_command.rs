@@ -6,7 +6,7 @@
 use super::constraint::{Fact, facts, sort};
 use super::{GroundedTask, LiftedTask};
 use crate::capacity::{Capacity, CapacityError, FACTS_PER_TASK, NAME_BYTES, TOKENS_PER_COMMAND};
-use crate::oomdp::Domain;
+use crate::oomdp::{Domain, Schema};
 use crate::symbols::{Symbol, Symbols};
 use heapless::{String, Vec};
 
@@ -35,10 +35,11 @@ pub struct Expression {
 }
 
 impl Expression {
-    /// The machine commands of `task`; their tokens are interned in `tokens`.
+    /// The machine commands of `task`; their tokens are interned in `tokens`. A fact whose token finds no room there is left out: it
+    /// cannot be spoken of until others have given way (see [`forgetting`](crate::language::forgetting)).
     ///
     /// # Errors
-    /// A [`CapacityError`] where `tokens` is full or the task has too many facts.
+    /// A [`CapacityError`] where `tokens` has no room for the task's own propositions and classes, or the task has too many facts.
     pub fn new<D: Domain + ?Sized>(
         domain: &D,
         lifted: &LiftedTask,
@@ -47,13 +48,7 @@ impl Expression {
         tokens: &mut Symbols<'_>,
     ) -> Result<Self, CapacityError> {
         let schema = domain.schema();
-        let mut expression = Self { head: Tokens::new(), facts: Vec::new(), behind: Vec::new() };
-        for part in &lifted.propositions {
-            push(&mut expression.head, tokens.intern(schema.proposition_name(part.proposition))?)?;
-            for &class in schema.parameters(part.proposition) {
-                push(&mut expression.head, tokens.intern(schema.class_name(class))?)?;
-            }
-        }
+        let mut expression = Self { head: head(&schema, lifted, tokens)?, facts: Vec::new(), behind: Vec::new() };
         let mut facts = facts(domain, lifted, task)?;
         if order == TokenOrder::Propositions {
             sort(&mut facts, |fact| (place(domain, lifted, task, fact), fact.attribute));
@@ -62,7 +57,12 @@ impl Expression {
             let Some(attribute) = schema.attributes.get(usize::from(fact.attribute)) else { continue };
             let Some(carrier) = attribute.carriers.get(usize::from(fact.carrier)) else { continue };
             let value = domain.objects().value(fact.object, usize::from(fact.attribute));
-            let pair = [tokens.intern(&attribute_token(carrier.prefix, value)?)?, tokens.intern(schema.class_name(carrier.class))?];
+            let class = tokens.intern(schema.class_name(carrier.class))?;
+            let pair = match tokens.intern(&attribute_token(carrier.prefix, value)?) {
+                Ok(token) => [token, class],
+                Err(error) if matches!(error.capacity, Capacity::Tokens | Capacity::TokenBytes) => continue,
+                Err(error) => return Err(error),
+            };
             let behind = match order {
                 TokenOrder::Attributes => expression.head.len() as u8,
                 TokenOrder::Propositions => place(domain, lifted, task, fact).0,
@@ -113,6 +113,33 @@ impl Expression {
         }
         Ok(())
     }
+}
+
+/// Interns the tokens of the propositions and classes of all tasks' own in `tokens`.
+pub(crate) fn intern_heads(
+    schema: &Schema<'_>,
+    lifted: &[LiftedTask],
+    tasks: &[GroundedTask],
+    tokens: &mut Symbols<'_>,
+) -> Result<(), CapacityError> {
+    for (position, lifted) in lifted.iter().enumerate() {
+        if tasks.iter().any(|task| usize::from(task.lifted) == position) {
+            head(schema, lifted, tokens)?;
+        }
+    }
+    Ok(())
+}
+
+/// The tokens of a lifted task's propositions and their classes, interned in `tokens`.
+fn head(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut Symbols<'_>) -> Result<Tokens, CapacityError> {
+    let mut head = Tokens::new();
+    for part in &lifted.propositions {
+        push(&mut head, tokens.intern(schema.proposition_name(part.proposition))?)?;
+        for &class in schema.parameters(part.proposition) {
+            push(&mut head, tokens.intern(schema.class_name(class))?)?;
+        }
+    }
+    Ok(head)
 }
 
 /// The first proposition that a fact's object is an argument of: how many tokens there are up to its end, and which argument it is.

@@ -1,43 +1,54 @@
 //! Two robots do the same, one by calls with small budgets, the other by calls that run to the end: they stay the same, bit by bit.
 
 use super::{Bytes, assert_sound};
-use crate::school::Lesson;
+use crate::random_homes::{Size, random_home};
 use goodbot::feedback::Feedback;
-use goodbot::home::paper_tasks;
+use goodbot::home::{Moves, paper_tasks};
+use goodbot::language::Settings;
 use goodbot::oomdp::{Action, Domain, apply};
 use goodbot::planning::Progress;
+use goodbot::session::Weights;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use rand_pcg::Pcg32;
 
-const COLORS: [&str; 5] = ["red", "green", "blue", "yellow", "purple"];
-const SHAPES: [&str; 4] = ["chair", "bag", "backpack", "basket"];
 const WORDS: [&str; 12] = ["go", "take", "to", "the", "room", "red", "green", "blue", "yellow", "chair", "bag", "now"];
 
-/// A home and a command as the bytes say.
-fn lesson(choices: &mut Bytes<'_>) -> Lesson {
-    let rooms = [(); 4].map(|()| choices.one_of(&COLORS));
-    let blocks = (0..choices.below(2)).map(|_| (choices.one_of(&COLORS), choices.one_of(&SHAPES))).collect();
-    let words: Vec<&str> = (0..1 + choices.below(9)).map(|_| choices.one_of(&WORDS)).collect();
-    Lesson { command: words.join(" "), rooms, blocks, intended: (None, 0) }
+/// A robot for small homes: many inputs a second.
+const SMALL: Capacities = Capacities { cells: 24, states: 600, ..Capacities::TINY };
+
+/// The three ways of planning: by searches, by searches and then a sweep, and with visited states hashed.
+const ROBOTS: [Capacities; 3] = [SMALL, Capacities { sweep_words: 4_096, ..SMALL }, Capacities { states: 32, hashed_states: 128, ..SMALL }];
+
+/// The options as the bytes say: all that can be chosen but the rounds, which are few.
+fn options(choices: &mut Bytes<'_>) -> Options {
+    let options = choices.one_of(&[Options::PAPER, Options::DEFAULT]);
+    let weights = choices.one_of(&[Weights::Paper, Weights::Belief]);
+    let language = Settings { rounds: 1 + choices.below(3) as u32, length: choices.below(2) == 1, ..options.language };
+    Options { language, weights, ..options }
 }
 
-/// A random home, command and feedback, up to three times over.
+/// A random home, command and feedback, up to twice over.
 pub fn budgets(input: &[u8]) {
     let mut choices = Bytes::new(input);
-    let mut memories = [HeapMemory::new(&Capacities::SMALL), HeapMemory::new(&Capacities::SMALL)];
+    let capacities = choices.one_of(&ROBOTS);
+    let options = options(&mut choices);
+    let mut memories = [HeapMemory::new(&capacities), HeapMemory::new(&capacities)];
     let tasks = paper_tasks().expect("the paper's tasks");
-    let [mut parts, mut whole] = memories.each_mut().map(|memory| Agent::new(memory.split().agent, &tasks, Options::PAPER).expect("fits"));
+    let [mut parts, mut whole] = memories.each_mut().map(|memory| Agent::new(memory.split().agent, &tasks, options).expect("fits"));
     let budget = 1 + u32::from(choices.byte());
-    for _ in 0..3 {
-        let lesson = lesson(&mut choices);
-        let mut memory = HeapMemory::new(&Capacities::SMALL);
-        let (home, mut state) = lesson.home(memory.split().home);
-        let heard = parts.hear(&home, &state, &lesson.command);
-        assert_eq!(heard, whole.hear(&home, &state, &lesson.command));
+    for _ in 0..2 {
+        let mut memory = HeapMemory::new(&Capacities { states: 0, ..capacities });
+        let size =
+            Size { columns: 2, rows: 1 + choices.below(2) as i32, side: 1 + choices.below(2) as i32, blocks: choices.below(2) as i32 };
+        let moves = choices.one_of(&[Moves::Push, Moves::PushAndPull]);
+        let (home, mut state) = random_home(&mut Pcg32::new(u64::from(choices.byte()), 1), size, moves, memory.split().home);
+        let words: Vec<&str> = (0..1 + choices.below(6)).map(|_| choices.one_of(&WORDS)).collect();
+        let heard = parts.hear(&home, &state, &words.join(" "));
+        assert_eq!(heard, whole.hear(&home, &state, &words.join(" ")));
         if heard.is_err() {
             continue;
         }
-        for _ in 0..choices.below(12) {
+        for _ in 0..choices.below(8) {
             while parts.plan(&home, &state, budget).expect("a session is under way") == Progress::Working {}
             whole.plan_fully(&home, &state).expect("a session is under way");
             let seed = u64::from(choices.byte());
@@ -46,26 +57,38 @@ pub fn budgets(input: &[u8]) {
             let feedback = choices.one_of(&[Feedback::Reward, Feedback::Punish, Feedback::Neutral]);
             let action = choices.one_of(&[decision.action, Action(0), Action(1), Action(2), Action(3), Action::NOOP]);
             assert_eq!(parts.feedback(action, feedback), whole.feedback(action, feedback));
-            assert_same(&parts, &whole);
+            assert_same_beliefs(&parts, &whole);
             state = apply(&home, &state, action).filter(|next| home.number(next) < home.state_count()).unwrap_or(state);
         }
         assert_eq!(parts.finish(&home), whole.finish(&home));
         while parts.learn(budget) == Progress::Working {}
         whole.learn_fully();
-        assert_same(&parts, &whole);
+        assert_same_parameters(&parts, &whole);
         assert_sound(&whole);
     }
 }
 
-fn assert_same(one: &Agent<'_>, other: &Agent<'_>) {
-    let bits = |agent: &Agent<'_>| {
-        let (belief, language) = (agent.belief(), agent.language());
-        let mut bits: Vec<u32> = (0..belief.tasks()).map(|task| belief.probability(task).to_bits()).collect();
-        for (token, _) in language.tokens().iter() {
-            bits.extend(language.words().iter().map(|(word, _)| language.tables().translation(word, Some(token)).to_bits()));
+fn assert_same_beliefs(one: &Agent<'_>, other: &Agent<'_>) {
+    assert_eq!(one.tasks(), other.tasks());
+    for task in 0..one.tasks().len() {
+        assert_eq!(one.belief().probability(task).to_bits(), other.belief().probability(task).to_bits());
+        assert_eq!(one.search().optimal(task), other.search().optimal(task));
+    }
+}
+
+fn assert_same_parameters(one: &Agent<'_>, other: &Agent<'_>) {
+    let (one, other) = (one.language(), other.language());
+    for (token, _) in one.tokens().iter() {
+        for (word, _) in one.words().iter() {
+            let bits = |model: &goodbot::language::LanguageModel<'_>| model.tables().translation(word, Some(token)).to_bits();
+            assert_eq!(bits(one), bits(other));
         }
-        bits
-    };
-    assert_eq!(bits(one), bits(other));
-    assert!((0..one.tasks().len()).all(|task| one.search().optimal(task) == other.search().optimal(task)));
+    }
+    for lengths in one.tables().length_pairs() {
+        let (machine, english) = (usize::from(lengths.machine), usize::from(lengths.english));
+        for (i, j) in (0..english).flat_map(|i| (0..=machine).map(move |j| (i, j))) {
+            let bits = |model: &goodbot::language::LanguageModel<'_>| model.tables().alignment(j, i, machine, english).to_bits();
+            assert_eq!(bits(one), bits(other));
+        }
+    }
 }

@@ -5,6 +5,7 @@
 mod budgets;
 mod bytes;
 mod calls;
+mod capi;
 mod environment;
 mod model;
 mod session;
@@ -13,6 +14,7 @@ mod tokenizer;
 pub use budgets::budgets;
 pub use bytes::Bytes;
 pub use calls::calls;
+pub use capi::capi;
 pub use environment::environment;
 pub use model::{model, sign};
 pub use session::session;
@@ -24,12 +26,13 @@ use goodbot::Agent;
 pub type Target = (&'static str, fn(&[u8]));
 
 /// All fuzz targets.
-pub const TARGETS: [Target; 6] = [
+pub const TARGETS: [Target; 7] = [
     ("environment", environment),
     ("session", session),
     ("model", model),
     ("tokenizer", tokenizer),
     ("calls", calls),
+    ("capi", capi),
     ("budgets", budgets),
 ];
 

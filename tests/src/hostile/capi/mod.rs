@@ -1,0 +1,36 @@
+//! The C interface, called in any order as a program in C calls it, through the real functions.
+//!
+//! Memory may be too small or misaligned, pointers null where the contract lets them be refused, texts any bytes, descriptions wrong in
+//! any field, graphs of steps anything. Every block that is handed over is as large as the call is told, so that a sanitizer sees the
+//! first byte beyond it.
+//!
+//! - [`blocks`]: the memory that is handed over;
+//! - [`texts`]: C strings;
+//! - [`machine`]: what a hostile robot's actions do;
+//! - [`description`]: a robot of the caller's own, described wrongly or rightly;
+//! - [`program`]: the program that makes the calls.
+
+mod blocks;
+mod description;
+mod machine;
+mod program;
+mod texts;
+
+use super::Bytes;
+use program::Program;
+
+/// At most so many calls for one input.
+const MOST_CALLS: usize = 120;
+
+/// Makes the calls that the bytes say.
+pub fn capi(input: &[u8]) {
+    let mut choices = Bytes::new(input);
+    let mut program = Program::new();
+    for _ in 0..MOST_CALLS {
+        if choices.is_empty() {
+            break;
+        }
+        program.call(&mut choices);
+        program.assert_sound();
+    }
+}
