@@ -16,8 +16,8 @@ const WORDS: [&str; 12] = ["go", "take", "to", "the", "room", "red", "green", "b
 /// A robot for small homes: many inputs a second.
 const SMALL: Capacities = Capacities { cells: 24, states: 600, ..Capacities::TINY };
 
-/// The three ways of planning: by searches, by searches and then a sweep, and with visited states hashed.
-const ROBOTS: [Capacities; 3] = [SMALL, Capacities { sweep_words: 4_096, ..SMALL }, Capacities { states: 32, hashed_states: 128, ..SMALL }];
+/// The ways of planning: with all states at hand, and with visited states hashed.
+const ROBOTS: [Capacities; 2] = [SMALL, Capacities { states: 32, hashed_states: 128, ..SMALL }];
 
 /// The options as the bytes say: all that can be chosen but the rounds, which are few.
 fn options(choices: &mut Bytes<'_>) -> Options {
