@@ -1,4 +1,24 @@
-/* goodbot: a robot that learns what your words mean from reward and punishment. See docs/robot.md. */
+/* goodbot: a robot that learns what your words mean from reward and punishment. docs/robot.md leads through a whole program.
+
+   The order of calls, each function's own rules beside it:
+
+     goodbot_preset, goodbot_init_home          a robot, in your memory; goodbot_init_table for one that is no home
+     goodbot_restore, goodbot_learn ...         what it learned before, if it has
+     goodbot_home_begin ... goodbot_home_build  where it is
+     goodbot_hear                               a command: a session begins
+       goodbot_plan ..., goodbot_decide         an action; you do it
+       goodbot_feedback                         what the trainer says to it
+       goodbot_done or goodbot_home_place       where things are then
+     goodbot_finish, goodbot_learn ...          the session is learned from; goodbot_forget if it shall not be
+     goodbot_save                               what it has learned, as bytes
+
+   What holds for all of them:
+
+   - Every function returns a status; GOODBOT_STATUS_OK is 0. What fails changes nothing, where nothing else is said.
+   - Memory is yours, aligned to 8. It must stay where it is and hold nothing else; nothing has to be given back.
+   - Texts are UTF-8 and end with 0. They are copied, but for those that a goodbot_table points to.
+   - Nothing is global: robots do not know of each other. One robot is one thread's at a time.
+   - goodbot_plan and goodbot_learn do as much as their budget says and no more; the others are short, as docs/footprint.md counts. */
 
 #ifndef GOODBOT_H
 #define GOODBOT_H
@@ -19,16 +39,16 @@
 #define GOODBOT_TINY 1
 
 // Bytes that the small preset takes where a pointer has four bytes.
-#define GOODBOT_SMALL_BYTES_32 24576
+#define GOODBOT_SMALL_BYTES_32 20480
 
 // Bytes that the small preset takes where a pointer has eight bytes.
-#define GOODBOT_SMALL_BYTES_64 25600
+#define GOODBOT_SMALL_BYTES_64 20992
 
 // Bytes that the tiny preset takes where a pointer has four bytes.
-#define GOODBOT_TINY_BYTES_32 15360
+#define GOODBOT_TINY_BYTES_32 12288
 
 // Bytes that the tiny preset takes where a pointer has eight bytes.
-#define GOODBOT_TINY_BYTES_64 16384
+#define GOODBOT_TINY_BYTES_64 12800
 
 // Bytes that a robot of the caller's own takes beyond that.
 #define GOODBOT_TABLE_BYTES 1344
@@ -296,32 +316,32 @@ uint32_t goodbot_api_version(void);
 
 // Fills in a preset, `GOODBOT_SMALL` or `GOODBOT_TINY`.
 //
-// # Safety
+// The caller sees to it:
 // `capacities` is null or points to memory for it.
 enum goodbot_status goodbot_preset(uint32_t preset, struct goodbot_capacities *capacities);
 
 // Bytes that a robot in a home takes with these capacities; 0 for null.
 //
-// # Safety
+// The caller sees to it:
 // `capacities` is null or points to capacities.
 size_t goodbot_size(const struct goodbot_capacities *capacities);
 
 // Bytes that a robot of the caller's own takes with these capacities; 0 for null.
 //
-// # Safety
+// The caller sees to it:
 // `capacities` is null or points to capacities.
 size_t goodbot_table_size(const struct goodbot_capacities *capacities);
 
 // Begins the robot's own random choices anew: the same seed, the same choices.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_seed(struct goodbot *robot, uint64_t seed);
 
 // The table that was full last: its name in `name` (cut to `bytes` with its 0), how much it holds, and how much was asked of it.
 // `UNKNOWN` where none was.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle; `name` is room for `bytes` bytes; the others are room for a number.
 enum goodbot_status goodbot_full(struct goodbot *robot,
                                  char *name,
@@ -332,7 +352,7 @@ enum goodbot_status goodbot_full(struct goodbot *robot,
 // Makes a robot that will live in homes, in the caller's memory: `bytes` bytes, aligned to 8, as many as `goodbot_size` says. It
 // understands commands to go to a room and to bring a block to a room.
 //
-// # Safety
+// The caller sees to it:
 // `memory` is null or the caller's memory for this alone, which stays where it is; `capacities` and `robot` are null or point to what
 // they say.
 enum goodbot_status goodbot_init_home(void *memory,
@@ -342,13 +362,13 @@ enum goodbot_status goodbot_init_home(void *memory,
 
 // Begins to describe a home. What was learned stays; a session under way ends unlearned.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_home_begin(struct goodbot *robot);
 
 // Adds a room: the box of its border, whose cells are wall where no door is, and its colour.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle; the texts are null or C strings.
 enum goodbot_status goodbot_home_room(struct goodbot *robot,
                                       const char *name,
@@ -360,7 +380,7 @@ enum goodbot_status goodbot_home_room(struct goodbot *robot,
 
 // Adds a door: a box of cells where no wall stands.
 //
-// # Safety
+// The caller sees to it:
 // As `goodbot_home_room`.
 enum goodbot_status goodbot_home_door(struct goodbot *robot,
                                       const char *name,
@@ -371,7 +391,7 @@ enum goodbot_status goodbot_home_door(struct goodbot *robot,
 
 // Adds a block.
 //
-// # Safety
+// The caller sees to it:
 // As `goodbot_home_room`.
 enum goodbot_status goodbot_home_block(struct goodbot *robot,
                                        const char *name,
@@ -382,7 +402,7 @@ enum goodbot_status goodbot_home_block(struct goodbot *robot,
 
 // Adds the robot itself.
 //
-// # Safety
+// The caller sees to it:
 // As `goodbot_home_room`.
 enum goodbot_status goodbot_home_agent(struct goodbot *robot,
                                        const char *name,
@@ -392,13 +412,13 @@ enum goodbot_status goodbot_home_agent(struct goodbot *robot,
 // Checks the home as a whole. Actions 0 to 3 are then north, south, east and west; a block in the way is pushed. Where it fails, begin
 // the description again.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_home_build(struct goodbot *robot);
 
 // Says where the robot itself or a block is, as sensed.
 //
-// # Safety
+// The caller sees to it:
 // As `goodbot_home_room`.
 enum goodbot_status goodbot_home_place(struct goodbot *robot,
                                        const char *name,
@@ -407,7 +427,7 @@ enum goodbot_status goodbot_home_place(struct goodbot *robot,
 
 // Where the robot itself or a block is.
 //
-// # Safety
+// The caller sees to it:
 // As `goodbot_home_room`; `x` and `y` are null or room for a number.
 enum goodbot_status goodbot_home_where(struct goodbot *robot,
                                        const char *name,
@@ -417,7 +437,7 @@ enum goodbot_status goodbot_home_where(struct goodbot *robot,
 // Makes a robot of the caller's own, in the caller's memory: `bytes` bytes, aligned to 8, as many as `goodbot_table_size` says. The
 // description and all that it points to must stay as long as the robot is used.
 //
-// # Safety
+// The caller sees to it:
 // `memory` is null or the caller's memory for this alone, which stays where it is; the other pointers are null or point to what they
 // say.
 enum goodbot_status goodbot_init_table(void *memory,
@@ -428,20 +448,20 @@ enum goodbot_status goodbot_init_table(void *memory,
 
 // Says which state things are in, as sensed.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_table_set_state(struct goodbot *robot, uint32_t state);
 
 // Which state things are in.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle, `state` null or room for a number.
 enum goodbot_status goodbot_table_state(struct goodbot *robot, uint32_t *state);
 
 // Says how the trainer rewards and punishes: the probability of silence after a right action and after a wrong one, and of taking one
 // for the other. Without this, it is 0.7, 0.7 and 0.1. A session under way ends unlearned.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_trainer(struct goodbot *robot,
                                     float mu_plus,
@@ -450,20 +470,20 @@ enum goodbot_status goodbot_trainer(struct goodbot *robot,
 
 // Hears a command: a session begins in the state in which things are now.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle, `command` null or a C string in UTF-8.
 enum goodbot_status goodbot_hear(struct goodbot *robot, const char *command);
 
 // Plans for the state in which things are now, at most `budget` states of the search. `WORKING` means: call again.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_plan(struct goodbot *robot,
                                  uint32_t budget);
 
 // Decides on an action in the state that was planned for. `plan` may be null; it is given `GOODBOT_PLAN_GOAL` and so on.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle; `action` is room for one, `plan` is null or room for a number.
 enum goodbot_status goodbot_decide(struct goodbot *robot,
                                    uint8_t *action,
@@ -472,7 +492,7 @@ enum goodbot_status goodbot_decide(struct goodbot *robot,
 // Takes in what the trainer said to an action that was done in the state that was planned for: `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
 // `GOODBOT_NEUTRAL`.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_feedback(struct goodbot *robot,
                                      uint8_t action,
@@ -480,44 +500,44 @@ enum goodbot_status goodbot_feedback(struct goodbot *robot,
 
 // Takes in that the trainer did an action to show the way.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_demonstration(struct goodbot *robot, uint8_t action);
 
 // Takes note that an action was done and did what the description says. A robot that senses where things are says that instead.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_done(struct goodbot *robot,
                                  uint8_t action);
 
 // Ends the session and begins to learn from it: call `goodbot_learn` until it is done.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_finish(struct goodbot *robot);
 
 // Ends the session without learning from it.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_forget(struct goodbot *robot);
 
 // Goes on learning, at most about `budget` table cells of work. `WORKING` means: call again.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_learn(struct goodbot *robot, uint32_t budget);
 
 // How many tasks the command may mean.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle, `count` null or room for a number.
 enum goodbot_status goodbot_task_count(struct goodbot *robot, uint32_t *count);
 
 // How probable a task is.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle, `probability` null or room for a number.
 enum goodbot_status goodbot_task_probability(struct goodbot *robot,
                                              uint32_t task,
@@ -525,13 +545,13 @@ enum goodbot_status goodbot_task_probability(struct goodbot *robot,
 
 // The most likely task.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle, `task` null or room for a number.
 enum goodbot_status goodbot_most_likely(struct goodbot *robot, uint32_t *task);
 
 // Writes a task as text, such as `blockInRoom(block0,room1)`, with a 0 at its end. `BUFFER` where it does not fit.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle; `buffer` is null or room for `bytes` bytes.
 enum goodbot_status goodbot_task_text(struct goodbot *robot,
                                       uint32_t task,
@@ -540,13 +560,13 @@ enum goodbot_status goodbot_task_text(struct goodbot *robot,
 
 // Bytes that `goodbot_save` would write now.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle, `bytes` null or room for a number.
 enum goodbot_status goodbot_saved_size(struct goodbot *robot, size_t *bytes);
 
 // Saves all that was learned, in a format that is the same on every machine. `written` is given the length.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle; `buffer` is null or room for `bytes` bytes; `written` is null or room for a number.
 enum goodbot_status goodbot_save(struct goodbot *robot,
                                  uint8_t *buffer,
@@ -556,7 +576,7 @@ enum goodbot_status goodbot_save(struct goodbot *robot,
 // Takes over what was saved, in place of what was learned here. Call `goodbot_learn` until it is done. On any failure the robot is as
 // before.
 //
-// # Safety
+// The caller sees to it:
 // `robot` is null or a handle; `model` is null or points to `bytes` bytes.
 enum goodbot_status goodbot_restore(struct goodbot *robot,
                                     const uint8_t *model,

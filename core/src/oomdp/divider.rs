@@ -25,7 +25,11 @@ impl Divider {
             let quotient = if self.by == 1 { number } else { (number as u32 as u64 * (self.inverse as u32 as u64)) >> 32 };
             (quotient, number.wrapping_sub(quotient.wrapping_mul(self.by)))
         } else {
-            (number / self.by, number % self.by)
+            // Never 0, which the compiler does not know: a division that can panic would bring the text for it.
+            match (number.checked_div(self.by), number.checked_rem(self.by)) {
+                (Some(quotient), Some(rest)) => (quotient, rest),
+                _ => (0, 0),
+            }
         }
     }
 }

@@ -36,6 +36,29 @@ const TYPES: [(&str, &str); 11] = [
     ("GoodbotHolds", "goodbot_holds"),
 ];
 
+const HEAD: &str = "\
+/* goodbot: a robot that learns what your words mean from reward and punishment. docs/robot.md leads through a whole program.
+
+   The order of calls, each function's own rules beside it:
+
+     goodbot_preset, goodbot_init_home          a robot, in your memory; goodbot_init_table for one that is no home
+     goodbot_restore, goodbot_learn ...         what it learned before, if it has
+     goodbot_home_begin ... goodbot_home_build  where it is
+     goodbot_hear                               a command: a session begins
+       goodbot_plan ..., goodbot_decide         an action; you do it
+       goodbot_feedback                         what the trainer says to it
+       goodbot_done or goodbot_home_place       where things are then
+     goodbot_finish, goodbot_learn ...          the session is learned from; goodbot_forget if it shall not be
+     goodbot_save                               what it has learned, as bytes
+
+   What holds for all of them:
+
+   - Every function returns a status; GOODBOT_STATUS_OK is 0. What fails changes nothing, where nothing else is said.
+   - Memory is yours, aligned to 8. It must stay where it is and hold nothing else; nothing has to be given back.
+   - Texts are UTF-8 and end with 0. They are copied, but for those that a goodbot_table points to.
+   - Nothing is global: robots do not know of each other. One robot is one thread's at a time.
+   - goodbot_plan and goodbot_learn do as much as their budget says and no more; the others are short, as docs/footprint.md counts. */";
+
 const TRAILER: &str = "\
 /** Bytes of a robot in a home, known when the program is compiled: `static _Alignas(8) unsigned char memory[GOODBOT_SMALL_BYTES];` */
 #define GOODBOT_SMALL_BYTES (sizeof(void *) == 4 ? GOODBOT_SMALL_BYTES_32 : GOODBOT_SMALL_BYTES_64)
@@ -54,7 +77,7 @@ fn generate() -> Result<String> {
         language: Language::C,
         include_guard: Some("GOODBOT_H".to_owned()),
         autogen_warning: Some("/* Written by `cargo xtask capi`; do not change it by hand. */".to_owned()),
-        header: Some("/* goodbot: a robot that learns what your words mean from reward and punishment. See docs/robot.md. */".to_owned()),
+        header: Some(HEAD.to_owned()),
         trailer: Some(TRAILER.to_owned()),
         cpp_compat: true,
         usize_is_size_t: true,
@@ -70,7 +93,8 @@ fn generate() -> Result<String> {
     let builder = SOURCES.iter().fold(Builder::new().with_config(config), |builder, file| builder.with_src(sources.join(file)));
     let mut bytes = Vec::new();
     builder.generate().context("cbindgen could not read capi/src")?.write(&mut bytes);
-    String::from_utf8(bytes).context("the header is no text")
+    // Rust's heading for what the caller promises.
+    Ok(String::from_utf8(bytes).context("the header is no text")?.replace("// # Safety\n", "// The caller sees to it:\n"))
 }
 
 /// Writes the header.

@@ -18,8 +18,8 @@ Flash is code, constants and the interrupt table, the course's own texts and hom
 const BETWEEN: &str = "
 ## Instructions
 
-Counted by the emulator, the same in every run. Each number is the dearest of its kind in the whole course. They are instructions, not
-cycles.
+Counted by the emulator, the same in every run. Each number is the dearest of its kind in the whole course: for hearing a command, one of
+the tests, which have the most tasks and are not acted on. They are instructions, not cycles.
 
 ";
 
