@@ -3,6 +3,8 @@
 #![deny(missing_docs)]
 
 pub mod dijkstra;
+#[cfg(target_arch = "wasm32")]
+pub mod exports;
 pub mod homes;
 pub mod language;
 pub mod timing;

@@ -7,7 +7,7 @@ use goodbot::home::{self, Moves};
 use goodbot::language::Settings;
 use goodbot::oomdp::Action;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
-use goodbot_course::{Homes, generator, run_course};
+use goodbot_course::{HomeName, Homes, generator, run_course};
 use goodbot_tests::random_homes::random_home;
 use rand_pcg::Pcg32;
 
@@ -32,6 +32,9 @@ fn work(name: impl Into<String>, prepare: impl Fn() -> Box<dyn FnMut()> + 'stati
 pub fn all() -> Vec<Work> {
     let mut works = vec![work("hear a command", hear), work("feedback to one action", feedback)];
     works.push(work("the course", || Box::new(course)));
+    for name in [HomeName::A, HomeName::B, HomeName::C, HomeName::D, HomeName::E, HomeName::F] {
+        works.push(work(format!("plan, the course's environment {name:?}"), move || plan_of_course(name)));
+    }
     for count in [8, 64, 512] {
         works.push(work(format!("EM round, {count} sessions"), move || em_round(count)));
     }
@@ -81,6 +84,18 @@ fn em_round(count: usize) -> Box<dyn FnMut()> {
     let settings = Settings { rounds: 1, ..Settings::PAPER };
     let mut model = model(lasting(&Capacities::STANDARD).split().agent.language, &sessions(count), settings, 0.25);
     Box::new(move || train(&mut model))
+}
+
+/// The first plan in one of the course's fixed environments, over and over.
+fn plan_of_course(name: HomeName) -> Box<dyn FnMut()> {
+    let parts = lasting(&Capacities::SMALL).split();
+    let (home, start) = Homes::FIXED.layout(name).build(parts.home).expect("a home");
+    let mut agent = Agent::new(parts.agent, &home::paper_tasks().expect("the tasks"), Options::PAPER).expect("an agent");
+    agent.hear(&home, &start, "go").expect("a command");
+    Box::new(move || {
+        agent.hear_again(&home, &start).expect("the same session");
+        agent.plan_fully(&home, &start).expect("a plan");
+    })
 }
 
 fn plan(rooms: i32, blocks: i32) -> Box<dyn FnMut()> {

@@ -1,5 +1,6 @@
 //! goodbot's development commands: `cargo xtask --help`.
 
+mod bench_wasm;
 mod capi;
 mod compare;
 mod firmware;
@@ -36,6 +37,8 @@ enum Task {
     Test(test::Options),
     /// Measures goodbot beside other programs on the same work; those that cannot be installed are left out.
     Compare,
+    /// Times each benchmark here and in WebAssembly, run by node.
+    BenchWasm,
     /// Counts the instructions of each benchmark, by valgrind.
     Instructions {
         /// Only works with this in their name.
@@ -69,6 +72,7 @@ fn run() -> Result<ExitCode> {
         Task::Page => page::build()?,
         Task::Test(options) => return test::run(&options),
         Task::Compare => compare::run()?,
+        Task::BenchWasm => bench_wasm::run()?,
         Task::Instructions { filter } => instructions::run(&filter)?,
         Task::Plot => process::run(project::cargo().args([
             "run",

@@ -1,0 +1,28 @@
+//! The works for a WebAssembly host, which takes the time: `peers/wasm.mjs`.
+
+use std::cell::RefCell;
+
+use crate::works;
+
+thread_local! {
+    static RUN: RefCell<Option<Box<dyn FnMut()>>> = const { RefCell::new(None) };
+}
+
+/// Makes a work ready, by its position.
+#[unsafe(no_mangle)]
+pub extern "C" fn prepare(position: u32) {
+    let work = works::all().into_iter().nth(position as usize);
+    RUN.set(work.map(|work| (work.prepare)()));
+}
+
+/// Does it so many times.
+#[unsafe(no_mangle)]
+pub extern "C" fn run(times: u32) {
+    RUN.with_borrow_mut(|run| {
+        for _ in 0..times {
+            if let Some(run) = run {
+                run();
+            }
+        }
+    });
+}
