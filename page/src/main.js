@@ -26,7 +26,7 @@ function render() {
     $(id).setAttribute('aria-disabled', !active);
     const given = Boolean(session && session.feedback === (id === 'good' ? 'reward' : 'punish'));
     $(id).setAttribute('aria-pressed', given);
-    $(id).querySelector('small').textContent = given ? 'it ' + acted(session.decided.action) : '';
+    $(id).querySelector('small').textContent = given ? acted(session.decided.action).split(' where')[0] : '';
   }
   $('to').textContent = !session || !session.decided ? 'Your word goes to the robot’s last step.' : session.looking ? 'A test: no feedback.'
     : 'It ' + acted(session.decided.action) + '. ' + ({ reward: 'You said Good.', punish: 'You said Bad.' }[session.feedback] || 'Good or Bad?');

@@ -50,7 +50,7 @@ function fill(element, attributes, children) {
   return element;
 }
 
-const percent = p => (p > 0 && p < 0.005 ? '< 1 %' : p < 1 && p > 0.995 ? '> 99 %' : Math.round(p * 100) + ' %');
+const percent = p => (p > 0 && p < 0.005 ? '< 1' : p < 1 && p > 0.995 ? '> 99' : Math.round(p * 100)) + '\u00a0%';
 
 // Tells those who listen, and shows it for a moment to those who look.
 let toastTimer = 0;

@@ -73,6 +73,8 @@ for (const home of ['A', 'B', 'C', 'D', 'E', 'F', 'Test']) {
     await page.getByText('Good or Bad?').waitFor();
     // The robot may have much to say.
     await page.evaluate(() => { document.querySelector('#say strong').textContent = 'Perhaps you mean: take the magenta backpack (block12) to the yellow room (room10)?'; });
+    await page.tap('#pause');
+    await page.tap('#good');
     const box = async id => page.locator(id).boundingBox();
     const [plan, desk, good, bad, finish] = await Promise.all(['#plan', '.desk', '#good', '#bad', '#finish'].map(box));
     assert.equal(await page.evaluate(() => window.scrollY), 0);

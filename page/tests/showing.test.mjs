@@ -107,7 +107,7 @@ test('a robot that learns its trainer’s style shows what it believes of it', a
   await play(page, 'A');
   await tell(page, 'go to the red room');
   const before = await page.locator('#style .value').allTextContents();
-  assert.deepEqual(before, ['32 %', '36 %', '32 %']);
+  assert.deepEqual(before, ['32\u00a0%', '36\u00a0%', '32\u00a0%']);
   for (let step = 1; step <= 3; step += 1) {
     await page.click('#bad');
     await page.waitForFunction(count => document.querySelectorAll('#steps tr').length >= count, step);
