@@ -165,6 +165,7 @@ fn a_vocabulary_that_was_restored_full_makes_room_for_a_command_of_new_words() {
     let error = AgentError::Capacity(CapacityError::full(Capacity::Words, words));
     assert_eq!(train(&mut full, &new, Strategy::BALANCED, &mut random), Err(error));
     full.learn_fully();
+    assert_eq!(tests_passed(&mut full), 5, "what was learned is still known");
     assert_eq!(train(&mut full, &new, Strategy::BALANCED, &mut random), Ok(()));
     assert!(full.language().words().find("vite").is_some());
 }

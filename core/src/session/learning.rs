@@ -50,15 +50,19 @@ impl Agent<'_> {
             self.language.forget_unlearned();
             if self.sentence.iter().all(Option::is_none) {
                 self.language.tidy_vocabulary(&mut self.sentence, &mut [])?;
-                self.language.begin_training();
+                self.begin_training();
             }
             return Err(error.into());
         }
         self.language.tidy_vocabulary(&mut self.sentence, self.candidates.all_tokens_mut())?;
         self.candidates.renamed();
+        self.begin_training();
+        Ok(())
+    }
+
+    fn begin_training(&mut self) {
         self.workspace_to_training();
         self.language.begin_training();
-        Ok(())
     }
 
     /// The weight of each machine command of the session as it stands, for [`finish`](Self::finish) and for those who look on: the entries
