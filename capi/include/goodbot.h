@@ -474,7 +474,7 @@ enum goodbot_status goodbot_trainer(struct goodbot *robot,
 // `robot` is null or a handle, `command` null or a C string in UTF-8.
 enum goodbot_status goodbot_hear(struct goodbot *robot, const char *command);
 
-// Plans for the state in which things are now, at most `budget` states of the search. `WORKING` means: call again.
+// Plans for the state in which things are now, at most about `budget` looks of the search, each at a state or a row of states. `WORKING` means: call again.
 //
 // The caller sees to it:
 // `robot` is null or a handle.

@@ -74,7 +74,7 @@ pub unsafe extern "C" fn goodbot_hear(robot: *mut Goodbot, command: *const c_cha
     }
 }
 
-/// Plans for the state in which things are now, at most `budget` states of the search. `WORKING` means: call again.
+/// Plans for the state in which things are now, at most about `budget` looks of the search, each at a state or a row of states. `WORKING` means: call again.
 ///
 /// # Safety
 /// `robot` is null or a handle.

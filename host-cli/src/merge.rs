@@ -87,7 +87,6 @@ fn room_for(ours: &Contents<'_>, theirs: &Contents<'_>) -> Capacities {
         length_pairs: lengths,
         states: 0,
         hashed_states: 0,
-        sweep_words: 0,
         ..standard
     }
 }

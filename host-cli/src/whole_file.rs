@@ -5,17 +5,26 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Writes a file so that it has its old content or the new one, whenever the power goes: a new file beside it takes its name when it is
-/// whole and on the disk.
+/// whole and on the disk. A link is followed, and what is no ordinary file, a pipe or a device, is written to as it is.
 ///
 /// # Errors
-/// What the file system says; the file is then as before.
+/// What the file system says; an ordinary file is then as before.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
+    let real = std::fs::canonicalize(path);
+    let path = real.as_deref().unwrap_or(path);
+    let there = std::fs::metadata(path).ok();
+    if there.as_ref().is_some_and(|there| !there.is_file()) {
+        return std::fs::OpenOptions::new().write(true).open(path)?.write_all(bytes);
+    }
     let folder = folder_of(path);
     let mut builder = tempfile::Builder::new();
     // As any new file; a temporary one would be for its owner alone.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let mut file = builder.tempfile_in(folder)?;
+    if let Some(there) = there {
+        file.as_file().set_permissions(there.permissions())?;
+    }
     file.write_all(bytes)?;
     file.as_file().sync_all()?;
     file.persist(path).map_err(|error| error.error)?;
@@ -39,8 +48,37 @@ pub fn new_file(text: &str) -> Result<PathBuf, String> {
     if path.is_dir() || path.file_name().is_none() {
         return Err("this is a folder; name a file in it".to_owned());
     }
+    if path.exists() && !path.is_file() {
+        return Ok(path);
+    }
     match tempfile::tempfile_in(folder_of(&path)) {
         Ok(_) => Ok(path),
         Err(error) => Err(format!("no file can be written in {}: {error}", folder_of(&path).display())),
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::{PermissionsExt, symlink};
+
+    #[test]
+    fn a_link_is_followed_and_a_file_keeps_who_may_read_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, link) = (folder.path().join("model"), folder.path().join("link"));
+        std::fs::write(&file, b"old").unwrap();
+        std::fs::set_permissions(&file, PermissionsExt::from_mode(0o600)).unwrap();
+        symlink(&file, &link).unwrap();
+        write_whole(&link, b"new").unwrap();
+        assert!(std::fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(std::fs::read(&file).unwrap(), b"new");
+        assert_eq!(std::fs::metadata(&file).unwrap().permissions().mode() & 0o777, 0o600);
+    }
+
+    #[test]
+    fn a_device_is_written_to_and_stays_a_device() {
+        let null = new_file("/dev/null").unwrap();
+        write_whole(&null, b"gone").unwrap();
+        assert!(!std::fs::metadata("/dev/null").unwrap().is_file());
     }
 }

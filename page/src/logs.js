@@ -37,10 +37,10 @@ function beginRecorded(record, last) {
   world.setPrior(Float32Array.from(names.map(name => record.prior[name] || 0)));
 }
 
-// Goes through the lines, and gives those that were learned from.
+// Goes through the lines, and gives those that were learned from, with the sessions that they go on from.
 async function learnFrom(lines) {
   const learned = [];
-  let [session, last, own, number, shown] = [null, null, [], 0, 0];
+  let [session, last, own, unlearned, number, shown] = [null, null, [], [], 0, 0];
   for (const line of lines) {
     number += 1;
     if (!line.trim()) continue;
@@ -52,6 +52,7 @@ async function learnFrom(lines) {
       if (record.type === 'session') {
         beginRecorded(record, last);
         session = record;
+        if (!record.continues) unlearned = [];
         own = [line];
       } else if (record.type === 'step') {
         await inParts(() => world.plan(PLAN_BUDGET));
@@ -64,8 +65,12 @@ async function learnFrom(lines) {
         if (record.learn) {
           world.finish();
           await inParts(() => world.learn(LEARN_BUDGET));
-          learned.push(...own);
-        } else world.forget();
+          learned.push(...unlearned, ...own);
+          unlearned = [];
+        } else {
+          world.forget();
+          unlearned.push(...own);
+        }
         [session, last] = [null, session];
         state.sessions = world.sessions();
         state.progress = 'Line ' + number + ' of ' + lines.length + '.';

@@ -257,8 +257,12 @@ async function undoSession() {
   state.phase = 'learning';
   try {
     await takeModel(model);
+  } catch (error) {
+    tell('The last session cannot be undone: ' + error.message + '.', true);
+    return;
   } finally {
     state.phase = 'none';
+    render();
   }
   keepUndo(null);
   keep(KEYS.log, log);

@@ -112,7 +112,7 @@ impl Goodbot {
         self.0.hear(command).map_err(thrown)
     }
 
-    /// Goes on planning, expanding at most `budget` states. Gives whether the plan is done.
+    /// Goes on planning, with at most about `budget` looks. Gives whether the plan is done.
     pub fn plan(&mut self, budget: u32) -> Thrown<bool> {
         self.0.plan(budget).map_err(thrown)
     }
@@ -190,7 +190,7 @@ impl Goodbot {
         self.0.look_ahead(task);
     }
 
-    /// Goes on looking ahead, expanding about `budget` states: JSON, [`Route`](crate::view::Route), or `null` where the task leads nowhere;
+    /// Goes on looking ahead, with about `budget` looks: JSON, [`Route`](crate::view::Route), or `null` where the task leads nowhere;
     /// empty while it is still looking.
     pub fn look(&mut self, budget: u32) -> Thrown<String> {
         match self.0.look(budget) {

@@ -7,8 +7,8 @@ use goodbot::task::TaskSet;
 
 use crate::cells::{Lookout, SCOUT, Scout, memory};
 
-/// How many states a look ahead may expand before it is given up.
-const MOST_EXPANDED: u32 = 200_000;
+/// How many looks of the search a look ahead may take before it is given up.
+const MOST_LOOKS: u32 = 200_000;
 /// How many steps it may go.
 const MOST_STEPS: usize = 300;
 
@@ -34,10 +34,10 @@ pub struct Lookahead {
 impl Lookahead {
     /// A look from a state to where a task is done.
     pub fn new(state: HomeState, task: usize) -> Self {
-        Self { states: vec![state], task, left: MOST_EXPANDED, searching: false, arrived: false }
+        Self { states: vec![state], task, left: MOST_LOOKS, searching: false, arrived: false }
     }
 
-    /// Goes on, expanding at most about `budget` states. A look that is done may lead nowhere.
+    /// Goes on, with at most about `budget` looks. A look that is done may lead nowhere.
     pub fn advance(&mut self, lookout: &mut Lookout<'_>, home: &Home<'_>, budget: u32) -> Progress {
         let mut budget = budget.max(1);
         while budget > 0 && !self.arrived {

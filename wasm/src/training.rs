@@ -73,7 +73,7 @@ impl World {
         self.recording.is_some()
     }
 
-    /// Goes on planning for where everything is now, expanding at most `budget` states. Gives whether the plan is done.
+    /// Goes on planning for where everything is now, with at most about `budget` looks. Gives whether the plan is done.
     ///
     /// # Errors
     /// Where no session is under way.
@@ -199,7 +199,7 @@ impl World {
         if self.recording.take().is_some() {
             self.mind.with_dependent_mut(|_, agent| agent.forget());
         }
-        self.acted = None;
+        (self.acted, self.ahead) = (None, None);
     }
 
     /// How many sessions the robot has learned from.
@@ -237,7 +237,7 @@ impl World {
         self.ahead = Some(Lookahead::new(self.state, task));
     }
 
-    /// Goes on looking ahead, expanding about `budget` states. Gives whether it is done, and then the route; none where the task leads
+    /// Goes on looking ahead, with about `budget` looks. Gives whether it is done, and then the route; none where the task leads
     /// nowhere, or finding out takes too long.
     pub fn look(&mut self, budget: u32) -> (bool, Option<Route>) {
         let Self { ahead, scout, rooms, .. } = self;

@@ -145,7 +145,7 @@ impl<'m> Agent<'m> {
         self.sentence.clear();
     }
 
-    /// Plans for `state`, expanding at most `budget` states of the search. Call until done; a different state begins anew.
+    /// Plans for `state`, with at most about `budget` looks of the search. Call until done; a different state begins anew.
     ///
     /// # Errors
     /// [`AgentError::NoSession`].
