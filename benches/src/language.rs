@@ -46,7 +46,7 @@ pub fn model<'m>(
     settings: Settings,
     weight: f32,
 ) -> LanguageModel<'m> {
-    let mut model = LanguageModel::new(memory, settings);
+    let mut model = LanguageModel::new(memory, settings).expect("settings to train with");
     for (english, machine) in data {
         let sentence = model.hear(&english.join(" ")).expect("a command");
         let commands: Vec<Vec<_>> = machine

@@ -85,7 +85,7 @@ impl From<AgentError> for Failure {
             AgentError::NotPlanned => GoodbotStatus::NotPlanned,
             AgentError::StillLearning => GoodbotStatus::StillLearning,
             AgentError::NotApplicable => GoodbotStatus::NotApplicable,
-            AgentError::NotAProbability => GoodbotStatus::Number,
+            AgentError::NotAProbability | AgentError::Setting(_) => GoodbotStatus::Number,
             AgentError::Capacity(error) => return error.into(),
             _ => GoodbotStatus::Other,
         }

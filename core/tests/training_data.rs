@@ -10,7 +10,7 @@ goodbot::memory! { struct Memory = Capacities { words: 8, word_bytes: 8, ..Capac
 
 /// A model that heard one command, which meant the one machine token.
 fn taught(memory: &mut Memory) -> LanguageModel<'_> {
-    let mut model = LanguageModel::new(memory.split().agent.language, Settings::PAPER);
+    let mut model = LanguageModel::new(memory.split().agent.language, Settings::PAPER).unwrap();
     let go = model.tokens_mut().intern("agentInRoom").unwrap();
     let sentence = model.hear("go red").unwrap();
     model.add_session(&sentence, [([go].as_slice(), 0.75)].into_iter()).unwrap();

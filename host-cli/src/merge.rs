@@ -3,8 +3,9 @@
 use crate::outcome::Failure;
 use crate::whole_file::write_whole;
 use clap::{Args, ValueHint};
+use goodbot::capacity::{TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use goodbot::home::paper_tasks;
-use goodbot::snapshot::RestoreError;
+use goodbot::snapshot::{Contents, RestoreError};
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -24,9 +25,13 @@ pub struct MergeArgs {
     pub out: PathBuf,
 }
 
+/// The largest table of translations: larger models are refused by its name.
+const MOST_TRANSLATIONS: usize = 1 << 24;
+
 const EXAMPLES: &str = "\
-Words and machine tokens are matched by their text. Sessions at the beginning that both models have, from a
-common past, are kept once. What is believed of the trainers is that of A.
+Words and machine tokens are matched by their text. Sessions that both models have, to the last bit of their
+weights, come from a common past and are kept once. What is believed of the trainers is that of A. Models whose
+words or machine commands are formed differently (--model paper and default) are refused.
 
 Example:
   goodbot merge kitchen.model garden.model --out both.model";
@@ -39,10 +44,15 @@ pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     let (first, second) = (read(&options.first)?, read(&options.second)?);
     let refused = |path: &Path, error: RestoreError| Failure::Input(format!("{}: {error}", path.display()));
     let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
-    let mut memory = HeapMemory::new(&Capacities::STANDARD);
+    let contents = |path, bytes| Contents::read(bytes).map_err(|error| refused(path, error));
+    let (ours, theirs) = (contents(&options.first, &first)?, contents(&options.second, &second)?);
+    let mut memory = HeapMemory::new(&room_for(&ours, &theirs));
     let mut agent = Agent::new(memory.split().agent, &tasks, Options::PAPER).map_err(|error| Failure::Input(error.to_string()))?;
     agent.restore(&first).map_err(|error| refused(&options.first, error))?;
     let added = agent.join(&second).map_err(|error| refused(&options.second, error))?;
+    if ours.options != theirs.options {
+        eprintln!("{}: trained with other settings; those of {} stay", options.second.display(), options.first.display());
+    }
     let size = agent.saved_bytes().map_err(|error| Failure::Input(error.to_string()))?;
     let mut bytes = vec![0; size];
     agent.save(&mut bytes).map_err(|error| Failure::Input(error.to_string()))?;
@@ -50,6 +60,35 @@ pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     let (words, sessions) = (agent.language().words().len(), agent.language().bitext().sessions());
     eprintln!("{}: {sessions} sessions, {added} of them added; {words} words", options.out.display());
     Ok(())
+}
+
+/// Room for all that both have, and not less than the standard capacities.
+fn room_for(ours: &Contents<'_>, theirs: &Contents<'_>) -> Capacities {
+    let standard = Capacities::STANDARD;
+    let sum = |least: usize, count: fn(&Contents<'_>) -> usize| least.max(count(ours).saturating_add(count(theirs)));
+    let words = sum(standard.words, |model| model.words.len());
+    let tokens = sum(standard.tokens, |model| model.tokens.len());
+    // Every pair of lengths that a model can have.
+    let lengths = (TOKENS_PER_COMMAND + 1) * (WORDS_PER_COMMAND + 1);
+    let alignments = (TOKENS_PER_COMMAND + 1) * (TOKENS_PER_COMMAND + 2) / 2 * (WORDS_PER_COMMAND + 1) * WORDS_PER_COMMAND / 2;
+    Capacities {
+        words,
+        word_bytes: sum(standard.word_bytes, |model| model.words.iter().map(str::len).sum()),
+        tokens,
+        token_bytes: sum(standard.token_bytes, |model| model.tokens.iter().map(str::len).sum()),
+        commands: sum(standard.commands, |model| model.commands.len()),
+        command_tokens: sum(standard.command_tokens, |model| model.commands.iter().map(|command| command.len()).sum()),
+        sessions: sum(standard.sessions, |model| model.sessions.len()),
+        sentence_words: sum(standard.sentence_words, |model| model.sessions.iter().map(|session| session.words.len()).sum()),
+        pairs: sum(standard.pairs, |model| model.pairs.len()),
+        strategies: standard.strategies.max(ours.strategies.len()),
+        translations: words.saturating_mul(tokens + 1).clamp(standard.translations, MOST_TRANSLATIONS),
+        alignments,
+        length_pairs: lengths,
+        states: 0,
+        hashed_states: 0,
+        ..standard
+    }
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, Failure> {

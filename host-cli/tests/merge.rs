@@ -10,19 +10,23 @@ use std::path::Path;
 
 /// A model file of what was said and meant, word by word.
 fn model(sessions: &[(&str, &str)]) -> Vec<u8> {
-    let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let mut language = LanguageModel::new(memory.split().agent.language, Options::PAPER.language);
+    model_with(sessions, &Capacities::SMALL, Options::PAPER)
+}
+
+fn model_with(sessions: &[(&str, &str)], capacities: &Capacities, options: Options) -> Vec<u8> {
+    let mut memory = HeapMemory::new(capacities);
+    let mut language = LanguageModel::new(memory.split().agent.language, options.language).unwrap();
     for (english, machine) in sessions {
         let command: Vec<Symbol> = machine.split(' ').map(|token| language.tokens_mut().intern(token).unwrap()).collect();
         let sentence = language.hear(english).unwrap();
         language.add_session(&sentence, std::iter::once((&command[..], 1.0))).unwrap();
     }
-    let mut bytes = vec![0; 4_096];
+    let mut bytes = vec![0; 1 << 20];
     let length = language.save(&mut bytes).unwrap();
     bytes.truncate(length);
     // As an agent of the home saves it.
-    let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let mut agent = Agent::new(memory.split().agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let mut memory = HeapMemory::new(capacities);
+    let mut agent = Agent::new(memory.split().agent, &paper_tasks().unwrap(), options).unwrap();
     agent.restore(&bytes).unwrap();
     let mut bytes = vec![0; agent.saved_bytes().unwrap()];
     agent.save(&mut bytes).unwrap();
@@ -87,4 +91,65 @@ fn a_damaged_model_is_bad_input_and_nothing_is_written() {
     assert!(!folder.path().join("c.model").exists());
     fs::remove_file(folder.path().join("b.model")).unwrap();
     merge(folder.path(), "c.model").code(2);
+}
+
+#[test]
+fn conflicting_orders_of_words_and_tokens_are_resolved_by_name() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("a.model"), model(&[("go red", "agentInRoom agent room roomIsRed room"), ("blue", "roomIsBlue room")]))
+        .unwrap();
+    fs::write(folder.path().join("b.model"), model(&[("blue go", "roomIsBlue room agentInRoom agent room"), ("red", "roomIsRed room")]))
+        .unwrap();
+    merge(folder.path(), "c.model").success();
+    let expected = [
+        "go red: agentInRoom agent room roomIsRed room",
+        "blue: roomIsBlue room",
+        "blue go: roomIsBlue room agentInRoom agent room",
+        "red: roomIsRed room",
+    ];
+    assert_eq!(sessions(&folder.path().join("c.model")), expected);
+}
+
+#[test]
+fn the_same_model_twice_is_the_same_model() {
+    let folder = tempfile::tempdir().unwrap();
+    let same = model(&[("go there", "agentInRoom agent room"), ("go there", "agentInRoom agent room"), ("red", "roomIsRed room")]);
+    fs::write(folder.path().join("a.model"), &same).unwrap();
+    fs::write(folder.path().join("b.model"), &same).unwrap();
+    merge(folder.path(), "c.model").success().stderr("c.model: 3 sessions, 0 of them added; 3 words\n");
+    assert_eq!(sessions(&folder.path().join("c.model")), sessions(&folder.path().join("a.model")));
+}
+
+#[test]
+fn models_of_any_capacities_are_merged() {
+    let folder = tempfile::tempdir().unwrap();
+    let large = Capacities {
+        words: 3_000,
+        word_bytes: 30_000,
+        sessions: 3_000,
+        sentence_words: 3_000,
+        pairs: 3_000,
+        translations: 20_000,
+        ..Capacities::SMALL
+    };
+    let names: Vec<String> = (0..1_500).map(|word| format!("word{word}")).collect();
+    let many: Vec<(&str, &str)> = names.iter().map(|name| (name.as_str(), "agentInRoom agent room")).collect();
+    fs::write(folder.path().join("a.model"), model_with(&many, &large, Options::PAPER)).unwrap();
+    fs::write(folder.path().join("b.model"), model_with(&[("red", "roomIsRed room")], &Capacities::TINY, Options::PAPER)).unwrap();
+    merge(folder.path(), "c.model").success().stderr("c.model: 1501 sessions, 1 of them added; 1501 words\n");
+}
+
+#[test]
+fn models_that_form_words_differently_are_refused_and_other_settings_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("a.model"), model(&[("red", "roomIsRed room")])).unwrap();
+    fs::write(folder.path().join("b.model"), model_with(&[("blue", "roomIsBlue room")], &Capacities::SMALL, Options::DEFAULT)).unwrap();
+    let message = "error: b.model: the models form words or machine commands differently (letters of a word that count, order of facts); \
+                   learn both with the same settings\n";
+    merge(folder.path(), "c.model").code(2).stdout("").stderr(message);
+    assert!(!folder.path().join("c.model").exists());
+    let short = Options { language: goodbot::language::Settings { rounds: 5, ..Options::PAPER.language }, ..Options::PAPER };
+    fs::write(folder.path().join("b.model"), model_with(&[("blue", "roomIsBlue room")], &Capacities::SMALL, short)).unwrap();
+    let message = "b.model: trained with other settings; those of a.model stay\nc.model: 2 sessions, 1 of them added; 2 words\n";
+    merge(folder.path(), "c.model").success().stderr(message);
 }

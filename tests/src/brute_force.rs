@@ -1,9 +1,9 @@
 //! Plans by brute force: distances by relaxing every edge until nothing changes, optimal sets by their definition.
 
+use crate::reachable::reachable;
 use goodbot::oomdp::{Action, ActionSet, Domain};
 use goodbot::planning::OptimalSet;
 use goodbot::task::{GroundedTask, LiftedTask};
-use std::collections::BTreeMap;
 
 /// The plans of every state that can be reached from one.
 pub struct BruteForce<S> {
@@ -18,15 +18,7 @@ impl<S: Copy + PartialEq> BruteForce<S> {
     /// Plans for all of `tasks` from all states that can be reached from `start`.
     pub fn new<D: Domain<State = S>>(domain: &D, start: &S, lifted: &[LiftedTask], tasks: &[GroundedTask]) -> Self {
         let actions: Vec<Action> = (0..domain.actions().len()).map(|position| Action(position as u8)).collect();
-        let mut found = BTreeMap::from([(domain.number(start), *start)]);
-        let mut open = vec![*start];
-        while let Some(state) = open.pop() {
-            for next in actions.iter().filter_map(|&action| domain.step(&state, action)) {
-                if found.insert(domain.number(&next), next).is_none() {
-                    open.push(next);
-                }
-            }
-        }
+        let found = reachable(domain, start);
         let numbers: Vec<u64> = found.keys().copied().collect();
         let states: Vec<S> = found.into_values().collect();
         let at = |state: &S| numbers.binary_search(&domain.number(state)).expect("a state that can be reached");

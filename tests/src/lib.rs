@@ -7,6 +7,7 @@ pub mod fixture;
 pub mod hostile;
 pub mod one_by_one;
 pub mod random_homes;
+pub mod reachable;
 pub mod school;
 pub mod turning_robot;
 

@@ -112,13 +112,17 @@ proptest! {
     #[test]
     fn the_penalised_likelihood_never_falls_from_one_round_to_the_next(
         data in vec((vec(0..6_usize, 1..6), vec(0..8_usize, 1..6), 0.001..=1.0_f32), 1..8),
-        smoothing in 0.01..1.0_f32, alignment_prior in 0.0..6.0_f32,
+        (smoothing, alignment_prior) in prop_oneof![
+            Just((Settings::PAPER.smoothing, Settings::PAPER.alignment_prior)),
+            Just((Settings::DEFAULT.smoothing, Settings::DEFAULT.alignment_prior)),
+            (0.01..1.0_f32, 0.0..6.0_f32),
+        ],
     ) {
         let mut last = f64::NEG_INFINITY;
         for rounds in 1..12 {
             let mut memory = HeapMemory::new(&LARGE);
             let settings = Settings { smoothing, alignment_prior, rounds, ..Settings::PAPER };
-            let mut model = LanguageModel::new(memory.split().agent.language, settings);
+            let mut model = LanguageModel::new(memory.split().agent.language, settings).unwrap();
             for (tokens, words, weight) in &data {
                 let command: Vec<Symbol> = tokens.iter().map(|token| model.tokens_mut().intern(&format!("token{token}")).unwrap()).collect();
                 let english: Vec<String> = words.iter().map(|word| format!("word{word}")).collect();

@@ -3,13 +3,13 @@
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Moves};
 use goodbot::language::{LanguageModel, Settings};
-use goodbot::oomdp::{Action, Domain, action_named, apply};
+use goodbot::oomdp::{Domain, action_named, apply};
 use goodbot::session::{Options, Weights};
 use goodbot::symbols::Symbol;
 use goodbot::{Agent, Capacities, HeapMemory};
 use goodbot_tests::fixture::{home, read, task_text};
+use goodbot_tests::reachable::reachable;
 use serde_json::Value;
-use std::collections::BTreeMap;
 
 const TOLERANCE: f64 = 1e-4;
 
@@ -32,7 +32,7 @@ fn weighted_model_2_gives_the_reference_tables() {
             ..Settings::PAPER
         };
         let mut memory = HeapMemory::new(&Capacities::STANDARD);
-        let mut model = LanguageModel::new(memory.split().agent.language, settings);
+        let mut model = LanguageModel::new(memory.split().agent.language, settings).unwrap();
         for row in reference["data"].as_array().unwrap() {
             let command = symbols(&mut model, row[0].as_str().unwrap());
             let sentence = model.hear(row[1].as_str().unwrap()).unwrap();
@@ -68,21 +68,6 @@ fn weighted_model_2_gives_the_reference_tables() {
             assert!((f64::from(ours) - reference).abs() <= 1e-3 * reference.max(1e-30), "{ours} here, {reference} in the reference");
         }
     }
-}
-
-/// Every state reachable from the start, by its number.
-fn reachable<D: Domain>(domain: &D, start: &D::State) -> BTreeMap<u64, D::State> {
-    let mut found = BTreeMap::from([(domain.number(start), *start)]);
-    let mut open = vec![*start];
-    while let Some(state) = open.pop() {
-        for action in (0..domain.actions().len()).map(|position| Action(position as u8)) {
-            let Some(next) = domain.step(&state, action) else { continue };
-            if found.insert(domain.number(&next), next).is_none() {
-                open.push(next);
-            }
-        }
-    }
-    found
 }
 
 #[derive(Default)]

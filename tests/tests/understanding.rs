@@ -31,7 +31,7 @@ fn facts_beside_their_proposition_tell_exchanged_rooms_apart() {
 fn words_that_begin_alike_are_one_word_where_letters_count() {
     let words = |language| {
         let mut memory = HeapMemory::new(&Capacities::SMALL);
-        let mut model = goodbot::language::LanguageModel::new(memory.split().agent.language, language);
+        let mut model = goodbot::language::LanguageModel::new(memory.split().agent.language, language).unwrap();
         model.hear("orange orangey oranges").unwrap();
         model.words().len()
     };

@@ -4,7 +4,7 @@
 //! counts to the cells that explain its words; then t = (count + s) / (total + s V) and a = count / total.
 
 use super::bitext::Bitext;
-use super::model::Settings;
+use super::settings::Settings;
 use super::tables::Tables;
 use crate::planning::Progress;
 use crate::symbols::Symbol;

@@ -6,6 +6,7 @@
 //! - [`likelihood`]: Pr(e|m), exactly, without underflow;
 //! - [`forgetting`]: what gives way when memory is full;
 //! - [`em`]: weighted expectation maximisation, in steps as large as the caller allows;
+//! - [`settings`]: how it is trained;
 //! - [`model`]: all of it together.
 
 pub mod bitext;
@@ -14,10 +15,12 @@ pub mod forgetting;
 pub(crate) mod lengths;
 pub mod likelihood;
 pub mod model;
+pub mod settings;
 pub mod tables;
 pub mod tokenizer;
 
 pub use bitext::{Bitext, BitextMemory};
-pub use model::{LanguageMemory, LanguageModel, Settings};
+pub use model::{LanguageMemory, LanguageModel};
+pub use settings::{SettingError, Settings};
 pub use tables::{TableMemory, Tables};
 pub use tokenizer::Sentence;

@@ -3,47 +3,13 @@
 use super::bitext::{Bitext, BitextMemory, Extent};
 use super::em::Training;
 use super::likelihood::{length_likelihood, likelihood};
+use super::settings::{SettingError, Settings};
 use super::tables::{TableMemory, Tables};
 use super::tokenizer::{Sentence, for_each_word, word_form};
 use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
 use crate::planning::Progress;
 use crate::probability::Scaled;
 use crate::symbols::{Symbol, Symbols};
-use crate::task::TokenOrder;
-
-/// How the language model is trained.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
-    /// The pseudo-count of every word for every machine token.
-    pub smoothing: f32,
-    /// The pseudo-count, for each word's position, of an alignment that knows nothing.
-    pub alignment_prior: f32,
-    /// Rounds of EM.
-    pub rounds: u32,
-    /// Whether the command's length counts too: a factor Pr(n|l).
-    pub length: bool,
-    /// How many letters of a word count: words that begin with the same ones are one word. 0 for whole words.
-    pub word_letters: u8,
-    /// Where a constraint's facts stand in a machine command.
-    pub order: TokenOrder,
-}
-
-impl Settings {
-    /// The paper's: smoothing 0.1, no alignment prior, 10 rounds, no length factor, whole words, facts by attribute.
-    pub const PAPER: Self =
-        Self { smoothing: 0.1, alignment_prior: 0.0, rounds: 10, length: false, word_letters: 0, order: TokenOrder::Attributes };
-
-    /// What understands people best: alignments drawn towards uniform by 4 pseudo-counts, 8 rounds, smoothing 0.01, four letters a word,
-    /// and facts beside the proposition that they speak of.
-    pub const DEFAULT: Self =
-        Self { smoothing: 0.01, alignment_prior: 4.0, rounds: 8, length: false, word_letters: 4, order: TokenOrder::Propositions };
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self::DEFAULT
-    }
-}
 
 /// Memory for a [`LanguageModel`].
 #[derive(Debug)]
@@ -77,8 +43,12 @@ pub struct LanguageModel<'m> {
 
 impl<'m> LanguageModel<'m> {
     /// An untrained model.
-    pub fn new(memory: LanguageMemory<'m>, settings: Settings) -> Self {
-        Self {
+    ///
+    /// # Errors
+    /// A [`SettingError`] where a setting is none to train with.
+    pub fn new(memory: LanguageMemory<'m>, settings: Settings) -> Result<Self, SettingError> {
+        settings.check()?;
+        Ok(Self {
             settings,
             words: Symbols::new(memory.word_bytes, memory.word_ends, Capacity::Words, Capacity::WordBytes),
             tokens: Symbols::new(memory.token_bytes, memory.token_ends, Capacity::Tokens, Capacity::TokenBytes),
@@ -87,7 +57,7 @@ impl<'m> LanguageModel<'m> {
             training: Training::default(),
             learned_words: 0,
             learned_tokens: 0,
-        }
+        })
     }
 
     /// How it is trained.

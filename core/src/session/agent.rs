@@ -56,11 +56,12 @@ impl<'m> Agent<'m> {
     /// An agent that has learned nothing yet. `lifted` are the tasks that commands may mean, as many as [`LIFTED_TASKS`] at most.
     ///
     /// # Errors
-    /// A [`CapacityError`] where there are more.
+    /// [`AgentError::Capacity`] where there are more, [`AgentError::Setting`] where an option is none to learn with.
     #[inline(never)]
-    pub fn new(memory: AgentMemory<'m>, lifted: &[LiftedTask], options: Options) -> Result<Self, CapacityError> {
+    pub fn new(memory: AgentMemory<'m>, lifted: &[LiftedTask], options: Options) -> Result<Self, AgentError> {
+        options.check()?;
         let AgentMemory { language, session } = memory;
-        let mut language = LanguageModel::new(language, options.language);
+        let mut language = LanguageModel::new(language, options.language)?;
         let workspace = language.lend_workspace();
         Ok(Self {
             options,

@@ -2,6 +2,7 @@
 
 use crate::capacity::CapacityError;
 use crate::feedback::belief::BeliefError;
+use crate::language::SettingError;
 use core::fmt;
 
 /// Why the agent could not do what it was asked.
@@ -22,6 +23,8 @@ pub enum AgentError {
     NotApplicable,
     /// A strategy or a prior is no probability.
     NotAProbability,
+    /// An option is none to learn with.
+    Setting(SettingError),
     /// Something was full. What was learned before is kept.
     Capacity(CapacityError),
 }
@@ -29,6 +32,12 @@ pub enum AgentError {
 impl From<CapacityError> for AgentError {
     fn from(error: CapacityError) -> Self {
         Self::Capacity(error)
+    }
+}
+
+impl From<SettingError> for AgentError {
+    fn from(error: SettingError) -> Self {
+        Self::Setting(error)
     }
 }
 
@@ -51,6 +60,7 @@ impl fmt::Display for AgentError {
             Self::StillLearning => "the last session is still being learned from; learn on until it is done",
             Self::NotApplicable => "the action cannot be done in this state",
             Self::NotAProbability => "a prior is not a number from 0 to 1, or all are 0",
+            Self::Setting(error) => return error.fmt(f),
             Self::Capacity(error) => return error.fmt(f),
         })
     }

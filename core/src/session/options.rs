@@ -2,7 +2,7 @@
 
 use super::candidates::CandidateMemory;
 use crate::feedback::BeliefMemory;
-use crate::language::{LanguageMemory, Settings};
+use crate::language::{LanguageMemory, SettingError, Settings};
 use crate::planning::{GoalMemory, PlanMemory};
 use crate::task::GroundedTask;
 
@@ -23,7 +23,7 @@ pub struct Options {
     pub language: Settings,
     /// How machine commands are weighted.
     pub weights: Weights,
-    /// Weights up to this are dropped.
+    /// Weights up to this are dropped; less than 1.
     pub least_weight: f32,
 }
 
@@ -33,6 +33,15 @@ impl Options {
 
     /// The paper's, with the language model that understands people best: [`Settings::DEFAULT`].
     pub const DEFAULT: Self = Self { language: Settings::DEFAULT, ..Self::PAPER };
+
+    /// Whether an agent can learn with them.
+    ///
+    /// # Errors
+    /// A [`SettingError`] that names the first that is none.
+    pub fn check(&self) -> Result<(), SettingError> {
+        self.language.check()?;
+        if (0.0..1.0).contains(&self.least_weight) { Ok(()) } else { Err(SettingError::LeastWeight) }
+    }
 }
 
 impl Default for Options {

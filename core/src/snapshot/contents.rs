@@ -3,9 +3,10 @@
 use super::error::{Part, RestoreError};
 use super::record::{
     CHECK, CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OPTIONS_BYTES, OptionsRecord, PairRecord, SessionRecord, Sizes,
-    StrategyRecord, VERSION, is_weight,
+    StrategyRecord, VERSION,
 };
 use crate::capacity::NAME_BYTES;
+use crate::language::settings::is_weight;
 use crate::session::Options;
 use core::marker::PhantomData;
 use serde::Deserialize;

@@ -21,11 +21,6 @@ pub const HEADER_BYTES: usize = 14;
 pub const CHECK_BYTES: usize = 4;
 /// The shortest file that has a header, a length and a check.
 pub const LEAST_BYTES: usize = HEADER_BYTES + CHECK_BYTES;
-/// The most rounds of EM that a file may ask for, so that no file makes training endless.
-pub const MOST_ROUNDS: u32 = 1_000;
-/// The largest weight and pseudo-count that a file may have, so that no sum of them overflows.
-pub const MOST_WEIGHT: f32 = 1e6;
-
 /// The CRC-32 that ends a file (the one of Ethernet, zip and PNG), bit by bit: no table in flash.
 pub(crate) const CHECK: crc::Crc<u32, crc::NoTable> = crc::Crc::<u32, crc::NoTable>::new(&crc::CRC_32_ISO_HDLC);
 
@@ -80,15 +75,10 @@ impl OptionsRecord {
         Options { language: Settings { smoothing, alignment_prior, rounds, length, word_letters, order }, weights, least_weight }
     }
 
-    /// Whether every number can be learned with.
+    /// Whether every number is one to learn with.
     pub(crate) fn is_sound(&self) -> bool {
-        [self.smoothing, self.alignment_prior, self.least_weight].into_iter().all(is_weight) && self.rounds <= MOST_ROUNDS
+        self.options().check().is_ok()
     }
-}
-
-/// Whether a weight or pseudo-count is one that a file may have.
-pub(crate) fn is_weight(value: f32) -> bool {
-    (0.0..=MOST_WEIGHT).contains(&value)
 }
 
 /// A trainer strategy and its probability.

@@ -3,10 +3,10 @@
 use super::error::SaveError;
 use super::record::{
     CHECK, CHECK_BYTES, HEADER_BYTES, LEAST_BYTES, MAGIC, OPTIONS_BYTES, OptionsRecord, PairRecord, Sizes, StrategyRecord, VERSION,
-    is_weight,
 };
 use crate::feedback::Belief;
 use crate::language::LanguageModel;
+use crate::language::settings::is_weight;
 use crate::session::Options;
 use crate::symbols::Symbol;
 use postcard::ser_flavors::Size;

@@ -95,7 +95,7 @@ pub fn run(memory: Memory<'_>, seed: u64, budget: Budget, watch: &mut impl Watch
     let tasks = home::paper_tasks().map_err(|_| CourseError::NotPosed)?;
     // Left where it was made: taken out of the result, it would stand on the stack twice.
     let mut made = Agent::new(agent, &tasks, Options::DEFAULT);
-    let agent = made.as_mut().map_err(|error| AgentError::from(*error))?;
+    let agent = made.as_mut().map_err(|error| *error)?;
     let mut outcome = Outcome { passed: 0, tests: TESTS.len() as u32, steps: 0, digest: Digest::EMPTY };
     let mut random = generator(seed);
     for (number, lesson) in exercise::LESSONS.iter().enumerate() {

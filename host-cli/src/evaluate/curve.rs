@@ -3,7 +3,7 @@
 use super::folds::{ask, shuffled};
 use super::method::{Method, Trained};
 use crate::lessons::{Lesson, bar, training};
-use goodbot::capacity::CapacityError;
+use goodbot::AgentError;
 use goodbot::language::Settings;
 use plotters::prelude::*;
 use rayon::prelude::*;
@@ -23,8 +23,8 @@ pub struct Point {
 /// The curve, averaged over `runs` orders of the sessions.
 ///
 /// # Errors
-/// A [`CapacityError`] where a command has no room.
-pub fn points(lessons: &[Lesson], method: Method, settings: Settings, runs: usize, seed: u64) -> Result<Vec<Point>, CapacityError> {
+/// An [`AgentError`] where a command has no room.
+pub fn points(lessons: &[Lesson], method: Method, settings: Settings, runs: usize, seed: u64) -> Result<Vec<Point>, AgentError> {
     let most = lessons.len() * 9 / 10;
     let doubling = std::iter::successors(Some(2_usize), |size| Some(size * 2)).take_while(|&size| size < most);
     let sizes: Vec<usize> = doubling.chain([most]).collect();
@@ -49,7 +49,7 @@ pub fn points(lessons: &[Lesson], method: Method, settings: Settings, runs: usiz
                     Ok(right as f64 / all.max(1) as f64)
                 },
             )
-            .collect::<Result<_, CapacityError>>()?;
+            .collect::<Result<_, AgentError>>()?;
         let mean = shares.iter().sum::<f64>() / runs as f64;
         let variance = shares.iter().map(|share| (share - mean) * (share - mean)).sum::<f64>() / (runs.max(2) - 1) as f64;
         points.push(Point { sessions, mean, deviation: variance.sqrt() });

@@ -2,7 +2,7 @@
 
 use super::method::{Method, Trained};
 use crate::lessons::{Lesson, bar, training};
-use goodbot::capacity::CapacityError;
+use goodbot::AgentError;
 use goodbot::language::Settings;
 use rand_core::Rng;
 use rayon::prelude::*;
@@ -51,14 +51,14 @@ pub fn shuffled(count: usize, seed: u64) -> Vec<usize> {
 /// For each part, trains on all others and asks what is `asked` in place of each of its sessions.
 ///
 /// # Errors
-/// A [`CapacityError`] where a command has no room.
+/// An [`AgentError`] where a command has no room.
 pub fn ask_all(
     lessons: &[Lesson],
     asked: &[Vec<Lesson>],
     parts: &[Vec<usize>],
     method: Method,
     settings: Settings,
-) -> Result<Vec<Answer>, CapacityError> {
+) -> Result<Vec<Answer>, AgentError> {
     let progress = bar(parts.len(), "training");
     let actions: Vec<Lesson> = if method == Method::Action { lessons.iter().map(by_actions).collect() } else { vec![] };
     let taught = if method == Method::Action { &actions[..] } else { lessons };
@@ -78,13 +78,13 @@ pub fn ask_all(
                 Ok(answers)
             },
         )
-        .collect::<Result<_, CapacityError>>()?;
+        .collect::<Result<_, AgentError>>()?;
     progress.finish_and_clear();
     Ok(answers.into_iter().flatten().collect())
 }
 
 /// Asks for one command. Nothing where it is not known what was meant.
-pub fn ask(trained: &mut Trained<'_>, lesson: &Lesson) -> Result<Option<Answer>, CapacityError> {
+pub fn ask(trained: &mut Trained<'_>, lesson: &Lesson) -> Result<Option<Answer>, AgentError> {
     let Some(meant) = lesson.intended else { return Ok(None) };
     let posterior = trained.posterior(lesson)?;
     let best = posterior.iter().enumerate().fold(0, |best, (task, &p)| if p > posterior[best] { task } else { best });

@@ -64,13 +64,13 @@ impl<'m> Trained<'m> {
     /// Trains on lessons.
     ///
     /// # Errors
-    /// A [`CapacityError`].
+    /// An [`AgentError`](goodbot::AgentError).
     pub fn on<'l>(
         method: Method,
         memory: &'m mut HeapMemory,
         lessons: impl Iterator<Item = &'l Lesson>,
         settings: Settings,
-    ) -> Result<Self, CapacityError> {
+    ) -> Result<Self, goodbot::AgentError> {
         Ok(match method {
             Method::BagOfWords => Self::Bags(Bags::of(lessons, settings.smoothing)?),
             Method::Default | Method::Ibm2 | Method::Action => Self::Model2(Box::new(training::train(memory, lessons, settings)?)),

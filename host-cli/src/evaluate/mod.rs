@@ -79,7 +79,7 @@ Examples:
 /// Runs the command.
 pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
     let lifted = TaskKinds::and(&options.lifted).map_err(|error| Failure::Input(error.to_string()))?;
-    let capacity = |error: goodbot::capacity::CapacityError| Failure::Input(error.to_string());
+    let capacity = |error: goodbot::AgentError| Failure::Input(error.to_string());
     if options.ablation {
         let mut rows = Vec::new();
         for (name, settings) in method::ablations() {

@@ -23,7 +23,7 @@ pub struct Witness {
 
 impl Witness {
     /// One that knows no word. `plans` says whether each task's plan is wanted.
-    pub fn new(lifted: &[LiftedTask], options: Options, plans: bool) -> Result<Self, goodbot::capacity::CapacityError> {
+    pub fn new(lifted: &[LiftedTask], options: Options, plans: bool) -> Result<Self, goodbot::AgentError> {
         // One for each thread of the program.
         let memory = Box::leak(Box::new(HeapMemory::new(&Capacities::STANDARD)));
         Ok(Self { agent: Agent::new(memory.split().agent, lifted, options)?, lifted: lifted.to_vec(), plans })

@@ -1,6 +1,7 @@
 //! A language model trained on many sessions at once, and asked.
 
 use super::{Lesson, MachineCommand};
+use goodbot::AgentError;
 use goodbot::capacity::CapacityError;
 use goodbot::language::tokenizer::for_each_word;
 use goodbot::language::{LanguageModel, Settings};
@@ -57,13 +58,13 @@ pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
 /// Trains a model on lessons, from uniform parameters.
 ///
 /// # Errors
-/// A [`CapacityError`] where the memory was made for fewer lessons.
+/// An [`AgentError`] where the memory was made for fewer lessons, or a setting is none to train with.
 pub fn train<'m, 'l>(
     memory: &'m mut HeapMemory,
     lessons: impl Iterator<Item = &'l Lesson>,
     settings: Settings,
-) -> Result<LanguageModel<'m>, CapacityError> {
-    let mut model = LanguageModel::new(memory.split().agent.language, settings);
+) -> Result<LanguageModel<'m>, AgentError> {
+    let mut model = LanguageModel::new(memory.split().agent.language, settings)?;
     for lesson in lessons.filter(|lesson| lesson.learn) {
         let sentence = model.hear(&lesson.command)?;
         let pairs: Vec<(Vec<Symbol>, f32)> = lesson

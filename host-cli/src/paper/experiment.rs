@@ -38,8 +38,7 @@ fn attempt(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> R
     let mut memory = HeapMemory::new(&CAPACITIES);
     let mut parts = memory.split();
     let lifted = home::paper_tasks().map_err(|_| CourseError::NotPosed)?;
-    let mut agent = Agent::new(parts.agent, &lifted, Options { weights, ..options.model.options() })
-        .map_err(|error| CourseError::Agent(error.into()))?;
+    let mut agent = Agent::new(parts.agent, &lifted, Options { weights, ..options.model.options() }).map_err(CourseError::Agent)?;
     let mut random = generator(seed);
     let homes = match options.homes() {
         Layouts::Fixed => Homes::FIXED,

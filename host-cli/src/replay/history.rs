@@ -63,7 +63,7 @@ pub struct Outcome {
 
 impl History {
     /// An agent that has learned nothing yet. `lifted` are the tasks that commands may mean.
-    pub fn new(lifted: &[LiftedTask], options: Options) -> Result<Self, goodbot::capacity::CapacityError> {
+    pub fn new(lifted: &[LiftedTask], options: Options) -> Result<Self, goodbot::AgentError> {
         // One for the whole run of the program.
         let memory = Box::leak(Box::new(HeapMemory::new(&CAPACITIES)));
         let agent = Agent::new(memory.split().agent, lifted, options)?;

@@ -1,23 +1,31 @@
 //! Calls in any order, as a program in C may make them: each does what it says or refuses.
 
 use super::{Bytes, assert_sound};
+use crate::random_homes::{Size, random_home};
 use crate::school;
 use goodbot::feedback::{Feedback, Strategy};
-use goodbot::home::paper_tasks;
+use goodbot::home::{Home, HomeState, Moves, paper_tasks};
 use goodbot::oomdp::{Action, apply};
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use rand_pcg::Pcg32;
 
 /// At most so many calls for one input.
-const MOST_CALLS: usize = 200;
+const MOST_CALLS: usize = 100;
+
+/// A robot for small homes: many inputs a second.
+const ROBOT: Capacities = Capacities { states: 700, ..Capacities::SMALL };
 
 /// Makes the calls that the bytes say.
 pub fn calls(input: &[u8]) {
     let mut choices = Bytes::new(input);
-    let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let mut homes: Vec<HeapMemory> = (0..2).map(|_| HeapMemory::new(&Capacities::SMALL)).collect();
+    let mut memory = HeapMemory::new(&ROBOT);
+    let mut homes: Vec<HeapMemory> = (0..2).map(|_| HeapMemory::new(&Capacities { states: 0, ..ROBOT })).collect();
     let lessons = school::lessons();
-    let mut worlds: Vec<_> = homes.iter_mut().zip([0, 4]).map(|(memory, lesson)| lessons[lesson].home(memory.split().home)).collect();
+    let world = |(memory, blocks): (_, i32)| -> (Home<'_>, HomeState) {
+        let memory: &mut HeapMemory = memory;
+        random_home(&mut Pcg32::new(1, 1), Size { columns: 2, rows: 2, side: 2, blocks }, Moves::PushAndPull, memory.split().home)
+    };
+    let mut worlds: Vec<_> = homes.iter_mut().zip([0, 1]).map(world).collect();
     let mut agent = Agent::new(memory.split().agent, &paper_tasks().expect("the paper's tasks"), Options::PAPER).expect("two tasks fit");
     let mut kept = vec![0; 4_096];
     let mut length = agent.save(&mut kept).expect("an empty model is small");

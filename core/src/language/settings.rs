@@ -1,0 +1,115 @@
+//! How the language model is trained, and which settings are none to train with.
+
+use crate::task::TokenOrder;
+use core::fmt;
+
+/// The most rounds of EM, so that no setting makes training endless.
+pub const MOST_ROUNDS: u32 = 1_000;
+/// The largest weight and pseudo-count, so that no sum of them overflows.
+pub const MOST_WEIGHT: f32 = 1e6;
+
+/// How the language model is trained.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// The pseudo-count of every word for every machine token.
+    pub smoothing: f32,
+    /// The pseudo-count, for each word's position, of an alignment that knows nothing.
+    pub alignment_prior: f32,
+    /// Rounds of EM.
+    pub rounds: u32,
+    /// Whether the command's length counts too: a factor Pr(n|l).
+    pub length: bool,
+    /// How many letters of a word count: words that begin with the same ones are one word. 0 for whole words.
+    pub word_letters: u8,
+    /// Where a constraint's facts stand in a machine command.
+    pub order: TokenOrder,
+}
+
+impl Settings {
+    /// The paper's: smoothing 0.1, no alignment prior, 10 rounds, no length factor, whole words, facts by attribute.
+    pub const PAPER: Self =
+        Self { smoothing: 0.1, alignment_prior: 0.0, rounds: 10, length: false, word_letters: 0, order: TokenOrder::Attributes };
+
+    /// What understands people best: alignments drawn towards uniform by 4 pseudo-counts, 8 rounds, smoothing 0.01, four letters a word,
+    /// and facts beside the proposition that they speak of.
+    pub const DEFAULT: Self =
+        Self { smoothing: 0.01, alignment_prior: 4.0, rounds: 8, length: false, word_letters: 4, order: TokenOrder::Propositions };
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
+impl Settings {
+    /// Whether a model can be trained with them.
+    ///
+    /// # Errors
+    /// A [`SettingError`] that names the first that is none.
+    pub fn check(&self) -> Result<(), SettingError> {
+        let sound = |sound: bool, error| if sound { Ok(()) } else { Err(error) };
+        sound(is_weight(self.smoothing), SettingError::Smoothing)?;
+        sound(is_weight(self.alignment_prior), SettingError::AlignmentPrior)?;
+        sound(self.rounds <= MOST_ROUNDS, SettingError::Rounds)
+    }
+}
+
+/// Whether a weight or pseudo-count is one to train with: no infinite or negative number.
+pub(crate) fn is_weight(value: f32) -> bool {
+    (0.0..=MOST_WEIGHT).contains(&value)
+}
+
+/// The setting that nothing can be learned with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SettingError {
+    /// [`Settings::smoothing`].
+    Smoothing,
+    /// [`Settings::alignment_prior`].
+    AlignmentPrior,
+    /// [`Settings::rounds`].
+    Rounds,
+    /// [`Options::least_weight`](crate::Options::least_weight).
+    LeastWeight,
+}
+
+impl SettingError {
+    /// The field to correct.
+    pub const fn field(self) -> &'static str {
+        match self {
+            Self::Smoothing => "Settings::smoothing",
+            Self::AlignmentPrior => "Settings::alignment_prior",
+            Self::Rounds => "Settings::rounds",
+            Self::LeastWeight => "Options::least_weight",
+        }
+    }
+}
+
+impl fmt::Display for SettingError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let allowed = match self {
+            Self::Smoothing | Self::AlignmentPrior => "a number from 0 to 1000000",
+            Self::Rounds => "1000 at most",
+            Self::LeastWeight => "a number from 0 to less than 1",
+        };
+        write!(f, "{} must be {allowed}", self.field())
+    }
+}
+
+impl core::error::Error for SettingError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_that_nothing_can_be_learned_with_are_refused_by_name() {
+        for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -0.1, 1.1e6] {
+            assert_eq!(Settings { smoothing: wrong, ..Settings::PAPER }.check(), Err(SettingError::Smoothing));
+            assert_eq!(Settings { alignment_prior: wrong, ..Settings::DEFAULT }.check(), Err(SettingError::AlignmentPrior));
+        }
+        assert_eq!(Settings { rounds: 1_001, ..Settings::PAPER }.check(), Err(SettingError::Rounds));
+        assert_eq!((Settings::PAPER.check(), Settings::DEFAULT.check()), (Ok(()), Ok(())));
+    }
+}
