@@ -64,14 +64,13 @@ impl Rows {
         let Some([even, odd]) = rest.first_chunk_mut::<2>() else { return false };
         let (here, next) = if self.here == ACTIONS { (*even, odd) } else { (*odd, even) };
         let width = self.grid.width as u32;
-        let beside = |bits: u64| bits << 1 | bits >> 1 | bits.wrapping_shl(width) | bits.wrapping_shr(width);
         let taken = self.taken(domain, state, 0);
-        let reached = beside(here);
+        let reached = beside_in_word(here, width);
         let known = planes.iter().fold(0, |all, plane| all | plane) & !*next;
         let new = reached & front.get(self.cells_at(1)).copied().unwrap_or(0) & !taken & !known;
         if new != 0 {
             for plane in planes {
-                *plane |= beside(*plane & here) & new;
+                *plane |= beside_in_word(*plane & here, width) & new;
             }
             *next |= new;
             self.open(marks, row);
@@ -195,6 +194,10 @@ impl Rows {
         let mut looks = 1_u32;
         for variable in 1..domain.variables() {
             let Some(taken) = domain.taken(state, variable).map(|place| domain.bit_of(place)) else { continue };
+            let here = marks.get(here_at).copied().unwrap_or(0);
+            if self.words == 1 && beside_in_word(1_u64.wrapping_shl(taken as u32), self.grid.width as u32) & here == 0 {
+                continue;
+            }
             for (direction, toward) in self.grid.directions.into_iter().enumerate() {
                 // Behind the first cell there are bits beyond all words.
                 let bit = taken.wrapping_add_signed(self.grid.shift(direction).wrapping_neg());
@@ -230,4 +233,10 @@ impl Rows {
         let within = cells.get(bit / 64).map_or(0, |word| (word & ((1 << (bit % 64)) - 1)).count_ones());
         before.wrapping_add(within) as usize
     }
+}
+
+/// The bits beside those of a row of one word.
+#[inline]
+const fn beside_in_word(bits: u64, width: u32) -> u64 {
+    bits << 1 | bits >> 1 | bits.wrapping_shl(width) | bits.wrapping_shr(width)
 }
