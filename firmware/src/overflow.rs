@@ -1,4 +1,5 @@
-//! A stack that runs over: the processor must stop it before it changes a static. Ends with 0 where a static was changed or nothing stopped it.
+//! A stack that runs over: the processor must stop it before it changes a static. Ends with 0 where nothing stopped it, so that it ran into
+//! other memory.
 
 #![no_std]
 #![no_main]
@@ -9,8 +10,10 @@ mod fault;
 
 use core::hint::black_box;
 
-/// As much as the smallest board has of RAM.
-const DEPTH: usize = 16 * 1024 / 64;
+unsafe extern "C" {
+    static _stack_start: u32;
+    static _stack_end: u32;
+}
 
 /// Takes 64 bytes of the stack and more for each level.
 #[inline(never)]
@@ -22,7 +25,9 @@ fn descend(level: usize) -> usize {
 #[cortex_m_rt::entry]
 fn main() -> ! {
     board::print("descending\n");
-    black_box(descend(black_box(DEPTH)));
+    // A little more than the stack, and by far less than the RAM: with other memory below it, it would come back.
+    let stack = (&raw const _stack_start as usize).wrapping_sub(&raw const _stack_end as usize);
+    black_box(descend(black_box(stack / 64)));
     board::print("nothing stopped it\n");
     board::exit(0)
 }
