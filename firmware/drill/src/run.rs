@@ -5,7 +5,7 @@ use goodbot::feedback::{SimulatedTrainer, Strategy};
 use goodbot::home::{self, HomeMemory};
 use goodbot::memory::Memory;
 use goodbot::planning::Progress;
-use goodbot::{Agent, AgentError, Options};
+use goodbot::{Agent, Options};
 use goodbot_course::exercise::{self, Exercise, TESTS};
 use goodbot_course::layout::{Layout, lend};
 use goodbot_course::lesson::{Lesson, Turn};
