@@ -83,11 +83,10 @@ fn after_a_thousand_sessions_in_the_small_preset_the_five_tests_pass() {
 
 #[test]
 fn after_a_thousand_sessions_under_the_default_settings_the_five_tests_pass() {
-    for (name, life, _) in &LIVES[..3] {
-        let passed: Vec<usize> = (0..ROBOTS / 2).map(|seed| live(name, *life, Options::DEFAULT, seed)).collect();
+    for (name, life, least) in LIVES {
+        let passed: Vec<usize> = (0..ROBOTS / 2).map(|seed| live(name, life, Options::DEFAULT, seed)).collect();
         println!("{SESSIONS} sessions, {name}, default settings: tests passed {passed:?} of 5");
-        assert!(passed.iter().all(|&passed| passed >= 4), "{name}");
-        assert!(passed.iter().sum::<usize>() >= 24, "{name}");
+        assert!(passed.iter().all(|&passed| passed >= least), "{name}");
     }
 }
 
