@@ -4,7 +4,7 @@
 //! search meets for a task gives the task's distance, and the first actions of all its goal states at that distance are its optimal set:
 //! every action a with cost(s,a) + dist(step(s,a)) = dist(s). The search ends when each task has met a goal or nothing is left.
 //!
-//! Where the robot goes about in a grid, the search looks at whole [`rows`] of states at once, elsewhere at [`states`] one by one.
+//! Where the robot goes about in a grid, the search looks at whole `rows` of states at once, elsewhere at `states` one by one.
 
 mod alone;
 mod findings;
