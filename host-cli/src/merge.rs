@@ -92,5 +92,5 @@ fn room_for(ours: &Contents<'_>, theirs: &Contents<'_>) -> Capacities {
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, Failure> {
-    fs::read(path).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))
+    fs::read(path).map_err(|error| Failure::Input(format!("{}: cannot be read ({error}); check its name", path.display())))
 }

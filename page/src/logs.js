@@ -85,6 +85,7 @@ async function learnFrom(lines) {
     }
   }
   if (session) throw new Error('the last session of this log has no end');
+  if (!last) throw new Error('there is no session in this log');
   return learned;
 }
 

@@ -34,7 +34,7 @@ pub struct AskOptions {
     #[arg(value_name = "COMMAND")]
     command: String,
     /// A kind of task beside the paper's two; may be given several times
-    #[arg(long = "lifted", value_name = "TASK", value_parser = TaskKinds::parse)]
+    #[arg(long = "lifted", alias = "task", value_name = "TASK", value_parser = TaskKinds::parse)]
     lifted: Vec<goodbot::task::LiftedTask>,
     /// The robot can pull blocks too
     #[arg(long)]
@@ -119,17 +119,22 @@ fn words<D: Domain>(agent: &Agent<'_>, home: &D, best: usize) -> Result<Vec<Word
 
 fn print(options: &AskOptions, mut tasks: Vec<(String, f32)>, words: &[Word], plan: Option<&[String]>, best: usize) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
-    let said = tasks.get(best).map_or_else(String::new, |(name, _)| name.clone());
+    let (said, likeliest) = tasks.get(best).cloned().unwrap_or_default();
+    let tied = tasks.iter().filter(|&&(_, share)| share >= likeliest).count();
     if options.json {
         let tasks: serde_json::Map<_, _> = tasks.into_iter().map(|(name, share)| (name, json!(share))).collect();
         let words: Vec<_> = words.iter().map(|it| json!({"word": it.word, "token": it.token, "share": it.share})).collect();
-        let line = json!({"type": "answer", "command": options.command, "task": said, "tasks": tasks, "plan": plan, "words": words});
+        let line =
+            json!({"type": "answer", "command": options.command, "task": said, "tied": tied, "tasks": tasks, "plan": plan, "words": words});
         writeln!(out, "{line}")?;
         return Ok(());
     }
     tasks.sort_by(|a, b| b.1.total_cmp(&a.1));
     for (name, share) in &tasks {
         writeln!(out, "{share:6.3}  {name}")?;
+    }
+    if tied > 1 {
+        writeln!(out, "\nthe plan is for {said}, one of {tied} equally likely")?;
     }
     match plan {
         Some([]) => writeln!(out, "\nplan: nothing to do")?,

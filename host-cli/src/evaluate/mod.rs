@@ -36,7 +36,7 @@ pub struct EvaluateOptions {
     #[arg(long, value_name = "K")]
     k_fold: Option<NonZeroUsize>,
     /// A kind of task beside the paper's two, such as "agentInRoom(?a,?r1) & blockInRoom(?o,?r2)"; may be given several times
-    #[arg(long = "lifted", value_name = "TASK", value_parser = TaskKinds::parse)]
+    #[arg(long = "lifted", alias = "task", value_name = "TASK", value_parser = TaskKinds::parse)]
     lifted: Vec<goodbot::task::LiftedTask>,
     /// Ask each command in N random layouts of its home instead of the one it was given in
     #[arg(long, value_name = "N")]

@@ -4,6 +4,7 @@ use crate::lessons::restored;
 use crate::outcome::Failure;
 use crate::paper::lexicon::Lexicon;
 use crate::paper::plot;
+use crate::paper::table::forms;
 use crate::whole_file::{new_file, write_whole};
 use clap::{Args, ValueHint};
 use goodbot::home;
@@ -38,7 +39,8 @@ pub fn run(options: &InspectOptions) -> Result<(), Failure> {
     let lexicon = Lexicon::of(agent.language());
     let mut out = std::io::stdout().lock();
     if !options.json {
-        writeln!(out, "{} sessions, {} words", agent.language().bitext().sessions(), lexicon.words.len())?;
+        let letters = agent.language().settings().word_letters;
+        writeln!(out, "{} sessions, {} words{}", agent.language().bitext().sessions(), lexicon.words.len(), forms(letters))?;
         writeln!(out, "\nThe words of each machine token: t(word | token)")?;
     }
     for (token, row) in &lexicon.rows {

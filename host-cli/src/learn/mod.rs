@@ -28,7 +28,7 @@ pub struct LearnOptions {
     #[arg(long, value_name = "MODEL", value_hint = ValueHint::FilePath, value_parser = new_file)]
     out: PathBuf,
     /// A kind of task beside the paper's two; may be given several times
-    #[arg(long = "lifted", value_name = "TASK", value_parser = TaskKinds::parse)]
+    #[arg(long = "lifted", alias = "task", value_name = "TASK", value_parser = TaskKinds::parse)]
     lifted: Vec<goodbot::task::LiftedTask>,
     /// The settings of the model
     #[arg(long, value_enum, default_value_t)]

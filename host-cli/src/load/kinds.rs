@@ -9,7 +9,7 @@ use goodbot::task::{LiftedTask, TaskTextError};
 pub struct TaskKinds {
     /// A kind of task that commands may mean, such as "agentInRoom(?a,?r1) & blockInRoom(?o,?r2)"; may be given several times. The
     /// paper's two, if none is given.
-    #[arg(long = "task", value_name = "TASK", value_parser = Self::parse)]
+    #[arg(long = "task", alias = "lifted", value_name = "TASK", value_parser = Self::parse)]
     kinds: Vec<LiftedTask>,
 }
 

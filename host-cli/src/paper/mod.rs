@@ -13,7 +13,7 @@ pub mod lexicon;
 pub mod plot;
 mod story;
 mod summary;
-mod table;
+pub mod table;
 pub mod trainer;
 
 use crate::cli::PaperOptions;
@@ -36,7 +36,7 @@ pub fn run(options: &PaperOptions) -> Result<(), Failure> {
     let mut out = BufWriter::new(std::io::stdout().lock());
     if options.is_story() {
         let run = story::tell(options, &mut out)?;
-        table::one_run(&mut out, &run)?;
+        table::one_run(&mut out, &run, options.model.options().language.word_letters)?;
         story_picture(options, &run, &mut out)?;
     } else {
         let runs = experiment::run_all(options)?;

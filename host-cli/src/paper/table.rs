@@ -10,7 +10,7 @@ use std::io::{self, Write};
 const WORDS: usize = 4;
 
 /// One run: which commands were understood, and what was learned.
-pub fn one_run(out: &mut impl Write, run: &Run) -> io::Result<()> {
+pub fn one_run(out: &mut impl Write, run: &Run, letters: u8) -> io::Result<()> {
     writeln!(out, "\nLessons                                      on hearing  steps  good  bad  ended")?;
     for (exercise, lesson) in LESSONS.iter().zip(&run.results.lessons) {
         let (feedback, understood) = (lesson.feedback, if lesson.understood { "understood" } else { "-" });
@@ -23,12 +23,17 @@ pub fn one_run(out: &mut impl Write, run: &Run) -> io::Result<()> {
     }
     let right = run.results.tests.iter().filter(|test| test.right).count();
     writeln!(out, "  {right} of {} right", TESTS.len())?;
-    writeln!(out, "\nThe words learned for each machine token, with their probabilities")?;
+    writeln!(out, "\nThe words learned for each machine token, with their probabilities{}", forms(letters))?;
     for (token, row) in &run.lexicon.rows {
         let words: Vec<String> = run.lexicon.best(row, WORDS).iter().map(|(word, t)| format!("{word:<7} {t:.2}")).collect();
         writeln!(out, "  {token:<14} {}", words.join("   "))?;
     }
     Ok(())
+}
+
+/// Why words are cut, where they are: as many letters of a word count, 0 for all.
+pub fn forms(letters: u8) -> String {
+    if letters == 0 { String::new() } else { format!("; a word is known by its first {letters} letters") }
 }
 
 /// Many runs: shares of right answers.
