@@ -29,9 +29,9 @@ pub struct MergeArgs {
 const MOST_TRANSLATIONS: usize = 1 << 24;
 
 const EXAMPLES: &str = "\
-Words and machine tokens are matched by their text. Sessions that both models have, to the last bit of their
-weights, come from a common past and are kept once. What is believed of the trainers is that of A. Models whose
-words or machine commands are formed differently (--model paper and default) are refused.
+Words and machine tokens are matched by their text. Sessions that both models have, to the last bit of their \
+weights, come from a common past and are kept once. What is believed of the trainers is that of A. Models \
+whose words or machine commands are formed differently (--model paper and default) are refused.
 
 Example:
   goodbot merge kitchen.model garden.model --out both.model";

@@ -8,7 +8,8 @@ use goodbot_benches::homes::{LARGE, Scene, Tasks, size, sweep};
 use goodbot_benches::timing::{ROUNDS, median, time};
 use plotters::prelude::*;
 
-type Points = Vec<(f64, f64)>;
+/// Where on each axis, and what is written beside it.
+type Points = Vec<(f64, f64, String)>;
 type Failure = Box<dyn std::error::Error>;
 
 fn main() -> ExitCode {
@@ -37,12 +38,10 @@ fn by_states() -> (Points, Points) {
         let mut memory = HeapMemory::new(&LARGE);
         let mut scene = Scene::roomy(size(rooms, blocks), Tasks::Paper, &mut memory);
         let states = scene.home.state_count() as f64;
-        searches.push((states, milliseconds(&mut || scene.plan())));
-        sweeps.push((states, milliseconds(&mut || assert!(!sweep(&scene, &mut words).is_working()))));
-        eprintln!("{rooms} rooms, {blocks} blocks: {states} states, {:?} {:?}", searches.last(), sweeps.last());
-    }
-    for points in [&mut searches, &mut sweeps] {
-        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let home = format!("{rooms} rooms, {blocks} block{}", if blocks == 1 { "" } else { "s" });
+        searches.push((states, milliseconds(&mut || scene.plan()), home.clone()));
+        sweeps.push((states, milliseconds(&mut || assert!(!sweep(&scene, &mut words).is_working())), String::new()));
+        eprintln!("{home}: {states} states, {:?} {:?}", searches.last(), sweeps.last());
     }
     (searches, sweeps)
 }
@@ -54,8 +53,8 @@ fn by_tasks() -> (Points, Points) {
     for count in [1, 2, 4, 8, 16, 32, 64] {
         let mut memory = HeapMemory::new(&LARGE);
         let mut scene = Scene::roomy(size(12, 1), Tasks::Count(count), &mut memory);
-        searches.push((count as f64, milliseconds(&mut || scene.plan())));
-        sweeps.push((count as f64, milliseconds(&mut || assert!(!sweep(&scene, &mut words).is_working()))));
+        searches.push((count as f64, milliseconds(&mut || scene.plan()), String::new()));
+        sweeps.push((count as f64, milliseconds(&mut || assert!(!sweep(&scene, &mut words).is_working())), String::new()));
         eprintln!("{count} tasks: {:?} {:?}", searches.last(), sweeps.last());
     }
     (searches, sweeps)
@@ -65,8 +64,8 @@ fn draw(file: &str) -> Result<(), Failure> {
     let area = SVGBackend::new(file, (1_000, 420)).into_drawing_area();
     area.fill(&WHITE)?;
     let (left, right) = area.split_horizontally(500);
-    chart(&left, "cost against joint states", "states", by_states())?;
-    chart(&right, "cost against tasks: 12 rooms, 1 block", "tasks", by_tasks())?;
+    chart(&left, "cost against joint states, one home a point", "states", by_states(), false)?;
+    chart(&right, "cost against tasks: 12 rooms, 1 block", "tasks", by_tasks(), true)?;
     area.present()?;
     Ok(())
 }
@@ -76,11 +75,12 @@ fn chart(
     caption: &str,
     across: &str,
     lines: (Points, Points),
+    joined: bool,
 ) -> Result<(), Failure> {
     let all = || lines.0.iter().chain(&lines.1);
-    let range = |pick: fn(&(f64, f64)) -> f64| {
+    let range = |pick: fn(&(f64, f64, String)) -> f64| {
         let values = || all().map(pick);
-        values().fold(f64::MAX, f64::min) * 0.7..values().fold(f64::MIN, f64::max) * 1.4
+        values().fold(f64::MAX, f64::min) * 0.5..values().fold(f64::MIN, f64::max) * 4.0
     };
     let mut chart = ChartBuilder::on(area)
         .caption(caption, ("sans-serif", 18))
@@ -88,10 +88,15 @@ fn chart(
         .x_label_area_size(40)
         .y_label_area_size(60)
         .build_cartesian_2d(range(|point| point.0).log_scale(), range(|point| point.1).log_scale())?;
-    chart.configure_mesh().x_desc(across).y_desc("milliseconds").draw()?;
+    let plain = |value: &f64| if *value >= 1e6 { format!("{} million", value / 1e6) } else { format!("{value}") };
+    chart.configure_mesh().x_desc(across).y_desc("milliseconds").x_label_formatter(&plain).y_label_formatter(&plain).draw()?;
     for (points, colour, name) in [(&lines.0, &BLUE, "one search, all tasks"), (&lines.1, &RED, "one sweep, all tasks and states")] {
+        if joined {
+            chart.draw_series(LineSeries::new(points.iter().map(|&(x, y, _)| (x, y)), colour))?;
+        }
+        chart.draw_series(points.iter().map(|(x, y, home)| Text::new(format!("  {home}"), (*x, *y), ("sans-serif", 11))))?;
         chart
-            .draw_series(LineSeries::new(points.iter().copied(), colour).point_size(3))?
+            .draw_series(points.iter().map(|&(x, y, _)| Circle::new((x, y), 3, colour.filled())))?
             .label(name)
             .legend(move |(x, y)| PathElement::new([(x, y), (x + 16, y)], colour));
     }

@@ -32,7 +32,7 @@ pub struct EvaluateOptions {
     /// For every session, train on all the others (the default)
     #[arg(long, conflicts_with = "k_fold")]
     leave_one_out: bool,
-    /// Train on all but one of K parts, in turn
+    /// Train on all but one of K parts, in turn (2 or more)
     #[arg(long, value_name = "K")]
     k_fold: Option<NonZeroUsize>,
     /// A kind of task beside the paper's two, such as "agentInRoom(?a,?r1) & blockInRoom(?o,?r2)"; may be given several times
@@ -65,8 +65,8 @@ pub struct EvaluateOptions {
 }
 
 const EXAMPLES: &str = "\
-A session is trained on by what its steps show of the task: the posterior over tasks without any word.
-What was intended is used to count right answers, never to learn. A demonstration that ends at its goal
+A session is trained on by what its steps show of the task: the posterior over tasks without any word. \
+What was intended is used to count right answers, never to learn. A demonstration that ends at its goal \
 speaks for that goal as much as one more step of doing nothing would.
 
 Examples:
