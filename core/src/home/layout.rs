@@ -35,6 +35,32 @@ impl Area {
         cell.x > self.left && cell.x < self.right && cell.y > self.bottom && cell.y < self.top
     }
 
+    /// The box without its edge.
+    pub(super) const fn inside(&self) -> Self {
+        Self::new(self.left.wrapping_add(1), self.bottom.wrapping_add(1), self.right.wrapping_sub(1), self.top.wrapping_sub(1))
+    }
+
+    fn width(&self) -> usize {
+        usize::try_from(self.right.wrapping_sub(self.left).wrapping_add(1)).unwrap_or(0)
+    }
+
+    /// How many cells it has.
+    pub(super) fn cells(&self) -> usize {
+        self.width().saturating_mul(usize::try_from(self.top.wrapping_sub(self.bottom).wrapping_add(1)).unwrap_or(0))
+    }
+
+    /// The position of a cell of the box, row by row.
+    pub(super) fn position(&self, cell: Cell) -> Option<usize> {
+        let (x, y) = (cell.x.wrapping_sub(self.left), cell.y.wrapping_sub(self.bottom));
+        self.holds(cell).then(|| (y.unsigned_abs() as usize).saturating_mul(self.width()).saturating_add(x.unsigned_abs() as usize))
+    }
+
+    /// The cell at a position of the box.
+    pub(super) fn cell_at(&self, position: usize) -> Option<Cell> {
+        let (x, y) = (position.checked_rem(self.width())? as i32, position.checked_div(self.width())? as i32);
+        Some(Cell::new(self.left.wrapping_add(x), self.bottom.wrapping_add(y)))
+    }
+
     pub(super) const fn is_within_reach(&self) -> bool {
         Cell::new(self.left, self.bottom).is_within_reach() && Cell::new(self.right, self.top).is_within_reach()
     }

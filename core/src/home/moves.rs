@@ -1,7 +1,7 @@
 //! What the home's actions do, and which propositions hold (model: paper, section 4).
 
 use super::layout::{Area, Cell, Place, Spot, StoredArea, WALL, spot_of};
-use super::{AGENT_IN_DOOR, AGENT_IN_ROOM, BLOCK_IN_DOOR, BLOCK_IN_ROOM, SCHEMA};
+use super::{AGENT_IN_DOOR, AGENT_IN_ROOM, BLOCK_IN_DOOR, BLOCK_IN_ROOM, ROOM, SCHEMA};
 use crate::capacity::BLOCKS;
 use crate::oomdp::{Action, ActionKind, Divider, Domain, Grid, GroundProposition, ObjectId, ObjectSet, Schema};
 
@@ -164,6 +164,13 @@ impl<'m> Home<'m> {
             }
         }
         None
+    }
+
+    /// The cells of a room inside its walls, or of a door.
+    fn region_box(&self, region: usize) -> Area {
+        let object = ObjectId(region as u8);
+        let area = self.area(object);
+        if self.objects.get(object).is_some_and(|object| object.class == ROOM) { area.inside() } else { area }
     }
 
     #[inline]
@@ -350,9 +357,28 @@ impl Domain for Home<'_> {
 
     // A block is pushed from the cell behind it; pulled, it goes to any cell beside it.
     #[inline]
-    fn way_on(&self, _variable: usize, value: usize, way: usize) -> Option<usize> {
+    fn way_on(&self, variable: usize, value: usize, way: usize) -> Option<usize> {
         let (ahead, behind) = (self.neighbour(value as Spot, way), self.neighbour(value as Spot, way ^ 1));
-        (ahead != WALL && (behind != WALL || self.moves == Moves::PushAndPull)).then_some(usize::from(ahead))
+        (ahead != WALL && (variable == 0 || behind != WALL || self.moves == Moves::PushAndPull)).then_some(usize::from(ahead))
+    }
+
+    fn regions(&self) -> usize {
+        self.objects.len()
+    }
+
+    fn region_size(&self, region: usize) -> usize {
+        self.region_box(region).cells()
+    }
+
+    // A place in no room is in a door.
+    fn region_of(&self, place: usize) -> Option<(usize, usize)> {
+        let place = self.places.get(place)?;
+        let region = (if place.rooms == 0 { place.doors } else { place.rooms }).trailing_zeros() as usize;
+        Some((region, self.region_box(region).position(place.cell())?))
+    }
+
+    fn place_in(&self, region: usize, position: usize) -> Option<usize> {
+        spot_of(self.places, self.region_box(region).cell_at(position)?).map(usize::from)
     }
 
     fn ways_in(&self) -> usize {

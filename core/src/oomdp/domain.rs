@@ -194,6 +194,31 @@ pub trait Domain {
         None
     }
 
+    /// How many regions the places make up, rooms and doors say, at most 32: 0 is always correct. A domain that gives some is planned for
+    /// region by region where the memory cannot hold even the robot and the blocks of a task.
+    ///
+    /// The domain then says this: the values of variable 0, the robot's place, and of all variables that
+    /// [stand still](Self::stands_still) are the same places, and there is no other variable. [`way_on`](Self::way_on) says which places lie
+    /// side by side, for variable 0 too, with the same `way` in the same direction for all.
+    fn regions(&self) -> usize {
+        0
+    }
+
+    /// How many places a region has; a bound does.
+    fn region_size(&self, _region: usize) -> usize {
+        0
+    }
+
+    /// The region of a place, and the position of the place in it, less than the region's size.
+    fn region_of(&self, _place: usize) -> Option<(usize, usize)> {
+        None
+    }
+
+    /// The place at a position of a region.
+    fn place_in(&self, _region: usize, _position: usize) -> Option<usize> {
+        None
+    }
+
     /// How many states at most lead to one state by one action, if the domain wants to say: 0 is always correct, and makes the sweep
     /// slower.
     fn ways_in(&self) -> usize {

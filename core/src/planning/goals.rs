@@ -134,6 +134,14 @@ impl<'m> GoalTable<'m> {
         }
     }
 
+    /// A table of tasks that hold where the domain says so, whatever proposition it is asked.
+    pub(super) fn of_domain(memory: GoalMemory<'m>, tasks: TaskSet) -> Self {
+        if let Some(part) = memory.parts.first_mut() {
+            *part = GoalPart { tasks, ..GoalPart::UNUSED };
+        }
+        Self { parts: 1, all: tasks, untabled: true, ..Self::new(memory) }
+    }
+
     pub(super) fn asked(&self) -> Asked {
         self.asked
     }

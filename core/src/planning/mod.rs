@@ -4,17 +4,21 @@
 //! - [`search`]: one uniform-cost search from the current state that serves all tasks, in steps as large as the caller allows;
 //! - [`sweep`]: one sweep from all goals that serves all tasks in every state, for those who ask for all;
 //! - [`relaxed`]: plans for homes too large for that, with the blocks that do not matter to a task standing still;
+//! - `regions`: plans region by region, for memories too small for that too;
 //! - [`planner`]: which way of planning serves a state.
 
+mod confined;
 mod frontier;
 pub mod goals;
 mod lanes;
 mod optimal_set;
 pub mod planner;
+mod regions;
 pub mod relaxed;
 pub mod search;
 mod standing;
 pub mod sweep;
+mod trail;
 
 pub use goals::{GoalMemory, GoalTable};
 pub use planner::Planner;

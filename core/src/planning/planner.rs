@@ -4,10 +4,12 @@
 //! |---|---|
 //! | fits the search's memory | one search, exact |
 //! | too large, with blocks that can be taken to stand still | the [relaxation](super::relaxed) |
+//! | too large even so, with regions | [region by region](Domain::regions), approximate |
 //! | too large otherwise | a search that hashes states, until the memory is full |
 
 use super::Progress;
 use super::goals::GoalTable;
+use super::regions::Regions;
 use super::relaxed::Relaxation;
 use super::search::{PlanMemory, Search};
 use crate::oomdp::Domain;
@@ -19,6 +21,7 @@ enum Way {
     Known,
     Search,
     Relaxed,
+    Regions,
 }
 
 /// Plans for one state after another, for the tasks of one session.
@@ -26,6 +29,7 @@ enum Way {
 pub struct Planner<'m> {
     search: Search<'m>,
     relaxation: Relaxation,
+    regions: Regions,
     way: Way,
     all: TaskSet,
 }
@@ -33,7 +37,13 @@ pub struct Planner<'m> {
 impl<'m> Planner<'m> {
     /// A planner that knows nothing yet.
     pub fn new(plan: PlanMemory<'m>, workspace: &'m mut [u64]) -> Self {
-        Self { search: Search::new(plan, workspace), relaxation: Relaxation::default(), way: Way::Known, all: TaskSet::EMPTY }
+        Self {
+            search: Search::new(plan, workspace),
+            relaxation: Relaxation::default(),
+            regions: Regions::default(),
+            way: Way::Known,
+            all: TaskSet::EMPTY,
+        }
     }
 
     /// Ends what is under way and gives the workspace away, until [`take_workspace`](Self::take_workspace).
@@ -70,7 +80,15 @@ impl<'m> Planner<'m> {
         let progress = match self.way {
             Way::Known => Progress::Done,
             Way::Search => self.search.advance(domain, goals, budget),
-            Way::Relaxed => self.relaxation.advance(&mut self.search, domain, goals, state, budget),
+            Way::Relaxed => match self.relaxation.advance(&mut self.search, domain, goals, state, budget) {
+                Progress::Done if domain.regions() > 0 && !self.search.unknown().is_empty() => {
+                    self.way = Way::Regions;
+                    self.regions.begin(&mut self.search, domain, goals, state);
+                    Progress::Working
+                }
+                progress => progress,
+            },
+            Way::Regions => self.regions.advance(&mut self.search, domain, goals, state, budget),
         };
         if progress == Progress::Done {
             self.way = Way::Known;

@@ -148,6 +148,12 @@ impl<'m> Search<'m> {
         self.found.unresolved = tasks;
     }
 
+    /// The words of the marks, all zero, for a plan's own use before a part begins. They are to be zero again then.
+    pub(super) fn scratch(&mut self) -> &mut [u64] {
+        self.clear();
+        self.marks.words()
+    }
+
     pub(super) fn can_hash(&self) -> bool {
         !self.hashed.is_empty()
     }

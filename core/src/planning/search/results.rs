@@ -43,7 +43,8 @@ impl Search<'_> {
     }
 
     /// The tasks that were planned with the blocks that do not matter to them taken to stand still, because the joint state space is out
-    /// of reach: their optimal sets and distances are approximate.
+    /// of reach: their optimal sets and distances are approximate. Where a task was planned for region by region, the distance is that to
+    /// where this part of the way ends.
     pub fn relaxed(&self) -> TaskSet {
         self.found.relaxed
     }
