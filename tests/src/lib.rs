@@ -10,6 +10,7 @@ pub mod random_homes;
 pub mod reachable;
 pub mod school;
 pub mod turning_robot;
+pub mod without_grid;
 
 use std::path::PathBuf;
 

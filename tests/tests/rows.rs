@@ -2,11 +2,13 @@
 
 use goodbot::home::{self, Moves};
 use goodbot::oomdp::{Action, Domain, apply};
-use goodbot::planning::{GoalTable, OptimalSet, Progress, Search};
+use goodbot::planning::{GoalTable, OptimalSet, Planner, Progress, Search};
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
 use goodbot::{Capacities, HeapMemory};
 use goodbot_tests::one_by_one::OneByOne;
 use goodbot_tests::random_homes::{Size, below, random_home};
+use goodbot_tests::without_grid::WithoutGrid;
+
 use rand_pcg::Pcg32;
 
 const ROOMY: Capacities = Capacities { states: 1 << 20, hashed_states: 0, ..Capacities::STANDARD };
@@ -87,4 +89,46 @@ fn rows_and_states_one_by_one_give_equal_sets_and_distances_in_random_homes() {
         }
     }
     assert!(seen.goals > 30 && seen.ways > 500 && seen.dead_ends > 100 && seen.fewer_looks > 100, "{seen:?}");
+}
+
+#[test]
+fn rows_and_states_one_by_one_give_equal_sets_where_other_blocks_stand_still() {
+    // Room for the agent and one block, not for two.
+    let capacities = Capacities { states: 1 << 12, ..ROOMY };
+    let mut random = Pcg32::new(12, 12);
+    let (mut ways, mut fewer_looks) = (0, 0);
+    for _ in 0..6 {
+        let (mut memory, mut other) = (HeapMemory::new(&capacities), HeapMemory::new(&capacities));
+        let (parts, other) = (memory.split(), other.split());
+        let size = Size { columns: 3, rows: 1, side: 4, blocks: 2 };
+        let (home, mut state) = random_home(&mut random, size, Moves::PushAndPull, parts.home);
+        let without_grid = WithoutGrid(&home);
+        let lifted = home::paper_tasks().unwrap();
+        let mut tasks = [GroundedTask::UNUSED; 64];
+        let count = ground(&home, &lifted, &state, &mut tasks).unwrap();
+        let (mut goals, mut other_goals) = (GoalTable::new(parts.agent.session.goals), GoalTable::new(other.agent.session.goals));
+        goals.fill(&home, &lifted, &tasks[..count], &state).unwrap();
+        other_goals.fill(&without_grid, &lifted, &tasks[..count], &state).unwrap();
+        let mut rows = Planner::new(parts.agent.session.plan, parts.agent.language.tables.counts);
+        let mut states = Planner::new(other.agent.session.plan, other.agent.language.tables.counts);
+        rows.forget(count);
+        states.forget(count);
+        for _ in 0..10 {
+            rows.begin(&home, &goals, &state, TaskSet::first(count), TaskSet::EMPTY);
+            while rows.advance(&home, &goals, &state, 10) == Progress::Working {}
+            states.begin(&without_grid, &other_goals, &state, TaskSet::first(count), TaskSet::EMPTY);
+            while states.advance(&without_grid, &other_goals, &state, u32::MAX) == Progress::Working {}
+            assert_eq!(rows.search().relaxed(), states.search().relaxed());
+            for task in 0..count {
+                assert_eq!(rows.search().optimal(task), states.search().optimal(task), "task {task}");
+                assert_eq!(rows.search().distance(task), states.search().distance(task));
+                ways += usize::from(rows.search().relaxed().contains(task));
+            }
+            fewer_looks += usize::from(rows.search().looks() < states.search().looks());
+            for _ in 0..5 {
+                state = apply(&home, &state, Action(below(&mut random, 5) as u8)).unwrap_or(state);
+            }
+        }
+    }
+    assert!(ways > 200 && fewer_looks > 50, "{ways} {fewer_looks}");
 }
