@@ -53,19 +53,20 @@ pub(super) struct Confined<'d, 'g, D: Domain + ?Sized> {
 
 impl<D: Domain + ?Sized> Confined<'_, '_, D> {
     /// Places of the window.
+    #[inline(never)]
     fn places(&self) -> u64 {
         self.leg.window.iter().fold(0, |sum, region| sum.saturating_add(self.domain.region_size(region) as u64))
     }
 
     /// The position of a place in the window.
-    #[inline]
+    #[inline(never)]
     fn position(&self, place: usize) -> Option<u64> {
         let (region, within) = self.domain.region_of(place).filter(|&(region, _)| self.leg.window.has(region))?;
         let before = RegionSet(self.leg.window.0 & (RegionSet::of(region).0.wrapping_sub(1)));
         Some(before.iter().fold(within as u64, |sum, region| sum.saturating_add(self.domain.region_size(region) as u64)))
     }
 
-    #[inline]
+    #[inline(never)]
     fn place(&self, position: u64) -> usize {
         let mut rest = position;
         for region in self.leg.window.iter() {
@@ -102,6 +103,7 @@ impl<D: Domain + ?Sized> Domain for Confined<'_, '_, D> {
         self.domain.actions()
     }
 
+    #[inline(never)]
     fn step(&self, state: &Self::State, action: Action) -> Option<Self::State> {
         let next = self.domain.step(state, action)?;
         let leaves = (0..self.domain.variables()).any(|variable| {
@@ -112,6 +114,7 @@ impl<D: Domain + ?Sized> Domain for Confined<'_, '_, D> {
     }
 
     /// Whether the subject is where it is to go, whatever is asked.
+    #[inline(never)]
     fn holds(&self, _proposition: &GroundProposition, state: &Self::State) -> bool {
         let Leg { subject, task, place, .. } = self.leg;
         place.map_or_else(
@@ -125,6 +128,7 @@ impl<D: Domain + ?Sized> Domain for Confined<'_, '_, D> {
         if self.leg.subject == 0 { places } else { places.saturating_mul(places) }
     }
 
+    #[inline(never)]
     fn number(&self, state: &Self::State) -> u64 {
         let position = |variable: usize| self.position(self.domain.value(state, variable)).unwrap_or(u64::MAX);
         if self.leg.subject == 0 {
@@ -133,6 +137,7 @@ impl<D: Domain + ?Sized> Domain for Confined<'_, '_, D> {
         position(self.leg.subject).saturating_mul(self.places()).saturating_add(position(0))
     }
 
+    #[inline(never)]
     fn numbered(&self, number: u64) -> Self::State {
         let places = self.places().max(1);
         let state = self.domain.with_value(self.now, 0, self.place(number % places));

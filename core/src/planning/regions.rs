@@ -98,6 +98,7 @@ impl Regions {
         }
     }
 
+    #[inline(never)]
     fn start<D: Domain + ?Sized>(
         &mut self,
         search: &mut Search<'_>,
@@ -152,7 +153,7 @@ impl<D: Domain + ?Sized> View<'_, '_, D> {
         let mut start = here.union(robot);
         if here != robot
             && let Some((behind, _)) = self.first_push(search, subject)
-            && self.trail(search, 0, |place| place == behind)
+            && self.trail(search, 0, Some(behind))
         {
             let scratch = search.scratch();
             let regions = trail::places(scratch, self.value(0)).filter_map(|place| self.region(place));
@@ -164,21 +165,23 @@ impl<D: Domain + ?Sized> View<'_, '_, D> {
             start = near;
         }
         let leg = Leg { subject, window: start, task: self.task, place: None };
-        let found = self.trail(search, subject, |place| self.is_goal(subject, place));
+        let found = self.trail(search, subject, None);
         let leg = if found { self.along(search, leg) } else { None };
         trail::clear(search.scratch(), self.places());
         leg
     }
 
     /// The robot goes to a place on its own.
+    #[inline(never)]
     fn approach(&self, search: &mut Search<'_>, to: usize) -> Option<Leg> {
         let leg = Leg { subject: 0, window: self.region(self.value(0))?, task: self.task, place: Some(to) };
-        let found = self.value(0) != to && self.trail(search, 0, |place| place == to);
+        let found = self.value(0) != to && self.trail(search, 0, Some(to));
         let leg = if found { self.along(search, leg) } else { None };
         trail::clear(search.scratch(), self.places());
         leg
     }
 
+    #[inline(never)]
     fn one_step(&self, search: &mut Search<'_>, block: usize, (behind, next): (usize, usize)) -> Option<Leg> {
         if self.value(0) != behind {
             return self.approach(search, behind);
@@ -189,8 +192,9 @@ impl<D: Domain + ?Sized> View<'_, '_, D> {
     }
 
     /// The place from which the robot pushes a block on its way, and the place to which.
+    #[inline(never)]
     fn first_push(&self, search: &mut Search<'_>, block: usize) -> Option<(usize, usize)> {
-        let found = self.trail(search, block, |place| self.is_goal(block, place));
+        let found = self.trail(search, block, None);
         let (here, next) = (self.value(block), trail::next(search.scratch(), self.value(block)));
         trail::clear(search.scratch(), self.places());
         let next = next.filter(|_| found)?;
@@ -200,6 +204,7 @@ impl<D: Domain + ?Sized> View<'_, '_, D> {
     }
 
     /// The leg along the trail of its subject, in as large a window as fits: on along the trail, then around.
+    #[inline(never)]
     fn along(&self, search: &mut Search<'_>, leg: Leg) -> Option<Leg> {
         let Leg { subject, mut window, .. } = leg;
         if !self.fits(search, subject, window) {
@@ -239,20 +244,24 @@ impl<D: Domain + ?Sized> View<'_, '_, D> {
         Some(Leg { window, place: if arrives { leg.place } else { Some(last) }, ..leg })
     }
 
-    /// Finds a way for one variable alone, around what stands still.
-    fn trail(&self, search: &mut Search<'_>, variable: usize, is_goal: impl Fn(usize) -> bool) -> bool {
+    /// Finds a way for one variable alone, around what stands still: to a place, or to wherever the task asks it to be.
+    #[inline(never)]
+    fn trail(&self, search: &mut Search<'_>, variable: usize, to: Option<usize>) -> bool {
         let others = (1..self.domain.variables()).filter(|&other| other != variable);
         let taken = |place: usize| others.clone().any(|other| self.value(other) == place);
         let ways = self.domain.ways_on();
         let beside = |place: usize| (0..ways).filter_map(move |way| self.domain.way_on(variable, place, way)).filter(|&next| !taken(next));
+        let is_goal = |place: usize| to.map_or_else(|| self.is_goal(variable, place), |to| place == to);
         trail::find(search.scratch(), self.places(), self.value(variable), beside, is_goal)
     }
 
+    #[inline(never)]
     fn is_goal(&self, variable: usize, place: usize) -> bool {
         let there = self.domain.with_value(self.state, variable, place);
         self.goals.not_ruled_out(self.domain, &there, variable).contains(self.task)
     }
 
+    #[inline(never)]
     fn fits(&self, search: &Search<'_>, subject: usize, window: RegionSet) -> bool {
         let leg = Leg { subject, window, task: self.task, place: None };
         search.fits(&Confined { domain: self.domain, goals: self.goals, now: self.state, leg }, self.goals, TaskSet::EMPTY)
@@ -266,6 +275,7 @@ impl<D: Domain + ?Sized> View<'_, '_, D> {
         self.domain.value(self.state, variable)
     }
 
+    #[inline(never)]
     fn region(&self, place: usize) -> Option<RegionSet> {
         self.domain.region_of(place).map(|(region, _)| RegionSet::of(region))
     }

@@ -200,9 +200,10 @@ impl<'m> Search<'m> {
                 return Progress::Working;
             }
             let looks = match &mut self.way {
-                Some(Way::Rows(rows)) => rows.look(self.marks.words(), &mut self.found, domain, goals),
+                // Where there never is a grid, the compiler leaves rows out.
+                Some(Way::Rows(rows)) if domain.grid().is_some() => rows.look(self.marks.words(), &mut self.found, domain, goals),
                 Some(Way::States(states)) => states.look(self.marks.words(), self.hashed, &mut self.found, domain, goals),
-                None => None,
+                _ => None,
             };
             match looks {
                 Some(looks) => {
