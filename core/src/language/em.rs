@@ -32,9 +32,9 @@ pub struct Training {
 impl Training {
     /// Begins: the tables take their new sizes. The caller has made sure that they fit.
     pub(super) fn begin(tables: &mut Tables<'_>, bitext: &Bitext<'_>, words: usize, tokens: usize, settings: &Settings) -> Self {
-        tables.clear_counts();
         tables.words = words;
         tables.tokens = tokens;
+        tables.clear_counts();
         for pair in tables.memory.length_pairs.iter_mut() {
             pair.weight = 0.0;
             pair.trained = false;

@@ -99,9 +99,18 @@ impl<'m> Tables<'m> {
         Self { memory, length_pairs: 0, words: 0, tokens: 0 }
     }
 
-    /// Begins to count.
+    /// Begins to count, in the cells that are in use.
     pub(super) fn clear_counts(&mut self) {
-        self.memory.counts.fill(0);
+        let translations = self.tokens.saturating_add(1).saturating_mul(self.words);
+        let alignments = self.alignments_end();
+        let (t, a) = self.memory.parts();
+        t.counts.get_mut(..translations).unwrap_or(&mut []).fill(0.0);
+        a.counts.get_mut(..alignments).unwrap_or(&mut []).fill(0.0);
+    }
+
+    /// Where the alignment tables end.
+    fn alignments_end(&self) -> usize {
+        self.length_pairs().last().map_or(0, |last| (last.start as usize).saturating_add(last.cells()))
     }
 
     /// Gives the words of the counts away, until the next training.
@@ -178,7 +187,7 @@ impl<'m> Tables<'m> {
         if self.length_pair(machine, english).is_some() {
             return Ok(());
         }
-        let start = self.length_pairs().last().map_or(0, |last| (last.start as usize).saturating_add(last.cells()));
+        let start = self.alignments_end();
         let pair = LengthPair { machine: machine as u8, english: english as u8, start: start as u32, trained: false, weight: 0.0 };
         let end = start.saturating_add(pair.cells());
         let room = self.memory.alignments.len();
@@ -190,6 +199,9 @@ impl<'m> Tables<'m> {
             return Err(CapacityError::full(Capacity::LengthPairs, limit));
         };
         *slot = pair;
+        // A training under way has not cleared them.
+        let (_, a) = self.memory.parts();
+        a.counts.get_mut(start..end).unwrap_or(&mut []).fill(0.0);
         self.length_pairs = self.length_pairs.saturating_add(1);
         Ok(())
     }
