@@ -1,6 +1,6 @@
 //! The search that looks at whole rows of states finds what the search finds that looks at them one by one.
 
-use goodbot::home::{self, Moves};
+use goodbot::home::{self, Area, Cell, HomeBuilder, Moves};
 use goodbot::oomdp::{Action, Domain, apply};
 use goodbot::planning::{GoalTable, OptimalSet, Planner, Progress, Search};
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
@@ -131,4 +131,48 @@ fn rows_and_states_one_by_one_give_equal_sets_where_other_blocks_stand_still() {
         }
     }
     assert!(ways > 200 && fewer_looks > 50, "{ways} {fewer_looks}");
+}
+
+/// Plans with a budget of 50 for the robot to go from one room of a home to the other. Gives the distance, the looks, the calls, and how
+/// many words a row has and how many places the home.
+fn go_to_the_other_room(areas: [Area; 2], door: Cell) -> [u32; 5] {
+    let mut memory = HeapMemory::new(&Capacities { states: 1 << 16, cells: 4_096, ..ROOMY });
+    let parts = memory.split();
+    let mut builder = HomeBuilder::new(parts.home);
+    builder.room("room0", areas[0], "red").unwrap();
+    builder.room("room1", areas[1], "green").unwrap();
+    builder.door("door0", Area::new(door.x, door.y, door.x, door.y)).unwrap();
+    builder.agent("agent0", Cell::new(areas[0].left + 1, areas[0].bottom + 1)).unwrap();
+    let (home, start) = builder.build(Moves::Push).unwrap();
+    let lifted = home::paper_tasks().unwrap();
+    let mut tasks = [GroundedTask::UNUSED; 64];
+    let count = ground(&home, &lifted, &start, &mut tasks).unwrap();
+    let mut goals = GoalTable::new(parts.agent.session.goals);
+    goals.fill(&home, &lifted, &tasks[..count], &start).unwrap();
+    let mut search = Search::new(parts.agent.session.plan, parts.agent.language.tables.counts);
+    search.begin(&home, &goals, &start, TaskSet::first(count), TaskSet::EMPTY);
+    let mut calls = 1;
+    while search.advance(&home, &goals, 50) == Progress::Working {
+        calls += 1;
+    }
+    let distance = (0..count).filter_map(|task| search.distance(task)).max().unwrap();
+    [distance, search.looks(), calls, home.grid().unwrap().bits.div_ceil(64) as u32, home.values(0) as u32]
+}
+
+#[test]
+fn a_row_takes_as_many_looks_as_it_has_words_so_that_a_budget_bounds_the_time_of_a_call() {
+    let [distance, looks, calls, words, _] = go_to_the_other_room([Area::new(-200, 0, 0, 5), Area::new(0, 0, 200, 5)], Cell::new(0, 2));
+    assert!(words > 20 && distance > 190);
+    // One row, at each distance.
+    assert_eq!(looks, words * distance);
+    assert!(calls >= looks / (50 + words), "{calls} calls");
+}
+
+#[test]
+fn where_few_cells_of_the_grid_are_places_states_are_looked_at_one_by_one() {
+    // Two corridors, one to the east, one north from its end.
+    let [distance, looks, _, words, places] =
+        go_to_the_other_room([Area::new(0, 0, 202, 2), Area::new(200, 2, 202, 204)], Cell::new(201, 2));
+    assert!(words > 600 && distance > 200);
+    assert!(looks <= places, "{looks} looks at {places} places");
 }

@@ -54,7 +54,7 @@ impl Search<'_> {
         self.found.applicable
     }
 
-    /// How often it looked: at one state, or at all states of a row at one distance, or at one action that leaves a row.
+    /// How often it looked: at one state, or at a word of the states of a row at one distance, or at one action that leaves a row.
     pub fn looks(&self) -> u32 {
         self.found.looks
     }

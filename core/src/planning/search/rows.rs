@@ -11,6 +11,7 @@
 mod look;
 
 use super::findings::Findings;
+use super::states::States;
 use crate::oomdp::{Action, ActionSet, Divider, Domain, Grid};
 use crate::planning::GoalTable;
 use crate::task::TaskSet;
@@ -48,6 +49,8 @@ pub(super) struct Rows {
     ahead: bool,
 }
 
+/// Cells to a place from which on a grid is sparse.
+const SPARSE: usize = 16;
 /// The bit sets over the rows: two of the frontier, one of all rows that were ever reached, and one.
 const SETS: usize = 4;
 const TOUCHED: usize = 2;
@@ -62,7 +65,8 @@ struct Spot {
 }
 
 impl Rows {
-    /// How a search for these tasks lies in so many words; `None` where the domain has no grid, or it does not fit.
+    /// How a search for these tasks lies in so many words; `None` where the domain has no grid, or it does not fit, or so few cells of the
+    /// grid are places that states are sooner looked at one by one.
     pub(super) fn new<D: Domain + ?Sized>(domain: &D, goals: &GoalTable<'_>, tasks: TaskSet, words: usize) -> Option<Self> {
         let mut grid = domain.grid()?;
         if grid.bits <= grid.width {
@@ -75,6 +79,10 @@ impl Rows {
         }
         let actions = domain.actions().len().min(Action::MOST);
         let places = domain.values(0).max(1);
+        let sparse = grid.bits / SPARSE > places;
+        if sparse && domain.state_count() <= States::room(domain, words) as u64 {
+            return None;
+        }
         let rows = usize::try_from(domain.state_count()).ok()? / places;
         let placed = asked.of_place.common(tasks);
         let plane = grid.bits.div_ceil(64);

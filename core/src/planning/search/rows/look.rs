@@ -5,7 +5,8 @@ use crate::oomdp::{Action, ActionSet, Domain};
 use crate::planning::GoalTable;
 
 impl Rows {
-    /// Looks at all states of one row at the distance under way; gives `None` where no row is left.
+    /// Looks at all states of one row at the distance under way; gives `None` where no row is left. It takes as many looks
+    /// as the row has words, at least.
     #[inline]
     pub(in super::super) fn look<D: Domain + ?Sized>(
         &mut self,
@@ -30,7 +31,7 @@ impl Rows {
                 *bits = 0;
             }
         }
-        Some(looks)
+        Some(looks.max(self.words as u32))
     }
 
     /// Takes the next row that has a state at the distance under way.
