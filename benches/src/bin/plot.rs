@@ -94,7 +94,8 @@ fn chart(
         if joined {
             chart.draw_series(LineSeries::new(points.iter().map(|&(x, y, _)| (x, y)), colour))?;
         }
-        chart.draw_series(points.iter().map(|(x, y, home)| Text::new(format!("  {home}"), (*x, *y), ("sans-serif", 11))))?;
+        let beside = |(x, y, home): &(f64, f64, String)| EmptyElement::at((*x, *y)) + Text::new(home.clone(), (-40, 8), ("sans-serif", 11));
+        chart.draw_series(points.iter().map(beside))?;
         chart
             .draw_series(points.iter().map(|&(x, y, _)| Circle::new((x, y), 3, colour.filled())))?
             .label(name)
