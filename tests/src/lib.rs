@@ -5,7 +5,7 @@
 pub mod brute_force;
 pub mod fixture;
 pub mod hostile;
-pub mod one_by_one;
+pub mod plan_sums;
 pub mod random_homes;
 pub mod reachable;
 pub mod school;

@@ -1,75 +1,80 @@
-//! A domain that says all of its variables, but not how the robot's places lie in a grid.
+//! A domain that does not say how its states lie in a grid, so that they are looked at one by one.
 
 use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition, ObjectSet, Schema};
 
 /// The domain, without its grid.
 #[derive(Debug)]
-pub struct WithoutGrid<'d, D: Domain>(pub &'d D);
+pub struct WithoutGrid<'d, D: Domain> {
+    /// The domain.
+    pub domain: &'d D,
+    /// Whether it says its variables: without them, no task is told to be a dead end before all is searched.
+    pub with_variables: bool,
+}
 
 impl<D: Domain> Domain for WithoutGrid<'_, D> {
     type State = D::State;
 
     fn schema(&self) -> Schema<'_> {
-        self.0.schema()
+        self.domain.schema()
     }
 
     fn objects(&self) -> &ObjectSet<'_> {
-        self.0.objects()
+        self.domain.objects()
     }
 
     fn actions(&self) -> &[ActionKind<'_>] {
-        self.0.actions()
+        self.domain.actions()
     }
 
     fn step(&self, state: &D::State, action: Action) -> Option<D::State> {
-        self.0.step(state, action)
+        self.domain.step(state, action)
     }
 
     fn holds(&self, proposition: &GroundProposition, state: &D::State) -> bool {
-        self.0.holds(proposition, state)
+        self.domain.holds(proposition, state)
     }
 
     fn state_count(&self) -> u64 {
-        self.0.state_count()
+        self.domain.state_count()
     }
 
     fn number(&self, state: &D::State) -> u64 {
-        self.0.number(state)
+        self.domain.number(state)
     }
 
     fn numbered(&self, number: u64) -> D::State {
-        self.0.numbered(number)
+        self.domain.numbered(number)
     }
 
     fn variables(&self) -> usize {
-        self.0.variables()
+        if self.with_variables { self.domain.variables() } else { 0 }
     }
 
     fn values(&self, variable: usize) -> usize {
-        self.0.values(variable)
+        self.domain.values(variable)
     }
 
     fn value(&self, state: &D::State, variable: usize) -> usize {
-        self.0.value(state, variable)
+        self.domain.value(state, variable)
     }
 
     fn with_value(&self, state: &D::State, variable: usize, value: usize) -> D::State {
-        self.0.with_value(state, variable, value)
+        self.domain.with_value(state, variable, value)
     }
 
     fn reads(&self, proposition: &GroundProposition) -> Option<usize> {
-        self.0.reads(proposition)
+        self.domain.reads(proposition).filter(|_| self.with_variables)
     }
 
     fn stands_still(&self, variable: usize) -> bool {
-        self.0.stands_still(variable)
+        self.domain.stands_still(variable)
     }
 
     fn ways_on(&self) -> usize {
-        self.0.ways_on()
+        if self.with_variables { self.domain.ways_on() } else { 0 }
     }
 
     fn way_on(&self, variable: usize, value: usize, way: usize) -> Option<usize> {
-        self.0.way_on(variable, value, way)
+        self.domain.way_on(variable, value, way)
     }
 }

@@ -6,15 +6,8 @@ use goodbot::planning::{GoalTable, Progress, Sweep};
 use goodbot::task::{GroundedTask, TaskSet, ground};
 use goodbot::{Capacities, HeapMemory};
 use goodbot_tests::fixture::{home, read, task_text};
+use goodbot_tests::plan_sums::PlanSums;
 use goodbot_tests::reachable::reachable;
-
-#[derive(Default)]
-struct Sums {
-    max: u64,
-    total: u64,
-    goals: u64,
-    optimal_moves: u64,
-}
 
 #[test]
 fn one_sweep_gives_the_reference_plans_of_every_state_of_every_home() {
@@ -34,24 +27,19 @@ fn one_sweep_gives_the_reference_plans_of_every_state_of_every_home() {
         assert!(sweep.begin(&home, &start, TaskSet::first(count)));
         while sweep.advance(&home, &goals, 10_000) == Progress::Working {}
 
-        let mut sums: Vec<Sums> = tasks.iter().map(|_| Sums::default()).collect();
+        let mut sums = vec![PlanSums::default(); count];
         let known = (0..home.state_count()).map(|number| home.numbered(number)).filter(|state| sweep.knows(&home, state));
         let states = reachable(&home, &start);
         assert!(known.map(|state| home.number(&state)).eq(states.keys().copied()), "the sweep knows what can be reached");
         for state in states.into_values() {
             for (task, sums) in sums.iter_mut().enumerate() {
                 let Some(distance) = sweep.distance(&home, &state, task).map(u64::from) else { continue };
-                sums.max = sums.max.max(distance);
-                sums.total += distance;
-                sums.goals += u64::from(distance == 0);
-                sums.optimal_moves += sweep.toward(&home, &state, task).len() as u64;
+                sums.add(distance, sweep.toward(&home, &state, task).len() as u64);
             }
         }
         for (task, sums) in tasks.iter().zip(&sums) {
             let name = task_text(&home, &lifted, task);
-            let expected = |field: &str| case["tasks"][&name][field].as_u64().unwrap();
-            let found = [sums.max, sums.total, sums.goals, sums.optimal_moves];
-            assert_eq!(found, ["max", "total", "goals", "optimal_moves"].map(expected), "{name}");
+            sums.assert_are(&name, &case["tasks"][&name]);
         }
     }
 }

@@ -5,7 +5,6 @@ use goodbot::oomdp::{Action, Domain, apply};
 use goodbot::planning::{GoalTable, OptimalSet, Planner, Progress, Search};
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
 use goodbot::{Capacities, HeapMemory};
-use goodbot_tests::one_by_one::OneByOne;
 use goodbot_tests::random_homes::{Size, below, random_home};
 use goodbot_tests::without_grid::WithoutGrid;
 
@@ -36,7 +35,7 @@ fn compare(random: &mut Pcg32, size: Size, moves: Moves, budget: u32, goal_entri
     let mut goals = GoalTable::new(parts.agent.session.goals);
     goals.fill(&home, &lifted, &tasks[..count], &start).unwrap();
     let mut other_goals = GoalTable::new(other.agent.session.goals);
-    let one_by_one = OneByOne(&home);
+    let one_by_one = WithoutGrid { domain: &home, with_variables: false };
     other_goals.fill(&one_by_one, &lifted, &tasks[..count], &start).unwrap();
     let (mut rows, mut states) = (
         Search::new(parts.agent.session.plan, parts.agent.language.tables.counts),
@@ -102,7 +101,7 @@ fn rows_and_states_one_by_one_give_equal_sets_where_other_blocks_stand_still() {
         let (parts, other) = (memory.split(), other.split());
         let size = Size { columns: 3, rows: 1, side: 4, blocks: 2 };
         let (home, mut state) = random_home(&mut random, size, Moves::PushAndPull, parts.home);
-        let without_grid = WithoutGrid(&home);
+        let without_grid = WithoutGrid { domain: &home, with_variables: true };
         let lifted = home::paper_tasks().unwrap();
         let mut tasks = [GroundedTask::UNUSED; 64];
         let count = ground(&home, &lifted, &state, &mut tasks).unwrap();
