@@ -12,6 +12,11 @@ use rand_pcg::Pcg32;
 /// Room for four million states looked at one by one.
 pub const LARGE: Capacities = Capacities { states: 1 << 22, hashed_states: 1 << 20, ..Capacities::STANDARD };
 
+/// A home of so many rooms and blocks, in words.
+pub fn named(rooms: i32, blocks: i32) -> String {
+    format!("{rooms} rooms, {blocks} block{}", if blocks == 1 { "" } else { "s" })
+}
+
 /// A home of so many rooms, three cells to a side, and so many blocks.
 pub const fn size(rooms: i32, blocks: i32) -> Size {
     let columns = if rooms > 3 { rooms / 2 } else { rooms };

@@ -1,6 +1,6 @@
 //! Each work by its name, ready to be done over and over.
 
-use crate::homes::{LARGE, Scene, Tasks, size, sweep};
+use crate::homes::{LARGE, Scene, Tasks, named, size, sweep};
 use crate::language::{model, sessions, train};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{self, Moves};
@@ -39,10 +39,10 @@ pub fn all() -> Vec<Work> {
         works.push(work(format!("EM round, {count} sessions"), move || em_round(count)));
     }
     for (rooms, blocks) in [(3, 0), (3, 1), (6, 1), (12, 1), (3, 2), (6, 2), (3, 3), (6, 4), (12, 3)] {
-        works.push(work(format!("plan, {rooms} rooms, {blocks} blocks"), move || plan(rooms, blocks)));
+        works.push(work(format!("plan, {}", named(rooms, blocks)), move || plan(rooms, blocks)));
     }
     for (rooms, blocks) in [(3, 1), (12, 1), (3, 2)] {
-        works.push(work(format!("sweep, {rooms} rooms, {blocks} blocks"), move || whole_sweep(rooms, blocks)));
+        works.push(work(format!("sweep, {}", named(rooms, blocks)), move || whole_sweep(rooms, blocks)));
     }
     works
 }

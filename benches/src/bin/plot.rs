@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use goodbot::HeapMemory;
 use goodbot::oomdp::Domain;
-use goodbot_benches::homes::{LARGE, Scene, Tasks, size, sweep};
+use goodbot_benches::homes::{LARGE, Scene, Tasks, named, size, sweep};
 use goodbot_benches::timing::{ROUNDS, median, time};
 use plotters::prelude::*;
 
@@ -38,7 +38,7 @@ fn by_states() -> (Points, Points) {
         let mut memory = HeapMemory::new(&LARGE);
         let mut scene = Scene::roomy(size(rooms, blocks), Tasks::Paper, &mut memory);
         let states = scene.home.state_count() as f64;
-        let home = format!("{rooms} rooms, {blocks} block{}", if blocks == 1 { "" } else { "s" });
+        let home = named(rooms, blocks);
         searches.push((states, milliseconds(&mut || scene.plan()), home.clone()));
         sweeps.push((states, milliseconds(&mut || assert!(!sweep(&scene, &mut words).is_working())), String::new()));
         eprintln!("{home}: {states} states, {:?} {:?}", searches.last(), sweeps.last());
