@@ -1,13 +1,12 @@
 //! `goodbot merge`: what two robots learned, in one model.
 
 use crate::outcome::Failure;
-use crate::whole_file::write_whole;
+use crate::whole_file::{new_file, read_whole, write_whole};
 use clap::{Args, ValueHint};
 use goodbot::capacity::{TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use goodbot::home::paper_tasks;
 use goodbot::snapshot::{Contents, RestoreError};
 use goodbot::{Agent, Capacities, HeapMemory, Options};
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Join what two robots learned
@@ -21,7 +20,7 @@ pub struct MergeArgs {
     #[arg(value_name = "B", value_hint = ValueHint::FilePath)]
     pub second: PathBuf,
     /// Where the merged model goes
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, value_parser = new_file)]
     pub out: PathBuf,
 }
 
@@ -41,7 +40,7 @@ Example:
 /// # Errors
 /// [`Failure`] names the file and what is wrong with it.
 pub fn run(options: &MergeArgs) -> Result<(), Failure> {
-    let (first, second) = (read(&options.first)?, read(&options.second)?);
+    let (first, second) = (read_whole(&options.first)?, read_whole(&options.second)?);
     let refused = |path: &Path, error: RestoreError| Failure::Input(format!("{}: {error}", path.display()));
     let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
     let contents = |path, bytes| Contents::read(bytes).map_err(|error| refused(path, error));
@@ -89,8 +88,4 @@ fn room_for(ours: &Contents<'_>, theirs: &Contents<'_>) -> Capacities {
         hashed_states: 0,
         ..standard
     }
-}
-
-fn read(path: &Path) -> Result<Vec<u8>, Failure> {
-    fs::read(path).map_err(|error| Failure::Input(format!("{}: cannot be read ({error}); check its name", path.display())))
 }

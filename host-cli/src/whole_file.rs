@@ -1,8 +1,17 @@
-//! Files that are written whole or not at all.
+//! Files that are read whole, and written whole or not at all.
 
+use crate::outcome::Failure;
 use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
+
+/// The bytes of a file.
+///
+/// # Errors
+/// A [`Failure`] that names the file and says what to do.
+pub fn read_whole(path: &Path) -> Result<Vec<u8>, Failure> {
+    std::fs::read(path).map_err(|error| Failure::Input(format!("{}: cannot be read ({error}); check its name", path.display())))
+}
 
 /// Writes a file so that it has its old content or the new one, whenever the power goes: a new file beside it takes its name when it is
 /// whole and on the disk. A link is followed, and what is no ordinary file, a pipe or a device, is written to as it is.
