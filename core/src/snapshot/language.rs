@@ -4,9 +4,8 @@ use super::contents::Contents;
 use super::error::{Part, RestoreError, SaveError};
 use super::record::Sizes;
 use super::writing::Writing;
-use crate::capacity::{Capacity, CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
+use crate::capacity::{Capacities, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::language::LanguageModel;
-use crate::language::lengths::SeenLengths;
 use crate::session::Options;
 use crate::symbols::Symbol;
 use heapless::Vec;
@@ -33,43 +32,14 @@ impl LanguageModel<'_> {
         Ok(())
     }
 
+    /// How large the tables are that a model file tells of.
     pub(super) fn sizes(&self, strategies: usize) -> Sizes {
-        let rooms = self.rooms();
-        let size = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
-        Sizes {
-            strategies: size(strategies),
-            words: size(rooms.words),
-            word_bytes: size(rooms.word_bytes),
-            tokens: size(rooms.tokens),
-            token_bytes: size(rooms.token_bytes),
-            commands: size(rooms.commands),
-            command_tokens: size(rooms.command_tokens),
-            sessions: size(rooms.sessions),
-            sentence_words: size(rooms.sentence_words),
-            pairs: size(rooms.pairs),
-            translations: size(rooms.translations),
-            alignments: size(rooms.alignments),
-            length_pairs: size(rooms.length_pairs),
-        }
+        Sizes::new(&Capacities { strategies, ..self.rooms() })
     }
 
     /// Whether a model's training data fit here, and whether no word or token stands twice.
     pub(super) fn check_room(&self, contents: &Contents<'_>) -> Result<(), RestoreError> {
-        let rooms = self.rooms();
-        let fits = |capacity, limit: usize, given: usize| {
-            if given > limit { Err(CapacityError::new(capacity, limit, given)) } else { Ok(()) }
-        };
-        fits(Capacity::Words, rooms.words, contents.words.len())?;
-        fits(Capacity::WordBytes, rooms.word_bytes, contents.words.iter().map(str::len).sum())?;
-        fits(Capacity::Tokens, rooms.tokens, contents.tokens.len())?;
-        fits(Capacity::TokenBytes, rooms.token_bytes, contents.tokens.iter().map(str::len).sum())?;
-        fits(Capacity::Commands, rooms.commands, contents.commands.len())?;
-        fits(Capacity::CommandTokens, rooms.command_tokens, contents.commands.iter().map(|command| command.len()).sum())?;
-        fits(Capacity::Sessions, rooms.sessions, contents.sessions.len())?;
-        fits(Capacity::SentenceWords, rooms.sentence_words, contents.sessions.iter().map(|session| session.words.len()).sum())?;
-        fits(Capacity::Pairs, rooms.pairs, contents.pairs.len())?;
-        let cells = contents.tokens.len().saturating_add(1).saturating_mul(contents.words.len());
-        fits(Capacity::Translations, rooms.translations, cells)?;
+        Capacities { strategies: 0, ..contents.needs() }.fits_in(&self.rooms())?;
         let distinct = |texts: super::contents::Section<'_, &str>| {
             texts.iter().enumerate().all(|(position, text)| texts.iter().take(position).all(|other| other != text))
         };
@@ -79,10 +49,6 @@ impl LanguageModel<'_> {
         if !distinct(contents.tokens) {
             return Err(RestoreError::Inconsistent(Part::Tokens));
         }
-        let mut lengths = SeenLengths::new();
-        for_each_length(contents, |machine, english| lengths.see(machine, english));
-        fits(Capacity::LengthPairs, rooms.length_pairs, lengths.pairs)?;
-        fits(Capacity::Alignments, rooms.alignments, lengths.cells)?;
         Ok(())
     }
 
@@ -119,17 +85,5 @@ impl LanguageModel<'_> {
         }
         let _ = self.data_replaced();
         self.begin_training();
-    }
-}
-
-fn for_each_length(contents: &Contents<'_>, mut see: impl FnMut(usize, usize)) {
-    let commands = contents.commands.index();
-    let mut pairs = contents.pairs.iter();
-    for session in contents.sessions.iter() {
-        for pair in pairs.by_ref().take(session.pairs as usize) {
-            if let Some(command) = commands.get(usize::from(pair.command)) {
-                see(command.len(), session.words.len());
-            }
-        }
     }
 }
