@@ -8,7 +8,7 @@ pub mod belief;
 pub mod simulated;
 pub mod strategy;
 
-pub use belief::{Belief, BeliefError, BeliefMemory};
+pub use belief::{Belief, BeliefCount, BeliefError, BeliefRef, BeliefTables, BeliefTablesRef};
 pub use simulated::SimulatedTrainer;
 pub use strategy::{Feedback, Strategy, StrategyError};
 

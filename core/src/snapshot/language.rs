@@ -5,41 +5,62 @@ use super::error::{Part, RestoreError, SaveError};
 use super::record::Sizes;
 use super::writing::Writing;
 use crate::capacity::{Capacities, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
-use crate::language::LanguageModel;
+use crate::language::{LanguageModel, LanguageMut, LanguageRef};
+use crate::memory::AgentMemory;
 use crate::session::Options;
 use crate::symbols::Symbol;
 use heapless::Vec;
 
-impl LanguageModel<'_> {
-    /// Saves the training data and the settings to the front of the buffer, as a model file of no domain. Gives its length.
+impl<M: AgentMemory> LanguageModel<M> {
+    /// Saves the training data and the settings to the front of the buffer, as a model file of no domain. Returns its length.
     ///
     /// # Errors
     /// [`SaveError`]; the buffer may then hold anything.
     pub fn save(&self, buffer: &mut [u8]) -> Result<usize, SaveError> {
-        let options = Options { language: *self.settings(), ..Options::PAPER };
-        Writing { vocabulary: 0, options, language: self, strategies: None, sizes: self.sizes(0) }.write(buffer)
+        self.read().save(buffer)
     }
 
     /// Takes the training data and the settings of a model file, in place of its own, and begins training: call
-    /// [`train`](Self::train) until it is done.
+    /// [`train`](LanguageMut::train) until it is done.
     ///
     /// # Errors
     /// [`RestoreError`]; the model is then as before.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
         let contents = Contents::read(bytes)?;
-        self.check_room(&contents)?;
-        self.take_over(&contents);
+        self.read().check_room(&contents)?;
+        self.lend().take_over(&contents);
         Ok(())
     }
 
+    /// Adds the sessions of a model file after its own, and begins training. See [`Agent::join`](crate::Agent::join).
+    ///
+    /// # Errors
+    /// [`RestoreError`]; the training data are then as before.
+    pub fn join(&mut self, bytes: &[u8]) -> Result<usize, RestoreError> {
+        let contents = Contents::read(bytes)?;
+        self.read().check_forms(&contents)?;
+        Ok(self.lend().join_contents(&contents)?)
+    }
+}
+
+impl LanguageRef<'_> {
+    /// Saves the training data and the settings, as [`LanguageModel::save`] does.
+    ///
+    /// # Errors
+    /// [`SaveError`]; the buffer may then hold anything.
+    pub fn save(self, buffer: &mut [u8]) -> Result<usize, SaveError> {
+        let options = Options { language: *self.settings(), ..Options::PAPER };
+        Writing { vocabulary: 0, options, language: self, strategies: None, sizes: self.sizes(0) }.write(buffer)
+    }
+
     /// How large the tables are that a model file tells of.
-    pub(super) fn sizes(&self, strategies: usize) -> Sizes {
+    pub(super) fn sizes(self, strategies: usize) -> Sizes {
         Sizes::new(&Capacities { strategies, ..self.rooms() })
     }
 
     /// Whether a model's training data fit here, and whether no word or token stands twice.
-    pub(super) fn check_room(&self, contents: &Contents<'_>) -> Result<(), RestoreError> {
-        Capacities { strategies: 0, ..contents.needs() }.fits_in(&self.rooms())?;
+    pub(super) fn check_room(self, contents: &Contents<'_>) -> Result<(), RestoreError> {
+        Capacities { strategies: 0, ..contents.needs() }.fits_in(self.rooms())?;
         let distinct = |texts: super::contents::Section<'_, &str>| {
             texts.iter().enumerate().all(|(position, text)| texts.iter().take(position).all(|other| other != text))
         };
@@ -51,7 +72,9 @@ impl LanguageModel<'_> {
         }
         Ok(())
     }
+}
 
+impl LanguageMut<'_> {
     /// Takes the training data over, which were found to fit, and begins training.
     pub(super) fn take_over(&mut self, contents: &Contents<'_>) {
         self.clear(contents.options.language);
