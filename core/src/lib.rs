@@ -20,7 +20,7 @@
 //!
 //! # A robot that learns
 //! ```
-//! use goodbot::{Agent, Options, feedback::Feedback, home::{self, Area, Cell, HomeBuilder, Moves}, oomdp::Domain};
+//! use goodbot::{Agent, Options, feedback::Feedback, home::{self, Area, Cell, HomeBuilder, Moves}, session::Evidence};
 //! goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
 //! let mut memory = Memory::new();
 //! let parts = memory.split();
@@ -35,9 +35,9 @@
 //! agent.hear(&home, &state, "go to the green room")?;
 //! for _ in 0..6 {
 //!     agent.plan_fully(&home, &state)?;
-//!     let decision = agent.decide::<rand_pcg::Pcg32>(None)?;
-//!     agent.feedback(decision.action, Feedback::Reward)?;
-//!     state = goodbot::oomdp::apply(&home, &state, decision.action).unwrap_or(state);
+//!     let decision = agent.decide(&home, &state)?;
+//!     state = agent.acted(&home, &state, decision.action)?;
+//!     assert_eq!(agent.feedback(Feedback::Reward)?, Evidence::Used);
 //! }
 //! agent.finish(&home)?;
 //! agent.learn_fully();

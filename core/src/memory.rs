@@ -43,6 +43,7 @@ macro_rules! for_each_table {
             candidates: $crate::session::Candidate = $crate::session::Candidate::UNUSED; candidates,
             candidate_tokens: $crate::symbols::Symbol = $crate::symbols::Symbol(0); candidate_tokens,
             joint: $crate::probability::Scaled = $crate::probability::Scaled::ZERO; beliefs,
+            settled: $crate::probability::Scaled = $crate::probability::Scaled::ZERO; beliefs,
             priors: $crate::probability::Scaled = $crate::probability::Scaled::ZERO; tasks,
             strategies: ($crate::feedback::Strategy, f32) = ($crate::feedback::Strategy::UNUSED, 0.0); strategies,
             goal_parts: $crate::planning::goals::GoalPart = $crate::planning::goals::GoalPart::UNUSED; ground_propositions,
@@ -98,6 +99,7 @@ macro_rules! split_tables {
                     candidates: $crate::session::CandidateMemory { entries: &mut it.candidates[..], tokens: &mut it.candidate_tokens[..] },
                     belief: $crate::feedback::BeliefMemory {
                         joint: &mut it.joint[..],
+                        settled: &mut it.settled[..],
                         priors: &mut it.priors[..],
                         strategies: &mut it.strategies[..],
                     },

@@ -14,6 +14,8 @@ use crate::probability::{Scaled, total};
 pub struct BeliefMemory<'m> {
     /// One entry for each task and strategy.
     pub joint: &'m mut [Scaled],
+    /// The same, as it was before the last piece of evidence.
+    pub settled: &'m mut [Scaled],
     /// One entry a task: its prior.
     pub priors: &'m mut [Scaled],
     /// One entry a strategy, with its probability.
@@ -98,8 +100,9 @@ impl<'m> Belief<'m> {
         self.tasks = 0;
         let count = priors.len();
         let wanted = count.saturating_mul(self.strategies);
-        if wanted > self.memory.joint.len() {
-            return Err(CapacityError::new(Capacity::Beliefs, self.memory.joint.len(), wanted));
+        let limit = self.memory.joint.len().min(self.memory.settled.len());
+        if wanted > limit {
+            return Err(CapacityError::new(Capacity::Beliefs, limit, wanted));
         }
         if count > self.memory.priors.len() {
             return Err(CapacityError::new(Capacity::Tasks, self.memory.priors.len(), count));
@@ -114,7 +117,13 @@ impl<'m> Belief<'m> {
             }
         }
         self.tasks = count;
+        self.settle();
         Ok(())
+    }
+
+    /// Settles the last piece of evidence: the next one counts beside it, and no longer replaces it.
+    pub fn settle(&mut self) {
+        self.memory.settled.iter_mut().zip(self.memory.joint.iter()).for_each(|(settled, joint)| *settled = *joint);
     }
 
     /// Replaces the prior of one task; nothing for a task that there is not.
@@ -187,20 +196,27 @@ impl<'m> Belief<'m> {
         })
     }
 
-    /// Takes in one piece of evidence by its likelihood for each strategy and task, `None` where that is unknown. Evidence that every
-    /// task and strategy holds impossible is ignored, and `false` given.
+    /// Takes in one piece of evidence by its likelihood for each strategy and task, `None` where that is unknown. It replaces the evidence
+    /// since [`settle`](Self::settle). Evidence that every task and strategy holds impossible is ignored, and `false` given.
     pub fn observe(&mut self, likelihood: impl Fn(&Strategy, usize) -> Option<f32>) -> bool {
         let likely = |belief: &Self, task: usize, column: usize| {
             let (strategy, _) = belief.strategies().get(column)?;
             likelihood(strategy, task)
         };
+        let settled = |belief: &Self, task: usize, column: usize| {
+            let at = task.saturating_mul(belief.strategies).saturating_add(column);
+            belief.memory.settled.get(at).copied().unwrap_or(Scaled::ZERO)
+        };
         let possible = (0..self.tasks).any(|task| {
-            (0..self.strategies)
-                .any(|column| likely(self, task, column).is_some_and(|value| value > 0.0) && !self.weight_with(task, column).is_zero())
+            (0..self.strategies).any(|column| {
+                likely(self, task, column).is_some_and(|value| value > 0.0)
+                    && !settled(self, task, column).times(self.prior(task)).is_zero()
+            })
         });
         if !possible {
             return false;
         }
+        self.memory.joint.iter_mut().zip(self.memory.settled.iter()).for_each(|(joint, settled)| *joint = *settled);
         for column in 0..self.strategies {
             let (mut known, mut explained) = (Scaled::ZERO, Scaled::ZERO);
             for task in 0..self.tasks {

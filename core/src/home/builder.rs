@@ -1,11 +1,11 @@
 //! A home from its objects, checked.
 
-use super::layout::{Area, Cell, Place, StoredArea, WALL, is_wall, spot_of};
+use super::layout::{Area, Cell, Place, StoredArea, find, is_wall};
 use super::moves::{Home, HomeState, Moves};
 use super::{AGENT, BLOCK, DOOR, ROOM};
 use crate::capacity::{BLOCKS, Capacity, CapacityError};
 use crate::oomdp::objects::{ObjectError, ObjectMemory};
-use crate::oomdp::{ClassId, ObjectId, ObjectSet};
+use crate::oomdp::{CellId, ClassId, ObjectId, ObjectSet};
 
 /// Memory for one home.
 #[derive(Debug)]
@@ -229,14 +229,13 @@ impl<'m> HomeBuilder<'m> {
                 if is_wall(cell, self.areas_of(ROOM).map(|(_, area)| area), self.areas_of(DOOR).map(|(_, area)| area)) {
                     continue;
                 }
-                let mark = |marks: u32, id: ObjectId| marks | 1_u32.checked_shl(u32::from(id.0)).unwrap_or(0);
-                let inside = self.areas_of(ROOM).filter(|(_, area)| area.holds_strictly(cell)).fold(0, |marks, (id, _)| mark(marks, id));
-                let doors = self.areas_of(DOOR).filter(|(_, area)| area.holds(cell)).fold(0, |marks, (id, _)| mark(marks, id));
-                let limit = self.places.len().min(usize::from(WALL));
+                let inside = self.areas_of(ROOM).find(|(_, area)| area.holds_strictly(cell));
+                let region = inside.or_else(|| self.areas_of(DOOR).find(|(_, area)| area.holds(cell))).map_or(0, |(id, _)| id.0);
+                let limit = self.places.len().min(CellId::NONE.index());
                 let Some(slot) = self.places.get_mut(count).filter(|_| count < limit) else {
                     return Err(CapacityError::full(Capacity::Cells, limit));
                 };
-                *slot = Place { x: x as i16, y: y as i16, neighbours: [WALL; 4], rooms: inside, doors };
+                *slot = Place { x: x as i16, y: y as i16, neighbours: [CellId::NONE; 4], region };
                 count = count.saturating_add(1);
             }
         }
@@ -248,7 +247,7 @@ impl<'m> HomeBuilder<'m> {
             let free = self.places.get(..count).unwrap_or(&[]);
             let Some(cell) = free.get(position).map(Place::cell) else { return };
             let neighbours = [(0, 1), (0, -1), (1, 0), (-1, 0)]
-                .map(|(x, y)| spot_of(free, Cell::new(cell.x.saturating_add(x), cell.y.saturating_add(y))).unwrap_or(WALL));
+                .map(|(x, y)| find(free, Cell::new(cell.x.saturating_add(x), cell.y.saturating_add(y))).unwrap_or(CellId::NONE));
             if let Some(place) = self.places.get_mut(position) {
                 place.neighbours = neighbours;
             }
@@ -257,14 +256,14 @@ impl<'m> HomeBuilder<'m> {
 
     fn stand(&self, agent: ObjectId, count: usize) -> Result<(HomeState, [ObjectId; BLOCKS]), HomeError> {
         let free = self.places.get(..count).unwrap_or(&[]);
-        let spot = |id: ObjectId| {
+        let cell_of = |id: ObjectId| {
             let area = self.areas.get(id.index()).map_or(Area::NOWHERE, |area| area.area());
-            spot_of(free, Cell::new(area.left, area.bottom)).ok_or(HomeError { problem: Problem::InWall, object: Some(u16::from(id.0)) })
+            find(free, Cell::new(area.left, area.bottom)).ok_or(HomeError { problem: Problem::InWall, object: Some(u16::from(id.0)) })
         };
-        let mut state = HomeState { agent: spot(agent)?, blocks: [WALL; BLOCKS] };
+        let mut state = HomeState { agent: cell_of(agent)?, blocks: [CellId::NONE; BLOCKS] };
         let mut ids = [ObjectId(u8::MAX); BLOCKS];
         for (position, id) in self.objects.of_class(BLOCK).enumerate() {
-            let here = spot(id)?;
+            let here = cell_of(id)?;
             if here == state.agent || state.blocks.contains(&here) {
                 return Err(HomeError { problem: Problem::OnAnother, object: Some(u16::from(id.0)) });
             }

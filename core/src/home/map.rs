@@ -38,7 +38,7 @@ impl<'a, 'm> Map<'a, 'm> {
 
     /// The box of all rooms.
     pub fn bounds(&self) -> Area {
-        let rooms = self.home.objects().of_class(ROOM).map(|room| self.home.area(room));
+        let rooms = self.home.world().objects.of_class(ROOM).map(|room| self.home.area(room));
         rooms
             .reduce(|a, b| Area::new(a.left.min(b.left), a.bottom.min(b.bottom), a.right.max(b.right), a.top.max(b.top)))
             .unwrap_or(Area::NOWHERE)
@@ -46,7 +46,7 @@ impl<'a, 'm> Map<'a, 'm> {
 
     /// The character of one cell.
     pub fn character(&self, cell: Cell) -> char {
-        let objects = self.home.objects();
+        let objects = self.home.world().objects;
         let first = |id: ObjectId, attribute: usize| objects.value(id, attribute).chars().next();
         if self.home.agent_cell(self.state) == cell {
             return '@';
@@ -54,7 +54,7 @@ impl<'a, 'm> Map<'a, 'm> {
         if let Some(block) = objects.of_class(BLOCK).find(|&block| self.home.block_cell(self.state, block) == Some(cell)) {
             return first(block, SHAPE).map_or('O', |letter| letter.to_ascii_uppercase());
         }
-        if super::layout::spot_of(self.home.places(), cell).is_none() {
+        if super::layout::find(self.home.places(), cell).is_none() {
             return if objects.of_class(ROOM).any(|room| self.home.area(room).holds(cell)) { '#' } else { ' ' };
         }
         if let Some(room) = objects.of_class(ROOM).find(|&room| self.home.area(room).holds_strictly(cell)) {

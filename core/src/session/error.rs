@@ -17,6 +17,10 @@ pub enum AgentError {
     NoSession,
     /// The plan for this state is not done: call `plan` until it is.
     NotPlanned,
+    /// The session was begun in another domain: hear a command in this one.
+    OtherDomain,
+    /// No action was done since the command: there is nothing to judge.
+    NothingDone,
     /// The last session is still being learned from: call `learn` until it is.
     StillLearning,
     /// The action cannot be done in the state that was planned for.
@@ -57,6 +61,8 @@ impl fmt::Display for AgentError {
             Self::NoTask => "there is nothing to do here: every task is done already or needs objects that are not here",
             Self::NoSession => "no session is under way; give a command first",
             Self::NotPlanned => "the plan for this state is not done; plan on until it is",
+            Self::OtherDomain => "the session was begun in another environment; give a command in this one",
+            Self::NothingDone => "no action was done that could be judged; act first",
             Self::StillLearning => "the last session is still being learned from; learn on until it is done",
             Self::NotApplicable => "the action cannot be done in this state",
             Self::NotAProbability => "a prior is not a number from 0 to 1, or all are 0",

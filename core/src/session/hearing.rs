@@ -5,11 +5,11 @@ use super::candidates::Candidates;
 use super::error::AgentError;
 use crate::capacity::CapacityError;
 use crate::language::{LanguageModel, Sentence};
-use crate::oomdp::Domain;
+use crate::oomdp::{Domain, digest};
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
 use crate::task::machine_command::{Tokens, intern_heads};
-use crate::task::{Expression, GroundedTask, LiftedTask, TaskSet, ground};
+use crate::task::{Expression, GroundedTask, LiftedTask, ground};
 
 impl<'m> Agent<'m> {
     /// Hears a command in the state that the session starts from: the tasks possible here get their prior from the language model,
@@ -23,7 +23,7 @@ impl<'m> Agent<'m> {
         self.understand(domain)
     }
 
-    /// Hears a command whose task prior is given: `prior(domain, task)` for each task, in any unit.
+    /// Hears a command whose task prior is given: `prior(task, lifted)` for each task and the lifted task that it grounds, in any unit.
     ///
     /// # Errors
     /// As [`hear`](Self::hear), and [`AgentError::NotAProbability`].
@@ -67,15 +67,15 @@ impl<'m> Agent<'m> {
     /// [`AgentError::NoSession`] where the last session did not start in this state, and [`AgentError::StillLearning`] while what it ended
     /// with is being learned.
     pub fn hear_again<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<(), AgentError> {
-        if self.start != Some(domain.number(state)) || self.tasks().is_empty() {
+        if self.start != Some(domain.number(state)) || self.domain != digest(domain) || self.tasks().is_empty() {
             return Err(AgentError::NoSession);
         }
         if self.language.is_training() {
             return Err(AgentError::StillLearning);
         }
         self.ended = false;
-        self.planned = None;
-        self.dead = TaskSet::EMPTY;
+        self.belief.settle();
+        self.forget_plan();
         Ok(())
     }
 
@@ -86,9 +86,8 @@ impl<'m> Agent<'m> {
         }
         self.start = None;
         self.ended = false;
-        self.planned = None;
+        self.forget_plan();
         self.followed = None;
-        self.dead = TaskSet::EMPTY;
         self.task_count = 0;
         self.language.forget_unlearned();
         self.language.hear_into(command, &mut self.sentence)?;
@@ -99,9 +98,9 @@ impl<'m> Agent<'m> {
         if count == 0 {
             return Err(AgentError::NoTask);
         }
-        self.goals.fill(domain, &self.lifted, self.tasks.get(..count).unwrap_or(&[]), state)?;
+        self.set_tasks(domain, count, state)?;
         self.task_count = count;
-        self.planner.forget(count);
+        self.domain = digest(domain);
         self.start = Some(domain.number(state));
         Ok(())
     }
@@ -120,7 +119,7 @@ impl<'m> Agent<'m> {
         self.candidates.clear();
         self.belief.restart(self.tasks.iter().take(self.task_count).map(|task| Scaled::new(task.prior)))?;
         // The tasks' own tokens come first, and what can be said of objects after them, as far as there is room.
-        intern_heads(&domain.schema(), &self.lifted, self.tasks.get(..self.task_count).unwrap_or(&[]), self.language.tokens_mut())?;
+        intern_heads(&domain.world().schema, &self.lifted, self.tasks.get(..self.task_count).unwrap_or(&[]), self.language.tokens_mut())?;
         let mut any = false;
         for position in 0..self.task_count {
             let explained = self.for_each_candidate(domain, position, |candidates, language, sentence, tokens, _| {

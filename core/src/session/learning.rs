@@ -13,7 +13,7 @@ impl Agent<'_> {
     /// that the same session can still be taken up again with [`hear_again`](Self::hear_again).
     pub fn forget(&mut self) {
         self.ended = true;
-        self.planned = None;
+        self.forget_plan();
     }
 
     /// Ends the session and learns from it: each machine command with its share of the posterior joins the training data, and training on
@@ -25,7 +25,7 @@ impl Agent<'_> {
     /// alone: it is then forgotten and everything learned before is kept. Where none of its words found room, in a vocabulary that was
     /// restored full, others give way so that the next command is heard whole.
     pub fn finish<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
-        self.check_under_way()?;
+        self.check_session(domain)?;
         if self.language.is_training() {
             return Err(AgentError::StillLearning);
         }
@@ -36,14 +36,14 @@ impl Agent<'_> {
     /// Lets the session's machine commands join the training data, by their weights.
     #[inline(never)]
     fn keep(&mut self) -> Result<(), AgentError> {
+        self.ended = true;
+        self.forget_plan();
         let whole = total(self.candidates.entries().iter().map(|entry| entry.weight));
         let share = |weight: Scaled| Some(weight.over(whole)).filter(|&share| share > self.options.least_weight);
         let kept: f32 = self.candidates.entries().iter().filter_map(|entry| share(entry.weight)).sum();
         let candidates = &self.candidates;
         let weighted = |entry: &Candidate| share(entry.weight).map(|share| (candidates.tokens(entry), share / kept));
         let pairs = || candidates.entries().iter().filter_map(weighted);
-        self.ended = true;
-        self.planned = None;
         let added = self.language.add_session_making_room(&self.sentence, candidates.all_tokens(), pairs);
         if let Err(error) = added {
             self.start = None;

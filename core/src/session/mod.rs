@@ -13,7 +13,7 @@ mod hearing;
 pub mod learning;
 pub mod options;
 
-pub use agent::{Agent, Decision};
+pub use agent::{Agent, Decision, Evidence};
 pub use candidates::{Candidate, CandidateMemory, Candidates};
 pub use error::AgentError;
 pub use options::{AgentMemory, Options, SessionMemory, Weights};
