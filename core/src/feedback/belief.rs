@@ -17,6 +17,8 @@ crate::memory::tables! {
     BeliefTablesRef {
         /// One entry for each task and strategy.
         joint: Scaled,
+        /// The same, as it was before the last piece of evidence.
+        settled: Scaled,
         /// One entry a task: its prior.
         priors: Scaled,
         /// One entry a strategy, with its probability.
@@ -182,8 +184,9 @@ impl<'t> Belief<'t> {
         self.count.tasks = 0;
         let count = priors.len();
         let wanted = count.saturating_mul(self.count.strategies);
-        if wanted > self.memory.joint.len() {
-            return Err(CapacityError::new(Capacity::Beliefs, self.memory.joint.len(), wanted));
+        let limit = self.memory.joint.len().min(self.memory.settled.len());
+        if wanted > limit {
+            return Err(CapacityError::new(Capacity::Beliefs, limit, wanted));
         }
         if count > self.memory.priors.len() {
             return Err(CapacityError::new(Capacity::Tasks, self.memory.priors.len(), count));
@@ -198,7 +201,13 @@ impl<'t> Belief<'t> {
             }
         }
         self.count.tasks = count;
+        self.settle();
         Ok(())
+    }
+
+    /// Settles the last piece of evidence: the next one counts beside it, and no longer replaces it.
+    pub fn settle(&mut self) {
+        self.memory.settled.iter_mut().zip(self.memory.joint.iter()).for_each(|(settled, joint)| *settled = *joint);
     }
 
     /// Replaces the prior of one task; nothing for a task that there is not.
@@ -219,20 +228,27 @@ impl<'t> Belief<'t> {
         })
     }
 
-    /// Takes in one piece of evidence by its likelihood for each strategy and task, `None` where that is unknown. Evidence that every
-    /// task and strategy holds impossible is ignored, and `false` given.
+    /// Takes in one piece of evidence by its likelihood for each strategy and task, `None` where that is unknown. It replaces the evidence
+    /// since [`settle`](Self::settle). Evidence that every task and strategy holds impossible is ignored, and `false` given.
     pub fn observe(&mut self, likelihood: impl Fn(&Strategy, usize) -> Option<f32>) -> bool {
         let likely = |belief: &Self, task: usize, column: usize| {
             let (strategy, _) = belief.read().strategies().get(column)?;
             likelihood(strategy, task)
         };
+        let settled = |belief: &Self, task: usize, column: usize| {
+            let at = task.saturating_mul(belief.count.strategies).saturating_add(column);
+            belief.memory.settled.get(at).copied().unwrap_or(Scaled::ZERO)
+        };
         let possible = (0..self.count.tasks).any(|task| {
-            (0..self.count.strategies)
-                .any(|column| likely(self, task, column).is_some_and(|value| value > 0.0) && !self.read().weight_with(task, column).is_zero())
+            (0..self.count.strategies).any(|column| {
+                likely(self, task, column).is_some_and(|value| value > 0.0)
+                    && !settled(self, task, column).times(self.read().prior(task)).is_zero()
+            })
         });
         if !possible {
             return false;
         }
+        self.memory.joint.iter_mut().zip(self.memory.settled.iter()).for_each(|(joint, settled)| *joint = *settled);
         for column in 0..self.count.strategies {
             let (mut known, mut explained) = (Scaled::ZERO, Scaled::ZERO);
             for task in 0..self.count.tasks {

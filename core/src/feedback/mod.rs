@@ -12,13 +12,4 @@ pub use belief::{Belief, BeliefCount, BeliefError, BeliefRef, BeliefTables, Beli
 pub use simulated::SimulatedTrainer;
 pub use strategy::{Feedback, Strategy, StrategyError};
 
-/// How an action relates to a task's optimal set.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Judgement {
-    /// The action is in the optimal set.
-    Correct,
-    /// It is not.
-    Incorrect,
-    /// The optimal set is unknown.
-    Unknown,
-}
+pub use crate::planning::Judgement;

@@ -39,6 +39,16 @@ const LIGHT: f32 = 0.1;
 /// The least of a session's weight that must be kept.
 const LEAST_KEPT: f32 = 0.5;
 
+/// What came of one try to keep a session.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[must_use]
+pub(crate) enum Room {
+    /// It has room.
+    Found,
+    /// This session gave way; whether that is enough is not known yet.
+    Made(u16),
+}
+
 /// Why a session has to give way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Want {
@@ -51,42 +61,38 @@ enum Want {
 }
 
 impl LanguageMut<'_> {
-    /// Adds one session to the training data, as [`add_session`](Self::add_session) does; where memory is full, other sessions give way.
-    /// Words that found no room when they were heard are left out. [`tidy_vocabulary`](Self::tidy_vocabulary) and a training must follow.
+    /// Adds one session to the training data, as [`add_session`](Self::add_session) does, or where memory is full lets one other session
+    /// give way: call again until room is found. Words that found no room when they were heard are left out.
+    /// [`tidy_vocabulary`](Self::tidy_vocabulary) and a training must follow.
     ///
     /// `session_tokens` are the machine tokens that must stay.
     ///
     /// # Errors
     /// A [`CapacityError`] where the session could not be kept even alone; nothing is forgotten then.
-    pub(crate) fn add_session_making_room<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
+    pub(crate) fn add_session_or_make_room<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
         &mut self,
         sentence: &[Option<Symbol>],
         session_tokens: &[Symbol],
         pairs: impl Fn() -> I,
-    ) -> Result<(), CapacityError> {
+    ) -> Result<Room, CapacityError> {
         let mut words: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
         for &word in sentence.iter().flatten() {
             let too_long = CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, sentence.len());
             words.push(word).map_err(|_| too_long)?;
         }
         self.check_alone(&words, session_tokens, pairs())?;
-        loop {
-            let (extent, length_pairs) = (self.bitext.extent(), self.tables.trained.length_pairs);
-            match self.add_to_data(&words, &pairs) {
-                Ok(()) => return Ok(()),
-                Err(error) => {
-                    self.bitext.rewind(extent);
-                    self.tables.trained.length_pairs = length_pairs;
-                    let want = match error.capacity {
-                        Capacity::Alignments | Capacity::LengthPairs => Want::Lengths(words.len()),
-                        _ => Want::Session,
-                    };
-                    let Some(session) = self.least(want, self.bitext.sessions()) else { return Err(error) };
-                    self.bitext.remove_session(session);
-                    self.rebuild_lengths()?;
-                }
-            }
-        }
+        let (extent, length_pairs) = (self.bitext.extent(), self.tables.trained.length_pairs);
+        let Err(error) = self.add_to_data(&words, &pairs) else { return Ok(Room::Found) };
+        self.bitext.rewind(extent);
+        self.tables.trained.length_pairs = length_pairs;
+        let want = match error.capacity {
+            Capacity::Alignments | Capacity::LengthPairs => Want::Lengths(words.len()),
+            _ => Want::Session,
+        };
+        let Some(session) = self.least(want, self.bitext.sessions()) else { return Err(error) };
+        self.bitext.remove_session(session);
+        self.rebuild_lengths()?;
+        Ok(Room::Made(session))
     }
 
     fn add_to_data<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
@@ -155,24 +161,30 @@ impl LanguageMut<'_> {
         fits(Capacity::Translations, rooms.translations, cells)
     }
 
-    /// Makes sure that the vocabulary fits the tables and has an eighth free, now that a session was added. Symbols may change: those of
-    /// the session, in `sentence` and `session_tokens`, are renamed with the rest. A training must follow.
+    /// Makes sure that the vocabulary fits the tables and has an eighth free, now that a session was added, or lets one other session give
+    /// way for that: call again until room is found. Symbols may change: those of the session, in `sentence` and `session_tokens`, are
+    /// renamed with the rest. A training must follow.
     ///
     /// # Errors
-    /// A [`CapacityError`] that [`add_session_making_room`](Self::add_session_making_room) would have given.
-    pub(crate) fn tidy_vocabulary(&mut self, sentence: &mut [Option<Symbol>], session_tokens: &mut [Symbol]) -> Result<(), CapacityError> {
+    /// A [`CapacityError`] that [`add_session_or_make_room`](Self::add_session_or_make_room) would have given.
+    pub(crate) fn tidy_vocabulary(
+        &mut self,
+        sentence: &mut [Option<Symbol>],
+        session_tokens: &mut [Symbol],
+    ) -> Result<Room, CapacityError> {
         self.remove_unused_words(sentence);
-        while !self.vocabulary_has_room() {
+        if !self.vocabulary_has_room() {
             self.remove_unused_tokens(session_tokens);
-            if self.vocabulary_has_room() {
-                break;
-            }
-            let others = self.bitext.sessions().saturating_sub(1);
-            let Some(session) = self.least(Want::Vocabulary, others) else { break };
-            self.bitext.remove_session(session);
-            self.remove_unused_words(sentence);
         }
-        self.data_replaced()
+        if !self.vocabulary_has_room() {
+            let others = self.bitext.sessions().saturating_sub(1);
+            if let Some(session) = self.least(Want::Vocabulary, others) {
+                self.bitext.remove_session(session);
+                return Ok(Room::Made(session));
+            }
+        }
+        self.data_replaced()?;
+        Ok(Room::Found)
     }
 
     fn vocabulary_has_room(&self) -> bool {

@@ -100,10 +100,6 @@ impl LanguageState {
         }
     }
 
-    pub(crate) const fn settings(&self) -> &Settings {
-        &self.settings
-    }
-
     /// Whether a training is under way.
     pub(crate) fn is_training(&self) -> bool {
         !self.training.is_done()

@@ -45,7 +45,7 @@ macro_rules! arrays {
     };
 }
 
-crate::for_each_home_table! { all_memory!(shape!()) }
+crate::for_each_home_table! { crate::all_memory!(shape!()) }
 crate::for_each_home_table! { arrays!(
     /// Memory for a home, in plain arrays.
     HomeArrays
@@ -114,13 +114,6 @@ macro_rules! memory {
 
         $crate::for_each_home_table! { $crate::all_memory!($crate::memory_shape!($Name [$capacities])) }
     };
-}
-
-/// Hands the tables of a home and those of an agent to another macro together.
-#[doc(hidden)]
-#[macro_export]
-macro_rules! all_memory {
-    ($($then:ident)::+!($($head:tt)*) $($tables:tt)*) => { $crate::for_each_agent_table! { $($then)::+!($($head)* $($tables)*) } };
 }
 
 /// The shape that `memory!` makes.

@@ -39,6 +39,7 @@ macro_rules! for_each_agent_table {
             candidates: $crate::session::Candidate = $crate::session::Candidate::UNUSED; candidates,
             candidate_tokens: $crate::symbols::Symbol = $crate::symbols::Symbol(0); candidate_tokens,
             joint: $crate::probability::Scaled = $crate::probability::Scaled::ZERO; beliefs,
+            settled: $crate::probability::Scaled = $crate::probability::Scaled::ZERO; beliefs,
             priors: $crate::probability::Scaled = $crate::probability::Scaled::ZERO; tasks,
             strategies: ($crate::feedback::Strategy, f32) = ($crate::feedback::Strategy::UNUSED, 0.0); strategies,
             goal_parts: $crate::planning::goals::GoalPart = $crate::planning::goals::GoalPart::UNUSED; ground_propositions,
@@ -51,6 +52,13 @@ macro_rules! for_each_agent_table {
             distances: u32 = 0; tasks,
         }
     };
+}
+
+/// Hands the tables of a home and those of an agent to another macro together.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! all_memory {
+    ($($then:ident)::+!($($head:tt)*) $($tables:tt)*) => { $crate::for_each_agent_table! { $($then)::+!($($head)* $($tables)*) } };
 }
 
 /// The tables of a home from a value that has a field for each: to be written (`mut`), or to be read.
@@ -79,13 +87,13 @@ macro_rules! home_tables {
 macro_rules! agent_tables {
     (mut $it:expr) => {
         $crate::agent_tables!(
-            $it, AgentTables LanguageTables BitextTables ParameterTables SessionTables CandidateTables BeliefTables GoalTables PlanTables as_mut
+            $it, AgentTables LanguageTables BitextTables ParameterTables SessionTables CandidateTables BeliefTables GoalMemory PlanMemory as_mut
         )
     };
     (ref $it:expr) => {
         $crate::agent_tables!(
             $it, AgentTablesRef LanguageTablesRef BitextTablesRef ParameterTablesRef SessionTablesRef CandidateTablesRef BeliefTablesRef
-            GoalTablesRef PlanTablesRef as_ref
+            GoalMemoryRef PlanMemoryRef as_ref
         )
     };
     ($it:expr, $Agent:ident $Language:ident $Bitext:ident $Parameters:ident $Session:ident $Candidates:ident $Belief:ident $Goals:ident
@@ -115,6 +123,7 @@ macro_rules! agent_tables {
                 candidates: $crate::session::$Candidates { entries: it.candidates.$slice(), tokens: it.candidate_tokens.$slice() },
                 belief: $crate::feedback::$Belief {
                     joint: it.joint.$slice(),
+                    settled: it.settled.$slice(),
                     priors: it.priors.$slice(),
                     strategies: it.strategies.$slice(),
                 },

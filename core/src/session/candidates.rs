@@ -100,11 +100,6 @@ impl<'t> Candidates<'t> {
         CandidatesRef { memory: self.memory.read(), count: *self.count }
     }
 
-    /// Forgets all.
-    pub fn clear(&mut self) {
-        *self.count = CandidateCount::NONE;
-    }
-
     pub(super) fn entry_mut(&mut self, position: usize) -> Option<&mut Candidate> {
         self.memory.entries.get_mut(..self.count.len)?.get_mut(position)
     }

@@ -7,11 +7,12 @@ use crate::capacity::{CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::language::{LanguageMut, LanguageRef};
 use crate::language::Pair;
 use crate::language::tokenizer::word_form;
+use crate::memory::AgentMemory;
 use crate::session::Agent;
 use crate::symbols::Symbol;
 use heapless::Vec;
 
-impl Agent<'_> {
+impl<M: AgentMemory> Agent<M> {
     /// Adds the sessions of a model file after those learned here, words and machine tokens matched by their text, and begins training: call
     /// [`learn`](Self::learn) until it is done. A session that both have, the same in words, machine commands and weights to the last bit,
     /// comes from a common past and is kept once; one that a model has several times is kept as often. The options and what is believed of
@@ -24,10 +25,10 @@ impl Agent<'_> {
         if contents.vocabulary != 0 && contents.vocabulary != self.vocabulary() {
             return Err(RestoreError::OtherDomain);
         }
-        self.language.check_forms(&contents)?;
+        self.language().check_forms(&contents)?;
         self.end_session();
         self.workspace_to_training();
-        Ok(self.language.join_contents(&contents)?)
+        Ok(self.language_mut().join_contents(&contents)?)
     }
 }
 

@@ -60,7 +60,7 @@ impl LanguageRef<'_> {
 
     /// Whether a model's training data fit here, and whether no word or token stands twice.
     pub(super) fn check_room(self, contents: &Contents<'_>) -> Result<(), RestoreError> {
-        Capacities { strategies: 0, ..contents.needs() }.fits_in(self.rooms())?;
+        Capacities { strategies: 0, ..contents.needs() }.fits_in(&self.rooms())?;
         let distinct = |texts: super::contents::Section<'_, &str>| {
             texts.iter().enumerate().all(|(position, text)| texts.iter().take(position).all(|other| other != text))
         };

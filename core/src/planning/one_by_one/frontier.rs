@@ -1,23 +1,23 @@
-//! Which states of a search are open, at which distance, and which are done, with the first actions that lead to each.
+//! Which states of a search are open, at which distance, and which are closed, with the first actions that lead to each.
 //!
-//! There is one bit set for each distance that is open at the same time, in a ring, and one for the states that are done. The words of all
-//! sets for the same 64 states lie side by side, and after them the states' first actions, one byte each, two where the domain has more
-//! than eight actions. Above these groups, one bit for each word of the sets says whether it was touched, so that neither finding the next
-//! state nor clearing up takes time for states that a search never came near.
+//! There is one bit set for each distance that is open at the same time, in a ring, and one for the closed states. The words of all sets
+//! for the same 64 states lie side by side, and after them the states' first actions, one byte each, or two where the domain has more than
+//! eight actions. Above these groups, one bit for each word of the sets says whether it was touched, so that neither finding the next state
+//! nor clearing takes time for states that a search never came near.
 
 use crate::oomdp::ActionSet;
 
 /// How a way to a state compares with the ways known before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Way {
-    /// The first.
-    New,
-    /// Shorter than those before.
+pub(super) enum Arrival {
+    /// It is the first.
+    First,
+    /// It is shorter than those before.
     Shorter,
-    /// One more of the shortest.
-    AsShort,
-    /// No shorter than one that is known.
-    NoShorter,
+    /// It is one more of the shortest.
+    Equal,
+    /// A shorter one is known.
+    Longer,
 }
 
 /// How the marks of one search lie in its memory, and where the search stands in them.
@@ -25,13 +25,13 @@ pub(super) enum Way {
 pub(super) struct Frontier {
     /// Groups of 64 states.
     groups: usize,
-    /// Distances open at the same time; the set after the last holds the states that are done.
+    /// Distances open at the same time; the set after the last holds the closed states.
     ring: usize,
     /// Bytes of a state's first actions.
     bytes: usize,
     /// The set of the distance under way.
     head: usize,
-    /// The group of 64 groups that is looked through.
+    /// The position of the summary word that is scanned.
     cursor: usize,
 }
 
@@ -41,15 +41,16 @@ impl Frontier {
         Self { groups: states.div_ceil(64), ring, bytes, head: 0, cursor: 0 }
     }
 
-    const fn words(&self) -> usize {
+    pub(super) const fn words(&self) -> usize {
         let summaries = self.groups.div_ceil(64).saturating_mul(self.sets());
         self.groups.saturating_mul(self.stride()).saturating_add(summaries)
     }
 
-    /// How many states there is room for in so many words.
-    pub(super) fn room(words: usize, ring: usize, bytes: usize) -> usize {
-        let fits = |groups: usize| Self { groups, ..Self::new(0, ring, bytes) }.words() <= words;
-        let mut groups = words / Self::new(0, ring, bytes).stride();
+    /// How many states there is room for in so many words, with `beside` more words for each 64 states.
+    pub(super) fn room(words: usize, ring: usize, bytes: usize, beside: usize) -> usize {
+        let needed = |groups: usize| Self { groups, ..Self::new(0, ring, bytes) }.words().saturating_add(groups.saturating_mul(beside));
+        let fits = |groups: usize| needed(groups) <= words;
+        let mut groups = words / Self::new(0, ring, bytes).stride().saturating_add(beside);
         while groups > 0 && !fits(groups) {
             // What is too much is the summaries, less than a sixtieth of all.
             groups = groups.saturating_sub(1 + groups / 4_096);
@@ -57,7 +58,7 @@ impl Frontier {
         groups.saturating_mul(64)
     }
 
-    /// Leaves nothing but zeroes.
+    /// Leaves zeros.
     pub(super) fn clear(&self, marks: &mut [u64]) {
         let (sets, stride) = (self.sets(), self.stride());
         for cursor in 0..self.groups.div_ceil(64) {
@@ -108,24 +109,24 @@ impl Frontier {
         }
     }
 
-    /// Marks a state as done.
+    /// Closes a state.
     #[inline]
     pub(super) fn finish(&self, marks: &mut [u64], slot: usize) {
         self.put(marks, self.ring, slot);
     }
 
-    /// Meets a state on a way that is `cost` beyond the distance under way, and opens it there if no other way to it is as near.
+    /// Reaches a state on a way that is `cost` beyond the distance under way, and opens it there unless a shorter way is known.
     #[inline]
-    pub(super) fn meet(&self, marks: &mut [u64], slot: usize, cost: usize) -> Way {
+    pub(super) fn meet(&self, marks: &mut [u64], slot: usize, cost: usize) -> Arrival {
         let (sets, ring, set, bit) = (self.sets(), self.ring, self.set_at(cost), 1_u64 << (slot % 64));
         let start = (slot / 64).wrapping_mul(self.stride());
-        let Some(group) = marks.get_mut(start..start.wrapping_add(sets)) else { return Way::NoShorter };
+        let Some(group) = marks.get_mut(start..start.wrapping_add(sets)) else { return Arrival::Longer };
         let way = if group.iter().fold(0, |all, word| all | word) & bit == 0 {
-            Way::New
+            Arrival::First
         } else if group.last().is_some_and(|done| done & bit != 0) {
-            return Way::NoShorter;
+            return Arrival::Longer;
         } else if group.get(set).is_some_and(|word| word & bit != 0) {
-            return Way::AsShort;
+            return Arrival::Equal;
         } else {
             let mut found = false;
             for farther in cost..ring {
@@ -135,15 +136,15 @@ impl Frontier {
                 }
             }
             if !found {
-                return Way::NoShorter;
+                return Arrival::Longer;
             }
-            Way::Shorter
+            Arrival::Shorter
         };
         self.put(marks, set, slot);
         way
     }
 
-    /// Takes the next state of the distance under way, which is then done.
+    /// Takes the next state of the distance under way, which is then closed.
     #[inline]
     pub(super) fn take(&mut self, marks: &mut [u64]) -> Option<usize> {
         loop {
@@ -217,15 +218,15 @@ mod tests {
     fn states_come_by_distance_and_what_was_marked_can_be_cleared() {
         let mut marks = std::vec![0; 6_000];
         for (states, ring) in [(31_000, 2), (20_000, 3), (31_000, 2)] {
-            assert!(Frontier::room(marks.len(), ring, 1) >= states);
+            assert!(Frontier::room(marks.len(), ring, 1, 0) >= states);
             let mut frontier = Frontier::new(states, ring, 1);
             assert_eq!(frontier.take(&mut marks), None);
-            assert_eq!([states - 1, 1_025, 1_025].map(|slot| frontier.meet(&mut marks, slot, 1)), [Way::New, Way::New, Way::AsShort]);
+            assert_eq!([states - 1, 1_025, 1_025].map(|slot| frontier.meet(&mut marks, slot, 1)), [Arrival::First, Arrival::First, Arrival::Equal]);
             frontier.next_level();
             assert_eq!(core::iter::from_fn(|| frontier.take(&mut marks)).collect::<std::vec::Vec<_>>(), [1_025, states - 1]);
-            assert_eq!(frontier.meet(&mut marks, 1_025, 1), Way::NoShorter);
+            assert_eq!(frontier.meet(&mut marks, 1_025, 1), Arrival::Longer);
             // Left open when the next search begins.
-            assert_eq!(frontier.meet(&mut marks, 77, 1), Way::New);
+            assert_eq!(frontier.meet(&mut marks, 77, 1), Arrival::First);
             frontier.clear(&mut marks);
             assert!(marks.iter().all(|&word| word == 0));
         }
@@ -235,7 +236,7 @@ mod tests {
     fn a_shorter_way_that_is_found_later_is_taken() {
         let mut marks = [0; 100];
         let mut frontier = Frontier::new(100, 6, 1);
-        assert_eq!([5, 3, 3, 4].map(|cost| frontier.meet(&mut marks, 50, cost)), [Way::New, Way::Shorter, Way::AsShort, Way::NoShorter]);
+        assert_eq!([5, 3, 3, 4].map(|cost| frontier.meet(&mut marks, 50, cost)), [Arrival::First, Arrival::Shorter, Arrival::Equal, Arrival::Longer]);
         let levels: std::vec::Vec<_> = (0..6)
             .map(|_| {
                 frontier.next_level();
@@ -261,9 +262,9 @@ mod tests {
     #[test]
     fn the_room_is_all_that_fits() {
         // A group of 64 states takes three words and eight of first actions, and each 64 groups three words more.
-        assert_eq!([13, 14, 24, 25, 36].map(|words| Frontier::room(words, 2, 1)), [0, 64, 64, 128, 192]);
-        assert_eq!(Frontier::room(64 * 11 + 3, 2, 1), 4_096);
-        assert_eq!(Frontier::room(65 * 11 + 3, 2, 1), 4_096);
-        assert_eq!(Frontier::room(65 * 11 + 6, 2, 1), 4_160);
+        assert_eq!([13, 14, 24, 25, 36].map(|words| Frontier::room(words, 2, 1, 0)), [0, 64, 64, 128, 192]);
+        assert_eq!(Frontier::room(64 * 11 + 3, 2, 1, 0), 4_096);
+        assert_eq!(Frontier::room(65 * 11 + 3, 2, 1, 0), 4_096);
+        assert_eq!(Frontier::room(65 * 11 + 6, 2, 1, 0), 4_160);
     }
 }

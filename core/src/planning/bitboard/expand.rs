@@ -1,74 +1,68 @@
-//! One row's states of the distance under way, all at once.
+//! The states of one row at the distance under way, expanded together.
 
-use super::{Findings, HOPEFUL, Rows};
-use crate::oomdp::{Action, ActionSet, Domain};
-use crate::planning::GoalTable;
+use super::{CANDIDATES, FREE, RowSearch};
+use crate::oomdp::{Action, ActionSet, Piece, PushGrid};
+use crate::planning::bits::take_from;
+use crate::planning::goals::Goals;
+use crate::planning::plan::Results;
 
-impl Rows {
-    /// Looks at all states of one row at the distance under way; gives `None` where no row is left. It takes as many looks
-    /// as the row has words, at least.
+impl RowSearch {
+    /// Expands all states of one row at the distance under way. Returns how many expansions that took, at least the words of the row, or
+    /// `None` where no row is left. `now` is the state that was planned for.
     #[inline]
-    pub(in super::super) fn look<D: Domain + ?Sized>(
+    pub(in super::super) fn expand<G: PushGrid + ?Sized>(
         &mut self,
         marks: &mut [u64],
-        found: &mut Findings<'_>,
-        domain: &D,
-        goals: &GoalTable<'_>,
+        results: &mut Results<'_>,
+        grid: &G,
+        goals: &Goals<'_>,
+        now: &G::State,
     ) -> Option<u32> {
         let row = self.take(marks)?;
-        let state = domain.row(row as u64);
+        let state = self.state_of_row(grid, now, row, marks);
         let touched = match (self.words, self.actions) {
-            // What most homes have, as straight lines.
-            (1, 4) => self.spread_word::<4, D>(marks, domain, row, &state),
-            (1, 5) => self.spread_word::<5, D>(marks, domain, row, &state),
-            _ => self.spread_words(marks, domain, row, &state),
+            // Rows of one word are common: their loops are unrolled.
+            (1, 4) => self.spread_word::<4, G>(marks, grid, row, &state),
+            (1, 5) => self.spread_word::<5, G>(marks, grid, row, &state),
+            _ => self.spread_words(marks, grid, row, &state),
         };
-        self.meet(marks, found, domain, goals, &state, row);
-        let looks = if touched { self.act(marks, domain, &state, row) } else { 1 };
+        self.meet(marks, results, grid, goals, &state, row);
+        let expansions = if touched { self.push(marks, grid, now, &state, row) } else { 1 };
         let done = self.row_at(row).wrapping_add(self.here.wrapping_mul(self.words));
         for word in 0..self.words {
             if let Some(bits) = marks.get_mut(done.wrapping_add(word)) {
                 *bits = 0;
             }
         }
-        Some(looks.max(self.words as u32))
+        Some(expansions.max(self.words as u32))
     }
 
     /// Takes the next row that has a state at the distance under way.
     #[inline]
     fn take(&mut self, marks: &mut [u64]) -> Option<usize> {
         let start = self.frontier_at(self.here);
-        let set = marks.get_mut(start..start.wrapping_add(self.set))?;
-        loop {
-            let bits = set.get_mut(self.cursor)?;
-            if *bits != 0 {
-                let row = self.cursor.wrapping_mul(64).wrapping_add(bits.trailing_zeros() as usize);
-                *bits &= bits.wrapping_sub(1);
-                return Some(row);
-            }
-            self.cursor = self.cursor.wrapping_add(1);
-        }
+        take_from(marks.get_mut(start..start.wrapping_add(self.set))?, &mut self.cursor)
     }
 
-    /// Opens what the robot's moves reach within a row of one word, and gives whether they touch what is taken.
+    /// Opens what the robot's moves reach within a row of one word. Returns whether they touch an occupied cell.
     #[inline]
-    fn spread_word<const ACTIONS: usize, D: Domain + ?Sized>(
+    fn spread_word<const ACTIONS: usize, G: PushGrid + ?Sized>(
         &mut self,
         marks: &mut [u64],
-        domain: &D,
+        grid: &G,
         row: usize,
-        state: &D::State,
+        state: &G::State,
     ) -> bool {
         let Some((front, rows)) = marks.split_at_mut_checked(self.rows_at) else { return false };
         let Some(planes) = rows.get_mut(row.wrapping_mul(ACTIONS.wrapping_add(2))..) else { return false };
         let Some((planes, rest)) = planes.split_first_chunk_mut::<ACTIONS>() else { return false };
         let Some([even, odd]) = rest.first_chunk_mut::<2>() else { return false };
         let (here, next) = if self.here == ACTIONS { (*even, odd) } else { (*odd, even) };
-        let width = self.grid.width as u32;
-        let taken = self.taken(domain, state, 0);
+        let width = self.bits.width as u32;
+        let occupied = self.occupied(grid, state, 0);
         let reached = beside_in_word(here, width);
         let known = planes.iter().fold(0, |all, plane| all | plane) & !*next;
-        let new = reached & front.get(self.cells_at(1)).copied().unwrap_or(0) & !taken & !known;
+        let new = reached & front.get(self.floor_plane_at(FREE)).copied().unwrap_or(0) & !occupied & !known;
         if new != 0 {
             for plane in planes {
                 *plane |= beside_in_word(*plane & here, width) & new;
@@ -76,11 +70,11 @@ impl Rows {
             *next |= new;
             self.open(marks, row);
         }
-        reached & taken != 0
+        reached & occupied != 0
     }
 
     /// The same for a row of several words.
-    fn spread_words<D: Domain + ?Sized>(&mut self, marks: &mut [u64], domain: &D, row: usize, state: &D::State) -> bool {
+    fn spread_words<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, row: usize, state: &G::State) -> bool {
         let words = self.words;
         let (here, next) = (self.here, self.next);
         let Some((front, rows)) = marks.split_at_mut_checked(self.rows_at) else { return false };
@@ -94,10 +88,10 @@ impl Rows {
             if reached == 0 {
                 continue;
             }
-            let taken = self.taken(domain, state, word);
+            let occupied = self.occupied(grid, state, word);
             let known = (0..self.actions).fold(0, |all, action| all | get(planes, at(action, word))) & !get(planes, at(next, word));
-            let new = reached & get(front, self.cells_at(1).wrapping_add(word)) & !taken & !known;
-            touched |= reached & taken;
+            let new = reached & get(front, self.floor_plane_at(FREE).wrapping_add(word)) & !occupied & !known;
+            touched |= reached & occupied;
             if new == 0 {
                 continue;
             }
@@ -118,26 +112,26 @@ impl Rows {
         touched != 0
     }
 
-    /// The bits of a word that are taken.
+    /// The bits of a word that other moving pieces occupy.
     #[inline]
-    fn taken<D: Domain + ?Sized>(&self, domain: &D, state: &D::State, word: usize) -> u64 {
-        let mut bits = 0;
-        for variable in 1..domain.variables() {
-            if let Some(place) = domain.taken(state, variable) {
-                let bit = domain.bit_of(place);
-                bits |= if bit / 64 == word { 1 << (bit % 64) } else { 0 };
-            }
-        }
-        bits
+    fn occupied<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State, word: usize) -> u64 {
+        self.view.pieces(grid).filter_map(|piece| self.bit_of(grid, state, piece)).fold(0, |bits, bit| {
+            bits | if bit / 64 == word { 1 << (bit % 64) } else { 0 }
+        })
+    }
+
+    #[inline]
+    fn bit_of<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State, piece: Piece) -> Option<usize> {
+        grid.floor().cells.get(grid.cell(state, piece).index()).map(|cell| self.bits.of(cell))
     }
 
     /// The bits of one word that are beside the bits of a plane of several words.
     #[inline]
     fn beside(&self, word: usize, plane: impl Fn(usize) -> u64) -> u64 {
-        // Beyond the first and the last word there is nothing.
+        // Words beyond the row count as empty.
         let before = |by: usize| word.checked_sub(by).map_or(0, &plane);
         let after = |by: usize| if word.wrapping_add(by) < self.words { plane(word.wrapping_add(by)) } else { 0 };
-        let (far, near) = (self.grid.width / 64, (self.grid.width % 64) as u32);
+        let (far, near) = (self.bits.width / 64, (self.bits.width % 64) as u32);
         let over = 63_u32.wrapping_sub(near);
         let bits = plane(word);
         let up = before(far) << near | before(far.wrapping_add(1)) >> 1 >> over;
@@ -147,26 +141,24 @@ impl Rows {
 
     /// Finds the tasks that hold in the row's states of the distance under way.
     #[inline]
-    fn meet<D: Domain + ?Sized>(
+    fn meet<G: PushGrid + ?Sized>(
         &self,
         marks: &mut [u64],
-        found: &mut Findings<'_>,
-        domain: &D,
-        goals: &GoalTable<'_>,
-        state: &D::State,
+        results: &mut Results<'_>,
+        grid: &G,
+        goals: &Goals<'_>,
+        state: &G::State,
         row: usize,
     ) {
-        let (words, actions) = (self.words, self.actions);
-        let mut tasks = found.unresolved.common(self.only_placed);
-        let hopeful = self.set_at(HOPEFUL).wrapping_add(row / 64);
-        if marks.get(hopeful).is_some_and(|word| word >> (row % 64) & 1 == 1) {
-            let mut more = found.unresolved.without(self.only_placed);
-            for variable in 1..domain.variables() {
-                more = more.common(goals.not_ruled_out(domain, state, variable));
-            }
-            // Tasks are resolved one after another, and none comes again.
+        let (words, actions, sought) = (self.words, self.actions, results.found.sought);
+        let mut tasks = sought.common(self.only_robot);
+        let candidates = self.set_at(CANDIDATES).wrapping_add(row / 64);
+        if marks.get(candidates).is_some_and(|word| word >> (row % 64) & 1 == 1) {
+            let allowed = |piece| self.view.allowed(goals, grid, state, piece, grid.cell(state, piece));
+            let more = self.view.pieces(grid).fold(sought.without(self.only_robot), |more, piece| more.common(allowed(piece)));
+            // The tasks sought become fewer, so a row that is no candidate now never is again.
             if more.is_empty()
-                && let Some(word) = marks.get_mut(hopeful)
+                && let Some(word) = marks.get_mut(candidates)
             {
                 *word &= !(1 << (row % 64));
             }
@@ -176,32 +168,33 @@ impl Rows {
         let plane =
             |plane: usize, word: usize| marks.get(planes.wrapping_add(plane.wrapping_mul(words)).wrapping_add(word)).copied().unwrap_or(0);
         for task in tasks.iter() {
-            let mask = self.placed.contains(task).then(|| self.cells_at(self.mask_of(task)));
+            let mask = self.of_robot.contains(task).then(|| self.floor_plane_at(self.plane_of(task)));
             for word in 0..words {
                 let cells = mask.map_or(u64::MAX, |mask| marks.get(mask.wrapping_add(word)).copied().unwrap_or(0));
                 let met = plane(self.here, word) & cells;
                 if met != 0 {
                     let first = (0..actions).filter(|&action| plane(action, word) & met != 0);
-                    found.meet(task, first.fold(ActionSet::EMPTY, |set, action| set.with(Action(action as u8))));
+                    results.meet(task, first.fold(ActionSet::EMPTY, |set, action| set.with(Action(action as u8))));
                 }
             }
         }
     }
 
-    /// Does what the robot can do to what is taken beside it. Gives the looks it took.
-    fn act<D: Domain + ?Sized>(&mut self, marks: &mut [u64], domain: &D, state: &D::State, row: usize) -> u32 {
+    /// Moves the pieces that the robot can move from beside them. Returns how many expansions that took.
+    #[inline]
+    fn push<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, now: &G::State, state: &G::State, row: usize) -> u32 {
         let planes = self.row_at(row);
         let here_at = planes.wrapping_add(self.here.wrapping_mul(self.words));
-        let mut looks = 1_u32;
-        for variable in 1..domain.variables() {
-            let Some(taken) = domain.taken(state, variable).map(|place| domain.bit_of(place)) else { continue };
+        let mut expansions = 1_u32;
+        for piece in self.view.pieces(grid) {
+            let Some(occupied) = self.bit_of(grid, state, piece) else { continue };
             let here = marks.get(here_at).copied().unwrap_or(0);
-            if self.words == 1 && beside_in_word(1_u64.wrapping_shl(taken as u32), self.grid.width as u32) & here == 0 {
+            if self.words == 1 && beside_in_word(1_u64.wrapping_shl(occupied as u32), self.bits.width as u32) & here == 0 {
                 continue;
             }
-            for (direction, toward) in self.grid.directions.into_iter().enumerate() {
-                // Behind the first cell there are bits beyond all words.
-                let bit = taken.wrapping_add_signed(self.grid.shift(direction).wrapping_neg());
+            for (direction, toward) in self.directions.into_iter().enumerate() {
+                // A difference below bit 0 wraps around, and the bounds check rejects it.
+                let bit = occupied.wrapping_add_signed(self.bits.shift(direction).wrapping_neg());
                 let has = |at: usize| marks.get(at.wrapping_add(bit / 64)).is_some_and(|word| word >> (bit % 64) & 1 == 1);
                 if bit / 64 >= self.words || !has(here_at) {
                     continue;
@@ -211,28 +204,17 @@ impl Rows {
                     first = ActionSet(first.0 | u16::from(has(at)) << action);
                     at = at.wrapping_add(self.words);
                 }
-                let place = self.place(marks, bit);
-                let here = domain.with_value(state, 0, place);
-                let number = (row as u64).wrapping_mul(self.places as u64).wrapping_add(place as u64);
+                let here = grid.put(state, Piece::ROBOT, self.cell(self.rank_of_bit(marks, bit), marks));
                 for action in core::iter::once(toward).chain(self.others.iter()) {
-                    looks = looks.wrapping_add(1);
-                    let next = domain.number_after(&here, number, action).filter(|&next| next != number);
-                    if let Some(next) = next.and_then(|next| self.spot(domain, next)) {
+                    expansions = expansions.wrapping_add(1);
+                    let next = grid.step(&here, action).filter(|next| *next != here);
+                    if let Some(next) = next.and_then(|next| self.spot(grid, now, &next, marks)) {
                         self.reach(marks, next, first);
                     }
                 }
             }
         }
-        looks
-    }
-
-    /// The robot's place at a bit: there are as many cells before it as places.
-    #[inline]
-    fn place(&self, marks: &[u64], bit: usize) -> usize {
-        let cells = marks.get(..self.words).unwrap_or(&[]);
-        let before: u32 = cells.iter().take(bit / 64).map(|word| word.count_ones()).sum();
-        let within = cells.get(bit / 64).map_or(0, |word| (word & ((1 << (bit % 64)) - 1)).count_ones());
-        before.wrapping_add(within) as usize
+        expansions
     }
 }
 
