@@ -116,7 +116,7 @@ fn section<'a, T: Deserialize<'a>>(
 /// use goodbot::{Agent, Options, home, snapshot::Contents};
 /// goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
 /// let mut memory = Memory::new();
-/// let mut agent = Agent::new(memory.split().agent, &home::paper_tasks()?, Options::PAPER)?;
+/// let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks()?, Options::PAPER)?;
 /// let mut buffer = [0; 4_096];
 /// let saved = agent.save(&mut buffer)?;
 /// let contents = Contents::read(&buffer[..saved])?;
