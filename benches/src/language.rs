@@ -1,5 +1,6 @@
 //! A bitext to learn from, and models that have learned.
 
+use goodbot::memory::AgentMemory;
 use goodbot::language::{LanguageMemory, LanguageModel, Settings};
 use goodbot::planning::Progress;
 
@@ -59,7 +60,7 @@ pub fn model<'m>(
 }
 
 /// Trains from uniform tables to the end.
-pub fn train(model: &mut LanguageModel<'_>) {
+pub fn train(model: &mut LanguageModel<impl AgentMemory>) {
     model.begin_training();
     while model.train(u32::MAX) == Progress::Working {}
 }

@@ -30,5 +30,5 @@ fn an_agent_names_the_option_that_is_none_to_learn_with() {
 fn a_language_model_names_the_setting_that_is_none_to_train_with() {
     let mut memory = Memory::new();
     let endless = Settings { rounds: u32::MAX, ..Settings::PAPER };
-    assert_eq!(LanguageModel::new(memory.split().agent.language, endless).err(), Some(SettingError::Rounds));
+    assert_eq!(LanguageModel::new(&mut memory.agent, endless).err(), Some(SettingError::Rounds));
 }
