@@ -132,7 +132,7 @@ pub fn train(agent: &mut Agent<impl AgentMemory>, lesson: &Lesson, trainer: Stra
             break;
         }
     }
-    agent.finish(&home)?;
+    let _ = agent.finish(&home)?;
     agent.learn_fully();
     Ok(())
 }
