@@ -174,8 +174,8 @@ pub unsafe extern "C" fn goodbot_home_place(robot: *mut Goodbot, name: *const c_
     unsafe {
         with(robot, |robot| {
             let World::Home(home, state) = &mut robot.world else { return Err(GoodbotStatus::NoWorld.into()) };
-            let object = home.objects().find(text(name)?).ok_or(GoodbotStatus::Unknown)?;
-            *state = home.placed(state, object, Cell::new(x, y)).ok_or(GoodbotStatus::Number)?;
+            let object = home.world().objects.find(text(name)?).ok_or(GoodbotStatus::Unknown)?;
+            *state = home.placed(state, &[(object, Cell::new(x, y))]).ok_or(GoodbotStatus::Number)?;
             Ok(GoodbotStatus::Ok)
         })
     }
@@ -191,7 +191,7 @@ pub unsafe extern "C" fn goodbot_home_where(robot: *mut Goodbot, name: *const c_
     unsafe {
         with(robot, |robot| {
             let World::Home(home, state) = &robot.world else { return Err(GoodbotStatus::NoWorld.into()) };
-            let object = home.objects().find(text(name)?).ok_or(GoodbotStatus::Unknown)?;
+            let object = home.world().objects.find(text(name)?).ok_or(GoodbotStatus::Unknown)?;
             let cell = if object == home.agent() { Some(home.agent_cell(state)) } else { home.block_cell(state, object) };
             let cell = cell.ok_or(GoodbotStatus::Unknown)?;
             give(x, cell.x)?;

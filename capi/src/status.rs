@@ -55,6 +55,8 @@ pub enum GoodbotStatus {
     Buffer = 20,
     /// Anything else.
     Other = 21,
+    /// No action was done that could be judged: call `goodbot_done` for each.
+    NothingDone = 22,
 }
 
 /// Why a call failed, with the table that was full, if one was.
@@ -83,6 +85,8 @@ impl From<AgentError> for Failure {
             AgentError::NoTask => GoodbotStatus::NoTask,
             AgentError::NoSession => GoodbotStatus::NoSession,
             AgentError::NotPlanned => GoodbotStatus::NotPlanned,
+            AgentError::OtherDomain => GoodbotStatus::NoSession,
+            AgentError::NothingDone => GoodbotStatus::NothingDone,
             AgentError::StillLearning => GoodbotStatus::StillLearning,
             AgentError::NotApplicable => GoodbotStatus::NotApplicable,
             AgentError::NotAProbability | AgentError::Setting(_) => GoodbotStatus::Number,
@@ -142,7 +146,7 @@ impl From<RestoreError> for Failure {
 /// What is wrong, as a sentence for people; a constant text that is never null.
 #[unsafe(no_mangle)]
 pub extern "C" fn goodbot_status_text(status: i32) -> *const core::ffi::c_char {
-    const TEXTS: [&core::ffi::CStr; 22] = [
+    const TEXTS: [&core::ffi::CStr; 23] = [
         c"done",
         c"not done yet; call again",
         c"a pointer is null that must not be",
@@ -165,6 +169,7 @@ pub extern "C" fn goodbot_status_text(status: i32) -> *const core::ffi::c_char {
         c"the model was learned with another vocabulary",
         c"the buffer is too small",
         c"something else failed",
+        c"no action was done that could be judged; say that one was done first",
     ];
     usize::try_from(status).ok().and_then(|status| TEXTS.get(status)).unwrap_or(&c"no such status").as_ptr()
 }

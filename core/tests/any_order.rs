@@ -105,14 +105,15 @@ fn act(agent: &mut Agent<'_>, homes: &[(Home<'_>, HomeState)], at: &mut (usize, 
         4..=6 => drop(agent.plan(home, &at.1, random.next_u32() % 50)),
         7..=9 => {
             let _ = agent.plan_fully(home, &at.1);
-            if let Ok(decision) = agent.decide(Some(&mut *random)) {
-                at.1 = apply(home, &at.1, decision.action).unwrap_or(at.1);
-                let _ = agent.feedback(decision.action, *pick(random, &[Feedback::Reward, Feedback::Punish, Feedback::Neutral]));
+            if let Ok(decision) = agent.decide_by(home, &at.1, random) {
+                at.1 = agent.acted(home, &at.1, decision.action).expect("an action that was decided on can be done");
+                let _ = agent.feedback(*pick(random, &[Feedback::Reward, Feedback::Punish, Feedback::Neutral]));
             }
         }
-        10 => drop(agent.decide::<Pcg32>(None)),
-        11 | 12 => drop(agent.feedback(action, *pick(random, &[Feedback::Reward, Feedback::Punish, Feedback::Neutral]))),
-        13 | 14 => drop(agent.demonstration(action)),
+        10 => drop(agent.decide(home, &at.1)),
+        11 => drop(agent.acted(home, &at.1, action)),
+        12 => drop(agent.feedback(*pick(random, &[Feedback::Reward, Feedback::Punish, Feedback::Neutral]))),
+        13 | 14 => drop(agent.demonstrated(home, &at.1, action)),
         15 => agent.forget(),
         16 => drop(agent.finish(home)),
         17 => drop(agent.learn(random.next_u32() % 300)),

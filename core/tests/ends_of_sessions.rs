@@ -45,7 +45,7 @@ fn a_session_is_taken_up_again_when_it_is_learned_and_planned_as_before() {
     let mut agent = Agent::new(memory.split().agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     agent.hear(&home, &start, "go to the red room").unwrap();
     agent.plan_fully(&home, &start).unwrap();
-    let plans = |agent: &Agent<'_>| [0, 1].map(|task| agent.search().optimal(task));
+    let plans = |agent: &Agent<'_>| [0, 1].map(|task| agent.planned().optimal(task));
     let before = plans(&agent);
     agent.finish(&home).unwrap();
     // Planning and training have one memory in turn.
@@ -93,7 +93,8 @@ fn a_command_of_a_length_never_heard_is_learned_from_too() {
     // Pr(n|l) is 0 for each machine command: nothing explains three words, and the feedback alone tells what they mean.
     agent.hear(&home, &start, "red room now").unwrap();
     agent.plan_fully(&home, &start).unwrap();
-    agent.feedback(Action(2), Feedback::Reward).unwrap();
+    agent.acted(&home, &start, Action(2)).unwrap();
+    let _ = agent.feedback(Feedback::Reward).unwrap();
     agent.finish(&home).unwrap();
     agent.learn_fully();
     let added = agent.language().bitext().pairs().get(pairs..).unwrap();

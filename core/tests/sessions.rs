@@ -4,6 +4,7 @@ use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::oomdp::{Action, Domain, apply};
+use goodbot::session::Evidence;
 use goodbot::planning::{OptimalSet, Progress};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use rand_pcg::Pcg32;
@@ -29,9 +30,16 @@ fn agent(memory: goodbot::session::AgentMemory<'_>) -> Agent<'_> {
     Agent::new(memory, &home::paper_tasks().unwrap(), Options::PAPER).unwrap()
 }
 
+/// The agent does an action, and the trainer says something to it. Gives the state that the action leads to.
+fn told(agent: &mut Agent<'_>, home: &Home<'_>, state: &HomeState, action: Action, feedback: Feedback) -> HomeState {
+    let next = agent.acted(home, state, action).unwrap();
+    assert_eq!(agent.feedback(feedback), Ok(Evidence::Used));
+    next
+}
+
 /// The position of the task that brings `subject` to `room`.
 fn task(agent: &Agent<'_>, home: &Home<'_>, subject: &str, room: &str) -> usize {
-    let name = |object| home.objects().name(object);
+    let name = |object| home.world().objects.name(object);
     agent.tasks().iter().position(|task| name(task.bindings[0]) == subject && name(task.bindings[1]) == room).unwrap()
 }
 
@@ -56,12 +64,11 @@ fn reward_and_punishment_tell_the_intended_task() {
     agent.hear(&home, &state, "go to the red room").unwrap();
     let red = task(&agent, &home, "agent0", "room2");
     agent.plan_fully(&home, &state).unwrap();
-    agent.feedback(Action(2), Feedback::Reward).unwrap();
+    state = told(&mut agent, &home, &state, Action(2), Feedback::Reward);
     // East is right for the red room alone: 0.27 against 0.03.
     assert!((agent.belief().probability(red) - 0.9).abs() < 1e-6);
-    state = apply(&home, &state, Action(2)).unwrap();
     agent.plan_fully(&home, &state).unwrap();
-    let decision = agent.decide::<Pcg32>(None).unwrap();
+    let decision = agent.decide(&home, &state).unwrap();
     assert_eq!(decision.task, red);
 }
 
@@ -72,7 +79,7 @@ fn silence_says_nothing_where_right_and_wrong_actions_are_met_with_it_equally() 
     let mut agent = agent(memory.split().agent);
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
-    agent.feedback(Action(0), Feedback::Neutral).unwrap();
+    let _ = told(&mut agent, &home, &start, Action(0), Feedback::Neutral);
     assert_eq!(probabilities(&agent), [0.25; 4]);
 }
 
@@ -91,9 +98,9 @@ fn planning_and_learning_in_small_parts_give_the_same_as_in_one_go() {
                 } else {
                     agent.plan_fully(&home, &state).unwrap();
                 }
-                let decision = agent.decide::<Pcg32>(None).unwrap();
-                agent.feedback(decision.action, if trace.len() % 3 == 0 { Feedback::Punish } else { Feedback::Reward }).unwrap();
-                state = apply(&home, &state, decision.action).unwrap();
+                let decision = agent.decide(&home, &state).unwrap();
+                let feedback = if trace.len() % 3 == 0 { Feedback::Punish } else { Feedback::Reward };
+                state = told(&mut agent, &home, &state, decision.action, feedback);
                 trace.push(probabilities(&agent));
             }
             agent.finish(&home).unwrap();
@@ -116,9 +123,9 @@ fn a_block_in_a_corner_is_a_dead_end_and_stays_one() {
     agent.hear(&home, &start, "take the chair to the red room").unwrap();
     agent.plan_fully(&home, &start).unwrap();
     let stuck = task(&agent, &home, "block0", "room2");
-    let OptimalSet::DeadEnd(actions) = agent.search().optimal(stuck) else { panic!("the corner holds it") };
+    let OptimalSet::DeadEnd(actions) = agent.planned().optimal(stuck) else { panic!("the corner holds it") };
     assert_eq!(actions.len(), 5, "four moves and doing nothing are equally good");
-    assert_eq!(agent.search().distance(stuck), None);
+    assert_eq!(agent.planned().distance(stuck), None);
 }
 
 #[test]
@@ -129,10 +136,11 @@ fn a_search_that_finds_no_room_says_that_it_does_not_know_and_takes_no_evidence(
     let mut agent = agent(memory.split().agent);
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
-    assert!((0..4).all(|task| agent.search().optimal(task) == OptimalSet::Unknown));
-    assert!(agent.feedback(Action(0), Feedback::Reward).is_ok());
+    assert!((0..4).all(|task| agent.planned().optimal(task) == OptimalSet::Unknown));
+    assert_eq!(agent.decide(&home, &start).unwrap().action, Action::NOOP);
+    agent.acted(&home, &start, Action(0)).unwrap();
+    assert_eq!(agent.feedback(Feedback::Reward), Ok(Evidence::SaysNothing));
     assert_eq!(probabilities(&agent), [0.25; 4]);
-    assert_eq!(agent.decide::<Pcg32>(None).unwrap().action, Action::NOOP);
 }
 
 #[test]
@@ -146,17 +154,17 @@ fn a_home_too_large_for_the_memory_is_planned_for_with_the_block_standing_still_
         agent.hear(&home, &start, "go").unwrap();
         agent.plan_fully(&home, &start).unwrap();
     }
-    let (bounded, exact) = (bounded.search(), exact.search());
-    assert!(exact.relaxed().is_empty() && exact.unknown().is_empty());
+    let (bounded, exact) = (bounded.planned(), exact.planned());
+    assert!(exact.approximate().is_empty() && exact.unknown().is_empty());
     for task in 0..4 {
         // Where the agent goes is planned for without the block; where the block goes is out of reach here.
-        assert_ne!(bounded.relaxed().contains(task), bounded.unknown().contains(task));
+        assert_ne!(bounded.approximate().contains(task), bounded.unknown().contains(task));
         assert_eq!(bounded.unknown().contains(task), bounded.optimal(task) == OptimalSet::Unknown);
     }
-    for task in bounded.relaxed().iter() {
+    for task in bounded.approximate().iter() {
         assert!(bounded.distance(task) >= exact.distance(task), "with less allowed, no way is shorter");
     }
-    assert!(!bounded.relaxed().is_empty() && !bounded.unknown().is_empty());
+    assert!(!bounded.approximate().is_empty() && !bounded.unknown().is_empty());
 }
 
 #[test]
@@ -168,7 +176,7 @@ fn several_strategies_are_told_apart_by_how_the_trainer_speaks() {
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
     for _ in 0..4 {
-        agent.feedback(Action(0), Feedback::Reward).unwrap();
+        let _ = told(&mut agent, &home, &start, Action(0), Feedback::Reward);
     }
     assert!(agent.belief().strategy_probability(0) > 0.9);
     // A new command starts with what is known of the trainer.
@@ -185,7 +193,8 @@ fn feedback_that_nobody_could_give_is_ignored() {
     agent.set_strategies(&[(Strategy::new(0.0, 0.0, 0.1).unwrap(), 1.0)]).unwrap();
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
-    assert_eq!(agent.feedback(Action(2), Feedback::Neutral), Ok(false));
+    agent.acted(&home, &start, Action(2)).unwrap();
+    assert_eq!(agent.feedback(Feedback::Neutral), Ok(Evidence::Impossible));
     assert_eq!(probabilities(&agent), [0.5; 2]);
 }
 
@@ -198,11 +207,12 @@ fn what_is_out_of_order_is_refused() {
     assert_eq!(agent.finish(&home), Err(AgentError::NoSession));
     assert_eq!(agent.hear(&home, &start, " , . "), Err(AgentError::EmptyCommand));
     agent.hear(&home, &start, "go").unwrap();
-    assert_eq!(agent.decide::<Pcg32>(None), Err(AgentError::NotPlanned));
-    assert_eq!(agent.feedback(Action(0), Feedback::Reward), Err(AgentError::NotPlanned));
+    assert_eq!(agent.decide(&home, &start), Err(AgentError::NotPlanned));
+    assert_eq!(agent.acted(&home, &start, Action(0)), Err(AgentError::NotPlanned));
     agent.plan_fully(&home, &start).unwrap();
-    assert_eq!(agent.feedback(Action(4), Feedback::Reward), Err(AgentError::NotApplicable));
-    assert_eq!(agent.feedback(Action(200), Feedback::Reward), Err(AgentError::NotApplicable));
+    assert_eq!(agent.feedback(Feedback::Reward), Err(AgentError::NothingDone));
+    assert_eq!(agent.acted(&home, &start, Action(4)), Err(AgentError::NotApplicable));
+    assert_eq!(agent.acted(&home, &start, Action(200)), Err(AgentError::NotApplicable));
     agent.finish(&home).unwrap();
     assert_eq!(agent.hear(&home, &start, "go"), Err(AgentError::StillLearning));
     agent.learn_fully();
@@ -236,7 +246,7 @@ fn a_command_too_long_is_refused_and_what_was_learned_stays() {
     let teach = |agent: &mut Agent<'_>| {
         agent.hear(&home, &start, "go to the red room").unwrap();
         agent.plan_fully(&home, &start).unwrap();
-        agent.feedback(Action(2), Feedback::Reward).unwrap();
+        let _ = told(agent, &home, &start, Action(2), Feedback::Reward);
         agent.finish(&home).unwrap();
         agent.learn_fully();
     };
@@ -263,7 +273,7 @@ fn the_same_seed_decides_the_same() {
         let mut actions = vec![];
         for _ in 0..10 {
             agent.plan_fully(&home, &state).unwrap();
-            let decision = agent.decide(Some(&mut random)).unwrap();
+            let decision = agent.decide_by(&home, &state, &mut random).unwrap();
             actions.push((decision.task, decision.action));
             state = apply(&home, &state, decision.action).unwrap();
         }
@@ -280,7 +290,7 @@ fn a_forgotten_session_can_be_taken_up_again_and_learned_from() {
     let mut agent = agent(memory.split().agent);
     agent.hear(&home, &start, "go to the red room").unwrap();
     agent.plan_fully(&home, &start).unwrap();
-    agent.feedback(Action(2), Feedback::Reward).unwrap();
+    let _ = told(&mut agent, &home, &start, Action(2), Feedback::Reward);
     let before = probabilities(&agent);
     agent.forget();
     agent.hear_again(&home, &start).unwrap();

@@ -34,7 +34,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             loop {
                 timed(&mut search_time, || agent.plan_fully(&home, lesson.state()))?;
                 plans += 1;
-                states += u64::from(agent.search().looks());
+                states += u64::from(agent.planned().expansions());
                 if let Turn::Ended(_) = lesson.act(&mut agent, &home, &trainer, &mut random)? {
                     break;
                 }

@@ -29,7 +29,7 @@ impl Intention {
 
     /// Whether a task is the one meant.
     pub fn is<D: Domain + ?Sized>(&self, domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> bool {
-        let value = |object: ObjectId, attribute| domain.objects().value(object, attribute);
+        let value = |object: ObjectId, attribute| domain.world().objects.value(object, attribute);
         let mut propositions = task.propositions(lifted);
         let (Some(only), None) = (propositions.next(), propositions.next()) else { return false };
         let [subject, room, _] = only.arguments;

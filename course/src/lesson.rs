@@ -5,9 +5,9 @@ use crate::error::CourseError;
 use crate::exercise::Exercise;
 use goodbot::Agent;
 use goodbot::feedback::{Feedback, SimulatedTrainer};
-use goodbot::oomdp::{Action, Domain, apply};
+use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::OptimalSet;
-use goodbot::session::Decision;
+use goodbot::session::{Decision, Evidence};
 use rand_core::Rng;
 
 /// The trainer ends a lesson after so many times of doing nothing in a row at the intended goal.
@@ -79,6 +79,8 @@ pub struct Step {
     pub correct: bool,
     /// What the trainer said.
     pub feedback: Feedback,
+    /// What came of it.
+    pub evidence: Evidence,
 }
 
 /// What came of one turn.
@@ -164,20 +166,22 @@ impl<S: Copy + PartialEq> Lesson<S> {
         D: Domain<State = S> + ?Sized,
         R: Rng + ?Sized,
     {
-        let right = agent.search().optimal(self.intended);
+        let right = agent.planned().optimal(self.intended);
         if let Some(ending) = self.ending(right) {
             return Ok(Turn::Ended(ending));
         }
-        let decision = agent.decide(Some(&mut *random))?;
+        let decision = agent.decide_by(domain, &self.state, random)?;
         self.understood.get_or_insert(decision.task == self.intended);
-        let correct = right.actions().is_some_and(|actions| actions.contains(decision.action));
+        // The trainer takes a way that only seems shortest for one.
+        let correct = right.exact().or(right.onward()).is_some_and(|actions| actions.contains(decision.action));
         let feedback = trainer.feedback(correct, random);
-        agent.feedback(decision.action, feedback)?;
+        let next = agent.acted(domain, &self.state, decision.action)?;
+        let evidence = agent.feedback(feedback)?;
         self.feedback.count(feedback);
         self.rests = if right == OptimalSet::Goal && decision.action == Action::NOOP { self.rests.saturating_add(1) } else { 0 };
         self.steps = self.steps.saturating_add(1);
-        self.state = apply(domain, &self.state, decision.action).ok_or(CourseError::Stuck)?;
-        Ok(Turn::Acted(Step { decision, correct, feedback }))
+        self.state = next;
+        Ok(Turn::Acted(Step { decision, correct, feedback, evidence }))
     }
 
     /// Whether the trainer ends the lesson where the intended task's optimal set is this.

@@ -51,7 +51,7 @@ fn the_search_of_the_agent_finds_the_way_to_what_is_called_solvable() {
             let (home, start) = homes.layout(exercise.home).build(lend(&mut parts.home)).unwrap();
             let intended = exercise.pose(&mut agent, &home, &start).unwrap().unwrap();
             agent.plan_fully(&home, &start).unwrap();
-            assert!(agent.search().distance(intended).is_some(), "{}\n{}", exercise.command, Map::new(&home, &start));
+            assert!(agent.planned().distance(intended).is_some(), "{}\n{}", exercise.command, Map::new(&home, &start));
         }
     }
 }

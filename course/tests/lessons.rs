@@ -103,7 +103,7 @@ struct Onlooker {
 impl Observer for Onlooker {
     fn lesson_begins(&mut self, scene: &Scene<'_, '_, '_>) {
         self.commands.push(scene.exercise.command);
-        assert_eq!(scene.home.objects().name(scene.home.agent()), "agent0");
+        assert_eq!(scene.home.world().objects.name(scene.home.agent()), "agent0");
     }
 
     fn acted(&mut self, _scene: &Scene<'_, '_, '_>, step: &Step) {

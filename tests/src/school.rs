@@ -2,8 +2,7 @@
 
 use goodbot::feedback::{SimulatedTrainer, Strategy};
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeMemory, HomeState, Moves};
-use goodbot::oomdp::apply;
-use goodbot::planning::OptimalSet;
+use goodbot::planning::{Judgement, OptimalSet};
 use goodbot::session::AgentError;
 use goodbot::task::GroundedTask;
 use goodbot::{Agent, Capacities, HeapMemory};
@@ -119,17 +118,18 @@ pub fn train(agent: &mut Agent<'_>, lesson: &Lesson, trainer: Strategy, random: 
     let mut at_goal = 0;
     for _ in 0..100 {
         agent.plan_fully(&home, &state)?;
-        let decision = agent.decide(Some(&mut *random))?;
-        let optimal = agent.search().optimal(intended);
-        let correct = optimal.actions().is_some_and(|actions| actions.contains(decision.action));
-        agent.feedback(decision.action, trainer.feedback(correct, random))?;
+        let decision = agent.decide_by(&home, &state, random)?;
+        let optimal = agent.planned().optimal(intended);
+        let correct = optimal.judge(decision.action) == Judgement::Correct;
+        let word = trainer.feedback(correct, random);
+        state = agent.acted(&home, &state, decision.action)?;
+        let _ = agent.feedback(word)?;
         if optimal == OptimalSet::Goal && correct {
             at_goal += 1;
         }
         if at_goal == 3 || matches!(optimal, OptimalSet::DeadEnd(_)) {
             break;
         }
-        state = apply(&home, &state, decision.action).expect("an action that was decided on can be done");
     }
     agent.finish(&home)?;
     agent.learn_fully();

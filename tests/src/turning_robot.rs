@@ -1,7 +1,9 @@
 //! A robot that turns and drives, with actions of different costs, on a floor with one crate that it can push but not pull.
 
 use goodbot::oomdp::objects::ObjectMemory;
-use goodbot::oomdp::{Action, ActionKind, Class, ClassId, Domain, GroundProposition, ObjectSet, Proposition, PropositionId, Schema};
+use goodbot::oomdp::{
+    Action, ActionKind, Class, ClassId, Domain, GroundProposition, ObjectSet, OneByOne, Proposition, PropositionId, Schema, World,
+};
 
 const SCHEMA: Schema<'static> = Schema {
     classes: &[Class { name: "robot" }, Class { name: "zone" }, Class { name: "crate" }],
@@ -78,13 +80,10 @@ impl<'m> TurningRobot<'m> {
 
 impl Domain for TurningRobot<'_> {
     type State = Pose;
+    type Search = OneByOne;
 
-    fn schema(&self) -> Schema<'_> {
-        SCHEMA
-    }
-
-    fn objects(&self) -> &ObjectSet<'_> {
-        &self.objects
+    fn world(&self) -> World<'_> {
+        World { schema: SCHEMA, objects: &self.objects }
     }
 
     fn actions(&self) -> &[ActionKind<'_>] {

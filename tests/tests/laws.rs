@@ -4,7 +4,7 @@ use goodbot::feedback::{Feedback, Strategy as Trainer};
 use goodbot::home::paper_tasks;
 use goodbot::language::{LanguageModel, Settings};
 use goodbot::oomdp::{Action, Domain};
-use goodbot::planning::{OptimalSet, Progress};
+use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::symbols::Symbol;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_tests::fixture::task_text;
@@ -63,7 +63,8 @@ proptest! {
         prop_assume!(agent.hear(&home, &state, &lesson.command).is_ok());
         agent.plan_fully(&home, &state).unwrap();
         for (action, feedback) in steps {
-            let _ = agent.feedback(Action(action), feedback);
+            let _ = agent.acted(&home, &state, Action(action));
+            let _ = agent.feedback(feedback);
             let posterior = posterior(&agent);
             prop_assert!(posterior.iter().all(|probability| (0.0..=1.0).contains(probability)));
             prop_assert!((posterior.iter().sum::<f32>() - 1.0).abs() < 1e-5, "{posterior:?}");
@@ -80,10 +81,12 @@ proptest! {
         let (home, state) = lesson.home(home_memory.split().home);
         prop_assume!(agent.hear(&home, &state, &lesson.command).is_ok());
         agent.plan_fully(&home, &state).unwrap();
-        let _ = agent.feedback(Action(0), first);
+        agent.acted(&home, &state, Action(0)).unwrap();
+        let _ = agent.feedback(first).unwrap();
         let before = posterior(&agent);
         for action in actions {
-            agent.feedback(Action(action), Feedback::Neutral).unwrap();
+            agent.acted(&home, &state, Action(action)).unwrap();
+            let _ = agent.feedback(Feedback::Neutral).unwrap();
         }
         for (before, after) in before.iter().zip(posterior(&agent)) {
             prop_assert!((before - after).abs() < 1e-4, "{before} became {after}");
@@ -100,10 +103,11 @@ proptest! {
         prop_assume!(agent.hear(&home, &state, &lesson.command).is_ok());
         agent.plan_fully(&home, &state).unwrap();
         // Nothing is reached by doing nothing: it is wrong for all tasks whose goal can still be reached.
-        let apart = |task| !matches!(agent.search().optimal(task), OptimalSet::Toward(_));
+        let apart = |task| !matches!(agent.planned().optimal(task), OptimalSet::Toward(_));
         prop_assume!(!(0..agent.tasks().len()).any(apart));
         let before = posterior(&agent);
-        agent.feedback(Action::NOOP, feedback).unwrap();
+        agent.acted(&home, &state, Action::NOOP).unwrap();
+        let _ = agent.feedback(feedback).unwrap();
         for (before, after) in before.iter().zip(posterior(&agent)) {
             prop_assert!((before - after).abs() < 1e-5, "{before} became {after}");
         }
@@ -148,7 +152,8 @@ proptest! {
             agent.hear(&home, &state, &lesson.command).ok()?;
             agent.plan_fully(&home, &state).unwrap();
             for &(action, feedback) in &steps {
-                let _ = agent.feedback(Action(action), feedback);
+                let _ = agent.acted(&home, &state, Action(action));
+                let _ = agent.feedback(feedback);
             }
             let name = |task| task_text(&home, agent.lifted(), task);
             let beliefs: BTreeMap<String, f32> = agent.tasks().iter().map(name).zip(posterior(&agent)).collect();
@@ -175,11 +180,11 @@ proptest! {
             let lifted = &agent.lifted()[usize::from(task.lifted)];
             let holds = |state: &_| task.propositions(lifted).all(|part| home.holds(&part, state));
             let expected = distance(&home, &state, holds);
-            prop_assert_eq!(agent.search().distance(position), expected);
+            prop_assert_eq!(agent.planned().distance(position), expected);
             let Some(expected) = expected.filter(|&distance| distance > 0) else { continue };
             for action in (0..home.actions().len()).map(|action| Action(action as u8)) {
                 let left = home.step(&state, action).and_then(|next| distance(&home, &next, holds));
-                let optimal = agent.search().optimal(position).actions().is_some_and(|actions| actions.contains(action));
+                let optimal = agent.planned().judge(position, action) == Judgement::Correct;
                 prop_assert_eq!(optimal, left == Some(expected - 1));
             }
         }

@@ -3,8 +3,8 @@
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Moves};
 use goodbot::language::{LanguageModel, Settings};
-use goodbot::oomdp::{Domain, action_named, apply};
-use goodbot::session::{Options, Weights};
+use goodbot::oomdp::{Domain, action_named};
+use goodbot::session::{Evidence, Options, Weights};
 use goodbot::symbols::Symbol;
 use goodbot::{Agent, Capacities, HeapMemory};
 use goodbot_tests::fixture::{home, read, task_text};
@@ -24,7 +24,7 @@ fn symbols(model: &mut LanguageModel<'_>, command: &str) -> Vec<Symbol> {
 
 #[test]
 fn weighted_model_2_gives_the_reference_tables() {
-    let Some(reference) = read("fixtures/ibm2.json") else { return };
+    let reference = read("ibm2.json");
     for fit in reference["fits"].as_array().unwrap() {
         let settings = Settings {
             smoothing: fit["smoothing"].as_f64().unwrap() as f32,
@@ -73,7 +73,7 @@ fn weighted_model_2_gives_the_reference_tables() {
 
 #[test]
 fn plans_from_every_state_are_the_reference_plans() {
-    let Some(reference) = read("fixtures/plans.json") else { return };
+    let reference = read("plans.json");
     for case in reference.as_array().unwrap() {
         let mut memory = HeapMemory::new(&Capacities::STANDARD);
         let parts = memory.split();
@@ -92,11 +92,11 @@ fn plans_from_every_state_are_the_reference_plans() {
             agent.hear_again(&home, &start).unwrap();
             agent.plan_fully(&home, state).unwrap();
             for (task, sums) in sums.iter_mut().enumerate() {
-                let Some(distance) = agent.search().distance(task).map(u64::from) else { continue };
+                let Some(distance) = agent.planned().distance(task).map(u64::from) else { continue };
                 if *state == start {
                     from_start[task] = distance;
                 }
-                let moves = if distance > 0 { agent.search().optimal(task).actions().unwrap().len() } else { 0 };
+                let moves = if distance > 0 { agent.planned().optimal(task).exact().unwrap().len() } else { 0 };
                 sums.add(distance, moves as u64);
             }
         }
@@ -144,8 +144,8 @@ fn follow_curriculum(case: &Value, weights: Weights) {
                 _ => Feedback::Neutral,
             };
             agent.plan_fully(&home, &state).unwrap();
-            agent.feedback(action, feedback).unwrap();
-            state = apply(&home, &state, action).unwrap();
+            state = agent.acted(&home, &state, action).unwrap();
+            assert_eq!(agent.feedback(feedback), Ok(Evidence::Used));
         }
         assert_probabilities(&format!("lesson {lesson} posterior"), &posterior(&agent, &home), &session["posterior"]);
         agent.weigh(&home).unwrap();
@@ -178,12 +178,12 @@ fn follow_curriculum(case: &Value, weights: Weights) {
 
 #[test]
 fn the_papers_course_gives_the_reference_beliefs_with_the_papers_weights() {
-    let Some(reference) = read("fixtures/curriculum.json") else { return };
+    let reference = read("curriculum.json");
     follow_curriculum(&reference["attributes, paper weights"], Weights::Paper);
 }
 
 #[test]
 fn the_papers_course_gives_the_reference_beliefs_with_belief_weights() {
-    let Some(reference) = read("fixtures/curriculum.json") else { return };
+    let reference = read("curriculum.json");
     follow_curriculum(&reference["attributes, original weights"], Weights::Belief);
 }

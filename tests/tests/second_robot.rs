@@ -6,9 +6,9 @@ mod turning_robot;
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeMemory, HomeState, Moves};
 use goodbot::oomdp::{Action, Domain, apply};
-use goodbot::planning::OptimalSet;
+use goodbot::planning::{Judgement, OptimalSet};
+use goodbot::session::Evidence;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
-use rand_pcg::Pcg32;
 use turning_robot::{TurningRobot, TurningState};
 
 fn three_rooms<'m>(memory: HomeMemory<'m>, colors: [&str; 3], block: Option<(&str, &str)>) -> (Home<'m>, HomeState) {
@@ -32,12 +32,12 @@ fn train(agent: &mut Agent<'_>, command: &str, colors: [&str; 3], block: Option<
     agent.hear(&home, &state, command).unwrap();
     for _ in 0..30 {
         agent.plan_fully(&home, &state).unwrap();
-        let decision = agent.decide::<Pcg32>(None).unwrap();
-        let name = |object| home.objects().name(object);
+        let decision = agent.decide(&home, &state).unwrap();
+        let name = |object| home.world().objects.name(object);
         let intended = agent.tasks().iter().position(|task| name(task.bindings[0]) == subject && name(task.bindings[1]) == room).unwrap();
-        let right = agent.search().optimal(intended).actions().unwrap().contains(decision.action);
-        agent.feedback(decision.action, if right { Feedback::Reward } else { Feedback::Punish }).unwrap();
-        state = apply(&home, &state, decision.action).unwrap();
+        let right = agent.planned().judge(intended, decision.action) == Judgement::Correct;
+        state = agent.acted(&home, &state, decision.action).unwrap();
+        assert_eq!(agent.feedback(if right { Feedback::Reward } else { Feedback::Punish }), Ok(Evidence::Used));
     }
     agent.finish(&home).unwrap();
     agent.learn_fully();
@@ -63,19 +63,19 @@ fn what_was_learned_in_the_home_is_understood_by_a_robot_that_turns() {
     ] {
         let mut state = TurningState { home: start, heading: 3 };
         agent.hear(&robot, &state, command).unwrap();
-        let understood = agent.tasks()[agent.most_likely::<Pcg32>(None).unwrap()];
-        assert_eq!(robot.objects().name(understood.bindings[0]), subject, "{command}");
-        assert_eq!(robot.objects().name(understood.bindings[1]), room, "{command}");
+        let understood = agent.tasks()[agent.most_likely().unwrap()];
+        assert_eq!(robot.world().objects.name(understood.bindings[0]), subject, "{command}");
+        assert_eq!(robot.world().objects.name(understood.bindings[1]), room, "{command}");
         for _ in 0..100 {
             agent.plan_fully(&robot, &state).unwrap();
-            let decision = agent.decide::<Pcg32>(None).unwrap();
+            let decision = agent.decide(&robot, &state).unwrap();
             if decision.plan == OptimalSet::Goal {
                 break;
             }
             state = robot.step(&state, decision.action).unwrap();
         }
         agent.plan_fully(&robot, &state).unwrap();
-        assert_eq!(agent.decide::<Pcg32>(None).unwrap().plan, OptimalSet::Goal, "{command}");
+        assert_eq!(agent.decide(&robot, &state).unwrap().plan, OptimalSet::Goal, "{command}");
     }
 }
 
@@ -91,8 +91,8 @@ fn the_cost_of_an_action_counts_in_the_plan() {
     agent.plan_fully(&robot, &state).unwrap();
     // From (4, 1) to (2, 5): four cells north and two west, 12 for driving. Facing north, some turns must be made on the way: west and
     // north again, 2.
-    let blue = agent.tasks().iter().position(|task| robot.objects().name(task.bindings[1]) == "room1").unwrap();
-    assert_eq!(agent.search().distance(blue), Some(14));
-    let OptimalSet::Toward(first) = agent.search().optimal(blue) else { panic!("a way exists") };
+    let blue = agent.tasks().iter().position(|task| robot.world().objects.name(task.bindings[1]) == "room1").unwrap();
+    assert_eq!(agent.planned().distance(blue), Some(14));
+    let OptimalSet::Toward(first) = agent.planned().optimal(blue) else { panic!("a way exists") };
     assert!(first.contains(Action(0)) && first.contains(Action(2)) && !first.contains(Action(1)));
 }

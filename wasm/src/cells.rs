@@ -1,7 +1,6 @@
 //! Memory together with what lives in it, so that both can be replaced while the page stays open.
 
 use goodbot::home::Home;
-use goodbot::planning::{GoalTable, Search};
 use goodbot::{Agent, Capacities, HeapMemory};
 use self_cell::{MutBorrow, self_cell};
 
@@ -20,24 +19,6 @@ self_cell! {
         owner: MutBorrow<HeapMemory>,
         #[covariant]
         dependent: Home,
-    }
-}
-
-/// A search and the goals that it looks for.
-#[derive(Debug)]
-pub struct Lookout<'m> {
-    /// Which tasks a state satisfies.
-    pub goals: GoalTable<'m>,
-    /// The search.
-    pub search: Search<'m>,
-}
-
-self_cell! {
-    /// A second search in its own memory: looking ahead must not disturb the plan that feedback is judged by.
-    pub struct Scout {
-        owner: MutBorrow<HeapMemory>,
-        #[covariant]
-        dependent: Lookout,
     }
 }
 

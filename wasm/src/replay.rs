@@ -4,7 +4,7 @@
 //! demonstrations.
 
 use goodbot::feedback::Strategy;
-use goodbot::oomdp::action_named;
+use goodbot::oomdp::{action_named, apply};
 use goodbot::task::GroundedTask;
 use goodbot_formats::session::RecordedSession;
 
@@ -57,10 +57,13 @@ impl World {
     /// # Errors
     /// As [`act_as`](Self::act_as).
     pub fn demonstrate(&mut self, action: &str) -> Result<(), Refusal> {
-        self.act_as(action)?;
-        self.acted = None;
-        let Some(done) = action_named(self.home(), action) else { return Ok(()) };
-        self.mind.with_dependent_mut(|_, agent| agent.demonstration(done)).map_err(Refusal::from)?;
+        self.check_judged()?;
+        let done = action_named(self.home(), action).ok_or_else(|| Refusal(format!("{action} is no action here")))?;
+        let Self { mind, rooms, state, .. } = self;
+        let (home, before) = (rooms.borrow_dependent(), *state);
+        // What came of it shows in the belief.
+        let _ = mind.with_dependent_mut(|_, agent| agent.demonstrated(home, &before, done)).map_err(Refusal::from)?;
+        *state = apply(home, &before, done).unwrap_or(before);
         if let Some(recording) = &mut self.recording {
             recording.kind = "demonstration";
             recording.steps.push(Step::new(action.to_owned(), None));

@@ -7,8 +7,9 @@ use goodbot::feedback::simulated::unit;
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
 use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, HomeState, ROOM, SHAPE};
 use goodbot::language::tokenizer::for_each_word;
-use goodbot::oomdp::{Action, Domain, ObjectId, action_name, action_named, apply};
-use goodbot::planning::{OptimalSet, Progress};
+use goodbot::oomdp::{Action, Domain, ObjectId, action_name, action_named};
+use goodbot::planning::{Judgement, OptimalSet, Progress};
+use goodbot::session;
 use goodbot::task::{GroundedTask, LiftedTask};
 
 use crate::log::{PULLING, Recording, Step, strategies};
@@ -60,7 +61,7 @@ impl World {
         let actions = self.pulls().then_some(PULLING);
         let Self { mind, scout, rooms, state, .. } = self;
         let (home, agent) = (rooms.borrow_dependent(), mind.borrow_dependent());
-        scout.with_dependent_mut(|_, lookout| lookout.goals.fill(home, agent.lifted(), agent.tasks(), state)).map_err(Refusal::from)?;
+        scout.set_tasks(home, agent.lifted(), agent.tasks(), state).map_err(Refusal::from)?;
         let known = agent.belief().strategies();
         let strategies = if continues { None } else { strategies(known, |at| style_name(known, at)) };
         let command = command.to_owned();
@@ -89,12 +90,12 @@ impl World {
     /// Where no session is under way, the plan is not done, or the last action was not judged.
     pub fn act(&mut self) -> Result<Decided, Refusal> {
         self.check_judged()?;
-        let Self { mind, random, .. } = self;
-        let decision = mind.with_dependent_mut(|_, agent| agent.decide(Some(random))).map_err(Refusal::from)?;
+        let Self { mind, rooms, state, random, .. } = self;
+        let decision = mind.with_dependent_mut(|_, agent| agent.decide_by(rooms.borrow_dependent(), state, random)).map_err(Refusal::from)?;
         let agent = self.agent();
-        let plans: Vec<OptimalSet> = (0..agent.tasks().len()).map(|task| agent.search().optimal(task)).collect();
+        let plans: Vec<OptimalSet> = (0..agent.tasks().len()).map(|task| agent.planned().optimal(task)).collect();
         let agrees = |(task, plan): (usize, &OptimalSet)| {
-            let right = plan.actions().is_some_and(|actions| actions.contains(decision.action));
+            let right = plan.exact().or(plan.onward()).is_some_and(|actions| actions.contains(decision.action));
             if right { agent.belief().probability(task) } else { 0.0 }
         };
         let decided = Decided {
@@ -103,7 +104,7 @@ impl World {
             confidence: plans.iter().enumerate().map(agrees).sum::<f32>().clamp(0.0, 1.0),
             plans: plans.iter().map(plan_word).collect(),
         };
-        self.perform(decision.action);
+        self.perform(decision.action)?;
         Ok(decided)
     }
 
@@ -114,20 +115,20 @@ impl World {
     pub fn act_as(&mut self, action: &str) -> Result<(), Refusal> {
         self.check_judged()?;
         let action = action_named(self.home(), action).ok_or_else(|| Refusal(format!("{action} is no action here")))?;
-        if !self.agent().search().applicable().contains(action) {
-            return Err(Refusal("the action cannot be done here".to_owned()));
-        }
-        self.perform(action);
-        Ok(())
+        self.perform(action)
     }
 
     pub(crate) fn check_judged(&self) -> Result<(), Refusal> {
         if self.acted.is_some() { Err(Refusal("the last action waits for its feedback".to_owned())) } else { Ok(()) }
     }
 
-    fn perform(&mut self, action: Action) {
-        self.state = apply(self.home(), &self.state, action).unwrap_or(self.state);
-        self.acted = Some(action);
+    fn perform(&mut self, action: Action) -> Result<(), Refusal> {
+        let plan = self.agent().planned();
+        let judgements = (0..self.agent().tasks().len()).map(|task| plan.judge(task, action)).collect();
+        let Self { mind, rooms, state, .. } = self;
+        let next = mind.with_dependent_mut(|_, agent| agent.acted(rooms.borrow_dependent(), state, action)).map_err(Refusal::from)?;
+        (self.state, self.acted) = (next, Some(Acted { action, judgements }));
+        Ok(())
     }
 
     /// Takes in what the trainer said to the last action: `reward`, `punish`, or anything else for silence.
@@ -135,26 +136,21 @@ impl World {
     /// # Errors
     /// Where no action waits for feedback.
     pub fn judge(&mut self, feedback: &str) -> Result<Evidence, Refusal> {
-        let action = self.acted.ok_or_else(|| Refusal("no action waits for feedback".to_owned()))?;
+        let acted = self.acted.as_ref().ok_or_else(|| Refusal("no action waits for feedback".to_owned()))?;
+        let action = action_name(self.home(), acted.action).to_owned();
+        let judgements = acted.judgements.iter().map(|judgement| judgement_word(*judgement)).collect();
         let feedback = match feedback {
             "reward" => Feedback::Reward,
             "punish" => Feedback::Punish,
             _ => Feedback::Neutral,
         };
-        let agent = self.agent();
-        let judgements = (0..agent.tasks().len()).map(|task| match agent.search().optimal(task).actions() {
-            Some(actions) if actions.contains(action) => "right",
-            Some(_) => "wrong",
-            None => "unknown",
-        });
-        let (judgements, before) = (judgements.collect(), self.probabilities());
-        self.mind.with_dependent_mut(|_, agent| agent.feedback(action, feedback)).map_err(Refusal::from)?;
+        let before = self.probabilities();
+        let evidence = self.mind.with_dependent_mut(|_, agent| agent.feedback(feedback)).map_err(Refusal::from)?;
         self.acted = None;
-        let action = action_name(self.home(), action).to_owned();
         if let Some(recording) = &mut self.recording {
             recording.steps.push(Step::new(action.clone(), Some(feedback.name())));
         }
-        Ok(Evidence { action, feedback: feedback.name(), judgements, before, after: self.probabilities() })
+        Ok(Evidence { action, feedback: feedback.name(), outcome: outcome_word(evidence), judgements, before, after: self.probabilities() })
     }
 
     /// What a trainer who means the given task and follows the paper's balanced strategy would say to the last action.
@@ -162,8 +158,8 @@ impl World {
     /// # Errors
     /// Where no action waits for feedback.
     pub fn simulated_feedback(&mut self, intended: usize) -> Result<&'static str, Refusal> {
-        let action = self.acted.ok_or_else(|| Refusal("no action waits for feedback".to_owned()))?;
-        let right = self.agent().search().optimal(intended).actions().is_some_and(|actions| actions.contains(action));
+        let acted = self.acted.as_ref().ok_or_else(|| Refusal("no action waits for feedback".to_owned()))?;
+        let right = acted.judgements.get(intended) == Some(&Judgement::Correct);
         Ok(SimulatedTrainer { strategy: Strategy::BALANCED }.feedback(right, &mut self.random).name())
     }
 
@@ -243,7 +239,7 @@ impl World {
         let Self { ahead, scout, rooms, .. } = self;
         let home = rooms.borrow_dependent();
         let Some(looking) = ahead else { return (true, None) };
-        if scout.with_dependent_mut(|_, lookout| looking.advance(lookout, home, budget)) == Progress::Working {
+        if looking.advance(scout, home, budget) == Progress::Working {
             return (false, None);
         }
         (true, ahead.take().and_then(Lookahead::states).and_then(|states| route(home, &states)))
@@ -307,16 +303,33 @@ const fn plan_word(plan: &OptimalSet) -> &'static str {
         OptimalSet::Toward(_) => "toward",
         OptimalSet::Goal => "goal",
         OptimalSet::DeadEnd(_) => "dead end",
+        OptimalSet::Approximate(_) => "approximate",
         OptimalSet::Unknown => "unknown",
+    }
+}
+
+const fn judgement_word(judgement: Judgement) -> &'static str {
+    match judgement {
+        Judgement::Correct => "right",
+        Judgement::Incorrect => "wrong",
+        Judgement::Unknown => "unknown",
+    }
+}
+
+const fn outcome_word(evidence: session::Evidence) -> &'static str {
+    match evidence {
+        session::Evidence::Used => "used",
+        session::Evidence::SaysNothing => "says nothing",
+        session::Evidence::Impossible => "impossible",
     }
 }
 
 /// The task as logs write it.
 fn task_name(home: &Home<'_>, lifted: &LiftedTask, task: &GroundedTask) -> String {
     let parts = task.propositions(lifted).map(|part| {
-        let parameters = home.schema().parameters(part.proposition).len();
-        let names: Vec<&str> = part.arguments.iter().take(parameters).map(|&object| home.objects().name(object)).collect();
-        format!("{}({})", home.schema().proposition_name(part.proposition), names.join(","))
+        let parameters = home.world().schema.parameters(part.proposition).len();
+        let names: Vec<&str> = part.arguments.iter().take(parameters).map(|&object| home.world().objects.name(object)).collect();
+        format!("{}({})", home.world().schema.proposition_name(part.proposition), names.join(","))
     });
     parts.collect::<Vec<_>>().join(" & ")
 }
@@ -334,7 +347,7 @@ fn task_words(home: &Home<'_>, lifted: &LiftedTask, task: &GroundedTask) -> Stri
 }
 
 fn described(home: &Home<'_>, id: ObjectId) -> String {
-    let objects = home.objects();
+    let objects = home.world().objects;
     let class = objects.get(id).map(|object| object.class);
     let looks = |id: ObjectId| (objects.value(id, COLOR), objects.value(id, SHAPE));
     let (color, shape) = looks(id);

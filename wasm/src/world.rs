@@ -5,14 +5,15 @@ use std::fmt;
 use goodbot::home::map::Map;
 use goodbot::home::{self, Area, BLOCK, COLOR, Cell, DOOR, Home, HomeBuilder, HomeError, HomeState, Moves, ROOM, SHAPE};
 use goodbot::oomdp::{Action, Domain, ObjectId};
+use goodbot::planning::Judgement;
 use goodbot::snapshot::Contents;
 use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use rand_pcg::Pcg32;
 
-use crate::cells::{MIND, MOST_OF_A_FIELD, Mind, ROOMS, Rooms, Scout, memory};
+use crate::cells::{MIND, MOST_OF_A_FIELD, Mind, ROOMS, Rooms, memory};
 use crate::log::Recording;
-use crate::route::{self, Lookahead};
+use crate::route::{Lookahead, Scout};
 use crate::view::{Extent, Place, Scene, Thing};
 
 /// Why something was refused, in words for the person at the page.
@@ -33,6 +34,13 @@ impl Refusal {
     }
 }
 
+/// An action that was done and waits for feedback, and how it is judged for each task.
+#[derive(Clone, Debug)]
+pub(crate) struct Acted {
+    pub(crate) action: Action,
+    pub(crate) judgements: Vec<Judgement>,
+}
+
 /// The robot that the page starts with stands in a home of one room.
 const FIRST_HOME: &str = r#"{"version":1,"objects":[{"class":"room","name":"room0","left":0,"bottom":0,"right":4,"top":4,"color":"red"},{"class":"agent","name":"agent0","x":2,"y":2}]}"#;
 
@@ -45,7 +53,7 @@ pub struct World {
     pub(crate) moves: Moves,
     pub(crate) start: HomeState,
     pub(crate) state: HomeState,
-    pub(crate) acted: Option<Action>,
+    pub(crate) acted: Option<Acted>,
     pub(crate) recording: Option<Recording>,
     pub(crate) ahead: Option<Lookahead>,
     pub(crate) random: Pcg32,
@@ -130,7 +138,7 @@ impl World {
         let (rooms, start) = build(&file, moves)?;
         Ok(Self {
             mind: new_mind(&MIND)?,
-            scout: route::scout(),
+            scout: Scout::new(),
             rooms,
             file,
             moves,
@@ -240,7 +248,7 @@ impl World {
                     (*x, *y) = (cell.x, cell.y);
                 }
                 ObjectRecord::Block { name, x, y, .. } => {
-                    let cell = home.objects().find(name).and_then(|block| home.block_cell(&self.state, block));
+                    let cell = home.world().objects.find(name).and_then(|block| home.block_cell(&self.state, block));
                     if let Some(cell) = cell {
                         (*x, *y) = (cell.x, cell.y);
                     }
@@ -255,12 +263,12 @@ impl World {
     pub fn scene(&self) -> Scene {
         let home = self.home();
         let map = Map::new(home, &self.state);
-        let places = |class| home.objects().of_class(class).map(|id| place(home, id)).collect();
+        let places = |class| home.world().objects.of_class(class).map(|id| place(home, id)).collect();
         Scene {
             bounds: extent(map.bounds()),
             rooms: places(ROOM),
             doors: places(DOOR),
-            blocks: home.objects().of_class(BLOCK).map(|id| thing(home, &self.state, id)).collect(),
+            blocks: home.world().objects.of_class(BLOCK).map(|id| thing(home, &self.state, id)).collect(),
             agent: thing(home, &self.state, home.agent()),
             map: map.to_string(),
         }
@@ -272,12 +280,12 @@ const fn extent(area: Area) -> Extent {
 }
 
 fn place(home: &Home<'_>, id: ObjectId) -> Place {
-    let objects = home.objects();
+    let objects = home.world().objects;
     Place { name: objects.name(id).to_owned(), extent: extent(home.area(id)), color: objects.value(id, COLOR).to_owned() }
 }
 
 pub(crate) fn thing(home: &Home<'_>, state: &HomeState, id: ObjectId) -> Thing {
-    let objects = home.objects();
+    let objects = home.world().objects;
     let cell = home.block_cell(state, id).unwrap_or_else(|| home.agent_cell(state));
     let (color, shape) = (objects.value(id, COLOR).to_owned(), objects.value(id, SHAPE).to_owned());
     Thing { name: objects.name(id).to_owned(), x: cell.x, y: cell.y, color, shape }

@@ -2,7 +2,7 @@
 
 use super::description::{GOODBOT_CANNOT, GoodbotHolds, GoodbotStep};
 use core::ffi::c_void;
-use goodbot::oomdp::{Action, ActionKind, Attribute, Class, Domain, GroundProposition, ObjectSet, Proposition, Schema};
+use goodbot::oomdp::{Action, ActionKind, Attribute, Class, Domain, GroundProposition, ObjectSet, OneByOne, Proposition, Schema, World};
 
 /// What an action leads to.
 #[derive(Clone, Copy, Debug)]
@@ -37,13 +37,10 @@ pub(super) type Parts = (&'static [Class<'static>], &'static [Attribute<'static>
 
 impl Domain for TableDomain {
     type State = u32;
+    type Search = OneByOne;
 
-    fn schema(&self) -> Schema<'_> {
-        self.schema
-    }
-
-    fn objects(&self) -> &ObjectSet<'_> {
-        &self.objects
+    fn world(&self) -> World<'_> {
+        World { schema: self.schema, objects: &self.objects }
     }
 
     fn actions(&self) -> &[ActionKind<'_>] {
@@ -85,25 +82,5 @@ impl Domain for TableDomain {
 
     fn numbered(&self, number: u64) -> u32 {
         number as u32
-    }
-
-    fn variables(&self) -> usize {
-        1
-    }
-
-    fn values(&self, _variable: usize) -> usize {
-        self.states as usize
-    }
-
-    fn value(&self, state: &u32, _variable: usize) -> usize {
-        *state as usize
-    }
-
-    fn with_value(&self, _state: &u32, _variable: usize, value: usize) -> u32 {
-        value as u32
-    }
-
-    fn reads(&self, _proposition: &GroundProposition) -> Option<usize> {
-        Some(0)
     }
 }

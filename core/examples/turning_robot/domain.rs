@@ -3,8 +3,8 @@
 //! This is all that a robot brings: its state, its actions with their costs, what they do, and a number for each state. The objects and
 //! the propositional functions are the home's, so what was learned in one is understood in the other.
 
-use goodbot::home::{Home, HomeState, SCHEMA};
-use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition, ObjectSet, Schema};
+use goodbot::home::{Home, HomeState};
+use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, World};
 
 /// Driving forward costs twice a turn.
 const ACTIONS: [ActionKind<'static>; 3] =
@@ -30,13 +30,10 @@ pub struct TurningRobot<'m> {
 
 impl Domain for TurningRobot<'_> {
     type State = TurningState;
+    type Search = OneByOne;
 
-    fn schema(&self) -> Schema<'_> {
-        SCHEMA
-    }
-
-    fn objects(&self) -> &ObjectSet<'_> {
-        self.home.objects()
+    fn world(&self) -> World<'_> {
+        self.home.world()
     }
 
     fn actions(&self) -> &[ActionKind<'_>] {

@@ -8,7 +8,8 @@ use domain::{TurningRobot, TurningState};
 use goodbot::feedback::Feedback;
 use goodbot::home::map::Map;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeError, HomeMemory, HomeState, Moves};
-use goodbot::oomdp::{Domain, action_name, apply};
+use goodbot::oomdp::{Action, Domain, action_name};
+use goodbot::session::Evidence;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 
 fn rooms<'m>(memory: HomeMemory<'m>, colors: [&str; 3]) -> Result<(Home<'m>, HomeState), HomeError> {
@@ -32,11 +33,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         agent.hear(&home, &state, &format!("go to the {color} room"))?;
         for _ in 0..8 {
             agent.plan_fully(&home, &state)?;
-            let decision = agent.decide::<rand_pcg::Pcg32>(None)?;
+            let decision = agent.decide(&home, &state)?;
             let goal = agent.tasks()[decision.task];
-            let right = home.objects().name(goal.bindings[1]) == room;
-            agent.feedback(decision.action, if right { Feedback::Reward } else { Feedback::Punish })?;
-            state = apply(&home, &state, decision.action).unwrap_or(state);
+            let right = home.world().objects.name(goal.bindings[1]) == room;
+            state = agent.acted(&home, &state, decision.action)?;
+            assert_eq!(agent.feedback(if right { Feedback::Reward } else { Feedback::Punish })?, Evidence::Used);
         }
         agent.finish(&home)?;
         agent.learn_fully();
@@ -50,12 +51,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     agent.hear(&robot, &state, "go to the red room")?;
     loop {
         agent.plan_fully(&robot, &state)?;
-        let decision = agent.decide::<rand_pcg::Pcg32>(None)?;
-        if decision.action == goodbot::oomdp::Action::NOOP {
+        let decision = agent.decide(&robot, &state)?;
+        if decision.action == Action::NOOP {
             break;
         }
         print!("{} ", action_name(&robot, decision.action));
-        state = robot.step(&state, decision.action).unwrap_or(state);
+        state = agent.acted(&robot, &state, decision.action)?;
     }
     println!("\n\n{}", Map::new(&robot.home, &state.home));
     Ok(())

@@ -110,7 +110,7 @@ pub fn run(memory: Memory<'_>, seed: u64, budget: Budget, watch: &mut impl Watch
         agent.hear(&home, &start, test.command)?;
         watch.end(Work::Hear, number);
         take(agent, &mut outcome.digest);
-        let understood = test.intention.find(agent, &home) == agent.most_likely(Some(&mut random));
+        let understood = test.intention.find(agent, &home) == agent.most_likely_by(&mut random);
         outcome.passed = outcome.passed.wrapping_add(u32::from(understood));
         agent.forget();
     }

@@ -240,7 +240,7 @@ pub fn known_atom(home: &Home<'_>, atom: &GroundAtomText) -> Result<goodbot::oom
     let mut arguments = goodbot::oomdp::GroundProposition { proposition, arguments: Default::default() };
     for ((name, &class), slot) in atom.arguments().iter().zip(parameters).zip(&mut arguments.arguments) {
         let class_name = SCHEMA.class_name(class);
-        let objects = home.objects();
+        let objects = home.world().objects;
         match objects.find(name) {
             None => return Err(format!("there is no object {}; name a {class_name} of the environment", quoted(name))),
             Some(id) if objects.get(id).is_some_and(|object| object.class != class) => {

@@ -153,13 +153,13 @@ fn task_in_words(scene: &Scene<'_, '_, '_>, task: usize) -> String {
 }
 
 fn thing(home: &Home<'_>, object: ObjectId) -> String {
-    let objects = home.objects();
+    let objects = home.world().objects;
     let color = objects.value(object, COLOR);
     match objects.get(object).map(|known| known.class) {
         Some(AGENT) => "go".to_owned(),
         Some(class) => {
             let shape = objects.value(object, SHAPE);
-            format!("{color} {}", if shape.is_empty() { home.schema().class_name(class) } else { shape }).trim().to_owned()
+            format!("{color} {}", if shape.is_empty() { home.world().schema.class_name(class) } else { shape }).trim().to_owned()
         }
         None => String::new(),
     }

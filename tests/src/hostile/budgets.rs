@@ -5,7 +5,7 @@ use crate::random_homes::{Size, random_home};
 use goodbot::feedback::Feedback;
 use goodbot::home::{Moves, paper_tasks};
 use goodbot::language::Settings;
-use goodbot::oomdp::{Action, Domain, apply};
+use goodbot::oomdp::Action;
 use goodbot::planning::Progress;
 use goodbot::session::Weights;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
@@ -52,13 +52,15 @@ pub fn budgets(input: &[u8]) {
             while parts.plan(&home, &state, budget).expect("a session is under way") == Progress::Working {}
             whole.plan_fully(&home, &state).expect("a session is under way");
             let seed = u64::from(choices.byte());
-            let decision = parts.decide(Some(&mut Pcg32::new(seed, 1))).expect("the plan is done");
-            assert_eq!(decision, whole.decide(Some(&mut Pcg32::new(seed, 1))).expect("the plan is done"));
+            let decision = parts.decide_by(&home, &state, &mut Pcg32::new(seed, 1)).expect("the plan is done");
+            assert_eq!(decision, whole.decide_by(&home, &state, &mut Pcg32::new(seed, 1)).expect("the plan is done"));
             let feedback = choices.one_of(&[Feedback::Reward, Feedback::Punish, Feedback::Neutral]);
             let action = choices.one_of(&[decision.action, Action(0), Action(1), Action(2), Action(3), Action::NOOP]);
-            assert_eq!(parts.feedback(action, feedback), whole.feedback(action, feedback));
+            let next = parts.acted(&home, &state, action);
+            assert_eq!(next, whole.acted(&home, &state, action));
+            assert_eq!(parts.feedback(feedback), whole.feedback(feedback));
             assert_same_beliefs(&parts, &whole);
-            state = apply(&home, &state, action).filter(|next| home.number(next) < home.state_count()).unwrap_or(state);
+            state = next.unwrap_or(state);
         }
         assert_eq!(parts.finish(&home), whole.finish(&home));
         while parts.learn(budget) == Progress::Working {}
@@ -72,7 +74,7 @@ fn assert_same_beliefs(one: &Agent<'_>, other: &Agent<'_>) {
     assert_eq!(one.tasks(), other.tasks());
     for task in 0..one.tasks().len() {
         assert_eq!(one.belief().probability(task).to_bits(), other.belief().probability(task).to_bits());
-        assert_eq!(one.search().optimal(task), other.search().optimal(task));
+        assert_eq!(one.planned().optimal(task), other.planned().optimal(task));
     }
 }
 

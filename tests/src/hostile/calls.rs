@@ -5,7 +5,7 @@ use crate::random_homes::{Size, random_home};
 use crate::school;
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{Home, HomeState, Moves, paper_tasks};
-use goodbot::oomdp::{Action, apply};
+use goodbot::oomdp::Action;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use rand_pcg::Pcg32;
 
@@ -43,15 +43,20 @@ pub fn calls(input: &[u8]) {
             4 => drop(agent.plan(home, state, u32::from(choices.byte()))),
             5 => drop(agent.plan_fully(home, state)),
             6 => {
-                if let Ok(decision) = agent.decide(Some(&mut random)) {
-                    *state = apply(home, state, decision.action).expect("an action that was decided on can be done");
+                if let Ok(decision) = agent.decide_by(home, state, &mut random) {
+                    *state = agent.acted(home, state, decision.action).expect("an action that was decided on can be done");
                 }
             }
             7 | 8 => {
                 let feedback = choices.one_of(&[Feedback::Reward, Feedback::Punish, Feedback::Neutral]);
-                let _ = agent.feedback(Action(choices.byte()), feedback);
+                // An action of the bytes' choice, or the last one that was done.
+                let action = Action(choices.byte());
+                if action.0 < 64 && let Ok(next) = agent.acted(home, state, action) {
+                    *state = next;
+                }
+                let _ = agent.feedback(feedback);
             }
-            9 => drop(agent.demonstration(Action(choices.byte()))),
+            9 => drop(agent.demonstrated(home, state, Action(choices.byte()))),
             10 => drop(agent.finish(home)),
             11 => drop(agent.learn(u32::from(choices.byte()) * 64)),
             12 => match choices.below(6) {

@@ -20,7 +20,7 @@ pub fn environment(input: &[u8]) {
         let mut agent = Agent::new(parts.agent, &paper_tasks().expect("the paper's tasks"), Options::PAPER).expect("two tasks fit");
         if agent.hear(&home, &state, "go to the red room").is_ok() {
             agent.plan_fully(&home, &state).expect("a session is under way");
-            agent.decide::<rand_pcg::Pcg32>(None).expect("the plan is done");
+            agent.decide(&home, &state).expect("the plan is done");
             assert_sound(&agent);
         }
     }
