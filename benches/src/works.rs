@@ -56,7 +56,7 @@ fn learned() -> (Agent<'static>, home::Home<'static>, home::HomeState) {
     let mut agent = Agent::new(parts.agent, &home::paper_tasks().expect("the tasks"), Options::PAPER).expect("an agent");
     for (english, _) in sessions(16) {
         agent.hear(&home, &start, &english.join(" ")).expect("a command");
-        agent.finish(&home).expect("room for the session");
+        let _ = agent.finish(&home).expect("room for the session");
         agent.learn_fully();
     }
     (agent, home, start)

@@ -1,5 +1,6 @@
 //! A trainer for any robot: teaches commands by reward and punishment, and lets the robot obey.
 
+use goodbot::memory::AgentMemory;
 use goodbot::feedback::Feedback;
 use goodbot::oomdp::{Action, Domain, action_name};
 use goodbot::planning::{Judgement, OptimalSet};
@@ -9,7 +10,7 @@ use goodbot::{Agent, AgentError};
 pub type Meaning<'a> = (&'a str, &'a [&'a str]);
 
 /// The position of the task that is meant.
-fn intended<D: Domain>(agent: &Agent<'_>, domain: &D, (proposition, objects): Meaning<'_>) -> Option<usize> {
+fn intended<D: Domain>(agent: &Agent<impl AgentMemory>, domain: &D, (proposition, objects): Meaning<'_>) -> Option<usize> {
     let world = domain.world();
     agent.tasks().iter().position(|task| {
         let mut parts = agent.lifted().get(usize::from(task.lifted)).into_iter().flat_map(|lifted| task.propositions(lifted));
@@ -21,7 +22,7 @@ fn intended<D: Domain>(agent: &Agent<'_>, domain: &D, (proposition, objects): Me
 }
 
 /// Gives a command and judges what the robot does, until it has rested three times where the task is done. Then it learns.
-pub fn teach<D: Domain>(agent: &mut Agent<'_>, domain: &D, start: &D::State, command: &str, meaning: Meaning<'_>) -> Result<(), AgentError> {
+pub fn teach<D: Domain>(agent: &mut Agent<impl AgentMemory>, domain: &D, start: &D::State, command: &str, meaning: Meaning<'_>) -> Result<(), AgentError> {
     agent.hear(domain, start, command)?;
     let intended = intended(agent, domain, meaning).ok_or(AgentError::NoTask)?;
     let (mut state, mut rests) = (*start, 0);
@@ -34,13 +35,13 @@ pub fn teach<D: Domain>(agent: &mut Agent<'_>, domain: &D, start: &D::State, com
         state = agent.acted(domain, &state, decision.action)?;
         let _ = agent.feedback(if right { Feedback::Reward } else { Feedback::Punish })?;
     }
-    agent.finish(domain)?;
+    let _ = agent.finish(domain)?;
     agent.learn_fully();
     Ok(())
 }
 
 /// Gives a command and lets the robot do what it takes it to mean. Returns its actions, and the state at the end.
-pub fn obey<D: Domain>(agent: &mut Agent<'_>, domain: &D, start: &D::State, command: &str) -> Result<(Vec<String>, D::State), AgentError> {
+pub fn obey<D: Domain>(agent: &mut Agent<impl AgentMemory>, domain: &D, start: &D::State, command: &str) -> Result<(Vec<String>, D::State), AgentError> {
     agent.hear(domain, start, command)?;
     let (mut state, mut actions) = (*start, vec![]);
     loop {

@@ -6,7 +6,7 @@ use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::feedback::{Feedback, Strategy, simulated::below};
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::language::Settings;
-use goodbot::oomdp::{Action, Domain, apply};
+use goodbot::oomdp::{Action, Domain};
 use goodbot::session::options::Weights;
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
@@ -83,7 +83,7 @@ fn check(agent: &Agent<impl AgentMemory>, seed: u64) {
     }
 }
 
-fn act(agent: &mut Agent<impl AgentMemory>, homes: &[(Home<'_>, HomeState)], at: &mut (usize, HomeState), random: &mut Pcg32) {
+fn act(agent: &mut Agent<impl AgentMemory>, homes: &[(Home<impl HomeMemory>, HomeState)], at: &mut (usize, HomeState), random: &mut Pcg32) {
     let (home, start) = (&homes[at.0].0, homes[at.0].1);
     let action = Action(*pick(random, &[0, 1, 2, 3, 4, 5, 15, 16, 255]));
     match below(22, random) {

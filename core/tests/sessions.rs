@@ -1,8 +1,8 @@
 //! Algorithm 1 step by step: what the agent hears, decides, believes and learns, and what it refuses.
 
-use goodbot::memory::{AgentMemory, HomeMemory};
+use goodbot::memory::{AgentArrays, AgentMemory, HomeMemory};
 use goodbot::capacity::{Capacity, CapacityError};
-use goodbot::feedback::{Feedback, Strategy};
+use goodbot::feedback::{BeliefError, Feedback, Strategy};
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::oomdp::{Action, Domain, apply};
 use goodbot::session::Evidence;
@@ -27,7 +27,7 @@ fn rooms<M: HomeMemory>(memory: M, block: Option<Cell>) -> (Home<M>, HomeState) 
     builder.build(Moves::Push).unwrap()
 }
 
-fn agent(memory: impl goodbot::memory::AgentMemory) -> Agent<'_> {
+fn agent<M: AgentMemory>(memory: M) -> Agent<M> {
     Agent::new(memory, &home::paper_tasks().unwrap(), Options::PAPER).unwrap()
 }
 
@@ -51,7 +51,7 @@ fn probabilities(agent: &Agent<impl AgentMemory>) -> Vec<f32> {
 #[test]
 fn before_any_learning_every_task_of_a_kind_is_as_likely_as_the_other() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(rooms_&mut memory.home, Some(Cell::new(4, 2)));
+    let (home, start) = rooms(&mut rooms_memory.home, Some(Cell::new(4, 2)));
     let mut agent = agent(&mut memory.agent);
     agent.hear(&home, &start, "take the chair to the red room").unwrap();
     assert_eq!(probabilities(&agent), [0.25; 4]);
@@ -60,7 +60,7 @@ fn before_any_learning_every_task_of_a_kind_is_as_likely_as_the_other() {
 #[test]
 fn reward_and_punishment_tell_the_intended_task() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, mut state) = rooms(rooms_&mut memory.home, None);
+    let (home, mut state) = rooms(&mut rooms_memory.home, None);
     let mut agent = agent(&mut memory.agent);
     agent.hear(&home, &state, "go to the red room").unwrap();
     let red = task(&agent, &home, "agent0", "room2");
@@ -76,7 +76,7 @@ fn reward_and_punishment_tell_the_intended_task() {
 #[test]
 fn silence_says_nothing_where_right_and_wrong_actions_are_met_with_it_equally() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(rooms_&mut memory.home, Some(Cell::new(4, 2)));
+    let (home, start) = rooms(&mut rooms_memory.home, Some(Cell::new(4, 2)));
     let mut agent = agent(&mut memory.agent);
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
@@ -88,7 +88,7 @@ fn silence_says_nothing_where_right_and_wrong_actions_are_met_with_it_equally() 
 fn planning_and_learning_in_small_parts_give_the_same_as_in_one_go() {
     let run = |parts: bool| {
         let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-        let (home, mut state) = rooms(rooms_&mut memory.home, Some(Cell::new(4, 2)));
+        let (home, mut state) = rooms(&mut rooms_memory.home, Some(Cell::new(4, 2)));
         let mut agent = agent(&mut memory.agent);
         let mut trace = vec![];
         for command in ["take the chair to the red room", "go to the green room"] {
@@ -104,7 +104,7 @@ fn planning_and_learning_in_small_parts_give_the_same_as_in_one_go() {
                 state = told(&mut agent, &home, &state, decision.action, feedback);
                 trace.push(probabilities(&agent));
             }
-            agent.finish(&home).unwrap();
+            let _ = agent.finish(&home).unwrap();
             if parts {
                 while agent.learn(1) == Progress::Working {}
             } else {
@@ -119,7 +119,7 @@ fn planning_and_learning_in_small_parts_give_the_same_as_in_one_go() {
 #[test]
 fn a_block_in_a_corner_is_a_dead_end_and_stays_one() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(rooms_&mut memory.home, Some(Cell::new(1, 1)));
+    let (home, start) = rooms(&mut rooms_memory.home, Some(Cell::new(1, 1)));
     let mut agent = agent(&mut memory.agent);
     agent.hear(&home, &start, "take the chair to the red room").unwrap();
     agent.plan_fully(&home, &start).unwrap();
@@ -133,7 +133,7 @@ fn a_block_in_a_corner_is_a_dead_end_and_stays_one() {
 fn a_search_that_finds_no_room_says_that_it_does_not_know_and_takes_no_evidence() {
     goodbot::memory! { struct Tight = Capacities { states: 0, ..Capacities::SMALL }; }
     let (mut memory, mut rooms_memory) = (Tight::new(), Memory::new());
-    let (home, start) = rooms(rooms_&mut memory.home, Some(Cell::new(4, 2)));
+    let (home, start) = rooms(&mut rooms_memory.home, Some(Cell::new(4, 2)));
     let mut agent = agent(&mut memory.agent);
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
@@ -148,13 +148,13 @@ fn a_search_that_finds_no_room_says_that_it_does_not_know_and_takes_no_evidence(
 fn a_home_too_large_for_the_memory_is_planned_for_with_the_block_standing_still_and_says_so() {
     goodbot::memory! { struct Tight = Capacities { states: 320, ..Capacities::SMALL }; }
     let (mut memory, mut full, mut rooms_memory) = (Tight::new(), Memory::new(), Memory::new());
-    let (home, start) = rooms(rooms_&mut memory.home, Some(Cell::new(4, 2)));
+    let (home, start) = rooms(&mut rooms_memory.home, Some(Cell::new(4, 2)));
     let mut bounded = agent(&mut memory.agent);
     let mut exact = agent(&mut full.agent);
-    for agent in [&mut bounded, &mut exact] {
-        agent.hear(&home, &start, "go").unwrap();
-        agent.plan_fully(&home, &start).unwrap();
-    }
+    bounded.hear(&home, &start, "go").unwrap();
+    bounded.plan_fully(&home, &start).unwrap();
+    exact.hear(&home, &start, "go").unwrap();
+    exact.plan_fully(&home, &start).unwrap();
     let (bounded, exact) = (bounded.planned(), exact.planned());
     assert!(exact.approximate().is_empty() && exact.unknown().is_empty());
     for task in 0..4 {
@@ -171,7 +171,7 @@ fn a_home_too_large_for_the_memory_is_planned_for_with_the_block_standing_still_
 #[test]
 fn several_strategies_are_told_apart_by_how_the_trainer_speaks() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(rooms_&mut memory.home, None);
+    let (home, start) = rooms(&mut rooms_memory.home, None);
     let mut agent = agent(&mut memory.agent);
     agent.set_strategies(&[(Strategy::REWARD_ONLY, 0.5), (Strategy::PUNISH_ONLY, 0.5)]).unwrap();
     agent.hear(&home, &start, "go").unwrap();
@@ -189,7 +189,7 @@ fn several_strategies_are_told_apart_by_how_the_trainer_speaks() {
 #[test]
 fn feedback_that_nobody_could_give_is_ignored() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(rooms_&mut memory.home, None);
+    let (home, start) = rooms(&mut rooms_memory.home, None);
     let mut agent = agent(&mut memory.agent);
     agent.set_strategies(&[(Strategy::new(0.0, 0.0, 0.1).unwrap(), 1.0)]).unwrap();
     agent.hear(&home, &start, "go").unwrap();
@@ -202,7 +202,7 @@ fn feedback_that_nobody_could_give_is_ignored() {
 #[test]
 fn what_is_out_of_order_is_refused() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(rooms_&mut memory.home, None);
+    let (home, start) = rooms(&mut rooms_memory.home, None);
     let mut agent = agent(&mut memory.agent);
     assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NoSession));
     assert_eq!(agent.finish(&home), Err(AgentError::NoSession));
@@ -214,7 +214,7 @@ fn what_is_out_of_order_is_refused() {
     assert_eq!(agent.feedback(Feedback::Reward), Err(AgentError::NothingDone));
     assert_eq!(agent.acted(&home, &start, Action(4)), Err(AgentError::NotApplicable));
     assert_eq!(agent.acted(&home, &start, Action(200)), Err(AgentError::NotApplicable));
-    agent.finish(&home).unwrap();
+    let _ = agent.finish(&home).unwrap();
     assert_eq!(agent.hear(&home, &start, "go"), Err(AgentError::StillLearning));
     agent.learn_fully();
     assert_eq!(agent.hear(&home, &start, "go"), Ok(()));
@@ -223,18 +223,22 @@ fn what_is_out_of_order_is_refused() {
 #[test]
 fn a_strategy_or_prior_that_is_no_probability_is_refused() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(rooms_&mut memory.home, None);
+    let (home, start) = rooms(&mut rooms_memory.home, None);
     let mut agent = agent(&mut memory.agent);
     for mu in [f32::NAN, -0.1, 1.1, f32::INFINITY] {
         assert!(Strategy::new(mu, 0.5, 0.1).is_err());
         assert!(Strategy::new(0.5, mu, 0.1).is_err());
         assert!(Strategy::new(0.5, 0.5, mu).is_err());
-        assert_eq!(agent.set_strategies(&[(Strategy::BALANCED, mu)]), Err(AgentError::NotAProbability));
+        let error = agent.set_strategies(&[(Strategy::BALANCED, 0.5), (Strategy::BALANCED, mu)]).unwrap_err();
+        let AgentError::Strategy(BeliefError::Prior { strategy: 1, value }) = error else { panic!("{error}") };
+        assert_eq!(value.to_bits(), mu.to_bits());
     }
-    assert_eq!(agent.set_strategies(&[]), Err(AgentError::NotAProbability));
-    for prior in [f32::NAN, -1.0, f32::INFINITY, 0.0] {
-        assert_eq!(agent.hear_with_prior(&home, &start, "go", |_, _| prior), Err(AgentError::NotAProbability));
+    assert_eq!(agent.set_strategies(&[]), Err(AgentError::Strategy(BeliefError::NoPrior)));
+    for prior in [f32::NAN, -1.0, f32::INFINITY] {
+        let error = agent.hear_with_prior(&home, &start, "go", |_, _| prior).unwrap_err();
+        assert!(matches!(error, AgentError::Prior { task: 0, value } if value.to_bits() == prior.to_bits()));
     }
+    assert_eq!(agent.hear_with_prior(&home, &start, "go", |_, _| 0.0), Err(AgentError::NoPrior));
     let too_many = [(Strategy::BALANCED, 0.1); 9];
     assert!(matches!(agent.set_strategies(&too_many), Err(AgentError::Capacity(CapacityError { capacity: Capacity::Strategies, .. }))));
 }
@@ -242,13 +246,13 @@ fn a_strategy_or_prior_that_is_no_probability_is_refused() {
 #[test]
 fn a_command_too_long_is_refused_and_what_was_learned_stays() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(rooms_&mut memory.home, None);
+    let (home, start) = rooms(&mut rooms_memory.home, None);
     let mut agent = agent(&mut memory.agent);
-    let teach = |agent: &mut Agent<impl AgentMemory>| {
+    let teach = |agent: &mut Agent<&mut AgentArrays<Memory>>| {
         agent.hear(&home, &start, "go to the red room").unwrap();
         agent.plan_fully(&home, &start).unwrap();
         let _ = told(agent, &home, &start, Action(2), Feedback::Reward);
-        agent.finish(&home).unwrap();
+        let _ = agent.finish(&home).unwrap();
         agent.learn_fully();
     };
     teach(&mut agent);
@@ -267,7 +271,7 @@ fn a_command_too_long_is_refused_and_what_was_learned_stays() {
 fn the_same_seed_decides_the_same() {
     let run = |seed| {
         let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-        let (home, mut state) = rooms(rooms_&mut memory.home, Some(Cell::new(4, 2)));
+        let (home, mut state) = rooms(&mut rooms_memory.home, Some(Cell::new(4, 2)));
         let mut agent = agent(&mut memory.agent);
         let mut random = Pcg32::new(seed, 1);
         agent.hear(&home, &state, "go").unwrap();
@@ -287,7 +291,7 @@ fn the_same_seed_decides_the_same() {
 #[test]
 fn a_forgotten_session_can_be_taken_up_again_and_learned_from() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(rooms_&mut memory.home, None);
+    let (home, start) = rooms(&mut rooms_memory.home, None);
     let mut agent = agent(&mut memory.agent);
     agent.hear(&home, &start, "go to the red room").unwrap();
     agent.plan_fully(&home, &start).unwrap();
@@ -296,7 +300,7 @@ fn a_forgotten_session_can_be_taken_up_again_and_learned_from() {
     agent.forget();
     agent.hear_again(&home, &start).unwrap();
     assert_eq!(probabilities(&agent), before, "the belief goes on");
-    agent.finish(&home).unwrap();
+    let _ = agent.finish(&home).unwrap();
     agent.learn_fully();
     assert_eq!(agent.language().tables().words(), 5);
     let words: Vec<String> = agent.language().words().iter().map(|(_, word)| word.to_owned()).collect();
@@ -306,7 +310,7 @@ fn a_forgotten_session_can_be_taken_up_again_and_learned_from() {
 #[test]
 fn a_forgotten_session_changes_nothing_that_was_learned() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(rooms_&mut memory.home, None);
+    let (home, start) = rooms(&mut rooms_memory.home, None);
     let mut agent = agent(&mut memory.agent);
     agent.hear(&home, &start, "fly to the moon").unwrap();
     agent.forget();

@@ -1,7 +1,8 @@
 //! The driver of a lesson: when the trainer ends it, and what the agent has then learned.
 
+use goodbot::memory::HomeMemory;
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
-use goodbot::memory::{AgentMemory, HomeMemory};
+use goodbot::memory::{AgentMemory};
 use goodbot::home::{Area, Cell};
 use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::OptimalSet;

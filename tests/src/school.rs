@@ -1,6 +1,7 @@
 //! A small school: homes of four rooms, the paper's seven lessons and five tests, and a trainer who answers by a strategy.
 
-use goodbot::memory::{AgentMemory, HomeMemory};
+use goodbot::memory::HomeMemory;
+use goodbot::memory::{AgentMemory};
 use goodbot::feedback::{SimulatedTrainer, Strategy};
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::planning::{Judgement, OptimalSet};

@@ -27,7 +27,7 @@ fn learns<D: Domain>(
     D::State: std::fmt::Debug,
 {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let mut agent = Agent::new(memory.split().agent, tasks, Options::PAPER).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, tasks, Options::PAPER).unwrap();
     for (start, command, meaning) in lessons {
         teach(&mut agent, domain, start, command, *meaning).unwrap();
     }
@@ -40,7 +40,7 @@ fn learns<D: Domain>(
 #[test]
 fn an_arm_learns_to_carry_things_by_the_cheapest_way() {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let arm = Arm::new(memory.split().home.objects).unwrap();
+    let arm = Arm::new(&mut memory.home.objects).unwrap();
     let start = Shelf { arm: 0, things: [1, 2] };
     learns(
         &arm,
@@ -60,7 +60,7 @@ fn an_arm_learns_to_carry_things_by_the_cheapest_way() {
 #[test]
 fn a_robot_learns_to_switch_lamps() {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let lamps = Lamps::new(memory.split().home.objects).unwrap();
+    let lamps = Lamps::new(&mut memory.home.objects).unwrap();
     let start = House { room: 1, on: 0b0101 };
     learns(
         &lamps,
@@ -81,7 +81,7 @@ fn a_robot_learns_to_switch_lamps() {
 #[test]
 fn a_robot_made_of_tables_learns_its_floors() {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let lift = TableRobot::lift(memory.split().home.objects).unwrap();
+    let lift = TableRobot::lift(&mut memory.home.objects).unwrap();
     learns(
         &lift,
         &TableRobot::tasks().unwrap(),

@@ -80,7 +80,7 @@ fn a_home_of_six_rooms_and_four_blocks_is_planned_for_and_says_how() {
     let mut random = Pcg32::new(5, 5);
     let (mut memory, mut home_memory) = (HeapMemory::new(&Capacities::STANDARD), HeapMemory::new(&Capacities::STANDARD));
     let size = Size { columns: 3, rows: 2, side: 5, blocks: 4 };
-    let (home, mut state) = random_home(&mut random, size, Moves::Push, home_&mut memory.home);
+    let (home, mut state) = random_home(&mut random, size, Moves::Push, &mut home_memory.home);
     assert!(home.state_count() > 1 << 35);
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     agent.hear(&home, &state, "take the chair to the blue room").unwrap();

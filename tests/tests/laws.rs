@@ -60,7 +60,7 @@ proptest! {
     ) {
         let (mut memory, mut home_memory) = (HeapMemory::new(&Capacities::SMALL), HeapMemory::new(&Capacities::SMALL));
         let mut agent = agent(&mut memory, trainer);
-        let (home, state) = lesson.home(home_&mut memory.home);
+        let (home, state) = lesson.home(&mut home_memory.home);
         prop_assume!(agent.hear(&home, &state, &lesson.command).is_ok());
         agent.plan_fully(&home, &state).unwrap();
         for (action, feedback) in steps {
@@ -79,7 +79,7 @@ proptest! {
         let (mut memory, mut home_memory) = (HeapMemory::new(&Capacities::SMALL), HeapMemory::new(&Capacities::SMALL));
         let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
         agent.set_strategies(&[(Trainer::new(mu, mu, epsilon).unwrap(), 1.0)]).unwrap();
-        let (home, state) = lesson.home(home_&mut memory.home);
+        let (home, state) = lesson.home(&mut home_memory.home);
         prop_assume!(agent.hear(&home, &state, &lesson.command).is_ok());
         agent.plan_fully(&home, &state).unwrap();
         agent.acted(&home, &state, Action(0)).unwrap();
@@ -100,7 +100,7 @@ proptest! {
     ) {
         let (mut memory, mut home_memory) = (HeapMemory::new(&Capacities::SMALL), HeapMemory::new(&Capacities::SMALL));
         let mut agent = agent(&mut memory, trainer);
-        let (home, state) = lesson.home(home_&mut memory.home);
+        let (home, state) = lesson.home(&mut home_memory.home);
         prop_assume!(agent.hear(&home, &state, &lesson.command).is_ok());
         agent.plan_fully(&home, &state).unwrap();
         // Nothing is reached by doing nothing: it is wrong for all tasks whose goal can still be reached.
@@ -149,7 +149,7 @@ proptest! {
         let believe = |order: &[usize]| {
             let (mut memory, mut home_memory) = (HeapMemory::new(&Capacities::SMALL), HeapMemory::new(&Capacities::SMALL));
             let mut agent = agent(&mut memory, Trainer::PUNISH_ONLY);
-            let (home, state) = lesson.home_in_order(order, home_&mut memory.home);
+            let (home, state) = lesson.home_in_order(order, &mut home_memory.home);
             agent.hear(&home, &state, &lesson.command).ok()?;
             agent.plan_fully(&home, &state).unwrap();
             for &(action, feedback) in &steps {
@@ -173,7 +173,7 @@ proptest! {
     fn plans_are_shortest_against_a_brute_force_search(lesson in lesson(), walk in vec(0..4_u8, 0..40)) {
         let (mut memory, mut home_memory) = (HeapMemory::new(&Capacities::SMALL), HeapMemory::new(&Capacities::SMALL));
         let mut agent = agent(&mut memory, Trainer::BALANCED);
-        let (home, start) = lesson.home(home_&mut memory.home);
+        let (home, start) = lesson.home(&mut home_memory.home);
         prop_assume!(agent.hear(&home, &start, &lesson.command).is_ok());
         let state = walk.iter().fold(start, |state, &action| home.step(&state, Action(action)).unwrap_or(state));
         agent.plan_fully(&home, &state).unwrap();

@@ -160,7 +160,7 @@ fn follow_curriculum(case: &Value, weights: Weights) {
             })
             .collect();
         assert_probabilities(&format!("lesson {lesson} machine commands"), &machine, &session["machine"]);
-        agent.finish(&home).unwrap();
+        let _ = agent.finish(&home).unwrap();
         agent.learn_fully();
     }
     for test in case["tests"].as_array().unwrap() {

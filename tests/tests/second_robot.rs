@@ -3,7 +3,8 @@
 #[path = "../../core/examples/turning_robot/domain.rs"]
 mod turning_robot;
 
-use goodbot::memory::{AgentMemory, HomeMemory};
+use goodbot::memory::HomeMemory;
+use goodbot::memory::{AgentMemory};
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::oomdp::{Action, Domain, apply};
@@ -40,7 +41,7 @@ fn train(agent: &mut Agent<impl AgentMemory>, command: &str, colors: [&str; 3], 
         state = agent.acted(&home, &state, decision.action).unwrap();
         assert_eq!(agent.feedback(if right { Feedback::Reward } else { Feedback::Punish }), Ok(Evidence::Used));
     }
-    agent.finish(&home).unwrap();
+    let _ = agent.finish(&home).unwrap();
     agent.learn_fully();
 }
 

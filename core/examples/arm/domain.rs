@@ -1,8 +1,7 @@
 //! An arm above a shelf: it moves from slot to slot, grabs a thing, carries it and releases it. Grabbing and releasing cost twice a move.
 
-use goodbot::oomdp::objects::{ObjectError, ObjectMemory};
 use goodbot::oomdp::{
-    Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, ObjectSet, OneByOne, Proposition, PropositionId,
+    Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, ObjectError, ObjectSet, ObjectTables, Objects, OneByOne, Proposition, PropositionId,
     Schema, World,
 };
 use goodbot::task::{LiftedTask, TaskTextError};
@@ -46,11 +45,11 @@ pub struct Shelf {
 
 /// The arm.
 pub struct Arm<'m> {
-    objects: ObjectSet<'m>,
+    objects: Objects<'m>,
 }
 
 impl<'m> Arm<'m> {
-    pub fn new(memory: ObjectMemory<'m>) -> Result<Self, ObjectError> {
+    pub fn new(memory: ObjectTables<'m>) -> Result<Self, ObjectError> {
         let mut objects = ObjectSet::new(memory);
         objects.add(ARM, "arm", &[])?;
         for (name, color) in [("slot0", "red"), ("slot1", "green"), ("slot2", "blue"), ("slot3", "yellow")] {
@@ -59,7 +58,7 @@ impl<'m> Arm<'m> {
         for (name, shape) in [("thing0", "cup"), ("thing1", "ball")] {
             objects.add(THING, name, &["", shape])?;
         }
-        Ok(Self { objects })
+        Ok(Self { objects: objects.into_objects() })
     }
 
     pub fn tasks() -> Result<[LiftedTask; 2], TaskTextError> {
@@ -72,7 +71,7 @@ impl Domain for Arm<'_> {
     type Search = OneByOne;
 
     fn world(&self) -> World<'_> {
-        World { schema: SCHEMA, objects: &self.objects }
+        World { schema: SCHEMA, objects: self.objects }
     }
 
     fn actions(&self) -> &[ActionKind<'_>] {

@@ -7,14 +7,14 @@ mod domain;
 mod teach;
 
 use domain::{Arm, Shelf};
+use goodbot::memory::HomeMemory;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use teach::{obey, teach};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let parts = memory.split();
-    let arm = Arm::new(parts.home.objects).map_err(|error| format!("{error:?}"))?;
-    let mut agent = Agent::new(parts.agent, &Arm::tasks()?, Options::PAPER)?;
+    let arm = Arm::new(memory.home.lend().objects)?;
+    let mut agent = Agent::new(&mut memory.agent, &Arm::tasks()?, Options::PAPER)?;
     let start = Shelf { arm: 0, things: [1, 2] };
     for (command, meaning) in [
         ("put the cup on the red slot", ("thingInSlot", &["thing0", "slot0"][..])),

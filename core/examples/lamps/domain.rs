@@ -1,8 +1,7 @@
 //! A robot that walks through the rooms of a house, one beside the other, and switches the lamp of the room it is in.
 
-use goodbot::oomdp::objects::{ObjectError, ObjectMemory};
 use goodbot::oomdp::{
-    Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, ObjectSet, OneByOne, Proposition, PropositionId,
+    Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, ObjectError, ObjectSet, ObjectTables, Objects, OneByOne, Proposition, PropositionId,
     Schema, World,
 };
 use goodbot::task::{LiftedTask, TaskTextError};
@@ -29,16 +28,16 @@ pub struct House {
 
 /// The robot.
 pub struct Lamps<'m> {
-    objects: ObjectSet<'m>,
+    objects: Objects<'m>,
 }
 
 impl<'m> Lamps<'m> {
-    pub fn new(memory: ObjectMemory<'m>) -> Result<Self, ObjectError> {
+    pub fn new(memory: ObjectTables<'m>) -> Result<Self, ObjectError> {
         let mut objects = ObjectSet::new(memory);
         for (room, name) in ROOMS.iter().zip(["lamp0", "lamp1", "lamp2", "lamp3"]) {
             objects.add(LAMP, name, &[room])?;
         }
-        Ok(Self { objects })
+        Ok(Self { objects: objects.into_objects() })
     }
 
     pub fn tasks() -> Result<[LiftedTask; 2], TaskTextError> {
@@ -51,7 +50,7 @@ impl Domain for Lamps<'_> {
     type Search = OneByOne;
 
     fn world(&self) -> World<'_> {
-        World { schema: SCHEMA, objects: &self.objects }
+        World { schema: SCHEMA, objects: self.objects }
     }
 
     fn actions(&self) -> &[ActionKind<'_>] {

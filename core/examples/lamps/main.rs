@@ -7,14 +7,14 @@ mod domain;
 mod teach;
 
 use domain::{House, Lamps};
+use goodbot::memory::HomeMemory;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use teach::{obey, teach};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let parts = memory.split();
-    let lamps = Lamps::new(parts.home.objects).map_err(|error| format!("{error:?}"))?;
-    let mut agent = Agent::new(parts.agent, &Lamps::tasks()?, Options::PAPER)?;
+    let lamps = Lamps::new(memory.home.lend().objects)?;
+    let mut agent = Agent::new(&mut memory.agent, &Lamps::tasks()?, Options::PAPER)?;
     let start = House { room: 1, on: 0b0101 };
     for (command, meaning) in [
         ("light up the hall", ("lampIsOn", &["lamp1"][..])),

@@ -1,16 +1,15 @@
 //! A robot that is nothing but tables: which state each action leads to from each state, and where each proposition holds. The C library's
 //! robots of the caller's own are of this kind.
 
-use goodbot::oomdp::objects::{ObjectError, ObjectMemory};
 use goodbot::oomdp::{
-    Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, ObjectId, ObjectSet, OneByOne, Proposition,
+    Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, ObjectId, ObjectError, ObjectSet, ObjectTables, Objects, OneByOne, Proposition,
     PropositionId, Schema, World,
 };
 use goodbot::task::{LiftedTask, TaskTextError};
 
 /// All that a lift is. States are positions in `next`.
 pub struct TableRobot<'m> {
-    objects: ObjectSet<'m>,
+    objects: Objects<'m>,
     /// For each state and action, the state it leads to, or `CANNOT`.
     next: &'static [[u8; 2]],
     /// The propositions that hold, with their state.
@@ -36,13 +35,13 @@ const HOLDS: [(u8, PropositionId, ObjectId); 4] = [(0, AT, ObjectId(1)), (1, AT,
 
 impl<'m> TableRobot<'m> {
     /// A lift in a house of four floors.
-    pub fn lift(memory: ObjectMemory<'m>) -> Result<Self, ObjectError> {
+    pub fn lift(memory: ObjectTables<'m>) -> Result<Self, ObjectError> {
         let mut objects = ObjectSet::new(memory);
         objects.add(ClassId(0), "lift", &[])?;
         for (name, what) in [("floor0", "garage"), ("floor1", "shop"), ("floor2", "office"), ("floor3", "roof")] {
             objects.add(FLOOR, name, &[what])?;
         }
-        Ok(Self { objects, next: &NEXT, holds: &HOLDS })
+        Ok(Self { objects: objects.into_objects(), next: &NEXT, holds: &HOLDS })
     }
 
     pub fn tasks() -> Result<[LiftedTask; 1], TaskTextError> {
@@ -55,7 +54,7 @@ impl Domain for TableRobot<'_> {
     type Search = OneByOne;
 
     fn world(&self) -> World<'_> {
-        World { schema: SCHEMA, objects: &self.objects }
+        World { schema: SCHEMA, objects: self.objects }
     }
 
     fn actions(&self) -> &[ActionKind<'_>] {

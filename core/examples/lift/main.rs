@@ -7,14 +7,14 @@ mod domain;
 mod teach;
 
 use domain::TableRobot;
+use goodbot::memory::HomeMemory;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use teach::{obey, teach};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let parts = memory.split();
-    let lift = TableRobot::lift(parts.home.objects).map_err(|error| format!("{error:?}"))?;
-    let mut agent = Agent::new(parts.agent, &TableRobot::tasks()?, Options::PAPER)?;
+    let lift = TableRobot::lift(memory.home.lend().objects)?;
+    let mut agent = Agent::new(&mut memory.agent, &TableRobot::tasks()?, Options::PAPER)?;
     for (command, meaning) in [
         ("to the roof please", ("liftAtFloor", &["lift", "floor3"][..])),
         ("to the garage please", ("liftAtFloor", &["lift", "floor0"])),

@@ -4,6 +4,7 @@
 //! the propositional functions are the home's, so what was learned in one is understood in the other.
 
 use goodbot::home::{Home, HomeState};
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, World};
 
 /// Driving forward costs twice a turn.
@@ -23,12 +24,12 @@ pub struct TurningState {
 }
 
 /// The robot and its rooms.
-pub struct TurningRobot<'m> {
+pub struct TurningRobot<M> {
     /// The rooms.
-    pub home: Home<'m>,
+    pub home: Home<M>,
 }
 
-impl Domain for TurningRobot<'_> {
+impl<M: HomeMemory> Domain for TurningRobot<M> {
     type State = TurningState;
     type Search = OneByOne;
 

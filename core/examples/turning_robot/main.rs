@@ -40,7 +40,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             state = agent.acted(&home, &state, decision.action)?;
             assert_eq!(agent.feedback(if right { Feedback::Reward } else { Feedback::Punish })?, Evidence::Used);
         }
-        agent.finish(&home)?;
+        let _ = agent.finish(&home)?;
         agent.learn_fully();
     }
 

@@ -3,6 +3,7 @@
 use super::schema::ClassId;
 use crate::capacity::{ATTRIBUTES, Capacities, Capacity, CapacityError};
 use crate::symbols::{Symbol, Symbols, SymbolsRef};
+use core::fmt;
 
 /// An object, by its position among the [`Objects`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -60,6 +61,18 @@ pub enum ObjectError {
     /// Something was full.
     Capacity(CapacityError),
 }
+
+impl fmt::Display for ObjectError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::DuplicateName => "another object has this name; give each its own",
+            Self::EmptyName => "the object's name is empty; give it one",
+            Self::Capacity(error) => return error.fmt(f),
+        })
+    }
+}
+
+impl core::error::Error for ObjectError {}
 
 impl From<CapacityError> for ObjectError {
     fn from(error: CapacityError) -> Self {

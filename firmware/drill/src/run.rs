@@ -1,7 +1,8 @@
 //! The run: lessons, then tests.
 
 use crate::digest::Digest;
-use goodbot::memory::{AgentMemory, HomeMemory};
+use goodbot::memory::HomeMemory;
+use goodbot::memory::{AgentMemory};
 use goodbot::feedback::{SimulatedTrainer, Strategy};
 use goodbot::home::{self};
 use goodbot::memory::Memory;
@@ -156,7 +157,7 @@ fn train<R: rand_core::Rng>(
         take(agent, &mut outcome.digest);
     }
     watch.begin();
-    agent.finish(&home)?;
+    let _ = agent.finish(&home)?;
     watch.end(Work::Finish, number);
     loop {
         let round = agent.language().training().round();

@@ -3,7 +3,8 @@
 use super::experiment::{Run, run_seed};
 use crate::cli::PaperOptions;
 use crate::outcome::Failure;
-use goodbot::memory::{AgentMemory, HomeMemory};
+use goodbot::memory::HomeMemory;
+use goodbot::memory::{AgentMemory};
 use goodbot::Agent;
 use goodbot::feedback::Feedback;
 use goodbot::home::map::Map;

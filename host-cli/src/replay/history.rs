@@ -138,7 +138,7 @@ impl History {
             outcome.beliefs.push(self.belief(&outcome.id, count, &session));
         }
         if recorded.learn {
-            self.agent.finish(&session.home).map_err(at(recorded.end_line))?;
+            let _ = self.agent.finish(&session.home).map_err(at(recorded.end_line))?;
             self.agent.learn_fully();
         } else {
             self.agent.forget();
