@@ -4,7 +4,8 @@ use goodbot::home::{Home, HomeState, Moves, SCHEMA};
 use goodbot::oomdp::Domain;
 use goodbot::planning::Plan;
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
-use goodbot::{Capacities, HeapMemory};
+use goodbot::Capacities;
+use goodbot::memory::HomeHeap;
 use goodbot_tests::own_planner::OwnPlanner;
 use goodbot_tests::random_homes::{Size, random_home};
 use goodbot_tests::sweep::Sweep;
@@ -26,9 +27,9 @@ pub const fn size(rooms: i32, blocks: i32) -> Size {
 
 /// A home with tasks and what plans for them.
 #[derive(Debug)]
-pub struct Scene<'m> {
+pub struct Scene {
     /// The home.
-    pub home: Home<'m>,
+    pub home: Home<HomeHeap>,
     /// Where all begins.
     pub start: HomeState,
     /// The lifted tasks.
@@ -48,24 +49,22 @@ pub enum Tasks {
     Count(usize),
 }
 
-impl<'m> Scene<'m> {
+impl Scene {
     /// Of twelve scenes, the one from whose start the search has most to do; the first where exact plans are out of reach.
-    pub fn roomy(size: Size, tasks: Tasks, memory: &'m mut HeapMemory) -> Self {
+    pub fn roomy(size: Size, tasks: Tasks) -> Self {
         let expansions = |seed: u64| {
-            let mut own = HeapMemory::new(&LARGE);
-            let mut scene = Scene::seeded(seed, size, tasks, &mut own);
+            let mut scene = Self::seeded(seed, size, tasks);
             if scene.home.state_count() > LARGE.states as u64 {
                 return 0;
             }
             scene.plan().expansions()
         };
-        Self::seeded((0..12).max_by_key(|&seed| (expansions(seed), 12 - seed)).unwrap_or(0), size, tasks, memory)
+        Self::seeded((0..12).max_by_key(|&seed| (expansions(seed), 12 - seed)).unwrap_or(0), size, tasks)
     }
 
     /// The scene of a seed.
-    pub fn seeded(seed: u64, size: Size, tasks: Tasks, memory: &'m mut HeapMemory) -> Self {
-        let home = &mut memory.home;
-        let (home, start) = random_home(&mut Pcg32::new(seed, 3), size, Moves::Push, home);
+    pub fn seeded(seed: u64, size: Size, tasks: Tasks) -> Self {
+        let (home, start) = random_home(&mut Pcg32::new(seed, 3), size, Moves::Push, HomeHeap::new(&LARGE));
         let mut texts = vec!["agentInRoom(?a, ?r)", "blockInRoom(?o, ?r)"];
         if tasks != Tasks::Paper {
             texts.push("agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2)");

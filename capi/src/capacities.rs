@@ -203,7 +203,8 @@ mod tests {
         ];
         for (number, (&mine, capacity)) in c.iter().zip(Capacity::ALL).enumerate() {
             assert_eq!((mine as usize, capacity as usize), (number, number));
-            let words = format!("{mine:?}").chars().flat_map(|letter| letter.is_uppercase().then_some('_').into_iter().chain(letter.to_lowercase()));
+            let name = format!("{mine:?}");
+            let words = name.chars().flat_map(|letter| letter.is_uppercase().then_some('_').into_iter().chain(letter.to_lowercase()));
             assert_eq!(words.skip(1).collect::<std::string::String>(), capacity.name());
         }
         assert_eq!(c.len(), GOODBOT_CAPACITIES);

@@ -1,6 +1,6 @@
 //! Every bit of a saved model flipped, one at a time: it is refused, and the robot keeps what it knew.
 
-use goodbot::memory::AgentMemory;
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
 use goodbot::snapshot::RestoreError;
@@ -8,7 +8,7 @@ use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_tests::school::{self, train};
 use rand_pcg::Pcg32;
 
-fn agent<'m>(memory: &'m mut HeapMemory) -> Agent<'m> {
+fn agent(memory: &mut HeapMemory) -> Agent<&mut AgentHeap> {
     Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap()
 }
 

@@ -13,7 +13,7 @@ fn one_sweep_gives_the_reference_plans_of_every_state_of_every_home() {
     let reference = read("plans.json");
     for case in reference.as_array().unwrap() {
         let mut memory = HeapMemory::new(&Capacities::STANDARD);
-        let (home, start) = home(&case["world"], parts.home, Moves::PushAndPull);
+        let (home, start) = home(&case["world"], &mut memory.home, Moves::PushAndPull);
         let lifted = home::paper_tasks().unwrap();
         let mut tasks = [GroundedTask::UNUSED; 64];
         let count = ground(&home, &lifted, &start, &mut tasks).unwrap();

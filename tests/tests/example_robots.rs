@@ -10,6 +10,7 @@ mod lift;
 mod teach;
 
 use arm::{Arm, Shelf};
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Domain;
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
@@ -40,7 +41,7 @@ fn learns<D: Domain>(
 #[test]
 fn an_arm_learns_to_carry_things_by_the_cheapest_way() {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let arm = Arm::new(&mut memory.home.objects).unwrap();
+    let arm = Arm::new(memory.home.lend().objects).unwrap();
     let start = Shelf { arm: 0, things: [1, 2] };
     learns(
         &arm,
@@ -60,7 +61,7 @@ fn an_arm_learns_to_carry_things_by_the_cheapest_way() {
 #[test]
 fn a_robot_learns_to_switch_lamps() {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let lamps = Lamps::new(&mut memory.home.objects).unwrap();
+    let lamps = Lamps::new(memory.home.lend().objects).unwrap();
     let start = House { room: 1, on: 0b0101 };
     learns(
         &lamps,
@@ -81,7 +82,7 @@ fn a_robot_learns_to_switch_lamps() {
 #[test]
 fn a_robot_made_of_tables_learns_its_floors() {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let lift = TableRobot::lift(&mut memory.home.objects).unwrap();
+    let lift = TableRobot::lift(memory.home.lend().objects).unwrap();
     learns(
         &lift,
         &TableRobot::tasks().unwrap(),

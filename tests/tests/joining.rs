@@ -1,6 +1,6 @@
 //! Joining what two robots learned: by the text of words and machine tokens, and a common past once.
 
-use goodbot::memory::AgentMemory;
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::capacity::Capacity;
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
@@ -13,7 +13,7 @@ use rand_pcg::Pcg32;
 const ROOMY: Capacities =
     Capacities { sessions: 64, sentence_words: 640, pairs: 1_024, commands: 128, command_tokens: 1_024, ..Capacities::SMALL };
 
-fn agent(memory: &mut HeapMemory, options: Options) -> Agent<'_> {
+fn agent(memory: &mut HeapMemory, options: Options) -> Agent<&mut AgentHeap> {
     Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap()
 }
 

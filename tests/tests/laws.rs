@@ -1,6 +1,6 @@
 //! Laws that hold for every home, command, feedback and training data.
 
-use goodbot::memory::AgentMemory;
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::feedback::{Feedback, Strategy as Trainer};
 use goodbot::home::paper_tasks;
 use goodbot::language::{LanguageModel, Settings};
@@ -41,7 +41,7 @@ fn trainer() -> impl proptest::strategy::Strategy<Value = Trainer> {
     (0.0..=1.0_f32, 0.0..=1.0_f32, 0.0..=1.0_f32).prop_map(|(plus, minus, epsilon)| Trainer::new(plus, minus, epsilon).unwrap())
 }
 
-fn agent<'m>(memory: &'m mut HeapMemory, trainer: Trainer) -> Agent<'m> {
+fn agent(memory: &mut HeapMemory, trainer: Trainer) -> Agent<&mut AgentHeap> {
     let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
     agent.set_strategies(&[(trainer, 0.5), (Trainer::BALANCED, 0.5)]).unwrap();
     agent
@@ -136,7 +136,7 @@ proptest! {
             }
             model.begin_training();
             while model.train(u32::MAX) == Progress::Working {}
-            let now = objective(&model);
+            let now = objective(model.read());
             prop_assert!(now >= last - 1e-4 * last.abs().max(1.0), "round {rounds}: {now} after {last}");
             last = now;
         }
@@ -212,7 +212,7 @@ fn distance<D: Domain>(domain: &D, start: &D::State, holds: impl Fn(&D::State) -
 }
 
 /// The logarithm of what EM maximises: the weighted likelihood of the data, and the priors that the pseudo-counts stand for.
-fn objective(model: LanguageRef<'_>) -> f64 {
+fn objective(model: goodbot::language::LanguageRef<'_>) -> f64 {
     let (tables, bitext, settings) = (model.tables(), model.bitext(), model.settings());
     let rows = || std::iter::once(None).chain(model.tokens().iter().map(|(token, _)| Some(token)));
     let log = |value: f32| f64::from(value).ln();

@@ -1,5 +1,6 @@
 //! Optimal sets against brute force, in random homes and for a robot whose actions cost 1 to 5.
 
+use goodbot::memory::HomeMemory;
 use goodbot::home::{self, Moves};
 use goodbot::oomdp::{ActionSet, Domain, PropositionId};
 use goodbot::planning::OptimalSet;
@@ -52,7 +53,7 @@ fn search_and_sweep_give_the_optimal_sets_of_brute_force_in_random_homes() {
         let size =
             Size { columns: 2 + round % 2, rows: 1 + round / 9, side: 2 + round % 2, blocks: 1 + i32::from(round % 3 == 0 && round < 9) };
         let moves = if round % 2 == 0 { Moves::Push } else { Moves::PushAndPull };
-        let (home, start) = random_home(&mut random, size, moves, parts.home);
+        let (home, start) = random_home(&mut random, size, moves, &mut memory.home);
         let lifted = [agent.clone(), block.clone(), pairs.clone()];
         let compared = compare(&home, &start, &lifted, 7);
         assert!(compared > 0, "{size:?}");
@@ -70,7 +71,7 @@ fn actions_of_different_costs_hashed_or_not_give_the_optimal_sets_of_brute_force
     for round in 0..8 {
         let mut memory = HeapMemory::new(&ROOMY);
         let blocked = vec![2 + below(&mut random, 9), 12 + below(&mut random, 11)];
-        let mut robot = TurningRobot::new(5, blocked, vec![24, 1 + below(&mut random, 20), 20], parts.home.objects);
+        let mut robot = TurningRobot::new(5, blocked, vec![24, 1 + below(&mut random, 20), 20], memory.home.lend().objects);
         if round % 2 == 1 {
             robot.gap = 1_000_003;
         }
@@ -82,7 +83,7 @@ fn actions_of_different_costs_hashed_or_not_give_the_optimal_sets_of_brute_force
 #[test]
 fn a_search_that_runs_out_of_memory_says_unknown_and_never_anything_wrong() {
     let mut memory = HeapMemory::new(&ROOMY);
-    let mut robot = TurningRobot::new(5, vec![6, 17], vec![24, 1, 20], &mut memory.home.objects);
+    let mut robot = TurningRobot::new(5, vec![6, 17], vec![24, 1, 20], memory.home.lend().objects);
     robot.gap = 1_000_003;
     let (start, lifted) = (robot.start(0, 7), robot_tasks(&robot));
     let mut tasks = [GroundedTask::UNUSED; 8];

@@ -77,7 +77,7 @@ fn plans_from_every_state_are_the_reference_plans() {
     let reference = read("plans.json");
     for case in reference.as_array().unwrap() {
         let mut memory = HeapMemory::new(&Capacities::STANDARD);
-        let (home, start) = home(&case["world"], parts.home, Moves::PushAndPull);
+        let (home, start) = home(&case["world"], &mut memory.home, Moves::PushAndPull);
         let lifted = home::paper_tasks().unwrap();
         let mut agent = Agent::new(&mut memory.agent, &lifted, Options::PAPER).unwrap();
         agent.hear(&home, &start, case["command"].as_str().unwrap()).unwrap();
@@ -132,7 +132,7 @@ fn follow_curriculum(case: &Value, weights: Weights) {
     let mut memory = HeapMemory::new(&Capacities::STANDARD);
     let mut agent = Agent::new(&mut memory.agent, &lifted, Options { weights, ..Options::PAPER }).unwrap();
     for (lesson, session) in case["train"].as_array().unwrap().iter().enumerate() {
-        let (home, start) = home(&session["world"], homes.next().unwrap().split().home, Moves::Push);
+        let (home, start) = home(&session["world"], &mut homes.next().unwrap().home, Moves::Push);
         agent.hear(&home, &start, session["command"].as_str().unwrap()).unwrap();
         assert_probabilities(&format!("lesson {lesson} prior"), &posterior(&agent, &home), &session["prior"]);
         let mut state = start;
@@ -164,7 +164,7 @@ fn follow_curriculum(case: &Value, weights: Weights) {
         agent.learn_fully();
     }
     for test in case["tests"].as_array().unwrap() {
-        let (home, start) = home(&test["world"], homes.next().unwrap().split().home, Moves::Push);
+        let (home, start) = home(&test["world"], &mut homes.next().unwrap().home, Moves::Push);
         agent.hear(&home, &start, test["command"].as_str().unwrap()).unwrap();
         assert_probabilities(test["command"].as_str().unwrap(), &posterior(&agent, &home), &test["posterior"]);
     }

@@ -7,7 +7,7 @@ use goodbot::memory::HomeMemory;
 use goodbot::memory::{AgentMemory};
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
-use goodbot::oomdp::{Action, Domain, apply};
+use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::{Judgement, OptimalSet};
 use goodbot::session::Evidence;
 use goodbot::{Agent, Capacities, HeapMemory, Options};

@@ -1,6 +1,6 @@
 //! Saving and restoring: what is learned is kept, to the last bit.
 
-use goodbot::memory::AgentMemory;
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::capacity::Capacity;
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
@@ -14,7 +14,7 @@ use rand_pcg::Pcg32;
 
 const TRAINERS: [(Strategy, f32); 3] = [(Strategy::BALANCED, 0.4), (Strategy::PUNISH_ONLY, 0.3), (Strategy::REWARD_ONLY, 0.3)];
 
-fn agent<'m>(memory: &'m mut HeapMemory) -> Agent<'m> {
+fn agent(memory: &mut HeapMemory) -> Agent<&mut AgentHeap> {
     let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
     agent.set_strategies(&TRAINERS).unwrap();
     agent
@@ -121,7 +121,7 @@ fn what_does_not_fit_is_refused_by_the_capacitys_name_and_changes_nothing() {
     }
     let bytes = saved(&full);
     let contents = Contents::read(&bytes).unwrap();
-    assert_eq!((contents.sessions.len(), contents.sizes.words), (7, Capacities::SMALL.words as u32));
+    assert_eq!((contents.sessions.len(), contents.sizes.words), (7, Capacities::SMALL.words));
     let small = Capacities::SMALL;
     let smaller = [
         (Capacities { words: 4, ..small }, Capacity::Words),

@@ -1,5 +1,6 @@
 //! Where the memory cannot hold even the robot and one block, plans are made region by region.
 
+use goodbot::memory::HomeMemory;
 use goodbot::home::{self, Home, HomeState, Moves};
 use goodbot::oomdp::{Action, apply};
 use goodbot::planning::OptimalSet;
@@ -25,14 +26,14 @@ struct Seen {
 }
 
 /// Plans for tasks of one block each, with room for so many states.
-struct Scene<'a, 'm> {
-    home: &'a Home<'m>,
+struct Scene<'a, M> {
+    home: &'a Home<M>,
     planner: OwnPlanner,
     sweep: Sweep,
     of_blocks: TaskSet,
 }
 
-impl Scene<'_, '_> {
+impl<M: HomeMemory> Scene<'_, M> {
     fn judge(&mut self, state: &HomeState, seen: &mut Seen) {
         let plan = self.planner.plan_for(self.home, state, self.of_blocks, 100);
         let reachable = self.sweep.reachable(self.home, state);

@@ -44,8 +44,7 @@ fn against_dijkstra(seeds: Range<u64>) -> Result<(), String> {
     let (mut theirs, mut own, mut own_sweeps, mut theirs_everywhere) = [Duration::ZERO; 4].into();
     let (mut tasks, mut dead, mut expansions) = (0, 0, 0);
     for seed in seeds.clone() {
-        let mut memory = HeapMemory::new(&LARGE);
-        let mut scene = Scene::seeded(seed, HOMES, Tasks::Paper, &mut memory);
+        let mut scene = Scene::seeded(seed, HOMES, Tasks::Paper);
         let count = scene.tasks.len();
         let plan = scene.plan();
         expansions += plan.expansions();
@@ -76,9 +75,8 @@ fn against_dijkstra(seeds: Range<u64>) -> Result<(), String> {
 
 /// 64 tasks against eight of them, in one state space.
 fn many_tasks() -> Result<(), String> {
-    let (mut memory, mut other) = (HeapMemory::new(&LARGE), HeapMemory::new(&LARGE));
-    let mut many = Scene::roomy(size(12, 1), Tasks::Count(64), &mut memory);
-    let mut few = Scene::roomy(size(12, 1), Tasks::Count(8), &mut other);
+    let mut many = Scene::roomy(size(12, 1), Tasks::Count(64));
+    let mut few = Scene::roomy(size(12, 1), Tasks::Count(8));
     let times = in_turn(&mut || { std::hint::black_box(many.plan()); }, &mut || { std::hint::black_box(few.plan()); });
     println!("{} expansions, {} and {} tasks", many.plan().expansions(), many.tasks.len(), few.tasks.len());
     show("64 tasks / 8 tasks", times, None, Some(1.5))

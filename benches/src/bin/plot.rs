@@ -34,8 +34,7 @@ fn milliseconds(work: &mut dyn FnMut()) -> f64 {
 fn by_states() -> (Points, Points) {
     let (mut searches, mut sweeps) = (Vec::new(), Vec::new());
     for (rooms, blocks) in [(3, 1), (6, 1), (12, 1), (3, 2), (6, 2), (3, 3)] {
-        let mut memory = HeapMemory::new(&LARGE);
-        let mut scene = Scene::roomy(size(rooms, blocks), Tasks::Paper, &mut memory);
+        let mut scene = Scene::roomy(size(rooms, blocks), Tasks::Paper);
         let states = scene.home.state_count() as f64;
         let home = named(rooms, blocks);
         searches.push((states, milliseconds(&mut || { std::hint::black_box(scene.plan()); }), home.clone()));
@@ -49,8 +48,7 @@ fn by_states() -> (Points, Points) {
 fn by_tasks() -> (Points, Points) {
     let (mut searches, mut sweeps) = (Vec::new(), Vec::new());
     for count in [1, 2, 4, 8, 16, 32, 64] {
-        let mut memory = HeapMemory::new(&LARGE);
-        let mut scene = Scene::roomy(size(12, 1), Tasks::Count(count), &mut memory);
+        let mut scene = Scene::roomy(size(12, 1), Tasks::Count(count));
         searches.push((count as f64, milliseconds(&mut || { std::hint::black_box(scene.plan()); }), String::new()));
         sweeps.push((count as f64, milliseconds(&mut || drop(std::hint::black_box(scene.sweep()))), String::new()));
         eprintln!("{count} tasks: {:?} {:?}", searches.last(), sweeps.last());
