@@ -184,6 +184,17 @@ impl Capacities {
         self.each(other, false)
     }
 
+    /// Both together, table by table.
+    #[must_use]
+    pub const fn plus(mut self, other: Self) -> Self {
+        let mut rest: &[Capacity] = &Capacity::ALL;
+        while let [capacity, after @ ..] = rest {
+            self.set(*capacity, self.get(*capacity).saturating_add(other.get(*capacity)));
+            rest = after;
+        }
+        self
+    }
+
     const fn each(mut self, other: Self, larger: bool) -> Self {
         let mut rest: &[Capacity] = &Capacity::ALL;
         while let [capacity, after @ ..] = rest {
