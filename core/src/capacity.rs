@@ -40,12 +40,14 @@ pub struct Capacities {
     pub candidate_tokens: usize,
     /// Distinct ground propositions that one session's tasks are made of.
     pub ground_propositions: usize,
-    /// Entries of the table that finds the tasks satisfied by a state: the values of all state variables together.
+    /// Entries of the table that finds the tasks satisfied by a state: cells times movable pieces, the robot included.
     pub goal_entries: usize,
-    /// States that one search can hold that looks at them one by one, where actions cost 1 each: see
-    /// [`search_words`](Self::search_words). Where it looks at rows of them, it holds more.
+    /// States that one search can hold that expands them one by one, where actions cost 1 each and are at most 8: see
+    /// [`search_words`](Self::search_words), and [`states_needed`](crate::planning::states_needed) for other robots. Rows of states take less.
     pub states: usize,
-    /// States that one search can hold where the state space is larger than `states` and visited states are hashed. 0 turns it off.
+    /// States that one search can hold where the state space is larger than `states` and visited states are hashed: it bounds how far away
+    /// goals are found exactly there, and the time of a plan. With 0, a home is searched nearby in the memory of `states`, and a robot
+    /// without a floor of cells is refused.
     pub hashed_states: usize,
     /// Distinct English words. At most 65,534.
     pub words: usize,
@@ -145,7 +147,7 @@ impl Capacities {
         if search > counts { search } else { counts }
     }
 
-    /// For hosts and browsers: about fifteen megabytes, most of them for a million search states.
+    /// For hosts and browsers: about seven megabytes, most of them for a million search states.
     pub const STANDARD: Self = Self {
         objects: 32,
         names: 96,
@@ -159,7 +161,7 @@ impl Capacities {
         ground_propositions: 64,
         goal_entries: 8_192,
         states: 1 << 20,
-        hashed_states: 1 << 20,
+        hashed_states: 1 << 15,
         words: 1_024,
         word_bytes: 10_240,
         tokens: 256,

@@ -5,7 +5,7 @@ mod turning_robot;
 
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeMemory, HomeState, Moves};
-use goodbot::oomdp::{Action, Domain, apply};
+use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::{Judgement, OptimalSet};
 use goodbot::session::Evidence;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
