@@ -249,7 +249,10 @@ fn a_model_is_taken_over_whole_or_not_at_all() {
     let (robot, mut bytes, mut written) = (owned.robot, 0, 0);
     hear_and_plan(robot, c"go to the green room");
     unsafe {
-        assert_eq!(goodbot_feedback(robot, 0, GOODBOT_REWARD), GoodbotStatus::Ok);
+        assert_eq!(goodbot_done(robot, 0), GoodbotStatus::Ok);
+        let mut evidence = 9;
+        assert_eq!(goodbot_feedback(robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::Ok);
+        assert_eq!(evidence, GOODBOT_EVIDENCE_USED);
         assert_eq!(goodbot_finish(robot), GoodbotStatus::Ok);
         while goodbot_learn(robot, 1_000) == GoodbotStatus::Working {}
         assert_eq!(goodbot_saved_size(robot, &raw mut bytes), GoodbotStatus::Ok);

@@ -6,7 +6,7 @@ mod arm;
 mod lamps;
 #[path = "../../core/examples/lift/domain.rs"]
 mod lift;
-#[path = "../../core/examples/teach.rs"]
+#[path = "../../core/examples/teach/mod.rs"]
 mod teach;
 
 use arm::{Arm, Shelf};

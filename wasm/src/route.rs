@@ -22,12 +22,14 @@ pub struct Scout {
     planner: Planner,
 }
 
-impl Scout {
+impl Default for Scout {
     /// A scout of no tasks.
-    pub fn new() -> Self {
+    fn default() -> Self {
         Self { memory: Box::new(HeapMemory::new(&SCOUT)), planner: Planner::new() }
     }
+}
 
+impl Scout {
     fn with_tables<T>(&mut self, run: impl FnOnce(&mut Planner, &mut PlanTables<'_>) -> T) -> T {
         let AgentMemory { language, mut session } = self.memory.split().agent;
         run(&mut self.planner, &mut PlanTables::new(&mut session.goals, &mut session.plan, language.tables.counts))

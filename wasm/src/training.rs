@@ -16,7 +16,7 @@ use crate::log::{PULLING, Recording, Step, strategies};
 use crate::route::Lookahead;
 use crate::view::{Belief, Decided, Evidence, Heat, Route, Support, Task, TrainerStyle};
 use crate::words::support;
-use crate::world::{Refusal, World, thing};
+use crate::world::{Acted, Refusal, World, thing};
 
 /// The authors' strategies for a robot that also learns how its trainer uses feedback: name, mu+, mu-, prior.
 const STYLES: [(&str, f32, f32, f32); 3] = [("balanced", 0.75, 0.75, 0.32), ("R+/P-", 0.75, 0.85, 0.36), ("R-/P+", 0.85, 0.75, 0.32)];
