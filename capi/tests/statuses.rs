@@ -251,8 +251,9 @@ fn a_model_is_taken_over_whole_or_not_at_all() {
     hear_and_plan(robot, c"go to the green room");
     unsafe {
         assert_eq!(goodbot_done(robot, 0), GoodbotStatus::Ok);
-        let mut evidence = GOODBOT_EVIDENCE_IMPOSSIBLE;
+        let mut evidence = 9;
         assert_eq!(goodbot_feedback(robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::Ok);
+        assert_eq!(evidence, GOODBOT_EVIDENCE_USED);
         assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::Ok);
         while goodbot_learn(robot, 1_000) == GoodbotStatus::Working {}
         assert_eq!(goodbot_saved_size(robot, &raw mut bytes), GoodbotStatus::Ok);

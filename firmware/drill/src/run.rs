@@ -4,11 +4,11 @@ use crate::digest::Digest;
 use goodbot::memory::HomeMemory;
 use goodbot::memory::{AgentMemory};
 use goodbot::feedback::{SimulatedTrainer, Strategy};
-use goodbot::home::{self};
+use goodbot::home;
 use goodbot::planning::Progress;
 use goodbot::{Agent, Options};
 use goodbot_course::exercise::{self, Exercise, TESTS};
-use goodbot_course::layout::{Layout, lend};
+use goodbot_course::layout::Layout;
 use goodbot_course::lesson::{Lesson, Turn};
 use goodbot_course::{CourseError, Homes, generator};
 

@@ -4,6 +4,7 @@ use super::{Lesson, MachineCommand, Reading};
 use crate::load::fault::quoted;
 use crate::load::session::{Session, load};
 use crate::load::{Fault, home};
+use goodbot::memory::HomeMemory;
 use goodbot::capacity::TOKENS_PER_COMMAND;
 use goodbot::home::HomeState;
 use goodbot::oomdp::{Action, Domain, ObjectId, apply};
@@ -11,7 +12,7 @@ use goodbot::probability::total;
 use goodbot::session::Evidence;
 use goodbot::symbols::Symbols;
 use goodbot::task::{Expression, LiftedTask};
-use goodbot::memory::{AgentHeap, HomeMemory};
+use goodbot::memory::{AgentHeap};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::session::{Kind, RecordedSession};
 

@@ -1,6 +1,7 @@
 //! A home from an environment, and what is wrong with it.
 
-use goodbot::memory::{HomeHeap, HomeMemory};
+use goodbot::memory::HomeMemory;
+use goodbot::memory::{HomeHeap};
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves, Problem};
 use goodbot::Capacities;

@@ -3,10 +3,11 @@
 use crate::lessons::evidence;
 use crate::load::session::{Session, load};
 use crate::load::{Fault, home};
+use goodbot::memory::HomeMemory;
 use goodbot::feedback::Feedback;
 use goodbot::session::Options;
 use goodbot::task::LiftedTask;
-use goodbot::memory::{AgentHeap, HomeMemory};
+use goodbot::memory::{AgentHeap};
 use goodbot::{Agent, AgentError, Capacities};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::posterior::PosteriorLine;
