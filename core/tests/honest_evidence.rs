@@ -1,6 +1,6 @@
 //! What counts as evidence, and for which action: only exact plans, for the state and the home they were made for, judge what was done.
 
-use goodbot::memory::{AgentMemory, HomeMemory};
+use goodbot::memory::{AgentHeap, AgentMemory, HomeMemory};
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
@@ -34,7 +34,7 @@ fn memory(states: usize, hashed_states: usize) -> HeapMemory {
     HeapMemory::new(&Capacities { states, hashed_states, ..Capacities::SMALL })
 }
 
-fn agent(memory: &mut HeapMemory) -> Agent<'_> {
+fn agent(memory: &mut HeapMemory) -> Agent<&mut AgentHeap> {
     Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap()
 }
 
