@@ -1,20 +1,29 @@
-//! Logs of real trainers, where they are at hand: nothing of them is lost.
+//! Logs of real trainers, from the data beside the project: nothing of them is lost. Ignored where there are none.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::Path;
+use std::process::ExitCode;
 
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Record, SessionReader};
+use libtest_mimic::{Arguments, Trial};
 use serde_json::Value;
 
-/// The logs beside the project, as names and texts; none where there are none.
+const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data");
+
+fn main() -> ExitCode {
+    let absent = !Path::new(DATA).is_dir();
+    let test = |name: &str, run: fn()| Trial::test(name, move || Ok(run())).with_ignored_flag(absent).with_kind("needs ../shared/data");
+    let tests = vec![
+        test("every_line_is_written_equal_to_what_was_read", every_line_is_written_equal_to_what_was_read),
+        test("every_session_is_whole_and_is_written_equal_to_what_was_read", every_session_is_whole_and_is_written_equal_to_what_was_read),
+    ];
+    libtest_mimic::run(&Arguments::from_args(), tests).exit_code()
+}
+
+/// The logs, as names and texts.
 fn logs() -> Vec<(String, String)> {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/data");
-    let Ok(entries) = fs::read_dir(&folder) else {
-        println!("skipped: there is no ../shared/data");
-        return Vec::new();
-    };
-    let paths = entries.flatten().map(|entry| entry.path());
+    let paths = fs::read_dir(DATA).expect("can be listed").map(|entry| entry.expect("can be listed").path());
     let mut logs: Vec<_> = paths
         .filter(|path| path.extension().is_some_and(|e| e == "jsonl"))
         .map(|path| {
@@ -23,6 +32,7 @@ fn logs() -> Vec<(String, String)> {
         })
         .collect();
     logs.sort();
+    assert!(!logs.is_empty(), "there is no log in {DATA}");
     logs
 }
 
@@ -30,7 +40,6 @@ fn json(text: &str) -> Value {
     serde_json::from_str(text).expect("is JSON")
 }
 
-#[test]
 fn every_line_is_written_equal_to_what_was_read() {
     for (name, text) in logs() {
         let mut same_text = 0;
@@ -48,7 +57,6 @@ fn every_line_is_written_equal_to_what_was_read() {
     }
 }
 
-#[test]
 fn every_session_is_whole_and_is_written_equal_to_what_was_read() {
     for (name, text) in logs() {
         if text.starts_with("{\"session\"") {

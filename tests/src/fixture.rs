@@ -10,10 +10,11 @@ fn number(value: &Value) -> i32 {
     i32::try_from(value.as_i64().expect("a whole number")).expect("a small number")
 }
 
-/// A reference file.
-pub fn read(file: &str) -> Option<Value> {
-    let text = std::fs::read_to_string(crate::external(file)?).expect("the file can be read");
-    Some(serde_json::from_str(&text).expect("the file is JSON"))
+/// A file of reference numbers, in `tests/fixtures`.
+pub fn read(file: &str) -> Value {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures").join(file);
+    let text = std::fs::read_to_string(path).expect("the file can be read");
+    serde_json::from_str(&text).expect("the file is JSON")
 }
 
 /// A home from a reference world.

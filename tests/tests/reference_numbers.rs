@@ -24,7 +24,7 @@ fn symbols(model: &mut LanguageModel<'_>, command: &str) -> Vec<Symbol> {
 
 #[test]
 fn weighted_model_2_gives_the_reference_tables() {
-    let Some(reference) = read("fixtures/ibm2.json") else { return };
+    let reference = read("ibm2.json");
     for fit in reference["fits"].as_array().unwrap() {
         let settings = Settings {
             smoothing: fit["smoothing"].as_f64().unwrap() as f32,
@@ -73,7 +73,7 @@ fn weighted_model_2_gives_the_reference_tables() {
 
 #[test]
 fn plans_from_every_state_are_the_reference_plans() {
-    let Some(reference) = read("fixtures/plans.json") else { return };
+    let reference = read("plans.json");
     for case in reference.as_array().unwrap() {
         let mut memory = HeapMemory::new(&Capacities::STANDARD);
         let parts = memory.split();
@@ -178,12 +178,12 @@ fn follow_curriculum(case: &Value, weights: Weights) {
 
 #[test]
 fn the_papers_course_gives_the_reference_beliefs_with_the_papers_weights() {
-    let Some(reference) = read("fixtures/curriculum.json") else { return };
+    let reference = read("curriculum.json");
     follow_curriculum(&reference["attributes, paper weights"], Weights::Paper);
 }
 
 #[test]
 fn the_papers_course_gives_the_reference_beliefs_with_belief_weights() {
-    let Some(reference) = read("fixtures/curriculum.json") else { return };
+    let reference = read("curriculum.json");
     follow_curriculum(&reference["attributes, original weights"], Weights::Belief);
 }

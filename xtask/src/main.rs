@@ -5,10 +5,12 @@ mod capi;
 mod compare;
 mod firmware;
 mod footprint;
+mod fresh_machine;
 mod guide;
 mod instructions;
 mod page;
 mod process;
+mod programs;
 mod project;
 mod steps;
 mod test;
@@ -31,9 +33,13 @@ struct Arguments {
 enum Task {
     /// Makes sure that goodbot can be built for microcontrollers and for the browser.
     Setup,
+    /// Finds or fetches every program that the commands need, and says where it is.
+    Programs,
+    /// Proves that the programs can be fetched on a new machine, by another user: a machine that has none and holds back what conflicts.
+    FreshMachine,
     /// Writes the trainer page, `dist/goodbot.html`.
     Page,
-    /// Runs every check and every test; stops at the first that fails.
+    /// Runs every check and every test; stops at the first that fails, and names what cannot be done here.
     Test(test::Options),
     /// Measures goodbot beside other programs on the same work; those that cannot be installed are left out.
     Compare,
@@ -69,7 +75,9 @@ fn main() -> ExitCode {
 fn run() -> Result<ExitCode> {
     match Arguments::parse().command {
         Task::Setup => toolchain::setup()?,
-        Task::Page => page::build()?,
+        Task::Programs => programs::list()?,
+        Task::FreshMachine => fresh_machine::prove()?,
+        Task::Page => drop(page::build()?),
         Task::Test(options) => return test::run(&options),
         Task::Compare => compare::run()?,
         Task::BenchWasm => bench_wasm::run()?,

@@ -1,16 +1,11 @@
-//! What is needed to build for the targets other than the host, and other
-//! tools that this project's commands use.
+//! What is needed to build for the targets other than the host.
 //!
-//! There are two ways to build for those [`Target`]s. rustup can add a target's
-//! ready-made standard library to the host's toolchain. Where that cannot be
-//! had, Debian's compiler comes with the standard library's sources, and cargo
-//! builds the library together with the project. The variable
-//! `CROSS_TOOLCHAIN_MODE` chooses: `rustup`, `build-std`, or `auto`, which
-//! tries rustup first and is what holds if it is not set.
+//! There are two ways to build for those [`Target`]s. rustup can add a target's ready-made standard library to the host's toolchain. Where
+//! that cannot be had, Debian's compiler comes with the standard library's sources, and cargo builds the library together with the project.
+//! The variable `CROSS_TOOLCHAIN_MODE` chooses: `rustup`, `build-std`, or `auto`, which tries rustup first and is what holds if it is not
+//! set.
 
 mod build_std;
-mod debian;
-mod npm;
 mod rustup;
 mod target;
 
@@ -20,11 +15,6 @@ use std::sync::OnceLock;
 
 use anyhow::{Context, Result, bail};
 
-// Some of these are for commands that are not written yet.
-#[allow(unused_imports)]
-pub use debian::{apt_install, need_program};
-#[allow(unused_imports)]
-pub use npm::npm_ci;
 pub use target::Target;
 
 use crate::project;
@@ -80,7 +70,6 @@ pub fn cross_cargo_as(target: Target, subcommand: &str) -> Result<Command> {
 }
 
 /// Where [`cross_cargo`] leaves what it builds with a profile (`release`, `debug`).
-#[allow(dead_code)]
 pub fn artifacts(target: Target, profile: &str) -> PathBuf {
     cross_dir().join(target.triple()).join(profile)
 }
@@ -103,7 +92,7 @@ fn choose() -> Result<Way> {
             Ok(Way::Rustup)
         }
         "build-std" => {
-            build_std::setup()?;
+            build_std::describe()?;
             Ok(Way::BuildStd)
         }
         "" | "auto" => choose_by_trying(),
@@ -117,14 +106,14 @@ fn choose_by_trying() -> Result<Way> {
     if rustup::has_all() {
         return Ok(Way::Rustup);
     }
-    if remembered() == Some(Way::BuildStd) && build_std::is_installed() {
+    if remembered() == Some(Way::BuildStd) && build_std::describe().is_ok() {
         return Ok(Way::BuildStd);
     }
     let Err(no_rustup) = rustup::setup() else {
         return remember(Way::Rustup);
     };
     say(&format!("{no_rustup:#}"));
-    build_std::setup().with_context(|| format!("there is no way to build for other targets: {no_rustup:#}"))?;
+    build_std::describe()?;
     remember(Way::BuildStd)
 }
 

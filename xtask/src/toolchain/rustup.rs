@@ -25,7 +25,11 @@ pub fn setup() -> Result<()> {
     say(&format!("rustup adds {} (it is given {} s)", missing.join(", "), limit.as_secs()));
     let mut add = rustup();
     add.args(["target", "add"]).args(&missing);
-    process::run_within(&mut add, limit).context("rustup could not add the targets")
+    let (code, _) = process::capture_within(&mut add, limit).context("rustup could not add the targets")?;
+    if code != 0 {
+        bail!("rustup could not add the targets");
+    }
+    Ok(())
 }
 
 /// Whether no target is missing.
