@@ -6,14 +6,15 @@ use std::process::ExitCode;
 
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Record, SessionReader};
-use libtest_mimic::{Arguments, Trial};
+use libtest_mimic::{Arguments, Failed, Trial};
 use serde_json::Value;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data");
 
 fn main() -> ExitCode {
     let absent = !Path::new(DATA).is_dir();
-    let test = |name: &str, run: fn()| Trial::test(name, move || Ok(run())).with_ignored_flag(absent).with_kind("needs ../shared/data");
+    let test =
+        |name: &str, run: fn() -> Result<(), Failed>| Trial::test(name, run).with_ignored_flag(absent).with_kind("needs ../shared/data");
     let tests = vec![
         test("every_line_is_written_equal_to_what_was_read", every_line_is_written_equal_to_what_was_read),
         test("every_session_is_whole_and_is_written_equal_to_what_was_read", every_session_is_whole_and_is_written_equal_to_what_was_read),
@@ -40,7 +41,7 @@ fn json(text: &str) -> Value {
     serde_json::from_str(text).expect("is JSON")
 }
 
-fn every_line_is_written_equal_to_what_was_read() {
+fn every_line_is_written_equal_to_what_was_read() -> Result<(), Failed> {
     for (name, text) in logs() {
         let mut same_text = 0;
         for (index, line) in text.lines().enumerate() {
@@ -55,9 +56,10 @@ fn every_line_is_written_equal_to_what_was_read() {
         let lines = text.lines().count();
         println!("{name}: {lines} lines, {same_text} of them to the letter");
     }
+    Ok(())
 }
 
-fn every_session_is_whole_and_is_written_equal_to_what_was_read() {
+fn every_session_is_whole_and_is_written_equal_to_what_was_read() -> Result<(), Failed> {
     for (name, text) in logs() {
         if text.starts_with("{\"session\"") {
             continue;
@@ -73,4 +75,5 @@ fn every_session_is_whole_and_is_written_equal_to_what_was_read() {
         let written: Vec<_> = written.iter().map(|line| json(line)).collect();
         assert!(read == written, "{name}");
     }
+    Ok(())
 }

@@ -1,9 +1,10 @@
 //! Sessions of real trainers, from the data beside the project; ignored where there are none.
 
+#[allow(dead_code, reason = "other tests need more of it")]
 mod program;
 
 use goodbot_formats::posterior::PosteriorLine;
-use libtest_mimic::{Arguments, Trial};
+use libtest_mimic::{Arguments, Failed, Trial};
 use program::goodbot;
 use std::collections::{HashMap, HashSet};
 use std::process::ExitCode;
@@ -12,7 +13,8 @@ const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data");
 
 fn main() -> ExitCode {
     let absent = !std::path::Path::new(DATA).is_dir();
-    let test = |name: &str, run: fn()| Trial::test(name, move || Ok(run())).with_ignored_flag(absent).with_kind("needs ../shared/data");
+    let test =
+        |name: &str, run: fn() -> Result<(), Failed>| Trial::test(name, run).with_ignored_flag(absent).with_kind("needs ../shared/data");
     let tests = vec![
         test("recorded_files_are_sound", recorded_files_are_sound),
         test(
@@ -27,11 +29,12 @@ fn data(file: &str) -> String {
     format!("{DATA}/{file}")
 }
 
-fn recorded_files_are_sound() {
+fn recorded_files_are_sound() -> Result<(), Failed> {
     for file in ["feedback.jsonl", "turk-simplified.jsonl", "feedback-beliefs.jsonl"] {
         let run = goodbot(&["check", &data(file)], b"");
         assert_eq!(run.code, 0, "{}", run.messages);
     }
+    Ok(())
 }
 
 /// How the beliefs of a replay compare with recorded ones.
@@ -49,7 +52,7 @@ fn largest_difference<'a, K: PartialEq + 'a>(ours: &[(K, f64)], reference: &[(K,
     ours.iter().map(|(name, probability)| (probability - find(name)).abs()).fold(0.0, f64::max)
 }
 
-fn recorded_sessions_give_the_recorded_beliefs_where_there_are_no_blocks() {
+fn recorded_sessions_give_the_recorded_beliefs_where_there_are_no_blocks() -> Result<(), Failed> {
     let (file, reference) = (data("feedback.jsonl"), data("feedback-beliefs.jsonl"));
     let recorded = std::fs::read_to_string(&file).unwrap();
     let with_blocks: HashSet<String> = goodbot_formats::session::SessionReader::new(recorded.as_bytes())
@@ -83,4 +86,5 @@ fn recorded_sessions_give_the_recorded_beliefs_where_there_are_no_blocks() {
     println!("with blocks, where the recording planned approximately: {blocks:?}");
     assert!(bare.beliefs > 0);
     assert_eq!(bare.within, bare.beliefs, "{bare:?}");
+    Ok(())
 }

@@ -1,7 +1,6 @@
 //! The program as its users run it, and the lines that they feed it.
 
 use std::io::Write;
-use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 /// What a run of the program gave.
