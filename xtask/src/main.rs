@@ -5,7 +5,6 @@ mod capi;
 mod compare;
 mod firmware;
 mod footprint;
-mod fresh_machine;
 mod guide;
 mod instructions;
 mod page;
@@ -35,8 +34,6 @@ enum Task {
     Setup,
     /// Finds or fetches every program that the commands need, and says where it is.
     Programs,
-    /// Proves that the programs can be fetched on a new machine, by another user: a machine that has none and holds back what conflicts.
-    FreshMachine,
     /// Writes the trainer page, `dist/goodbot.html`.
     Page,
     /// Runs every check and every test; stops at the first that fails, and names what cannot be done here.
@@ -76,7 +73,6 @@ fn run() -> Result<ExitCode> {
     match Arguments::parse().command {
         Task::Setup => toolchain::setup()?,
         Task::Programs => programs::list()?,
-        Task::FreshMachine => fresh_machine::prove()?,
         Task::Page => drop(page::build()?),
         Task::Test(options) => return test::run(&options),
         Task::Compare => compare::run()?,

@@ -51,13 +51,9 @@ pub struct Tree(PathBuf);
 
 impl Tree {
     /// The folder that has the packages, fetched and unpacked if that has not been done.
-    pub fn fetch(name: &str, packages: &[&str], why: &str) -> Result<Self> {
-        Self::fetch_with(name, packages, why, |_| None)
-    }
-
-    /// The same, with one package more, which depends on the names of all that are needed.
-    pub fn fetch_with(name: &str, packages: &[&str], why: &str, one_more: impl Fn(&[&str]) -> Option<String>) -> Result<Self> {
-        let tree = Self(folder().join(name));
+    /// `one_more` may name another, by the names of all that are needed.
+    pub fn fetch(packages: &[&str], why: &str, one_more: impl Fn(&[&str]) -> Option<String>) -> Result<Self> {
+        let tree = Self(folder().join(packages.first().context("no package is named")?));
         if tree.list().is_file() {
             return Ok(tree);
         }
@@ -76,6 +72,11 @@ impl Tree {
         apt.download(&wanted)?;
         tree.unpack(&apt, &wanted)?;
         Ok(tree)
+    }
+
+    /// Whether the folder that has the packages is there.
+    pub fn is_fetched(packages: &[&str]) -> bool {
+        packages.first().is_some_and(|name| Self(folder().join(name)).list().is_file())
     }
 
     /// Where it is.

@@ -114,11 +114,6 @@ pub fn folder() -> PathBuf {
 }
 
 impl Program {
-    /// The name of its folder, where it is fetched.
-    pub fn folder(&self) -> &'static str {
-        self.packages.first().copied().unwrap_or_default()
-    }
-
     /// A command that starts the program, with no arguments yet.
     pub fn command(&self) -> Result<Command> {
         Ok(Command::new(self.path()?))
@@ -149,8 +144,7 @@ impl Program {
         if self.packages.is_empty() {
             return Err(anyhow!("not on the PATH, and not fetched; install it"));
         }
-        let tree =
-            Tree::fetch(self.folder(), self.packages, self.why).with_context(|| format!("install a package that has `{}`", self.name))?;
+        let tree = Tree::fetch(self.packages, self.why, |_| None).with_context(|| format!("install a package that has `{}`", self.name))?;
         let path = tree.launcher(self.name, &self.launch)?;
         self.version(&path).with_context(|| format!("what was fetched into {} does not run here", tree.path().display()))?;
         Ok(path)

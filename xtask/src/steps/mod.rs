@@ -90,10 +90,9 @@ pub struct Tally {
 impl Tally {
     /// Adds what a line says, if it is one that sums up: of cargo's, of nextest's or of node's.
     fn read(&mut self, line: &str) {
-        let line = line.trim();
         let words: Vec<&str> = line.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
         let before = |what| words.windows(2).find(|pair| pair[1] == what).and_then(|pair| pair[0].parse::<u64>().ok()).unwrap_or(0);
-        if line.starts_with("test result: ") || line.starts_with("Summary [") {
+        if line.starts_with("test result: ") || line.trim_start().starts_with("Summary [") {
             self.passed += before("passed");
             self.failed += before("failed") + before("timed");
             self.skipped += before("ignored") + before("skipped");
@@ -117,6 +116,7 @@ mod unit_tests {
     fn results_of_tests_are_added_up() {
         let lines = [
             "running 4 tests",
+            "    test result: FAILED. 0 passed; 1 failed; as nextest shows it once more",
             "test result: ok. 4 passed; 0 failed; 1 ignored; 0 measured; 0 filtered out",
             "test result: FAILED. 2 passed; 3 failed; 0 ignored; finished in 0.00s",
             "     Summary [   1.234s] 12 tests run: 10 passed (1 slow), 1 failed, 1 timed out, 5 skipped",

@@ -12,7 +12,7 @@ use crate::programs::missing;
 use crate::{process, project};
 
 const PACKAGES: [&str; 3] = ["rustc-web", "cargo-web", "rust-web-src"];
-const WHY: &str = "to build for microcontrollers and the browser";
+pub const WHY: &str = "to build for microcontrollers and the browser";
 /// The standard library's sources.
 const SOURCES: &str = "usr/lib/rustlib/src/rust/library/Cargo.lock";
 
@@ -21,7 +21,6 @@ const SOURCES: &str = "usr/lib/rustlib/src/rust/library/Cargo.lock";
 struct Toolchain {
     cargo: PathBuf,
     rustc: PathBuf,
-    rustdoc: PathBuf,
     /// The folder of the linkers.
     linkers: PathBuf,
 }
@@ -39,21 +38,21 @@ fn toolchain() -> Result<&'static Toolchain> {
     Ok(FOUND.get_or_init(|| found))
 }
 
+/// Whether it has been fetched.
+pub fn is_fetched() -> bool {
+    Tree::is_fetched(&PACKAGES)
+}
+
 fn installed() -> Option<Toolchain> {
     let root = Path::new("/");
-    let [cargo, rustc, rustdoc] = ["cargo", "rustc", "rustdoc"].map(|name| root.join("usr/bin").join(name));
+    let [cargo, rustc] = ["cargo", "rustc"].map(|name| root.join("usr/bin").join(name));
     let linkers = linkers(root, &rustc).ok()?;
-    (cargo.is_file() && root.join(SOURCES).is_file() && linkers.join("wasm-ld").is_file()).then_some(Toolchain {
-        cargo,
-        rustc,
-        rustdoc,
-        linkers,
-    })
+    (cargo.is_file() && root.join(SOURCES).is_file() && linkers.join("wasm-ld").is_file()).then_some(Toolchain { cargo, rustc, linkers })
 }
 
 fn fetch() -> Result<Toolchain> {
     // The linker is that of the LLVM that the compiler was built with.
-    let tree = Tree::fetch_with("rustc-web", &PACKAGES, WHY, |needed| {
+    let tree = Tree::fetch(&PACKAGES, WHY, |needed| {
         let llvm = needed.iter().find_map(|name| name.strip_prefix("libllvm"))?;
         Some(format!("lld-{llvm}"))
     })
@@ -61,7 +60,7 @@ fn fetch() -> Result<Toolchain> {
     let launcher = |name: &str, file: &'static str| tree.launcher(name, &Launch::plain(file));
     let rustc = launcher("rustc", "usr/bin/rustc")?;
     let linkers = linkers(tree.path(), &rustc)?;
-    Ok(Toolchain { cargo: launcher("cargo", "usr/bin/cargo")?, rustdoc: launcher("rustdoc", "usr/bin/rustdoc")?, rustc, linkers })
+    Ok(Toolchain { cargo: launcher("cargo", "usr/bin/cargo")?, rustc, linkers })
 }
 
 /// The compiler's name and version.
@@ -72,11 +71,11 @@ pub fn describe() -> Result<String> {
 
 /// Debian's cargo, told to build the standard library as well; the subcommand is the next argument.
 pub fn cargo(target: Target) -> Result<Command> {
-    let Toolchain { cargo, rustc, rustdoc, linkers } = toolchain()?;
+    let Toolchain { cargo, rustc, linkers } = toolchain()?;
     let crates = if target.has_std() { "std,panic_abort" } else { "core,alloc" };
     let mut command = command(cargo);
     // Without the first variable, cargo takes -Z options only if it is a nightly one.
-    command.arg(format!("-Zbuild-std={crates}")).env("RUSTC_BOOTSTRAP", "1").env("RUSTC", rustc).env("RUSTDOC", rustdoc);
+    command.arg(format!("-Zbuild-std={crates}")).env("RUSTC_BOOTSTRAP", "1").env("RUSTC", rustc);
     let variable = target.cargo_variable("LINKER");
     if std::env::var_os(&variable).is_none() {
         command.env(variable, linkers.join(if target == Target::Wasm32 { "wasm-ld" } else { "ld.lld" }));

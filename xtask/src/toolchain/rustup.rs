@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
 
-use super::{Target, say};
+use super::Target;
 use crate::{process, project};
 
 /// How many seconds rustup is given, if not [`DEFAULT_SECONDS`].
@@ -22,7 +22,7 @@ pub fn setup() -> Result<()> {
         return Ok(());
     }
     let limit = Duration::from_secs(seconds()?);
-    say(&format!("rustup adds {} (it is given {} s)", missing.join(", "), limit.as_secs()));
+    eprintln!("rustup adds {} (it is given {} s)", missing.join(", "), limit.as_secs());
     let mut add = rustup();
     add.args(["target", "add"]).args(&missing);
     let (code, _) = process::capture_within(&mut add, limit).context("rustup could not add the targets")?;
