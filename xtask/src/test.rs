@@ -13,7 +13,7 @@ use crate::steps::{self, Run, Step, Tally};
 /// Which checks to run.
 #[derive(Args)]
 pub struct Options {
-    /// Leaves out what takes long: the documentation, the page and the other targets
+    /// Leaves out what takes long: the documentation, the page, the other targets, and the longest tests
     #[arg(long)]
     fast: bool,
     /// Runs this step only; can be given more than once
@@ -47,7 +47,7 @@ impl fmt::Display for End {
 
 /// Runs the steps that were asked for, up to the first that fails. One that cannot be done here is left out.
 pub fn run(options: &Options) -> Result<ExitCode> {
-    let mut run = Run { chosen: chosen(options)?, tally: Tally::default() };
+    let mut run = Run { fast: options.fast, chosen: chosen(options)?, tally: Tally::default() };
     if options.list {
         for step in run.chosen {
             println!("{:16} {}", step.name, step.about);

@@ -89,7 +89,7 @@ pub const VALGRIND: Program = installed("valgrind", "to count instructions");
 pub const FETCHED: [&Program; 5] = [&QEMU, &ARM_GCC, &ARM_SIZE, &ARM_NM, &CHROMIUM];
 
 /// Something that is neither here nor to be had.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Missing(pub String);
 
 impl fmt::Display for Missing {
@@ -101,14 +101,14 @@ impl fmt::Display for Missing {
 impl std::error::Error for Missing {}
 
 /// Says of an error that it comes from what is not on this machine.
-pub fn missing(what: &str, why: &str, error: &anyhow::Error) -> anyhow::Error {
-    anyhow!(Missing(format!("{what}, needed {why}: {error:#}")))
+pub fn missing(what: &str, why: &str, error: &anyhow::Error) -> Missing {
+    Missing(format!("{what}, needed {why}: {error:#}"))
 }
 
 /// The folder for what is fetched.
 pub fn folder() -> PathBuf {
     match std::env::var_os(FOLDER) {
-        Some(folder) if !folder.is_empty() => PathBuf::from(folder),
+        Some(folder) if !folder.is_empty() => std::path::absolute(&folder).unwrap_or_else(|_| folder.into()),
         _ => project::target_dir().join("programs"),
     }
 }
@@ -121,17 +121,16 @@ impl Program {
 
     /// Where the program is, fetched if it has to be, after it has shown that it runs. An error is a [`Missing`].
     pub fn path(&self) -> Result<PathBuf> {
-        static FOUND: Mutex<Option<HashMap<&'static str, PathBuf>>> = Mutex::new(None);
+        // What could not be had is not asked for again in the same run.
+        static FOUND: Mutex<Option<HashMap<&'static str, Result<PathBuf, Missing>>>> = Mutex::new(None);
         let mut found = FOUND.lock().map_err(|_| anyhow!("another search for a program failed"))?;
-        let found = found.get_or_insert_default();
-        if let Some(path) = found.get(self.name) {
-            return Ok(path.clone());
-        }
-        let path = match process::find_program(self.name).filter(|path| self.version(path).is_ok()) {
-            Some(path) => path,
-            None => self.fetch().map_err(|error| missing(self.name, self.why, &error))?,
-        };
-        Ok(found.entry(self.name).or_insert(path).clone())
+        let found = found.get_or_insert_default().entry(self.name).or_insert_with(|| self.find());
+        Ok(found.clone()?)
+    }
+
+    fn find(&self) -> Result<PathBuf, Missing> {
+        let installed = process::find_program(self.name).filter(|path| self.version(path).is_ok());
+        installed.map_or_else(|| self.fetch().map_err(|error| missing(self.name, self.why, &error)), Ok)
     }
 
     /// The first line that the program says of itself.

@@ -64,6 +64,8 @@ const WORKSPACE: [&str; 3] = ["--workspace", "--exclude", "goodbot-page"];
 /// The steps that were chosen, and what they have counted so far.
 #[derive(Default)]
 pub struct Run {
+    /// Whether to leave out what takes long.
+    pub fast: bool,
     pub chosen: Vec<&'static Step>,
     pub tally: Tally,
 }

@@ -10,10 +10,14 @@ pub const STEP: Step =
     Step::new("tests", "the tests of all crates", all, "run the failed test alone: `cargo test --workspace`, and the test's name after it")
         .fast();
 
-/// By cargo-nextest where it is, which runs the tests of several files at once, else by cargo.
+/// By cargo-nextest where it is, which runs the tests of several files at once and knows which take long, else by cargo.
 fn all(run: &mut Run) -> Result<()> {
     let has_nextest = process::capture(project::cargo().args(["nextest", "--version"])).is_ok();
-    let ways: &[&[&str]] = if has_nextest { &[&["nextest", "run", "--no-fail-fast"], &["test", "--doc"]] } else { &[&["test"]] };
+    let ways: &[&[&str]] = match (has_nextest, run.fast) {
+        (true, true) => &[&["nextest", "run", "--no-fail-fast", "--profile", "fast"]],
+        (true, false) => &[&["nextest", "run", "--no-fail-fast"], &["test", "--doc"]],
+        (false, _) => &[&["test"]],
+    };
     for way in ways {
         let mut command = project::cargo();
         command.args(*way).args(WORKSPACE);
