@@ -2,7 +2,7 @@
 
 mod program;
 
-use program::{AGENT, END, ROOMS, Run, external, goodbot, goodbot_unheard, log, session, shown, step};
+use program::{AGENT, END, ROOMS, Run, goodbot, goodbot_unheard, log, session, shown, step};
 
 fn check(input: &[u8]) -> Run {
     goodbot(&["check", "-"], input)
@@ -255,13 +255,4 @@ fn a_prior_over_tasks_of_another_kind_is_sound_where_the_kind_is_named() {
     let input = log([&session(&format!("{AGENT},{block}"), "feedback", "go", prior), END]);
     assert_eq!(check(&input).code, 2);
     assert_eq!(goodbot(&["check", "--task", "agentInRoom(?a,?r1) & blockInRoom(?o,?r2)", "-"], &input).code, 0);
-}
-
-#[test]
-fn recorded_files_are_sound() {
-    for file in ["data/feedback.jsonl", "data/turk-simplified.jsonl", "data/feedback-beliefs.jsonl"] {
-        let Some(path) = external(file) else { continue };
-        let run = goodbot(&["check", path.to_str().unwrap()], b"");
-        assert_eq!(run.code, 0, "{}", run.messages);
-    }
 }

@@ -10,7 +10,6 @@ use base64::engine::general_purpose::STANDARD;
 use lzma_rust2::{LzmaOptions, LzmaWriter};
 
 use super::Parts;
-use crate::{process, project, toolchain};
 
 /// The page's scripts, in the order in which they stand in the file.
 const SCRIPTS: [&str; 15] = [
@@ -44,7 +43,9 @@ pub struct Page {
 }
 
 /// Puts style, scripts, glue and module into `index.html`.
-pub fn assemble(folder: &Path, parts: &Parts) -> Result<Page> {
+///
+/// `folder` is the page's, `scratch` one for files on the way.
+pub fn assemble(folder: &Path, scratch: &Path, parts: &Parts, node: &Path) -> Result<Page> {
     let read = |name: &str| std::fs::read_to_string(folder.join(name)).with_context(|| format!("page/{name} cannot be read"));
     let mut script = format!("(function () {{\n\"use strict\";\n{}", parts.glue);
     for name in SCRIPTS {
@@ -52,7 +53,7 @@ pub fn assemble(folder: &Path, parts: &Parts) -> Result<Page> {
         script.push_str(&read(&format!("src/{name}"))?);
     }
     script.push_str("})();\n");
-    let script = escaped(&minified(&folder.join("tests"), &script)?);
+    let script = escaped(&minified(&folder.join("tests"), scratch, &script, node)?);
     let style = without_comments(&read("style.css")?);
     let module = STANDARD.encode(packed(&parts.wasm)?);
     let mut html = read("index.html")?;
@@ -68,15 +69,15 @@ pub fn assemble(folder: &Path, parts: &Parts) -> Result<Page> {
 }
 
 /// A script made small by terser, which npm installs beside the page's tests.
-fn minified(tests: &Path, script: &str) -> Result<String> {
-    toolchain::need_program("node", &["nodejs", "npm"], "to make the page's scripts small")?;
-    toolchain::npm_ci(tests)?;
-    let folder = project::target_dir().join("page");
-    let (whole, small) = (folder.join("page.js"), folder.join("page.min.js"));
+fn minified(tests: &Path, scratch: &Path, script: &str, node: &Path) -> Result<String> {
+    let (whole, small) = (scratch.join("page.js"), scratch.join("page.min.js"));
     std::fs::write(&whole, script).with_context(|| format!("{} cannot be written", whole.display()))?;
-    let mut terser = Command::new("node");
+    let mut terser = Command::new(node);
     terser.arg(tests.join("node_modules/terser/bin/terser")).arg(&whole);
-    process::run(terser.args(["--compress", "passes=2", "--mangle", "--output"]).arg(&small))?;
+    let status = terser.args(["--compress", "passes=2", "--mangle", "--output"]).arg(&small).status();
+    if !status.with_context(|| format!("{} cannot be started", node.display()))?.success() {
+        bail!("terser cannot make {} small", whole.display());
+    }
     std::fs::read_to_string(&small).with_context(|| format!("{} was not written", small.display()))
 }
 
