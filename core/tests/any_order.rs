@@ -5,7 +5,7 @@
 use goodbot::feedback::{Feedback, Strategy, simulated::below};
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeMemory, HomeState, Moves};
 use goodbot::language::Settings;
-use goodbot::oomdp::{Action, Domain, apply};
+use goodbot::oomdp::{Action, Domain};
 use goodbot::session::options::Weights;
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
