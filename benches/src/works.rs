@@ -105,7 +105,9 @@ fn plan_of_course(name: HomeName) -> Box<dyn FnMut()> {
 
 fn plan(rooms: i32, blocks: i32) -> Box<dyn FnMut()> {
     let mut scene = Scene::roomy(size(rooms, blocks), Tasks::Paper, lasting(&LARGE));
-    Box::new(move || { std::hint::black_box(scene.plan()); })
+    Box::new(move || {
+        std::hint::black_box(scene.plan());
+    })
 }
 
 fn whole_sweep(rooms: i32, blocks: i32) -> Box<dyn FnMut()> {

@@ -4,8 +4,8 @@ use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::oomdp::{Action, Domain, apply};
-use goodbot::session::Evidence;
 use goodbot::planning::{OptimalSet, Progress};
+use goodbot::session::Evidence;
 use goodbot::{Agent, AgentError, Capacities, Options};
 use rand_pcg::Pcg32;
 

@@ -41,7 +41,13 @@ impl Scout {
     }
 
     /// Takes the tasks that may be looked ahead for.
-    pub fn set_tasks(&mut self, home: &Home<'_>, lifted: &[LiftedTask], tasks: &[GroundedTask], state: &HomeState) -> Result<(), CapacityError> {
+    pub fn set_tasks(
+        &mut self,
+        home: &Home<'_>,
+        lifted: &[LiftedTask],
+        tasks: &[GroundedTask],
+        state: &HomeState,
+    ) -> Result<(), CapacityError> {
         self.with_tables(|planner, tables| planner.set_tasks(tables, home, lifted, tasks, state))
     }
 }

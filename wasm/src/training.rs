@@ -91,7 +91,8 @@ impl World {
     pub fn act(&mut self) -> Result<Decided, Refusal> {
         self.check_judged()?;
         let Self { mind, rooms, state, random, .. } = self;
-        let decision = mind.with_dependent_mut(|_, agent| agent.decide_by(rooms.borrow_dependent(), state, random)).map_err(Refusal::from)?;
+        let decision =
+            mind.with_dependent_mut(|_, agent| agent.decide_by(rooms.borrow_dependent(), state, random)).map_err(Refusal::from)?;
         let agent = self.agent();
         let plans: Vec<OptimalSet> = (0..agent.tasks().len()).map(|task| agent.planned().optimal(task)).collect();
         let agrees = |(task, plan): (usize, &OptimalSet)| {

@@ -21,7 +21,13 @@ fn intended<D: Domain>(agent: &Agent<'_>, domain: &D, (proposition, objects): Me
 }
 
 /// Gives a command and judges what the robot does, until it has rested three times where the task is done. Then it learns.
-pub fn teach<D: Domain>(agent: &mut Agent<'_>, domain: &D, start: &D::State, command: &str, meaning: Meaning<'_>) -> Result<(), AgentError> {
+pub fn teach<D: Domain>(
+    agent: &mut Agent<'_>,
+    domain: &D,
+    start: &D::State,
+    command: &str,
+    meaning: Meaning<'_>,
+) -> Result<(), AgentError> {
     agent.hear(domain, start, command)?;
     let intended = intended(agent, domain, meaning).ok_or(AgentError::NoTask)?;
     let (mut state, mut rests) = (*start, 0);

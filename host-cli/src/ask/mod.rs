@@ -118,7 +118,13 @@ fn words<D: Domain>(agent: &Agent<'_>, home: &D, best: usize) -> Result<Vec<Word
         .collect())
 }
 
-fn print(options: &AskOptions, mut tasks: Vec<(String, f32)>, words: &[Word], plan: Option<&(Vec<String>, bool)>, best: usize) -> Result<(), Failure> {
+fn print(
+    options: &AskOptions,
+    mut tasks: Vec<(String, f32)>,
+    words: &[Word],
+    plan: Option<&(Vec<String>, bool)>,
+    best: usize,
+) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
     let (said, likeliest) = tasks.get(best).cloned().unwrap_or_default();
     let tied = tasks.iter().filter(|&&(_, share)| share >= likeliest).count();
@@ -126,8 +132,7 @@ fn print(options: &AskOptions, mut tasks: Vec<(String, f32)>, words: &[Word], pl
         let tasks: serde_json::Map<_, _> = tasks.into_iter().map(|(name, share)| (name, json!(share))).collect();
         let words: Vec<_> = words.iter().map(|it| json!({"word": it.word, "token": it.token, "share": it.share})).collect();
         let (exact, plan) = (plan.map(|(_, exact)| exact), plan.map(|(actions, _)| actions));
-        let line =
-            json!({"type": "answer", "command": options.command, "task": said, "tied": tied, "tasks": tasks, "plan": plan, "exact": exact, "words": words});
+        let line = json!({"type": "answer", "command": options.command, "task": said, "tied": tied, "tasks": tasks, "plan": plan, "exact": exact, "words": words});
         writeln!(out, "{line}")?;
         return Ok(());
     }

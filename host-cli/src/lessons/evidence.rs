@@ -142,7 +142,8 @@ impl Witness {
         while plan.len() < TOKENS_PER_COMMAND {
             self.agent.plan_fully(&session.home, &state)?;
             let actions = self.agent.planned().optimal(task).onward();
-            let Some((action, next)) = actions.and_then(|actions| actions.iter().next()).and_then(|action| Some((action, apply(&session.home, &state, action)?)))
+            let Some((action, next)) =
+                actions.and_then(|actions| actions.iter().next()).and_then(|action| Some((action, apply(&session.home, &state, action)?)))
             else {
                 break;
             };
