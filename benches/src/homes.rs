@@ -1,11 +1,11 @@
 //! The homes that plans are measured in, with their tasks.
 
+use goodbot::Capacities;
 use goodbot::home::{Home, HomeState, Moves, SCHEMA};
+use goodbot::memory::HomeHeap;
 use goodbot::oomdp::Domain;
 use goodbot::planning::Plan;
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
-use goodbot::Capacities;
-use goodbot::memory::HomeHeap;
 use goodbot_tests::own_planner::OwnPlanner;
 use goodbot_tests::random_homes::{Size, random_home};
 use goodbot_tests::sweep::Sweep;

@@ -1,7 +1,7 @@
 //! A bitext to learn from, and models that have learned.
 
-use goodbot::memory::AgentMemory;
 use goodbot::language::{LanguageModel, Settings};
+use goodbot::memory::AgentMemory;
 use goodbot::planning::Progress;
 
 /// One sentence pair: machine tokens and English words, in which no word stands twice.
@@ -41,12 +41,7 @@ pub fn sessions(count: usize) -> Vec<(Vec<String>, Vec<Vec<String>>)> {
 }
 
 /// A model that holds these sessions, each machine command with this weight, and has not been trained.
-pub fn model<M: AgentMemory>(
-    memory: M,
-    data: &[(Vec<String>, Vec<Vec<String>>)],
-    settings: Settings,
-    weight: f32,
-) -> LanguageModel<M> {
+pub fn model<M: AgentMemory>(memory: M, data: &[(Vec<String>, Vec<Vec<String>>)], settings: Settings, weight: f32) -> LanguageModel<M> {
     let mut model = LanguageModel::new(memory, settings).expect("settings to train with");
     for (english, machine) in data {
         let sentence = model.hear(&english.join(" ")).expect("a command");

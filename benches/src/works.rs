@@ -4,8 +4,8 @@ use crate::homes::{LARGE, Scene, Tasks, named, size};
 use crate::language::{model, sessions, train};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{self, Moves};
-use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::language::Settings;
+use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::oomdp::Action;
 use goodbot::session::Evidence;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
@@ -100,7 +100,9 @@ fn plan_of_course(name: HomeName) -> Box<dyn FnMut()> {
 
 fn plan(rooms: i32, blocks: i32) -> Box<dyn FnMut()> {
     let mut scene = Scene::roomy(size(rooms, blocks), Tasks::Paper);
-    Box::new(move || { std::hint::black_box(scene.plan()); })
+    Box::new(move || {
+        std::hint::black_box(scene.plan());
+    })
 }
 
 fn whole_sweep(rooms: i32, blocks: i32) -> Box<dyn FnMut()> {

@@ -15,7 +15,14 @@ fn sixty_four_tasks_cost_hardly_more_than_eight() {
     let mut many = Scene::roomy(size(12, 1), Tasks::Count(64));
     let mut few = Scene::roomy(size(12, 1), Tasks::Count(8));
     assert_eq!((many.tasks.len(), few.tasks.len()), (64, 8));
-    let ratio = ratio(in_turn(&mut || { std::hint::black_box(many.plan()); }, &mut || { std::hint::black_box(few.plan()); }));
+    let ratio = ratio(in_turn(
+        &mut || {
+            std::hint::black_box(many.plan());
+        },
+        &mut || {
+            std::hint::black_box(few.plan());
+        },
+    ));
     assert!(ratio < 1.5, "{ratio}");
 }
 
@@ -29,7 +36,9 @@ fn one_search_for_all_tasks_is_ten_times_faster_than_one_dijkstra_a_task_and_fin
         let ours: Vec<Option<u32>> = (0..count).map(|task| plan.distance(task)).collect();
         assert_eq!(ours, one_dijkstra_a_task(&scene));
         let other = Scene::seeded(seed, HOMES, Tasks::Paper);
-        let (slow, fast) = in_turn(&mut || drop(black_box(one_dijkstra_a_task(&other))), &mut || { std::hint::black_box(scene.plan()); });
+        let (slow, fast) = in_turn(&mut || drop(black_box(one_dijkstra_a_task(&other))), &mut || {
+            std::hint::black_box(scene.plan());
+        });
         (own, theirs) = (own + fast, theirs + slow);
     }
     let ratio = ratio((theirs, own));

@@ -2,11 +2,11 @@
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing)]
 
-use goodbot::memory::HomeMemory;
-use goodbot::memory::{AgentMemory};
 use goodbot::feedback::{Feedback, Strategy, simulated::below};
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::language::Settings;
+use goodbot::memory::AgentMemory;
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain};
 use goodbot::session::options::Weights;
 use goodbot::task::LiftedTask;

@@ -1,10 +1,10 @@
 //! How a session ends, and that an ended one stays ended until it is taken up again.
 
-use goodbot::memory::HomeMemory;
-use goodbot::memory::{AgentArrays};
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::language::Settings;
+use goodbot::memory::AgentArrays;
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Action;
 use goodbot::{Agent, AgentError, Capacities, Options};
 
@@ -77,7 +77,9 @@ fn after_a_prior_that_is_no_probability_no_session_is_under_way() {
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     for prior in [f32::NAN, -1.0, f32::INFINITY, 0.0] {
         let error = agent.hear_with_prior(&home, &start, "go", |_, _| prior).unwrap_err();
-        assert!(matches!(error, AgentError::Prior { task: 0, value } if value.to_bits() == prior.to_bits()) || error == AgentError::NoPrior);
+        assert!(
+            matches!(error, AgentError::Prior { task: 0, value } if value.to_bits() == prior.to_bits()) || error == AgentError::NoPrior
+        );
         assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NoSession));
         assert_eq!(agent.hear_again(&home, &start), Err(AgentError::NoSession));
     }

@@ -1,12 +1,12 @@
 //! What counts as evidence, and for which action: only exact plans, for the state and the home they were made for, judge what was done.
 
-use goodbot::memory::{AgentHeap, AgentMemory, HomeMemory};
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
+use goodbot::memory::{AgentHeap, AgentMemory, HomeMemory};
 use goodbot::oomdp::{
-    Action, ActionKind, Class, ClassId, Domain, GroundProposition, ObjectId, ObjectSet, OneByOne, Proposition, PropositionId, Schema, World,
-    apply,
+    Action, ActionKind, Class, ClassId, Domain, GroundProposition, ObjectId, ObjectSet, OneByOne, Proposition, PropositionId, Schema,
+    World, apply,
 };
 use goodbot::planning::{Judgement, OptimalSet, states_needed};
 use goodbot::session::Evidence;
@@ -243,7 +243,8 @@ fn a_robot_whose_states_do_not_fit_is_refused_by_name_and_number() {
     let needed = states_needed(&ring).unwrap();
     assert!(needed > 16_384, "an action that costs 2 takes more room: {needed}");
     let tasks = [LiftedTask::single(PropositionId(0), &RING).unwrap()];
-    for (states, hashed, fits) in [(15_000, 0, false), (16_384 - 64, 0, false), (needed - 64, 0, false), (needed, 0, true), (640, 64, true)] {
+    for (states, hashed, fits) in [(15_000, 0, false), (16_384 - 64, 0, false), (needed - 64, 0, false), (needed, 0, true), (640, 64, true)]
+    {
         let mut memory = memory(states, hashed);
         let mut agent = Agent::new(&mut memory.agent, &tasks, Options::PAPER).unwrap();
         let heard = agent.hear(&ring, &0, "go");

@@ -1,13 +1,13 @@
 //! Algorithm 1 step by step: what the agent hears, decides, believes and learns, and what it refuses.
 
-use goodbot::memory::HomeMemory;
-use goodbot::memory::{AgentArrays, AgentMemory};
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::{BeliefError, Feedback, Strategy};
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
+use goodbot::memory::HomeMemory;
+use goodbot::memory::{AgentArrays, AgentMemory};
 use goodbot::oomdp::{Action, Domain, apply};
-use goodbot::session::Evidence;
 use goodbot::planning::{OptimalSet, Progress};
+use goodbot::session::Evidence;
 use goodbot::{Agent, AgentError, Capacities, Options};
 use rand_pcg::Pcg32;
 
@@ -33,7 +33,13 @@ fn agent<M: AgentMemory>(memory: M) -> Agent<M> {
 }
 
 /// The agent does an action, and the trainer says something to it. Gives the state that the action leads to.
-fn told(agent: &mut Agent<impl AgentMemory>, home: &Home<impl HomeMemory>, state: &HomeState, action: Action, feedback: Feedback) -> HomeState {
+fn told(
+    agent: &mut Agent<impl AgentMemory>,
+    home: &Home<impl HomeMemory>,
+    state: &HomeState,
+    action: Action,
+    feedback: Feedback,
+) -> HomeState {
     let next = agent.acted(home, state, action).unwrap();
     assert_eq!(agent.feedback(feedback), Ok(Evidence::Used));
     next

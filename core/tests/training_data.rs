@@ -1,9 +1,9 @@
 //! What the language model takes as training data, and what it refuses.
 
-use goodbot::memory::AgentArrays;
 use goodbot::Capacities;
 use goodbot::capacity::{Capacity, TOKENS_PER_COMMAND};
 use goodbot::language::{LanguageModel, Settings};
+use goodbot::memory::AgentArrays;
 use goodbot::planning::Progress;
 use goodbot::symbols::Symbol;
 

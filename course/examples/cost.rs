@@ -44,7 +44,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let whole = begin.elapsed();
     let each = |sum: Duration| sum.as_secs_f64() * 1e3 / AGENTS as f64;
     println!("one course of seven lessons, mean of {AGENTS} agents:");
-    println!("  search   {:7.3} ms, {} plans, {} looks", each(search_time), plans / AGENTS, states / AGENTS);
+    println!("  search   {:7.3} ms, {} plans, {} expansions", each(search_time), plans / AGENTS, states / AGENTS);
     println!("  learning {:7.3} ms, 7 trainings of 10 rounds", each(learn_time));
     println!("  homes    {:7.3} ms to draw them at random, each solvable", each(homes_time));
     println!("  together {:7.3} ms", each(whole));

@@ -4,10 +4,10 @@ use crate::error::CourseError;
 use crate::exercise::{Exercise, LESSONS, TESTS};
 use crate::layout::Homes;
 use crate::lesson::{Ending, FeedbackCounts, LessonReport, Step, run_lesson};
-use goodbot::memory::HomeMemory;
-use goodbot::memory::{AgentMemory};
 use goodbot::feedback::{SimulatedTrainer, Strategy};
 use goodbot::home::{Home, HomeState};
+use goodbot::memory::AgentMemory;
+use goodbot::memory::HomeMemory;
 use goodbot::{Agent, AgentError};
 use rand_core::Rng;
 

@@ -1,7 +1,7 @@
 //! The commands of the course, what each means, and where it is given.
 
-use goodbot::memory::AgentMemory;
 use goodbot::home::{AGENT_IN_ROOM, BLOCK_IN_ROOM, COLOR, SHAPE};
+use goodbot::memory::AgentMemory;
 use goodbot::oomdp::{Domain, ObjectId, PropositionId};
 use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, AgentError};
@@ -85,7 +85,12 @@ impl Exercise {
     ///
     /// # Errors
     /// [`AgentError`].
-    pub fn pose<D: Domain + ?Sized>(&self, agent: &mut Agent<impl AgentMemory>, domain: &D, state: &D::State) -> Result<Option<usize>, AgentError> {
+    pub fn pose<D: Domain + ?Sized>(
+        &self,
+        agent: &mut Agent<impl AgentMemory>,
+        domain: &D,
+        state: &D::State,
+    ) -> Result<Option<usize>, AgentError> {
         agent.hear(domain, state, self.command)?;
         Ok(self.intention.find(agent, domain))
     }

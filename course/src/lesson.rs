@@ -3,9 +3,9 @@
 
 use crate::error::CourseError;
 use crate::exercise::Exercise;
-use goodbot::memory::AgentMemory;
 use goodbot::Agent;
 use goodbot::feedback::{Feedback, SimulatedTrainer};
+use goodbot::memory::AgentMemory;
 use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::OptimalSet;
 use goodbot::session::{Decision, Evidence};
@@ -149,7 +149,13 @@ impl<S: Copy + PartialEq> Lesson<S> {
     ///
     /// # Errors
     /// [`CourseError`].
-    pub fn step<D, R>(&mut self, agent: &mut Agent<impl AgentMemory>, domain: &D, trainer: &SimulatedTrainer, random: &mut R) -> Result<Turn, CourseError>
+    pub fn step<D, R>(
+        &mut self,
+        agent: &mut Agent<impl AgentMemory>,
+        domain: &D,
+        trainer: &SimulatedTrainer,
+        random: &mut R,
+    ) -> Result<Turn, CourseError>
     where
         D: Domain<State = S> + ?Sized,
         R: Rng + ?Sized,
@@ -162,7 +168,13 @@ impl<S: Copy + PartialEq> Lesson<S> {
     ///
     /// # Errors
     /// [`CourseError`].
-    pub fn act<D, R>(&mut self, agent: &mut Agent<impl AgentMemory>, domain: &D, trainer: &SimulatedTrainer, random: &mut R) -> Result<Turn, CourseError>
+    pub fn act<D, R>(
+        &mut self,
+        agent: &mut Agent<impl AgentMemory>,
+        domain: &D,
+        trainer: &SimulatedTrainer,
+        random: &mut R,
+    ) -> Result<Turn, CourseError>
     where
         D: Domain<State = S> + ?Sized,
         R: Rng + ?Sized,

@@ -1,9 +1,9 @@
 //! The driver of a lesson: when the trainer ends it, and what the agent has then learned.
 
-use goodbot::memory::HomeMemory;
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
-use goodbot::memory::{AgentMemory};
 use goodbot::home::{Area, Cell};
+use goodbot::memory::AgentMemory;
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::OptimalSet;
 use goodbot::{Agent, Capacities, HeapMemory, Options, home};

@@ -5,8 +5,8 @@ use crate::whole_file::{new_file, read_whole, write_whole};
 use clap::{Args, ValueHint};
 use goodbot::capacity::{TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use goodbot::home::paper_tasks;
-use goodbot::snapshot::{Contents, RestoreError};
 use goodbot::memory::AgentHeap;
+use goodbot::snapshot::{Contents, RestoreError};
 use goodbot::{Agent, Capacities, Options};
 use std::path::{Path, PathBuf};
 

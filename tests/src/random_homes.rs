@@ -1,7 +1,7 @@
 //! Random homes, the same for the same seed.
 
-use goodbot::memory::HomeMemory;
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves};
+use goodbot::memory::HomeMemory;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 

@@ -1,9 +1,9 @@
 //! A small school: homes of four rooms, the paper's seven lessons and five tests, and a trainer who answers by a strategy.
 
-use goodbot::memory::HomeMemory;
-use goodbot::memory::{AgentMemory};
 use goodbot::feedback::{SimulatedTrainer, Strategy};
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves};
+use goodbot::memory::AgentMemory;
+use goodbot::memory::HomeMemory;
 use goodbot::planning::{Judgement, OptimalSet};
 use goodbot::session::AgentError;
 use goodbot::task::GroundedTask;

@@ -72,7 +72,8 @@ impl Sweep {
                 }
             }
             let level = met.into_iter().map(|state| (state, std::mem::take(&mut gained[state])));
-            let level: Vec<(usize, TaskSet)> = level.inspect(|&(state, new)| sweep.reachable[state] = sweep.reachable[state].union(new)).collect();
+            let level: Vec<(usize, TaskSet)> =
+                level.inspect(|&(state, new)| sweep.reachable[state] = sweep.reachable[state].union(new)).collect();
             levels.push(level);
         }
         sweep

@@ -1,7 +1,8 @@
 //! A robot that turns and drives, with actions of different costs, on a floor with one crate that it can push but not pull.
 
 use goodbot::oomdp::{
-    Action, ActionKind, Class, ClassId, Domain, GroundProposition, ObjectSet, ObjectTables, Objects, OneByOne, Proposition, PropositionId, Schema, World,
+    Action, ActionKind, Class, ClassId, Domain, GroundProposition, ObjectSet, ObjectTables, Objects, OneByOne, Proposition, PropositionId,
+    Schema, World,
 };
 
 const SCHEMA: Schema<'static> = Schema {

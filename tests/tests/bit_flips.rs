@@ -1,8 +1,8 @@
 //! Every bit of a saved model flipped, one at a time: it is refused, and the robot keeps what it knew.
 
-use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::snapshot::RestoreError;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_tests::school::{self, train};

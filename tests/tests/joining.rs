@@ -1,10 +1,10 @@
 //! Joining what two robots learned: by the text of words and machine tokens, and a common past once.
 
-use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::capacity::Capacity;
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
 use goodbot::language::Settings;
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::snapshot::RestoreError;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_tests::school::{self, Lesson, tests_passed, train};

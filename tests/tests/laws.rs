@@ -1,9 +1,9 @@
 //! Laws that hold for every home, command, feedback and training data.
 
-use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::feedback::{Feedback, Strategy as Trainer};
 use goodbot::home::paper_tasks;
 use goodbot::language::{LanguageModel, Settings};
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::symbols::Symbol;

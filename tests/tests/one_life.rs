@@ -1,9 +1,9 @@
 //! A thousand sessions in the memory of a controller: what is full gives way, and learning goes on.
 
-use goodbot::memory::AgentMemory;
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
+use goodbot::memory::AgentMemory;
 use goodbot::session::AgentError;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_tests::school::{self, Lesson, tests_passed, train};

@@ -1,7 +1,7 @@
 //! Optimal sets against brute force, in random homes and for a robot whose actions cost 1 to 5.
 
-use goodbot::memory::HomeMemory;
 use goodbot::home::{self, Moves};
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{ActionSet, Domain, PropositionId};
 use goodbot::planning::OptimalSet;
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};

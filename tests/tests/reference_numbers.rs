@@ -1,9 +1,9 @@
 //! The core against reference numbers computed in double precision by an independent implementation.
 
-use goodbot::memory::AgentMemory;
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Moves};
 use goodbot::language::{LanguageModel, Settings};
+use goodbot::memory::AgentMemory;
 use goodbot::oomdp::{Domain, action_named};
 use goodbot::session::{Evidence, Options, Weights};
 use goodbot::symbols::Symbol;

@@ -115,7 +115,8 @@ fn go_to_the_other_room(areas: [Area; 2], door: Cell) -> [u32; 5] {
 
 #[test]
 fn a_row_takes_as_many_expansions_as_it_has_words_so_that_a_budget_bounds_the_time_of_a_call() {
-    let [distance, expansions, calls, words, _] = go_to_the_other_room([Area::new(-200, 0, 0, 5), Area::new(0, 0, 200, 5)], Cell::new(0, 2));
+    let [distance, expansions, calls, words, _] =
+        go_to_the_other_room([Area::new(-200, 0, 0, 5), Area::new(0, 0, 200, 5)], Cell::new(0, 2));
     assert!(words > 20 && distance > 190);
     // One row, at each distance.
     assert_eq!(expansions, words * distance);

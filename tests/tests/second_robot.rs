@@ -3,10 +3,10 @@
 #[path = "../../core/examples/turning_robot/domain.rs"]
 mod turning_robot;
 
-use goodbot::memory::HomeMemory;
-use goodbot::memory::{AgentMemory};
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
+use goodbot::memory::AgentMemory;
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::{Judgement, OptimalSet};
 use goodbot::session::Evidence;

@@ -1,9 +1,9 @@
 //! Saving and restoring: what is learned is kept, to the last bit.
 
-use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::capacity::Capacity;
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::oomdp::Schema;
 use goodbot::planning::Progress;
 use goodbot::snapshot::{Contents, RestoreError, SaveError, most_bytes};

@@ -1,7 +1,7 @@
 //! Where the memory cannot hold even the robot and one block, plans are made region by region.
 
-use goodbot::memory::HomeMemory;
 use goodbot::home::{self, Home, HomeState, Moves};
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, apply};
 use goodbot::planning::OptimalSet;
 use goodbot::task::{GroundedTask, TaskSet, ground};

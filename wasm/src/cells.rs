@@ -12,5 +12,4 @@ pub const MOST_OF_A_FIELD: usize = 1 << 22;
 pub const ROOMS: Capacities = Capacities::STANDARD;
 
 /// The scout: smaller than the mind, for looking ahead is a courtesy.
-pub const SCOUT: Capacities =
-    Capacities { tasks: 64, ground_propositions: 64, goal_entries: 8_192, states: 1 << 18, ..Capacities::NONE };
+pub const SCOUT: Capacities = Capacities { tasks: 64, ground_propositions: 64, goal_entries: 8_192, states: 1 << 18, ..Capacities::NONE };

@@ -4,8 +4,8 @@
 //! over machine positions of alignment times translation. Each word's row is then made to sum to 1, so that a word that tells nothing is
 //! spread evenly.
 
-use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::Agent;
+use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::home::Home;
 use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::symbols::{Symbol, Symbols};

@@ -57,7 +57,9 @@ fn against_dijkstra(seeds: Range<u64>) -> Result<(), String> {
         dead += ours.iter().filter(|distance| distance.is_none()).count();
         let (mut slow, mut fast) = (Vec::new(), Vec::new());
         for _ in 0..ROUNDS {
-            fast.push(time(&mut || { std::hint::black_box(scene.plan()); }));
+            fast.push(time(&mut || {
+                std::hint::black_box(scene.plan());
+            }));
             slow.push(time(&mut || drop(black_box(one_dijkstra_a_task(&scene)))));
         }
         own += median(fast);
@@ -77,7 +79,14 @@ fn against_dijkstra(seeds: Range<u64>) -> Result<(), String> {
 fn many_tasks() -> Result<(), String> {
     let mut many = Scene::roomy(size(12, 1), Tasks::Count(64));
     let mut few = Scene::roomy(size(12, 1), Tasks::Count(8));
-    let times = in_turn(&mut || { std::hint::black_box(many.plan()); }, &mut || { std::hint::black_box(few.plan()); });
+    let times = in_turn(
+        &mut || {
+            std::hint::black_box(many.plan());
+        },
+        &mut || {
+            std::hint::black_box(few.plan());
+        },
+    );
     println!("{} expansions, {} and {} tasks", many.plan().expansions(), many.tasks.len(), few.tasks.len());
     show("64 tasks / 8 tasks", times, None, Some(1.5))
 }

@@ -37,7 +37,13 @@ fn by_states() -> (Points, Points) {
         let mut scene = Scene::roomy(size(rooms, blocks), Tasks::Paper);
         let states = scene.home.state_count() as f64;
         let home = named(rooms, blocks);
-        searches.push((states, milliseconds(&mut || { std::hint::black_box(scene.plan()); }), home.clone()));
+        searches.push((
+            states,
+            milliseconds(&mut || {
+                std::hint::black_box(scene.plan());
+            }),
+            home.clone(),
+        ));
         sweeps.push((states, milliseconds(&mut || drop(std::hint::black_box(scene.sweep()))), String::new()));
         eprintln!("{home}: {states} states, {:?} {:?}", searches.last(), sweeps.last());
     }
@@ -49,7 +55,13 @@ fn by_tasks() -> (Points, Points) {
     let (mut searches, mut sweeps) = (Vec::new(), Vec::new());
     for count in [1, 2, 4, 8, 16, 32, 64] {
         let mut scene = Scene::roomy(size(12, 1), Tasks::Count(count));
-        searches.push((count as f64, milliseconds(&mut || { std::hint::black_box(scene.plan()); }), String::new()));
+        searches.push((
+            count as f64,
+            milliseconds(&mut || {
+                std::hint::black_box(scene.plan());
+            }),
+            String::new(),
+        ));
         sweeps.push((count as f64, milliseconds(&mut || drop(std::hint::black_box(scene.sweep()))), String::new()));
         eprintln!("{count} tasks: {:?} {:?}", searches.last(), sweeps.last());
     }

@@ -4,7 +4,9 @@ use super::description::{GOODBOT_CANNOT, GoodbotHolds, GoodbotStep};
 use crate::arena::HomeArena;
 use core::ffi::c_void;
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::{Action, ActionKind, Attribute, Class, Domain, GroundProposition, ObjectCount, Objects, OneByOne, Proposition, Schema, World};
+use goodbot::oomdp::{
+    Action, ActionKind, Attribute, Class, Domain, GroundProposition, ObjectCount, Objects, OneByOne, Proposition, Schema, World,
+};
 
 /// What an action leads to.
 #[derive(Clone, Copy, Debug)]

@@ -1,8 +1,8 @@
 //! An arm above a shelf: it moves from slot to slot, grabs a thing, carries it and releases it. Grabbing and releasing cost twice a move.
 
 use goodbot::oomdp::{
-    Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, ObjectError, ObjectSet, ObjectTables, Objects, OneByOne, Proposition, PropositionId,
-    Schema, World,
+    Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, ObjectError, ObjectSet, ObjectTables, Objects,
+    OneByOne, Proposition, PropositionId, Schema, World,
 };
 use goodbot::task::{LiftedTask, TaskTextError};
 

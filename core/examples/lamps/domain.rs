@@ -1,8 +1,8 @@
 //! A robot that walks through the rooms of a house, one beside the other, and switches the lamp of the room it is in.
 
 use goodbot::oomdp::{
-    Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, ObjectError, ObjectSet, ObjectTables, Objects, OneByOne, Proposition, PropositionId,
-    Schema, World,
+    Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, ObjectError, ObjectSet, ObjectTables, Objects,
+    OneByOne, Proposition, PropositionId, Schema, World,
 };
 use goodbot::task::{LiftedTask, TaskTextError};
 

@@ -2,8 +2,8 @@
 //! robots of the caller's own are of this kind.
 
 use goodbot::oomdp::{
-    Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, ObjectId, ObjectError, ObjectSet, ObjectTables, Objects, OneByOne, Proposition,
-    PropositionId, Schema, World,
+    Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, ObjectError, ObjectId, ObjectSet, ObjectTables,
+    Objects, OneByOne, Proposition, PropositionId, Schema, World,
 };
 use goodbot::task::{LiftedTask, TaskTextError};
 

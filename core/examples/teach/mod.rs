@@ -1,7 +1,7 @@
 //! A trainer for any robot: teaches commands by reward and punishment, and lets the robot obey.
 
-use goodbot::memory::AgentMemory;
 use goodbot::feedback::Feedback;
+use goodbot::memory::AgentMemory;
 use goodbot::oomdp::{Action, Domain, action_name};
 use goodbot::planning::{Judgement, OptimalSet};
 use goodbot::{Agent, AgentError};
@@ -22,7 +22,13 @@ fn intended<D: Domain>(agent: &Agent<impl AgentMemory>, domain: &D, (proposition
 }
 
 /// Gives a command and judges what the robot does, until it has rested three times where the task is done. Then it learns.
-pub fn teach<D: Domain>(agent: &mut Agent<impl AgentMemory>, domain: &D, start: &D::State, command: &str, meaning: Meaning<'_>) -> Result<(), AgentError> {
+pub fn teach<D: Domain>(
+    agent: &mut Agent<impl AgentMemory>,
+    domain: &D,
+    start: &D::State,
+    command: &str,
+    meaning: Meaning<'_>,
+) -> Result<(), AgentError> {
     agent.hear(domain, start, command)?;
     let intended = intended(agent, domain, meaning).ok_or(AgentError::NoTask)?;
     let (mut state, mut rests) = (*start, 0);
@@ -41,7 +47,12 @@ pub fn teach<D: Domain>(agent: &mut Agent<impl AgentMemory>, domain: &D, start: 
 }
 
 /// Gives a command and lets the robot do what it takes it to mean. Returns its actions, and the state at the end.
-pub fn obey<D: Domain>(agent: &mut Agent<impl AgentMemory>, domain: &D, start: &D::State, command: &str) -> Result<(Vec<String>, D::State), AgentError> {
+pub fn obey<D: Domain>(
+    agent: &mut Agent<impl AgentMemory>,
+    domain: &D,
+    start: &D::State,
+    command: &str,
+) -> Result<(Vec<String>, D::State), AgentError> {
     agent.hear(domain, start, command)?;
     let (mut state, mut actions) = (*start, vec![]);
     loop {

@@ -5,10 +5,10 @@
 mod domain;
 
 use domain::{TurningRobot, TurningState};
-use goodbot::memory::HomeMemory;
 use goodbot::feedback::Feedback;
 use goodbot::home::map::Map;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeError, HomeState, Moves};
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain, action_name};
 use goodbot::session::Evidence;
 use goodbot::{Agent, Capacities, HeapMemory, Options};

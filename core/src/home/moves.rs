@@ -132,9 +132,9 @@ impl<M: HomeMemory> Home<M> {
     /// so by this, also where two things have swapped places. What is not named stays. `None` where a cell is wall, two things would
     /// stand on one cell, or an object is neither the agent nor a block.
     pub fn placed(&self, state: &HomeState, things: &[(ObjectId, Cell)]) -> Option<HomeState> {
-        let placed = things.iter().try_fold(*state, |placed, &(object, cell)| {
-            Some(self.put(&placed, self.piece(object)?, find(self.places(), cell)?))
-        })?;
+        let placed = things
+            .iter()
+            .try_fold(*state, |placed, &(object, cell)| Some(self.put(&placed, self.piece(object)?, find(self.places(), cell)?)))?;
         let alone = |piece: usize| {
             let here = self.cell(&placed, Piece(piece as u8));
             (0..piece).all(|earlier| self.cell(&placed, Piece(earlier as u8)) != here)

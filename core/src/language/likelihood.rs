@@ -31,7 +31,10 @@ pub fn likelihood(tables: TablesRef<'_>, sentence: &[Option<Symbol>], command: &
 fn explained(tables: TablesRef<'_>, word: Symbol, command: &[Symbol], mut alignments: impl Iterator<Item = f32>) -> f32 {
     let (column, null) = (tables.column(word), alignments.next().unwrap_or(0.0));
     let of_null = null * column.translation(0);
-    command.iter().zip(alignments).fold(of_null, |sum, (&token, alignment)| sum + alignment * column.translation(TablesRef::row(Some(token))))
+    command
+        .iter()
+        .zip(alignments)
+        .fold(of_null, |sum, (&token, alignment)| sum + alignment * column.translation(TablesRef::row(Some(token))))
 }
 
 /// Pr(n|l): the weighted share of the English length among the data of this machine length; 0 for lengths never seen together, 1 for an

@@ -69,7 +69,13 @@ impl View {
             None => goals.allowed(grid, state, piece, cell),
             Some(subgoal) if subgoal.piece != piece => TaskSet::of(subgoal.task),
             Some(Subgoal { task, to: None, .. }) => goals.allowed(grid, state, piece, cell).common(TaskSet::of(task)),
-            Some(Subgoal { task, to: Some(to), .. }) => if to == cell { TaskSet::of(task) } else { TaskSet::EMPTY },
+            Some(Subgoal { task, to: Some(to), .. }) => {
+                if to == cell {
+                    TaskSet::of(task)
+                } else {
+                    TaskSet::EMPTY
+                }
+            }
         }
     }
 }

@@ -15,12 +15,20 @@ pub(super) fn moves<G: PushGrid + ?Sized>(grid: &G, piece: Piece, cell: CellId) 
     let free = move |direction: usize| floor.neighbour(cell, direction) != CellId::NONE;
     // North and south stand side by side, and so do east and west.
     let movable = piece == Piece::ROBOT || grid.can_pull();
-    (0..4).filter(move |&direction| free(direction) && (movable || free(direction ^ 1))).map(move |direction| floor.neighbour(cell, direction))
+    (0..4)
+        .filter(move |&direction| free(direction) && (movable || free(direction ^ 1)))
+        .map(move |direction| floor.neighbour(cell, direction))
 }
 
 /// The tasks that no piece rules out for ever. `scratch` holds zeros, before and afterwards; where it is too small, less is ruled out.
 #[inline(never)]
-pub(super) fn possible<G: PushGrid + ?Sized>(grid: &G, goals: &Goals<'_>, state: &G::State, tasks: TaskSet, scratch: &mut [u64]) -> TaskSet {
+pub(super) fn possible<G: PushGrid + ?Sized>(
+    grid: &G,
+    goals: &Goals<'_>,
+    state: &G::State,
+    tasks: TaskSet,
+    scratch: &mut [u64],
+) -> TaskSet {
     let mut possible = tasks;
     for piece in (1..grid.pieces()).map(|piece| Piece(piece as u8)) {
         let words = grid.floor().cells.len().div_ceil(64);

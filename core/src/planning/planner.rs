@@ -9,10 +9,10 @@
 use super::Progress;
 use super::approximate::Approximation;
 use super::bitboard::{RowSearch, View};
+use super::deadlock;
 use super::goals::{GoalMemory, GoalPart, GoalTable, Goals};
 use super::one_by_one::{self, StateSearch};
 use super::plan::{Found, Plan, Results};
-use super::deadlock;
 use crate::capacity::CapacityError;
 use crate::oomdp::{ActionSet, Domain, PushGrid, SearchKind};
 use crate::task::{GroundedTask, LiftedTask, TaskSet};
@@ -151,14 +151,7 @@ impl Planner {
 
     /// Begins at `state`, for the tasks in `wanted`; those in `dead` are known to be dead ends.
     #[inline(never)]
-    pub fn begin<D: Domain + ?Sized>(
-        &mut self,
-        tables: &mut PlanTables<'_>,
-        domain: &D,
-        state: &D::State,
-        wanted: TaskSet,
-        dead: TaskSet,
-    ) {
+    pub fn begin<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, wanted: TaskSet, dead: TaskSet) {
         self.marked.clear(tables.marks);
         tables.optimal.fill(ActionSet::EMPTY);
         tables.distances.fill(u32::MAX);

@@ -132,7 +132,8 @@ impl<'t> Candidates<'t> {
             return Err(CapacityError::full(Capacity::Candidates, limit));
         };
         self.memory.tokens.get_mut(self.count.used..end).ok_or(full)?.iter_mut().zip(tokens).for_each(|(slot, &token)| *slot = token);
-        *entry = Candidate { start: self.count.used as u32, len: tokens.len() as u8, check: check(tokens), likelihood, weight: Scaled::ZERO };
+        *entry =
+            Candidate { start: self.count.used as u32, len: tokens.len() as u8, check: check(tokens), likelihood, weight: Scaled::ZERO };
         let position = self.count.len;
         (self.count.len, self.count.used) = (self.count.len.saturating_add(1), end);
         Ok(position)

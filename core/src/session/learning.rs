@@ -39,7 +39,8 @@ impl GaveWay {
     fn add(&mut self, now: u16) {
         let told = self.count().min(MOST_TOLD);
         // Those before it went already.
-        let before = self.positions().iter().fold(now, |position, &gone| if gone <= position { position.saturating_add(1) } else { position });
+        let before =
+            self.positions().iter().fold(now, |position, &gone| if gone <= position { position.saturating_add(1) } else { position });
         let at = self.positions().partition_point(|&gone| gone < before);
         if let Some(behind) = self.told.get_mut(at..told.saturating_add(1).min(MOST_TOLD)) {
             let mut moved = before;

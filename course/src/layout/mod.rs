@@ -9,8 +9,8 @@ pub mod random;
 pub mod solvable;
 
 use crate::exercise::HomeName;
-use goodbot::memory::HomeMemory;
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeError, HomeState, Moves};
+use goodbot::memory::HomeMemory;
 
 /// Most rooms of a layout, and most doors.
 pub const ROOMS: usize = 4;

@@ -1,8 +1,8 @@
 //! Whether a task can be done from where things stand.
 
 use crate::exercise::Intention;
-use goodbot::memory::HomeMemory;
 use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, HomeState, ROOM, SHAPE};
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, CellId, Domain, GroundProposition, Piece, PushGrid};
 
 /// Most free cells of a home that [`is_solvable`] looks at: one bit each.

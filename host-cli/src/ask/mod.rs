@@ -5,8 +5,8 @@ use crate::load::kinds::TaskKinds;
 use crate::load::{home, input, task_name::task_name};
 use crate::outcome::Failure;
 use clap::{Args, ValueHint};
-use goodbot::memory::AgentMemory;
 use goodbot::home::Moves;
+use goodbot::memory::AgentMemory;
 use goodbot::oomdp::{Domain, apply};
 use goodbot::planning::OptimalSet;
 use goodbot::symbols::Symbol;
@@ -72,7 +72,12 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
 }
 
 /// The actions that lead to a task's goal, and whether there is no shorter way; nothing where they are not known or there are none.
-fn plan<D: Domain>(agent: &mut Agent<impl AgentMemory>, home: &D, start: D::State, task: usize) -> Result<Option<(Vec<String>, bool)>, AgentError> {
+fn plan<D: Domain>(
+    agent: &mut Agent<impl AgentMemory>,
+    home: &D,
+    start: D::State,
+    task: usize,
+) -> Result<Option<(Vec<String>, bool)>, AgentError> {
     let (mut state, mut plan, mut exact) = (start, vec![], true);
     while plan.len() < LONGEST_PLAN {
         agent.plan_fully(home, &state)?;
@@ -119,7 +124,13 @@ fn words<D: Domain>(agent: &Agent<impl AgentMemory>, home: &D, best: usize) -> R
         .collect())
 }
 
-fn print(options: &AskOptions, mut tasks: Vec<(String, f32)>, words: &[Word], plan: Option<&(Vec<String>, bool)>, best: usize) -> Result<(), Failure> {
+fn print(
+    options: &AskOptions,
+    mut tasks: Vec<(String, f32)>,
+    words: &[Word],
+    plan: Option<&(Vec<String>, bool)>,
+    best: usize,
+) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
     let (said, likeliest) = tasks.get(best).cloned().unwrap_or_default();
     let tied = tasks.iter().filter(|&&(_, share)| share >= likeliest).count();
@@ -127,8 +138,7 @@ fn print(options: &AskOptions, mut tasks: Vec<(String, f32)>, words: &[Word], pl
         let tasks: serde_json::Map<_, _> = tasks.into_iter().map(|(name, share)| (name, json!(share))).collect();
         let words: Vec<_> = words.iter().map(|it| json!({"word": it.word, "token": it.token, "share": it.share})).collect();
         let (exact, plan) = (plan.map(|(_, exact)| exact), plan.map(|(actions, _)| actions));
-        let line =
-            json!({"type": "answer", "command": options.command, "task": said, "tied": tied, "tasks": tasks, "plan": plan, "exact": exact, "words": words});
+        let line = json!({"type": "answer", "command": options.command, "task": said, "tied": tied, "tasks": tasks, "plan": plan, "exact": exact, "words": words});
         writeln!(out, "{line}")?;
         return Ok(());
     }

@@ -3,10 +3,10 @@
 use crate::lessons::training;
 use crate::lessons::{Lesson, MachineCommand};
 use clap::ValueEnum;
-use goodbot::memory::AgentHeap;
 use goodbot::capacity::CapacityError;
 use goodbot::language::tokenizer::for_each_word;
 use goodbot::language::{LanguageModel, Settings};
+use goodbot::memory::AgentHeap;
 use goodbot::task::TokenOrder;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -4,15 +4,15 @@ use super::{Lesson, MachineCommand, Reading};
 use crate::load::fault::quoted;
 use crate::load::session::{Session, load};
 use crate::load::{Fault, home};
-use goodbot::memory::HomeMemory;
 use goodbot::capacity::TOKENS_PER_COMMAND;
 use goodbot::home::HomeState;
+use goodbot::memory::AgentHeap;
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain, ObjectId, apply};
 use goodbot::probability::total;
 use goodbot::session::Evidence;
 use goodbot::symbols::Symbols;
 use goodbot::task::{Expression, LiftedTask};
-use goodbot::memory::{AgentHeap};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::session::{Kind, RecordedSession};
 
@@ -142,7 +142,8 @@ impl Witness {
         while plan.len() < TOKENS_PER_COMMAND {
             self.agent.plan_fully(&session.home, &state)?;
             let actions = self.agent.planned().optimal(task).onward();
-            let Some((action, next)) = actions.and_then(|actions| actions.iter().next()).and_then(|action| Some((action, apply(&session.home, &state, action)?)))
+            let Some((action, next)) =
+                actions.and_then(|actions| actions.iter().next()).and_then(|action| Some((action, apply(&session.home, &state, action)?)))
             else {
                 break;
             };
@@ -170,7 +171,8 @@ pub fn commands<D: Domain>(
     options: &Options,
 ) -> Result<Vec<MachineCommand>, AgentError> {
     let (mut bytes, mut ends, mut count) = ([0; 2_048], [0; 64], 0);
-    let mut tokens = Symbols::new(&mut bytes, &mut ends, &mut count, goodbot::capacity::Capacity::Tokens, goodbot::capacity::Capacity::TokenBytes);
+    let mut tokens =
+        Symbols::new(&mut bytes, &mut ends, &mut count, goodbot::capacity::Capacity::Tokens, goodbot::capacity::Capacity::TokenBytes);
     let expression = Expression::new(domain, lifted, task, options.language.order, &mut tokens)?;
     let text = |constraint| -> Result<MachineCommand, AgentError> {
         Ok(expression.machine_command(constraint)?.iter().map(|&token| tokens.read().text(token).to_owned()).collect())

@@ -1,15 +1,15 @@
 //! A language model trained on many sessions at once, and asked.
 
 use super::{Lesson, MachineCommand};
-use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::AgentError;
+use goodbot::Capacities;
 use goodbot::capacity::CapacityError;
 use goodbot::language::tokenizer::for_each_word;
 use goodbot::language::{LanguageModel, LanguageRef, Settings};
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::planning::Progress;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
-use goodbot::Capacities;
 use std::collections::BTreeSet;
 
 /// Memory for a language model of these lessons, and for no search.
@@ -123,7 +123,11 @@ pub struct Explained {
 ///
 /// # Errors
 /// A [`CapacityError`] where the command has no room.
-pub fn explain(model: &mut LanguageModel<impl AgentMemory>, english: &str, command: &MachineCommand) -> Result<Vec<Explained>, CapacityError> {
+pub fn explain(
+    model: &mut LanguageModel<impl AgentMemory>,
+    english: &str,
+    command: &MachineCommand,
+) -> Result<Vec<Explained>, CapacityError> {
     let sentence = model.hear(english)?;
     let tokens = symbols(model, command)?;
     let explained = explained(model.read(), &sentence, &tokens);

@@ -1,10 +1,10 @@
 //! A home from an environment, and what is wrong with it.
 
-use goodbot::memory::HomeMemory;
-use goodbot::memory::{HomeHeap};
+use goodbot::Capacities;
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves, Problem};
-use goodbot::Capacities;
+use goodbot::memory::HomeHeap;
+use goodbot::memory::HomeMemory;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 
 /// What is wrong with a home.

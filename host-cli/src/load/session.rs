@@ -3,11 +3,11 @@
 use super::fault::quoted;
 use super::task_name::task_name;
 use super::{Fault, home};
-use goodbot::memory::HomeMemory;
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{Home, HomeState, Moves, SCHEMA};
 use goodbot::language::tokenizer::for_each_word;
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain, action_named, apply};
 use goodbot::task::{GroundedTask, LiftedTask, ground};
 use goodbot::{AgentError, Capacities};

@@ -3,12 +3,12 @@
 use super::experiment::{Run, run_seed};
 use crate::cli::PaperOptions;
 use crate::outcome::Failure;
-use goodbot::memory::HomeMemory;
-use goodbot::memory::{AgentMemory};
 use goodbot::Agent;
 use goodbot::feedback::Feedback;
 use goodbot::home::map::Map;
 use goodbot::home::{AGENT, COLOR, Home, SHAPE};
+use goodbot::memory::AgentMemory;
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Domain, ObjectId, action_name};
 use goodbot::planning::OptimalSet;
 use goodbot_course::{Ending, LESSONS, LessonReport, Observer, Scene, Step, TESTS, TestReport};

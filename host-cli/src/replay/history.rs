@@ -3,11 +3,11 @@
 use crate::lessons::evidence;
 use crate::load::session::{Session, load};
 use crate::load::{Fault, home};
-use goodbot::memory::HomeMemory;
 use goodbot::feedback::Feedback;
+use goodbot::memory::AgentHeap;
+use goodbot::memory::HomeMemory;
 use goodbot::session::Options;
 use goodbot::task::LiftedTask;
-use goodbot::memory::{AgentHeap};
 use goodbot::{Agent, AgentError, Capacities};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::posterior::PosteriorLine;
@@ -130,7 +130,9 @@ impl History {
             }
             let plan = self.agent.planned();
             if !plan.unknown().union(plan.approximate()).is_empty() {
-                remark("the search was bounded: for some tasks the optimal actions are not known exactly, and the step says nothing of these");
+                remark(
+                    "the search was bounded: for some tasks the optimal actions are not known exactly, and the step says nothing of these",
+                );
             }
             if step.bump && header.kind == Kind::Demonstration {
                 remark("the demonstration goes against a wall or a block that is held, and nothing moves");

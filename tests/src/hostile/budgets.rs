@@ -2,10 +2,10 @@
 
 use super::{Bytes, assert_sound};
 use crate::random_homes::{Size, random_home};
-use goodbot::memory::AgentMemory;
 use goodbot::feedback::Feedback;
 use goodbot::home::{Moves, paper_tasks};
 use goodbot::language::Settings;
+use goodbot::memory::AgentMemory;
 use goodbot::oomdp::Action;
 use goodbot::planning::Progress;
 use goodbot::session::Weights;

@@ -50,7 +50,9 @@ pub fn calls(input: &[u8]) {
                 let feedback = choices.one_of(&[Feedback::Reward, Feedback::Punish, Feedback::Neutral]);
                 // An action of the bytes' choice, or the last one that was done.
                 let action = Action(choices.byte());
-                if action.0 < 64 && let Ok(next) = agent.acted(home, state, action) {
+                if action.0 < 64
+                    && let Ok(next) = agent.acted(home, state, action)
+                {
                     *state = next;
                 }
                 let _ = agent.feedback(feedback);

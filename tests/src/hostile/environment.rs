@@ -1,8 +1,8 @@
 //! Environments: any bytes.
 
 use super::assert_sound;
-use goodbot::memory::HomeMemory;
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves, paper_tasks};
+use goodbot::memory::HomeMemory;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 

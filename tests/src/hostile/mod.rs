@@ -20,8 +20,8 @@ pub use model::{model, sign};
 pub use session::session;
 pub use tokenizer::tokenizer;
 
-use goodbot::memory::AgentMemory;
 use goodbot::Agent;
+use goodbot::memory::AgentMemory;
 
 /// A fuzz target: its name, which is that of its corpus too, and what it does.
 pub type Target = (&'static str, fn(&[u8]));

@@ -1,8 +1,8 @@
 //! Model files: any bytes.
 
 use super::assert_sound;
-use goodbot::memory::AgentMemory;
 use goodbot::home::paper_tasks;
+use goodbot::memory::AgentMemory;
 use goodbot::snapshot::Contents;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 

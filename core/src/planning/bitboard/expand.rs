@@ -115,9 +115,10 @@ impl RowSearch {
     /// The bits of a word that other moving pieces occupy.
     #[inline]
     fn occupied<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State, word: usize) -> u64 {
-        self.view.pieces(grid).filter_map(|piece| self.bit_of(grid, state, piece)).fold(0, |bits, bit| {
-            bits | if bit / 64 == word { 1 << (bit % 64) } else { 0 }
-        })
+        self.view
+            .pieces(grid)
+            .filter_map(|piece| self.bit_of(grid, state, piece))
+            .fold(0, |bits, bit| bits | if bit / 64 == word { 1 << (bit % 64) } else { 0 })
     }
 
     #[inline]

@@ -221,7 +221,10 @@ mod tests {
             assert!(Frontier::room(marks.len(), ring, 1, 0) >= states);
             let mut frontier = Frontier::new(states, ring, 1);
             assert_eq!(frontier.take(&mut marks), None);
-            assert_eq!([states - 1, 1_025, 1_025].map(|slot| frontier.meet(&mut marks, slot, 1)), [Arrival::First, Arrival::First, Arrival::Equal]);
+            assert_eq!(
+                [states - 1, 1_025, 1_025].map(|slot| frontier.meet(&mut marks, slot, 1)),
+                [Arrival::First, Arrival::First, Arrival::Equal]
+            );
             frontier.next_level();
             assert_eq!(core::iter::from_fn(|| frontier.take(&mut marks)).collect::<std::vec::Vec<_>>(), [1_025, states - 1]);
             assert_eq!(frontier.meet(&mut marks, 1_025, 1), Arrival::Longer);
@@ -236,7 +239,10 @@ mod tests {
     fn a_shorter_way_that_is_found_later_is_taken() {
         let mut marks = [0; 100];
         let mut frontier = Frontier::new(100, 6, 1);
-        assert_eq!([5, 3, 3, 4].map(|cost| frontier.meet(&mut marks, 50, cost)), [Arrival::First, Arrival::Shorter, Arrival::Equal, Arrival::Longer]);
+        assert_eq!(
+            [5, 3, 3, 4].map(|cost| frontier.meet(&mut marks, 50, cost)),
+            [Arrival::First, Arrival::Shorter, Arrival::Equal, Arrival::Longer]
+        );
         let levels: std::vec::Vec<_> = (0..6)
             .map(|_| {
                 frontier.next_level();
