@@ -3,8 +3,9 @@
 
 use crate::error::CourseError;
 use crate::exercise::Exercise;
+use crate::trainer::Trainer;
 use goodbot::Agent;
-use goodbot::feedback::{Feedback, SimulatedTrainer};
+use goodbot::feedback::Feedback;
 use goodbot::oomdp::{Action, Domain, apply};
 use goodbot::planning::OptimalSet;
 use goodbot::session::Decision;
@@ -146,7 +147,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
     ///
     /// # Errors
     /// [`CourseError`].
-    pub fn step<D, R>(&mut self, agent: &mut Agent<'_>, domain: &D, trainer: &SimulatedTrainer, random: &mut R) -> Result<Turn, CourseError>
+    pub fn step<D, R>(&mut self, agent: &mut Agent<'_>, domain: &D, trainer: &impl Trainer, random: &mut R) -> Result<Turn, CourseError>
     where
         D: Domain<State = S> + ?Sized,
         R: Rng + ?Sized,
@@ -159,7 +160,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
     ///
     /// # Errors
     /// [`CourseError`].
-    pub fn act<D, R>(&mut self, agent: &mut Agent<'_>, domain: &D, trainer: &SimulatedTrainer, random: &mut R) -> Result<Turn, CourseError>
+    pub fn act<D, R>(&mut self, agent: &mut Agent<'_>, domain: &D, trainer: &impl Trainer, random: &mut R) -> Result<Turn, CourseError>
     where
         D: Domain<State = S> + ?Sized,
         R: Rng + ?Sized,
@@ -204,7 +205,7 @@ pub fn run_lesson<D, R>(
     domain: &D,
     start: &D::State,
     exercise: &Exercise,
-    trainer: &SimulatedTrainer,
+    trainer: &impl Trainer,
     random: &mut R,
     mut on_step: impl FnMut(&Agent<'_>, &D::State, &Lesson<D::State>, Option<&Step>),
 ) -> Result<LessonReport, CourseError>

@@ -91,6 +91,10 @@ impl History {
     fn try_replay(&mut self, file: &str, recorded: &RecordedSession) -> Result<Outcome, Vec<Fault>> {
         let header = &recorded.header;
         let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
+        if header.kind == Kind::Labelled {
+            let message = "a labelled session has no steps to go through; learn from it with goodbot learn";
+            return Err(vec![Fault::on_line(file, recorded.header_line, message).in_field("kind")]);
+        }
         self.check_continues(file, recorded)?;
         let mut memory = home::memory();
         let session = load(file, recorded, &self.lifted, memory.split().home)?;
@@ -121,6 +125,8 @@ impl History {
                     self.agent.feedback(step.action, step.feedback)
                 }
                 Kind::Demonstration => self.agent.demonstration(step.action),
+                // Has no steps, and was refused.
+                Kind::Labelled => Ok(true),
             };
             let mut remark = |message: &str| outcome.remarks.push(Fault::on_line(file, step.line, message));
             if !counted.map_err(at(step.line))? {

@@ -59,7 +59,7 @@ impl fmt::Display for Outcome {
         write!(f, "  {steps} steps")?;
         match self.kind {
             Kind::Feedback => write!(f, ": {reward} rewarded, {punish} punished, {neutral} in silence")?,
-            Kind::Demonstration => f.write_str(" shown")?,
+            Kind::Demonstration | Kind::Labelled => f.write_str(" shown")?,
         }
         writeln!(f, "; {}", if self.learned { "learned from" } else { "not learned from" })
     }
