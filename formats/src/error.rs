@@ -135,6 +135,11 @@ pub enum Problem {
     FeedbackMissing,
     /// A step with feedback in a demonstration.
     FeedbackInDemonstration,
+    /// No session begins in so many lines.
+    NoSession {
+        /// How many lines were looked at.
+        lines: usize,
+    },
     /// A step in a labelled session.
     StepInLabelled,
     /// A field that only a labelled session can have.
@@ -239,6 +244,7 @@ impl fmt::Display for Problem {
             Problem::FeedbackInDemonstration => {
                 f.write_str("does not belong in a demonstration; remove it, or make the session's kind feedback")
             }
+            Problem::NoSession { lines } => write!(f, "no session begins in {lines} lines; check that this is a session log"),
             Problem::StepInLabelled => {
                 f.write_str("a step does not belong in a labelled session; remove it, or make the session's kind demonstration")
             }

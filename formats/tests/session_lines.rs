@@ -68,7 +68,7 @@ fn a_fault_is_told_with_line_and_field_and_what_to_do() {
             "\"environment.version\": version 0 is not known, known is 1; write that, or use a newer goodbot",
         ),
         ("\"x\":4", "\"z\":4", "\"environment.objects[0].z\": is not known here; known are class, name, x, y"),
-        ("\"feedback\"", "\"praise\"", "\"kind\": \"praise\" is not known; write feedback or demonstration"),
+        ("\"feedback\"", "\"praise\"", "\"kind\": \"praise\" is not known; write feedback, demonstration or labelled"),
         ("\"session\"", "\"sesion\"", "\"type\": \"sesion\" is not known; write session, step or end"),
         ("\"command\"", "\"id\"", "\"id\": is given twice; keep one of the two"),
         ("\"w01-3\"", "null", "\"id\": is null; write a text"),

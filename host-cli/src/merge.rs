@@ -3,7 +3,7 @@
 use crate::outcome::Failure;
 use crate::messages::{counted, say};
 use crate::output::Output;
-use crate::whole_file::read_whole;
+use crate::whole_file::read_model;
 use clap::{Args, ValueHint};
 use goodbot::capacity::{TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use goodbot::home::paper_tasks;
@@ -46,7 +46,7 @@ Example:
 /// [`Failure`] names the file and what is wrong with it.
 pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     let target = Output::model(&options.out, [&options.first, &options.second].into_iter().filter_map(|path| path.to_str()), options.force)?;
-    let (first, second) = (read_whole(&options.first)?, read_whole(&options.second)?);
+    let (first, second) = (read_model(&options.first)?, read_model(&options.second)?);
     let refused = |path: &Path, error: RestoreError| Failure::Input(format!("{}: {error}", path.display()));
     let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
     let contents = |path, bytes| Contents::read(bytes).map_err(|error| refused(path, error));

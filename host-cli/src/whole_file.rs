@@ -1,5 +1,6 @@
 //! Files that are read whole, and written whole or not at all.
 
+use crate::load::content::Content;
 use crate::outcome::Failure;
 use std::fs::File;
 use std::io::{Read, Write};
@@ -8,17 +9,22 @@ use std::path::Path;
 /// The most bytes that a model or a home can have: what never ends is not read to its end.
 pub const MOST_BYTES: u64 = 64 << 20;
 
-/// The bytes of a file.
+/// The bytes of a model.
 ///
 /// # Errors
 /// A [`Failure`] that names the file and says what to do.
-pub fn read_whole(path: &Path) -> Result<Vec<u8>, Failure> {
+pub fn read_model(path: &Path) -> Result<Vec<u8>, Failure> {
     let refused = |message: String| Failure::Input(format!("{}: {message}", path.display()));
     let mut bytes = Vec::new();
     let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
     read.map_err(|error| refused(format!("cannot be read ({error}); check its name")))?;
     if bytes.len() as u64 > MOST_BYTES {
         return Err(refused(format!("has more than {} MiB, and no model has; check its name", MOST_BYTES >> 20)));
+    }
+    let content = Content::of(&bytes);
+    if !matches!(content, Content::Model | Content::Environment) || content == Content::Environment && bytes.trim_ascii_start().starts_with(b"{") {
+        let message = format!("this is {}, not a model; name a model (goodbot learn writes one)", content.name());
+        return Err(refused(message));
     }
     Ok(bytes)
 }

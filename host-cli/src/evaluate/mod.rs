@@ -25,7 +25,7 @@ use crate::load::kinds::TaskKinds;
 use crate::messages::{counted, say};
 use crate::model::Model;
 use crate::outcome::Failure;
-use crate::output::Output;
+use crate::output::{self, Output};
 use clap::{Args, ValueHint};
 use folds::Experiment;
 use goodbot::Options;
@@ -35,7 +35,8 @@ use method::{Method, Trained};
 use novel::Novel;
 use report::{Read, Summary};
 use split::{Group, Split};
-use std::path::PathBuf;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
 
 /// Above so many sessions, ten parts are left out in turn instead of each session: the work of leaving out each grows with the square of
 /// their number.
@@ -151,47 +152,63 @@ pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
     let inputs = || options.files.iter().chain(&options.test).map(String::as_str).chain(options.with.iter().filter_map(|it| it.to_str()));
     let output = |path: &Option<PathBuf>| path.as_deref().map(|path| Output::picture(path, inputs(), options.force)).transpose();
     let (plot, curve) = (output(&options.plot)?, output(&options.curve)?);
-    if options.with.is_some() || options.ablation {
-        return if options.ablation { ablation(options, &lifted) } else { with_model(options, &lifted, plot) };
+    let mut out = output::text(&[plot.as_ref(), curve.as_ref()])?;
+    if options.ablation {
+        return ablation(options, &lifted, &mut out);
+    }
+    if let Some(model) = &options.with {
+        return with_model(options, model, &lifted, plot.as_ref(), &mut out);
     }
     let settings = options.model.settings();
     let sessions = Sessions::read(options, &lifted, settings)?;
     let (answers, summary) = sessions.answers(options, &lifted, options.model, settings)?;
     sessions.tell_copies(&answers);
-    report::print(&answers, &summary, options.json)?;
-    reliability(plot, &summary)?;
-    if let Some(curve) = curve {
+    // Pictures come first: a reader who leaves must not cost them.
+    reliability(plot.as_ref(), &summary)?;
+    report::print(&mut out, &answers, &summary, options.json).or_else(unheard)?;
+    if let Some(curve) = &curve {
         let runs = options.runs.unwrap_or(10);
         let points = curve::points(&sessions.taught.lessons, options.model, settings, runs, options.seed())?;
         let svg = curve::draw(&points, runs).map_err(|error| Failure::Result(error.to_string()))?;
         curve.write(svg.as_bytes())?;
         if !options.json {
-            report::print_curve(&points)?;
+            report::print_curve(&mut out, &points)?;
         }
     }
-    Ok(())
+    Ok(out.flush()?)
 }
 
-fn reliability(plot: Option<Output>, summary: &Summary) -> Result<(), Failure> {
+/// A reader who leaves is no fault; what is still to be written is.
+fn unheard(error: io::Error) -> io::Result<()> {
+    if error.kind() == io::ErrorKind::BrokenPipe { Ok(()) } else { Err(error) }
+}
+
+fn reliability(plot: Option<&Output>, summary: &Summary) -> Result<(), Failure> {
     let Some(plot) = plot else { return Ok(()) };
     let caption = format!("How sure, and how often right: {}", counted(summary.score.asked, "command"));
     let svg = calibration::draw(&summary.ranges, &caption).map_err(|error| Failure::Result(error.to_string()))?;
     plot.write(svg.as_bytes())
 }
 
-fn ablation(options: &EvaluateOptions, lifted: &[LiftedTask]) -> Result<(), Failure> {
+fn ablation(options: &EvaluateOptions, lifted: &[LiftedTask], out: &mut impl Write) -> Result<(), Failure> {
     let mut rows = Vec::new();
     for (name, settings) in method::ablations() {
         let sessions = Sessions::read(options, lifted, settings)?;
         let (_, summary) = sessions.answers(options, lifted, Method::Default, settings)?;
         rows.push((name, summary));
     }
-    Ok(report::ablation(&rows, options.json)?)
+    report::ablation(out, &rows, options.json)?;
+    Ok(out.flush()?)
 }
 
 /// A model that was trained before is asked.
-fn with_model(options: &EvaluateOptions, lifted: &[LiftedTask], plot: Option<Output>) -> Result<(), Failure> {
-    let Some(file) = &options.with else { return Ok(()) };
+fn with_model(
+    options: &EvaluateOptions,
+    file: &Path,
+    lifted: &[LiftedTask],
+    plot: Option<&Output>,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
     let agent = restored::agent(file, lifted)?;
     let files: Vec<String> = options.files.iter().chain(&options.test).cloned().collect();
     if files.is_empty() {
@@ -200,6 +217,7 @@ fn with_model(options: &EvaluateOptions, lifted: &[LiftedTask], plot: Option<Out
     let settings = *agent.language().settings();
     let asked = lessons::read(&files, lifted, Options { language: settings, ..Model::Default.options() }, false, options.keep_going)?;
     let sessions = Sessions { taught: Lessons::default(), asked: Some(asked) };
+    let about = sessions.about()?;
     let experiment = Experiment {
         taught: &[],
         asked: sessions.asked(),
@@ -208,9 +226,10 @@ fn with_model(options: &EvaluateOptions, lifted: &[LiftedTask], plot: Option<Out
         novel: options.novel(lifted, settings)?,
     };
     let answers = experiment.ask(&mut Trained::Robot(Box::new(agent)))?;
-    let summary = Summary::of(&answers, sessions.about()?);
-    report::print(&answers, &summary, options.json)?;
-    reliability(plot, &summary)
+    let summary = Summary::of(&answers, about);
+    reliability(plot, &summary)?;
+    report::print(out, &answers, &summary, options.json)?;
+    Ok(out.flush()?)
 }
 
 /// What was read: sessions to train on, and others to ask where there are such.

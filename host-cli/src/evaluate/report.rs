@@ -138,8 +138,7 @@ pub fn wilson(right: usize, all: usize) -> (f64, f64) {
 }
 
 /// Prints the mistakes, the confusion table and the summary.
-pub fn print(answers: &[Answer], summary: &Summary, json: bool) -> io::Result<()> {
-    let mut out = io::BufWriter::new(io::stdout().lock());
+pub fn print(out: &mut impl Write, answers: &[Answer], summary: &Summary, json: bool) -> io::Result<()> {
     if json {
         for answer in answers {
             writeln!(out, "{}", answer_to_json(answer))?;
@@ -157,8 +156,8 @@ pub fn print(answers: &[Answer], summary: &Summary, json: bool) -> io::Result<()
             writeln!(out, "  words for the mistake: {}", words.join(", "))?;
         }
     }
-    confusion(&mut out, answers)?;
-    totals(&mut out, summary)?;
+    confusion(out, answers)?;
+    totals(out, summary)?;
     out.flush()
 }
 
@@ -227,15 +226,13 @@ fn confusion(out: &mut impl Write, answers: &[Answer]) -> io::Result<()> {
 }
 
 /// Prints a learning curve.
-pub fn print_curve(points: &[Point]) -> io::Result<()> {
-    let mut out = io::stdout().lock();
+pub fn print_curve(out: &mut impl Write, points: &[Point]) -> io::Result<()> {
     writeln!(out, "\nsessions  right of all others")?;
     points.iter().try_for_each(|it| writeln!(out, "{:8}  {:.1} % ± {:.1}", it.sessions, 100.0 * it.mean, 100.0 * it.deviation))
 }
 
 /// Prints a row for each combination of options, and one for a learner that sees no words.
-pub fn ablation(rows: &[(&str, Summary)], json: bool) -> io::Result<()> {
-    let mut out = io::stdout().lock();
+pub fn ablation(out: &mut impl Write, rows: &[(&str, Summary)], json: bool) -> io::Result<()> {
     let wordless = rows.first().map(|(_, it)| ("without words", it.wordless, None));
     let scores = rows.iter().map(|(name, it)| (*name, it.score, Some(calibration::error(&it.ranges)))).chain(wordless);
     for (name, score, calibration) in scores {

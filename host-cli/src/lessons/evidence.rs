@@ -38,17 +38,8 @@ impl Witness {
         let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
         let mut memory = home::memory();
         let session = load(file, recorded, &self.lifted, memory.split().home)?;
-        let intended = match &header.intended {
-            None => None,
-            Some(atoms) => match session.tasks.iter().position(|(_, name)| name.holds_exactly(atoms)) {
-                Some(position) => Some(position),
-                None => {
-                    let message = "is no task here: it holds at the beginning already, or is of a kind not asked for; name its kind with \
-                                   --task, or correct it";
-                    return Err(vec![Fault::on_line(file, recorded.header_line, message).in_field("intended")]);
-                }
-            },
-        };
+        // What is no task here was refused when the session was loaded.
+        let intended = header.intended.as_ref().and_then(|atoms| session.tasks.iter().position(|(_, name)| name.holds_exactly(atoms)));
         let strategies = session.strategies.clone().unwrap_or_else(|| vec![(goodbot::feedback::Strategy::BALANCED, 1.0)]);
         self.agent.set_strategies(&strategies).map_err(at(recorded.header_line))?;
         self.agent.hear(&session.home, &session.start, &header.command).map_err(at(recorded.header_line))?;

@@ -76,7 +76,7 @@ impl Lesson {
 }
 
 /// The most sessions at fault that are passed over: what has more is no log.
-const MOST_FAULTS: usize = 1_000;
+pub const MOST_FAULTS: usize = 1_000;
 /// The most sessions that a model can be trained on.
 const MOST_SESSIONS: usize = u16::MAX as usize;
 
@@ -139,7 +139,7 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
         say!("{} at fault passed over", counted(skipped, "session"));
     }
     if with_way > 0 {
-        say!("{} left out: they tell a way (through, avoiding), and no task here has one", counted(with_way, "session"));
+        say!("{} with a way (through, avoiding) left out: no task here has one", counted(with_way, "session"));
     }
     if lessons.is_empty() {
         return Err(Failure::Input("there is no session to learn from; name a file that has one".to_owned()));

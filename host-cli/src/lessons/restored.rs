@@ -1,7 +1,7 @@
 //! A model file as an agent that can be asked.
 
 use crate::outcome::Failure;
-use crate::whole_file::read_whole;
+use crate::whole_file::read_model;
 use goodbot::snapshot::Contents;
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
@@ -13,7 +13,7 @@ use std::path::Path;
 /// A [`Failure`] that names the file and what is wrong with it.
 pub fn agent(file: &Path, lifted: &[LiftedTask]) -> Result<Agent<'static>, Failure> {
     let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
-    let bytes = read_whole(file)?;
+    let bytes = read_model(file)?;
     let contents = Contents::read(&bytes).map_err(|error| fault(&error))?;
     let (sizes, least) = (contents.sizes, Capacities::STANDARD);
     let most = |least: usize, size: u32| least.max((size as usize).min(1 << 24));

@@ -40,10 +40,15 @@ fn is_home(head: &[u8]) -> bool {
 
 /// All of a file.
 pub fn bytes(file: &str) -> Result<Vec<u8>, Fault> {
+    rest(file, open(file)?)
+}
+
+/// All that is left of an opened file.
+pub fn rest(file: &str, opened: impl Read) -> Result<Vec<u8>, Fault> {
     let mut bytes = Vec::new();
-    open(file)?.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable(file))?;
+    opened.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable(file))?;
     if bytes.len() as u64 > MOST_BYTES {
-        let message = format!("has more than {} MiB, and no home has; check its name", MOST_BYTES >> 20);
+        let message = format!("has more than {} MiB, and nothing that is read whole has; check its name", MOST_BYTES >> 20);
         return Err(Fault::new(name(file), message));
     }
     Ok(bytes)

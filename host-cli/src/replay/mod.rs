@@ -8,6 +8,7 @@ mod report;
 
 use crate::cli::WeightsChoice;
 use crate::load::fault::tell;
+use crate::lessons::MOST_FAULTS;
 use crate::load::kinds::TaskKinds;
 use crate::load::{Fault, input};
 use crate::model::Model;
@@ -126,8 +127,11 @@ impl Replay {
                     Err(faults) => {
                         self.tell(&faults);
                         self.totals.skipped += 1;
-                        if !args.keep_going {
+                        if !args.keep_going || self.totals.skipped > MOST_FAULTS {
                             self.output.flush()?;
+                            if args.keep_going {
+                                eprintln!("error: more than {MOST_FAULTS} sessions are at fault; check that this is a session log");
+                            }
                             return Ok(ExitCode::from(2));
                         }
                     }
