@@ -9,7 +9,8 @@ use goodbot_course::exercise::HomeName;
 use goodbot_course::layout::{BlockPlan, lend};
 use goodbot_course::lesson::{MOST_STEPS, RESTS};
 use goodbot_course::{
-    CourseError, CourseTrainer, Ending, Exercise, Homes, Intention, LESSONS, Layout, Observer, Results, Scene, Step, generator, run_course, run_lesson,
+    CourseError, CourseTrainer, Ending, Exercise, Homes, Intention, LESSONS, Layout, Observer, Results, Scene, Step, generator, run_course,
+    run_lesson,
 };
 
 const BALANCED: Strategy = Strategy::BALANCED;
@@ -100,8 +101,7 @@ fn the_papers_second_trainer_never_rewards_and_all_tests_are_right() {
         let mut parts = memory.split();
         let mut agent = Agent::new(parts.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
         let (trainer, believed) = (CourseTrainer::PUNISH_ONLY, Strategy::PUNISH_ONLY);
-        let results =
-            run_course(&mut agent, &mut parts.home, &Homes::FIXED, &trainer, believed, &mut generator(seed), &mut ()).unwrap();
+        let results = run_course(&mut agent, &mut parts.home, &Homes::FIXED, &trainer, believed, &mut generator(seed), &mut ()).unwrap();
         let feedback = results.feedback();
         assert_eq!(feedback.reward, 0);
         assert!(feedback.punish > 0 && feedback.neutral > 0);

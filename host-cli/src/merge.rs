@@ -1,7 +1,7 @@
 //! `goodbot merge`: what two robots learned, in one model.
 
-use crate::outcome::Failure;
 use crate::messages::{counted, say};
+use crate::outcome::Failure;
 use crate::output::Output;
 use crate::whole_file::read_model;
 use clap::{Args, ValueHint};
@@ -45,7 +45,8 @@ Example:
 /// # Errors
 /// [`Failure`] names the file and what is wrong with it.
 pub fn run(options: &MergeArgs) -> Result<(), Failure> {
-    let target = Output::model(&options.out, [&options.first, &options.second].into_iter().filter_map(|path| path.to_str()), options.force)?;
+    let target =
+        Output::model(&options.out, [&options.first, &options.second].into_iter().filter_map(|path| path.to_str()), options.force)?;
     let (first, second) = (read_model(&options.first)?, read_model(&options.second)?);
     let refused = |path: &Path, error: RestoreError| Failure::Input(format!("{}: {error}", path.display()));
     let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;

@@ -22,7 +22,9 @@ pub fn read_model(path: &Path) -> Result<Vec<u8>, Failure> {
         return Err(refused(format!("has more than {} MiB, and no model has; check its name", MOST_BYTES >> 20)));
     }
     let content = Content::of(&bytes);
-    if !matches!(content, Content::Model | Content::Environment) || content == Content::Environment && bytes.trim_ascii_start().starts_with(b"{") {
+    if !matches!(content, Content::Model | Content::Environment)
+        || content == Content::Environment && bytes.trim_ascii_start().starts_with(b"{")
+    {
         let message = format!("this is {}, not a model; name a model (goodbot learn writes one)", content.name());
         return Err(refused(message));
     }

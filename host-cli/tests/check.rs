@@ -300,7 +300,8 @@ fn findings_can_be_read_by_programs() {
 fn a_session_is_judged_alike_by_all_who_read_it() {
     let kind = r#","intended":["agentInRoom(agent0,room0)","blockInRoom(block0,room1)"]"#;
     let input = log([&session(&format!("{AGENT},{}", block("block0", 2, 2)), "feedback", "go", kind), END]);
-    let message = "standard input:1: field \"intended\": is no task of the kinds that commands may mean; name its kind with --task, or correct it";
+    let message =
+        "standard input:1: field \"intended\": is no task of the kinds that commands may mean; name its kind with --task, or correct it";
     let model = std::env::temp_dir().join(format!("goodbot-alike-{}", std::process::id()));
     for arguments in [&["check", "-"][..], &["replay", "-"], &["evaluate", "-"], &["learn", "-", "--out", model.to_str().unwrap()]] {
         let run = goodbot(arguments, &input);

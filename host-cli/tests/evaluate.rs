@@ -15,7 +15,9 @@ const ABOVE: &str = r#"{"class":"agent","name":"agent0","x":2,"y":6}"#;
 fn demonstration(id: &str, above: bool, command: &str) -> String {
     let (agent, room, action) = if above { (ABOVE, "room0", "south") } else { (AGENT, "room1", "north") };
     let intended = format!(r#","intended":["agentInRoom(agent0,{room})"]"#);
-    let header = session(agent, "demonstration", command, &intended).replace(r#""id":"s""#, &format!(r#""id":"{id}""#));
+    // The star is there to be mistaken for what is meant.
+    let agent = format!(r#"{agent},{{"class":"block","name":"block0","x":6,"y":2,"color":"tan","shape":"star"}}"#);
+    let header = session(&agent, "demonstration", command, &intended).replace(r#""id":"s""#, &format!(r#""id":"{id}""#));
     let steps = if above { 3 } else { 2 };
     [vec![header], vec![shown(action); steps], vec![END.to_owned()]].concat().join("\n")
 }
@@ -174,9 +176,13 @@ fn labelled_sessions_teach_and_those_with_a_way_are_left_out() {
         let header = session(agent, "labelled", command, &intended).replace(r#""id":"s""#, &format!(r#""id":"l{number}""#));
         [header, END.to_owned()].join("\n")
     };
-    let block = |text: String| text.replace(r#"]},"command""#, r#",{"class":"block","name":"b","x":4,"y":6,"color":"tan","shape":"star"}]},"command""#);
+    let block = |text: String| {
+        text.replace(r#"]},"command""#, r#",{"class":"block","name":"b","x":4,"y":6,"color":"tan","shape":"star"}]},"command""#)
+    };
     let lines: Vec<String> = (0..6)
-        .flat_map(|number| [labelled(2 * number, "to the green room", "room1", false, ""), labelled(2 * number + 1, "to the red room", "room0", true, "")])
+        .flat_map(|number| {
+            [labelled(2 * number, "to the green room", "room1", false, ""), labelled(2 * number + 1, "to the red room", "room0", true, "")]
+        })
         .map(block)
         .collect();
     let way = labelled(99, "around to the green room", "room1", false, r#","avoiding":["agentInRoom(agent0,room0)"]"#);
@@ -237,7 +243,15 @@ fn the_reliability_diagram_has_a_point_for_each_range_of_certainty() {
 
 #[test]
 fn more_than_500_sessions_are_left_out_in_ten_parts() {
-    let many: String = (0..300).map(|worker| format!("{}\n{}\n", demonstration(&format!("{worker}-up"), false, "green"), demonstration(&format!("{worker}-down"), true, "red"))).collect();
+    let many: String = (0..300)
+        .map(|worker| {
+            format!(
+                "{}\n{}\n",
+                demonstration(&format!("{worker}-up"), false, "green"),
+                demonstration(&format!("{worker}-down"), true, "red")
+            )
+        })
+        .collect();
     let ten = evaluate(&["--k-fold", "10"], &many);
     let default = evaluate(&[], &many);
     assert_eq!((&default["asked"], &default["log_loss"]), (&600.into(), &ten["log_loss"]));

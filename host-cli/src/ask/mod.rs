@@ -234,7 +234,8 @@ fn answer(agent: &mut Agent<'_>, home: &Home<'_>, start: &HomeState, question: &
             let position = tasks.iter().position(|(name, _)| name.holds_exactly(task.atoms()));
             let grounded = position.and_then(|position| agent.tasks().get(position));
             let kind = grounded.and_then(|grounded| agent.lifted().get(usize::from(grounded.lifted)));
-            let done = meanings.iter().find(|it| it.done && it.name.parse().is_ok_and(|name: GroundTaskText| name.holds_exactly(task.atoms())));
+            let done =
+                meanings.iter().find(|it| it.done && it.name.parse().is_ok_and(|name: GroundTaskText| name.holds_exactly(task.atoms())));
             match (grounded.zip(kind), position, done) {
                 (Some((grounded, kind)), Some(position), _) => {
                     let words = why::words(agent, home, &question.command, position).map_err(fault)?;
@@ -322,7 +323,8 @@ fn print(out: &mut impl Write, options: &AskOptions, question: &Question, answer
         let done = if meaning.done { "  (already done here)" } else { "" };
         writeln!(out, "  {:6.3}  {:44} {}{done}", meaning.probability, meaning.words, meaning.name)?;
     }
-    let unheard: Vec<String> = answer.words.iter().filter(|word| word.probability.is_none()).map(|word| format!("{:?}", word.word)).collect();
+    let unheard: Vec<String> =
+        answer.words.iter().filter(|word| word.probability.is_none()).map(|word| format!("{:?}", word.word)).collect();
     if !unheard.is_empty() {
         writeln!(out, "\nnever heard: {}", unheard.join(", "))?;
     }
@@ -336,7 +338,10 @@ fn print(out: &mut impl Write, options: &AskOptions, question: &Question, answer
         None => writeln!(out, "plan: none was found")?,
     }
     if let Some((task, words, _)) = &answer.expected {
-        let right = answer.tasks.get(answer.best).is_some_and(|(name, _)| name.parse().is_ok_and(|it: GroundTaskText| it.holds_exactly(task.atoms())));
+        let right = answer
+            .tasks
+            .get(answer.best)
+            .is_some_and(|(name, _)| name.parse().is_ok_and(|it: GroundTaskText| it.holds_exactly(task.atoms())));
         writeln!(out, "expected: {words}, {task}{}", if right { "  (right)" } else { "" })?;
     }
     if options.why || options.expected.is_some() {

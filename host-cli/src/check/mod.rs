@@ -161,9 +161,7 @@ fn check_environment(file: &str, text: &str) -> Findings {
 
 /// The faults of a home, or what is doubtful in it where it has none. `line` gives the line of an object, or of the whole.
 fn look_at(file: &str, environment: &EnvironmentFile, line: impl Fn(Option<usize>) -> Option<usize>, found: &mut Findings) {
-    let fault = |flaw: home::Flaw| {
-        Fault { line: line(flaw.object), ..Fault::new(file, flaw.message(environment)) }.in_field(flaw.field())
-    };
+    let fault = |flaw: home::Flaw| Fault { line: line(flaw.object), ..Fault::new(file, flaw.message(environment)) }.in_field(flaw.field());
     found.faults.extend(home::flaws(environment).into_iter().map(fault));
     if found.faults.is_empty() {
         let warning = |(object, message): doubts::Doubt| warned(file, environment, line(object), "", object, &message);
@@ -199,7 +197,9 @@ fn check_log(file: &str, log: impl BufRead, lifted: &[LiftedTask]) -> Findings {
         }
         if found.faults.len() >= MOST_FAULTS {
             found.faults.truncate(MOST_FAULTS);
-            found.faults.push(Fault::new(file, format!("has {MOST_FAULTS} faults or more, and the rest was not looked at; mend these first")));
+            found
+                .faults
+                .push(Fault::new(file, format!("has {MOST_FAULTS} faults or more, and the rest was not looked at; mend these first")));
             break;
         }
     }

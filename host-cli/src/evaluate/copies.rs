@@ -21,7 +21,8 @@ impl<'l> Keys<'l> {
 /// For each lesson that is asked, the lesson that it is a copy of, if one of those that a model is trained on then. `rounds` are positions
 /// of what is left out of training and of what is asked; `itself` says whether both lists are one.
 pub fn find<'l>(taught: &'l [Lesson], asked: &'l [Lesson], rounds: &[(Vec<usize>, Vec<usize>)], itself: bool) -> Vec<Option<&'l Lesson>> {
-    let (mut ids, mut contents): (HashMap<&str, Vec<usize>>, HashMap<String, Vec<usize>>) = (HashMap::new(), HashMap::new());
+    let mut ids: HashMap<&str, Vec<usize>> = HashMap::new();
+    let mut contents: HashMap<String, Vec<usize>> = HashMap::new();
     for (position, lesson) in taught.iter().enumerate().filter(|(_, lesson)| lesson.learn) {
         let keys = Keys::of(lesson);
         if let Some(id) = keys.id {
@@ -36,7 +37,7 @@ pub fn find<'l>(taught: &'l [Lesson], asked: &'l [Lesson], rounds: &[(Vec<usize>
             let Some(lesson) = asked.get(position) else { continue };
             let keys = Keys::of(lesson);
             let alike = keys.id.and_then(|id| ids.get(id)).into_iter().chain(contents.get(&keys.content)).flatten();
-            let copy = alike.copied().find(|&other| !left_out.contains(&other) && !(itself && other == position));
+            let copy = alike.copied().find(|&other| !(left_out.contains(&other) || itself && other == position));
             if let Some(slot) = found.get_mut(position) {
                 *slot = copy.and_then(|copy| taught.get(copy));
             }

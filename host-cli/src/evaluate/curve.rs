@@ -39,7 +39,8 @@ pub fn points(lessons: &[Lesson], method: Method, settings: Settings, runs: usiz
                 |memory, run| {
                     let order = shuffled(lessons.len(), seed.wrapping_add(run as u64));
                     let (taught, asked) = order.split_at(sessions);
-                    let mut trained = Trained::on(method, memory, taught.iter().filter_map(|&taught| lessons.get(taught)), settings).map_err(no_room)?;
+                    let mut trained =
+                        Trained::on(method, memory, taught.iter().filter_map(|&taught| lessons.get(taught)), settings).map_err(no_room)?;
                     let (mut right, mut all) = (0_usize, 0_usize);
                     for lesson in asked.iter().filter_map(|&asked| lessons.get(asked)) {
                         if let Some(answer) = ask(&mut trained, lesson)? {

@@ -99,13 +99,7 @@ impl Experiment<'_> {
         self.ask_part(trained, &wordless, &part, false)
     }
 
-    fn ask_part(
-        &self,
-        trained: &mut Trained<'_>,
-        wordless: &Wordless,
-        part: &[usize],
-        plans: bool,
-    ) -> Result<Vec<Answer>, Failure> {
+    fn ask_part(&self, trained: &mut Trained<'_>, wordless: &Wordless, part: &[usize], plans: bool) -> Result<Vec<Answer>, Failure> {
         let mut answers = Vec::new();
         for &position in part {
             let Some(lesson) = self.asked.get(position) else { continue };

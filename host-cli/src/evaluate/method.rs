@@ -6,12 +6,12 @@ use crate::lessons::{Lesson, MachineCommand};
 use crate::load::{home, session};
 use crate::outcome::Failure;
 use clap::ValueEnum;
-use goodbot::home::Moves;
-use goodbot::{Agent, HeapMemory};
 use goodbot::capacity::CapacityError;
+use goodbot::home::Moves;
 use goodbot::language::tokenizer::for_each_word;
 use goodbot::language::{LanguageModel, Settings};
 use goodbot::task::TokenOrder;
+use goodbot::{Agent, HeapMemory};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What is trained.

@@ -296,14 +296,13 @@ impl Sessions {
             }
         };
         options.refuse_idle_seed(self.taught.lessons.len())?;
-        let copies = copies::find(&self.taught.lessons, self.asked(), &rounds, self.asked.is_none());
-        let experiment = Experiment {
-            taught: &self.taught.lessons,
-            asked: self.asked(),
-            rounds,
-            copies,
-            novel: options.novel(lifted, settings)?,
+        // In another layout nothing is a copy.
+        let copies = match options.novel_environments {
+            Some(_) => vec![None; self.asked().len()],
+            None => copies::find(&self.taught.lessons, self.asked(), &rounds, self.asked.is_none()),
         };
+        let experiment =
+            Experiment { taught: &self.taught.lessons, asked: self.asked(), rounds, copies, novel: options.novel(lifted, settings)? };
         let answers = experiment.run(method, settings)?;
         let summary = Summary::of(&answers, about);
         Ok((answers, summary))
@@ -318,7 +317,8 @@ impl Sessions {
         if copies.is_empty() {
             return;
         }
-        let named: Vec<String> = copies.iter().take(MOST).map(|(id, of)| format!("{} of {}", id.escape_debug(), of.escape_debug())).collect();
+        let named: Vec<String> =
+            copies.iter().take(MOST).map(|(id, of)| format!("{} of {}", id.escape_debug(), of.escape_debug())).collect();
         let more = if copies.len() > MOST { format!(" and {} more", copies.len() - MOST) } else { String::new() };
         let what = if self.asked.is_some() { "the same id, or the same content" } else { "the same content" };
         say!("copies of sessions trained on ({what}), which make the accuracy too good: {}{more}", named.join(", "));
@@ -342,7 +342,8 @@ impl EvaluateOptions {
 
     /// A seed that nothing is drawn with is a mistake.
     fn refuse_idle_seed(&self, sessions: usize) -> Result<(), Failure> {
-        let draws = self.novel_environments.is_some() || self.curve.is_some() || (self.test.is_empty() && self.split(sessions).parts.is_some());
+        let draws =
+            self.novel_environments.is_some() || self.curve.is_some() || (self.test.is_empty() && self.split(sessions).parts.is_some());
         if self.seed.is_some() && !draws {
             let message = "--seed has no effect here: nothing is drawn. It is for --k-fold, --novel-environments and --curve; leave it out";
             return Err(Failure::Input(message.to_owned()));

@@ -61,7 +61,14 @@ fn elsewhere(witness: &mut Witness, lesson: &Lesson, random: &mut impl Rng) -> R
     for _ in 0..TRIES {
         let environment = rearranged(&lesson.header.environment, random);
         let known = environment == lesson.header.environment;
-        let header = SessionHeader { environment, kind: Kind::Demonstration, prior: None, strategies: None, continues: false, ..lesson.header.clone() };
+        let header = SessionHeader {
+            environment,
+            kind: Kind::Demonstration,
+            prior: None,
+            strategies: None,
+            continues: false,
+            ..lesson.header.clone()
+        };
         let recorded = RecordedSession { header, header_line: 1, steps: vec![], learn: false, end_line: 1 };
         // What cannot be built, or asks for what holds already, is drawn anew.
         if let Ok(lesson) = witness.lesson(&lesson.id, &recorded)

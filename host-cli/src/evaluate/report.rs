@@ -172,11 +172,12 @@ fn answer_to_json(answer: &Answer) -> Value {
 
 fn totals(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
     let Read { taught, skipped, with_way, unknown, evidence } = summary.read;
-    let others: Vec<String> = [(skipped, "at fault"), (with_way, "left out with a way"), (unknown, "not asked: what was meant is not said")]
-        .iter()
-        .filter(|(count, _)| *count > 0)
-        .map(|(count, what)| format!(", {count} {what}"))
-        .collect();
+    let others: Vec<String> =
+        [(skipped, "at fault"), (with_way, "left out with a way"), (unknown, "not asked: what was meant is not said")]
+            .iter()
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, what)| format!(", {count} {what}"))
+            .collect();
     writeln!(out, "\ntrained on         {}{}", counted(taught, "session"), others.concat())?;
     writeln!(out, "accuracy           {}", summary.score.text())?;
     writeln!(out, "without words      {}", summary.wordless.text())?;
@@ -188,7 +189,11 @@ fn totals(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
     }
     if evidence.1 > 0 {
         let share = 100.0 * evidence.0 as f64 / evidence.1 as f64;
-        writeln!(out, "steps alone        {share:6.2} %  of the sessions trained on point at what was meant: {} of {}", evidence.0, evidence.1)?;
+        writeln!(
+            out,
+            "steps alone        {share:6.2} %  of the sessions trained on point at what was meant: {} of {}",
+            evidence.0, evidence.1
+        )?;
     }
     writeln!(out, "calibration error  {:6.3}", calibration::error(&summary.ranges))?;
     writeln!(out, "\nhow sure           asked  right  sure, mean  right, with interval")?;

@@ -3,10 +3,10 @@
 use crate::lessons::restored;
 use crate::messages::counted;
 use crate::outcome::Failure;
+use crate::output::{self, Output};
 use crate::paper::lexicon::Lexicon;
 use crate::paper::plot;
 use crate::paper::table::forms;
-use crate::output::{self, Output};
 use clap::{Args, ValueHint};
 use goodbot::home;
 use serde_json::json;

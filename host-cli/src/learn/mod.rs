@@ -58,7 +58,8 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let fault = |error: &dyn std::fmt::Display| Failure::Input(error.to_string());
     let capacities = training::capacities(&lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD });
     let mut memory = HeapMemory::new(&capacities);
-    let model = training::train(&mut memory, lessons.iter(), options.model.options().language).map_err(|error| Failure::Input(refusal::in_words(&error)))?;
+    let model = training::train(&mut memory, lessons.iter(), options.model.options().language)
+        .map_err(|error| Failure::Input(refusal::in_words(&error)))?;
     let mut buffer = vec![0; most_bytes(&capacities)];
     let length = model.save(&mut buffer).map_err(|error| fault(&error))?;
     // The robot's whole mind: the same training data, with its trainer strategies and the vocabulary of its tasks.

@@ -12,8 +12,8 @@ pub mod restored;
 pub mod training;
 
 use crate::load::{Fault, input};
-use crate::outcome::Failure;
 use crate::messages::{bar, counted, say};
+use crate::outcome::Failure;
 use evidence::Witness;
 use goodbot::Options;
 use goodbot::task::LiftedTask;

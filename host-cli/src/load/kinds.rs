@@ -1,7 +1,7 @@
 //! The kinds of tasks that commands may mean.
 
-use clap::Args;
 use crate::outcome::Failure;
+use clap::Args;
 use goodbot::capacity::LIFTED_TASKS;
 use goodbot::home;
 use goodbot::task::LiftedTask;

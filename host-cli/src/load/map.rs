@@ -94,7 +94,8 @@ fn taken_apart(text: &str) -> Result<Drawing, Misdrawn> {
     for (row, y) in rows.iter().zip((0..height).rev()) {
         for (character, x) in row.chars().zip(0..).filter(|(character, _)| !character.is_whitespace()) {
             if !(character.is_alphabetic() || "#+@.".contains(character)) {
-                let message = format!("{character:?} means nothing here; write # for a wall, + for a door, @ for the robot, letters for the rest");
+                let message =
+                    format!("{character:?} means nothing here; write # for a wall, + for a door, @ for the robot, letters for the rest");
                 return Err(Misdrawn { line: first + usize::try_from(height - 1 - y).unwrap_or(0), message });
             }
             cells.insert((x, y), character);

@@ -35,7 +35,11 @@ pub fn run(options: &PaperOptions) -> Result<(), Failure> {
     let target = options.plot.as_deref().map(|plot| Output::picture(plot, std::iter::empty(), options.force)).transpose()?;
     // Not written line by line: two hundred runs make two hundred lines.
     let mut out = output::text(&[target.as_ref()])?;
-    if options.is_story() { one_run(options, target.as_ref(), &mut out)? } else { many_runs(options, target.as_ref(), &mut out)? }
+    if options.is_story() {
+        one_run(options, target.as_ref(), &mut out)?
+    } else {
+        many_runs(options, target.as_ref(), &mut out)?
+    }
     Ok(out.flush()?)
 }
 

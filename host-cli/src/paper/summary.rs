@@ -22,11 +22,8 @@ pub struct Reported {
 }
 
 /// Of the first trainer.
-pub const PAPER_BALANCED: Reported = Reported {
-    tests: 5,
-    lessons: Some([false, true, false, false, true, true, true]),
-    translations: Some([0.51, 0.32, 0.33, 0.33]),
-};
+pub const PAPER_BALANCED: Reported =
+    Reported { tests: 5, lessons: Some([false, true, false, false, true, true, true]), translations: Some([0.51, 0.32, 0.33, 0.33]) };
 /// Of the second, who was only allowed to punish.
 pub const PAPER_PUNISH_ONLY: Reported = Reported { tests: 4, lessons: None, translations: None };
 

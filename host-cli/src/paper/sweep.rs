@@ -108,7 +108,8 @@ fn moved(options: &PaperOptions, sweep: &Sweep, value: f32) -> PaperOptions {
             (_, false) => ", never punishes",
             _ => "",
         };
-        options.trainer = TrainerChoice { name: format!("{}{held}", name(strategy)), trainer: CourseTrainer { strategy, rewards, punishes } };
+        options.trainer =
+            TrainerChoice { name: format!("{}{held}", name(strategy)), trainer: CourseTrainer { strategy, rewards, punishes } };
     }
     options
 }
@@ -135,7 +136,16 @@ mod tests {
 
     #[test]
     fn what_is_no_range_is_refused_with_an_example() {
-        for text in ["mu-plus", "mu-plus=0.1", "mu-plus=0.1..0.9", "mu=0..1:.1", "epsilon=0..1:0", "epsilon=0..2:.1", "epsilon=0..1:1e-9", "epsilon=0..NaN:1"] {
+        for text in [
+            "mu-plus",
+            "mu-plus=0.1",
+            "mu-plus=0.1..0.9",
+            "mu=0..1:.1",
+            "epsilon=0..1:0",
+            "epsilon=0..2:.1",
+            "epsilon=0..1:1e-9",
+            "epsilon=0..NaN:1",
+        ] {
             let error = text.parse::<Sweep>().unwrap_err();
             assert!(error.contains("mu-plus=0.1..0.9:0.2"), "{text}: {error}");
         }

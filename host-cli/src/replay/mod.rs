@@ -7,8 +7,8 @@ mod history;
 mod report;
 
 use crate::cli::WeightsChoice;
-use crate::load::fault::tell;
 use crate::lessons::MOST_FAULTS;
+use crate::load::fault::tell;
 use crate::load::kinds::TaskKinds;
 use crate::load::{Fault, input};
 use crate::model::Model;

@@ -100,7 +100,8 @@ impl fmt::Display for Totals {
         }
         writeln!(f, "steps                {}", self.steps)?;
         if reward + punish + neutral > 0 {
-            let [reward, punish, neutral] = [(reward, "reward"), (punish, "punishment"), (neutral, "silence")].map(|(n, it)| counted(n, it));
+            let [reward, punish, neutral] =
+                [(reward, "reward"), (punish, "punishment"), (neutral, "silence")].map(|(n, it)| counted(n, it));
             writeln!(f, "feedback             {reward}, {punish}, {neutral}")?;
         }
         if self.intended > 0 {
