@@ -9,7 +9,7 @@ use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::oomdp::Action;
 use goodbot::session::Evidence;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
-use goodbot_course::{HomeName, Homes, generator, run_course};
+use goodbot_course::{CourseTrainer, HomeName, Homes, generator, run_course};
 use goodbot_tests::random_homes::random_home;
 use rand_pcg::Pcg32;
 use std::hint::black_box;
@@ -77,7 +77,8 @@ fn feedback() -> Box<dyn FnMut()> {
 pub fn course() {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
     let mut agent = Agent::new(memory.agent, &home::paper_tasks().expect("the tasks"), Options::PAPER).expect("an agent");
-    run_course(&mut agent, &mut memory.home, &Homes::FIXED, Strategy::BALANCED, &mut generator(1), &mut ()).expect("a course");
+    let (trainer, believed) = (CourseTrainer::BALANCED, Strategy::BALANCED);
+    run_course(&mut agent, &mut memory.home, &Homes::FIXED, &trainer, believed, &mut generator(1), &mut ()).expect("a course");
 }
 
 fn em_round(count: usize) -> Box<dyn FnMut()> {

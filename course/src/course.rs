@@ -4,10 +4,10 @@ use crate::error::CourseError;
 use crate::exercise::{Exercise, LESSONS, TESTS};
 use crate::layout::Homes;
 use crate::lesson::{Ending, FeedbackCounts, LessonReport, Step, run_lesson};
-use goodbot::feedback::{SimulatedTrainer, Strategy};
+use crate::trainer::Trainer;
+use goodbot::feedback::Strategy;
 use goodbot::home::{Home, HomeState};
-use goodbot::memory::AgentMemory;
-use goodbot::memory::HomeMemory;
+use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::{Agent, AgentError};
 use rand_core::Rng;
 
@@ -77,7 +77,7 @@ impl Results {
 const UNFINISHED: LessonReport =
     LessonReport { understood: false, ending: Ending::TooLong, steps: 0, feedback: FeedbackCounts { reward: 0, punish: 0, neutral: 0 } };
 
-/// Trains an agent through the lessons and tests it. The agent takes the trainer to follow the strategy that the trainer does follow.
+/// Trains an agent through the lessons and tests it. The agent takes the trainer to follow the strategy `believed`.
 ///
 /// # Errors
 /// [`CourseError`].
@@ -85,16 +85,16 @@ pub fn run_course<R: Rng + ?Sized>(
     agent: &mut Agent<impl AgentMemory>,
     memory: &mut impl HomeMemory,
     homes: &Homes,
-    strategy: Strategy,
+    trainer: &impl Trainer,
+    believed: Strategy,
     random: &mut R,
     observer: &mut impl Observer,
 ) -> Result<Results, CourseError> {
-    agent.set_strategies(&[(strategy, 1.0)])?;
-    let trainer = SimulatedTrainer { strategy };
+    agent.set_strategies(&[(believed, 1.0)])?;
     let mut results = Results { lessons: [UNFINISHED; LESSONS.len()], tests: [TestReport::default(); TESTS.len()] };
     for (number, (exercise, report)) in LESSONS.iter().zip(&mut results.lessons).enumerate() {
         let (home, start) = homes.layout(exercise.home).build(&mut *memory)?;
-        *report = run_lesson(agent, &home, &start, exercise, &trainer, random, |agent, state, lesson, step| {
+        *report = run_lesson(agent, &home, &start, exercise, trainer, random, |agent, state, lesson, step| {
             let scene = Scene { number, exercise, home: &home, state, agent, intended: lesson.intended() };
             match step {
                 Some(step) => observer.acted(&scene, step),

@@ -3,8 +3,9 @@
 
 use crate::error::CourseError;
 use crate::exercise::Exercise;
+use crate::trainer::Trainer;
 use goodbot::Agent;
-use goodbot::feedback::{Feedback, SimulatedTrainer};
+use goodbot::feedback::Feedback;
 use goodbot::memory::AgentMemory;
 use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::OptimalSet;
@@ -153,7 +154,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
         &mut self,
         agent: &mut Agent<impl AgentMemory>,
         domain: &D,
-        trainer: &SimulatedTrainer,
+        trainer: &impl Trainer,
         random: &mut R,
     ) -> Result<Turn, CourseError>
     where
@@ -172,7 +173,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
         &mut self,
         agent: &mut Agent<impl AgentMemory>,
         domain: &D,
-        trainer: &SimulatedTrainer,
+        trainer: &impl Trainer,
         random: &mut R,
     ) -> Result<Turn, CourseError>
     where
@@ -221,7 +222,7 @@ pub fn run_lesson<D, R, M>(
     domain: &D,
     start: &D::State,
     exercise: &Exercise,
-    trainer: &SimulatedTrainer,
+    trainer: &impl Trainer,
     random: &mut R,
     mut on_step: impl FnMut(&Agent<M>, &D::State, &Lesson<D::State>, Option<&Step>),
 ) -> Result<LessonReport, CourseError>

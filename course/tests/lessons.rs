@@ -11,7 +11,8 @@ use goodbot_course::exercise::HomeName;
 use goodbot_course::layout::BlockPlan;
 use goodbot_course::lesson::{MOST_STEPS, RESTS};
 use goodbot_course::{
-    CourseError, Ending, Exercise, Homes, Intention, LESSONS, Layout, Observer, Results, Scene, Step, generator, run_course, run_lesson,
+    CourseError, CourseTrainer, Ending, Exercise, Homes, Intention, LESSONS, Layout, Observer, Results, Scene, Step, generator, run_course,
+    run_lesson,
 };
 
 const BALANCED: Strategy = Strategy::BALANCED;
@@ -81,7 +82,7 @@ fn course(strategy: Strategy, seed: u64, random_homes: bool, observer: &mut impl
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     let mut random = generator(seed);
     let homes = if random_homes { Homes::random(&mut random, &mut memory.home) } else { Homes::FIXED };
-    run_course(&mut agent, &mut memory.home, &homes, strategy, &mut random, observer).unwrap()
+    run_course(&mut agent, &mut memory.home, &homes, &CourseTrainer::of(strategy), strategy, &mut random, observer).unwrap()
 }
 
 #[test]
@@ -90,6 +91,20 @@ fn the_same_seed_gives_the_same_course() {
         let run = |seed| course(Strategy::BALANCED, seed, random_homes, &mut ());
         assert_eq!(run(5), run(5));
         assert_ne!(run(5), run(6));
+    }
+}
+
+#[test]
+fn the_papers_second_trainer_never_rewards_and_all_tests_are_right() {
+    for seed in 0..10 {
+        let mut memory = HeapMemory::new(&Capacities::SMALL);
+        let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+        let (trainer, believed) = (CourseTrainer::PUNISH_ONLY, Strategy::PUNISH_ONLY);
+        let results = run_course(&mut agent, &mut memory.home, &Homes::FIXED, &trainer, believed, &mut generator(seed), &mut ()).unwrap();
+        let feedback = results.feedback();
+        assert_eq!(feedback.reward, 0);
+        assert!(feedback.punish > 0 && feedback.neutral > 0);
+        assert!(results.all_tests_right(), "seed {seed}");
     }
 }
 

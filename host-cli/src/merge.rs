@@ -1,7 +1,9 @@
 //! `goodbot merge`: what two robots learned, in one model.
 
+use crate::messages::{counted, say};
 use crate::outcome::Failure;
-use crate::whole_file::{new_file, read_whole, write_whole};
+use crate::output::Output;
+use crate::whole_file::read_model;
 use clap::{Args, ValueHint};
 use goodbot::capacity::{TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use goodbot::home::paper_tasks;
@@ -20,9 +22,12 @@ pub struct MergeArgs {
     /// The second model: its sessions follow
     #[arg(value_name = "B", value_hint = ValueHint::FilePath)]
     pub second: PathBuf,
-    /// Where the merged model goes
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, value_parser = new_file)]
+    /// Where the merged model goes; - is standard output
+    #[arg(long, short = 'o', value_name = "MODEL", value_hint = ValueHint::FilePath)]
     pub out: PathBuf,
+    /// Replace a file that is no model
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// The largest table of translations: larger models are refused by its name.
@@ -41,7 +46,9 @@ Example:
 /// # Errors
 /// [`Failure`] names the file and what is wrong with it.
 pub fn run(options: &MergeArgs) -> Result<(), Failure> {
-    let (first, second) = (read_whole(&options.first)?, read_whole(&options.second)?);
+    let target =
+        Output::model(&options.out, [&options.first, &options.second].into_iter().filter_map(|path| path.to_str()), options.force)?;
+    let (first, second) = (read_model(&options.first)?, read_model(&options.second)?);
     let refused = |path: &Path, error: RestoreError| Failure::Input(format!("{}: {error}", path.display()));
     let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
     let contents = |path, bytes| Contents::read(bytes).map_err(|error| refused(path, error));
@@ -51,14 +58,14 @@ pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     agent.restore(&first).map_err(|error| refused(&options.first, error))?;
     let added = agent.join(&second).map_err(|error| refused(&options.second, error))?;
     if ours.options != theirs.options {
-        eprintln!("{}: trained with other settings; those of {} stay", options.second.display(), options.first.display());
+        say!("{}: trained with other settings; those of {} stay", options.second.display(), options.first.display());
     }
     let size = agent.saved_bytes().map_err(|error| Failure::Input(error.to_string()))?;
     let mut bytes = vec![0; size];
     agent.save(&mut bytes).map_err(|error| Failure::Input(error.to_string()))?;
-    write_whole(&options.out, &bytes).map_err(|error| Failure::Input(format!("{}: {error}", options.out.display())))?;
+    target.write(&bytes)?;
     let (words, sessions) = (agent.language().words().len(), agent.language().bitext().sessions());
-    eprintln!("{}: {sessions} sessions, {added} of them added; {words} words", options.out.display());
+    say!("{}: {}, {added} of them added; {}", target.name(), counted(sessions, "session"), counted(words, "word"));
     Ok(())
 }
 

@@ -30,7 +30,7 @@ fn data(file: &str) -> String {
 }
 
 fn recorded_files_are_sound() -> Result<(), Failed> {
-    for file in ["feedback.jsonl", "turk-simplified.jsonl", "feedback-beliefs.jsonl"] {
+    for file in ["feedback.jsonl", "turk-simplified.jsonl", "feedback-beliefs.jsonl", "routes.jsonl"] {
         let run = goodbot(&["check", &data(file)], b"");
         assert_eq!(run.code, 0, "{}", run.messages);
     }

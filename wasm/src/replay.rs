@@ -6,7 +6,7 @@
 use goodbot::feedback::Strategy;
 use goodbot::oomdp::{action_named, apply};
 use goodbot::task::GroundedTask;
-use goodbot_formats::session::RecordedSession;
+use goodbot_formats::session::{Kind, RecordedSession};
 
 use crate::log::Step;
 use crate::world::{Refusal, World};
@@ -75,6 +75,9 @@ impl World {
     /// Why the session cannot be gone through; what was learned before is kept.
     pub fn replay(&mut self, session: &RecordedSession) -> Result<(), Refusal> {
         let header = &session.header;
+        if header.kind == Kind::Labelled {
+            return Err(Refusal("a labelled session has no steps to go through; learn from it with goodbot learn".to_owned()));
+        }
         if header.continues {
             self.hear_again(&header.command)?;
         } else {

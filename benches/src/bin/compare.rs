@@ -11,7 +11,7 @@ use std::time::Duration;
 use goodbot::language::Settings;
 use goodbot::{Capacities, HeapMemory};
 use goodbot_benches::dijkstra::{HOMES, one_dijkstra_a_task};
-use goodbot_benches::homes::{LARGE, Scene, Tasks, size};
+use goodbot_benches::homes::{Scene, Tasks, size};
 use goodbot_benches::language::{model, sessions, train};
 use goodbot_benches::timing::{ROUNDS, in_turn, median, ratio, time};
 use goodbot_benches::works;

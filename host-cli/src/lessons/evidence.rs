@@ -14,7 +14,7 @@ use goodbot::session::Evidence;
 use goodbot::symbols::Symbols;
 use goodbot::task::{Expression, LiftedTask};
 use goodbot::{Agent, AgentError, Capacities, Options};
-use goodbot_formats::session::{Kind, RecordedSession};
+use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, StepRecord};
 
 /// Sees what a session shows.
 pub struct Witness {
@@ -38,34 +38,32 @@ impl Witness {
         let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
         let mut memory = home::memory();
         let session = load(file, recorded, &self.lifted, &mut memory)?;
-        let intended = match &header.intended {
-            None => None,
-            Some(atoms) => match session.tasks.iter().position(|(_, name)| name.holds_exactly(atoms)) {
-                Some(position) => Some(position),
-                None => {
-                    let message = "is no task here: it holds at the beginning already, or is of a kind not asked for; name its kind with \
-                                   --lifted, or correct it";
-                    return Err(vec![Fault::on_line(file, recorded.header_line, message).in_field("intended")]);
-                }
-            },
-        };
+        // What is no task here was refused when the session was loaded.
+        let intended = header.intended.as_ref().and_then(|atoms| session.tasks.iter().position(|(_, name)| name.holds_exactly(atoms)));
         let strategies = session.strategies.clone().unwrap_or_else(|| vec![(goodbot::feedback::Strategy::BALANCED, 1.0)]);
         self.agent.set_strategies(&strategies).map_err(at(recorded.header_line))?;
         self.agent.hear(&session.home, &session.start, &header.command).map_err(at(recorded.header_line))?;
         let remarks = self.watch(file, recorded, &session)?;
+        let beliefs: Vec<f32> = match (header.kind, intended) {
+            (Kind::Labelled, Some(told)) => (0..session.tasks.len()).map(|task| f32::from(u8::from(task == told))).collect(),
+            _ => (0..session.tasks.len()).map(|task| self.agent.belief().probability(task)).collect(),
+        };
         self.agent.weigh(&session.home).map_err(at(recorded.end_line))?;
         let shown = match header.kind {
             Kind::Demonstration => recorded.steps.iter().map(|(_, step)| step.action.clone()).collect(),
-            Kind::Feedback => vec![],
+            Kind::Feedback | Kind::Labelled => vec![],
         };
+        let pairs = self.pairs();
+        let readings = self.readings(&session, &beliefs).map_err(at(recorded.header_line))?;
         let lesson = Lesson {
             id: header.id.clone().unwrap_or_else(|| format!("{file}:{}", recorded.header_line)),
             command: header.command.clone(),
             header: header.clone(),
             intended,
-            readings: self.readings(&session).map_err(at(recorded.header_line))?,
-            pairs: self.pairs(),
+            pairs: intended.filter(|_| header.kind == Kind::Labelled).and_then(|told| readings.get(told)).map_or(pairs, told_pairs),
+            readings,
             shown,
+            walk: walked(recorded),
             learn: recorded.learn,
             remarks,
         };
@@ -92,6 +90,7 @@ impl Witness {
                     self.agent.feedback(step.feedback)
                 }
                 Kind::Demonstration => self.agent.demonstrated(&session.home, &step.before, step.action),
+                Kind::Labelled => continue,
             };
             remarks.extend(remark(evidence.map_err(at)?).map(|message| Fault::on_line(file, step.line, message)));
         }
@@ -120,7 +119,7 @@ impl Witness {
         pairs
     }
 
-    fn readings(&mut self, session: &Session<impl HomeMemory>) -> Result<Vec<Reading>, AgentError> {
+    fn readings(&mut self, session: &Session<impl HomeMemory>, beliefs: &[f32]) -> Result<Vec<Reading>, AgentError> {
         let mut readings = Vec::new();
         for (position, (task, name)) in session.tasks.iter().enumerate() {
             let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
@@ -128,6 +127,7 @@ impl Witness {
                 name: name.clone(),
                 label: label(&session.home, lifted, &task.bindings),
                 prior: task.prior,
+                belief: beliefs.get(position).copied().unwrap_or(0.0),
                 commands: commands(&session.home, lifted, task, self.agent.options())?,
                 plan: if self.plans { self.plan(session, position)? } else { vec![] },
             });
@@ -161,6 +161,25 @@ pub fn remark(evidence: Evidence) -> Option<&'static str> {
         Evidence::SaysNothing => Some("says nothing: no task's optimal actions are known exactly here"),
         Evidence::Impossible => Some("this is impossible whatever the task and the strategy, and was ignored"),
     }
+}
+
+/// What was done and how it was judged, step by step.
+fn walked(recorded: &RecordedSession) -> String {
+    let step = |(_, step): &(usize, StepRecord)| format!("{} {}", step.action, step.feedback.map_or("", FeedbackWord::as_str));
+    recorded.steps.iter().map(step).collect::<Vec<_>>().join(", ")
+}
+
+/// The machine commands of a task whose meaning was told: all equally probable, equal ones once.
+fn told_pairs(reading: &Reading) -> Vec<(MachineCommand, f32)> {
+    let share = 1.0 / reading.commands.len().max(1) as f32;
+    let mut pairs: Vec<(MachineCommand, f32)> = Vec::new();
+    for command in &reading.commands {
+        match pairs.iter_mut().find(|(known, _)| known == command) {
+            Some((_, whole)) => *whole += share,
+            None => pairs.push((command.clone(), share)),
+        }
+    }
+    pairs
 }
 
 /// The machine commands of a task, one for each constraint.

@@ -1,7 +1,7 @@
 //! A model file as an agent that can be asked.
 
 use crate::outcome::Failure;
-use crate::whole_file::read_whole;
+use crate::whole_file::read_model;
 use goodbot::memory::AgentHeap;
 use goodbot::snapshot::{Contents, SAVED};
 use goodbot::task::LiftedTask;
@@ -17,7 +17,7 @@ const MOST_OF_A_FIELD: usize = 1 << 24;
 /// A [`Failure`] that names the file and what is wrong with it.
 pub fn agent(file: &Path, lifted: &[LiftedTask]) -> Result<Agent<AgentHeap>, Failure> {
     let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
-    let bytes = read_whole(file)?;
+    let bytes = read_model(file)?;
     let contents = Contents::read(&bytes).map_err(|error| fault(&error))?;
     let mut most = Capacities::STANDARD;
     for capacity in SAVED {

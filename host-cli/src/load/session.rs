@@ -104,6 +104,7 @@ pub fn load<M: HomeMemory>(file: &str, recorded: &RecordedSession, lifted: &[Lif
     let Ok((home, start)) = built else { return Err(checker.faults) };
     checker.intended(&home);
     let tasks = checker.tasks(&home, &start, lifted);
+    checker.intended_task(&home, &start, &tasks);
     let prior = header.prior.as_ref().map(|prior| checker.prior(prior, &tasks));
     let strategies = header.strategies.as_ref().map(|strategies| checker.strategies(strategies));
     let steps = checker.walk(&home, &start);
@@ -135,6 +136,19 @@ impl Checker<'_> {
             if let Err(message) = known_atom(home, atom) {
                 self.fault(format!("intended[{position}]"), message);
             }
+        }
+    }
+
+    /// Whether what was meant is a task here.
+    fn intended_task(&mut self, home: &Home<impl HomeMemory>, start: &HomeState, tasks: &[(GroundedTask, GroundTaskText)]) {
+        let Some(intended) = &self.recorded.header.intended else { return };
+        let known: Result<Vec<_>, _> = intended.iter().map(|atom| known_atom(home, atom)).collect();
+        let Ok(known) = known else { return };
+        if known.iter().all(|atom| home.holds(atom, start)) {
+            let message = "holds where the session begins already, so there is nothing to do; correct it or the environment";
+            self.fault("intended", message);
+        } else if !tasks.is_empty() && !tasks.iter().any(|(_, name)| name.holds_exactly(intended)) {
+            self.fault("intended", "is no task of the kinds that commands may mean; name its kind with --task, or correct it");
         }
     }
 

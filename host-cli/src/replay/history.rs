@@ -6,7 +6,7 @@ use crate::load::{Fault, home};
 use goodbot::feedback::Feedback;
 use goodbot::memory::AgentHeap;
 use goodbot::memory::HomeMemory;
-use goodbot::session::Options;
+use goodbot::session::{Evidence, Options};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, AgentError, Capacities};
 use goodbot_formats::environment::EnvironmentFile;
@@ -92,6 +92,10 @@ impl History {
     fn try_replay(&mut self, file: &str, recorded: &RecordedSession) -> Result<Outcome, Vec<Fault>> {
         let header = &recorded.header;
         let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
+        if header.kind == Kind::Labelled {
+            let message = "a labelled session has no steps to go through; learn from it with goodbot learn";
+            return Err(vec![Fault::on_line(file, recorded.header_line, message).in_field("kind")]);
+        }
         self.check_continues(file, recorded)?;
         let mut memory = home::memory();
         let session = load(file, recorded, &self.lifted, &mut memory)?;
@@ -123,6 +127,8 @@ impl History {
                     self.agent.feedback(step.feedback)
                 }
                 Kind::Demonstration => self.agent.demonstrated(&session.home, &step.before, step.action),
+                // Has no steps, and was refused.
+                Kind::Labelled => Ok(Evidence::Used),
             };
             let mut remark = |message: &str| outcome.remarks.push(Fault::on_line(file, step.line, message));
             if let Some(message) = evidence::remark(counted.map_err(at(step.line))?) {
