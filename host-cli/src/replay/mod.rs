@@ -25,7 +25,9 @@ use std::process::ExitCode;
 ///
 /// The robot begins knowing no word. Each session gives it the command, the steps as they were
 /// taken and the trainer's feedback; where the session says so, it then learns. Several files are
-/// one history, in the order in which they are named.
+/// one history, in the order in which they are named. After each session all words are learned
+/// anew from all sessions so far, as in the paper: the time grows with the square of their number
+/// (`goodbot learn` learns once, from all of them).
 #[derive(Debug, Args)]
 #[command(
     after_help = "Exit codes: 0 all sessions were replayed, 2 a file is at fault (nothing after the fault is replayed, unless --keep-going is given).
