@@ -21,6 +21,10 @@ fn main() -> ExitCode {
             "recorded_sessions_give_the_recorded_beliefs_where_there_are_no_blocks",
             recorded_sessions_give_the_recorded_beliefs_where_there_are_no_blocks,
         ),
+        test(
+            "recorded_commands_need_no_word_where_they_were_given_and_words_in_random_layouts",
+            recorded_commands_need_no_word_where_they_were_given_and_words_in_random_layouts,
+        ),
     ];
     libtest_mimic::run(&Arguments::from_args(), tests).exit_code()
 }
@@ -86,5 +90,22 @@ fn recorded_sessions_give_the_recorded_beliefs_where_there_are_no_blocks() -> Re
     println!("with blocks, where the recording planned approximately: {blocks:?}");
     assert!(bare.beliefs > 0);
     assert_eq!(bare.within, bare.beliefs, "{bare:?}");
+    Ok(())
+}
+
+/// The summary of an evaluation of the simplified commands.
+fn evaluation(options: &[&str]) -> serde_json::Value {
+    let file = data("turk-simplified.jsonl");
+    let run = goodbot(&[&["evaluate", &file, "--json"], options].concat(), b"");
+    let summary = run.output.lines().last().expect("a summary");
+    serde_json::from_str(summary).expect("the summary is JSON")
+}
+
+fn recorded_commands_need_no_word_where_they_were_given_and_words_in_random_layouts() -> Result<(), Failed> {
+    let given = evaluation(&[]);
+    assert_eq!((&given["asked"], &given["without_words"]["right"]), (&240.into(), &240.into()));
+    let elsewhere = evaluation(&["--k-fold", "10", "--novel-environments", "1"]);
+    assert!(elsewhere["without_words"]["accuracy"].as_f64().unwrap() < 0.5, "{elsewhere}");
+    assert!(elsewhere["accuracy"].as_f64().unwrap() > 0.8, "{elsewhere}");
     Ok(())
 }

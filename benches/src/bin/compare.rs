@@ -119,7 +119,7 @@ fn against_nltk() -> Result<(), String> {
     let output = child.wait_with_output().map_err(|error| error.to_string())?;
     let reply: Value = serde_json::from_slice(&output.stdout).map_err(|error| format!("model2.py gave no tables: {error}"))?;
 
-    let mut memory = HeapMemory::new(&Capacities::STANDARD);
+    let memory = HeapMemory::new(&Capacities::STANDARD);
     let settings = Settings { smoothing: 0.0, ..Settings::PAPER };
     let mut model = model(memory.agent, &data, settings, 1.0);
     let times: Vec<Duration> = (0..ROUNDS).map(|_| time(&mut || train(&mut model))).collect();
