@@ -115,8 +115,7 @@ impl RowSearch {
     /// The bits of a word that other moving pieces occupy.
     #[inline]
     fn occupied<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State, word: usize) -> u64 {
-        self.view
-            .pieces(grid)
+        self.pieces()
             .filter_map(|piece| self.bit_of(grid, state, piece))
             .fold(0, |bits, bit| bits | if bit / 64 == word { 1 << (bit % 64) } else { 0 })
     }
@@ -156,7 +155,7 @@ impl RowSearch {
         let candidates = self.set_at(CANDIDATES).wrapping_add(row / 64);
         if marks.get(candidates).is_some_and(|word| word >> (row % 64) & 1 == 1) {
             let allowed = |piece| self.view.allowed(goals, grid, state, piece, grid.cell(state, piece));
-            let more = self.view.pieces(grid).fold(sought.without(self.only_robot), |more, piece| more.common(allowed(piece)));
+            let more = self.pieces().fold(sought.without(self.only_robot), |more, piece| more.common(allowed(piece)));
             // The tasks sought become fewer, so a row that is no candidate now never is again.
             if more.is_empty()
                 && let Some(word) = marks.get_mut(candidates)
@@ -187,7 +186,7 @@ impl RowSearch {
         let planes = self.row_at(row);
         let here_at = planes.wrapping_add(self.here.wrapping_mul(self.words));
         let mut expansions = 1_u32;
-        for piece in self.view.pieces(grid) {
+        for piece in self.pieces() {
             let Some(occupied) = self.bit_of(grid, state, piece) else { continue };
             let here = marks.get(here_at).copied().unwrap_or(0);
             if self.words == 1 && beside_in_word(1_u64.wrapping_shl(occupied as u32), self.bits.width as u32) & here == 0 {
