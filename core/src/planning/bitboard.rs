@@ -359,18 +359,21 @@ impl RowSearch {
         Some(Spot { row, bit: self.bits.of(robot) })
     }
 
-    /// A state of a row, with the robot on any cell.
+    /// A state of a row, with the robot on any cell, and the bits that other moving pieces occupy in the row's first word.
     #[inline]
-    fn state_of_row<G: PushGrid + ?Sized>(&self, grid: &G, now: &G::State, row: usize, marks: &[u64]) -> G::State {
-        let (mut state, mut rest) = (*now, row as u64);
+    fn state_of_row<G: PushGrid + ?Sized>(&self, grid: &G, now: &G::State, row: usize, marks: &[u64]) -> (G::State, u64) {
+        let (mut state, mut rest, mut occupied, cells) = (*now, row as u64, 0, grid.floor().cells);
         let last = self.pieces.checked_ilog2().unwrap_or(0);
         for piece in self.pieces() {
             // The last digit is what is left.
             let (more, rank) = if u32::from(piece.0) == last { (0, rest) } else { self.by_cells.split(rest) };
-            state = grid.put(&state, piece, self.cell(rank as usize, marks));
+            let cell = self.cell(rank as usize, marks);
+            let bit = cells.get(cell.index()).map_or(64, |cell| self.bits.of(cell));
+            occupied |= if bit < 64 { 1 << bit } else { 0 };
+            state = grid.put(&state, piece, cell);
             rest = more;
         }
-        state
+        (state, occupied)
     }
 
     /// Reaches one state at the next distance, by a way that begins with one of these first actions.

@@ -19,11 +19,11 @@ impl RowSearch {
         now: &G::State,
     ) -> Option<u32> {
         let row = self.take(marks)?;
-        let state = self.state_of_row(grid, now, row, marks);
+        let (state, occupied) = self.state_of_row(grid, now, row, marks);
         let touched = match (self.words, self.actions) {
             // Rows of one word are common: their loops are unrolled.
-            (1, 4) => self.spread_word::<4, G>(marks, grid, row, &state),
-            (1, 5) => self.spread_word::<5, G>(marks, grid, row, &state),
+            (1, 4) => self.spread_word::<4>(marks, row, occupied),
+            (1, 5) => self.spread_word::<5>(marks, row, occupied),
             _ => self.spread_words(marks, grid, row, &state),
         };
         self.meet(marks, results, grid, goals, &state, row);
@@ -46,20 +46,13 @@ impl RowSearch {
 
     /// Opens what the robot's moves reach within a row of one word. Returns whether they touch an occupied cell.
     #[inline]
-    fn spread_word<const ACTIONS: usize, G: PushGrid + ?Sized>(
-        &mut self,
-        marks: &mut [u64],
-        grid: &G,
-        row: usize,
-        state: &G::State,
-    ) -> bool {
+    fn spread_word<const ACTIONS: usize>(&mut self, marks: &mut [u64], row: usize, occupied: u64) -> bool {
         let Some((front, rows)) = marks.split_at_mut_checked(self.rows_at) else { return false };
         let Some(planes) = rows.get_mut(row.wrapping_mul(ACTIONS.wrapping_add(2))..) else { return false };
         let Some((planes, rest)) = planes.split_first_chunk_mut::<ACTIONS>() else { return false };
         let Some([even, odd]) = rest.first_chunk_mut::<2>() else { return false };
         let (here, next) = if self.here == ACTIONS { (*even, odd) } else { (*odd, even) };
         let width = self.bits.width as u32;
-        let occupied = self.occupied(grid, state, 0);
         let reached = beside_in_word(here, width);
         let known = planes.iter().fold(0, |all, plane| all | plane) & !*next;
         let new = reached & front.get(self.floor_plane_at(FREE)).copied().unwrap_or(0) & !occupied & !known;
