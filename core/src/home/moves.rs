@@ -267,9 +267,12 @@ impl<M: HomeMemory> PushGrid for Home<M> {
     #[inline]
     fn put(&self, state: &HomeState, piece: Piece, cell: CellId) -> HomeState {
         let mut changed = *state;
-        match usize::from(piece.0).checked_sub(1) {
-            None => changed.agent = cell,
-            Some(block) => changed.blocks.iter_mut().skip(block).take(1).for_each(|slot| *slot = cell),
+        let slot = match usize::from(piece.0).checked_sub(1) {
+            None => Some(&mut changed.agent),
+            Some(block) => changed.blocks.get_mut(block),
+        };
+        if let Some(slot) = slot {
+            *slot = cell;
         }
         changed
     }

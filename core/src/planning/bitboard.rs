@@ -50,11 +50,9 @@ impl View {
         self.moving & piece.bit() != 0
     }
 
-    /// The moving pieces but the robot.
-    #[inline]
-    fn pieces<G: PushGrid + ?Sized>(&self, grid: &G) -> impl DoubleEndedIterator<Item = Piece> + use<G> {
-        let view = *self;
-        (1..grid.pieces()).map(|piece| Piece(piece as u8)).filter(move |&piece| view.moves(piece))
+    /// The moving pieces but the robot, one bit each.
+    fn pieces<G: PushGrid + ?Sized>(&self, grid: &G) -> u32 {
+        (1..grid.pieces()).map(|piece| Piece(piece as u8).bit()).fold(0, |pieces, piece| pieces | piece) & self.moving
     }
 
     #[inline]
@@ -141,6 +139,8 @@ impl Bits {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RowSearch {
     view: View,
+    /// The moving pieces but the robot, one bit each.
+    pieces: u32,
     bits: Bits,
     /// Words of a plane.
     words: usize,
@@ -200,7 +200,8 @@ impl RowSearch {
         if is_whole && bits.len / SPARSE > bits.cells && StateSearch::fits(grid, words) {
             return None;
         }
-        let rows = view.pieces(grid).try_fold(1_usize, |rows, _| rows.checked_mul(bits.cells))?;
+        let pieces = view.pieces(grid);
+        let rows = bits.cells.checked_pow(pieces.count_ones())?;
         let (of_robot, of_others) = match view.subgoal {
             None => (goals.table.of_robot().common(tasks), goals.table.of_others()),
             Some(Subgoal { piece: Piece::ROBOT, .. }) => (tasks, TaskSet::EMPTY),
@@ -219,6 +220,7 @@ impl RowSearch {
         let is_direction = |action: &Action| floor.directions.contains(action);
         Some(Self {
             view,
+            pieces,
             bits,
             words: plane,
             actions,
@@ -280,7 +282,7 @@ impl RowSearch {
         let floor = grid.floor();
         let frozen = |cell: CellId| {
             let mut pieces = (1..grid.pieces()).map(|piece| Piece(piece as u8));
-            pieces.any(|piece| !self.view.moves(piece) && grid.cell(state, piece) == cell)
+            self.view.moving != View::WHOLE.moving && pieces.any(|piece| !self.view.moves(piece) && grid.cell(state, piece) == cell)
         };
         let mut rank = 0;
         for (id, cell) in floor.ids().zip(floor.cells).filter(|(_, cell)| self.view.has(cell)) {
@@ -342,12 +344,14 @@ impl RowSearch {
     #[inline]
     fn spot<G: PushGrid + ?Sized>(&self, grid: &G, now: &G::State, state: &G::State, marks: &[u64]) -> Option<Spot> {
         let floor = grid.floor();
-        let mut row = 0_usize;
-        for piece in (1..grid.pieces()).rev().map(|piece| Piece(piece as u8)) {
-            let cell = grid.cell(state, piece);
-            if self.view.moves(piece) {
-                row = row.wrapping_mul(self.bits.cells).wrapping_add(self.rank(&floor, cell, marks)?);
-            } else if cell != grid.cell(now, piece) {
+        let (mut row, mut weight) = (0_usize, 1_usize);
+        for piece in self.pieces() {
+            row = row.wrapping_add(self.rank(&floor, grid.cell(state, piece), marks)?.wrapping_mul(weight));
+            weight = weight.wrapping_mul(self.bits.cells);
+        }
+        if self.view.moving != View::WHOLE.moving {
+            let mut frozen = (1..grid.pieces()).map(|piece| Piece(piece as u8)).filter(|&piece| !self.view.moves(piece));
+            if frozen.any(|piece| grid.cell(state, piece) != grid.cell(now, piece)) {
                 return None;
             }
         }
@@ -355,16 +359,21 @@ impl RowSearch {
         Some(Spot { row, bit: self.bits.of(robot) })
     }
 
-    /// A state of a row, with the robot on any cell.
+    /// A state of a row, with the robot on any cell, and the bits that other moving pieces occupy in the row's first word.
     #[inline]
-    fn state_of_row<G: PushGrid + ?Sized>(&self, grid: &G, now: &G::State, row: usize, marks: &[u64]) -> G::State {
-        let (mut state, mut rest) = (*now, row as u64);
-        for piece in self.view.pieces(grid) {
-            let (more, rank) = self.by_cells.split(rest);
-            state = grid.put(&state, piece, self.cell(rank as usize, marks));
+    fn state_of_row<G: PushGrid + ?Sized>(&self, grid: &G, now: &G::State, row: usize, marks: &[u64]) -> (G::State, u64) {
+        let (mut state, mut rest, mut occupied, cells) = (*now, row as u64, 0, grid.floor().cells);
+        let last = self.pieces.checked_ilog2().unwrap_or(0);
+        for piece in self.pieces() {
+            // The last digit is what is left.
+            let (more, rank) = if u32::from(piece.0) == last { (0, rest) } else { self.by_cells.split(rest) };
+            let cell = self.cell(rank as usize, marks);
+            let bit = cells.get(cell.index()).map_or(64, |cell| self.bits.of(cell));
+            occupied |= if bit < 64 { 1 << bit } else { 0 };
+            state = grid.put(&state, piece, cell);
             rest = more;
         }
-        state
+        (state, occupied)
     }
 
     /// Reaches one state at the next distance, by a way that begins with one of these first actions.
@@ -390,6 +399,17 @@ impl RowSearch {
         }
         self.open(marks, to.row);
         set_bit(marks, self.set_at(TOUCHED), to.row);
+    }
+
+    /// The moving pieces but the robot.
+    #[inline]
+    fn pieces(&self) -> impl Iterator<Item = Piece> + use<> {
+        let mut rest = self.pieces;
+        core::iter::from_fn(move || {
+            let next = rest.trailing_zeros();
+            rest &= rest.wrapping_sub(1);
+            (next < 32).then_some(Piece(next as u8))
+        })
     }
 
     /// Takes note that a row has a state at the next distance.

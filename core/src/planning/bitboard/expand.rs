@@ -19,11 +19,11 @@ impl RowSearch {
         now: &G::State,
     ) -> Option<u32> {
         let row = self.take(marks)?;
-        let state = self.state_of_row(grid, now, row, marks);
+        let (state, occupied) = self.state_of_row(grid, now, row, marks);
         let touched = match (self.words, self.actions) {
             // Rows of one word are common: their loops are unrolled.
-            (1, 4) => self.spread_word::<4, G>(marks, grid, row, &state),
-            (1, 5) => self.spread_word::<5, G>(marks, grid, row, &state),
+            (1, 4) => self.spread_word::<4>(marks, row, occupied),
+            (1, 5) => self.spread_word::<5>(marks, row, occupied),
             _ => self.spread_words(marks, grid, row, &state),
         };
         self.meet(marks, results, grid, goals, &state, row);
@@ -46,20 +46,13 @@ impl RowSearch {
 
     /// Opens what the robot's moves reach within a row of one word. Returns whether they touch an occupied cell.
     #[inline]
-    fn spread_word<const ACTIONS: usize, G: PushGrid + ?Sized>(
-        &mut self,
-        marks: &mut [u64],
-        grid: &G,
-        row: usize,
-        state: &G::State,
-    ) -> bool {
+    fn spread_word<const ACTIONS: usize>(&mut self, marks: &mut [u64], row: usize, occupied: u64) -> bool {
         let Some((front, rows)) = marks.split_at_mut_checked(self.rows_at) else { return false };
         let Some(planes) = rows.get_mut(row.wrapping_mul(ACTIONS.wrapping_add(2))..) else { return false };
         let Some((planes, rest)) = planes.split_first_chunk_mut::<ACTIONS>() else { return false };
         let Some([even, odd]) = rest.first_chunk_mut::<2>() else { return false };
         let (here, next) = if self.here == ACTIONS { (*even, odd) } else { (*odd, even) };
         let width = self.bits.width as u32;
-        let occupied = self.occupied(grid, state, 0);
         let reached = beside_in_word(here, width);
         let known = planes.iter().fold(0, |all, plane| all | plane) & !*next;
         let new = reached & front.get(self.floor_plane_at(FREE)).copied().unwrap_or(0) & !occupied & !known;
@@ -115,8 +108,7 @@ impl RowSearch {
     /// The bits of a word that other moving pieces occupy.
     #[inline]
     fn occupied<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State, word: usize) -> u64 {
-        self.view
-            .pieces(grid)
+        self.pieces()
             .filter_map(|piece| self.bit_of(grid, state, piece))
             .fold(0, |bits, bit| bits | if bit / 64 == word { 1 << (bit % 64) } else { 0 })
     }
@@ -156,7 +148,7 @@ impl RowSearch {
         let candidates = self.set_at(CANDIDATES).wrapping_add(row / 64);
         if marks.get(candidates).is_some_and(|word| word >> (row % 64) & 1 == 1) {
             let allowed = |piece| self.view.allowed(goals, grid, state, piece, grid.cell(state, piece));
-            let more = self.view.pieces(grid).fold(sought.without(self.only_robot), |more, piece| more.common(allowed(piece)));
+            let more = self.pieces().fold(sought.without(self.only_robot), |more, piece| more.common(allowed(piece)));
             // The tasks sought become fewer, so a row that is no candidate now never is again.
             if more.is_empty()
                 && let Some(word) = marks.get_mut(candidates)
@@ -187,7 +179,7 @@ impl RowSearch {
         let planes = self.row_at(row);
         let here_at = planes.wrapping_add(self.here.wrapping_mul(self.words));
         let mut expansions = 1_u32;
-        for piece in self.view.pieces(grid) {
+        for piece in self.pieces() {
             let Some(occupied) = self.bit_of(grid, state, piece) else { continue };
             let here = marks.get(here_at).copied().unwrap_or(0);
             if self.words == 1 && beside_in_word(1_u64.wrapping_shl(occupied as u32), self.bits.width as u32) & here == 0 {
