@@ -45,7 +45,8 @@ fn export(run: &mut Run) -> Result<PathBuf> {
     // Nothing of an earlier run may pass for this one's.
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).with_context(|| format!("{} cannot be made", folder.display()))?;
-    process::run(project::cargo().arg("build").args(WORKSPACE).args(["--bin", "goodbot"]))?;
+    // As the tests have it: by itself it would be built with other features, once more.
+    process::run(project::cargo().arg("test").args(WORKSPACE).args(["--no-run", "--test", "recorded", "--test", "exported_by_the_page"]))?;
     let cli = project::target_dir().join("debug").join(format!("goodbot{}", std::env::consts::EXE_SUFFIX));
     let cores = std::thread::available_parallelism()?;
     let mut node = NODE.command()?;
