@@ -46,7 +46,7 @@ pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     let contents = |path, bytes| Contents::read(bytes).map_err(|error| refused(path, error));
     let (ours, theirs) = (contents(&options.first, &first)?, contents(&options.second, &second)?);
     let mut memory = HeapMemory::new(&room_for(&ours, &theirs));
-    let mut agent = Agent::new(memory.split().agent, &tasks, Options::PAPER).map_err(|error| Failure::Input(error.to_string()))?;
+    let mut agent = Agent::new(&mut memory.agent, &tasks, Options::PAPER).map_err(|error| Failure::Input(error.to_string()))?;
     agent.restore(&first).map_err(|error| refused(&options.first, error))?;
     let added = agent.join(&second).map_err(|error| refused(&options.second, error))?;
     if ours.options != theirs.options {

@@ -15,7 +15,7 @@ fn model(sessions: &[(&str, &str)]) -> Vec<u8> {
 
 fn model_with(sessions: &[(&str, &str)], capacities: &Capacities, options: Options) -> Vec<u8> {
     let mut memory = HeapMemory::new(capacities);
-    let mut language = LanguageModel::new(memory.split().agent.language, options.language).unwrap();
+    let mut language = LanguageModel::new(&mut memory.agent, options.language).unwrap();
     for (english, machine) in sessions {
         let command: Vec<Symbol> = machine.split(' ').map(|token| language.tokens_mut().intern(token).unwrap()).collect();
         let sentence = language.hear(english).unwrap();
@@ -26,7 +26,7 @@ fn model_with(sessions: &[(&str, &str)], capacities: &Capacities, options: Optio
     bytes.truncate(length);
     // As an agent of the home saves it.
     let mut memory = HeapMemory::new(capacities);
-    let mut agent = Agent::new(memory.split().agent, &paper_tasks().unwrap(), options).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
     agent.restore(&bytes).unwrap();
     let mut bytes = vec![0; agent.saved_bytes().unwrap()];
     agent.save(&mut bytes).unwrap();

@@ -5,10 +5,12 @@
 pub mod brute_force;
 pub mod fixture;
 pub mod hostile;
+pub mod own_planner;
 pub mod plan_sums;
 pub mod random_homes;
 pub mod reachable;
 pub mod school;
+pub mod sweep;
 pub mod turning_robot;
 pub mod without_grid;
 

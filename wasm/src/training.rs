@@ -94,7 +94,7 @@ impl World {
         let agent = self.agent();
         let plans: Vec<OptimalSet> = (0..agent.tasks().len()).map(|task| agent.planned().optimal(task)).collect();
         let agrees = |(task, plan): (usize, &OptimalSet)| {
-            let right = plan.judge(decision.action) == Judgement::Correct;
+            let right = plan.exact().or(plan.onward()).is_some_and(|actions| actions.contains(decision.action));
             if right { agent.belief().probability(task) } else { 0.0 }
         };
         let decided = Decided {

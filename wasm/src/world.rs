@@ -4,7 +4,7 @@ use std::fmt;
 
 use goodbot::home::map::Map;
 use goodbot::home::{self, Area, BLOCK, COLOR, Cell, DOOR, Home, HomeBuilder, HomeError, HomeState, Moves, ROOM, SHAPE};
-use goodbot::oomdp::{Action, Domain, ObjectId};
+use goodbot::oomdp::{Action, ObjectId};
 use goodbot::memory::{AgentHeap, HomeHeap, HomeMemory};
 use goodbot::planning::Judgement;
 use goodbot::snapshot::{Contents, SAVED};

@@ -167,7 +167,9 @@ impl<M: HomeMemory> HomeBuilder<M> {
         if self.objects().len() >= limit {
             return Err(self.here(Problem::Capacity(CapacityError::full(Capacity::Objects, limit))));
         }
-        let added = ObjectSet::new(self.memory.lend().objects, &mut self.count).add(class, name, values);
+        let mut objects = ObjectSet::with(self.memory.lend().objects, self.count);
+        let added = objects.add(class, name, values);
+        self.count = objects.count();
         let id = added.map_err(|error| {
             self.here(match error {
                 ObjectError::DuplicateName => Problem::DuplicateName,
@@ -232,12 +234,31 @@ impl<M: HomeMemory> HomeBuilder<M> {
         self.objects().of_class(class).filter_map(move |id| Some((id, areas.get(id.index())?.area())))
     }
 
-    /// Checks the home as a whole and gives it with its initial state.
+    /// Checks the home as a whole and returns it with its initial state.
     ///
     /// # Errors
     /// [`HomeError`]: no agent or room, the agent or a block in a wall or on another, more free cells than the memory holds, or more
     /// states than can be numbered.
-    pub fn build(mut self, moves: Moves) -> Result<(Home<M>, HomeState), HomeError> {
+    pub fn build(self, moves: Moves) -> Result<(Home<M>, HomeState), HomeError> {
+        self.try_build(moves).map_err(|(error, _)| error)
+    }
+
+    /// As [`build`](Self::build), but gives the memory back where that fails.
+    ///
+    /// # Errors
+    /// As [`build`](Self::build), with the memory.
+    pub fn try_build(mut self, moves: Moves) -> Result<(Home<M>, HomeState), (HomeError, M)> {
+        match self.check() {
+            Ok((count, agent, start, blocks)) => {
+                let block_count = self.objects().of_class(BLOCK).count();
+                Ok((Home::new(self.memory, self.count, count, agent, blocks, block_count, moves), start))
+            }
+            Err(error) => Err((error, self.memory)),
+        }
+    }
+
+    /// Finds the free cells and where everything stands: how many cells, the agent, the initial state, and the blocks.
+    fn check(&mut self) -> Result<(usize, ObjectId, HomeState, [ObjectId; BLOCKS]), HomeError> {
         let whole = |problem| HomeError { problem, object: None };
         let Some(agent) = self.agent else { return Err(whole(Problem::NoAgent)) };
         let mut bounds: Option<Area> = None;
@@ -255,7 +276,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
         if (0..block_count).try_fold(count as u64, |states, _| states.checked_mul(count as u64)).is_none() {
             return Err(whole(Problem::TooManyStates));
         }
-        Ok((Home::new(self.memory, self.count, count, agent, blocks, block_count, moves), start))
+        Ok((count, agent, start, blocks))
     }
 
     fn find_places(&mut self, bounds: Area) -> Result<usize, CapacityError> {

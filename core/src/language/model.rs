@@ -551,6 +551,76 @@ impl<M: AgentMemory> LanguageModel<M> {
         self.state.read(tables.language, tables.workspace.len())
     }
 
+    /// How it is trained.
+    pub const fn settings(&self) -> &Settings {
+        &self.state.settings
+    }
+
+    /// The English words.
+    pub fn words(&self) -> SymbolsRef<'_> {
+        self.read().words()
+    }
+
+    /// The machine tokens.
+    pub fn tokens(&self) -> SymbolsRef<'_> {
+        self.read().tokens()
+    }
+
+    /// The machine tokens, to intern new ones in.
+    pub fn tokens_mut(&mut self) -> Symbols<'_> {
+        self.lend().tokens
+    }
+
+    /// The training data.
+    pub fn bitext(&self) -> BitextRef<'_> {
+        self.read().bitext()
+    }
+
+    /// The parameters of the last training.
+    pub fn tables(&self) -> TablesRef<'_> {
+        self.read().tables()
+    }
+
+    /// As [`LanguageMut::hear`].
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where the command or one of its words is too long.
+    pub fn hear(&mut self, command: &str) -> Result<Sentence, CapacityError> {
+        self.lend().hear(command)
+    }
+
+    /// As [`LanguageRef::likelihood`].
+    pub fn likelihood(&self, sentence: &[Option<Symbol>], command: &[Symbol]) -> Scaled {
+        self.read().likelihood(sentence, command)
+    }
+
+    /// As [`LanguageMut::add_session`].
+    ///
+    /// # Errors
+    /// A [`CapacityError`]; the model is then as before.
+    pub fn add_session<'a>(
+        &mut self,
+        sentence: &[Option<Symbol>],
+        pairs: impl Iterator<Item = (&'a [Symbol], f32)>,
+    ) -> Result<(), CapacityError> {
+        self.lend().add_session(sentence, pairs)
+    }
+
+    /// Forgets the words and machine tokens that came since the last session that was learned from.
+    pub fn forget_unlearned(&mut self) {
+        self.lend().forget_unlearned();
+    }
+
+    /// Begins training on all the data, from uniform parameters.
+    pub fn begin_training(&mut self) {
+        self.lend().begin_training();
+    }
+
+    /// Goes on with the training, with at most about `budget` table cells of work.
+    pub fn train(&mut self, budget: u32) -> Progress {
+        self.lend().train(budget)
+    }
+
     /// The memory, for something else.
     pub fn into_memory(self) -> M {
         self.memory

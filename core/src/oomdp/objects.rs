@@ -3,6 +3,7 @@
 use super::schema::ClassId;
 use crate::capacity::{ATTRIBUTES, Capacities, Capacity, CapacityError};
 use crate::symbols::{Symbol, Symbols, SymbolsRef};
+use core::fmt;
 
 /// An object, by its position among the [`Objects`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -61,6 +62,18 @@ pub enum ObjectError {
     Capacity(CapacityError),
 }
 
+impl fmt::Display for ObjectError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::DuplicateName => "another object has this name; give each its own",
+            Self::EmptyName => "the object's name is empty; give it one",
+            Self::Capacity(error) => return error.fmt(f),
+        })
+    }
+}
+
+impl core::error::Error for ObjectError {}
+
 impl From<CapacityError> for ObjectError {
     fn from(error: CapacityError) -> Self {
         Self::Capacity(error)
@@ -83,7 +96,7 @@ impl ObjectCount {
 #[derive(Debug)]
 pub struct ObjectSet<'t> {
     memory: ObjectTables<'t>,
-    count: &'t mut ObjectCount,
+    count: ObjectCount,
 }
 
 /// The objects of one environment.
@@ -94,25 +107,40 @@ pub struct Objects<'t> {
 }
 
 impl<'t> ObjectSet<'t> {
-    /// The objects that `count` says are in the tables, to be added to.
+    /// No objects yet.
     ///
     /// ```
-    /// use goodbot::oomdp::{ClassId, Object, ObjectCount, ObjectSet, ObjectTables};
+    /// use goodbot::oomdp::{ClassId, Object, ObjectSet, ObjectTables};
     /// let (mut objects, mut name_bytes, mut name_ends) = ([Object::UNUSED; 4], [0; 64], [0; 8]);
-    /// let mut count = ObjectCount::NONE;
     /// let memory = ObjectTables { objects: &mut objects, name_bytes: &mut name_bytes, name_ends: &mut name_ends };
-    /// let mut set = ObjectSet::new(memory, &mut count);
+    /// let mut set = ObjectSet::new(memory);
     /// let lamp = set.add(ClassId(0), "lamp0", &["red"])?;
-    /// assert_eq!(set.read().value(lamp, 0), "red");
+    /// assert_eq!(set.into_objects().value(lamp, 0), "red");
     /// # Ok::<(), goodbot::oomdp::ObjectError>(())
     /// ```
-    pub const fn new(memory: ObjectTables<'t>, count: &'t mut ObjectCount) -> Self {
+    pub const fn new(memory: ObjectTables<'t>) -> Self {
+        Self { memory, count: ObjectCount::NONE }
+    }
+
+    /// The objects that `count` says are in the tables, to be added to.
+    pub const fn with(memory: ObjectTables<'t>, count: ObjectCount) -> Self {
         Self { memory, count }
+    }
+
+    /// How many objects and names there are.
+    pub const fn count(&self) -> ObjectCount {
+        self.count
     }
 
     /// The objects, to be read.
     pub const fn read(&self) -> Objects<'_> {
-        Objects { memory: self.memory.read(), count: *self.count }
+        Objects { memory: self.memory.read(), count: self.count }
+    }
+
+    /// The objects, all of which have been added.
+    pub fn into_objects(self) -> Objects<'t> {
+        let ObjectTables { objects, name_bytes, name_ends } = self.memory;
+        Objects { memory: ObjectTablesRef { objects, name_bytes, name_ends }, count: self.count }
     }
 
     /// Adds an object with the given attribute values; `""` stands for no value.

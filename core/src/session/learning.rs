@@ -76,6 +76,11 @@ impl<M: AgentMemory> Agent<M> {
         self.forget_plan();
     }
 
+    /// Ends the session without learning from it and forgets its tasks, because the robot leaves the environment that they are about.
+    pub fn leave(&mut self) {
+        self.end_session();
+    }
+
     /// Ends the session and learns from it: each machine command with its share of the posterior joins the training data, and training on
     /// all of them begins. Call [`learn`](Self::learn) until it is done. Where memory is full, other sessions give way, as
     /// [`forgetting`](crate::language::forgetting) says; the result tells which.

@@ -5,6 +5,7 @@ use crate::load::kinds::TaskKinds;
 use crate::load::{home, input, task_name::task_name};
 use crate::outcome::Failure;
 use clap::{Args, ValueHint};
+use goodbot::memory::AgentMemory;
 use goodbot::home::Moves;
 use goodbot::oomdp::{Domain, apply};
 use goodbot::planning::OptimalSet;
@@ -55,10 +56,10 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
     let environment = EnvironmentFile::parse(&text).map_err(|error| fault(&crate::load::Fault::from_format(name, error)))?;
     let mut memory = home::memory();
     let moves = if options.pull { Moves::PushAndPull } else { Moves::Push };
-    let (home, start) = home::build(&environment, moves, memory.split().home)
+    let (home, start) = home::build(&environment, moves, &mut memory.home)
         .map_err(|flaw| Failure::Input(format!("{name}: field \"{}\": {}", flaw.field(), flaw.message(&environment))))?;
     agent.hear(&home, &start, &options.command).map_err(|error| fault(&error))?;
-    let best = agent.most_likely::<rand_pcg::Pcg32>(None).ok_or_else(|| fault(&AgentError::NoTask))?;
+    let best = agent.most_likely().ok_or_else(|| fault(&AgentError::NoTask))?;
     let mut tasks = Vec::new();
     for (position, task) in agent.tasks().iter().enumerate() {
         let Some(kind) = lifted.get(usize::from(task.lifted)) else { continue };
@@ -67,19 +68,20 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
     }
     let words = words(&agent, &home, best).map_err(|error| fault(&error))?;
     let plan = plan(&mut agent, &home, start, best).map_err(|error| fault(&error))?;
-    print(options, tasks, &words, plan.as_deref(), best)
+    print(options, tasks, &words, plan.as_ref(), best)
 }
 
-/// The actions that lead to a task's goal; nothing where they are not known or there are none.
-fn plan<D: Domain>(agent: &mut Agent<'_>, home: &D, start: D::State, task: usize) -> Result<Option<Vec<String>>, AgentError> {
-    let (mut state, mut plan) = (start, vec![]);
+/// The actions that lead to a task's goal, and whether there is no shorter way; nothing where they are not known or there are none.
+fn plan<D: Domain>(agent: &mut Agent<impl AgentMemory>, home: &D, start: D::State, task: usize) -> Result<Option<(Vec<String>, bool)>, AgentError> {
+    let (mut state, mut plan, mut exact) = (start, vec![], true);
     while plan.len() < LONGEST_PLAN {
         agent.plan_fully(home, &state)?;
-        let actions = match agent.search().optimal(task) {
-            OptimalSet::Goal => return Ok(Some(plan)),
-            OptimalSet::Toward(actions) => actions,
-            OptimalSet::DeadEnd(_) | OptimalSet::Unknown => return Ok(None),
-        };
+        let here = agent.planned().optimal(task);
+        if here == OptimalSet::Goal {
+            return Ok(Some((plan, exact)));
+        }
+        let Some(actions) = here.onward() else { return Ok(None) };
+        exact &= here.exact().is_some();
         let Some((action, next)) = actions.iter().next().and_then(|action| Some((action, apply(home, &state, action)?))) else { break };
         plan.push(home.actions().get(usize::from(action.0)).map_or_else(String::new, |action| action.name.to_owned()));
         state = next;
@@ -95,7 +97,7 @@ struct Word {
 }
 
 /// The words, each with the machine token that explains it best in the task's most likely machine command.
-fn words<D: Domain>(agent: &Agent<'_>, home: &D, best: usize) -> Result<Vec<Word>, AgentError> {
+fn words<D: Domain>(agent: &Agent<impl AgentMemory>, home: &D, best: usize) -> Result<Vec<Word>, AgentError> {
     let Some(task) = agent.tasks().get(best) else { return Ok(vec![]) };
     let Some(lifted) = agent.lifted().get(usize::from(task.lifted)) else { return Ok(vec![]) };
     let language = agent.language();
@@ -117,15 +119,16 @@ fn words<D: Domain>(agent: &Agent<'_>, home: &D, best: usize) -> Result<Vec<Word
         .collect())
 }
 
-fn print(options: &AskOptions, mut tasks: Vec<(String, f32)>, words: &[Word], plan: Option<&[String]>, best: usize) -> Result<(), Failure> {
+fn print(options: &AskOptions, mut tasks: Vec<(String, f32)>, words: &[Word], plan: Option<&(Vec<String>, bool)>, best: usize) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
     let (said, likeliest) = tasks.get(best).cloned().unwrap_or_default();
     let tied = tasks.iter().filter(|&&(_, share)| share >= likeliest).count();
     if options.json {
         let tasks: serde_json::Map<_, _> = tasks.into_iter().map(|(name, share)| (name, json!(share))).collect();
         let words: Vec<_> = words.iter().map(|it| json!({"word": it.word, "token": it.token, "share": it.share})).collect();
+        let (exact, plan) = (plan.map(|(_, exact)| exact), plan.map(|(actions, _)| actions));
         let line =
-            json!({"type": "answer", "command": options.command, "task": said, "tied": tied, "tasks": tasks, "plan": plan, "words": words});
+            json!({"type": "answer", "command": options.command, "task": said, "tied": tied, "tasks": tasks, "plan": plan, "exact": exact, "words": words});
         writeln!(out, "{line}")?;
         return Ok(());
     }
@@ -137,8 +140,9 @@ fn print(options: &AskOptions, mut tasks: Vec<(String, f32)>, words: &[Word], pl
         writeln!(out, "\nthe plan is for {said}, one of {tied} equally likely")?;
     }
     match plan {
-        Some([]) => writeln!(out, "\nplan: nothing to do")?,
-        Some(plan) => writeln!(out, "\nplan: {}", plan.join(" "))?,
+        Some((plan, _)) if plan.is_empty() => writeln!(out, "\nplan: nothing to do")?,
+        Some((plan, true)) => writeln!(out, "\nplan: {}", plan.join(" "))?,
+        Some((plan, false)) => writeln!(out, "\nplan: {} (approximate: a shorter way may exist)", plan.join(" "))?,
         None => writeln!(out, "\nplan: none was found")?,
     }
     writeln!(out, "\nword explained by")?;

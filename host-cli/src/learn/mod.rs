@@ -57,7 +57,7 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let length = model.save(&mut buffer).map_err(|error| fault(&error))?;
     // The robot's whole mind: the same training data, with its trainer strategies and the vocabulary of its tasks.
     let mut agent_memory = HeapMemory::new(&capacities);
-    let mut agent = Agent::new(agent_memory.split().agent, &lifted, options.model.options()).map_err(|error| fault(&error))?;
+    let mut agent = Agent::new(&mut agent_memory.agent, &lifted, options.model.options()).map_err(|error| fault(&error))?;
     agent.restore(buffer.get(..length).unwrap_or(&[])).map_err(|error| fault(&error))?;
     let length = agent.save(&mut buffer).map_err(|error| fault(&error))?;
     write_whole(&options.out, buffer.get(..length).unwrap_or(&[]))

@@ -7,8 +7,8 @@ use crate::load::{Fault, home};
 use goodbot::capacity::TOKENS_PER_COMMAND;
 use goodbot::home::HomeState;
 use goodbot::oomdp::{Action, Domain, ObjectId, apply};
-use goodbot::planning::OptimalSet;
 use goodbot::probability::total;
+use goodbot::session::Evidence;
 use goodbot::symbols::Symbols;
 use goodbot::task::{Expression, LiftedTask};
 use goodbot::{Agent, AgentError, Capacities, HeapMemory, Options};
@@ -26,7 +26,7 @@ impl Witness {
     pub fn new(lifted: &[LiftedTask], options: Options, plans: bool) -> Result<Self, goodbot::AgentError> {
         // One for each thread of the program.
         let memory = Box::leak(Box::new(HeapMemory::new(&Capacities::STANDARD)));
-        Ok(Self { agent: Agent::new(memory.split().agent, lifted, options)?, lifted: lifted.to_vec(), plans })
+        Ok(Self { agent: Agent::new(&mut memory.agent, lifted, options)?, lifted: lifted.to_vec(), plans })
     }
 
     /// Walks through a session. Trainer strategies that the session names are taken; a recorded prior is not, since words made it.
@@ -37,7 +37,7 @@ impl Witness {
         let header = &recorded.header;
         let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
         let mut memory = home::memory();
-        let session = load(file, recorded, &self.lifted, memory.split().home)?;
+        let session = load(file, recorded, &self.lifted, &mut memory.home)?;
         let intended = match &header.intended {
             None => None,
             Some(atoms) => match session.tasks.iter().position(|(_, name)| name.holds_exactly(atoms)) {
@@ -85,18 +85,21 @@ impl Witness {
                 remarks.push(Fault::on_line(file, step.line, message).in_field("action"));
             }
             self.agent.plan_fully(&session.home, &step.before).map_err(at)?;
-            match recorded.header.kind {
-                Kind::Feedback => self.agent.feedback(step.action, step.feedback),
-                Kind::Demonstration => self.agent.demonstration(step.action),
-            }
-            .map_err(at)?;
             last = apply(&session.home, &step.before, step.action).unwrap_or(last);
+            let evidence = match recorded.header.kind {
+                Kind::Feedback => {
+                    self.agent.acted(&session.home, &step.before, step.action).map_err(at)?;
+                    self.agent.feedback(step.feedback)
+                }
+                Kind::Demonstration => self.agent.demonstrated(&session.home, &step.before, step.action),
+            };
+            remarks.extend(remark(evidence.map_err(at)?).map(|message| Fault::on_line(file, step.line, message)));
         }
         // A trainer who shows the way stops where it is done.
         if recorded.header.kind == Kind::Demonstration {
             let at = |error: AgentError| vec![Fault::on_line(file, recorded.end_line, error)];
             self.agent.plan_fully(&session.home, &last).map_err(at)?;
-            self.agent.demonstration(Action::NOOP).map_err(at)?;
+            let _ = self.agent.demonstrated(&session.home, &last, Action::NOOP).map_err(at)?;
         }
         Ok(remarks)
     }
@@ -138,8 +141,8 @@ impl Witness {
         self.agent.hear_again(&session.home, &session.start)?;
         while plan.len() < TOKENS_PER_COMMAND {
             self.agent.plan_fully(&session.home, &state)?;
-            let OptimalSet::Toward(actions) = self.agent.search().optimal(task) else { break };
-            let Some((action, next)) = actions.iter().next().and_then(|action| Some((action, apply(&session.home, &state, action)?)))
+            let actions = self.agent.planned().optimal(task).onward();
+            let Some((action, next)) = actions.and_then(|actions| actions.iter().next()).and_then(|action| Some((action, apply(&session.home, &state, action)?)))
             else {
                 break;
             };
@@ -147,6 +150,15 @@ impl Witness {
             state = next;
         }
         Ok(plan)
+    }
+}
+
+/// What is worth knowing of a step that is no evidence.
+pub fn remark(evidence: Evidence) -> Option<&'static str> {
+    match evidence {
+        Evidence::Used => None,
+        Evidence::SaysNothing => Some("says nothing: no task's optimal actions are known exactly here"),
+        Evidence::Impossible => Some("this is impossible whatever the task and the strategy, and was ignored"),
     }
 }
 
@@ -168,11 +180,11 @@ pub fn commands<D: Domain>(
 
 /// A task by its propositions and the attributes of its objects.
 pub fn label<D: Domain>(domain: &D, lifted: &LiftedTask, bindings: &[ObjectId]) -> String {
-    let functions = lifted.propositions().iter().map(|part| domain.schema().proposition_name(part.proposition).to_owned());
-    let objects = domain.objects();
+    let functions = lifted.propositions().iter().map(|part| domain.world().schema.proposition_name(part.proposition).to_owned());
+    let objects = domain.world().objects;
     let mut parts: Vec<String> = functions.collect();
     for &object in bindings.iter().take(lifted.variables().len()) {
-        for (position, _) in domain.schema().attributes.iter().enumerate() {
+        for (position, _) in domain.world().schema.attributes.iter().enumerate() {
             let value = objects.value(object, position);
             if !value.is_empty() {
                 parts.push(quoted(value).trim_matches('"').to_owned());

@@ -34,7 +34,7 @@ pub fn agent(file: &Path, lifted: &[LiftedTask]) -> Result<Agent<'static>, Failu
     };
     // One for the whole run of the program.
     let memory = Box::leak(Box::new(HeapMemory::new(&capacities)));
-    let mut agent = Agent::new(memory.split().agent, lifted, Options::DEFAULT).map_err(|error| fault(&error))?;
+    let mut agent = Agent::new(&mut memory.agent, lifted, Options::DEFAULT).map_err(|error| fault(&error))?;
     agent.restore(&bytes).map_err(|error| fault(&error))?;
     agent.learn_fully();
     Ok(agent)

@@ -1,6 +1,7 @@
 //! A language model trained on many sessions at once, and asked.
 
 use super::{Lesson, MachineCommand};
+use goodbot::memory::AgentMemory;
 use goodbot::AgentError;
 use goodbot::capacity::CapacityError;
 use goodbot::language::tokenizer::for_each_word;
@@ -64,7 +65,7 @@ pub fn train<'m, 'l>(
     lessons: impl Iterator<Item = &'l Lesson>,
     settings: Settings,
 ) -> Result<LanguageModel<'m>, AgentError> {
-    let mut model = LanguageModel::new(memory.split().agent.language, settings)?;
+    let mut model = LanguageModel::new(&mut memory.agent, settings)?;
     for lesson in lessons.filter(|lesson| lesson.learn) {
         let sentence = model.hear(&lesson.command)?;
         let pairs: Vec<(Vec<Symbol>, f32)> = lesson
@@ -80,7 +81,7 @@ pub fn train<'m, 'l>(
 }
 
 /// The symbols of a machine command.
-pub fn symbols(model: &mut LanguageModel<'_>, command: &MachineCommand) -> Result<Vec<Symbol>, CapacityError> {
+pub fn symbols(model: &mut LanguageModel<impl AgentMemory>, command: &MachineCommand) -> Result<Vec<Symbol>, CapacityError> {
     command.iter().map(|token| model.tokens_mut().intern(token)).collect()
 }
 
@@ -88,7 +89,7 @@ pub fn symbols(model: &mut LanguageModel<'_>, command: &MachineCommand) -> Resul
 ///
 /// # Errors
 /// A [`CapacityError`] where the command has no room.
-pub fn posterior(model: &mut LanguageModel<'_>, lesson: &Lesson) -> Result<Vec<f32>, CapacityError> {
+pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -> Result<Vec<f32>, CapacityError> {
     let sentence = model.hear(&lesson.command)?;
     let mut scores = Vec::new();
     for reading in &lesson.readings {
@@ -122,7 +123,7 @@ pub struct Explained {
 ///
 /// # Errors
 /// A [`CapacityError`] where the command has no room.
-pub fn explain(model: &mut LanguageModel<'_>, english: &str, command: &MachineCommand) -> Result<Vec<Explained>, CapacityError> {
+pub fn explain(model: &mut LanguageModel<impl AgentMemory>, english: &str, command: &MachineCommand) -> Result<Vec<Explained>, CapacityError> {
     let sentence = model.hear(english)?;
     let tokens = symbols(model, command)?;
     let explained = explained(model, &sentence, &tokens);
@@ -131,7 +132,7 @@ pub fn explain(model: &mut LanguageModel<'_>, english: &str, command: &MachineCo
 }
 
 /// The same, for what is interned already.
-pub fn explained(model: &LanguageModel<'_>, sentence: &[Option<Symbol>], tokens: &[Symbol]) -> Vec<Explained> {
+pub fn explained(model: LanguageRef<'_>, sentence: &[Option<Symbol>], tokens: &[Symbol]) -> Vec<Explained> {
     let tables = model.tables();
     let mut explained = Vec::new();
     for (i, &word) in sentence.iter().enumerate() {
@@ -160,7 +161,7 @@ pub fn explained(model: &LanguageModel<'_>, sentence: &[Option<Symbol>], tokens:
 /// # Errors
 /// A [`CapacityError`] where the command has no room.
 pub fn best_command<'r>(
-    model: &mut LanguageModel<'_>,
+    model: &mut LanguageModel<impl AgentMemory>,
     english: &str,
     commands: &'r [MachineCommand],
 ) -> Result<Option<&'r MachineCommand>, CapacityError> {

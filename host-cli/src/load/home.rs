@@ -1,7 +1,8 @@
 //! A home from an environment, and what is wrong with it.
 
+use goodbot::memory::HomeMemory;
 use goodbot::capacity::{Capacity, CapacityError};
-use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeMemory, HomeState, Moves, Problem};
+use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves, Problem};
 use goodbot::{Capacities, HeapMemory};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 
@@ -41,7 +42,7 @@ pub fn memory() -> HeapMemory {
 }
 
 /// The home of an environment, with its initial state.
-pub fn build<'m>(environment: &EnvironmentFile, moves: Moves, memory: HomeMemory<'m>) -> Result<(Home<'m>, HomeState), Flaw> {
+pub fn build<M: HomeMemory>(environment: &EnvironmentFile, moves: Moves, memory: M) -> Result<(Home<M>, HomeState), Flaw> {
     let mut builder = HomeBuilder::new(memory);
     for (position, object) in environment.objects.iter().enumerate() {
         add(&mut builder, object).map_err(|problem| Flaw { object: Some(position), problem })?;
@@ -76,7 +77,7 @@ pub fn flaws(environment: &EnvironmentFile) -> Vec<Flaw> {
 /// The objects that cannot be added, whatever else there is.
 fn flawed_alone(environment: &EnvironmentFile) -> Vec<Flaw> {
     let mut memory = memory();
-    let mut builder = HomeBuilder::new(memory.split().home);
+    let mut builder = HomeBuilder::new(&mut memory.home);
     let mut flaws = Vec::new();
     for (position, object) in environment.objects.iter().enumerate() {
         if let Err(problem) = add(&mut builder, object) {
@@ -96,7 +97,7 @@ fn misplaced(environment: &EnvironmentFile) -> Vec<Flaw> {
     loop {
         let rest = EnvironmentFile::new(left.iter().filter_map(|&position| environment.objects.get(position).cloned()).collect());
         let mut memory = memory();
-        let Err(flaw) = build(&rest, Moves::Push, memory.split().home).map(drop) else { return flaws };
+        let Err(flaw) = build(&rest, Moves::Push, &mut memory.home).map(drop) else { return flaws };
         // Once the agent is left out, nothing more can be tried.
         if flaw.problem == Problem::NoAgent {
             return flaws;

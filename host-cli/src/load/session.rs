@@ -3,9 +3,10 @@
 use super::fault::quoted;
 use super::task_name::task_name;
 use super::{Fault, home};
+use goodbot::memory::HomeMemory;
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::{Feedback, Strategy};
-use goodbot::home::{Home, HomeMemory, HomeState, Moves, SCHEMA};
+use goodbot::home::{Home, HomeState, Moves, SCHEMA};
 use goodbot::language::tokenizer::for_each_word;
 use goodbot::oomdp::{Action, Domain, action_named, apply};
 use goodbot::task::{GroundedTask, LiftedTask, ground};
@@ -81,7 +82,7 @@ impl Checker<'_> {
 ///
 /// # Errors
 /// All that is wrong with it.
-pub fn load<'m>(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask], memory: HomeMemory<'m>) -> Result<Session<'m>, Vec<Fault>> {
+pub fn load<M: HomeMemory>(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask], memory: M) -> Result<Session<'m>, Vec<Fault>> {
     let mut checker = Checker { file, recorded, faults: Vec::new() };
     let header = &recorded.header;
     let moves = moves(header.action_names());
@@ -129,7 +130,7 @@ impl Checker<'_> {
         }
     }
 
-    fn intended(&mut self, home: &Home<'_>) {
+    fn intended(&mut self, home: &Home<impl HomeMemory>) {
         for (position, atom) in self.recorded.header.intended.iter().flatten().enumerate() {
             if let Err(message) = known_atom(home, atom) {
                 self.fault(format!("intended[{position}]"), message);
@@ -137,7 +138,7 @@ impl Checker<'_> {
         }
     }
 
-    fn tasks(&mut self, home: &Home<'_>, start: &HomeState, lifted: &[LiftedTask]) -> Vec<(GroundedTask, GroundTaskText)> {
+    fn tasks(&mut self, home: &Home<impl HomeMemory>, start: &HomeState, lifted: &[LiftedTask]) -> Vec<(GroundedTask, GroundTaskText)> {
         let mut tasks = vec![GroundedTask::UNUSED; Capacities::STANDARD.tasks];
         let count = match ground(home, lifted, start, &mut tasks) {
             Ok(0) => {
@@ -196,7 +197,7 @@ impl Checker<'_> {
         strategies
     }
 
-    fn walk(&mut self, home: &Home<'_>, start: &HomeState) -> Vec<Step> {
+    fn walk(&mut self, home: &Home<impl HomeMemory>, start: &HomeState) -> Vec<Step> {
         let mut state = *start;
         let mut steps = Vec::new();
         for (line, record) in &self.recorded.steps {
@@ -227,7 +228,7 @@ fn impossible(record: &StepRecord, x: i32, y: i32) -> String {
 }
 
 /// Whether a proposition is about what is here; what is wrong with it otherwise.
-pub fn known_atom(home: &Home<'_>, atom: &GroundAtomText) -> Result<goodbot::oomdp::GroundProposition, String> {
+pub fn known_atom(home: &Home<impl HomeMemory>, atom: &GroundAtomText) -> Result<goodbot::oomdp::GroundProposition, String> {
     let Some(proposition) = SCHEMA.proposition(atom.function()) else {
         let known: Vec<&str> = SCHEMA.propositions.iter().map(|known| known.name).collect();
         return Err(format!("{} is no propositional function; known are {}", quoted(atom.function()), known.join(", ")));
@@ -240,7 +241,7 @@ pub fn known_atom(home: &Home<'_>, atom: &GroundAtomText) -> Result<goodbot::oom
     let mut arguments = goodbot::oomdp::GroundProposition { proposition, arguments: Default::default() };
     for ((name, &class), slot) in atom.arguments().iter().zip(parameters).zip(&mut arguments.arguments) {
         let class_name = SCHEMA.class_name(class);
-        let objects = home.objects();
+        let objects = home.world().objects;
         match objects.find(name) {
             None => return Err(format!("there is no object {}; name a {class_name} of the environment", quoted(name))),
             Some(id) if objects.get(id).is_some_and(|object| object.class != class) => {

@@ -36,15 +36,14 @@ fn attempt(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> R
         WeightsChoice::Belief => Weights::Belief,
     };
     let mut memory = HeapMemory::new(&CAPACITIES);
-    let mut parts = memory.split();
     let lifted = home::paper_tasks().map_err(|_| CourseError::NotPosed)?;
-    let mut agent = Agent::new(parts.agent, &lifted, Options { weights, ..options.model.options() }).map_err(CourseError::Agent)?;
+    let mut agent = Agent::new(&mut memory.agent, &lifted, Options { weights, ..options.model.options() }).map_err(CourseError::Agent)?;
     let mut random = generator(seed);
     let homes = match options.homes() {
         Layouts::Fixed => Homes::FIXED,
-        Layouts::Random => Homes::random(&mut random, &mut parts.home),
+        Layouts::Random => Homes::random(&mut random, &mut memory.home),
     };
-    let results = run_course(&mut agent, &mut parts.home, &homes, options.trainer.strategy, &mut random, observer)?;
+    let results = run_course(&mut agent, &mut memory.home, &homes, options.trainer.strategy, &mut random, observer)?;
     Ok(Run { seed, results, lexicon: Lexicon::of(agent.language()) })
 }
 

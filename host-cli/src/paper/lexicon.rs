@@ -1,6 +1,6 @@
 //! What an agent has learned: for each machine token, how probable each English word is.
 
-use goodbot::language::LanguageModel;
+use goodbot::language::LanguageRef;
 
 /// Translation probabilities, with their names.
 #[derive(Debug)]
@@ -13,7 +13,7 @@ pub struct Lexicon {
 
 impl Lexicon {
     /// What a language model has learned.
-    pub fn of(language: &LanguageModel<'_>) -> Self {
+    pub fn of(language: LanguageRef<'_>) -> Self {
         let tables = language.tables();
         let words = || language.words().iter().take(tables.words());
         let row = |token| words().map(|(word, _)| tables.translation(word, Some(token))).collect();

@@ -3,6 +3,8 @@
 use super::experiment::{Run, run_seed};
 use crate::cli::PaperOptions;
 use crate::outcome::Failure;
+use goodbot::memory::HomeMemory;
+use goodbot::memory::{AgentMemory};
 use goodbot::Agent;
 use goodbot::feedback::Feedback;
 use goodbot::home::map::Map;
@@ -58,7 +60,7 @@ impl<W: Write> Story<'_, W> {
 }
 
 impl<W: Write> Observer for Story<'_, W> {
-    fn lesson_begins(&mut self, scene: &Scene<'_, '_, '_>) {
+    fn lesson_begins(&mut self, scene: &Scene<'_, impl HomeMemory, impl AgentMemory>) {
         self.write(|out| {
             writeln!(out, "\nLesson {} of {}\n", scene.number + 1, LESSONS.len())?;
             home(out, scene)?;
@@ -67,7 +69,7 @@ impl<W: Write> Observer for Story<'_, W> {
         });
     }
 
-    fn acted(&mut self, scene: &Scene<'_, '_, '_>, step: &Step) {
+    fn acted(&mut self, scene: &Scene<'_, impl HomeMemory, impl AgentMemory>, step: &Step) {
         self.write(|out| {
             let number = |task| scene.agent.belief().probability(task);
             let best = (0..scene.agent.tasks().len()).max_by(|&a, &b| number(a).total_cmp(&number(b))).unwrap_or(0);
@@ -88,7 +90,7 @@ impl<W: Write> Observer for Story<'_, W> {
         });
     }
 
-    fn lesson_ends(&mut self, _number: usize, _agent: &Agent<'_>, report: &LessonReport) {
+    fn lesson_ends(&mut self, _number: usize, _agent: &Agent<impl AgentMemory>, report: &LessonReport) {
         self.write(|out| {
             let ending = match report.ending {
                 Ending::AtGoal => "done as meant",
@@ -105,7 +107,7 @@ impl<W: Write> Observer for Story<'_, W> {
         });
     }
 
-    fn tested(&mut self, scene: &Scene<'_, '_, '_>, report: &TestReport) {
+    fn tested(&mut self, scene: &Scene<'_, impl HomeMemory, impl AgentMemory>, report: &TestReport) {
         let first = !std::mem::replace(&mut self.shown, true);
         self.write(|out| {
             if first {
@@ -118,7 +120,7 @@ impl<W: Write> Observer for Story<'_, W> {
     }
 }
 
-fn home(out: &mut impl Write, scene: &Scene<'_, '_, '_>) -> io::Result<()> {
+fn home(out: &mut impl Write, scene: &Scene<'_, impl HomeMemory, impl AgentMemory>) -> io::Result<()> {
     for line in Map::new(scene.home, scene.state).to_string().lines() {
         writeln!(out, "    {line}")?;
     }
@@ -126,7 +128,7 @@ fn home(out: &mut impl Write, scene: &Scene<'_, '_, '_>) -> io::Result<()> {
 }
 
 /// Each task with its probability as a bar, the intended one marked.
-fn beliefs(out: &mut impl Write, scene: &Scene<'_, '_, '_>) -> io::Result<()> {
+fn beliefs(out: &mut impl Write, scene: &Scene<'_, impl HomeMemory, impl AgentMemory>) -> io::Result<()> {
     for task in 0..scene.agent.tasks().len() {
         let probability = scene.agent.belief().probability(task);
         let cells = (probability * BAR as f32).round() as usize;
@@ -138,7 +140,7 @@ fn beliefs(out: &mut impl Write, scene: &Scene<'_, '_, '_>) -> io::Result<()> {
 }
 
 /// `go to green room`, `blue chair to red room`.
-fn task_in_words(scene: &Scene<'_, '_, '_>, task: usize) -> String {
+fn task_in_words(scene: &Scene<'_, impl HomeMemory, impl AgentMemory>, task: usize) -> String {
     let agent = scene.agent;
     let Some(task) = agent.tasks().get(task) else { return String::new() };
     let Some(lifted) = agent.lifted().get(usize::from(task.lifted)) else { return String::new() };
@@ -152,14 +154,14 @@ fn task_in_words(scene: &Scene<'_, '_, '_>, task: usize) -> String {
     parts.join(" and ")
 }
 
-fn thing(home: &Home<'_>, object: ObjectId) -> String {
-    let objects = home.objects();
+fn thing(home: &Home<impl HomeMemory>, object: ObjectId) -> String {
+    let objects = home.world().objects;
     let color = objects.value(object, COLOR);
     match objects.get(object).map(|known| known.class) {
         Some(AGENT) => "go".to_owned(),
         Some(class) => {
             let shape = objects.value(object, SHAPE);
-            format!("{color} {}", if shape.is_empty() { home.schema().class_name(class) } else { shape }).trim().to_owned()
+            format!("{color} {}", if shape.is_empty() { home.world().schema.class_name(class) } else { shape }).trim().to_owned()
         }
         None => String::new(),
     }

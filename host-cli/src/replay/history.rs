@@ -1,5 +1,6 @@
 //! The agent that goes through recorded sessions, one after the other.
 
+use crate::lessons::evidence;
 use crate::load::session::{Session, load};
 use crate::load::{Fault, home};
 use goodbot::feedback::Feedback;
@@ -66,7 +67,7 @@ impl History {
     pub fn new(lifted: &[LiftedTask], options: Options) -> Result<Self, goodbot::AgentError> {
         // One for the whole run of the program.
         let memory = Box::leak(Box::new(HeapMemory::new(&CAPACITIES)));
-        let agent = Agent::new(memory.split().agent, lifted, options)?;
+        let agent = Agent::new(&mut memory.agent, lifted, options)?;
         Ok(Self { agent, lifted: lifted.to_vec(), strategies: vec![BALANCED.to_owned()], last: Last::Nothing })
     }
 
@@ -93,7 +94,7 @@ impl History {
         let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
         self.check_continues(file, recorded)?;
         let mut memory = home::memory();
-        let session = load(file, recorded, &self.lifted, memory.split().home)?;
+        let session = load(file, recorded, &self.lifted, &mut memory.home)?;
         self.begin(recorded, &session).map_err(at(recorded.header_line))?;
         let id = header.id.clone().unwrap_or_else(|| format!("{file}:{}", recorded.header_line));
         let mut outcome = Outcome {
@@ -118,16 +119,18 @@ impl History {
                         Feedback::Punish => punish,
                         Feedback::Neutral => neutral,
                     } += 1;
-                    self.agent.feedback(step.action, step.feedback)
+                    self.agent.acted(&session.home, &step.before, step.action).map_err(at(step.line))?;
+                    self.agent.feedback(step.feedback)
                 }
-                Kind::Demonstration => self.agent.demonstration(step.action),
+                Kind::Demonstration => self.agent.demonstrated(&session.home, &step.before, step.action),
             };
             let mut remark = |message: &str| outcome.remarks.push(Fault::on_line(file, step.line, message));
-            if !counted.map_err(at(step.line))? {
-                remark("this is impossible whatever the task and the strategy, and was ignored");
+            if let Some(message) = evidence::remark(counted.map_err(at(step.line))?) {
+                remark(message);
             }
-            if !self.agent.search().unknown().is_empty() {
-                remark("the search was bounded: for some tasks the optimal actions are unknown, and the step says nothing of these");
+            let plan = self.agent.planned();
+            if !plan.unknown().union(plan.approximate()).is_empty() {
+                remark("the search was bounded: for some tasks the optimal actions are not known exactly, and the step says nothing of these");
             }
             if step.bump && header.kind == Kind::Demonstration {
                 remark("the demonstration goes against a wall or a block that is held, and nothing moves");
@@ -135,7 +138,7 @@ impl History {
             outcome.beliefs.push(self.belief(&outcome.id, count, &session));
         }
         if recorded.learn {
-            self.agent.finish(&session.home).map_err(at(recorded.end_line))?;
+            let _ = self.agent.finish(&session.home).map_err(at(recorded.end_line))?;
             self.agent.learn_fully();
         } else {
             self.agent.forget();

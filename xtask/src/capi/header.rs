@@ -46,8 +46,8 @@ const HEAD: &str = "\
      goodbot_home_begin ... goodbot_home_build  where it is
      goodbot_hear                               a command: a session begins
        goodbot_plan ..., goodbot_decide         an action; you do it
-       goodbot_feedback                         what the trainer says to it
-       goodbot_done or goodbot_home_place       where things are then
+       goodbot_done                             it was done; goodbot_home_place where things then are elsewhere than described
+       goodbot_feedback                         what the trainer says to it, until the next action is done
      goodbot_finish, goodbot_learn ...          the session is learned from; goodbot_forget if it shall not be
      goodbot_save                               what it has learned, as bytes
 
