@@ -41,7 +41,7 @@ impl Training {
     pub(super) fn begin(tables: &mut Tables<'_>, bitext: BitextRef<'_>, words: usize, tokens: usize, settings: &Settings) -> Self {
         (tables.trained.words, tables.trained.tokens) = (words, tokens);
         if settings.model == Model::Roles {
-            tables.trained.layout = Layout::of(bitext, words);
+            tables.trained.layout = Layout::of(bitext, words, tokens);
             tables.clear_counts();
             if words == 0 {
                 return Self::DONE;

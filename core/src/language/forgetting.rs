@@ -158,7 +158,7 @@ impl LanguageMut<'_> {
         if self.is_model_2() {
             return self.tables.fits(tokens, words).is_ok();
         }
-        self.tables.read().fits_roles(tokens, &Layout::of(self.bitext.read(), words)).is_ok()
+        self.tables.read().fits_roles(tokens, &Layout::of(self.bitext.read(), words, tokens)).is_ok()
     }
 
     /// Whether a session could be kept if there were no other.
@@ -178,7 +178,7 @@ impl LanguageMut<'_> {
         let different = |table: SymbolsRef<'_>, used: &[Symbol]| table.iter().filter(|(symbol, _)| used.contains(symbol)).count();
         let (word_count, token_count) = (different(self.words.read(), words), different(self.tokens.read(), tokens));
         if !self.is_model_2() {
-            let mut layout = Layout::NONE.with_words(word_count);
+            let mut layout = Layout::NONE.with(word_count, token_count);
             layout.see_length(words.len());
             let (mut longest, mut count) = (0_usize, 0_usize);
             for (description, _) in pairs {

@@ -429,7 +429,7 @@ impl<'t> LanguageMut<'t> {
         (*self.learned_words, *self.learned_tokens) = (self.words.len(), self.tokens.len());
         if self.settings.model == Model::Roles {
             self.tables.trained.length_pairs = 0;
-            self.tables.trained.wanted = Layout::of(self.bitext.read(), self.words.len());
+            self.tables.trained.wanted = Layout::of(self.bitext.read(), self.words.len(), self.tokens.len());
             return self.tables.read().fits_roles(self.tokens.len(), &self.tables.trained.wanted);
         }
         self.tables.fits(self.tokens.len(), self.words.len())?;
@@ -447,7 +447,7 @@ impl<'t> LanguageMut<'t> {
         let mut wanted = self.tables.trained.wanted;
         wanted.see(command);
         wanted.see_length(words);
-        let wanted = wanted.with_words(self.words.len());
+        let wanted = wanted.with(self.words.len(), self.tokens.len());
         self.tables.read().fits_roles(self.tokens.len(), &wanted)?;
         self.tables.trained.wanted = wanted;
         Ok(())
@@ -457,32 +457,37 @@ impl<'t> LanguageMut<'t> {
         self.settings.model == Model::Model2
     }
 
-    /// Tells for each word of a command that the parameters know, the last first, what it was taken for where `description` was meant: its
-    /// position in the command, a meaning, and the share of 1 that this meaning has. Nothing for Model 2.
-    pub fn explain(&mut self, sentence: &[Option<Symbol>], description: &[Symbol], mut tell: impl FnMut(usize, Meaning, f32)) {
-        let known = self.read().known(sentence);
+    /// Tells for each word of a command, the last first, what it was taken for where `description` was meant: its position, a meaning, and
+    /// the share of 1 that this meaning has. Nothing for Model 2, before anything is learned and while learning.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where the command is too long for the room that the tables have behind the parameters.
+    pub fn explain(
+        &mut self,
+        sentence: &[Option<Symbol>],
+        description: &[Symbol],
+        tell: impl FnMut(usize, Meaning, f32),
+    ) -> Result<(), CapacityError> {
         let layout = self.tables.trained.layout;
-        if self.is_model_2() || known.is_empty() || self.read().is_training() {
-            return;
+        if self.is_model_2() || layout.words() == 0 || self.read().is_training() {
+            return Ok(());
         }
-        let position = |word: usize| {
-            let words = layout.words();
-            let known = sentence.iter().enumerate().filter(|(_, heard)| heard.is_some_and(|heard| heard.index() < words));
-            known.map(|(position, _)| position).nth(word).unwrap_or(word)
-        };
+        let words: heapless::Vec<Symbol, WORDS_PER_COMMAND> =
+            roles::forward::heard(&layout, sentence).take(WORDS_PER_COMMAND).map(|word| Symbol(word as u16)).collect();
+        let mut wanted = layout;
+        wanted.see_length(words.len());
+        self.tables.read().fits_roles(layout.tokens(), &wanted)?;
         let memory = &mut self.tables.memory;
-        // A command longer than any that was learned takes its trellis from what is free behind.
-        let Some((parameters, trellis)) = memory.alignments.split_at_mut_checked(layout.trellis()) else { return };
-        roles::explanation::explain(&layout, memory.translations, parameters, trellis, &known, description, |word, meaning, share| {
-            tell(position(word), meaning, share);
-        });
+        let Some((parameters, trellis)) = memory.alignments.split_at_mut_checked(layout.trellis()) else { return Ok(()) };
+        roles::explanation::explain(&layout, memory.translations, parameters, trellis, &words, description, tell);
+        Ok(())
     }
 
     /// Lays the alignment tables out anew for the pairs of lengths that the data have now. A training must follow.
     pub(super) fn rebuild_lengths(&mut self) -> Result<(), CapacityError> {
         self.tables.trained.length_pairs = 0;
         if !self.is_model_2() {
-            self.tables.trained.wanted = Layout::of(self.bitext.read(), self.words.len());
+            self.tables.trained.wanted = Layout::of(self.bitext.read(), self.words.len(), self.tokens.len());
             return Ok(());
         }
         let bitext = self.bitext.read();

@@ -33,8 +33,8 @@ impl Options {
     /// The paper's.
     pub const PAPER: Self = Self { language: Settings::PAPER, weights: Weights::Paper, least_weight: 5e-5 };
 
-    /// The language model that understands people best: [`Settings::DEFAULT`], which learns from what the trainer said or showed.
-    pub const DEFAULT: Self = Self { language: Settings::DEFAULT, weights: Weights::Evidence, least_weight: 1e-3 };
+    /// The paper's, with the language model that understands people best, [`Settings::DEFAULT`], and fewer of its many small weights.
+    pub const DEFAULT: Self = Self { language: Settings::DEFAULT, least_weight: 1e-3, ..Self::PAPER };
 
     /// The paper's, with Model 2 for short commands in few words: [`Settings::SMOOTHED`].
     pub const SMOOTHED: Self = Self { language: Settings::SMOOTHED, ..Self::PAPER };

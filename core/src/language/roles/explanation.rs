@@ -17,8 +17,8 @@ pub enum Meaning {
     Value(Role, Symbol),
 }
 
-/// Tells for each known word, the last first, how probable each of its meanings is: the word's position, the meaning, and its share of 1.
-/// `sentence` has known words alone; `trellis` has room for one row of memories more than words.
+/// Tells for each word, the last first, how probable each of its meanings is: the word's position, the meaning, and its share of 1. Word V of
+/// `sentence` is one that is not known; `trellis` has room for one row of memories more than words.
 pub(crate) fn explain(
     layout: &Layout,
     translations: &[f32],

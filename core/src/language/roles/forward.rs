@@ -132,11 +132,22 @@ impl<'t, 'd> Reader<'t, 'd> {
         }
     }
 
-    /// T[v](w).
+    /// How probable a new word is for a token.
+    fn novelty(&self, token: Option<Symbol>) -> f32 {
+        match token.map_or(0, |token| token.index().saturating_add(1)) {
+            row if row <= self.layout.tokens() => cell(self.alignments, self.layout.novelty(row)),
+            _ => 1.0,
+        }
+    }
+
+    /// T[v](w). A value that training has not seen has the words that are common.
     #[inline]
     pub fn value(&self, token: Symbol, word: usize) -> f32 {
         if word >= self.layout.words() {
-            return 0.0;
+            return self.novelty(Some(token));
+        }
+        if token.index() >= self.layout.tokens() {
+            return cell(get(self.alignments, self.layout.common()), word);
         }
         let row = token.index().saturating_add(1).saturating_mul(self.layout.words());
         cell(self.translations, row.saturating_add(word))
@@ -144,6 +155,9 @@ impl<'t, 'd> Reader<'t, 'd> {
 
     /// F(w) and A[l](w).
     pub fn background_and_task(&self, word: usize) -> (f32, f32) {
+        if word >= self.layout.words() {
+            return (self.novelty(None), self.form.and_then(|form| self.layout.forms().get(form)).map_or(1.0, |&token| self.novelty(Some(token))));
+        }
         (cell(get(self.translations, self.layout.row(None)), word), cell(self.form_row, word))
     }
 
@@ -160,9 +174,12 @@ impl<'t, 'd> Reader<'t, 'd> {
         }
     }
 
-    /// The lift after a word.
+    /// The lift after a word, at the beginning for none, and 1 after a word that is not known.
     pub fn lift(&self, previous: Option<usize>) -> &'t [f32] {
-        get(self.alignments, self.layout.lift(previous.unwrap_or(self.layout.words())))
+        match previous {
+            Some(word) if word >= self.layout.words() => &[1.0; KINDS],
+            word => get(self.alignments, self.layout.lift(word.unwrap_or(self.layout.words()))),
+        }
     }
 
     /// How a memory moves on after a word with this lift.
@@ -231,10 +248,10 @@ pub(super) fn prior(layout: &Layout, roles: impl Iterator<Item = RoleKind> + Clo
     prior
 }
 
-/// The words of a command that the parameters know.
-pub(super) fn known_words(layout: &Layout, sentence: impl Iterator<Item = Option<Symbol>>) -> impl Iterator<Item = usize> {
+/// The words of a command; V stands for each that the parameters do not know.
+pub(crate) fn heard(layout: &Layout, sentence: &[Option<Symbol>]) -> impl Iterator<Item = usize> {
     let words = layout.words();
-    sentence.flatten().map(Symbol::index).filter(move |&word| word < words)
+    sentence.iter().map(move |word| word.map_or(words, |word| word.index().min(words)))
 }
 
 /// Pr(e|t); 1 for an untrained model.
@@ -249,7 +266,7 @@ pub fn likelihood(layout: &Layout, translations: &[f32], alignments: &[f32], sen
         *first = 1.0;
     }
     let (mut product, mut previous) = (Scaled::ONE, None);
-    for word in known_words(layout, sentence.iter().copied()) {
+    for word in heard(layout, sentence) {
         let sum = reader.advance(word, previous, &before, &mut after);
         if sum <= 0.0 {
             return Scaled::ZERO;
@@ -264,5 +281,3 @@ pub fn likelihood(layout: &Layout, translations: &[f32], alignments: &[f32], sen
     let end: f32 = (0..reader.memories()).map(|memory| cell(&before, memory) * reader.end(memory)).sum();
     product.scaled_by(end)
 }
-
-const _: () = assert!(KINDS == 7);

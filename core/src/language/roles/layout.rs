@@ -11,6 +11,7 @@
 //! | p0 | lifted tasks times memories | background, task, roles |
 //! | end | lifted tasks | memories |
 //! | lambda | roles | sorts of values |
+//! | novelty | background, and each machine token | 1 |
 //! | trellis | the longest command and one more | memories and a scale |
 
 use crate::capacity::LIFTED_TASKS;
@@ -31,6 +32,7 @@ const HALF_CONTEXT: f32 = 60.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layout {
     words: usize,
+    tokens: usize,
     forms: [Symbol; LIFTED_TASKS],
     form_count: u8,
     roles: [Role; MOST_ROLES],
@@ -43,6 +45,7 @@ impl Layout {
     /// No parameters.
     pub(crate) const NONE: Self = Self {
         words: 0,
+        tokens: 0,
         forms: [Symbol(0); LIFTED_TASKS],
         form_count: 0,
         roles: [Role::UNUSED; MOST_ROLES],
@@ -51,9 +54,9 @@ impl Layout {
         sessions: 0.0,
     };
 
-    /// The parameters for training data of so many words.
-    pub(crate) fn of(bitext: BitextRef<'_>, words: usize) -> Self {
-        let mut layout = Self { words, sessions: bitext.sessions() as f32, ..Self::NONE };
+    /// The parameters for training data of so many words and machine tokens.
+    pub(crate) fn of(bitext: BitextRef<'_>, words: usize, tokens: usize) -> Self {
+        let mut layout = Self { words, tokens, sessions: bitext.sessions() as f32, ..Self::NONE };
         for command in 0..bitext.commands() as u16 {
             layout.see(bitext.command(command));
         }
@@ -87,9 +90,14 @@ impl Layout {
         self.longest = self.longest.max(words.min(usize::from(u8::MAX)) as u8);
     }
 
-    /// The same parameters for so many words.
-    pub(crate) const fn with_words(self, words: usize) -> Self {
-        Self { words, ..self }
+    /// The same parameters for so many words and machine tokens.
+    pub(crate) const fn with(self, words: usize, tokens: usize) -> Self {
+        Self { words, tokens, ..self }
+    }
+
+    /// How many machine tokens.
+    pub const fn tokens(&self) -> usize {
+        self.tokens
     }
 
     /// V: how many words.
@@ -165,9 +173,14 @@ impl Layout {
         row(self.end(self.forms().len()).start, role, VALUE_SORTS)
     }
 
+    /// How much of a row's words would be new, in a command to come: 1 for a token that was never named.
+    pub(super) fn novelty(&self, row: usize) -> usize {
+        self.lambda(self.roles().len()).start.saturating_add(row)
+    }
+
     /// Where the trellis begins: before it are the parameters.
     pub(crate) fn trellis(&self) -> usize {
-        self.lambda(self.roles().len()).start
+        self.novelty(self.tokens.saturating_add(1))
     }
 
     /// Cells of `alignments` that are taken.

@@ -10,7 +10,10 @@
 //! ```
 //!
 //! Background and task words leave the memory as it is; a role becomes the memory. Pr(e|t) is the sum over all ways to read the words, the
-//! last memory times end[l,m]. Words that are not known are taken out first.
+//! last memory times end[l,m].
+//!
+//! A word that was never heard is as probable for each row of F, A and T as the row is open to new words, 1 / (sum of its counts + 1): a value that
+//! nobody has named yet takes it first.
 //!
 //! - [`layout`]: where the parameters stand in the two tables;
 //! - [`forward`]: Pr(e|t), word by word;

@@ -83,6 +83,7 @@ impl Work<'_, '_> {
         for role in 0..layout.roles().len() {
             get_mut(self.a.values, layout.lambda(role)).fill(1.0);
         }
+        get_mut(self.a.values, layout.novelty(0)..layout.trellis()).fill(1.0);
     }
 
     fn prior(&self) -> super::forward::Moves {
@@ -143,7 +144,7 @@ impl Work<'_, '_> {
             }
             Part::Moves(_) => (0, Part::Lambdas),
             Part::Lambdas => {
-                let range = layout.lambda(0).start..layout.trellis();
+                let range = layout.lambda(0).start..layout.novelty(0);
                 let (values, counts) = (get_mut(self.a.values, range.clone()), get_mut(self.a.counts, range));
                 for (value, count) in values.iter_mut().zip(counts) {
                     *value = core::mem::take(count) + OF_LAMBDA;
@@ -240,11 +241,15 @@ impl Work<'_, '_> {
 
     fn set_row(&mut self, row: usize) {
         let range = self.layout.row(row.checked_sub(1).map(|token| Symbol(token as u16)));
-        let common = get(self.a.values, self.layout.common());
         let (values, counts) = (get_mut(self.t.values, range.clone()), get_mut(self.t.counts, range));
+        let common = get(self.a.values, self.layout.common());
         let whole = counts.iter().sum::<f32>() + OF_COMMON;
+        let novelty = OF_COMMON / whole;
         for ((value, count), common) in values.iter_mut().zip(counts).zip(common) {
             *value = (core::mem::take(count) + OF_COMMON * common) / whole;
+        }
+        if let Some(slot) = self.a.values.get_mut(self.layout.novelty(row)) {
+            *slot = novelty;
         }
     }
 
