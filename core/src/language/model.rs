@@ -202,7 +202,8 @@ impl<'t> LanguageRef<'t> {
     /// The role model's q_l(e): how probable the command's words make a lifted task, by its token, whatever is in the scene.
     pub fn kind_of_task(self, sentence: &[Option<Symbol>], form: Symbol) -> f32 {
         let layout = self.tables.layout();
-        roles::kind::share(layout, self.tables.cells().1, &self.known(sentence), form)
+        let known = self.known(sentence);
+        roles::kind::share(layout, self.tables.cells().1, &known, sentence.len().saturating_sub(known.len()), form)
     }
 
     /// Lets the role model's kind of task speak: with weights of pi_t Pr(e|t) for tasks of lifted tasks with these tokens, makes of them

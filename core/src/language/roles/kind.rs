@@ -23,7 +23,7 @@ const PULL: f32 = 0.1;
 
 type Forms = [f32; LIFTED_TASKS];
 
-/// q_l(e) for each lifted task that training has seen. One that it has not seen is as probable as one more session.
+/// q_l(e) for each lifted task that training has seen.
 fn shares(layout: &Layout, alignments: &[f32], words: impl Iterator<Item = usize> + Clone) -> Forms {
     let mut shares: Forms = [0.0; LIFTED_TASKS];
     let count = layout.forms().len();
@@ -47,12 +47,13 @@ fn different(sentence: &[Symbol]) -> impl Iterator<Item = usize> + Clone + '_ {
     sentence.iter().enumerate().filter(move |&(position, word)| first(position, word)).map(|(_, word)| word.index())
 }
 
-/// q_l(e) of the lifted task of each token; `sentence` has known words alone.
-pub(crate) fn share(layout: &Layout, alignments: &[f32], sentence: &[Symbol], token: Symbol) -> f32 {
+/// q_l(e) of the lifted task of a token; `sentence` has the known words alone, besides which there are so many `new` ones. A lifted task
+/// that training has not seen counts as one more session, and one for each new word.
+pub(crate) fn share(layout: &Layout, alignments: &[f32], sentence: &[Symbol], new: usize, token: Symbol) -> f32 {
     match layout.form(token) {
         Some(form) if layout.forms().len() > 1 => cell(&shares(layout, alignments, different(sentence)), form),
         Some(_) => 1.0,
-        None => 1.0 / (layout.sessions() + 1.0),
+        None => (1.0 + new as f32) / (layout.sessions() + 1.0 + new as f32),
     }
 }
 
