@@ -63,7 +63,7 @@ static int teach(goodbot *robot, const char *command, int left, int right) {
         TRY(goodbot_feedback(robot, good ? GOODBOT_REWARD : GOODBOT_PUNISH, &evidence));
         if (evidence != GOODBOT_EVIDENCE_USED) return 1;
     }
-    TRY(goodbot_finish(robot));
+    TRY(goodbot_finish(robot, NULL));
     goodbot_status status;
     while ((status = goodbot_learn(robot, 100)) == GOODBOT_STATUS_WORKING) {
     }

@@ -67,7 +67,7 @@ static int lesson(goodbot *robot, const char *command, uint32_t from, uint32_t t
         TRY(goodbot_feedback(robot, right ? GOODBOT_REWARD : GOODBOT_PUNISH, &evidence));
         if (evidence != GOODBOT_EVIDENCE_USED) return 1;
     }
-    TRY(goodbot_finish(robot));
+    TRY(goodbot_finish(robot, NULL));
     while ((status = goodbot_learn(robot, 100)) == GOODBOT_STATUS_WORKING) {
     }
     TRY(status);

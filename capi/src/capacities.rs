@@ -42,7 +42,7 @@ pub enum GoodbotCapacity {
     CandidateTokens,
     /// Distinct ground propositions that one session's tasks are made of.
     GroundPropositions,
-    /// Entries of the table that finds the tasks satisfied by a state: the values of all state variables together.
+    /// Entries of the table that finds the tasks satisfied by a state: cells times movable pieces, the robot included.
     GoalEntries,
     /// States that one search can hold that looks at them one by one, where actions cost 1 each.
     States,

@@ -251,8 +251,9 @@ fn a_model_is_taken_over_whole_or_not_at_all() {
     hear_and_plan(robot, c"go to the green room");
     unsafe {
         assert_eq!(goodbot_done(robot, 0), GoodbotStatus::Ok);
-        let mut evidence = GOODBOT_EVIDENCE_IMPOSSIBLE;
+        let mut evidence = 9;
         assert_eq!(goodbot_feedback(robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::Ok);
+        assert_eq!(evidence, GOODBOT_EVIDENCE_USED);
         assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::Ok);
         while goodbot_learn(robot, 1_000) == GoodbotStatus::Working {}
         assert_eq!(goodbot_saved_size(robot, &raw mut bytes), GoodbotStatus::Ok);
@@ -325,4 +326,17 @@ fn every_status_has_a_sentence_of_its_own() {
     all.dedup();
     assert_eq!(all.len(), GoodbotStatus::Other as usize + 1);
     assert!(!all.contains(&"no such status"));
+}
+
+#[test]
+fn the_tasks_of_a_home_are_gone_when_another_is_described() {
+    let owned = at_home();
+    hear_and_plan(owned.robot, c"go to the green room");
+    let (mut count, mut task, mut text) = (9, 9, [0; 64]);
+    unsafe {
+        assert_eq!(goodbot_home_begin(owned.robot), GoodbotStatus::Ok);
+        assert_eq!((goodbot_task_count(owned.robot, &raw mut count), count), (GoodbotStatus::Ok, 0));
+        assert_eq!(goodbot_most_likely(owned.robot, &raw mut task), GoodbotStatus::NoSession);
+        assert_eq!(goodbot_task_text(owned.robot, 0, text.as_mut_ptr(), 64), GoodbotStatus::Unknown);
+    }
 }

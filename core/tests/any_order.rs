@@ -2,7 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing)]
 
-use goodbot::memory::{AgentMemory, HomeMemory};
+use goodbot::memory::HomeMemory;
+use goodbot::memory::{AgentMemory};
 use goodbot::feedback::{Feedback, Strategy, simulated::below};
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::language::Settings;

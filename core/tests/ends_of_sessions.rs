@@ -1,6 +1,7 @@
 //! How a session ends, and that an ended one stays ended until it is taken up again.
 
-use goodbot::memory::{AgentArrays, HomeMemory};
+use goodbot::memory::HomeMemory;
+use goodbot::memory::{AgentArrays};
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::language::Settings;

@@ -1,6 +1,7 @@
 //! Algorithm 1 step by step: what the agent hears, decides, believes and learns, and what it refuses.
 
-use goodbot::memory::{AgentArrays, AgentMemory, HomeMemory};
+use goodbot::memory::HomeMemory;
+use goodbot::memory::{AgentArrays, AgentMemory};
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::{BeliefError, Feedback, Strategy};
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};

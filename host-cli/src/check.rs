@@ -131,7 +131,7 @@ fn check_log(file: &str, bytes: &[u8], lifted: &[LiftedTask]) -> (String, Vec<Fa
 
 fn check_session(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask]) -> Vec<Fault> {
     let mut memory = home::memory();
-    let session = match session::load(file, recorded, lifted, &mut memory.home) {
+    let session = match session::load(file, recorded, lifted, &mut memory) {
         Ok(session) => session,
         Err(faults) => return faults,
     };

@@ -6,7 +6,8 @@ use clap::{Args, ValueHint};
 use goodbot::capacity::{TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use goodbot::home::paper_tasks;
 use goodbot::snapshot::{Contents, RestoreError};
-use goodbot::{Agent, Capacities, HeapMemory, Options};
+use goodbot::memory::AgentHeap;
+use goodbot::{Agent, Capacities, Options};
 use std::path::{Path, PathBuf};
 
 /// Join what two robots learned
@@ -45,8 +46,8 @@ pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
     let contents = |path, bytes| Contents::read(bytes).map_err(|error| refused(path, error));
     let (ours, theirs) = (contents(&options.first, &first)?, contents(&options.second, &second)?);
-    let mut memory = HeapMemory::new(&room_for(&ours, &theirs));
-    let mut agent = Agent::new(&mut memory.agent, &tasks, Options::PAPER).map_err(|error| Failure::Input(error.to_string()))?;
+    let memory = AgentHeap::new(&room_for(&ours, &theirs));
+    let mut agent = Agent::new(memory, &tasks, Options::PAPER).map_err(|error| Failure::Input(error.to_string()))?;
     agent.restore(&first).map_err(|error| refused(&options.first, error))?;
     let added = agent.join(&second).map_err(|error| refused(&options.second, error))?;
     if ours.options != theirs.options {
@@ -64,28 +65,10 @@ pub fn run(options: &MergeArgs) -> Result<(), Failure> {
 /// Room for all that both have, and not less than the standard capacities.
 fn room_for(ours: &Contents<'_>, theirs: &Contents<'_>) -> Capacities {
     let standard = Capacities::STANDARD;
-    let sum = |least: usize, count: fn(&Contents<'_>) -> usize| least.max(count(ours).saturating_add(count(theirs)));
-    let words = sum(standard.words, |model| model.words.len());
-    let tokens = sum(standard.tokens, |model| model.tokens.len());
+    let both = standard.at_least(ours.needs().plus(theirs.needs()));
     // Every pair of lengths that a model can have.
-    let lengths = (TOKENS_PER_COMMAND + 1) * (WORDS_PER_COMMAND + 1);
+    let length_pairs = (TOKENS_PER_COMMAND + 1) * (WORDS_PER_COMMAND + 1);
     let alignments = (TOKENS_PER_COMMAND + 1) * (TOKENS_PER_COMMAND + 2) / 2 * (WORDS_PER_COMMAND + 1) * WORDS_PER_COMMAND / 2;
-    Capacities {
-        words,
-        word_bytes: sum(standard.word_bytes, |model| model.words.iter().map(str::len).sum()),
-        tokens,
-        token_bytes: sum(standard.token_bytes, |model| model.tokens.iter().map(str::len).sum()),
-        commands: sum(standard.commands, |model| model.commands.len()),
-        command_tokens: sum(standard.command_tokens, |model| model.commands.iter().map(|command| command.len()).sum()),
-        sessions: sum(standard.sessions, |model| model.sessions.len()),
-        sentence_words: sum(standard.sentence_words, |model| model.sessions.iter().map(|session| session.words.len()).sum()),
-        pairs: sum(standard.pairs, |model| model.pairs.len()),
-        strategies: standard.strategies.max(ours.strategies.len()),
-        translations: words.saturating_mul(tokens + 1).clamp(standard.translations, MOST_TRANSLATIONS),
-        alignments,
-        length_pairs: lengths,
-        states: 0,
-        hashed_states: 0,
-        ..standard
-    }
+    let translations = both.words.saturating_mul(both.tokens + 1).clamp(standard.translations, MOST_TRANSLATIONS);
+    Capacities { translations, alignments, length_pairs, states: 0, hashed_states: 0, ..both }
 }

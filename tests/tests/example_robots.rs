@@ -6,7 +6,7 @@ mod arm;
 mod lamps;
 #[path = "../../core/examples/lift/domain.rs"]
 mod lift;
-#[path = "../../core/examples/teach.rs"]
+#[path = "../../core/examples/teach/mod.rs"]
 mod teach;
 
 use arm::{Arm, Shelf};
@@ -50,10 +50,12 @@ fn an_arm_learns_to_carry_things_by_the_cheapest_way() {
             (start, "put the cup on the red slot", ("thingInSlot", &["thing0", "slot0"])),
             (start, "put the ball on the yellow slot", ("thingInSlot", &["thing1", "slot3"])),
             (start, "move to the green slot", ("armAtSlot", &["arm", "slot1"])),
+            (start, "move to the yellow slot", ("armAtSlot", &["arm", "slot3"])),
+            (start, "put the ball on the red slot", ("thingInSlot", &["thing1", "slot0"])),
         ],
         &[
             (start, "put the cup on the yellow slot", "right grab right right release", Shelf { arm: 3, things: [3, 2] }),
-            (start, "move to the yellow slot", "right right right", Shelf { arm: 3, things: [1, 2] }),
+            (Shelf { arm: 3, ..start }, "move to the red slot", "left left left", start),
         ],
     );
 }

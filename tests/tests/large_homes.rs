@@ -69,10 +69,10 @@ fn near_goals_are_found_exactly_and_approximate_plans_are_nearly_right() {
     };
     let all = (0..12).map(seen).fold(Seen::default(), sum);
     println!("{all:?}");
-    assert!(all.exact > 200, "{all:?}");
-    assert!(all.judged > 2_000 && all.equal as f64 >= 0.95 * all.judged as f64, "{all:?}");
+    assert!(all.exact > 1_000, "{all:?}");
+    assert!(all.judged > 400 && all.equal as f64 >= 0.95 * all.judged as f64, "{all:?}");
     // There is no room here for the other block to move too, where it is in the way.
-    assert!(all.unknown * 6 < all.judged / 4 + all.unknown, "{all:?}");
+    assert!(all.unknown * 6 < all.exact + all.judged / 4, "{all:?}");
 }
 
 #[test]

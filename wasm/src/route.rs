@@ -21,12 +21,14 @@ pub struct Scout {
     planner: Planner,
 }
 
-impl Scout {
+impl Default for Scout {
     /// A scout who has not looked yet.
-    pub fn new() -> Self {
+    fn default() -> Self {
         Self { memory: AgentHeap::new(&SCOUT), planner: Planner::new() }
     }
+}
 
+impl Scout {
     fn tables(memory: &mut AgentHeap) -> PlanTables<'_> {
         let AgentTables { session, workspace, .. } = memory.lend();
         PlanTables::new(session.goals, session.plan, workspace)

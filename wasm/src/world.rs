@@ -122,7 +122,7 @@ impl World {
         let (rooms, start) = build(&file, moves)?;
         Ok(Self {
             mind: new_mind(&MIND)?,
-            scout: Scout::new(),
+            scout: Scout::default(),
             rooms,
             file,
             moves,

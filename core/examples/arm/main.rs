@@ -3,7 +3,7 @@
 //! `cargo run --example arm --features std -p goodbot`
 
 mod domain;
-#[path = "../teach.rs"]
+#[path = "../teach/mod.rs"]
 mod teach;
 
 use domain::{Arm, Shelf};
@@ -20,6 +20,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         ("put the cup on the red slot", ("thingInSlot", &["thing0", "slot0"][..])),
         ("put the ball on the yellow slot", ("thingInSlot", &["thing1", "slot3"])),
         ("move to the green slot", ("armAtSlot", &["arm", "slot1"])),
+        ("move to the yellow slot", ("armAtSlot", &["arm", "slot3"])),
+        ("put the ball on the red slot", ("thingInSlot", &["thing1", "slot0"])),
     ] {
         teach(&mut agent, &arm, &start, command, meaning)?;
     }

@@ -3,7 +3,7 @@
 //! `cargo run --example lamps --features std -p goodbot`
 
 mod domain;
-#[path = "../teach.rs"]
+#[path = "../teach/mod.rs"]
 mod teach;
 
 use domain::{House, Lamps};

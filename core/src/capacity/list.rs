@@ -32,13 +32,16 @@ macro_rules! for_each_capacity {
             candidate_tokens: CandidateTokens = 240, 320, 16_384;
             /// Distinct ground propositions that one session's tasks are made of.
             ground_propositions: GroundPropositions = 10, 12, 64;
-            /// Entries of the table that finds the tasks satisfied by a state: the values of all state variables together.
+            /// Entries of the table that finds the tasks satisfied by a state: cells times movable pieces, the robot included.
             goal_entries: GoalEntries = 0, 192, 8_192;
-            /// States that one search can hold that looks at them one by one, where actions cost 1 each: see
-            /// [`Capacities::search_words`](crate::Capacities::search_words). Where it looks at rows of them, it holds more.
+            /// States that one search can hold that expands them one by one, where actions cost 1 each and are at most 8: see
+            /// [`Capacities::search_words`](crate::Capacities::search_words), and [`states_needed`](crate::planning::states_needed) for other
+            /// robots. Rows of states take less.
             states: States = 1_472, 2_560, 1_048_576;
-            /// States that one search can hold where the state space is larger than `states` and visited states are hashed. 0 turns it off.
-            hashed_states: HashedStates = 0, 0, 1_048_576;
+            /// States that one search can hold where the state space is larger than `states` and visited states are hashed: it bounds how far
+            /// away goals are found exactly there, and the time of a plan. With 0, a home is searched nearby in the memory of `states`, and a
+            /// robot without a floor of cells is refused.
+            hashed_states: HashedStates = 0, 0, 32_768;
             /// Distinct English words. At most 65,534.
             words: Words = 14, 32, 1_024;
             /// Bytes that those words take together.
@@ -83,7 +86,7 @@ macro_rules! capacities {
             /// For controllers: homes of one 41-cell floor with a block that moves, and the paper's whole course.
             pub const SMALL: Self = Self { $($field: $small,)* };
 
-            /// For hosts and browsers: about fifteen megabytes, most of them for a million search states.
+            /// For hosts and browsers: about seven megabytes, most of them for a million search states.
             pub const STANDARD: Self = Self { $($field: $standard,)* };
 
             /// No room for anything: where only some tables are wanted, the others are taken from here.
@@ -182,6 +185,17 @@ impl Capacities {
     #[must_use]
     pub const fn at_most(self, other: Self) -> Self {
         self.each(other, false)
+    }
+
+    /// Both together, table by table.
+    #[must_use]
+    pub const fn plus(mut self, other: Self) -> Self {
+        let mut rest: &[Capacity] = &Capacity::ALL;
+        while let [capacity, after @ ..] = rest {
+            self.set(*capacity, self.get(*capacity).saturating_add(other.get(*capacity)));
+            rest = after;
+        }
+        self
     }
 
     const fn each(mut self, other: Self, larger: bool) -> Self {

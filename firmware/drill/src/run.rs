@@ -4,12 +4,11 @@ use crate::digest::Digest;
 use goodbot::memory::HomeMemory;
 use goodbot::memory::{AgentMemory};
 use goodbot::feedback::{SimulatedTrainer, Strategy};
-use goodbot::home::{self};
-use goodbot::memory::Memory;
+use goodbot::home;
 use goodbot::planning::Progress;
 use goodbot::{Agent, Options};
 use goodbot_course::exercise::{self, Exercise, TESTS};
-use goodbot_course::layout::{Layout, lend};
+use goodbot_course::layout::Layout;
 use goodbot_course::lesson::{Lesson, Turn};
 use goodbot_course::{CourseError, Homes, generator};
 
@@ -92,8 +91,13 @@ pub struct Outcome {
 ///
 /// # Errors
 /// [`CourseError`]: where the memory is too small, mostly.
-pub fn run(memory: Memory<'_>, seed: u64, budget: Budget, watch: &mut impl Watch) -> Result<Outcome, CourseError> {
-    let Memory { home: mut rooms, agent } = memory;
+pub fn run(
+    mut rooms: impl HomeMemory,
+    agent: impl AgentMemory,
+    seed: u64,
+    budget: Budget,
+    watch: &mut impl Watch,
+) -> Result<Outcome, CourseError> {
     let tasks = home::paper_tasks().map_err(|_| CourseError::NotPosed)?;
     // Left where it was made: taken out of the result, it would stand on the stack twice.
     let mut made = Agent::new(agent, &tasks, Options::DEFAULT);

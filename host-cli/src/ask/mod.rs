@@ -56,7 +56,7 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
     let environment = EnvironmentFile::parse(&text).map_err(|error| fault(&crate::load::Fault::from_format(name, error)))?;
     let mut memory = home::memory();
     let moves = if options.pull { Moves::PushAndPull } else { Moves::Push };
-    let (home, start) = home::build(&environment, moves, &mut memory.home)
+    let (home, start) = home::build(&environment, moves, &mut memory)
         .map_err(|flaw| Failure::Input(format!("{name}: field \"{}\": {}", flaw.field(), flaw.message(&environment))))?;
     agent.hear(&home, &start, &options.command).map_err(|error| fault(&error))?;
     let best = agent.most_likely().ok_or_else(|| fault(&AgentError::NoTask))?;

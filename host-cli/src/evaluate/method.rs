@@ -3,7 +3,7 @@
 use crate::lessons::training;
 use crate::lessons::{Lesson, MachineCommand};
 use clap::ValueEnum;
-use goodbot::HeapMemory;
+use goodbot::memory::AgentHeap;
 use goodbot::capacity::CapacityError;
 use goodbot::language::tokenizer::for_each_word;
 use goodbot::language::{LanguageModel, Settings};
@@ -55,7 +55,7 @@ pub fn ablations() -> Vec<(&'static str, Settings)> {
 /// A trained model.
 pub enum Trained<'m> {
     /// Model 2.
-    Model2(Box<LanguageModel<'m>>),
+    Model2(Box<LanguageModel<&'m mut AgentHeap>>),
     /// Words of each machine command.
     Bags(Bags),
 }
@@ -67,7 +67,7 @@ impl<'m> Trained<'m> {
     /// An [`AgentError`](goodbot::AgentError).
     pub fn on<'l>(
         method: Method,
-        memory: &'m mut HeapMemory,
+        memory: &'m mut AgentHeap,
         lessons: impl Iterator<Item = &'l Lesson>,
         settings: Settings,
     ) -> Result<Self, goodbot::AgentError> {

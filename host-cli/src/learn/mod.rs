@@ -7,7 +7,8 @@ use crate::outcome::Failure;
 use crate::whole_file::{new_file, write_whole};
 use clap::{Args, ValueHint};
 use goodbot::snapshot::most_bytes;
-use goodbot::{Agent, Capacities, HeapMemory};
+use goodbot::memory::AgentHeap;
+use goodbot::{Agent, Capacities};
 use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
@@ -51,13 +52,12 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     }
     let fault = |error: &dyn std::fmt::Display| Failure::Input(error.to_string());
     let capacities = training::capacities(&lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD });
-    let mut memory = HeapMemory::new(&capacities);
+    let mut memory = AgentHeap::new(&capacities);
     let model = training::train(&mut memory, lessons.iter(), options.model.options().language).map_err(|error| fault(&error))?;
     let mut buffer = vec![0; most_bytes(&capacities)];
     let length = model.save(&mut buffer).map_err(|error| fault(&error))?;
     // The robot's whole mind: the same training data, with its trainer strategies and the vocabulary of its tasks.
-    let mut agent_memory = HeapMemory::new(&capacities);
-    let mut agent = Agent::new(&mut agent_memory.agent, &lifted, options.model.options()).map_err(|error| fault(&error))?;
+    let mut agent = Agent::new(AgentHeap::new(&capacities), &lifted, options.model.options()).map_err(|error| fault(&error))?;
     agent.restore(buffer.get(..length).unwrap_or(&[])).map_err(|error| fault(&error))?;
     let length = agent.save(&mut buffer).map_err(|error| fault(&error))?;
     write_whole(&options.out, buffer.get(..length).unwrap_or(&[]))

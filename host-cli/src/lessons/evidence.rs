@@ -4,6 +4,7 @@ use super::{Lesson, MachineCommand, Reading};
 use crate::load::fault::quoted;
 use crate::load::session::{Session, load};
 use crate::load::{Fault, home};
+use goodbot::memory::HomeMemory;
 use goodbot::capacity::TOKENS_PER_COMMAND;
 use goodbot::home::HomeState;
 use goodbot::oomdp::{Action, Domain, ObjectId, apply};
@@ -11,12 +12,13 @@ use goodbot::probability::total;
 use goodbot::session::Evidence;
 use goodbot::symbols::Symbols;
 use goodbot::task::{Expression, LiftedTask};
-use goodbot::{Agent, AgentError, Capacities, HeapMemory, Options};
+use goodbot::memory::{AgentHeap};
+use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::session::{Kind, RecordedSession};
 
 /// Sees what a session shows.
 pub struct Witness {
-    agent: Agent<'static>,
+    agent: Agent<AgentHeap>,
     lifted: Vec<LiftedTask>,
     plans: bool,
 }
@@ -24,9 +26,7 @@ pub struct Witness {
 impl Witness {
     /// One that knows no word. `plans` says whether each task's plan is wanted.
     pub fn new(lifted: &[LiftedTask], options: Options, plans: bool) -> Result<Self, goodbot::AgentError> {
-        // One for each thread of the program.
-        let memory = Box::leak(Box::new(HeapMemory::new(&Capacities::STANDARD)));
-        Ok(Self { agent: Agent::new(&mut memory.agent, lifted, options)?, lifted: lifted.to_vec(), plans })
+        Ok(Self { agent: Agent::new(AgentHeap::new(&Capacities::STANDARD), lifted, options)?, lifted: lifted.to_vec(), plans })
     }
 
     /// Walks through a session. Trainer strategies that the session names are taken; a recorded prior is not, since words made it.
@@ -37,7 +37,7 @@ impl Witness {
         let header = &recorded.header;
         let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
         let mut memory = home::memory();
-        let session = load(file, recorded, &self.lifted, &mut memory.home)?;
+        let session = load(file, recorded, &self.lifted, &mut memory)?;
         let intended = match &header.intended {
             None => None,
             Some(atoms) => match session.tasks.iter().position(|(_, name)| name.holds_exactly(atoms)) {
@@ -73,7 +73,7 @@ impl Witness {
         Ok(lesson)
     }
 
-    fn watch(&mut self, file: &str, recorded: &RecordedSession, session: &Session<'_>) -> Result<Vec<Fault>, Vec<Fault>> {
+    fn watch(&mut self, file: &str, recorded: &RecordedSession, session: &Session<impl HomeMemory>) -> Result<Vec<Fault>, Vec<Fault>> {
         let mut remarks = vec![];
         let mut last: HomeState = session.start;
         for step in &session.steps {
@@ -120,7 +120,7 @@ impl Witness {
         pairs
     }
 
-    fn readings(&mut self, session: &Session<'_>) -> Result<Vec<Reading>, AgentError> {
+    fn readings(&mut self, session: &Session<impl HomeMemory>) -> Result<Vec<Reading>, AgentError> {
         let mut readings = Vec::new();
         for (position, (task, name)) in session.tasks.iter().enumerate() {
             let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
@@ -136,7 +136,7 @@ impl Witness {
     }
 
     /// The first in order of a task's shortest plans.
-    fn plan(&mut self, session: &Session<'_>, task: usize) -> Result<MachineCommand, AgentError> {
+    fn plan(&mut self, session: &Session<impl HomeMemory>, task: usize) -> Result<MachineCommand, AgentError> {
         let (mut state, mut plan) = (session.start, vec![]);
         self.agent.hear_again(&session.home, &session.start)?;
         while plan.len() < TOKENS_PER_COMMAND {
@@ -169,11 +169,11 @@ pub fn commands<D: Domain>(
     task: &goodbot::task::GroundedTask,
     options: &Options,
 ) -> Result<Vec<MachineCommand>, AgentError> {
-    let (mut bytes, mut ends) = ([0; 2_048], [0; 64]);
-    let mut tokens = Symbols::new(&mut bytes, &mut ends, goodbot::capacity::Capacity::Tokens, goodbot::capacity::Capacity::TokenBytes);
+    let (mut bytes, mut ends, mut count) = ([0; 2_048], [0; 64], 0);
+    let mut tokens = Symbols::new(&mut bytes, &mut ends, &mut count, goodbot::capacity::Capacity::Tokens, goodbot::capacity::Capacity::TokenBytes);
     let expression = Expression::new(domain, lifted, task, options.language.order, &mut tokens)?;
     let text = |constraint| -> Result<MachineCommand, AgentError> {
-        Ok(expression.machine_command(constraint)?.iter().map(|&token| tokens.text(token).to_owned()).collect())
+        Ok(expression.machine_command(constraint)?.iter().map(|&token| tokens.read().text(token).to_owned()).collect())
     };
     (0..expression.constraints()).map(text).collect()
 }

@@ -1,20 +1,20 @@
 //! A language model trained on many sessions at once, and asked.
 
 use super::{Lesson, MachineCommand};
-use goodbot::memory::AgentMemory;
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::AgentError;
 use goodbot::capacity::CapacityError;
 use goodbot::language::tokenizer::for_each_word;
-use goodbot::language::{LanguageModel, Settings};
+use goodbot::language::{LanguageModel, LanguageRef, Settings};
 use goodbot::planning::Progress;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
-use goodbot::{Capacities, HeapMemory};
+use goodbot::Capacities;
 use std::collections::BTreeSet;
 
 /// Memory for a language model of these lessons, and for no search.
-pub fn memory(lessons: &[Lesson]) -> HeapMemory {
-    HeapMemory::new(&capacities(lessons, Capacities { states: 64, hashed_states: 0, cells: 1, ..Capacities::STANDARD }))
+pub fn memory(lessons: &[Lesson]) -> AgentHeap {
+    AgentHeap::new(&capacities(lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD }))
 }
 
 /// Capacities for what these lessons teach, and no less than `least`.
@@ -61,11 +61,11 @@ pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
 /// # Errors
 /// An [`AgentError`] where the memory was made for fewer lessons, or a setting is none to train with.
 pub fn train<'m, 'l>(
-    memory: &'m mut HeapMemory,
+    memory: &'m mut AgentHeap,
     lessons: impl Iterator<Item = &'l Lesson>,
     settings: Settings,
-) -> Result<LanguageModel<'m>, AgentError> {
-    let mut model = LanguageModel::new(&mut memory.agent, settings)?;
+) -> Result<LanguageModel<&'m mut AgentHeap>, AgentError> {
+    let mut model = LanguageModel::new(memory, settings)?;
     for lesson in lessons.filter(|lesson| lesson.learn) {
         let sentence = model.hear(&lesson.command)?;
         let pairs: Vec<(Vec<Symbol>, f32)> = lesson
@@ -126,7 +126,7 @@ pub struct Explained {
 pub fn explain(model: &mut LanguageModel<impl AgentMemory>, english: &str, command: &MachineCommand) -> Result<Vec<Explained>, CapacityError> {
     let sentence = model.hear(english)?;
     let tokens = symbols(model, command)?;
-    let explained = explained(model, &sentence, &tokens);
+    let explained = explained(model.read(), &sentence, &tokens);
     model.forget_unlearned();
     Ok(explained)
 }

@@ -1,9 +1,10 @@
 //! A home from an environment, and what is wrong with it.
 
 use goodbot::memory::HomeMemory;
+use goodbot::memory::{HomeHeap};
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves, Problem};
-use goodbot::{Capacities, HeapMemory};
+use goodbot::Capacities;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 
 /// What is wrong with a home.
@@ -35,10 +36,9 @@ impl Flaw {
     }
 }
 
-/// Memory for one home of the largest size; the share of an agent is next to nothing.
-pub fn memory() -> HeapMemory {
-    let Capacities { objects, names, name_bytes, cells, .. } = Capacities::STANDARD;
-    HeapMemory::new(&Capacities { objects, names, name_bytes, cells, states: 0, ..Capacities::SMALL })
+/// Memory for one home of the largest size.
+pub fn memory() -> HomeHeap {
+    HomeHeap::new(&Capacities::STANDARD)
 }
 
 /// The home of an environment, with its initial state.
@@ -77,7 +77,7 @@ pub fn flaws(environment: &EnvironmentFile) -> Vec<Flaw> {
 /// The objects that cannot be added, whatever else there is.
 fn flawed_alone(environment: &EnvironmentFile) -> Vec<Flaw> {
     let mut memory = memory();
-    let mut builder = HomeBuilder::new(&mut memory.home);
+    let mut builder = HomeBuilder::new(&mut memory);
     let mut flaws = Vec::new();
     for (position, object) in environment.objects.iter().enumerate() {
         if let Err(problem) = add(&mut builder, object) {
@@ -97,7 +97,7 @@ fn misplaced(environment: &EnvironmentFile) -> Vec<Flaw> {
     loop {
         let rest = EnvironmentFile::new(left.iter().filter_map(|&position| environment.objects.get(position).cloned()).collect());
         let mut memory = memory();
-        let Err(flaw) = build(&rest, Moves::Push, &mut memory.home).map(drop) else { return flaws };
+        let Err(flaw) = build(&rest, Moves::Push, &mut memory).map(drop) else { return flaws };
         // Once the agent is left out, nothing more can be tried.
         if flaw.problem == Problem::NoAgent {
             return flaws;
@@ -109,7 +109,7 @@ fn misplaced(environment: &EnvironmentFile) -> Vec<Flaw> {
     }
 }
 
-fn add(builder: &mut HomeBuilder<'_>, object: &ObjectRecord) -> Result<(), Problem> {
+fn add(builder: &mut HomeBuilder<impl HomeMemory>, object: &ObjectRecord) -> Result<(), Problem> {
     let added = match object {
         ObjectRecord::Room { name, left, bottom, right, top, color } => builder.room(name, Area::new(*left, *bottom, *right, *top), color),
         ObjectRecord::Door { name, left, bottom, right, top } => builder.door(name, Area::new(*left, *bottom, *right, *top)),

@@ -31,9 +31,9 @@ pub struct Step {
 
 /// A session that can be replayed.
 #[derive(Debug)]
-pub struct Session<'m> {
+pub struct Session<M> {
     /// The home.
-    pub home: Home<'m>,
+    pub home: Home<M>,
     /// Where everything is at the beginning.
     pub start: HomeState,
     /// The tasks that there are here, with their names.
@@ -46,7 +46,7 @@ pub struct Session<'m> {
     pub steps: Vec<Step>,
 }
 
-impl Session<'_> {
+impl<M> Session<M> {
     /// The recorded prior of a task, 0 where the record does not name it.
     pub fn prior_of(&self, task: &GroundedTask) -> f32 {
         let position = self.tasks.iter().position(|(known, _)| known == task);
@@ -82,7 +82,7 @@ impl Checker<'_> {
 ///
 /// # Errors
 /// All that is wrong with it.
-pub fn load<M: HomeMemory>(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask], memory: M) -> Result<Session<'m>, Vec<Fault>> {
+pub fn load<M: HomeMemory>(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask], memory: M) -> Result<Session<M>, Vec<Fault>> {
     let mut checker = Checker { file, recorded, faults: Vec::new() };
     let header = &recorded.header;
     let moves = moves(header.action_names());

@@ -3,10 +3,12 @@
 use crate::lessons::evidence;
 use crate::load::session::{Session, load};
 use crate::load::{Fault, home};
+use goodbot::memory::HomeMemory;
 use goodbot::feedback::Feedback;
 use goodbot::session::Options;
 use goodbot::task::LiftedTask;
-use goodbot::{Agent, AgentError, Capacities, HeapMemory};
+use goodbot::memory::{AgentHeap};
+use goodbot::{Agent, AgentError, Capacities};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession};
@@ -27,7 +29,7 @@ const CAPACITIES: Capacities = Capacities {
 
 /// An agent and what it went through.
 pub struct History {
-    agent: Agent<'static>,
+    agent: Agent<AgentHeap>,
     lifted: Vec<LiftedTask>,
     strategies: Vec<String>,
     last: Last,
@@ -65,9 +67,7 @@ pub struct Outcome {
 impl History {
     /// An agent that has learned nothing yet. `lifted` are the tasks that commands may mean.
     pub fn new(lifted: &[LiftedTask], options: Options) -> Result<Self, goodbot::AgentError> {
-        // One for the whole run of the program.
-        let memory = Box::leak(Box::new(HeapMemory::new(&CAPACITIES)));
-        let agent = Agent::new(&mut memory.agent, lifted, options)?;
+        let agent = Agent::new(AgentHeap::new(&CAPACITIES), lifted, options)?;
         Ok(Self { agent, lifted: lifted.to_vec(), strategies: vec![BALANCED.to_owned()], last: Last::Nothing })
     }
 
@@ -94,7 +94,7 @@ impl History {
         let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
         self.check_continues(file, recorded)?;
         let mut memory = home::memory();
-        let session = load(file, recorded, &self.lifted, &mut memory.home)?;
+        let session = load(file, recorded, &self.lifted, &mut memory)?;
         self.begin(recorded, &session).map_err(at(recorded.header_line))?;
         let id = header.id.clone().unwrap_or_else(|| format!("{file}:{}", recorded.header_line));
         let mut outcome = Outcome {
@@ -158,7 +158,7 @@ impl History {
         Err(vec![Fault::on_line(file, recorded.header_line, message).in_field("continues")])
     }
 
-    fn begin(&mut self, recorded: &RecordedSession, session: &Session<'_>) -> Result<(), AgentError> {
+    fn begin(&mut self, recorded: &RecordedSession, session: &Session<impl HomeMemory>) -> Result<(), AgentError> {
         let header = &recorded.header;
         if let (Some(strategies), Some(records)) = (&session.strategies, &header.strategies) {
             self.agent.set_strategies(strategies)?;
@@ -173,7 +173,7 @@ impl History {
         }
     }
 
-    fn belief(&self, id: &str, step: u64, session: &Session<'_>) -> PosteriorLine<f32> {
+    fn belief(&self, id: &str, step: u64, session: &Session<impl HomeMemory>) -> PosteriorLine<f32> {
         let belief = self.agent.belief();
         let tasks = session.tasks.iter().enumerate().map(|(position, (_, name))| (name.clone(), belief.probability(position)));
         let strategies = self.strategies.iter().enumerate().map(|(position, name)| (name.clone(), belief.strategy_probability(position)));
