@@ -193,10 +193,19 @@ impl<'t> LanguageRef<'t> {
     pub fn likelihood(self, sentence: &[Option<Symbol>], command: &[Symbol]) -> Scaled {
         if self.settings.model == Model::Roles {
             let (translations, alignments) = self.tables.cells();
-            return roles::forward::likelihood(self.tables.layout(), translations, alignments, sentence, command);
+            return roles::forward::likelihood(self.tables.layout(), translations, alignments, sentence, command, |_, _| {});
         }
         let words = likelihood(self.tables, sentence, command);
         if self.settings.length { words.scaled_by(length_likelihood(self.tables, command.len(), sentence.len())) } else { words }
+    }
+
+    /// Tells how probable each word of a command is after those before it, by its position, where `description` was meant. Nothing for
+    /// Model 2 and before anything is learned.
+    pub fn word_by_word(self, sentence: &[Option<Symbol>], description: &[Symbol], tell: impl FnMut(usize, f32)) {
+        if self.settings.model == Model::Roles {
+            let (translations, alignments) = self.tables.cells();
+            let _ = roles::forward::likelihood(self.tables.layout(), translations, alignments, sentence, description, tell);
+        }
     }
 
     /// The role model's q_l(e): how probable the command's words make a lifted task, by its token, whatever is in the scene.

@@ -5,7 +5,7 @@ use super::candidates::{CandidateCount, Candidates};
 use super::error::AgentError;
 use crate::capacity::{CapacityError, LIFTED_TASKS};
 use crate::feedback::Belief;
-use crate::language::{LanguageRef, Model};
+use crate::language::{LanguageRef, Meaning, Model};
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::{Domain, digest};
 use crate::planning::Progress;
@@ -203,6 +203,54 @@ impl<M: AgentMemory> Agent<M> {
             self.work = Work::Hearing(position, any);
         }
         Ok(Progress::Done)
+    }
+
+    /// Tells for each word of the command what the role model takes it for where this task is meant, the last word first: its position, a
+    /// [`Meaning`], and the share of 1 that this meaning has. Nothing for Model 2 and before anything is learned.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSession`], [`AgentError::OtherDomain`], [`AgentError::StillLearning`], and [`AgentError::Capacity`].
+    pub fn explain<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        task: usize,
+        tell: impl FnMut(usize, Meaning, f32),
+    ) -> Result<(), AgentError> {
+        if self.domain != digest(domain) {
+            return Err(AgentError::OtherDomain);
+        }
+        if self.language.is_training() {
+            return Err(AgentError::StillLearning);
+        }
+        let start = self.start.ok_or(AgentError::NoSession)?;
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let Some(task) = session.tasks.get(..self.task_count).and_then(|tasks| tasks.get(task)) else { return Ok(()) };
+        if language.is_model_2() {
+            return Ok(());
+        }
+        let mut description = Tokens::new();
+        describe(domain, &self.lifted, task, &domain.numbered(start), language.tokens_mut(), &mut description)?;
+        Ok(language.explain(&self.sentence, &description, tell)?)
+    }
+
+    /// The description of a task of this session, for those who look on: see [`description`](crate::task::description). Empty for a task
+    /// that there is not.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSession`], [`AgentError::OtherDomain`], and [`AgentError::Capacity`].
+    pub fn describe<D: Domain + ?Sized>(&mut self, domain: &D, task: usize) -> Result<Tokens, AgentError> {
+        if self.domain != digest(domain) {
+            return Err(AgentError::OtherDomain);
+        }
+        let start = self.start.ok_or(AgentError::NoSession)?;
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let mut description = Tokens::new();
+        if let Some(task) = session.tasks.get(..self.task_count).and_then(|tasks| tasks.get(task)) {
+            describe(domain, &self.lifted, task, &domain.numbered(start), language.tokens_mut(), &mut description)?;
+        }
+        Ok(description)
     }
 
     /// Lets the role model's kind of task speak.

@@ -5,6 +5,8 @@
 
 use crate::oomdp::{ClassId, PropositionId};
 use crate::symbols::Symbol;
+use core::fmt;
+use core::str::FromStr;
 
 /// What an object is to a task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -115,6 +117,25 @@ impl Marker {
     }
 }
 
+impl fmt::Display for Marker {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "@{:04x}", self.symbol().0)
+    }
+}
+
+impl FromStr for Marker {
+    type Err = NoMarker;
+
+    fn from_str(text: &str) -> Result<Self, NoMarker> {
+        let code = text.strip_prefix('@').and_then(|code| u16::from_str_radix(code, 16).ok()).ok_or(NoMarker)?;
+        Self::of(Symbol(code)).ok_or(NoMarker)
+    }
+}
+
+/// A text is no marker.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NoMarker;
+
 /// Whether a symbol is a marker: it has no text, and keeps its number when others are forgotten.
 pub const fn is_marker(symbol: Symbol) -> bool {
     symbol.0 >= MARKER
@@ -130,6 +151,7 @@ mod tests {
             let role = Role::of_argument(kind, PropositionId(11), 2);
             let marker = Marker { role, sort: 5 };
             assert_eq!(Marker::of(marker.symbol()), Some(marker));
+            assert_eq!("@7fff".parse::<Marker>(), Err(NoMarker));
             assert_eq!((role.kind(), role.proposition(), role.argument()), (kind, PropositionId(11), 2));
             assert!(is_marker(marker.symbol()) && !is_marker(Symbol(32_767)));
         }

@@ -7,9 +7,11 @@ use crate::outcome::Failure;
 use clap::{Args, ValueHint};
 use goodbot::memory::AgentMemory;
 use goodbot::home::Moves;
-use goodbot::oomdp::{Domain, apply};
+use goodbot::language::{Meaning, Model};
+use goodbot::oomdp::{Domain, Schema, apply};
 use goodbot::planning::OptimalSet;
 use goodbot::symbols::Symbol;
+use goodbot::task::{Role, RoleKind};
 use goodbot::{Agent, AgentError};
 use goodbot_formats::environment::EnvironmentFile;
 use serde_json::json;
@@ -66,7 +68,7 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
         let text = task_name(&home, kind, task).map_err(|error| fault(&error))?;
         tasks.push((text.to_string(), agent.belief().probability(position)));
     }
-    let words = words(&agent, &home, best).map_err(|error| fault(&error))?;
+    let words = words(&mut agent, &home, &start, best).map_err(|error| fault(&error))?;
     let plan = plan(&mut agent, &home, start, best).map_err(|error| fault(&error))?;
     print(options, tasks, &words, plan.as_ref(), best)
 }
@@ -96,13 +98,46 @@ struct Word {
     share: f32,
 }
 
+/// The words, each with what the role model takes it for.
+fn words_by_roles<D: Domain>(agent: &mut Agent<impl AgentMemory>, home: &D, best: usize) -> Result<Vec<Word>, AgentError> {
+    let mut meanings: Vec<Option<(Meaning, f32)>> = vec![None; agent.sentence().len()];
+    agent.explain(home, best, |position, meaning, share| {
+        if let Some(slot) = meanings.get_mut(position).filter(|slot| slot.is_none_or(|(_, most)| share > most)) {
+            *slot = Some((meaning, share));
+        }
+    })?;
+    let language = agent.language();
+    let word = |(word, meaning): (&Option<Symbol>, Option<(Meaning, f32)>)| {
+        let (meaning, share) = meaning?;
+        let token = match meaning {
+            Meaning::Background => "NULL".to_owned(),
+            Meaning::Task => "task".to_owned(),
+            Meaning::Value(role, value) => format!("{} {}", role_name(&home.world().schema, role), language.tokens().text(value)),
+        };
+        Some(Word { word: word.map_or_else(|| "?".to_owned(), |word| language.words().text(word).to_owned()), token, share })
+    };
+    Ok(agent.sentence().iter().zip(meanings).filter_map(word).collect())
+}
+
+/// A role in words.
+fn role_name(schema: &Schema<'_>, role: Role) -> String {
+    match role.kind() {
+        RoleKind::Goal => format!("goal of {}", schema.proposition_name(role.proposition())),
+        RoleKind::Subject => format!("subject of {}", schema.proposition_name(role.proposition())),
+        RoleKind::Start => format!("start of {}", schema.proposition_name(role.proposition())),
+        RoleKind::OtherPlace | RoleKind::Other => format!("other {}", schema.class_name(role.class())),
+    }
+}
+
 /// The words, each with the machine token that explains it best in the task's most likely machine command.
-fn words<D: Domain>(agent: &Agent<impl AgentMemory>, home: &D, best: usize) -> Result<Vec<Word>, AgentError> {
+fn words<D: Domain>(agent: &mut Agent<impl AgentMemory>, home: &D, start: &D::State, best: usize) -> Result<Vec<Word>, AgentError> {
+    if agent.options().language.model == Model::Roles {
+        return words_by_roles(agent, home, best);
+    }
     let Some(task) = agent.tasks().get(best) else { return Ok(vec![]) };
-    let Some(lifted) = agent.lifted().get(usize::from(task.lifted)) else { return Ok(vec![]) };
     let language = agent.language();
     let find = |command: &Vec<String>| -> Option<Vec<Symbol>> { command.iter().map(|token| language.tokens().find(token)).collect() };
-    let commands: Vec<Vec<Symbol>> = evidence::commands(home, lifted, task, agent.options())?.iter().filter_map(find).collect();
+    let commands: Vec<Vec<Symbol>> = evidence::commands(home, agent.lifted(), task, start, agent.options())?.iter().filter_map(find).collect();
     let sentence = agent.sentence();
     let likelier = |best: Option<Vec<Symbol>>, command: Vec<Symbol>| match best {
         Some(best) if !language.likelihood(sentence, &command).exceeds(language.likelihood(sentence, &best)) => Some(best),

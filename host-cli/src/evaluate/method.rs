@@ -13,9 +13,11 @@ use std::collections::{BTreeMap, BTreeSet};
 /// What is trained.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Method {
-    /// Model 2 with the default settings
+    /// The role model
     #[default]
     Default,
+    /// Model 2, smoothed
+    Smoothed,
     /// Model 2 with the paper's settings
     #[value(alias = "paper")]
     Ibm2,
@@ -30,6 +32,7 @@ impl Method {
     pub const fn settings(self) -> Settings {
         match self {
             Self::Default => Settings::DEFAULT,
+            Self::Smoothed => Settings::SMOOTHED,
             Self::Ibm2 | Self::BagOfWords | Self::Action => Settings::PAPER,
         }
     }
@@ -37,9 +40,10 @@ impl Method {
 
 /// The default without one choice at a time, and the paper's.
 pub fn ablations() -> Vec<(&'static str, Settings)> {
-    let default = Settings::DEFAULT;
+    let default = Settings::SMOOTHED;
     vec![
-        ("default", default),
+        ("default", Settings::DEFAULT),
+        ("Model 2, smoothed", default),
         ("  no alignment prior", Settings { alignment_prior: 0.0, ..default }),
         ("  whole words", Settings { word_letters: 0, ..default }),
         ("  smoothing 0.1", Settings { smoothing: 0.1, ..default }),
@@ -73,7 +77,7 @@ impl<'m> Trained<'m> {
     ) -> Result<Self, goodbot::AgentError> {
         Ok(match method {
             Method::BagOfWords => Self::Bags(Bags::of(lessons, settings.smoothing)?),
-            Method::Default | Method::Ibm2 | Method::Action => Self::Model2(Box::new(training::train(memory, lessons, settings)?)),
+            Method::Default | Method::Smoothed | Method::Ibm2 | Method::Action => Self::Model2(Box::new(training::train(memory, lessons, settings)?)),
         })
     }
 

@@ -254,8 +254,15 @@ pub(crate) fn heard(layout: &Layout, sentence: &[Option<Symbol>]) -> impl Iterat
     sentence.iter().map(move |word| word.map_or(words, |word| word.index().min(words)))
 }
 
-/// Pr(e|t); 1 for an untrained model.
-pub fn likelihood(layout: &Layout, translations: &[f32], alignments: &[f32], sentence: &[Option<Symbol>], description: &[Symbol]) -> Scaled {
+/// Pr(e|t); 1 for an untrained model. `tell` is told the position of each word, and the probability of it after those before.
+pub fn likelihood(
+    layout: &Layout,
+    translations: &[f32],
+    alignments: &[f32],
+    sentence: &[Option<Symbol>],
+    description: &[Symbol],
+    mut tell: impl FnMut(usize, f32),
+) -> Scaled {
     if layout.words() == 0 {
         return Scaled::ONE;
     }
@@ -266,8 +273,9 @@ pub fn likelihood(layout: &Layout, translations: &[f32], alignments: &[f32], sen
         *first = 1.0;
     }
     let (mut product, mut previous) = (Scaled::ONE, None);
-    for word in heard(layout, sentence) {
+    for (position, word) in heard(layout, sentence).enumerate() {
         let sum = reader.advance(word, previous, &before, &mut after);
+        tell(position, sum);
         if sum <= 0.0 {
             return Scaled::ZERO;
         }
