@@ -4,33 +4,45 @@
 //! over machine positions of alignment times translation, or the role model's probability of the word after those before it. Each word's row is then made to sum to 1, so that a word that tells nothing is
 //! spread evenly.
 
-use goodbot::capacity::Capacity;
+use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::language::Model;
-use goodbot::{Agent, AgentError};
+use goodbot::Agent;
 use goodbot::home::Home;
 use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::symbols::{Symbol, Symbols};
 use goodbot::task::Expression;
+use goodbot::task::description::describe;
+use goodbot::task::machine_command::Tokens;
+use goodbot::task::role::is_marker;
 
 use crate::view::Support;
 
 /// What each word of the command under way says of each task.
 ///
 /// # Errors
-/// An [`AgentError`] where no session is under way, or a task's machine commands are too many or too long.
-pub fn support(agent: &mut Agent<impl AgentMemory>, home: &Home<impl HomeMemory>) -> Result<Support, AgentError> {
-    let length = agent.sentence().len();
+/// A [`CapacityError`] where a task's machine commands are too many or too long.
+pub fn support(agent: &Agent<impl AgentMemory>, home: &Home<impl HomeMemory>) -> Result<Support, CapacityError> {
+    let (language, sentence) = (agent.language(), agent.sentence());
+    let length = sentence.len();
     // Interning machine tokens must leave the model's own as they are.
     let (mut bytes, mut ends, mut count) = (vec![0; 4_096], vec![0; 256], 0);
     let mut own = Symbols::new(&mut bytes, &mut ends, &mut count, Capacity::Tokens, Capacity::TokenBytes);
     let mut rows = vec![Vec::new(); length];
     if agent.options().language.model == Model::Roles {
+        let mut description = Tokens::new();
         for task in 0..agent.tasks().len() {
-            let description = agent.describe(home, task)?;
+            description.clear();
+            if let Some((task, start)) = agent.tasks().get(task).zip(agent.started_from(home)) {
+                describe(home, agent.lifted(), task, &start, &mut own, &mut description)?;
+            }
+            // A value that the model does not know is as good as any other that it does not.
+            for token in description.iter_mut().filter(|token| !is_marker(**token)) {
+                *token = language.tokens().find(own.read().text(*token)).unwrap_or(Symbol(i16::MAX as u16));
+            }
             for row in &mut rows {
                 row.push(0.0);
             }
-            agent.language().word_by_word(agent.sentence(), &description, |position, probability| {
+            language.word_by_word(sentence, &description, |position, probability| {
                 if let Some(slot) = rows.get_mut(position).and_then(|row| row.last_mut()) {
                     *slot = probability;
                 }
@@ -38,7 +50,6 @@ pub fn support(agent: &mut Agent<impl AgentMemory>, home: &Home<impl HomeMemory>
         }
         return Ok(spread(agent, rows));
     }
-    let (language, sentence) = (agent.language(), agent.sentence());
     for task in agent.tasks() {
         let Some(lifted) = agent.lifted().get(usize::from(task.lifted)) else { continue };
         let expression = Expression::new(home, lifted, task, agent.options().language.order, &mut own)?;

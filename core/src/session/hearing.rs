@@ -234,23 +234,9 @@ impl<M: AgentMemory> Agent<M> {
         Ok(language.explain(&self.sentence, &description, tell)?)
     }
 
-    /// The description of a task of this session, for those who look on: see [`description`](crate::task::description). Empty for a task
-    /// that there is not.
-    ///
-    /// # Errors
-    /// [`AgentError::NoSession`], [`AgentError::OtherDomain`], and [`AgentError::Capacity`].
-    pub fn describe<D: Domain + ?Sized>(&mut self, domain: &D, task: usize) -> Result<Tokens, AgentError> {
-        if self.domain != digest(domain) {
-            return Err(AgentError::OtherDomain);
-        }
-        let start = self.start.ok_or(AgentError::NoSession)?;
-        let AgentTables { language, session, workspace } = self.memory.lend();
-        let mut language = self.language.with(language, workspace);
-        let mut description = Tokens::new();
-        if let Some(task) = session.tasks.get(..self.task_count).and_then(|tasks| tasks.get(task)) {
-            describe(domain, &self.lifted, task, &domain.numbered(start), language.tokens_mut(), &mut description)?;
-        }
-        Ok(description)
+    /// The state that the session started from, `None` where none is under way in this domain.
+    pub fn started_from<D: Domain + ?Sized>(&self, domain: &D) -> Option<D::State> {
+        self.start.filter(|_| self.domain == digest(domain)).map(|number| domain.numbered(number))
     }
 
     /// Lets the role model's kind of task speak.
