@@ -39,7 +39,7 @@ fn one_search_for_all_tasks_is_ten_times_faster_than_one_dijkstra_a_task_and_fin
 #[test]
 fn training_takes_time_linear_in_the_sessions() {
     let settings = Settings { rounds: 1, ..Settings::PAPER };
-    let (mut memory, mut other) = (HeapMemory::new(&LARGE), HeapMemory::new(&LARGE));
+    let (memory, other) = (HeapMemory::new(&LARGE), HeapMemory::new(&LARGE));
     let mut many = model(memory.agent, &sessions(512), settings, 0.25);
     let mut few = model(other.agent, &sessions(64), settings, 0.25);
     let ratio = ratio(in_turn(&mut || train(&mut many), &mut || train(&mut few)));

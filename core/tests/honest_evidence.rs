@@ -5,7 +5,7 @@ use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::oomdp::{
-    Action, ActionKind, Class, ClassId, Domain, GroundProposition, ObjectId, ObjectSet, OneByOne, Proposition, PropositionId, Schema, World,
+    Action, ActionKind, Class, ClassId, Domain, GroundProposition, ObjectId, ObjectSet, Objects, OneByOne, Proposition, PropositionId, Schema, World,
     apply,
 };
 use goodbot::planning::{Judgement, OptimalSet, states_needed};
@@ -187,7 +187,7 @@ fn two_things_that_have_swapped_places_are_placed_at_once() {
 
 /// A robot that goes round in a ring of many places; the second action costs 2.
 struct Ring<'m> {
-    objects: ObjectSet<'m>,
+    objects: Objects<'m>,
     places: u64,
 }
 
@@ -202,7 +202,7 @@ impl Domain for Ring<'_> {
     type Search = OneByOne;
 
     fn world(&self) -> World<'_> {
-        World { schema: RING, objects: &self.objects }
+        World { schema: RING, objects: self.objects }
     }
 
     fn actions(&self) -> &[ActionKind<'_>] {
@@ -237,9 +237,9 @@ impl Domain for Ring<'_> {
 #[test]
 fn a_robot_whose_states_do_not_fit_is_refused_by_name_and_number() {
     let mut ring_memory = memory(0, 0);
-    let mut objects = ObjectSet::new(&mut ring_memory.home.objects);
+    let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
     objects.add(ClassId(0), "goal", &[]).unwrap();
-    let ring = Ring { objects, places: 15_000 };
+    let ring = Ring { objects: objects.into_objects(), places: 15_000 };
     let needed = states_needed(&ring).unwrap();
     assert!(needed > 16_384, "an action that costs 2 takes more room: {needed}");
     let tasks = [LiftedTask::single(PropositionId(0), &RING).unwrap()];

@@ -100,9 +100,9 @@ fn in_parts(budget: u32) -> (usize, Vec<u32>) {
 fn hearing_and_finishing_in_parts_gives_the_same_bits_whatever_the_budget() {
     let (calls, whole) = in_parts(u32::MAX);
     assert_eq!(calls, 0);
-    for budget in [1, 7, 60] {
+    for budget in [1, 7, 20] {
         let (calls, bits) = in_parts(budget);
-        assert!(calls > 3, "{calls} calls of budget {budget}");
+        assert!(calls > 1, "{calls} calls of budget {budget}");
         assert_eq!(bits, whole);
     }
 }

@@ -11,7 +11,7 @@ use std::time::Duration;
 use goodbot::language::Settings;
 use goodbot::{Capacities, HeapMemory};
 use goodbot_benches::dijkstra::{HOMES, one_dijkstra_a_task};
-use goodbot_benches::homes::{LARGE, Scene, Tasks, size};
+use goodbot_benches::homes::{Scene, Tasks, size};
 use goodbot_benches::language::{model, sessions, train};
 use goodbot_benches::timing::{ROUNDS, in_turn, median, ratio, time};
 use goodbot_benches::works;
@@ -110,7 +110,7 @@ fn against_nltk() -> Result<(), String> {
     let output = child.wait_with_output().map_err(|error| error.to_string())?;
     let reply: Value = serde_json::from_slice(&output.stdout).map_err(|error| format!("model2.py gave no tables: {error}"))?;
 
-    let mut memory = HeapMemory::new(&Capacities::STANDARD);
+    let memory = HeapMemory::new(&Capacities::STANDARD);
     let settings = Settings { smoothing: 0.0, ..Settings::PAPER };
     let mut model = model(memory.agent, &data, settings, 1.0);
     let times: Vec<Duration> = (0..ROUNDS).map(|_| time(&mut || train(&mut model))).collect();

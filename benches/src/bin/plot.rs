@@ -2,9 +2,8 @@
 
 use std::process::ExitCode;
 
-use goodbot::HeapMemory;
 use goodbot::oomdp::Domain;
-use goodbot_benches::homes::{LARGE, Scene, Tasks, named, size};
+use goodbot_benches::homes::{Scene, Tasks, named, size};
 use goodbot_benches::timing::{ROUNDS, median, time};
 use plotters::prelude::*;
 
