@@ -8,7 +8,7 @@ use crate::task::role::{Role, RoleKind};
 use heapless::Vec;
 
 /// The most groups of a description that are read.
-const MOST_GROUPS: usize = 30;
+const MOST_GROUPS: usize = 24;
 /// Before anything is learned: the probability of background, and of the end of a command.
 const BACKGROUND: f32 = 0.5;
 pub(super) const END: f32 = 0.1;
