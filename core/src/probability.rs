@@ -65,12 +65,27 @@ impl Scaled {
         Self { mantissa: at(self) + at(other), exponent }.normalised()
     }
 
+    /// The ratio; nothing where `other` is nothing.
+    pub fn divided_by(self, other: Self) -> Self {
+        if other.is_zero() {
+            return Self::ZERO;
+        }
+        Self { mantissa: self.mantissa / other.mantissa, exponent: self.exponent.saturating_sub(other.exponent) }.normalised()
+    }
+
     /// The ratio `self / whole` as an f32; 0 where the whole is 0.
     pub fn over(self, whole: Self) -> f32 {
         if whole.is_zero() || self.is_zero() {
             return 0.0;
         }
         (self.mantissa / whole.mantissa) * power_of_two(self.exponent.saturating_sub(whole.exponent))
+    }
+
+    /// The square root.
+    pub fn square_root(self) -> Self {
+        let (mantissa, exponent) =
+            if self.exponent & 1 == 0 { (self.mantissa, self.exponent) } else { (self.mantissa * 2.0, self.exponent.saturating_sub(1)) };
+        Self { mantissa: square_root(mantissa), exponent: exponent / 2 }.normalised()
     }
 
     /// The number as an f32, 0 where it is too small for one.
@@ -85,6 +100,34 @@ impl Scaled {
         }
         self.exponent > other.exponent
     }
+}
+
+/// e^x by a polynomial and a power of two, within a few units of the last place; x beyond what an f32 holds is cut off.
+pub(crate) fn exp(x: f32) -> f32 {
+    const LOG2_E: f32 = core::f32::consts::LOG2_E;
+    // ln 2 in two parts, the first with few bits, so that the difference is exact.
+    const LN_2: [f32; 2] = [0.693_359_4, -2.121_944_4e-4];
+    let x = if x.is_nan() { 0.0 } else { x.clamp(-87.0, 87.0) };
+    let scaled = x * LOG2_E;
+    let power = (if scaled < 0.0 { scaled - 0.5 } else { scaled + 0.5 }) as i32;
+    let [high, low] = LN_2;
+    let r = x - power as f32 * high - power as f32 * low;
+    let series = [1.0 / 720.0, 1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0, 1.0];
+    series.iter().fold(0.0, |sum, part| sum * r + part) * power_of_two(power)
+}
+
+/// The square root by Newton's method; 0 for what is negative or not a number.
+pub(crate) fn square_root(x: f32) -> f32 {
+    if x.is_nan() || x <= 0.0 {
+        return 0.0;
+    }
+    let x = x.clamp(f32::MIN_POSITIVE, f32::MAX);
+    // Half the exponent is within a few hundredths.
+    let mut root = f32::from_bits((x.to_bits() >> 1).wrapping_add(0x1fbb_4f2e));
+    for _ in 0..3 {
+        root = 0.5 * (root + x / root);
+    }
+    root
 }
 
 /// 2^exponent, 0 below the normal range and the largest power above it.
@@ -103,6 +146,21 @@ pub fn total(parts: impl Iterator<Item = Scaled>) -> Scaled {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn roots_and_powers_are_as_exact_as_single_precision_allows() {
+        for step in -400..=400 {
+            let x = step as f32 * 0.2;
+            let wanted = f64::from(x).exp();
+            assert!((f64::from(exp(x)) / wanted - 1.0).abs() < 4e-7, "{x}");
+            let y = exp(x);
+            assert!((f64::from(square_root(y)) / f64::from(y).sqrt() - 1.0).abs() < 2e-7, "{y}");
+        }
+        assert_eq!((exp(f32::NAN), square_root(f32::NAN), square_root(-1.0)), (1.0, 0.0, 0.0));
+        let small = (0..1_000).fold(Scaled::ONE, |product, _| product.scaled_by(0.25));
+        let half = (0..1_000).fold(Scaled::ONE, |product, _| product.scaled_by(0.5));
+        assert_eq!((small.square_root().over(half), Scaled::ZERO.square_root()), (1.0, Scaled::ZERO));
+    }
 
     #[test]
     fn a_product_of_ten_thousand_small_factors_keeps_its_ratios() {

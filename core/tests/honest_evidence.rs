@@ -5,8 +5,8 @@ use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::memory::{AgentHeap, AgentMemory, HomeMemory};
 use goodbot::oomdp::{
-    Action, ActionKind, Class, ClassId, Domain, GroundProposition, ObjectId, ObjectSet, Objects, OneByOne, Proposition, PropositionId, Schema, World,
-    apply,
+    Action, ActionKind, Class, ClassId, Domain, GroundProposition, ObjectId, ObjectSet, Objects, OneByOne, Proposition, PropositionId,
+    Schema, World, apply,
 };
 use goodbot::planning::{Judgement, OptimalSet, states_needed};
 use goodbot::session::Evidence;

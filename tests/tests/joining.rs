@@ -127,7 +127,7 @@ fn whole_words_are_cut_to_those_that_count_here_and_cut_words_are_refused_where_
 #[test]
 fn machine_commands_of_another_order_are_refused() {
     let lessons = school::lessons();
-    let beside = Options { language: Settings { order: Settings::DEFAULT.order, ..Settings::PAPER }, ..Options::PAPER };
+    let beside = Options { language: Settings { order: Settings::SMOOTHED.order, ..Settings::PAPER }, ..Options::PAPER };
     let mut memory = HeapMemory::new(&ROOMY);
     let mut robot = agent(&mut memory, Options::PAPER);
     assert_eq!(robot.join(&model(&[&lessons[0]], beside, 1)), Err(RestoreError::OtherForms));

@@ -119,7 +119,7 @@ proptest! {
         data in vec((vec(0..6_usize, 1..6), vec(0..8_usize, 1..6), 0.001..=1.0_f32), 1..8),
         (smoothing, alignment_prior) in prop_oneof![
             Just((Settings::PAPER.smoothing, Settings::PAPER.alignment_prior)),
-            Just((Settings::DEFAULT.smoothing, Settings::DEFAULT.alignment_prior)),
+            Just((Settings::SMOOTHED.smoothing, Settings::SMOOTHED.alignment_prior)),
             (0.01..1.0_f32, 0.0..6.0_f32),
         ],
     ) {

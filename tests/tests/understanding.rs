@@ -16,8 +16,8 @@ fn distinct_commands(order: TokenOrder) -> usize {
     builder.block("block0", Cell::new(2, 2), "yellow", "bag").unwrap();
     let (home, state) = builder.build(Moves::Push).unwrap();
     let both = LiftedTask::parse("agentInRoom(?a,?r1) & blockInRoom(?o,?r2)", &home::SCHEMA).unwrap();
-    let language = Settings { order, ..Settings::DEFAULT };
-    let mut agent = Agent::new(&mut minds.agent, &[both], Options { language, ..Options::DEFAULT }).unwrap();
+    let language = Settings { order, ..Settings::SMOOTHED };
+    let mut agent = Agent::new(&mut minds.agent, &[both], Options { language, ..Options::SMOOTHED }).unwrap();
     agent.hear(&home, &state, "go").unwrap();
     agent.candidates().entries().len()
 }
@@ -35,5 +35,5 @@ fn words_that_begin_alike_are_one_word_where_letters_count() {
         model.hear("orange orangey oranges").unwrap();
         model.words().len()
     };
-    assert_eq!((words(Settings::DEFAULT), words(Settings::PAPER)), (1, 3));
+    assert_eq!((words(Settings::SMOOTHED), words(Settings::PAPER)), (1, 3));
 }

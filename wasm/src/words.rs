@@ -1,15 +1,19 @@
 //! Which word of a command speaks for which task.
 //!
 //! For each word and task, the probability of the word alone under the task: the mean over the task's binding constraints of Model 2's sum
-//! over machine positions of alignment times translation. Each word's row is then made to sum to 1, so that a word that tells nothing is
+//! over machine positions of alignment times translation, or the role model's probability of the word after those before it. Each word's row is then made to sum to 1, so that a word that tells nothing is
 //! spread evenly.
 
 use goodbot::Agent;
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::home::Home;
+use goodbot::language::Model;
 use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::symbols::{Symbol, Symbols};
 use goodbot::task::Expression;
+use goodbot::task::description::describe;
+use goodbot::task::machine_command::Tokens;
+use goodbot::task::role::is_marker;
 
 use crate::view::Support;
 
@@ -18,13 +22,34 @@ use crate::view::Support;
 /// # Errors
 /// A [`CapacityError`] where a task's machine commands are too many or too long.
 pub fn support(agent: &Agent<impl AgentMemory>, home: &Home<impl HomeMemory>) -> Result<Support, CapacityError> {
-    let language = agent.language();
-    let sentence = agent.sentence();
+    let (language, sentence) = (agent.language(), agent.sentence());
     let length = sentence.len();
     // Interning machine tokens must leave the model's own as they are.
     let (mut bytes, mut ends, mut count) = (vec![0; 4_096], vec![0; 256], 0);
     let mut own = Symbols::new(&mut bytes, &mut ends, &mut count, Capacity::Tokens, Capacity::TokenBytes);
     let mut rows = vec![Vec::new(); length];
+    if agent.options().language.model == Model::Roles {
+        let mut description = Tokens::new();
+        for task in 0..agent.tasks().len() {
+            description.clear();
+            if let Some((task, start)) = agent.tasks().get(task).zip(agent.started_from(home)) {
+                describe(home, agent.lifted(), task, &start, &mut own, &mut description)?;
+            }
+            // A value that the model does not know is as good as any other that it does not.
+            for token in description.iter_mut().filter(|token| !is_marker(**token)) {
+                *token = language.tokens().find(own.read().text(*token)).unwrap_or(Symbol(i16::MAX as u16));
+            }
+            for row in &mut rows {
+                row.push(0.0);
+            }
+            language.word_by_word(sentence, &description, |position, probability| {
+                if let Some(slot) = rows.get_mut(position).and_then(|row| row.last_mut()) {
+                    *slot = probability;
+                }
+            });
+        }
+        return Ok(spread(agent, rows));
+    }
     for task in agent.tasks() {
         let Some(lifted) = agent.lifted().get(usize::from(task.lifted)) else { continue };
         let expression = Expression::new(home, lifted, task, agent.options().language.order, &mut own)?;
@@ -51,6 +76,12 @@ pub fn support(agent: &Agent<impl AgentMemory>, home: &Home<impl HomeMemory>) ->
             row.push(sum / f32::from(expression.constraints()));
         }
     }
+    Ok(spread(agent, rows))
+}
+
+/// The support whose rows are made to sum to 1.
+fn spread(agent: &Agent<impl AgentMemory>, mut rows: Vec<Vec<f32>>) -> Support {
+    let (language, sentence) = (agent.language(), agent.sentence());
     let even = 1.0 / agent.tasks().len().max(1) as f32;
     for row in &mut rows {
         let whole: f32 = row.iter().sum();
@@ -59,5 +90,5 @@ pub fn support(agent: &Agent<impl AgentMemory>, home: &Home<impl HomeMemory>) ->
         }
     }
     let words = sentence.iter().map(|word| word.map_or_else(String::new, |word| language.words().text(word).to_owned())).collect();
-    Ok(Support { words, tasks: rows })
+    Support { words, tasks: rows }
 }

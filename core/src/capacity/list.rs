@@ -62,8 +62,9 @@ macro_rules! for_each_capacity {
             pairs: Pairs = 112, 128, 32_768;
             /// Cells of the translation table: (machine tokens + 1) times English words.
             translations: Translations = 266, 640, 263_168;
-            /// Cells of all alignment tables together: (l + 1) times n for each pair of lengths.
-            alignments: Alignments = 340, 512, 262_144;
+            /// Cells of all alignment tables together: (l + 1) times n for each pair of lengths. The role model keeps in them all that is not a
+            /// row of words: see [`layout`](crate::language::roles::layout).
+            alignments: Alignments = 448, 640, 262_144;
             /// Distinct pairs of a machine command's and an English command's length.
             length_pairs: LengthPairs = 8, 16, 1_024;
         }

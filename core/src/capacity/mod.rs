@@ -24,7 +24,7 @@ pub use list::{Capacities, Capacity, UnknownCapacity};
 /// Words of one English command; more are refused with [`Capacity::WordsPerCommand`].
 pub const WORDS_PER_COMMAND: usize = 64;
 /// Machine tokens of one machine command.
-pub const TOKENS_PER_COMMAND: usize = 32;
+pub const TOKENS_PER_COMMAND: usize = 60;
 /// Bytes of one word, name or machine token.
 pub const NAME_BYTES: usize = 48;
 /// Arguments of one propositional function.

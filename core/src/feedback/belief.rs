@@ -78,7 +78,8 @@ impl<'t> BeliefRef<'t> {
         self.memory.joint.get(start..start.saturating_add(self.count.strategies)).filter(|_| task < self.count.tasks).unwrap_or(&[])
     }
 
-    fn prior(self, task: usize) -> Scaled {
+    /// The prior of a task, in the unit of all.
+    pub(crate) fn prior(self, task: usize) -> Scaled {
         self.memory.priors.get(task).copied().filter(|_| task < self.count.tasks).unwrap_or(Scaled::ZERO)
     }
 
@@ -215,6 +216,11 @@ impl<'t> Belief<'t> {
         if let Some(slot) = self.memory.priors.get_mut(..self.count.tasks).and_then(|priors| priors.get_mut(task)) {
             *slot = prior;
         }
+    }
+
+    /// The priors of all tasks, in one unit.
+    pub(crate) fn priors_mut(&mut self) -> &mut [Scaled] {
+        self.memory.priors.get_mut(..self.count.tasks).unwrap_or(&mut [])
     }
 
     /// Takes in the feedback to one action. `judgement` says how the action relates to each task. A task whose judgement is unknown gets

@@ -4,13 +4,15 @@
 //! counts to the cells that explain its words; then t = (count + s) / (total + s V) and a = count / total.
 
 use super::bitext::BitextRef;
-use super::settings::Settings;
+use super::roles::Layout;
+use super::roles::training::{Part, Work};
+use super::settings::{Model, Settings};
 use super::tables::{Tables, TablesRef};
 use crate::planning::Progress;
 use crate::symbols::Symbol;
 
 /// Where the training stands.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Phase {
     #[default]
     Done,
@@ -20,10 +22,12 @@ enum Phase {
     Translations(usize),
     /// The M-step of a, from this pair of lengths on.
     Alignments(usize),
+    /// The role model's.
+    Roles(Part),
 }
 
 /// A training, under way or done.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Training {
     phase: Phase,
     round: u32,
@@ -36,6 +40,18 @@ impl Training {
     /// Begins: the tables take their new sizes. The caller has made sure that they fit.
     pub(super) fn begin(tables: &mut Tables<'_>, bitext: BitextRef<'_>, words: usize, tokens: usize, settings: &Settings) -> Self {
         (tables.trained.words, tables.trained.tokens) = (words, tokens);
+        if settings.model == Model::Roles {
+            tables.trained.layout = Layout::of(bitext, words, tokens);
+            tables.clear_counts();
+            if words == 0 {
+                return Self::DONE;
+            }
+            let layout = tables.trained.layout;
+            let (t, a) = tables.parts();
+            Work { layout: &layout, tokens, bitext, t, a }.clear();
+            return Self { phase: Phase::Roles(Part::Count(0)), round: 0 };
+        }
+        tables.trained.layout = Layout::NONE;
         tables.clear_counts();
         for pair in tables.memory.length_pairs.iter_mut() {
             pair.weight = 0.0;
@@ -67,9 +83,16 @@ impl Training {
     /// Goes on, with at most about `budget` table cells of work (one pair, row or alignment table at least).
     pub(super) fn advance(&mut self, tables: &mut Tables<'_>, bitext: BitextRef<'_>, settings: &Settings, budget: u32) -> Progress {
         let mut left = i64::from(budget.max(1));
+        let (layout, tokens) = (tables.trained.layout, tables.trained.tokens);
         while left > 0 {
             let (work, next) = match self.phase {
                 Phase::Done => return Progress::Done,
+                Phase::Roles(part) => {
+                    let (t, a) = tables.parts();
+                    let mut work = Work { layout: &layout, tokens, bitext, t, a };
+                    let (cells, next) = work.advance(part, &mut self.round, settings.rounds);
+                    (cells, if next == Part::Done { Phase::Done } else { Phase::Roles(next) })
+                }
                 Phase::Expect(pair) => match bitext.pairs().get(pair) {
                     Some(entry) => {
                         let command = bitext.command(entry.command);

@@ -18,9 +18,11 @@
 //! The newest session never goes. One that could not be kept even alone is refused, and nothing is forgotten for it.
 
 use super::model::LanguageMut;
+use super::roles::Layout;
 use super::tables::TablesRef;
 use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
 use crate::symbols::{Symbol, SymbolsRef};
+use crate::task::role::is_marker;
 use heapless::Vec;
 
 /// The part of the vocabulary that is kept free: one in so many.
@@ -81,10 +83,10 @@ impl LanguageMut<'_> {
             words.push(word).map_err(|_| too_long)?;
         }
         self.check_alone(&words, session_tokens, pairs())?;
-        let (extent, length_pairs) = (self.bitext.extent(), self.tables.trained.length_pairs);
+        let (extent, length_pairs, wanted) = (self.bitext.extent(), self.tables.trained.length_pairs, self.tables.trained.wanted);
         let Err(error) = self.add_to_data(&words, &pairs) else { return Ok(Room::Found) };
         self.bitext.rewind(extent);
-        self.tables.trained.length_pairs = length_pairs;
+        (self.tables.trained.length_pairs, self.tables.trained.wanted) = (length_pairs, wanted);
         let want = match error.capacity {
             Capacity::Alignments | Capacity::LengthPairs => Want::Lengths(words.len()),
             _ => Want::Session,
@@ -100,6 +102,9 @@ impl LanguageMut<'_> {
         words: &[Symbol],
         pairs: impl Fn() -> I,
     ) -> Result<(), CapacityError> {
+        if !self.is_model_2() {
+            return self.add_descriptions(words, pairs);
+        }
         self.bitext.add_session(words)?;
         for (command, _) in pairs().filter(|&(_, weight)| weight >= LIGHT) {
             self.tables.add_lengths(command.len(), words.len())?;
@@ -122,6 +127,42 @@ impl LanguageMut<'_> {
         Ok(())
     }
 
+    /// Adds a session of the role model. Its lighter descriptions are left out where not all have room: the parameters' room is made when the
+    /// vocabulary gets its own.
+    fn add_descriptions<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
+        &mut self,
+        words: &[Symbol],
+        pairs: impl Fn() -> I,
+    ) -> Result<(), CapacityError> {
+        let before = self.bitext.extent();
+        let Err(full) = self.add_heavy(words, &pairs, 0.0, 1.0) else { return Ok(()) };
+        self.bitext.rewind(before);
+        let kept: f32 = pairs().map(|(_, weight)| weight).filter(|&weight| weight >= LIGHT).sum();
+        if kept < LEAST_KEPT { Err(full) } else { self.add_heavy(words, &pairs, LIGHT, kept) }
+    }
+
+    fn add_heavy<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
+        &mut self,
+        words: &[Symbol],
+        pairs: &impl Fn() -> I,
+        least: f32,
+        whole: f32,
+    ) -> Result<(), CapacityError> {
+        self.bitext.add_session(words)?;
+        pairs()
+            .filter(|&(_, weight)| weight >= least)
+            .try_for_each(|(description, weight)| self.bitext.add_pair(description, weight / whole))
+    }
+
+    /// Whether the tables have room for the parameters of all data.
+    fn parameters_fit(&self) -> bool {
+        let (words, tokens) = (self.words.len(), self.tokens.len());
+        if self.is_model_2() {
+            return self.tables.fits(tokens, words).is_ok();
+        }
+        self.tables.read().fits_roles(tokens, &Layout::of(self.bitext.read(), words, tokens)).is_ok()
+    }
+
     /// Whether a session could be kept if there were no other.
     fn check_alone<'a>(
         &self,
@@ -135,6 +176,24 @@ impl LanguageMut<'_> {
         };
         if words.is_empty() {
             return Err(self.read().no_room_for_a_word());
+        }
+        let different = |table: SymbolsRef<'_>, used: &[Symbol]| table.iter().filter(|(symbol, _)| used.contains(symbol)).count();
+        let (word_count, token_count) = (different(self.words.read(), words), different(self.tokens.read(), tokens));
+        if !self.is_model_2() {
+            let mut layout = Layout::NONE.with(word_count, token_count);
+            layout.see_length(words.len());
+            let (mut longest, mut count) = (0_usize, 0_usize);
+            for (description, _) in pairs {
+                layout.see(description);
+                longest = longest.max(description.len());
+                count = count.saturating_add(1);
+            }
+            fits(Capacity::Sessions, rooms.sessions, 1)?;
+            fits(Capacity::SentenceWords, rooms.sentence_words, words.len())?;
+            fits(Capacity::Pairs, rooms.pairs, count.min(1))?;
+            fits(Capacity::Commands, rooms.commands, count.min(1))?;
+            fits(Capacity::CommandTokens, rooms.command_tokens, longest)?;
+            return self.tables.read().fits_roles(token_count, &layout);
         }
         let (mut count, mut command_tokens) = (0_usize, 0_usize);
         // All of them have the same English length: one bit a machine length is enough.
@@ -156,9 +215,7 @@ impl LanguageMut<'_> {
         fits(Capacity::CommandTokens, rooms.command_tokens, command_tokens)?;
         fits(Capacity::LengthPairs, rooms.length_pairs, length_pairs)?;
         fits(Capacity::Alignments, rooms.alignments, alignments)?;
-        let different = |table: SymbolsRef<'_>, used: &[Symbol]| table.iter().filter(|(symbol, _)| used.contains(symbol)).count();
-        let cells = different(self.tokens.read(), tokens).saturating_add(1).saturating_mul(different(self.words.read(), words));
-        fits(Capacity::Translations, rooms.translations, cells)
+        fits(Capacity::Translations, rooms.translations, token_count.saturating_add(1).saturating_mul(word_count))
     }
 
     /// Makes sure that the vocabulary fits the tables and has an eighth free, now that a session was added, or lets one other session give
@@ -194,7 +251,7 @@ impl LanguageMut<'_> {
             && free(self.words.read().byte_len(), word_bytes)
             && free(self.tokens.len(), tokens)
             && free(self.tokens.read().byte_len(), token_bytes)
-            && self.tables.fits(self.tokens.len(), self.words.len()).is_ok()
+            && self.parameters_fit()
     }
 
     /// The session to give way among the first so many.
@@ -291,7 +348,7 @@ fn oldest_with_most<K: PartialOrd>(sessions: impl Iterator<Item = u16>, rank: im
 
 /// Moves a symbol up where one before it was removed.
 fn close_up(symbol: &mut Symbol, removed: Symbol) {
-    if *symbol > removed {
+    if *symbol > removed && !is_marker(*symbol) {
         symbol.0 = symbol.0.saturating_sub(1);
     }
 }

@@ -1,10 +1,11 @@
 //! Which pairs of lengths there are, counted without a table: what the alignments of some data will take.
 
-use crate::capacity::TOKENS_PER_COMMAND;
+/// The most tokens of one of Model 2's machine commands: four propositions with three arguments, and eight facts of two tokens.
+const MOST_TOKENS: usize = 32;
 
 /// The pairs of lengths seen so far, one bit each.
 pub(crate) struct SeenLengths {
-    seen: [u128; TOKENS_PER_COMMAND + 1],
+    seen: [u128; MOST_TOKENS + 1],
     /// How many.
     pub pairs: usize,
     /// Cells of their alignment tables together.
@@ -13,7 +14,7 @@ pub(crate) struct SeenLengths {
 
 impl SeenLengths {
     pub fn new() -> Self {
-        Self { seen: [0; TOKENS_PER_COMMAND + 1], pairs: 0, cells: 0 }
+        Self { seen: [0; MOST_TOKENS + 1], pairs: 0, cells: 0 }
     }
 
     pub fn see(&mut self, machine: usize, english: usize) {

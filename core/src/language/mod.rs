@@ -2,6 +2,7 @@
 //!
 //! - [`tokenizer`]: a command as words;
 //! - [`bitext`]: the training data, pairs of an English command and a machine command, each with a weight;
+//! - [`spelling`]: which words are variants of one;
 //! - [`tables`]: IBM Model 2's translation and alignment tables;
 //! - [`likelihood`]: Pr(e|m), exactly, without underflow;
 //! - [`forgetting`]: what gives way when memory is full;
@@ -15,13 +16,16 @@ pub mod forgetting;
 pub(crate) mod lengths;
 pub mod likelihood;
 pub mod model;
+pub mod roles;
 pub mod settings;
+pub mod spelling;
 pub mod tables;
 pub mod tokenizer;
 
 pub use bitext::{BitextRef, BitextTables, BitextTablesRef, Pair, Span};
 pub use em::Training;
 pub use model::{LanguageModel, LanguageMut, LanguageRef, LanguageTables, LanguageTablesRef};
-pub use settings::{SettingError, Settings};
+pub use roles::Meaning;
+pub use settings::{Model, SettingError, Settings};
 pub use tables::{LengthPair, ParameterTables, ParameterTablesRef, TablesRef};
 pub use tokenizer::Sentence;

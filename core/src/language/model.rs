@@ -3,14 +3,19 @@
 use super::bitext::{Bitext, BitextRef, BitextTables, BitextTablesRef, Extent};
 use super::em::Training;
 use super::likelihood::{length_likelihood, likelihood};
-use super::settings::{SettingError, Settings};
+use super::roles::{self, Layout, Meaning};
+use super::settings::{Model, SettingError, Settings};
+use super::spelling::variant;
 use super::tables::{ParameterTables, ParameterTablesRef, Tables, TablesRef, Trained};
-use super::tokenizer::{Sentence, for_each_word, word_form};
+use super::tokenizer::{Sentence, for_each_piece, for_each_word, word_form};
 use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
 use crate::memory::AgentMemory;
 use crate::planning::Progress;
-use crate::probability::Scaled;
+use crate::probability::{Scaled, total};
 use crate::symbols::{Symbol, Symbols, SymbolsRef};
+
+/// What of the words is not known counts so much as a word that says nothing of the task.
+const UNKNOWN_SAYS_NOTHING: f32 = 0.5;
 
 /// The tables of a language model.
 #[derive(Debug)]
@@ -183,10 +188,83 @@ impl<'t> LanguageRef<'t> {
         self.training
     }
 
-    /// Pr(e|m), times Pr(n|l) where [`Settings::length`] says so.
+    /// Pr(e|m), times Pr(n|l) where [`Settings::length`] says so. For the role model, `command` is a
+    /// [description](crate::task::description).
     pub fn likelihood(self, sentence: &[Option<Symbol>], command: &[Symbol]) -> Scaled {
+        if self.settings.model == Model::Roles {
+            let (translations, alignments) = self.tables.cells();
+            return roles::forward::likelihood(self.tables.layout(), translations, alignments, sentence, command, |_, _| {});
+        }
         let words = likelihood(self.tables, sentence, command);
         if self.settings.length { words.scaled_by(length_likelihood(self.tables, command.len(), sentence.len())) } else { words }
+    }
+
+    /// Tells how probable each word of a command is after those before it, by its position, where `description` was meant. Nothing for
+    /// Model 2 and before anything is learned.
+    pub fn word_by_word(self, sentence: &[Option<Symbol>], description: &[Symbol], tell: impl FnMut(usize, f32)) {
+        if self.settings.model == Model::Roles {
+            let (translations, alignments) = self.tables.cells();
+            let _ = roles::forward::likelihood(self.tables.layout(), translations, alignments, sentence, description, tell);
+        }
+    }
+
+    /// The role model's q_l(e): how probable the command's words make a lifted task, by its token, whatever is in the scene.
+    pub fn kind_of_task(self, sentence: &[Option<Symbol>], form: Symbol) -> f32 {
+        let layout = self.tables.layout();
+        let known = self.known(sentence);
+        roles::kind::share(layout, self.tables.cells().1, &known, sentence.len().saturating_sub(known.len()), form)
+    }
+
+    /// Lets the role model's kind of task speak: with weights of pi_t Pr(e|t) for tasks of lifted tasks with these tokens, makes of them
+    ///
+    /// ```text
+    /// q_l(e) pi_t Pr(e|t) / Z_l^(1/2),   Z_l the sum of pi_t Pr(e|t) over the tasks of the kind,
+    /// ```
+    ///
+    /// and leaves half of what of the words is not known to what is probable without words, the tasks' `prior`. Model 2 leaves them as they
+    /// are.
+    pub fn weigh_kinds(
+        self,
+        sentence: &[Option<Symbol>],
+        form: impl Fn(usize) -> Symbol,
+        prior: impl Fn(usize) -> f32,
+        weights: &mut [Scaled],
+    ) {
+        if self.settings.model == Model::Model2 || self.tables.words() == 0 {
+            return;
+        }
+        let count = weights.len();
+        for first in 0..count {
+            let token = form(first);
+            if (0..first).any(|before| form(before) == token) {
+                continue;
+            }
+            let whole = total(weights.iter().enumerate().filter(|&(task, _)| form(task) == token).map(|(_, &weight)| weight));
+            let root = whole.square_root();
+            let kind = self.kind_of_task(sentence, token);
+            for (_, weight) in weights.iter_mut().enumerate().filter(|&(task, _)| form(task) == token) {
+                *weight = weight.divided_by(root).scaled_by(kind);
+            }
+        }
+        let whole = total(weights.iter().copied());
+        let unknown = UNKNOWN_SAYS_NOTHING * self.unknown_share(sentence);
+        if !whole.is_zero() && unknown > 0.0 {
+            for (task, weight) in weights.iter_mut().enumerate() {
+                *weight = weight.scaled_by(1.0 - unknown).plus(whole.scaled_by(unknown * prior(task)));
+            }
+        }
+    }
+
+    /// The words of a command that the parameters know.
+    fn known(self, sentence: &[Option<Symbol>]) -> heapless::Vec<Symbol, WORDS_PER_COMMAND> {
+        let words = self.tables.layout().words();
+        sentence.iter().copied().flatten().filter(|word| word.index() < words).take(WORDS_PER_COMMAND).collect()
+    }
+
+    /// What of a command's words the parameters do not know, from 0 to 1.
+    pub fn unknown_share(self, sentence: &[Option<Symbol>]) -> f32 {
+        let known = sentence.iter().flatten().filter(|word| word.index() < self.tables.words()).count();
+        1.0 - known as f32 / sentence.len().max(1) as f32
     }
 
     /// How much each table holds.
@@ -280,11 +358,19 @@ impl<'t> LanguageMut<'t> {
     /// As [`hear`](Self::hear).
     pub fn hear_into(&mut self, command: &str, sentence: &mut Sentence) -> Result<(), CapacityError> {
         sentence.clear();
+        let full = CapacityError::full(Capacity::WordsPerCommand, WORDS_PER_COMMAND);
+        if self.settings.model == Model::Roles {
+            let letters = usize::from(self.settings.word_letters);
+            return for_each_piece(command, |word| {
+                let known = variant(self.words.read(), *self.learned_words, word, letters);
+                let word = known.or_else(|| self.words.intern(word).ok());
+                sentence.push(word).map_err(|_| full)
+            });
+        }
         let words = &mut self.words;
         let letters = usize::from(self.settings.word_letters);
         for_each_word(command, |word| {
             let word = word_form(word, letters);
-            let full = CapacityError::full(Capacity::WordsPerCommand, WORDS_PER_COMMAND);
             sentence.push(words.intern(word).ok()).map_err(|_| full)
         })
     }
@@ -299,7 +385,7 @@ impl<'t> LanguageMut<'t> {
         sentence: &[Option<Symbol>],
         pairs: impl Iterator<Item = (&'a [Symbol], f32)>,
     ) -> Result<(), CapacityError> {
-        let (extent, length_pairs) = (self.bitext.extent(), self.tables.trained.length_pairs);
+        let (extent, length_pairs, wanted) = (self.bitext.extent(), self.tables.trained.length_pairs, self.tables.trained.wanted);
         let result = self.try_add_session(sentence, pairs);
         match result {
             Ok(()) => {
@@ -308,7 +394,7 @@ impl<'t> LanguageMut<'t> {
             }
             Err(_) => {
                 self.bitext.rewind(extent);
-                self.tables.trained.length_pairs = length_pairs;
+                (self.tables.trained.length_pairs, self.tables.trained.wanted) = (length_pairs, wanted);
             }
         }
         result
@@ -321,6 +407,19 @@ impl<'t> LanguageMut<'t> {
         self.tokens.truncate(0);
         self.bitext.rewind(Extent::default());
         (*self.learned_words, *self.learned_tokens) = (0, 0);
+        self.tables.trained.wanted = Layout::NONE;
+    }
+
+    /// The symbol of a word that another model knows: a variant of one known here, or a new one.
+    pub(crate) fn take_word(&mut self, word: &str) -> Result<Symbol, CapacityError> {
+        let letters = usize::from(self.settings.word_letters);
+        if self.is_model_2() {
+            return self.words.intern(word_form(word, letters));
+        }
+        match variant(self.words.read(), 0, word, letters) {
+            Some(known) => Ok(known),
+            None => self.words.intern(word),
+        }
     }
 
     pub(crate) fn words_mut(&mut self) -> &mut Symbols<'t> {
@@ -338,13 +437,69 @@ impl<'t> LanguageMut<'t> {
     /// A [`CapacityError`] where the tables have no room.
     pub(crate) fn data_replaced(&mut self) -> Result<(), CapacityError> {
         (*self.learned_words, *self.learned_tokens) = (self.words.len(), self.tokens.len());
+        if self.settings.model == Model::Roles {
+            self.tables.trained.length_pairs = 0;
+            self.tables.trained.wanted = Layout::of(self.bitext.read(), self.words.len(), self.tokens.len());
+            return self.tables.read().fits_roles(self.tokens.len(), &self.tables.trained.wanted);
+        }
         self.tables.fits(self.tokens.len(), self.words.len())?;
         self.rebuild_lengths()
+    }
+
+    /// Takes note of one more machine command for a command of so many words, in what the parameters take.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where the tables have no room.
+    pub(super) fn want(&mut self, command: &[Symbol], words: usize) -> Result<(), CapacityError> {
+        if self.settings.model == Model::Model2 {
+            return self.tables.add_lengths(command.len(), words);
+        }
+        let mut wanted = self.tables.trained.wanted;
+        wanted.see(command);
+        wanted.see_length(words);
+        let wanted = wanted.with(self.words.len(), self.tokens.len());
+        self.tables.read().fits_roles(self.tokens.len(), &wanted)?;
+        self.tables.trained.wanted = wanted;
+        Ok(())
+    }
+
+    pub(crate) fn is_model_2(&self) -> bool {
+        self.settings.model == Model::Model2
+    }
+
+    /// Tells for each word of a command, the last first, what it was taken for where `description` was meant: its position, a meaning, and
+    /// the share of 1 that this meaning has. Nothing for Model 2, before anything is learned and while learning.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where the command is too long for the room that the tables have behind the parameters.
+    pub fn explain(
+        &mut self,
+        sentence: &[Option<Symbol>],
+        description: &[Symbol],
+        tell: impl FnMut(usize, Meaning, f32),
+    ) -> Result<(), CapacityError> {
+        let layout = self.tables.trained.layout;
+        if self.is_model_2() || layout.words() == 0 || self.read().is_training() {
+            return Ok(());
+        }
+        let words: heapless::Vec<Symbol, WORDS_PER_COMMAND> =
+            roles::forward::heard(&layout, sentence).take(WORDS_PER_COMMAND).map(|word| Symbol(word as u16)).collect();
+        let mut wanted = layout;
+        wanted.see_length(words.len());
+        self.tables.read().fits_roles(layout.tokens(), &wanted)?;
+        let memory = &mut self.tables.memory;
+        let Some((parameters, trellis)) = memory.alignments.split_at_mut_checked(layout.trellis()) else { return Ok(()) };
+        roles::explanation::explain(&layout, memory.translations, parameters, trellis, &words, description, tell);
+        Ok(())
     }
 
     /// Lays the alignment tables out anew for the pairs of lengths that the data have now. A training must follow.
     pub(super) fn rebuild_lengths(&mut self) -> Result<(), CapacityError> {
         self.tables.trained.length_pairs = 0;
+        if !self.is_model_2() {
+            self.tables.trained.wanted = Layout::of(self.bitext.read(), self.words.len(), self.tokens.len());
+            return Ok(());
+        }
         let bitext = self.bitext.read();
         for pair in bitext.pairs() {
             self.tables.add_lengths(bitext.command(pair.command).len(), bitext.sentence(pair.session).len())?;
@@ -366,7 +521,7 @@ impl<'t> LanguageMut<'t> {
         self.bitext.add_session(&words)?;
         for (command, weight) in pairs {
             self.bitext.add_pair(command, weight)?;
-            self.tables.add_lengths(command.len(), words.len())?;
+            self.want(command, words.len())?;
         }
         Ok(())
     }

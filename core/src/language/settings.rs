@@ -8,9 +8,21 @@ pub const MOST_ROUNDS: u32 = 1_000;
 /// The largest weight and pseudo-count, so that no sum of them overflows.
 pub const MOST_WEIGHT: f32 = 1e6;
 
+/// Which model words are understood by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Model {
+    /// IBM Model 2, the paper's: every word stands for one token of a machine command, or for none.
+    #[default]
+    Model2,
+    /// [`roles`](super::roles): every word is background, speaks of the kind of task, or names a value of something in a role.
+    Roles,
+}
+
 /// How the language model is trained.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
+    /// Which model. `smoothing`, `alignment_prior`, `length` and `order` are Model 2's alone.
+    pub model: Model,
     /// The pseudo-count of every word for every machine token.
     pub smoothing: f32,
     /// The pseudo-count, for each word's position, of an alignment that knows nothing.
@@ -19,7 +31,8 @@ pub struct Settings {
     pub rounds: u32,
     /// Whether the command's length counts too: a factor Pr(n|l).
     pub length: bool,
-    /// How many letters of a word count: words that begin with the same ones are one word. 0 for whole words.
+    /// How many letters of a word count: words that begin with the same ones are one word. 0 for whole words. Model 2 cuts the rest off; the
+    /// role model keeps the word that it heard first.
     pub word_letters: u8,
     /// Where a constraint's facts stand in a machine command.
     pub order: TokenOrder,
@@ -27,13 +40,30 @@ pub struct Settings {
 
 impl Settings {
     /// The paper's: smoothing 0.1, no alignment prior, 10 rounds, no length factor, whole words, facts by attribute.
-    pub const PAPER: Self =
-        Self { smoothing: 0.1, alignment_prior: 0.0, rounds: 10, length: false, word_letters: 0, order: TokenOrder::Attributes };
+    pub const PAPER: Self = Self {
+        model: Model::Model2,
+        smoothing: 0.1,
+        alignment_prior: 0.0,
+        rounds: 10,
+        length: false,
+        word_letters: 0,
+        order: TokenOrder::Attributes,
+    };
 
-    /// What understands people best: alignments drawn towards uniform by 4 pseudo-counts, 8 rounds, smoothing 0.01, four letters a word,
-    /// and facts beside the proposition that they speak of.
-    pub const DEFAULT: Self =
-        Self { smoothing: 0.01, alignment_prior: 4.0, rounds: 8, length: false, word_letters: 4, order: TokenOrder::Propositions };
+    /// Model 2 for short commands in few words: alignments drawn towards uniform by 4 pseudo-counts, 8 rounds, smoothing 0.01, four letters
+    /// a word, and facts beside the proposition that they speak of.
+    pub const SMOOTHED: Self = Self {
+        model: Model::Model2,
+        smoothing: 0.01,
+        alignment_prior: 4.0,
+        rounds: 8,
+        length: false,
+        word_letters: 4,
+        order: TokenOrder::Propositions,
+    };
+
+    /// What understands people best: the role model, 8 rounds, words that begin with the same four letters are one.
+    pub const DEFAULT: Self = Self { model: Model::Roles, ..Self::SMOOTHED };
 }
 
 impl Default for Settings {

@@ -3,6 +3,7 @@
 //! Position 0 of every machine command is NULL. The translation table has a row for NULL and one for each machine token, a column for
 //! each English word. Each pair of lengths l, n that the data have has its own n rows of l + 1 alignment probabilities.
 
+use super::roles::Layout;
 use crate::capacity::{Capacities, Capacity, CapacityError};
 use crate::symbols::Symbol;
 
@@ -43,18 +44,22 @@ crate::memory::tables! {
 }
 
 /// How much of the tables is in use.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Trained {
     pub(super) length_pairs: usize,
     /// V: English words that the parameters were trained on.
     pub(super) words: usize,
     /// Machine tokens that they were trained on, NULL not counted.
     pub(super) tokens: usize,
+    /// The role model's parameters that were trained.
+    pub(super) layout: Layout,
+    /// Those that the training data now would have.
+    pub(super) wanted: Layout,
 }
 
 impl Trained {
     /// Nothing is in use.
-    pub(crate) const NONE: Self = Self { length_pairs: 0, words: 0, tokens: 0 };
+    pub(crate) const NONE: Self = Self { length_pairs: 0, words: 0, tokens: 0, layout: Layout::NONE, wanted: Layout::NONE };
 }
 
 /// The translations into one word: a column of the table.
@@ -76,7 +81,7 @@ impl Column<'_> {
 
 /// Parameters, and the expected count of each.
 #[derive(Debug)]
-pub(super) struct Cells<'t> {
+pub(crate) struct Cells<'t> {
     pub values: &'t mut [f32],
     pub counts: &'t mut [f32],
 }
@@ -127,7 +132,7 @@ impl<'t> Tables<'t> {
     /// Begins to count, in the cells that are in use.
     pub(super) fn clear_counts(&mut self) {
         let translations = self.trained.tokens.saturating_add(1).saturating_mul(self.trained.words);
-        let alignments = self.read().alignments_end();
+        let alignments = self.read().alignments_end().max(self.trained.layout.cells());
         let (t, a) = self.parts();
         t.counts.get_mut(..translations).unwrap_or(&mut []).fill(0.0);
         a.counts.get_mut(..alignments).unwrap_or(&mut []).fill(0.0);
@@ -166,6 +171,27 @@ impl<'t> Tables<'t> {
 }
 
 impl<'t> TablesRef<'t> {
+    /// Whether the tables have room for the role model's parameters.
+    pub(super) fn fits_roles(self, tokens: usize, layout: &Layout) -> Result<(), CapacityError> {
+        let (rows, alignments) = (self.memory.translations.len(), self.memory.alignments.len());
+        let cells = tokens.saturating_add(1).saturating_mul(layout.words());
+        if cells > rows {
+            return Err(CapacityError::new(Capacity::Translations, rows, cells));
+        }
+        let cells = layout.cells();
+        if cells > alignments { Err(CapacityError::new(Capacity::Alignments, alignments, cells)) } else { Ok(()) }
+    }
+
+    /// The role model's parameters.
+    pub(super) const fn layout(&self) -> &Layout {
+        &self.trained.layout
+    }
+
+    /// The cells of both tables.
+    pub(super) const fn cells(&self) -> (&'t [f32], &'t [f32]) {
+        (self.memory.translations, self.memory.alignments)
+    }
+
     /// The parameters that `trained` says are there, with room for the counts of so many `cells`.
     pub(crate) fn new(mut memory: ParameterTablesRef<'t>, counts: usize, trained: Trained) -> Self {
         let cells = counts.saturating_mul(2);
@@ -189,7 +215,8 @@ impl<'t> TablesRef<'t> {
     /// How much of the tables is used.
     pub(super) fn usage(self, used: &mut Capacities) {
         used.translations = self.trained.tokens.saturating_add(1).saturating_mul(self.trained.words);
-        (used.alignments, used.length_pairs) = (self.alignments_end(), self.trained.length_pairs);
+        let alignments = self.alignments_end().max(self.trained.wanted.cells());
+        (used.alignments, used.length_pairs) = (alignments, self.trained.length_pairs);
     }
 
     /// V: the English words that the parameters were trained on; 0 for an untrained model.

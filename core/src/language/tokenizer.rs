@@ -32,6 +32,41 @@ pub fn for_each_word(command: &str, mut take: impl FnMut(&str) -> Result<(), Cap
     words().try_for_each(|word| take(&lower_case(word)?))
 }
 
+/// Gives each word of `command` to `take`, as the role model hears it: in lower case, without the punctuation of any script, and what a
+/// hyphen joins apart.
+///
+/// ```
+/// use goodbot::language::tokenizer::for_each_piece;
+/// let mut words = vec![];
+/// for_each_piece("don't go: the ‘tan-coloured’ room！", |word| { words.push(word.to_string()); Ok(()) })?;
+/// assert_eq!(words, ["don't", "go", "the", "tan", "coloured", "room"]);
+/// # Ok::<(), goodbot::capacity::CapacityError>(())
+/// ```
+///
+/// # Errors
+/// As [`for_each_word`].
+pub fn for_each_piece(command: &str, mut take: impl FnMut(&str) -> Result<(), CapacityError>) -> Result<(), CapacityError> {
+    let pieces = || command.split(|letter| !is_of_word(letter)).map(|word| word.trim_matches(is_apostrophe));
+    let words = || pieces().filter(|word| word.chars().any(char::is_alphanumeric));
+    let count = words().count();
+    if count > WORDS_PER_COMMAND {
+        return Err(CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, count));
+    }
+    words().try_for_each(|word| take(&lower_case(word)?))
+}
+
+const fn is_apostrophe(letter: char) -> bool {
+    matches!(letter, '\'' | '’' | '‘')
+}
+
+/// Letters and digits, and what stands within words: apostrophes, and the marks of scripts that write vowels and accents by themselves.
+fn is_of_word(letter: char) -> bool {
+    let is_mark = matches!(letter, '\u{300}'..='\u{36f}' | '\u{591}'..='\u{5c7}' | '\u{610}'..='\u{61a}' | '\u{64b}'..='\u{670}')
+        || matches!(letter, '\u{900}'..='\u{963}' | '\u{966}'..='\u{ddf}' | '\u{e31}'..='\u{e4e}' | '\u{eb1}'..='\u{ecd}')
+        || matches!(letter, '\u{f71}'..='\u{f84}' | '\u{102b}'..='\u{103e}' | '\u{17b4}'..='\u{17d3}' | '\u{200c}' | '\u{200d}');
+    letter.is_alphanumeric() || is_apostrophe(letter) || is_mark
+}
+
 /// The beginning of a word, by which its forms are one word: `orange` and `orangey`. All of it where `letters` is 0.
 ///
 /// ```

@@ -3,16 +3,18 @@
 use super::agent::{Agent, Position, Prior, Work};
 use super::candidates::{CandidateCount, Candidates};
 use super::error::AgentError;
-use crate::capacity::CapacityError;
+use crate::capacity::{CapacityError, LIFTED_TASKS};
 use crate::feedback::Belief;
-use crate::language::LanguageRef;
+use crate::language::{LanguageRef, Meaning, Model};
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::{Domain, digest};
 use crate::planning::Progress;
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
+use crate::task::description::{describe, form_token, intern_forms};
 use crate::task::machine_command::{Tokens, intern_heads};
 use crate::task::{Expression, GroundedTask, LiftedTask, ground};
+use heapless::Vec;
 
 impl<M: AgentMemory> Agent<M> {
     /// Hears a command in the state that the session starts from: the tasks possible here get their prior from the language model,
@@ -157,7 +159,8 @@ impl<M: AgentMemory> Agent<M> {
         Belief::new(session.belief, &mut self.belief).restart(tasks.iter().map(|task| Scaled::new(task.prior)))?;
         // The tasks' own tokens come first, and what can be said of objects after them, as far as there is room.
         let mut language = self.language.with(language, workspace);
-        intern_heads(&domain.world().schema, &self.lifted, tasks, language.tokens_mut())?;
+        let intern = if language.is_model_2() { intern_heads } else { intern_forms };
+        intern(&domain.world().schema, &self.lifted, tasks, language.tokens_mut())?;
         self.work = Work::Hearing(Position::of_task(0), Prior::Zero);
         Ok(())
     }
@@ -167,6 +170,7 @@ impl<M: AgentMemory> Agent<M> {
         let mut left = budget.max(1);
         while let Work::Hearing(mut position, mut any) = self.work {
             if position.task >= self.task_count {
+                self.weigh_kinds(domain)?;
                 // A command that nothing explains says nothing.
                 if any == Prior::Zero {
                     for position in 0..self.task_count {
@@ -201,6 +205,64 @@ impl<M: AgentMemory> Agent<M> {
         Ok(Progress::Done)
     }
 
+    /// Tells for each word of the command what the role model takes it for where this task is meant, the last word first: its position, a
+    /// [`Meaning`], and the share of 1 that this meaning has. Nothing for Model 2 and before anything is learned.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSession`], [`AgentError::OtherDomain`], [`AgentError::StillLearning`], and [`AgentError::Capacity`].
+    pub fn explain<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        task: usize,
+        tell: impl FnMut(usize, Meaning, f32),
+    ) -> Result<(), AgentError> {
+        if self.domain != digest(domain) {
+            return Err(AgentError::OtherDomain);
+        }
+        if self.language.is_training() {
+            return Err(AgentError::StillLearning);
+        }
+        let start = self.start.ok_or(AgentError::NoSession)?;
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let Some(task) = session.tasks.get(..self.task_count).and_then(|tasks| tasks.get(task)) else { return Ok(()) };
+        if language.is_model_2() {
+            return Ok(());
+        }
+        let mut description = Tokens::new();
+        describe(domain, &self.lifted, task, &domain.numbered(start), language.tokens_mut(), &mut description)?;
+        Ok(language.explain(&self.sentence, &description, tell)?)
+    }
+
+    /// The state that the session started from, `None` where none is under way in this domain.
+    pub fn started_from<D: Domain + ?Sized>(&self, domain: &D) -> Option<D::State> {
+        self.start.filter(|_| self.domain == digest(domain)).map(|number| domain.numbered(number))
+    }
+
+    /// Lets the role model's kind of task speak.
+    #[inline(never)]
+    fn weigh_kinds<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        if language.is_model_2() {
+            return Ok(());
+        }
+        let mut forms: Vec<Symbol, LIFTED_TASKS> = Vec::new();
+        for lifted in &self.lifted {
+            // As many as there are lifted tasks.
+            let _ = forms.push(form_token(&domain.world().schema, lifted, language.tokens_mut())?);
+        }
+        let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
+        let form = |task: usize| {
+            let lifted = tasks.get(task).map_or(0, |task| usize::from(task.lifted));
+            forms.get(lifted).copied().unwrap_or(Symbol(0))
+        };
+        let prior = |task: usize| tasks.get(task).map_or(0.0, |task| task.prior);
+        let mut belief = Belief::new(session.belief, &mut self.belief);
+        language.read().weigh_kinds(&self.sentence, form, prior, belief.priors_mut());
+        Ok(())
+    }
+
     /// Goes on with the machine commands of a task: adds Pr(c|s,l,t), which is the last argument of `each`, times what `each` returns for
     /// the machine command to the position's sum. Returns whether all of the task's are done.
     #[inline(never)]
@@ -215,6 +277,17 @@ impl<M: AgentMemory> Agent<M> {
         let mut language = self.language.with(language, workspace);
         let Some(task) = session.tasks.get(position.task) else { return Ok(true) };
         let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { return Ok(true) };
+        if language.read().settings().model == Model::Roles {
+            let Some(start) = self.start else { return Ok(true) };
+            let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
+            let mut description = Tokens::new();
+            describe(domain, &self.lifted, task, &domain.numbered(start), language.tokens_mut(), &mut description)?;
+            let value = each(&mut candidates, language.read(), &self.sentence, &description, 1.0)?;
+            position.sum = position.sum.plus(value);
+            let cells = description.len().saturating_mul(self.sentence.len().max(1)).saturating_mul(4);
+            *left = left.saturating_sub(cells as u32);
+            return Ok(true);
+        }
         let order = language.read().settings().order;
         // Left where it was made, and the tokens too: taken out of their results, they would stand on the stack twice.
         let expression = Expression::new(domain, lifted, task, order, language.tokens_mut());

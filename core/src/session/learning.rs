@@ -262,6 +262,7 @@ impl<M: AgentMemory> Agent<M> {
             let evidence = match weights {
                 Weights::Paper => self.belief().evidence(position.task).scaled_by(prior),
                 Weights::Belief => self.belief().weight(position.task),
+                Weights::Evidence => self.belief().evidence(position.task).scaled_by(prior),
             };
             let mut part = None;
             let done = self.for_each_candidate(domain, &mut position, left, |candidates, _, _, tokens, share| {

@@ -14,6 +14,8 @@ pub enum Weights {
     Paper,
     /// By the tasks' posterior alone, evenly over each task's constraints (the authors' later program).
     Belief,
+    /// By what the trainer said or showed alone: the tasks' prior without any word times the likelihood of all evidence.
+    Evidence,
 }
 
 /// How an agent understands and learns.
@@ -31,8 +33,11 @@ impl Options {
     /// The paper's.
     pub const PAPER: Self = Self { language: Settings::PAPER, weights: Weights::Paper, least_weight: 5e-5 };
 
-    /// The paper's, with the language model that understands people best: [`Settings::DEFAULT`].
-    pub const DEFAULT: Self = Self { language: Settings::DEFAULT, ..Self::PAPER };
+    /// The paper's, with the language model that understands people best, [`Settings::DEFAULT`], and fewer of its many small weights.
+    pub const DEFAULT: Self = Self { language: Settings::DEFAULT, least_weight: 1e-3, ..Self::PAPER };
+
+    /// The paper's, with Model 2 for short commands in few words: [`Settings::SMOOTHED`].
+    pub const SMOOTHED: Self = Self { language: Settings::SMOOTHED, ..Self::PAPER };
 
     /// Whether an agent can learn with them.
     ///

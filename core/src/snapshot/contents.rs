@@ -2,13 +2,16 @@
 
 use super::error::{Part, RestoreError};
 use super::record::{
-    CHECK, CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OPTIONS_BYTES, OptionsRecord, PairRecord, SessionRecord, Sizes,
-    StrategyRecord, VERSION,
+    CHECK, CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OLDEST_VERSION, OPTIONS_BYTES, OptionsRecord, PairRecord,
+    SessionRecord, Sizes, StrategyRecord, VERSION,
 };
 use crate::capacity::{Capacities, NAME_BYTES};
+use crate::language::Model;
 use crate::language::lengths::SeenLengths;
 use crate::language::settings::is_weight;
 use crate::session::Options;
+use crate::symbols::Symbol;
+use crate::task::role::is_marker;
 use core::marker::PhantomData;
 use serde::Deserialize;
 
@@ -171,7 +174,9 @@ impl<'a> Contents<'a> {
         let tokens = section(rest, Part::Tokens, |text: &&str| text.len() <= NAME_BYTES)?;
         let (word_count, token_count) = (words.len(), tokens.len());
         let below = |positions: &[u16], count: usize| positions.iter().all(|&position| usize::from(position) < count);
-        let commands = section(rest, Part::Commands, |command: &CommandRecord| below(command, token_count))?;
+        let by_roles = options.language.model == Model::Roles;
+        let sound = |&token: &u16| usize::from(token) < token_count || (by_roles && is_marker(Symbol(token)));
+        let commands = section(rest, Part::Commands, |command: &CommandRecord| command.iter().all(sound))?;
         let mut wanted = 0_u64;
         let sessions = section(rest, Part::Sessions, |session: &SessionRecord| {
             wanted = wanted.saturating_add(u64::from(session.pairs));
@@ -228,7 +233,7 @@ fn payload(bytes: &[u8]) -> Result<&[u8], RestoreError> {
     let mut rest = bytes.strip_prefix(&MAGIC).ok_or(RestoreError::NotAModel)?;
     let truncated = RestoreError::Length { stated: LEAST_BYTES as u32, given: bytes.len() };
     let found = u16::from_le_bytes(*split_array(&mut rest).ok_or(truncated)?);
-    if found != VERSION {
+    if !(OLDEST_VERSION..=VERSION).contains(&found) {
         return Err(RestoreError::Version { found });
     }
     let stated = u32::from_le_bytes(*split_array(&mut rest).ok_or(truncated)?);

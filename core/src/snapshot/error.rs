@@ -110,7 +110,12 @@ impl fmt::Display for RestoreError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotAModel => f.write_str("this is not a goodbot model"),
-            Self::Version { found } => write!(f, "the model has format {found}, and this version reads format {}", super::VERSION),
+            Self::Version { found } => write!(
+                f,
+                "the model has format {found}, and this version reads formats {} to {}",
+                super::record::OLDEST_VERSION,
+                super::VERSION
+            ),
             Self::Length { stated, given } => write!(f, "the model says that it has {stated} bytes, and {given} are here"),
             Self::Damaged => f.write_str("the model is damaged: its check does not match; take another copy"),
             Self::Inconsistent(part) => write!(f, "the model's {} cannot be; it was not written by goodbot", part.name()),

@@ -10,6 +10,7 @@ use crate::language::{LanguageMut, LanguageRef};
 use crate::memory::AgentMemory;
 use crate::session::Agent;
 use crate::symbols::Symbol;
+use crate::task::role::is_marker;
 use heapless::Vec;
 
 impl<M: AgentMemory> Agent<M> {
@@ -37,7 +38,9 @@ impl LanguageRef<'_> {
     pub(super) fn check_forms(self, contents: &Contents<'_>) -> Result<(), RestoreError> {
         let (here, there) = (self.settings(), &contents.options.language);
         let letters = |letters: u8| if letters == 0 { u8::MAX } else { letters };
-        if contents.sessions.is_empty() || (here.order == there.order && letters(here.word_letters) <= letters(there.word_letters)) {
+        if contents.sessions.is_empty()
+            || (here.model == there.model && here.order == there.order && letters(here.word_letters) <= letters(there.word_letters))
+        {
             Ok(())
         } else {
             Err(RestoreError::OtherForms)
@@ -92,8 +95,8 @@ impl LanguageMut<'_> {
         let mut own_pairs = bitext.pairs_of(own).iter();
         let same_command = |command: u16, own: u16| {
             let command = texts.commands.get(usize::from(command)).unwrap_or_default();
-            let tokens = command.iter().map(|&token| texts.tokens.get(usize::from(token)).unwrap_or(""));
-            bitext.command(own).iter().map(|&token| language.tokens().text(token)).eq(tokens)
+            let tokens = command.iter().map(|&token| (marker(token), texts.tokens.get(usize::from(token)).unwrap_or("")));
+            bitext.command(own).iter().map(|&token| (marker(token.0), language.tokens().text(token))).eq(tokens)
         };
         let same_pair =
             |pair: &PairRecord, own: &Pair| pair.weight.to_bits() == own.weight.to_bits() && same_command(pair.command, own.command);
@@ -108,23 +111,30 @@ impl LanguageMut<'_> {
         pairs: impl Iterator<Item = PairRecord>,
         texts: &Texts<'_>,
     ) -> Result<(), CapacityError> {
-        let letters = usize::from(self.read().settings().word_letters);
         let mut sentence: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
         for &word in &session.words {
-            let word = word_form(texts.words.get(usize::from(word)).unwrap_or(""), letters);
             // As many as the record has, so they fit.
-            let _ = sentence.push(self.words_mut().intern(word)?);
+            let _ = sentence.push(self.take_word(texts.words.get(usize::from(word)).unwrap_or(""))?);
         }
         self.bitext_mut().add_session(&sentence)?;
         for pair in pairs {
             let mut command: Vec<Symbol, TOKENS_PER_COMMAND> = Vec::new();
             for &token in &texts.commands.get(usize::from(pair.command)).unwrap_or_default() {
-                let _ = command.push(self.tokens_mut().intern(texts.tokens.get(usize::from(token)).unwrap_or(""))?);
+                let symbol = match marker(token) {
+                    Some(marker) => marker,
+                    None => self.tokens_mut().intern(texts.tokens.get(usize::from(token)).unwrap_or(""))?,
+                };
+                let _ = command.push(symbol);
             }
             self.bitext_mut().add_pair(&command, pair.weight)?;
         }
         Ok(())
     }
+}
+
+/// A role's marker: it is the same in all models.
+fn marker(token: u16) -> Option<Symbol> {
+    Some(Symbol(token)).filter(|&symbol| is_marker(symbol))
 }
 
 /// The words, machine tokens and machine commands of a file.

@@ -6,7 +6,7 @@
 use crate::Capacities;
 use crate::capacity::{Capacity, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::feedback::Strategy;
-use crate::language::Settings;
+use crate::language::{Model, Settings};
 use crate::session::{Options, Weights};
 use crate::task::TokenOrder;
 use serde::{Deserialize, Serialize};
@@ -14,7 +14,9 @@ use serde::{Deserialize, Serialize};
 /// What every model file begins with.
 pub const MAGIC: [u8; 8] = *b"goodbot\0";
 /// The format that this version writes.
-pub const VERSION: u16 = 1;
+pub const VERSION: u16 = 2;
+/// The oldest format that this version reads.
+pub const OLDEST_VERSION: u16 = 1;
 /// Bytes of the header: the magic, the version (u16) and the length of the whole file (u32).
 pub const HEADER_BYTES: usize = 14;
 /// Bytes of the CRC-32 at the end.
@@ -74,22 +76,41 @@ pub(crate) struct OptionsRecord {
     pub least_weight: f32,
     pub word_letters: u8,
     pub by_proposition: bool,
+    pub by_roles: bool,
+    pub evidence_weights: bool,
 }
 
 impl OptionsRecord {
     pub(crate) fn new(options: &Options) -> Self {
-        let Settings { smoothing, alignment_prior, rounds, length, word_letters, order } = options.language;
+        let Settings { model, smoothing, alignment_prior, rounds, length, word_letters, order } = options.language;
+        let (by_roles, evidence_weights) = (model == Model::Roles, options.weights == Weights::Evidence);
         let by_proposition = order == TokenOrder::Propositions;
         let belief_weights = options.weights == Weights::Belief;
         let least_weight = options.least_weight;
-        Self { smoothing, alignment_prior, rounds, length, word_letters, by_proposition, belief_weights, least_weight }
+        Self {
+            smoothing,
+            alignment_prior,
+            rounds,
+            length,
+            word_letters,
+            by_proposition,
+            belief_weights,
+            least_weight,
+            by_roles,
+            evidence_weights,
+        }
     }
 
     pub(crate) fn options(&self) -> Options {
-        let Self { smoothing, alignment_prior, rounds, length, word_letters, by_proposition, belief_weights, least_weight } = *self;
-        let order = if by_proposition { TokenOrder::Propositions } else { TokenOrder::Attributes };
-        let weights = if belief_weights { Weights::Belief } else { Weights::Paper };
-        Options { language: Settings { smoothing, alignment_prior, rounds, length, word_letters, order }, weights, least_weight }
+        let Self { smoothing, alignment_prior, rounds, length, word_letters, least_weight, .. } = *self;
+        let model = if self.by_roles { Model::Roles } else { Model::Model2 };
+        let order = if self.by_proposition { TokenOrder::Propositions } else { TokenOrder::Attributes };
+        let weights = match (self.evidence_weights, self.belief_weights) {
+            (true, _) => Weights::Evidence,
+            (false, true) => Weights::Belief,
+            (false, false) => Weights::Paper,
+        };
+        Options { language: Settings { model, smoothing, alignment_prior, rounds, length, word_letters, order }, weights, least_weight }
     }
 
     /// Whether every number is one to learn with.

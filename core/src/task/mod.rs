@@ -3,16 +3,21 @@
 //! - [`lifted`]: a conjunction of propositional functions over typed variables;
 //! - [`grounded`]: its variables bound to objects;
 //! - [`constraint`]: which attributes of the bound objects a command may mention;
-//! - [`machine_command`]: a task and a constraint as the sentence that a command is translated from.
+//! - [`machine_command`]: a task and a constraint as the sentence that a command is translated from;
+//! - [`role`]: what an object is to a task;
+//! - [`description`]: a task and its scene by roles, which the role model reads.
 
 pub mod constraint;
+pub mod description;
 pub mod grounded;
 pub mod lifted;
 pub mod machine_command;
+pub mod role;
 
 pub use grounded::{GroundedTask, ground};
 pub use lifted::{LiftedProposition, LiftedTask, TaskTextError};
 pub use machine_command::{Expression, TokenOrder};
+pub use role::{Marker, Role, RoleKind};
 
 /// A set of a session's tasks, one bit each, by position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -246,7 +246,7 @@ fn answer(
                 meanings.iter().find(|it| it.done && it.name.parse().is_ok_and(|name: GroundTaskText| name.holds_exactly(task.atoms())));
             match (grounded.zip(kind), position, done) {
                 (Some((grounded, kind)), Some(position), _) => {
-                    let words = why::words(agent, home, &question.command, position).map_err(fault)?;
+                    let words = why::words(agent, home, start, &question.command, position).map_err(fault)?;
                     Some((task.clone(), in_words(home, kind, grounded), words))
                 }
                 (_, _, Some(done)) => Some((task.clone(), done.words.clone(), vec![])),
@@ -258,7 +258,7 @@ fn answer(
             }
         }
     };
-    let words = why::words(agent, home, &question.command, best).map_err(fault)?;
+    let words = why::words(agent, home, start, &question.command, best).map_err(fault)?;
     let plan = if tasks.is_empty() { None } else { plan(agent, home, *start, best).map_err(fault)? };
     let tasks = tasks.into_iter().map(|(name, probability)| (name.to_string(), probability)).collect();
     Ok(Answer { tasks, best, meanings, words, expected, plan })

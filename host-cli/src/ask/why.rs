@@ -2,11 +2,13 @@
 //!
 //! All that is said of single words comes from [`words`]: another language model needs another function here and nothing else.
 
-use crate::lessons::{evidence, training};
+use crate::lessons::{MachineCommand, evidence, training};
 use goodbot::language::tokenizer::for_each_word;
+use goodbot::language::{LanguageRef, Meaning, Model};
 use goodbot::memory::AgentMemory;
-use goodbot::oomdp::Domain;
+use goodbot::oomdp::{Domain, Schema};
 use goodbot::symbols::Symbol;
+use goodbot::task::{Marker, Role, RoleKind};
 use goodbot::{Agent, AgentError};
 
 /// How a word was explained.
@@ -22,17 +24,27 @@ pub struct Word {
     pub probability: Option<f32>,
 }
 
-/// The words of the command that the agent heard last, each with the machine token that explains it best in the task's most likely machine
-/// command.
+/// The words of the command that the agent heard last in `start`, each with what explains it best where the task is meant: a role and its
+/// value, or a machine token of the task's most likely machine command.
 ///
 /// # Errors
 /// An [`AgentError`] where the task has no room.
-pub fn words<D: Domain>(agent: &Agent<impl AgentMemory>, domain: &D, command: &str, task: usize) -> Result<Vec<Word>, AgentError> {
+pub fn words<D: Domain>(
+    agent: &mut Agent<impl AgentMemory>,
+    domain: &D,
+    start: &D::State,
+    command: &str,
+    task: usize,
+) -> Result<Vec<Word>, AgentError> {
     let Some(grounded) = agent.tasks().get(task) else { return Ok(vec![]) };
-    let Some(lifted) = agent.lifted().get(usize::from(grounded.lifted)) else { return Ok(vec![]) };
+    let commands = evidence::commands(domain, agent.lifted(), grounded, start, agent.options())?;
+    if agent.options().language.model == Model::Roles {
+        let description = commands.into_iter().next().unwrap_or_default();
+        return words_by_roles(agent, domain, &description, command, task);
+    }
     let language = agent.language();
-    let find = |command: &Vec<String>| -> Option<Vec<Symbol>> { command.iter().map(|token| language.tokens().find(token)).collect() };
-    let commands: Vec<Vec<Symbol>> = evidence::commands(domain, lifted, grounded, agent.options())?.iter().filter_map(find).collect();
+    let find = |command: &MachineCommand| -> Option<Vec<Symbol>> { command.iter().map(|token| language.tokens().find(token)).collect() };
+    let commands: Vec<Vec<Symbol>> = commands.iter().filter_map(find).collect();
     let sentence = agent.sentence();
     let likelier = |best: Option<Vec<Symbol>>, command: Vec<Symbol>| match best {
         Some(best) if !language.likelihood(sentence, &command).exceeds(language.likelihood(sentence, &best)) => Some(best),
@@ -47,6 +59,66 @@ pub fn words<D: Domain>(agent: &Agent<impl AgentMemory>, domain: &D, command: &s
         probability: it.probability,
     };
     Ok(training::explained(language, sentence, &best).into_iter().enumerate().map(word).collect())
+}
+
+/// What the role model takes each word for.
+fn words_by_roles<D: Domain>(
+    agent: &mut Agent<impl AgentMemory>,
+    domain: &D,
+    description: &MachineCommand,
+    command: &str,
+    task: usize,
+) -> Result<Vec<Word>, AgentError> {
+    let mut meanings: Vec<Option<(Meaning, f32)>> = vec![None; agent.sentence().len()];
+    agent.explain(domain, task, |position, meaning, share| {
+        if let Some(slot) = meanings.get_mut(position).filter(|slot| slot.is_none_or(|(_, most)| share > most)) {
+            *slot = Some((meaning, share));
+        }
+    })?;
+    let (language, sentence) = (agent.language(), agent.sentence());
+    let mut probabilities = vec![0.0; sentence.len()];
+    language.word_by_word(sentence, &known(language, description), |position, probability| {
+        if let Some(slot) = probabilities.get_mut(position) {
+            *slot = probability;
+        }
+    });
+    let (said, schema) = (said(command), domain.world().schema);
+    let word = |(position, (word, meaning)): (usize, (&Option<Symbol>, Option<(Meaning, f32)>))| {
+        let heard = word.filter(|word| word.index() < language.tables().words());
+        let token = match meaning.filter(|_| heard.is_some()) {
+            None => "never heard".to_owned(),
+            Some((Meaning::Background, _)) => "no meaning".to_owned(),
+            Some((Meaning::Task, _)) => "kind of task".to_owned(),
+            Some((Meaning::Value(role, value), _)) => format!("{} {}", role_name(&schema, role), language.tokens().text(value)),
+        };
+        Word {
+            word: said.get(position).cloned().unwrap_or_default(),
+            token,
+            share: meaning.map_or(0.0, |(_, share)| share),
+            probability: heard.and_then(|_| probabilities.get(position).copied()),
+        }
+    };
+    Ok(sentence.iter().zip(meanings).enumerate().map(word).collect())
+}
+
+/// The symbols of a description. A value that the model does not know is as good as any other that it does not know.
+fn known(language: LanguageRef<'_>, description: &MachineCommand) -> Vec<Symbol> {
+    const UNKNOWN: Symbol = Symbol(i16::MAX as u16);
+    let symbol = |token: &String| match token.parse::<Marker>() {
+        Ok(marker) => marker.symbol(),
+        Err(_) => language.tokens().find(token).unwrap_or(UNKNOWN),
+    };
+    description.iter().map(symbol).collect()
+}
+
+/// A role in words.
+fn role_name(schema: &Schema<'_>, role: Role) -> String {
+    match role.kind() {
+        RoleKind::Goal => format!("goal of {}", schema.proposition_name(role.proposition())),
+        RoleKind::Subject => format!("subject of {}", schema.proposition_name(role.proposition())),
+        RoleKind::Start => format!("start of {}", schema.proposition_name(role.proposition())),
+        RoleKind::OtherPlace | RoleKind::Other => format!("other {}", schema.class_name(role.class())),
+    }
 }
 
 /// The words of a command, whole.

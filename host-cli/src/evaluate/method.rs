@@ -18,10 +18,12 @@ use std::collections::{BTreeMap, BTreeSet};
 /// What is trained.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Method {
-    /// What understands people best
+    /// What understands people best: the role model
     #[default]
     Default,
-    /// The paper's settings
+    /// Model 2, smoothed
+    Smoothed,
+    /// Model 2 with the paper's settings
     #[value(alias = "ibm2")]
     Paper,
     /// Each machine command has words of its own: naive Bayes, no alignment
@@ -35,6 +37,7 @@ impl Method {
     pub const fn settings(self) -> Settings {
         match self {
             Self::Default => Settings::DEFAULT,
+            Self::Smoothed => Settings::SMOOTHED,
             Self::Paper | Self::BagOfWords | Self::Action => Settings::PAPER,
         }
     }
@@ -42,9 +45,10 @@ impl Method {
 
 /// The default without one choice at a time, and the paper's.
 pub fn ablations() -> Vec<(&'static str, Settings)> {
-    let default = Settings::DEFAULT;
+    let default = Settings::SMOOTHED;
     vec![
-        ("default", default),
+        ("default", Settings::DEFAULT),
+        ("Model 2, smoothed", default),
         ("  no alignment prior", Settings { alignment_prior: 0.0, ..default }),
         ("  whole words", Settings { word_letters: 0, ..default }),
         ("  smoothing 0.1", Settings { smoothing: 0.1, ..default }),
@@ -80,7 +84,9 @@ impl<'m> Trained<'m> {
     ) -> Result<Self, goodbot::AgentError> {
         Ok(match method {
             Method::BagOfWords => Self::Bags(Bags::of(lessons, settings.smoothing)?),
-            Method::Default | Method::Paper | Method::Action => Self::Model2(Box::new(training::train(memory, lessons, settings)?)),
+            Method::Default | Method::Smoothed | Method::Paper | Method::Action => {
+                Self::Model2(Box::new(training::train(memory, lessons, settings)?))
+            }
         })
     }
 

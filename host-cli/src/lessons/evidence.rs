@@ -6,13 +6,16 @@ use crate::load::session::{Session, load};
 use crate::load::{Fault, home};
 use goodbot::capacity::TOKENS_PER_COMMAND;
 use goodbot::home::HomeState;
+use goodbot::language::Model;
 use goodbot::memory::AgentHeap;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain, ObjectId, apply};
 use goodbot::probability::total;
 use goodbot::session::Evidence;
-use goodbot::symbols::Symbols;
-use goodbot::task::{Expression, LiftedTask};
+use goodbot::symbols::{Symbol, Symbols, SymbolsRef};
+use goodbot::task::description::describe;
+use goodbot::task::machine_command::Tokens;
+use goodbot::task::{Expression, LiftedTask, Marker};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, StepRecord};
 
@@ -107,7 +110,7 @@ impl Witness {
     fn pairs(&self) -> Vec<(MachineCommand, f32)> {
         let candidates = self.agent.candidates();
         let whole = total(candidates.entries().iter().map(|entry| entry.weight));
-        let text = |&token| self.agent.language().tokens().text(token).to_owned();
+        let text = |&token| token_text(self.agent.language().tokens(), token);
         let mut pairs: Vec<(MachineCommand, f32)> = candidates
             .entries()
             .iter()
@@ -128,7 +131,7 @@ impl Witness {
                 label: label(&session.home, lifted, &task.bindings),
                 prior: task.prior,
                 belief: beliefs.get(position).copied().unwrap_or(0.0),
-                commands: commands(&session.home, lifted, task, self.agent.options())?,
+                commands: commands(&session.home, &self.lifted, task, &session.start, self.agent.options())?,
                 plan: if self.plans { self.plan(session, position)? } else { vec![] },
             });
         }
@@ -182,16 +185,28 @@ fn told_pairs(reading: &Reading) -> Vec<(MachineCommand, f32)> {
     pairs
 }
 
-/// The machine commands of a task, one for each constraint.
+/// The text of a machine token; a role's marker is `@` and its number.
+pub fn token_text(tokens: SymbolsRef<'_>, token: Symbol) -> String {
+    Marker::of(token).map_or_else(|| tokens.text(token).to_owned(), |marker| marker.to_string())
+}
+
+/// The machine commands of a task, one for each constraint; its description where the role model reads it.
 pub fn commands<D: Domain>(
     domain: &D,
-    lifted: &LiftedTask,
+    all: &[LiftedTask],
     task: &goodbot::task::GroundedTask,
+    start: &D::State,
     options: &Options,
 ) -> Result<Vec<MachineCommand>, AgentError> {
     let (mut bytes, mut ends, mut count) = ([0; 2_048], [0; 64], 0);
     let mut tokens =
         Symbols::new(&mut bytes, &mut ends, &mut count, goodbot::capacity::Capacity::Tokens, goodbot::capacity::Capacity::TokenBytes);
+    if options.language.model == Model::Roles {
+        let mut description = Tokens::new();
+        describe(domain, all, task, start, &mut tokens, &mut description)?;
+        return Ok(vec![description.iter().map(|&token| token_text(tokens.read(), token)).collect()]);
+    }
+    let Some(lifted) = all.get(usize::from(task.lifted)) else { return Ok(vec![]) };
     let expression = Expression::new(domain, lifted, task, options.language.order, &mut tokens)?;
     let text = |constraint| -> Result<MachineCommand, AgentError> {
         Ok(expression.machine_command(constraint)?.iter().map(|&token| tokens.read().text(token).to_owned()).collect())

@@ -4,12 +4,14 @@ use super::{Lesson, MachineCommand};
 use goodbot::AgentError;
 use goodbot::Capacities;
 use goodbot::capacity::CapacityError;
+use goodbot::language::Model;
 use goodbot::language::tokenizer::for_each_word;
 use goodbot::language::{LanguageModel, LanguageRef, Settings};
 use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::planning::Progress;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
+use goodbot::task::Marker;
 use std::collections::BTreeSet;
 
 /// Memory for a language model of these lessons, and for no search.
@@ -82,7 +84,11 @@ pub fn train<'m, 'l>(
 
 /// The symbols of a machine command.
 pub fn symbols(model: &mut LanguageModel<impl AgentMemory>, command: &MachineCommand) -> Result<Vec<Symbol>, CapacityError> {
-    command.iter().map(|token| model.tokens_mut().intern(token)).collect()
+    let symbol = |token: &String| match token.parse::<Marker>() {
+        Ok(marker) => Ok(marker.symbol()),
+        Err(_) => model.tokens_mut().intern(token),
+    };
+    command.iter().map(symbol).collect()
 }
 
 /// Pr(t|e,s) for each task of a lesson.
@@ -91,16 +97,22 @@ pub fn symbols(model: &mut LanguageModel<impl AgentMemory>, command: &MachineCom
 /// A [`CapacityError`] where the command has no room.
 pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -> Result<Vec<f32>, CapacityError> {
     let sentence = model.hear(&lesson.command)?;
-    let mut scores = Vec::new();
+    let (mut scores, mut forms) = (Vec::new(), Vec::new());
     for reading in &lesson.readings {
         let share = reading.prior / reading.commands.len().max(1) as f32;
         let mut sum = Scaled::ZERO;
         for command in &reading.commands {
             let command = symbols(model, command)?;
+            if forms.len() == scores.len() {
+                forms.extend(command.first().copied());
+            }
             sum = sum.plus(model.likelihood(&sentence, &command).scaled_by(share));
         }
         scores.push(sum);
     }
+    let form = |task: usize| forms.get(task).copied().unwrap_or(Symbol(0));
+    let prior = |task: usize| lesson.readings.get(task).map_or(0.0, |reading| reading.prior);
+    model.read().weigh_kinds(&sentence, form, prior, &mut scores);
     model.forget_unlearned();
     let whole = total(scores.iter().copied());
     Ok(scores.into_iter().map(|score| score.over(whole)).collect())
@@ -130,7 +142,18 @@ pub fn explain(
 ) -> Result<Vec<Explained>, CapacityError> {
     let sentence = model.hear(english)?;
     let tokens = symbols(model, command)?;
-    let explained = explained(model.read(), &sentence, &tokens);
+    let mut explained = explained(model.read(), &sentence, &tokens);
+    if model.read().settings().model == Model::Roles {
+        let known = model.read().tables().words();
+        for (word, it) in sentence.iter().zip(&mut explained) {
+            (it.share, it.probability) = (0.0, word.filter(|word| word.index() < known).map(|_| 0.0));
+        }
+        model.read().word_by_word(&sentence, &tokens, |position, probability| {
+            if let Some(slot) = explained.get_mut(position).and_then(|it| it.probability.as_mut()) {
+                *slot = probability;
+            }
+        });
+    }
     model.forget_unlearned();
     Ok(explained)
 }

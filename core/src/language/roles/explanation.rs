@@ -1,0 +1,66 @@
+//! What each word of a command was taken for, given a task.
+
+use super::forward::Reader;
+use super::layout::Layout;
+use super::training::{Event, backward, fill};
+use crate::symbols::Symbol;
+use crate::task::role::{Role, RoleKind};
+
+/// What a word can mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Meaning {
+    /// Nothing in particular.
+    Background,
+    /// The kind of task.
+    Task,
+    /// A value of what has this role; the value by its machine token.
+    Value(Role, Symbol),
+}
+
+/// Tells for each word, the last first, how probable each of its meanings is: the word's position, the meaning, and its share of 1. Word V of
+/// `sentence` is one that is not known; `trellis` has room for one row of memories more than words.
+pub(crate) fn explain(
+    layout: &Layout,
+    translations: &[f32],
+    parameters: &[f32],
+    trellis: &mut [f32],
+    sentence: &[Symbol],
+    description: &[Symbol],
+    mut tell: impl FnMut(usize, Meaning, f32),
+) {
+    let reader = Reader::new(layout, translations, parameters, description);
+    if fill(&reader, sentence, trellis).is_none() {
+        return;
+    }
+    let (mut of_background, mut of_task) = (0.0, 0.0);
+    backward(&reader, sentence, trellis, |event| match event {
+        Event::Stop { .. } => {}
+        Event::Word { background, task, .. } => {
+            of_background += background;
+            of_task += task;
+        }
+        Event::Values { position, emissions, roles } => {
+            tell(position, Meaning::Background, core::mem::take(&mut of_background));
+            tell(position, Meaning::Task, core::mem::take(&mut of_task));
+            let Some(word) = sentence.get(position) else { return };
+            for group in &reader.groups {
+                let part = |all: &[f32]| super::layout::cell(all, group.present);
+                let Some(present) = reader.present.get(group.present).filter(|_| part(emissions) > 0.0) else { continue };
+                for &value in group.values {
+                    let share = part(roles) * group.share * reader.value(value, word.index()) / part(emissions);
+                    tell(position, Meaning::Value(present.role, value), share);
+                }
+            }
+        }
+    });
+}
+
+impl Meaning {
+    /// The kind of role, where the word names a value.
+    pub fn role_kind(self) -> Option<RoleKind> {
+        match self {
+            Self::Value(role, _) => Some(role.kind()),
+            Self::Background | Self::Task => None,
+        }
+    }
+}

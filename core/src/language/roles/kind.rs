@@ -1,0 +1,99 @@
+//! Which kind of task the words speak of: a log-linear model over the words and the lifted task alone, never over what is in the scene.
+//!
+//! q_l(e) is proportional to exp(b_l + the sum of w_l over the command's different words), trained by batches of all sessions towards each
+//! session's share of the lifted task, with a step of its own for every weight (AdaGrad) and a pull towards 0. The role model then only says
+//! which of a kind's tasks is meant, and half as much about the kind:
+//!
+//! ```text
+//! Pr(t|e,s) proportional to q_l(e) pi_t Pr(e|t) / Z_l^(1/2),   Z_l the sum of pi_t Pr(e|t) over the tasks of the kind
+//! ```
+
+use super::layout::{Layout, cell, get, get_mut};
+use crate::capacity::LIFTED_TASKS;
+use crate::language::bitext::BitextRef;
+use crate::language::tables::Cells;
+use crate::probability::{exp, square_root};
+use crate::symbols::Symbol;
+use crate::task::description::form;
+
+/// Batches.
+pub(super) const BATCHES: u32 = 30;
+const RATE: f32 = 0.3;
+const PULL: f32 = 0.1;
+
+type Forms = [f32; LIFTED_TASKS];
+
+/// q_l(e) for each lifted task that training has seen.
+fn shares(layout: &Layout, alignments: &[f32], words: impl Iterator<Item = usize> + Clone) -> Forms {
+    let mut shares: Forms = [0.0; LIFTED_TASKS];
+    let count = layout.forms().len();
+    for (form, slot) in shares.iter_mut().enumerate().take(count) {
+        let row = get(alignments, layout.kind_of_task(form));
+        *slot = cell(row, layout.words()) + words.clone().map(|word| cell(row, word)).sum::<f32>();
+    }
+    let most = shares.iter().take(count).fold(f32::MIN, |most, &score| most.max(score));
+    let mut whole = 0.0;
+    for slot in shares.iter_mut().take(count) {
+        *slot = exp(*slot - most);
+        whole += *slot;
+    }
+    shares.iter_mut().for_each(|slot| *slot /= whole);
+    shares
+}
+
+/// The different words of a command.
+fn different(sentence: &[Symbol]) -> impl Iterator<Item = usize> + Clone + '_ {
+    let first = |position: usize, word: &Symbol| !sentence.iter().take(position).any(|other| other == word);
+    sentence.iter().enumerate().filter(move |&(position, word)| first(position, word)).map(|(_, word)| word.index())
+}
+
+/// q_l(e) of the lifted task of a token; `sentence` has the known words alone, besides which there are so many `new` ones. A lifted task
+/// that training has not seen counts as one more session, and one for each new word.
+pub(crate) fn share(layout: &Layout, alignments: &[f32], sentence: &[Symbol], new: usize, token: Symbol) -> f32 {
+    match layout.form(token) {
+        Some(form) if layout.forms().len() > 1 => cell(&shares(layout, alignments, different(sentence)), form),
+        Some(_) => 1.0,
+        None => (1.0 + new as f32) / (layout.sessions() + 1.0 + new as f32),
+    }
+}
+
+/// Adds one session's part of the batch. The gradient stands in the counts of the lifted tasks' rows, the constants' in those of how common
+/// the words are.
+pub(super) fn count(layout: &Layout, bitext: BitextRef<'_>, session: u16, t: &mut Cells<'_>, a: &mut Cells<'_>) {
+    let sentence = bitext.sentence(session);
+    let shares = shares(layout, a.values, different(sentence));
+    for (position, &token) in layout.forms().iter().enumerate() {
+        let meant = |command: u16| form(bitext.command(command)) == Some(token);
+        let wanted: f32 = bitext.pairs_of(session).iter().filter(|pair| meant(pair.command)).map(|pair| pair.weight).sum();
+        let error = cell(&shares, position) - wanted;
+        let counts = get_mut(t.counts, layout.row(Some(token)));
+        for word in different(sentence) {
+            if let Some(slot) = counts.get_mut(word) {
+                *slot += error;
+            }
+        }
+        if let Some(slot) = get_mut(a.counts, layout.common()).get_mut(position) {
+            *slot += error;
+        }
+    }
+}
+
+/// One step of a lifted task's weights, from the counts.
+pub(super) fn step(layout: &Layout, position: usize, t: &mut Cells<'_>, a: &mut Cells<'_>) {
+    let Some(&token) = layout.forms().get(position) else { return };
+    let mut constant = 0.0;
+    if let Some(slot) = get_mut(a.counts, layout.common()).get_mut(position) {
+        constant = core::mem::take(slot);
+    }
+    let range = layout.kind_of_task(position);
+    let (weights, squares) = (get_mut(a.values, range.clone()), get_mut(a.counts, range));
+    let gradient = get_mut(t.counts, layout.row(Some(token)));
+    let slopes = gradient.iter_mut().map(|slope| (core::mem::take(slope), PULL)).chain([(constant, 0.0)]);
+    for ((weight, square), (slope, pull)) in weights.iter_mut().zip(squares).zip(slopes) {
+        let slope = slope + pull * *weight;
+        *square += slope * slope;
+        if *square > 0.0 {
+            *weight -= RATE * slope / square_root(*square);
+        }
+    }
+}

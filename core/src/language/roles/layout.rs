@@ -1,0 +1,216 @@
+//! Where the parameters stand.
+//!
+//! `translations` has a row of V words for the background, then one for each machine token: for a value T[v], for a lifted task A[l].
+//! `alignments` has, in this order:
+//!
+//! | part | rows | of |
+//! |---|---|---|
+//! | how common each word is | 1 | V |
+//! | lift | V words before, and the beginning | kinds |
+//! | kind of task | lifted tasks | V and a constant |
+//! | p0 | lifted tasks times memories | background, task, roles |
+//! | end | lifted tasks | memories |
+//! | lambda | roles | sorts of values |
+//! | novelty | background, and each machine token | 1 |
+//! | trellis | the longest command and one more | memories and a scale |
+
+use crate::capacity::LIFTED_TASKS;
+use crate::language::bitext::BitextRef;
+use crate::symbols::Symbol;
+use crate::task::description::{form, groups};
+use crate::task::role::{Role, RoleKind, VALUE_SORTS};
+use core::ops::Range;
+
+/// The most roles that are told apart; those that come later are left out.
+pub const MOST_ROLES: usize = 16;
+/// What a word can be: background, a word of the task, or a kind of role.
+pub const KINDS: usize = 2 + RoleKind::COUNT;
+/// The weight of the context's roles grows with the sessions: half of it is reached with so many.
+const HALF_CONTEXT: f32 = 60.0;
+
+/// Which parameters there are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Layout {
+    words: usize,
+    tokens: usize,
+    forms: [Symbol; LIFTED_TASKS],
+    form_count: u8,
+    roles: [Role; MOST_ROLES],
+    role_count: u8,
+    longest: u8,
+    sessions: f32,
+}
+
+impl Layout {
+    /// No parameters.
+    pub(crate) const NONE: Self = Self {
+        words: 0,
+        tokens: 0,
+        forms: [Symbol(0); LIFTED_TASKS],
+        form_count: 0,
+        roles: [Role::UNUSED; MOST_ROLES],
+        role_count: 0,
+        longest: 0,
+        sessions: 0.0,
+    };
+
+    /// The parameters for training data of so many words and machine tokens.
+    pub(crate) fn of(bitext: BitextRef<'_>, words: usize, tokens: usize) -> Self {
+        let mut layout = Self { words, tokens, sessions: bitext.sessions() as f32, ..Self::NONE };
+        for command in 0..bitext.commands() as u16 {
+            layout.see(bitext.command(command));
+        }
+        for session in 0..bitext.sessions() as u16 {
+            layout.longest = layout.longest.max(bitext.sentence(session).len() as u8);
+        }
+        layout
+    }
+
+    /// Makes room for what a description speaks of.
+    pub(crate) fn see(&mut self, description: &[Symbol]) {
+        if let Some(form) = form(description).filter(|&form| self.form(form).is_none())
+            && let Some(slot) = self.forms.get_mut(usize::from(self.form_count))
+        {
+            *slot = form;
+            self.form_count = self.form_count.saturating_add(1);
+        }
+        for group in groups(description) {
+            let role = group.marker.role;
+            if self.role(role).is_none()
+                && let Some(slot) = self.roles.get_mut(usize::from(self.role_count))
+            {
+                *slot = role;
+                self.role_count = self.role_count.saturating_add(1);
+            }
+        }
+    }
+
+    /// Makes room for a command of so many words.
+    pub(crate) fn see_length(&mut self, words: usize) {
+        self.longest = self.longest.max(words.min(usize::from(u8::MAX)) as u8);
+    }
+
+    /// The same parameters for so many words and machine tokens.
+    pub(crate) const fn with(self, words: usize, tokens: usize) -> Self {
+        Self { words, tokens, ..self }
+    }
+
+    /// How many machine tokens.
+    pub const fn tokens(&self) -> usize {
+        self.tokens
+    }
+
+    /// V: how many words.
+    pub const fn words(&self) -> usize {
+        self.words
+    }
+
+    /// How many sessions.
+    pub(super) const fn sessions(&self) -> f32 {
+        self.sessions
+    }
+
+    /// The tokens of the lifted tasks, in the order of their rows.
+    pub fn forms(&self) -> &[Symbol] {
+        self.forms.get(..usize::from(self.form_count)).unwrap_or(&[])
+    }
+
+    /// The roles, in the order of their rows.
+    pub fn roles(&self) -> &[Role] {
+        self.roles.get(..usize::from(self.role_count)).unwrap_or(&[])
+    }
+
+    /// The row of a lifted task.
+    pub(super) fn form(&self, token: Symbol) -> Option<usize> {
+        self.forms().iter().position(|&form| form == token)
+    }
+
+    /// The row of a role.
+    pub(super) fn role(&self, role: Role) -> Option<usize> {
+        self.roles().iter().position(|&known| known == role)
+    }
+
+    pub(super) fn memories(&self) -> usize {
+        self.roles().len().saturating_add(1)
+    }
+
+    pub(super) fn moves(&self) -> usize {
+        self.roles().len().saturating_add(2)
+    }
+
+    /// The row of a token in `translations`; the background's is 0.
+    pub(super) fn row(&self, token: Option<Symbol>) -> Range<usize> {
+        row(0, token.map_or(0, |token| token.index().saturating_add(1)), self.words)
+    }
+
+    pub(super) fn common(&self) -> Range<usize> {
+        row(0, 0, self.words)
+    }
+
+    /// The lift after a word, `words` for the beginning of a command.
+    pub(super) fn lift(&self, word: usize) -> Range<usize> {
+        row(self.words, word, KINDS)
+    }
+
+    fn kinds_start(&self) -> usize {
+        self.lift(self.words).end
+    }
+
+    pub(super) fn kind_of_task(&self, form: usize) -> Range<usize> {
+        row(self.kinds_start(), form, self.words.saturating_add(1))
+    }
+
+    pub(super) fn p0(&self, form: usize, memory: usize) -> Range<usize> {
+        let start = self.kind_of_task(self.forms().len()).start;
+        row(start, form.saturating_mul(self.memories()).saturating_add(memory), self.moves())
+    }
+
+    pub(super) fn end(&self, form: usize) -> Range<usize> {
+        row(self.p0(self.forms().len(), 0).start, form, self.memories())
+    }
+
+    pub(super) fn lambda(&self, role: usize) -> Range<usize> {
+        row(self.end(self.forms().len()).start, role, VALUE_SORTS)
+    }
+
+    /// How much of a row's words would be new, in a command to come: 1 for a token that was never named.
+    pub(super) fn novelty(&self, row: usize) -> usize {
+        self.lambda(self.roles().len()).start.saturating_add(row)
+    }
+
+    /// Where the trellis begins: before it are the parameters.
+    pub(crate) fn trellis(&self) -> usize {
+        self.novelty(self.tokens.saturating_add(1))
+    }
+
+    /// Cells of `alignments` that are taken.
+    pub(crate) fn cells(&self) -> usize {
+        let rows = usize::from(self.longest).saturating_add(1);
+        if self.words == 0 { 0 } else { self.trellis().saturating_add(rows.saturating_mul(self.memories().saturating_add(1))) }
+    }
+
+    /// How probable a role is, before anything is learned, against a goal's 1.
+    pub(super) fn weight_of(&self, kind: RoleKind) -> f32 {
+        if kind.is_of_task() { 1.0 } else { 0.5 * self.sessions / (self.sessions + HALF_CONTEXT) }
+    }
+}
+
+fn row(start: usize, position: usize, width: usize) -> Range<usize> {
+    let from = start.saturating_add(position.saturating_mul(width));
+    from..from.saturating_add(width)
+}
+
+/// A row of a table; empty where the table is too short.
+pub(super) fn get(cells: &[f32], range: Range<usize>) -> &[f32] {
+    cells.get(range).unwrap_or(&[])
+}
+
+/// A row of a table, to be written.
+pub(super) fn get_mut(cells: &mut [f32], range: Range<usize>) -> &mut [f32] {
+    cells.get_mut(range).unwrap_or(&mut [])
+}
+
+/// One cell of a row; 0 beyond its end.
+pub(super) fn cell(row: &[f32], position: usize) -> f32 {
+    row.get(position).copied().unwrap_or(0.0)
+}

@@ -1,0 +1,97 @@
+//! Where training begins.
+//!
+//! A value's words are those that stand in more of the commands with the value than of the others: with p_v the weight of commands with
+//! value v that contain word w, n_v of all with v, and p and n of all commands,
+//!
+//! ```text
+//! d(w) = max(0, p_v / (n_v + 1) - (p - p_v) / (n - n_v + 1)),   T[v] = .95 d / (sum of d) + .05 common
+//! ```
+//!
+//! and likewise for each lifted task. Where no word stands out, T[v] is how common each word is.
+
+use super::layout::{Layout, cell, get, get_mut};
+use crate::language::bitext::{BitextRef, Pair};
+use crate::language::tables::Cells;
+use crate::symbols::Symbol;
+use crate::task::description::{form, groups, has_value};
+
+const STANDING_OUT: f32 = 0.95;
+
+/// Counts which words and values one pair brings together.
+pub(super) fn count(layout: &Layout, bitext: BitextRef<'_>, pair: &Pair, first: bool, t: &mut Cells<'_>, a: &mut Cells<'_>) {
+    let (sentence, description) = (bitext.sentence(pair.session), bitext.command(pair.command));
+    if first {
+        let common = get_mut(a.values, layout.common());
+        for word in sentence {
+            if let Some(slot) = common.get_mut(word.index()) {
+                *slot += 1.0;
+            }
+        }
+    }
+    let mut add = |token: Option<Symbol>| {
+        let counts = get_mut(t.counts, layout.row(token));
+        for (position, word) in sentence.iter().enumerate() {
+            let repeated = sentence.iter().take(position).any(|other| other == word);
+            if let Some(slot) = counts.get_mut(word.index()).filter(|_| !repeated) {
+                *slot += pair.weight;
+            }
+        }
+    };
+    add(None);
+    add(form(description));
+    for (position, group) in groups(description).enumerate() {
+        for &value in group.values.iter().filter(|&&value| has_value(description, value)) {
+            let before = groups(description).take(position).any(|other| other.values.contains(&value));
+            if !before {
+                add(Some(value));
+            }
+        }
+    }
+}
+
+/// Makes of the counts how common each word is.
+pub(super) fn set_common(layout: &Layout, values: &mut [f32]) {
+    let common = get_mut(values, layout.common());
+    let whole = common.iter().sum::<f32>() + 0.5 * common.len() as f32;
+    common.iter_mut().for_each(|slot| *slot = (*slot + 0.5) / whole);
+}
+
+/// Makes of the counts a token's row; row 0 is the background's, which is set last.
+pub(super) fn set_row(layout: &Layout, bitext: BitextRef<'_>, row: usize, t: &mut Cells<'_>, common: &[f32]) {
+    let Some(token) = row.checked_sub(1).map(|token| Symbol(token as u16)) else {
+        get_mut(t.values, layout.row(None)).copy_from_slice_checked(common);
+        return;
+    };
+    let (mut with, mut all) = (0.0, 0.0);
+    for pair in bitext.pairs() {
+        let description = bitext.command(pair.command);
+        all += pair.weight;
+        if form(description) == Some(token) || has_value(description, token) {
+            with += pair.weight;
+        }
+    }
+    let of_all = layout.row(None);
+    let (of_token, words) = (layout.row(Some(token)), layout.words());
+    let stands_out = |word: usize, counts: &[f32]| {
+        let (with_word, word) = (cell(get(counts, of_token.clone()), word), cell(get(counts, of_all.clone()), word));
+        (with_word / (with + 1.0) - (word - with_word) / (all - with + 1.0)).max(0.0)
+    };
+    let sum: f32 = (0..words).map(|word| stands_out(word, t.counts)).sum();
+    for word in 0..words {
+        let common = cell(common, word);
+        let value = if sum > 0.0 { STANDING_OUT * stands_out(word, t.counts) / sum + (1.0 - STANDING_OUT) * common } else { common };
+        if let Some(slot) = get_mut(t.values, of_token.clone()).get_mut(word) {
+            *slot = value;
+        }
+    }
+}
+
+trait CopyChecked {
+    fn copy_from_slice_checked(&mut self, from: &[f32]);
+}
+
+impl CopyChecked for [f32] {
+    fn copy_from_slice_checked(&mut self, from: &[f32]) {
+        self.iter_mut().zip(from).for_each(|(slot, value)| *slot = *value);
+    }
+}

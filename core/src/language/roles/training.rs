@@ -1,0 +1,419 @@
+//! Expectation maximisation, in parts.
+//!
+//! After the [start](super::start), in each round every pair of the data gives its weight's worth of expected counts, by the forward and
+//! backward sums over all ways to read the words. With c the expected counts,
+//!
+//! ```text
+//! T[v], A[l], F = (c + common) / (sum of c + 1)
+//! lambda        = c + 1
+//! pool[l,r]     = (sum over m of c[l,m,r] + 4 prior[r]) / (... + 4)
+//! p0[l,m,r]     = (c[l,m,r] + 4 pool[l,r]) / (sum over r of c[l,m,r] + 4)
+//! lift[w',k]    = ((c[w',k] + 8 share[k]) / (sum over k of c[w',k] + 8)) / share[k],   share[k] what kind k has of all counts
+//! end[l,m]      = (stops + 1) / (moves + stops + 5)
+//! ```
+//!
+//! `lift` multiplies `p0` and is set from the same counts, so a round may lose likelihood where a plain EM would not: seen in no more than
+//! the last rounds, by a thousandth. After the rounds the [kind of task](super::kind) is trained.
+
+use super::forward::{END, Memories, Reader, Roles, prior};
+use super::layout::{KINDS, Layout, MOST_ROLES, cell, get, get_mut};
+use super::{kind, start};
+use crate::language::bitext::{BitextRef, Pair};
+use crate::language::tables::Cells;
+use crate::symbols::Symbol;
+use crate::task::role::VALUE_SORTS;
+
+const OF_COMMON: f32 = 1.0;
+const OF_LAMBDA: f32 = 1.0;
+const OF_POOL: f32 = 4.0;
+const OF_SHARE: f32 = 8.0;
+const LEAST_SHARE: f32 = 0.001;
+const OF_STOP: f32 = 1.0;
+const OF_MOVES: f32 = 4.0;
+
+/// Where the training stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Part {
+    /// Counting words and values, from this pair on.
+    Count(usize),
+    /// The rows' beginning, from this one on; the background's is the last.
+    Begin(usize),
+    /// Expected counts, from this pair on.
+    Expect(usize),
+    /// The rows, from this one on.
+    Rows(usize),
+    /// The lifts, from this word on, with what each kind has of all counts.
+    Lifts(usize, [f32; KINDS]),
+    /// p0 and end, from this lifted task on.
+    Moves(usize),
+    /// lambda.
+    Lambdas,
+    /// The kind of task: a batch, from this session on.
+    Kinds(u32, usize),
+    /// The kind of task: the step after a batch, from this lifted task on.
+    Steps(u32, usize),
+    /// Done.
+    Done,
+}
+
+/// The tables and the data that a training works on.
+pub(crate) struct Work<'t, 'b> {
+    pub layout: &'t Layout,
+    pub tokens: usize,
+    pub bitext: BitextRef<'b>,
+    pub t: Cells<'t>,
+    pub a: Cells<'t>,
+}
+
+impl Work<'_, '_> {
+    /// Before the first part: no parameters yet. The counts were cleared.
+    pub fn clear(&mut self) {
+        let layout = self.layout;
+        get_mut(self.a.values, 0..layout.trellis()).fill(0.0);
+        for word in 0..=layout.words() {
+            get_mut(self.a.values, layout.lift(word)).fill(1.0);
+        }
+        let prior = self.prior();
+        for form in 0..layout.forms().len() {
+            for memory in 0..layout.memories() {
+                get_mut(self.a.values, layout.p0(form, memory)).iter_mut().zip(&prior).for_each(|(slot, value)| *slot = *value);
+            }
+            get_mut(self.a.values, layout.end(form)).fill(END);
+        }
+        for role in 0..layout.roles().len() {
+            get_mut(self.a.values, layout.lambda(role)).fill(1.0);
+        }
+        get_mut(self.a.values, layout.novelty(0)..layout.trellis()).fill(1.0);
+    }
+
+    fn prior(&self) -> super::forward::Moves {
+        prior(self.layout, self.layout.roles().iter().map(|role| role.kind()))
+    }
+
+    /// One part: about how many table cells of work it was, and where the training stands after it.
+    pub fn advance(&mut self, part: Part, round: &mut u32, rounds: u32) -> (usize, Part) {
+        let layout = self.layout;
+        let pairs = self.bitext.pairs();
+        let rows = self.tokens.saturating_add(1);
+        match part {
+            Part::Count(position) => match pairs.get(position) {
+                Some(pair) => {
+                    let before = position.checked_sub(1).and_then(|before| pairs.get(before));
+                    let first = before.is_none_or(|before| before.session != pair.session);
+                    start::count(layout, self.bitext, pair, first, &mut self.t, &mut self.a);
+                    (self.cells(pair), Part::Count(position.saturating_add(1)))
+                }
+                None => {
+                    start::set_common(layout, self.a.values);
+                    (layout.words(), Part::Begin(0))
+                }
+            },
+            Part::Begin(row) if row < rows => {
+                // The first row's counts are those of all commands: it goes last.
+                let row_now = row.saturating_add(1).checked_rem(rows).unwrap_or(0);
+                start::set_row(layout, self.bitext, row_now, &mut self.t, get(self.a.values, layout.common()));
+                (layout.words().saturating_mul(2).saturating_add(pairs.len().saturating_mul(4)), Part::Begin(row.saturating_add(1)))
+            }
+            Part::Begin(_) => {
+                for row in 0..rows {
+                    get_mut(self.t.counts, layout.row(row.checked_sub(1).map(|token| Symbol(token as u16)))).fill(0.0);
+                }
+                (rows.saturating_mul(layout.words()), if rounds > 0 { Part::Expect(0) } else { Part::Kinds(0, 0) })
+            }
+            Part::Expect(position) => match pairs.get(position) {
+                Some(pair) => {
+                    self.expect(pair);
+                    let roles = layout.moves();
+                    (self.cells(pair).saturating_mul(roles), Part::Expect(position.saturating_add(1)))
+                }
+                None => (0, Part::Rows(0)),
+            },
+            Part::Rows(row) if row < rows => {
+                self.set_row(row);
+                (layout.words(), Part::Rows(row.saturating_add(1)))
+            }
+            Part::Rows(_) => (layout.words().saturating_mul(KINDS), Part::Lifts(0, self.shares())),
+            Part::Lifts(word, shares) if word <= layout.words() => {
+                self.set_lift(word, &shares);
+                (KINDS, Part::Lifts(word.saturating_add(1), shares))
+            }
+            Part::Lifts(..) => (0, Part::Moves(0)),
+            Part::Moves(form) if form < layout.forms().len() => {
+                self.set_moves(form);
+                (layout.memories().saturating_mul(layout.moves()), Part::Moves(form.saturating_add(1)))
+            }
+            Part::Moves(_) => (0, Part::Lambdas),
+            Part::Lambdas => {
+                let range = layout.lambda(0).start..layout.novelty(0);
+                let (values, counts) = (get_mut(self.a.values, range.clone()), get_mut(self.a.counts, range));
+                for (value, count) in values.iter_mut().zip(counts) {
+                    *value = core::mem::take(count) + OF_LAMBDA;
+                }
+                *round = round.saturating_add(1);
+                (layout.roles().len().saturating_mul(VALUE_SORTS), if *round < rounds { Part::Expect(0) } else { Part::Kinds(0, 0) })
+            }
+            Part::Kinds(batch, _) if batch >= kind::BATCHES || layout.forms().len() < 2 => (0, Part::Done),
+            Part::Kinds(batch, session) if session < self.bitext.sessions() => {
+                kind::count(layout, self.bitext, session as u16, &mut self.t, &mut self.a);
+                let words = self.bitext.sentence(session as u16).len();
+                (words.saturating_mul(layout.forms().len()).saturating_mul(2), Part::Kinds(batch, session.saturating_add(1)))
+            }
+            Part::Kinds(batch, _) => (0, Part::Steps(batch, 0)),
+            Part::Steps(batch, form) if form < layout.forms().len() => {
+                kind::step(layout, form, &mut self.t, &mut self.a);
+                (layout.words().saturating_mul(2), Part::Steps(batch, form.saturating_add(1)))
+            }
+            Part::Steps(batch, _) => (0, Part::Kinds(batch.saturating_add(1), 0)),
+            Part::Done => (0, Part::Done),
+        }
+    }
+
+    fn cells(&self, pair: &Pair) -> usize {
+        self.bitext.command(pair.command).len().saturating_mul(self.bitext.sentence(pair.session).len())
+    }
+
+    /// The expected counts of one pair.
+    fn expect(&mut self, pair: &Pair) {
+        let (sentence, description) = (self.bitext.sentence(pair.session), self.bitext.command(pair.command));
+        let Some((parameters, trellis)) = self.a.values.split_at_mut_checked(self.layout.trellis()) else { return };
+        let reader = Reader::new(self.layout, self.t.values, parameters, description);
+        let Some(form) = reader.form else { return };
+        if fill(&reader, sentence, trellis).is_none() {
+            return;
+        }
+        let (layout, weight) = (self.layout, pair.weight);
+        let (t, a) = (&mut *self.t.counts, &mut *self.a.counts);
+        let add = |cells: &mut [f32], position: usize, part: f32| {
+            if let Some(slot) = cells.get_mut(position) {
+                *slot += part;
+            }
+        };
+        backward(&reader, sentence, trellis, |event| match event {
+            Event::Stop { memory, share } => {
+                if let Some(row) = reader.memory(memory) {
+                    add(get_mut(a, layout.end(form)), row, weight * share);
+                }
+            }
+            Event::Word { position, memory, background, task, roles } => {
+                let Some(&word) = sentence.get(position) else { return };
+                let previous = position.checked_sub(1).and_then(|before| sentence.get(before)).map_or(layout.words(), |word| word.index());
+                add(get_mut(t, layout.row(None)), word.index(), weight * background);
+                if let Some(&token) = layout.forms().get(form) {
+                    add(get_mut(t, layout.row(Some(token))), word.index(), weight * task);
+                }
+                let Some(row) = reader.memory(memory) else { return };
+                let moves = get_mut(a, layout.p0(form, row));
+                add(moves, 0, weight * background);
+                add(moves, 1, weight * task);
+                for (present, &share) in reader.present.iter().zip(roles) {
+                    if let Some(role) = present.known {
+                        add(moves, role.saturating_add(2), weight * share);
+                    }
+                }
+                let lift = get_mut(a, layout.lift(previous));
+                add(lift, 0, weight * background);
+                add(lift, 1, weight * task);
+                for (present, &share) in reader.present.iter().zip(roles) {
+                    add(lift, present.kind.index().saturating_add(2), weight * share);
+                }
+            }
+            Event::Values { position, emissions, roles } => {
+                let Some(&word) = sentence.get(position) else { return };
+                for group in &reader.groups {
+                    let (share, emission) = (cell(roles, group.present), cell(emissions, group.present));
+                    if share <= 0.0 || emission <= 0.0 {
+                        continue;
+                    }
+                    let scale = weight * share * group.share / emission;
+                    let mut sum = 0.0;
+                    for &value in group.values {
+                        let part = scale * reader.value(value, word.index());
+                        add(get_mut(t, layout.row(Some(value))), word.index(), part);
+                        sum += part;
+                    }
+                    if let Some(role) = reader.present.get(group.present).and_then(|present| present.known) {
+                        add(get_mut(a, layout.lambda(role)), group.sort, sum);
+                    }
+                }
+            }
+        });
+    }
+
+    fn set_row(&mut self, row: usize) {
+        let range = self.layout.row(row.checked_sub(1).map(|token| Symbol(token as u16)));
+        let (values, counts) = (get_mut(self.t.values, range.clone()), get_mut(self.t.counts, range));
+        let common = get(self.a.values, self.layout.common());
+        let whole = counts.iter().sum::<f32>() + OF_COMMON;
+        let novelty = OF_COMMON / whole;
+        for ((value, count), common) in values.iter_mut().zip(counts).zip(common) {
+            *value = (core::mem::take(count) + OF_COMMON * common) / whole;
+        }
+        if let Some(slot) = self.a.values.get_mut(self.layout.novelty(row)) {
+            *slot = novelty;
+        }
+    }
+
+    /// What each kind has of all counts.
+    fn shares(&self) -> [f32; KINDS] {
+        let mut shares = [LEAST_SHARE; KINDS];
+        for word in 0..=self.layout.words() {
+            for (share, count) in shares.iter_mut().zip(get(self.a.counts, self.layout.lift(word))) {
+                *share += count;
+            }
+        }
+        let whole: f32 = shares.iter().sum();
+        shares.map(|share| share / whole)
+    }
+
+    fn set_lift(&mut self, word: usize, shares: &[f32; KINDS]) {
+        let range = self.layout.lift(word);
+        let (values, counts) = (get_mut(self.a.values, range.clone()), get_mut(self.a.counts, range));
+        let whole = counts.iter().sum::<f32>() + OF_SHARE;
+        for ((value, count), share) in values.iter_mut().zip(counts).zip(shares) {
+            *value = (core::mem::take(count) + OF_SHARE * share) / whole / share;
+        }
+    }
+
+    fn set_moves(&mut self, form: usize) {
+        let layout = self.layout;
+        let mut pool = self.prior();
+        pool.iter_mut().for_each(|slot| *slot *= OF_POOL);
+        let mut whole = OF_POOL;
+        for memory in 0..layout.memories() {
+            for (slot, count) in pool.iter_mut().zip(get(self.a.counts, layout.p0(form, memory))) {
+                *slot += count;
+                whole += count;
+            }
+        }
+        pool.iter_mut().for_each(|slot| *slot /= whole);
+        for memory in 0..layout.memories() {
+            let range = layout.p0(form, memory);
+            let (values, counts) = (get_mut(self.a.values, range.clone()), get_mut(self.a.counts, range));
+            let moves: f32 = counts.iter().sum();
+            for ((value, count), pool) in values.iter_mut().zip(counts).zip(&pool) {
+                *value = (core::mem::take(count) + OF_POOL * pool) / (moves + OF_POOL);
+            }
+            let ends = layout.end(form);
+            if let (Some(value), Some(stops)) =
+                (get_mut(self.a.values, ends.clone()).get_mut(memory), get_mut(self.a.counts, ends).get_mut(memory))
+            {
+                let stops = core::mem::take(stops);
+                *value = (stops + OF_STOP) / (moves + stops + OF_STOP + OF_MOVES);
+            }
+        }
+    }
+}
+
+/// What is known of a way to read a command.
+pub(super) enum Event<'e> {
+    /// The command ends with this memory.
+    Stop {
+        /// The memory.
+        memory: usize,
+        /// The probability of that.
+        share: f32,
+    },
+    /// A word, from a memory.
+    Word {
+        /// Which word.
+        position: usize,
+        /// The memory before it.
+        memory: usize,
+        /// The probability of that memory and the word as background, as a word of the task, and as each role.
+        background: f32,
+        task: f32,
+        roles: &'e Roles,
+    },
+    /// A word, from all memories together.
+    Values {
+        /// Which word.
+        position: usize,
+        /// Pr(w | role).
+        emissions: &'e Roles,
+        /// The probability of each role.
+        roles: &'e Roles,
+    },
+}
+
+/// Fills the trellis: for each word before which it stands, how probable each memory is, and behind them what they were divided by. Returns
+/// nothing where the command is impossible or the trellis too short.
+pub(super) fn fill(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f32]) -> Option<()> {
+    let width = reader.memories().saturating_add(1);
+    let mut before: Memories = [0.0; MOST_ROLES + 1];
+    let mut after: Memories = [0.0; MOST_ROLES + 1];
+    *before.first_mut()? = 1.0;
+    let mut rows = trellis.chunks_mut(width);
+    let mut previous = None;
+    for &word in sentence {
+        let sum = reader.advance(word.index(), previous, &before, &mut after);
+        if sum <= 0.0 {
+            return None;
+        }
+        put(rows.next()?, &before, sum)?;
+        for (slot, mass) in before.iter_mut().zip(&after).take(reader.memories()) {
+            *slot = mass / sum;
+        }
+        previous = Some(word.index());
+    }
+    put(rows.next()?, &before, 1.0)
+}
+
+fn put(row: &mut [f32], memories: &Memories, sum: f32) -> Option<()> {
+    let (last, masses) = row.split_last_mut()?;
+    masses.iter_mut().zip(memories).for_each(|(slot, mass)| *slot = *mass);
+    *last = sum;
+    Some(())
+}
+
+/// Goes back through a filled trellis, and tells what is known of each word, the last first.
+pub(super) fn backward(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &[f32], mut tell: impl FnMut(Event<'_>)) {
+    let memories = reader.memories();
+    let width = memories.saturating_add(1);
+    let row = |position: usize| get(trellis, position.saturating_mul(width)..position.saturating_add(1).saturating_mul(width));
+    let last = row(sentence.len());
+    let whole: f32 = (0..memories).map(|memory| cell(last, memory) * reader.end(memory)).sum();
+    if whole <= 0.0 {
+        return;
+    }
+    let mut after: Memories = [0.0; MOST_ROLES + 1];
+    for (memory, slot) in after.iter_mut().enumerate().take(memories) {
+        *slot = reader.end(memory) / whole;
+        tell(Event::Stop { memory, share: cell(last, memory) * *slot });
+    }
+    for (position, word) in sentence.iter().enumerate().rev() {
+        let previous = position.checked_sub(1).and_then(|before| sentence.get(before)).map(|word| word.index());
+        let lift = reader.lift(previous);
+        let (background, task) = reader.background_and_task(word.index());
+        let mut emissions: Roles = [0.0; MOST_ROLES];
+        reader.emissions(word.index(), &mut emissions);
+        let before = row(position);
+        let sum = cell(before, memories);
+        let mut next: Memories = [0.0; MOST_ROLES + 1];
+        let mut all: Roles = [0.0; MOST_ROLES];
+        for (memory, slot) in next.iter_mut().enumerate().take(memories) {
+            let mass = cell(before, memory);
+            if mass <= 0.0 {
+                continue;
+            }
+            let step = reader.step(memory, lift);
+            let scale = step.scale / sum;
+            let here = cell(&after, memory);
+            let [first, second, moves @ ..] = &step.moves;
+            let (of_background, of_task) = (scale * first * background * here, scale * second * task * here);
+            let mut roles: Roles = [0.0; MOST_ROLES];
+            let mut total = of_background + of_task;
+            for ((((part, all), step), emission), there) in
+                roles.iter_mut().zip(&mut all).zip(moves).zip(&emissions).zip(after.iter().skip(1)).take(reader.present.len())
+            {
+                let share = scale * step * emission * there;
+                total += share;
+                *part = mass * share;
+                *all += *part;
+            }
+            *slot = total;
+            tell(Event::Word { position, memory, background: mass * of_background, task: mass * of_task, roles: &roles });
+        }
+        tell(Event::Values { position, emissions: &emissions, roles: &all });
+        after = next;
+    }
+}

@@ -1,0 +1,159 @@
+//! Roles: what an object is to a task, and the markers that say so in a [description](super::description).
+//!
+//! Roles come from the schema alone. For a task `blockInRoom(?o, ?r)` of a home they are the block that is to be moved, the room where it
+//! is to be, the room where it stands at the start, the room where the robot stands, the other rooms and the other blocks.
+
+use crate::oomdp::{ClassId, PropositionId};
+use crate::symbols::Symbol;
+use core::fmt;
+use core::str::FromStr;
+
+/// What an object is to a task.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum RoleKind {
+    /// It is, by the goal, the last argument of a proposition: where something is to be.
+    Goal,
+    /// It is, by the goal, another argument: what is to be there.
+    Subject,
+    /// At the start it is the last argument of a proposition about what the task binds: where that thing is now.
+    Start,
+    /// Nothing of that, and its class is that of a proposition's last argument.
+    OtherPlace,
+    /// Nothing of that.
+    Other,
+}
+
+impl RoleKind {
+    /// How many kinds there are.
+    pub const COUNT: usize = 5;
+    const ALL: [Self; Self::COUNT] = [Self::Goal, Self::Subject, Self::Start, Self::OtherPlace, Self::Other];
+
+    /// Its position among the kinds.
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+
+    /// Whether the task itself speaks of such objects; the others are its context.
+    pub const fn is_of_task(self) -> bool {
+        matches!(self, Self::Goal | Self::Subject)
+    }
+}
+
+/// A role: its kind, with the proposition and the argument, or the class, that it is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Role(u16);
+
+const ARGUMENT_BITS: u32 = 2;
+const ABOUT_BITS: u32 = 6;
+const ABOUT: u16 = (1 << ABOUT_BITS) - 1;
+
+impl Role {
+    /// What unused memory holds.
+    pub(crate) const UNUSED: Self = Self(0);
+
+    /// The role of an argument of a proposition.
+    pub const fn of_argument(kind: RoleKind, proposition: PropositionId, argument: usize) -> Self {
+        Self::new(kind, proposition.0 as u16, argument)
+    }
+
+    /// The role of the other objects of a class.
+    pub const fn of_class(kind: RoleKind, class: ClassId) -> Self {
+        Self::new(kind, class.0 as u16, 0)
+    }
+
+    const fn new(kind: RoleKind, about: u16, argument: usize) -> Self {
+        let about = if about > ABOUT { ABOUT } else { about };
+        let argument = if argument > 3 { 3 } else { argument as u16 };
+        Self(((kind as u16) << (ABOUT_BITS + ARGUMENT_BITS)) | (about << ARGUMENT_BITS) | argument)
+    }
+
+    /// Its kind.
+    pub fn kind(self) -> RoleKind {
+        let kind = usize::from(self.0 >> (ABOUT_BITS + ARGUMENT_BITS));
+        RoleKind::ALL.get(kind).copied().unwrap_or(RoleKind::Other)
+    }
+
+    /// The proposition that it is about, for the kinds that are about one.
+    pub const fn proposition(self) -> PropositionId {
+        PropositionId(((self.0 >> ARGUMENT_BITS) & ABOUT) as u8)
+    }
+
+    /// The class that it is about, for the kinds that are about one.
+    pub const fn class(self) -> ClassId {
+        ClassId(((self.0 >> ARGUMENT_BITS) & ABOUT) as u8)
+    }
+
+    /// The argument of the proposition.
+    pub const fn argument(self) -> usize {
+        (self.0 & ((1 << ARGUMENT_BITS) - 1)) as usize
+    }
+}
+
+/// How many sorts of values there are: each attribute of the object, and each attribute of what is there.
+pub const VALUE_SORTS: usize = 2 * crate::capacity::ATTRIBUTES;
+
+/// What stands before the values of a role: the role and the sort of the values. A marker is a symbol above all that have a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Marker {
+    /// Whose values follow.
+    pub role: Role,
+    /// Which: twice the attribute, and one more for those of what is there.
+    pub sort: u8,
+}
+
+const MARKER: u16 = 0x8000;
+const SORT_BITS: u32 = 3;
+
+impl Marker {
+    /// The marker as a symbol.
+    pub const fn symbol(self) -> Symbol {
+        Symbol(MARKER | (self.role.0 << SORT_BITS) | (self.sort as u16 & ((1 << SORT_BITS) - 1)))
+    }
+
+    /// The marker that a symbol is, if it is one.
+    pub fn of(symbol: Symbol) -> Option<Self> {
+        let code = symbol.0.checked_sub(MARKER)?;
+        Some(Self { role: Role(code >> SORT_BITS), sort: (code & ((1 << SORT_BITS) - 1)) as u8 })
+    }
+}
+
+impl fmt::Display for Marker {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "@{:04x}", self.symbol().0)
+    }
+}
+
+impl FromStr for Marker {
+    type Err = NoMarker;
+
+    fn from_str(text: &str) -> Result<Self, NoMarker> {
+        let code = text.strip_prefix('@').and_then(|code| u16::from_str_radix(code, 16).ok()).ok_or(NoMarker)?;
+        Self::of(Symbol(code)).ok_or(NoMarker)
+    }
+}
+
+/// A text is no marker.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NoMarker;
+
+/// Whether a symbol is a marker: it has no text, and keeps its number when others are forgotten.
+pub const fn is_marker(symbol: Symbol) -> bool {
+    symbol.0 >= MARKER
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_marker_says_what_it_was_made_of() {
+        for kind in RoleKind::ALL {
+            let role = Role::of_argument(kind, PropositionId(11), 2);
+            let marker = Marker { role, sort: 5 };
+            assert_eq!(Marker::of(marker.symbol()), Some(marker));
+            assert_eq!("@7fff".parse::<Marker>(), Err(NoMarker));
+            assert_eq!((role.kind(), role.proposition(), role.argument()), (kind, PropositionId(11), 2));
+            assert!(is_marker(marker.symbol()) && !is_marker(Symbol(32_767)));
+        }
+    }
+}

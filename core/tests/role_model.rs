@@ -1,0 +1,290 @@
+//! The role model: what must hold whatever is learned.
+
+use goodbot::feedback::Feedback;
+use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves, paper_tasks};
+use goodbot::language::Meaning;
+use goodbot::memory::{AgentMemory, HomeMemory};
+use goodbot::oomdp::{Domain, apply};
+use goodbot::planning::Progress;
+use goodbot::task::RoleKind;
+use goodbot::{Agent, Capacities, HeapMemory, Options};
+
+type Rooms = [&'static str; 3];
+
+/// Three rooms in a row under each other's names, the robot in the first; and a block in the first, if there is one.
+fn home<M: HomeMemory>(memory: M, colors: Rooms, block: Option<(&str, &str)>, order: [usize; 3]) -> (Home<M>, HomeState) {
+    let boxes = [Area::new(0, 0, 8, 4), Area::new(0, 4, 4, 8), Area::new(4, 4, 8, 8)];
+    let mut builder = HomeBuilder::new(memory);
+    for room in order {
+        builder.room(&format!("room{room}"), boxes[room], colors[room]).unwrap();
+    }
+    builder.door("door0", Area::new(2, 4, 2, 4)).unwrap();
+    builder.door("door1", Area::new(6, 4, 6, 4)).unwrap();
+    builder.agent("agent0", Cell::new(4, 1)).unwrap();
+    if let Some((color, shape)) = block {
+        builder.block("block0", Cell::new(4, 2), color, shape).unwrap();
+    }
+    builder.build(Moves::Push).unwrap()
+}
+
+struct Taught {
+    command: &'static str,
+    colors: Rooms,
+    block: Option<(&'static str, &'static str)>,
+    /// The name of what is to be somewhere, and where.
+    meant: (&'static str, &'static str),
+}
+
+const fn lesson(
+    command: &'static str,
+    colors: Rooms,
+    block: Option<(&'static str, &'static str)>,
+    meant: (&'static str, &'static str),
+) -> Taught {
+    Taught { command, colors, block, meant }
+}
+
+const LESSONS: [Taught; 6] = [
+    lesson("go to the green room", ["blue", "green", "red"], None, ("agent0", "room1")),
+    lesson("go to the red room", ["blue", "green", "red"], None, ("agent0", "room2")),
+    lesson("go to the blue room", ["red", "yellow", "blue"], None, ("agent0", "room2")),
+    lesson("go to the yellow room", ["blue", "yellow", "red"], None, ("agent0", "room1")),
+    lesson("take the blue chair to the green room", ["red", "green", "yellow"], Some(("blue", "chair")), ("block0", "room1")),
+    lesson("take the green bag to the red room", ["blue", "yellow", "red"], Some(("green", "bag")), ("block0", "room2")),
+];
+
+fn task(agent: &Agent<impl AgentMemory>, domain: &impl Domain, (subject, place): (&str, &str)) -> usize {
+    let name = |object| domain.world().objects.name(object);
+    agent.tasks().iter().position(|task| name(task.bindings[0]) == subject && name(task.bindings[1]) == place).unwrap()
+}
+
+/// Teaches by judging every step.
+fn teach(agent: &mut Agent<impl AgentMemory>, it: &Taught, colors: Rooms, block: Option<(&str, &str)>, command: &str, order: [usize; 3]) {
+    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let (home, mut state) = home(&mut memory.home, colors, block, order);
+    agent.hear(&home, &state, command).unwrap();
+    for _ in 0..20 {
+        agent.plan_fully(&home, &state).unwrap();
+        let action = agent.decide(&home, &state).unwrap().action;
+        let right = agent.planned().optimal(task(agent, &home, it.meant)).actions().is_some_and(|actions| actions.contains(action));
+        let next = agent.acted(&home, &state, action).unwrap();
+        agent.feedback(if right { Feedback::Reward } else { Feedback::Punish }).unwrap();
+        assert_eq!(Some(next), apply(&home, &state, action));
+        state = next;
+    }
+    agent.finish(&home).unwrap();
+    agent.learn_fully();
+}
+
+fn taught(agent: &mut Agent<impl AgentMemory>) {
+    for it in &LESSONS {
+        teach(agent, it, it.colors, it.block, it.command, [0, 1, 2]);
+    }
+}
+
+fn posterior(
+    agent: &mut Agent<impl AgentMemory>,
+    colors: Rooms,
+    block: (&str, &str),
+    order: [usize; 3],
+    command: &str,
+) -> Vec<(String, f32)> {
+    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let (home, state) = home(&mut memory.home, colors, Some(block), order);
+    agent.hear(&home, &state, command).unwrap();
+    let name = |object| home.world().objects.name(object);
+    let tasks = agent.tasks().iter().enumerate();
+    let mut all: Vec<(String, f32)> =
+        tasks.map(|(t, it)| (format!("{} {}", name(it.bindings[0]), name(it.bindings[1])), agent.belief().probability(t))).collect();
+    all.sort_by(|a, b| a.0.cmp(&b.0));
+    agent.forget();
+    all
+}
+
+fn learned() -> (HeapMemory, Options) {
+    (HeapMemory::new(&Capacities::SMALL), Options::DEFAULT)
+}
+
+#[test]
+fn probabilities_sum_to_one_and_what_was_taught_is_understood() {
+    let (mut memory, options) = learned();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
+    taught(&mut agent);
+    for (command, wanted) in [
+        ("go to the red room", "agent0 room2"),
+        ("go to the blue room", "agent0 room1"),
+        ("take the yellow bag to the red room", "block0 room2"),
+        ("please, bring the bag to the BLUE room!", "block0 room1"),
+    ] {
+        let all = posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command);
+        assert!((all.iter().map(|(_, share)| share).sum::<f32>() - 1.0).abs() < 1e-5, "{command}");
+        let best = all.iter().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+        assert_eq!(best.0, wanted, "{command}: {all:?}");
+    }
+}
+
+#[test]
+fn the_order_of_the_objects_says_nothing() {
+    let (mut memory, options) = learned();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
+    taught(&mut agent);
+    let command = "take the yellow bag to the red room";
+    let one = posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command);
+    let other = posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [2, 0, 1], command);
+    for (one, other) in one.iter().zip(&other) {
+        assert_eq!(one.0, other.0);
+        assert!((one.1 - other.1).abs() < 1e-4, "{one:?} {other:?}");
+    }
+}
+
+#[test]
+fn the_order_of_the_sessions_says_nothing_beyond_rounding() {
+    use goodbot::language::{LanguageModel, Settings};
+    let mut answers = Vec::new();
+    for backwards in [false, true] {
+        let mut memory = HeapMemory::new(&Capacities::SMALL);
+        let mut model = LanguageModel::new(&mut memory.agent, Settings::DEFAULT).unwrap();
+        let mut language = model.lend();
+        let goal =
+            goodbot::task::Marker { role: goodbot::task::Role::of_argument(RoleKind::Goal, goodbot::home::AGENT_IN_ROOM, 1), sort: 0 };
+        let mut data = vec![("go to red", "colorRed", 1.0), ("walk to green", "colorGreen", 1.0), ("run to the red room", "colorRed", 1.0)];
+        if backwards {
+            data.reverse();
+        }
+        for (command, value, weight) in data {
+            let words = language.hear(command).unwrap();
+            let tokens =
+                [language.tokens_mut().intern("agentInRoom").unwrap(), goal.symbol(), language.tokens_mut().intern(value).unwrap()];
+            language.add_session(&words, [(&tokens[..], weight)].into_iter()).unwrap();
+        }
+        language.begin_training();
+        while language.train(7) == Progress::Working {}
+        let words = language.hear("go to the green room").unwrap();
+        let mut likelihood = |value| {
+            let tokens =
+                [language.tokens_mut().intern("agentInRoom").unwrap(), goal.symbol(), language.tokens_mut().intern(value).unwrap()];
+            language.read().likelihood(&words, &tokens).value()
+        };
+        answers.push([likelihood("colorRed"), likelihood("colorGreen")]);
+    }
+    for (one, other) in answers[0].iter().zip(&answers[1]) {
+        assert!((one / other - 1.0).abs() < 1e-4, "{one} {other}");
+    }
+    assert!(answers[0][1] > answers[0][0]);
+}
+
+#[test]
+fn other_names_for_the_colors_change_nothing() {
+    let (mut first, options) = learned();
+    let (mut second, _) = learned();
+    let renamed = |text: &str| -> &'static str {
+        match text {
+            "red" => "rood",
+            "green" => "groen",
+            "blue" => "blauw",
+            "yellow" => "geel",
+            other => panic!("{other}"),
+        }
+    };
+    let say = |text: &str| text.replace("red", "rood").replace("green", "groen").replace("blue", "blauw").replace("yellow", "geel");
+    let mut one = Agent::new(&mut first.agent, &paper_tasks().unwrap(), options).unwrap();
+    taught(&mut one);
+    let mut other = Agent::new(&mut second.agent, &paper_tasks().unwrap(), options).unwrap();
+    for it in &LESSONS {
+        let colors = it.colors.map(renamed);
+        teach(&mut other, it, colors, it.block.map(|(color, shape)| (renamed(color), shape)), &say(it.command), [0, 1, 2]);
+    }
+    let command = "take the yellow bag to the red room";
+    let a = posterior(&mut one, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command);
+    let b = posterior(&mut other, ["groen", "blauw", "rood"], ("geel", "bag"), [0, 1, 2], &say(command));
+    for (a, b) in a.iter().zip(&b) {
+        assert!((a.1 - b.1).abs() < 1e-5, "{a:?} {b:?}");
+    }
+}
+
+#[test]
+fn each_word_is_explained_and_its_shares_sum_to_one() {
+    let (mut memory, options) = learned();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
+    taught(&mut agent);
+    let mut homes = HeapMemory::new(&Capacities::SMALL);
+    let (home, state) = home(&mut homes.home, ["green", "blue", "red"], Some(("yellow", "bag")), [0, 1, 2]);
+    agent.hear(&home, &state, "take the bag to the red room").unwrap();
+    let best = agent.most_likely().unwrap();
+    let mut sums = [0.0_f32; 7];
+    let mut red = None;
+    agent
+        .explain(&home, best, |position, meaning, share| {
+            sums[position] += share;
+            if position == 5 && share > 0.5 {
+                red = Some(meaning);
+            }
+        })
+        .unwrap();
+    assert!(sums.iter().all(|sum| (sum - 1.0).abs() < 1e-4), "{sums:?}");
+    let Some(Meaning::Value(role, value)) = red else { panic!("{red:?}") };
+    assert_eq!((role.kind(), agent.language().tokens().text(value)), (RoleKind::Goal, "colorRed"));
+}
+
+#[test]
+fn long_and_unheard_commands_get_a_sensible_answer() {
+    let (mut memory, options) = learned();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
+    taught(&mut agent);
+    let long = "go to the red room and ".repeat(10);
+    let all = posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], &long);
+    let best = all.iter().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+    assert_eq!(best.0, "agent0 room2");
+    let all = posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], "xyzzy plugh");
+    assert!(all.iter().all(|(_, share)| (0.0..=0.8).contains(share)), "{all:?}");
+    assert!((all.iter().map(|(_, share)| share).sum::<f32>() - 1.0).abs() < 1e-5);
+}
+
+#[test]
+fn a_slip_of_the_pen_counts_as_the_word() {
+    let (mut memory, options) = learned();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
+    taught(&mut agent);
+    let right = posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], "take the yellow bag to the red room");
+    let slips = posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], "take the yelow bag to the red romo");
+    assert_eq!(right.iter().map(|it| &it.0).collect::<Vec<_>>(), slips.iter().map(|it| &it.0).collect::<Vec<_>>());
+    let best = |all: &[(String, f32)]| all.iter().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap().0.clone();
+    assert_eq!(best(&right), best(&slips));
+}
+
+#[test]
+fn what_was_learned_is_the_same_whatever_the_budget() {
+    let mut files = Vec::new();
+    for budget in [1, 100, u32::MAX] {
+        let (mut memory, options) = learned();
+        let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
+        let mut homes = HeapMemory::new(&Capacities::SMALL);
+        let (home, state) = home(&mut homes.home, ["green", "blue", "red"], Some(("yellow", "bag")), [0, 1, 2]);
+        for command in ["go to the red room", "take the yellow bag to the blue room"] {
+            agent.begin_hearing(&home, &state, command).unwrap();
+            while agent.hear_on(&home, budget).unwrap() == Progress::Working {}
+            agent.begin_finishing(&home).unwrap();
+            while agent.finish_on(&home, budget).unwrap().is_none() {}
+            while agent.learn(budget) == Progress::Working {}
+        }
+        agent.hear(&home, &state, "bring the red bag").unwrap();
+        files.push((0..agent.tasks().len()).map(|task| agent.belief().probability(task).to_bits()).collect::<Vec<_>>());
+    }
+    assert!(files.windows(2).all(|two| two[0] == two[1]));
+}
+
+#[test]
+fn a_restored_robot_understands_the_same_to_the_last_bit() {
+    let (mut memory, options) = learned();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
+    taught(&mut agent);
+    let mut buffer = vec![0; 8_192];
+    let length = agent.save(&mut buffer).unwrap();
+    let (mut other, _) = learned();
+    let mut restored = Agent::new(&mut other.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
+    restored.restore(&buffer[..length]).unwrap();
+    restored.learn_fully();
+    let command = "take the yellow bag to the red room";
+    let ask = |agent: &mut Agent<_>| posterior(agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command);
+    assert_eq!(ask(&mut agent), ask(&mut restored));
+}
