@@ -1,6 +1,6 @@
 //! The role model: what must hold whatever is learned.
 
-use goodbot::feedback::Feedback;
+use goodbot::feedback::{Feedback, Judgement};
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves, paper_tasks};
 use goodbot::language::Meaning;
 use goodbot::memory::{AgentMemory, HomeMemory};
@@ -66,13 +66,13 @@ fn teach(agent: &mut Agent<impl AgentMemory>, it: &Taught, colors: Rooms, block:
     for _ in 0..20 {
         agent.plan_fully(&home, &state).unwrap();
         let action = agent.decide(&home, &state).unwrap().action;
-        let right = agent.planned().optimal(task(agent, &home, it.meant)).actions().is_some_and(|actions| actions.contains(action));
+        let right = agent.planned().judge(task(agent, &home, it.meant), action) == Judgement::Correct;
         let next = agent.acted(&home, &state, action).unwrap();
-        agent.feedback(if right { Feedback::Reward } else { Feedback::Punish }).unwrap();
+        let _ = agent.feedback(if right { Feedback::Reward } else { Feedback::Punish }).unwrap();
         assert_eq!(Some(next), apply(&home, &state, action));
         state = next;
     }
-    agent.finish(&home).unwrap();
+    let _ = agent.finish(&home).unwrap();
     agent.learn_fully();
 }
 

@@ -246,8 +246,9 @@ fn answer(
                 meanings.iter().find(|it| it.done && it.name.parse().is_ok_and(|name: GroundTaskText| name.holds_exactly(task.atoms())));
             match (grounded.zip(kind), position, done) {
                 (Some((grounded, kind)), Some(position), _) => {
+                    let text = in_words(home, kind, grounded);
                     let words = why::words(agent, home, start, &question.command, position).map_err(fault)?;
-                    Some((task.clone(), in_words(home, kind, grounded), words))
+                    Some((task.clone(), text, words))
                 }
                 (_, _, Some(done)) => Some((task.clone(), done.words.clone(), vec![])),
                 _ => {
