@@ -61,13 +61,13 @@ fn teach(agent: &mut Agent<impl AgentMemory>, it: &Taught, colors: Rooms, block:
     for _ in 0..20 {
         agent.plan_fully(&home, &state).unwrap();
         let action = agent.decide(&home, &state).unwrap().action;
-        let right = agent.planned().optimal(task(agent, &home, it.meant)).actions().is_some_and(|actions| actions.contains(action));
+        let right = agent.planned().optimal(task(agent, &home, it.meant)).exact().is_some_and(|actions| actions.contains(action));
         let next = agent.acted(&home, &state, action).unwrap();
-        agent.feedback(if right { Feedback::Reward } else { Feedback::Punish }).unwrap();
+        let _ = agent.feedback(if right { Feedback::Reward } else { Feedback::Punish }).unwrap();
         assert_eq!(Some(next), apply(&home, &state, action));
         state = next;
     }
-    agent.finish(&home).unwrap();
+    let _ = agent.finish(&home).unwrap();
     agent.learn_fully();
 }
 
