@@ -35,7 +35,12 @@ struct Taught {
     meant: (&'static str, &'static str),
 }
 
-const fn lesson(command: &'static str, colors: Rooms, block: Option<(&'static str, &'static str)>, meant: (&'static str, &'static str)) -> Taught {
+const fn lesson(
+    command: &'static str,
+    colors: Rooms,
+    block: Option<(&'static str, &'static str)>,
+    meant: (&'static str, &'static str),
+) -> Taught {
     Taught { command, colors, block, meant }
 }
 
@@ -77,7 +82,13 @@ fn taught(agent: &mut Agent<impl AgentMemory>) {
     }
 }
 
-fn posterior(agent: &mut Agent<impl AgentMemory>, colors: Rooms, block: (&str, &str), order: [usize; 3], command: &str) -> Vec<(String, f32)> {
+fn posterior(
+    agent: &mut Agent<impl AgentMemory>,
+    colors: Rooms,
+    block: (&str, &str),
+    order: [usize; 3],
+    command: &str,
+) -> Vec<(String, f32)> {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
     let (home, state) = home(&mut memory.home, colors, Some(block), order);
     agent.hear(&home, &state, command).unwrap();
@@ -134,24 +145,24 @@ fn the_order_of_the_sessions_says_nothing_beyond_rounding() {
         let mut memory = HeapMemory::new(&Capacities::SMALL);
         let mut model = LanguageModel::new(&mut memory.agent, Settings::DEFAULT).unwrap();
         let mut language = model.lend();
-        let goal = goodbot::task::Marker {
-            role: goodbot::task::Role::of_argument(RoleKind::Goal, goodbot::home::AGENT_IN_ROOM, 1),
-            sort: 0,
-        };
+        let goal =
+            goodbot::task::Marker { role: goodbot::task::Role::of_argument(RoleKind::Goal, goodbot::home::AGENT_IN_ROOM, 1), sort: 0 };
         let mut data = vec![("go to red", "colorRed", 1.0), ("walk to green", "colorGreen", 1.0), ("run to the red room", "colorRed", 1.0)];
         if backwards {
             data.reverse();
         }
         for (command, value, weight) in data {
             let words = language.hear(command).unwrap();
-            let tokens = [language.tokens_mut().intern("agentInRoom").unwrap(), goal.symbol(), language.tokens_mut().intern(value).unwrap()];
+            let tokens =
+                [language.tokens_mut().intern("agentInRoom").unwrap(), goal.symbol(), language.tokens_mut().intern(value).unwrap()];
             language.add_session(&words, [(&tokens[..], weight)].into_iter()).unwrap();
         }
         language.begin_training();
         while language.train(7) == Progress::Working {}
         let words = language.hear("go to the green room").unwrap();
         let mut likelihood = |value| {
-            let tokens = [language.tokens_mut().intern("agentInRoom").unwrap(), goal.symbol(), language.tokens_mut().intern(value).unwrap()];
+            let tokens =
+                [language.tokens_mut().intern("agentInRoom").unwrap(), goal.symbol(), language.tokens_mut().intern(value).unwrap()];
             language.read().likelihood(&words, &tokens).value()
         };
         answers.push([likelihood("colorRed"), likelihood("colorGreen")]);

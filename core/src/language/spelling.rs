@@ -14,7 +14,8 @@ pub(super) fn variant(words: SymbolsRef<'_>, learned: usize, word: &str, letters
         return Some(known);
     }
     let begins_alike = |known: &str| letters > 0 && word_form(known, letters) == word_form(word, letters);
-    let find = |alike: &dyn Fn(&str) -> bool, most: usize| words.iter().take(most).find(|(_, known)| alike(known)).map(|(symbol, _)| symbol);
+    let find =
+        |alike: &dyn Fn(&str) -> bool, most: usize| words.iter().take(most).find(|(_, known)| alike(known)).map(|(symbol, _)| symbol);
     find(&begins_alike, usize::MAX).or_else(|| find(&|known| is_slip(known, word), learned))
 }
 

@@ -163,7 +163,9 @@ impl<D: Domain + ?Sized> Scene<'_, D> {
         let count = self.world.schema.propositions.len();
         (0..count).map(|position| PropositionId(position as u8)).filter(move |&proposition| of(proposition)).flat_map(move |proposition| {
             let last = self.world.schema.parameters(proposition).len().min(ARGUMENTS).saturating_sub(1);
-            (0..=last).filter(move |&argument| (argument == last) != (kind == RoleKind::Subject)).map(move |argument| (proposition, argument))
+            (0..=last)
+                .filter(move |&argument| (argument == last) != (kind == RoleKind::Subject))
+                .map(move |argument| (proposition, argument))
         })
     }
 
@@ -228,7 +230,8 @@ impl<D: Domain + ?Sized> Scene<'_, D> {
     }
 
     fn has_any_role(&self, object: ObjectId) -> bool {
-        self.is_bound(object) || self.arguments(RoleKind::Start).any(|(proposition, argument)| self.has_role(RoleKind::Start, proposition, argument, object))
+        self.is_bound(object)
+            || self.arguments(RoleKind::Start).any(|(proposition, argument)| self.has_role(RoleKind::Start, proposition, argument, object))
     }
 
     /// Writes the groups of a role: for each attribute the values of its objects and, for goals, those of what is there at the start.

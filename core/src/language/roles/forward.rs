@@ -156,7 +156,10 @@ impl<'t, 'd> Reader<'t, 'd> {
     /// F(w) and A[l](w).
     pub fn background_and_task(&self, word: usize) -> (f32, f32) {
         if word >= self.layout.words() {
-            return (self.novelty(None), self.form.and_then(|form| self.layout.forms().get(form)).map_or(1.0, |&token| self.novelty(Some(token))));
+            return (
+                self.novelty(None),
+                self.form.and_then(|form| self.layout.forms().get(form)).map_or(1.0, |&token| self.novelty(Some(token))),
+            );
         }
         (cell(get(self.translations, self.layout.row(None)), word), cell(self.form_row, word))
     }

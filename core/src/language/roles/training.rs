@@ -294,7 +294,9 @@ impl Work<'_, '_> {
                 *value = (core::mem::take(count) + OF_POOL * pool) / (moves + OF_POOL);
             }
             let ends = layout.end(form);
-            if let (Some(value), Some(stops)) = (get_mut(self.a.values, ends.clone()).get_mut(memory), get_mut(self.a.counts, ends).get_mut(memory)) {
+            if let (Some(value), Some(stops)) =
+                (get_mut(self.a.values, ends.clone()).get_mut(memory), get_mut(self.a.counts, ends).get_mut(memory))
+            {
                 let stops = core::mem::take(stops);
                 *value = (stops + OF_STOP) / (moves + stops + OF_STOP + OF_MOVES);
             }
