@@ -83,13 +83,13 @@ pub const GOODBOT_SMALL: u32 = 0;
 pub const GOODBOT_TINY: u32 = 1;
 
 /// Bytes that the small preset takes where a pointer has four bytes.
-pub const GOODBOT_SMALL_BYTES_32: usize = 21_504;
+pub const GOODBOT_SMALL_BYTES_32: usize = 21_760;
 /// Bytes that the small preset takes where a pointer has eight bytes.
-pub const GOODBOT_SMALL_BYTES_64: usize = 21_760;
+pub const GOODBOT_SMALL_BYTES_64: usize = 22_272;
 /// Bytes that the tiny preset takes where a pointer has four bytes.
-pub const GOODBOT_TINY_BYTES_32: usize = 13_056;
+pub const GOODBOT_TINY_BYTES_32: usize = 13_568;
 /// Bytes that the tiny preset takes where a pointer has eight bytes.
-pub const GOODBOT_TINY_BYTES_64: usize = 13_312;
+pub const GOODBOT_TINY_BYTES_64: usize = 14_080;
 /// Bytes that a robot of the caller's own takes beyond that.
 pub const GOODBOT_TABLE_BYTES: usize = 1_344;
 

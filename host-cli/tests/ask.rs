@@ -123,7 +123,7 @@ fn it_says_why_word_by_word_for_the_answer_and_for_what_was_expected() {
     let home = example("home.json");
     let why = asked.ask(&["-e", &home, "--why", "take the yellow bag to the blue room"], "").output;
     let blue = why.lines().find(|line| line.trim_start().starts_with("blue ")).expect("a line for blue");
-    assert!(blue.contains("roomIsBlue"), "{why}");
+    assert!(blue.contains("goal of blockInRoom colorBlue"), "{why}");
     let expected = asked.ask(&["-e", &home, "--expected", "agentInRoom(agent0,room1)", "take the yellow bag to the blue room"], "").output;
     let take = expected.lines().find(|line| line.trim_start().starts_with("take ")).expect("a line for take");
     assert!(take.contains("times"), "{expected}");

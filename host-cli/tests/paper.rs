@@ -42,7 +42,7 @@ fn with_no_argument_one_run_is_told_as_a_story_and_no_file_is_written() {
         "  <- expected",
         "\"take the purple chair to the green room\": right",
         "5 of 5 right",
-        "roomIsGreen    green",
+        "colorGreen     green",
     ] {
         assert!(story.contains(part), "no {part:?} in\n{story}");
     }

@@ -59,7 +59,7 @@ fn a_saved_model_is_what_the_document_says_byte_by_byte() {
     let mut file = vec![0; agent.saved_bytes().unwrap()];
     agent.save(&mut file).unwrap();
 
-    assert_eq!(&file[..10], [0x67, 0x6f, 0x6f, 0x64, 0x62, 0x6f, 0x74, 0x00, 1, 0]);
+    assert_eq!(&file[..10], [0x67, 0x6f, 0x6f, 0x64, 0x62, 0x6f, 0x74, 0x00, 2, 0]);
     assert_eq!(u32::from_le_bytes(file[10..14].try_into().unwrap()) as usize, file.len());
     let (checked, check) = file.split_at(file.len() - 4);
     assert_eq!(check, crc32(checked).to_le_bytes());
@@ -82,6 +82,7 @@ fn a_saved_model_is_what_the_document_says_byte_by_byte() {
     assert_eq!(options.bytes(2), [0, 0], "no length factor, no belief weights");
     assert_eq!(options.float(), Options::DEFAULT.least_weight);
     assert_eq!(options.bytes(2), [4, 1], "four letters, facts beside their proposition");
+    assert_eq!(options.bytes(2), [1, 0], "the role model, no weights by evidence alone");
     assert!(options.0.is_empty());
 
     let strategies = payload.list(|payload| [payload.float(), payload.float(), payload.float(), payload.float()]);

@@ -47,8 +47,14 @@ fn train(agent: &mut Agent<impl AgentMemory>, command: &str, colors: [&str; 3], 
 
 #[test]
 fn what_was_learned_in_the_home_is_understood_by_a_robot_that_turns() {
+    for options in [Options::PAPER, Options::DEFAULT] {
+        is_understood_by_a_robot_that_turns(options);
+    }
+}
+
+fn is_understood_by_a_robot_that_turns(options: Options) {
     let mut memory = HeapMemory::new(&Capacities::STANDARD);
-    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), options).unwrap();
     train(&mut agent, "go to the green room", ["blue", "green", "red"], None, "agent0", "room1");
     train(&mut agent, "go to the red room", ["blue", "green", "red"], None, "agent0", "room2");
     train(&mut agent, "go to the blue room", ["red", "yellow", "blue"], None, "agent0", "room2");

@@ -8,6 +8,7 @@
 //! - [`forgetting`]: what gives way when memory is full;
 //! - [`em`]: weighted expectation maximisation, in steps as large as the caller allows;
 //! - [`settings`]: how it is trained;
+//! - [`roles`]: the role model, which is the default;
 //! - [`model`]: all of it together.
 
 pub mod bitext;

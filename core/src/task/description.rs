@@ -203,6 +203,22 @@ impl<D: Domain + ?Sized> Scene<'_, D> {
         }
     }
 
+    /// What is at a place at the start, beside what the task binds, and has a value of an attribute.
+    fn guests(&self, place: ObjectId, attribute: usize) -> impl Iterator<Item = ObjectId> {
+        let has_value = move |guest: &ObjectId| self.world.objects.get(*guest).is_some_and(|it| it.value(attribute).is_some());
+        let parts = move || self.all.iter().flat_map(|lifted| lifted.propositions());
+        let is_there = move |guest: &ObjectId| {
+            let arguments = [*guest, place, ObjectId(0)];
+            parts().any(|part| match *self.world.schema.parameters(part.proposition) {
+                [first, second] if self.class(*guest) == Some(first) && self.class(place) == Some(second) => {
+                    self.domain.holds(&GroundProposition { proposition: part.proposition, arguments }, self.state)
+                }
+                _ => false,
+            })
+        };
+        self.objects().filter(has_value).filter(|&guest| !self.is_bound(guest)).filter(is_there)
+    }
+
     fn has_role(&self, kind: RoleKind, proposition: PropositionId, argument: usize, object: ObjectId) -> bool {
         match kind {
             RoleKind::Start => self.holds_at(proposition, object, |it| self.is_subject(it)),
@@ -230,17 +246,10 @@ impl<D: Domain + ?Sized> Scene<'_, D> {
             let marker = Marker { role, sort: (attribute << 1) as u8 };
             self.write_group(marker, attribute, self.objects().filter(|&object| of_role(object)), tokens, description)?;
             if role.kind() == RoleKind::Goal {
-                let is_there = |guest: ObjectId| {
-                    let propositions = || self.all.iter().flat_map(|lifted| lifted.propositions()).map(|part| part.proposition);
-                    !self.is_bound(guest)
-                        && self
-                            .objects()
-                            .filter(|&place| of_role(place))
-                            .any(|place| propositions().any(|it| self.holds_at(it, place, |first| first == guest)))
-                };
                 let marker = Marker { role, sort: marker.sort | 1 };
-                let guests = self.objects().filter(|&guest| self.world.objects.get(guest).is_some_and(|it| it.value(attribute).is_some()));
-                self.write_group(marker, attribute, guests.filter(|&guest| is_there(guest)), tokens, description)?;
+                let places = self.objects().filter(|&place| of_role(place));
+                let guests = places.flat_map(|place| self.guests(place, attribute));
+                self.write_group(marker, attribute, guests, tokens, description)?;
             }
         }
         Ok(())

@@ -48,7 +48,14 @@ fn attempt(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> R
     let (trainer, believed) = (options.trainer.trainer, options.believed().strategy);
     let results = run_course(&mut agent, &mut memory.home, &homes, &trainer, believed, &mut random, observer)?;
     let lexicon = Lexicon::of(agent.language());
-    Ok((Run { seed, results, reported: REPORTED.map(|(token, word)| lexicon.translation(token, word)) }, lexicon))
+    Ok((
+        Run {
+            seed,
+            results,
+            reported: REPORTED.map(|(token, value, word)| lexicon.translation(token, word).max(lexicon.translation(value, word))),
+        },
+        lexicon,
+    ))
 }
 
 /// All runs, in the order of their seeds.

@@ -7,8 +7,14 @@ use crate::evaluate::report::wilson;
 use goodbot_course::{CourseTrainer, FeedbackCounts, LESSONS, TESTS};
 use serde_json::{Map, Value, json};
 
-/// The translations that the paper reports, and those that tell go from take.
-pub const REPORTED: [(&str, &str); 4] = [("agentInRoom", "go"), ("shapeBag", "bag"), ("roomIsRed", "red"), ("blockInRoom", "take")];
+/// The translations that the paper reports, and one that tells go from take: the machine token of Model 2, the value of the role model, the
+/// word.
+pub const REPORTED: [(&str, &str, &str); 4] = [
+    ("agentInRoom", "agentInRoom", "go"),
+    ("shapeBag", "shapeBag", "bag"),
+    ("roomIsRed", "colorRed", "red"),
+    ("blockInRoom", "blockInRoom", "take"),
+];
 
 /// What the paper reports of its agent, which one trainer taught (section 5).
 #[derive(Clone, Copy, Debug)]
@@ -145,7 +151,7 @@ fn rounded(value: f32) -> f64 {
 
 fn translations(values: [f64; REPORTED.len()]) -> Value {
     let mut tokens = Map::new();
-    for ((token, word), value) in REPORTED.iter().zip(values) {
+    for ((token, _, word), value) in REPORTED.iter().zip(values) {
         tokens.insert((*token).to_owned(), json!({ *word: value }));
     }
     tokens.into()

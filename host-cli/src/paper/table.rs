@@ -66,7 +66,7 @@ pub fn many_runs(out: &mut impl Write, options: &PaperOptions, summary: &Summary
     let reported = paper.map_or_else(String::new, |paper| format!("  paper: {} of {} right", paper.tests, TESTS.len()));
     writeln!(out, "  {:<42} {}{reported}", "all five", share(summary.test_all_right, summary.runs))?;
     writeln!(out, "\nLearned, mean over all agents with 95 % interval")?;
-    for (number, ((token, word), mean)) in REPORTED.iter().zip(summary.translations).enumerate() {
+    for (number, ((token, _, word), mean)) in REPORTED.iter().zip(summary.translations).enumerate() {
         let paper = paper.and_then(|paper| paper.translations).and_then(|all| all.get(number).copied());
         let paper = paper.map_or_else(String::new, |value| format!("  paper: {value:.2}"));
         let name = format!("t({word} given {token})");
@@ -96,7 +96,7 @@ pub fn csv(out: &mut impl Write, options: &PaperOptions, rows: &[(Setting, Summa
     names.extend(fixed.map(str::to_owned));
     names.extend((1..=LESSONS.len()).map(|number| format!("lesson_{number}")));
     names.extend((1..=TESTS.len()).map(|number| format!("test_{number}")));
-    names.extend(REPORTED.iter().map(|(token, word)| format!("t_{word}_given_{token}")));
+    names.extend(REPORTED.iter().map(|(token, _, word)| format!("t_{word}_given_{token}")));
     names.extend(["rewards", "punishments", "silences"].map(str::to_owned));
     writeln!(out, "{}", names.join(","))?;
     for (setting, summary) in rows {
