@@ -9,6 +9,7 @@ use crate::merge::MergeArgs;
 use crate::model::Model;
 use crate::paper::trainer::TrainerChoice;
 use crate::replay::ReplayArgs;
+use crate::teach::TeachOptions;
 use crate::whole_file::new_file;
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use std::path::PathBuf;
@@ -54,6 +55,8 @@ pub enum Command {
     /// Run the paper's experiment: seven lessons with a simulated trainer, then five tests
     #[command(after_help = PAPER_EXAMPLES)]
     Paper(PaperOptions),
+    /// Train the robot yourself: tell it what to do, and say good or bad while it tries
+    Teach(TeachOptions),
     /// Learn from recorded sessions, and write a model
     Learn(LearnOptions),
     /// Ask a model what a command means in an environment

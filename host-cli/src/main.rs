@@ -18,6 +18,7 @@ mod model;
 mod outcome;
 mod paper;
 mod replay;
+mod teach;
 mod whole_file;
 
 use clap::{CommandFactory, Parser};
@@ -30,6 +31,7 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let done = match cli.command.unwrap_or(Command::Paper(cli.paper)) {
         Command::Paper(options) => paper::run(&options),
+        Command::Teach(options) => teach::run(&options),
         Command::Learn(options) => learn::run(&options),
         Command::Ask(options) => ask::run(&options),
         Command::Inspect(options) => inspect::run(&options),
