@@ -2,31 +2,45 @@
 //!
 //! - [`trainer`]: one robot, its home and the session under way; all that is asked of the core ([`scene`], [`session`]);
 //! - [`kept`]: what is kept where; [`lessons`]: the tour; [`classroom`]: these together;
-//! - [`protocol`]: lines in, JSON out.
+//! - [`protocol`]: lines in, JSON out;
+//! - [`visit`]: what keys do and what happens by itself; [`keys`], [`prompt`], [`pace`]; drawn by [`screen`] in the colours of [`palette`],
+//!   on a [`terminal`] or as a [`picture`].
 
 mod classroom;
 mod full_words;
 mod kept;
+mod keys;
 mod lessons;
 mod pace;
+mod palette;
+mod picture;
 mod plain_names;
+mod prompt;
 mod protocol;
 mod scene;
+mod screen;
 mod session;
+mod terminal;
 mod text_map;
 mod trainer;
+mod visit;
 
 use crate::load::{Fault, input};
 use crate::outcome::Failure;
+use crate::whole_file::{new_file, write_whole};
 use clap::{Args, ValueHint};
 use classroom::Classroom;
 use goodbot_formats::environment::EnvironmentFile;
 use kept::{Kept, Places};
+use keys::Intent;
 use lessons::Tour;
 use pace::Pace;
-use std::io::{IsTerminal, stdin, stdout};
+use palette::Palette;
+use std::io::{IsTerminal, Write, stdin, stdout};
 use std::path::PathBuf;
+use std::time::Duration;
 use trainer::Trainer;
+use visit::{Phase, Visit};
 
 /// The robot's name where none is given, and that of the tour.
 const ROBOT: &str = "robot";
@@ -75,17 +89,71 @@ pub struct TeachOptions {
     /// Read requests as lines, also in a terminal
     #[arg(long)]
     lines: bool,
+    /// Write a picture of the tour's fifth lesson under way, taught by a simulated trainer, and leave
+    #[arg(long, value_name = "FILE.svg", conflicts_with_all = ["home", "random", "lines", "robot", "model"], value_hint = ValueHint::FilePath, value_parser = new_file)]
+    picture: Option<PathBuf>,
 }
 
 /// Runs the command.
 pub fn run(options: &TeachOptions) -> Result<(), Failure> {
+    let seed = options.seed.unwrap_or(1);
+    if let Some(file) = &options.picture {
+        let svg = picture_of_a_lesson(options, seed)?;
+        return write_whole(file, svg.as_bytes()).map_err(|error| Failure::Input(format!("{} cannot be written: {error}", file.display())));
+    }
     let lines = options.lines || !stdin().is_terminal() || !stdout().is_terminal();
     let mut classroom = open(options, lines)?;
-    let seed = options.seed.unwrap_or(1);
+    if !lines {
+        return visit(classroom, options.speed, seed);
+    }
     let spoken = protocol::speak(&mut classroom, seed, stdin().lock(), stdout().lock())?;
     match spoken.refused {
         0 => Ok(()),
         refused => Err(Failure::Input(format!("{} refused; see the lines of type error", plain_names::count(refused, "request")))),
+    }
+}
+
+/// A visit in the terminal.
+fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
+    let palette = Palette::of(|name| std::env::var(name).ok());
+    let mut visit = Visit::new(classroom, pace, seed);
+    let shown = terminal::show(&mut visit, palette);
+    // Where the window was closed nobody reads this.
+    let mut out = stdout().lock();
+    let written = visit.classroom.forget();
+    if let Some(kept) = visit.classroom.kept() {
+        let learned = plain_names::count(visit.classroom.trainer.lessons_learned(), "session");
+        let _ = writeln!(out, "It has learned from {learned}: {}", kept.places().model.display());
+    }
+    written.map_err(|refusal| Failure::Result(refusal.0))?;
+    match shown {
+        Err(error) if stdout().is_terminal() && stdin().is_terminal() => Err(Failure::Output(error)),
+        _ => Ok(()),
+    }
+}
+
+/// The fifth lesson of the tour after a few steps.
+fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Failure> {
+    const SIZE: (u16, u16) = (80, 24);
+    const LESSON: usize = 5;
+    const STEPS: usize = 3;
+    let refuse = |refusal: trainer::Refusal| Failure::Input(refusal.0);
+    let trainer = Trainer::new(&home(options)?, seed).map_err(refuse)?;
+    let tour = Tour::new(options.seed.filter(|_| options.tour), std::iter::empty());
+    let mut visit = Visit::new(Classroom::new(trainer, None, Some(tour)).map_err(refuse)?, Pace::Normal, seed);
+    let mut now = Duration::ZERO;
+    loop {
+        let lesson = visit.stop().map_or(LESSON, |stop| stop.number);
+        match visit.phase() {
+            Phase::Idle => {
+                visit.take(Intent::Say, now);
+                visit.take(Intent::Auto, now);
+            }
+            Phase::Waiting(_) if lesson == LESSON && visit.done().len() >= STEPS => return Ok(picture::svg(&visit, SIZE.0, SIZE.1)),
+            _ => {}
+        }
+        now += Duration::from_millis(100);
+        visit.tick(now);
     }
 }
 

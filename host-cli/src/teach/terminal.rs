@@ -1,0 +1,178 @@
+//! The terminal: taken over, and given back as it was, whatever happens.
+
+use super::keys::{Focus, Intent, intent};
+use super::palette::Palette;
+use super::screen;
+use super::visit::Visit;
+use crossterm::cursor::{Hide, Show};
+use crossterm::event::{self, DisableBracketedPaste, EnableBracketedPaste, Event};
+use crossterm::execute;
+use crossterm::terminal::{EnterAlternateScreen, LeaveAlternateScreen, disable_raw_mode, enable_raw_mode};
+use ratatui::Terminal;
+use ratatui::backend::CrosstermBackend;
+use std::io::{self, Stdout, stdout};
+use std::time::{Duration, Instant};
+
+/// How long signals may wait at most.
+const SIGNALS_WAIT: Duration = Duration::from_millis(100);
+
+/// A terminal that was taken over; it is given back when this is dropped.
+struct Stage {
+    terminal: Terminal<CrosstermBackend<Stdout>>,
+}
+
+impl Stage {
+    fn enter() -> io::Result<Self> {
+        take_over()?;
+        let mut stage = Self { terminal: Terminal::new(CrosstermBackend::new(stdout()))? };
+        stage.terminal.clear()?;
+        Ok(stage)
+    }
+}
+
+impl Drop for Stage {
+    fn drop(&mut self) {
+        give_back();
+    }
+}
+
+fn take_over() -> io::Result<()> {
+    enable_raw_mode()?;
+    execute!(stdout(), EnterAlternateScreen, Hide, EnableBracketedPaste)
+}
+
+/// What cannot be given back is gone.
+fn give_back() {
+    let _ = execute!(stdout(), DisableBracketedPaste, LeaveAlternateScreen, Show);
+    let _ = disable_raw_mode();
+}
+
+/// What other programs and the system ask of this one.
+#[cfg(unix)]
+mod signals {
+    use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
+    use std::io;
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicBool, Ordering};
+
+    #[derive(Default)]
+    pub struct Signals {
+        leave: Arc<AtomicBool>,
+        stop: Arc<AtomicBool>,
+        go_on: Arc<AtomicBool>,
+    }
+
+    impl Signals {
+        pub fn listen() -> io::Result<Self> {
+            let signals = Self::default();
+            for signal in [SIGHUP, SIGINT, SIGQUIT, SIGTERM] {
+                signal_hook::flag::register(signal, Arc::clone(&signals.leave))?;
+            }
+            signal_hook::flag::register(SIGTSTP, Arc::clone(&signals.stop))?;
+            signal_hook::flag::register(SIGCONT, Arc::clone(&signals.go_on))?;
+            Ok(signals)
+        }
+
+        pub fn leave(&self) -> bool {
+            self.leave.load(Ordering::Relaxed)
+        }
+
+        pub fn stop(&self) -> bool {
+            self.stop.swap(false, Ordering::Relaxed)
+        }
+
+        pub fn go_on(&self) -> bool {
+            self.go_on.swap(false, Ordering::Relaxed)
+        }
+
+        /// Stops this program until it is told to go on.
+        pub fn suspend(&self) -> io::Result<()> {
+            signal_hook::low_level::emulate_default_handler(SIGTSTP)?;
+            self.go_on.store(false, Ordering::Relaxed);
+            Ok(())
+        }
+    }
+}
+
+/// Elsewhere there are none.
+#[cfg(not(unix))]
+mod signals {
+    use std::io;
+
+    pub struct Signals;
+
+    impl Signals {
+        pub fn listen() -> io::Result<Self> {
+            Ok(Self)
+        }
+
+        pub fn leave(&self) -> bool {
+            false
+        }
+
+        pub fn stop(&self) -> bool {
+            false
+        }
+
+        pub fn go_on(&self) -> bool {
+            false
+        }
+
+        pub fn suspend(&self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+}
+
+/// Shows a visit until it is over.
+///
+/// # Errors
+/// Where the terminal cannot be read or drawn on, as when its window is closed.
+pub fn show(visit: &mut Visit, palette: Palette) -> io::Result<()> {
+    let told = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        give_back();
+        told(panic);
+    }));
+    let signals = signals::Signals::listen()?;
+    let mut stage = Stage::enter()?;
+    let begun = Instant::now();
+    while !visit.left {
+        visit.tick(begun.elapsed());
+        stage.terminal.draw(|frame| screen::draw(frame, visit, palette))?;
+        if signals.leave() {
+            visit.take(Intent::Leave, begun.elapsed());
+            continue;
+        }
+        if signals.stop() {
+            suspend(&mut stage, &signals)?;
+        }
+        if signals.go_on() {
+            take_over()?;
+            stage.terminal.clear()?;
+        }
+        let now = begun.elapsed();
+        let wait = visit.next().map_or(SIGNALS_WAIT, |next| next.saturating_sub(now).min(SIGNALS_WAIT));
+        if !event::poll(wait)? {
+            continue;
+        }
+        match event::read()? {
+            Event::Key(key) => match intent(key, visit.focus(), visit.prompt.is_empty()) {
+                Some(Intent::Suspend) => suspend(&mut stage, &signals)?,
+                Some(Intent::Redraw) => stage.terminal.clear()?,
+                Some(intent) => visit.take(intent, begun.elapsed()),
+                None => {}
+            },
+            Event::Paste(text) if visit.focus() == Focus::Command => visit.paste(&text),
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+fn suspend(stage: &mut Stage, signals: &signals::Signals) -> io::Result<()> {
+    give_back();
+    signals.suspend()?;
+    take_over()?;
+    stage.terminal.clear()
+}
