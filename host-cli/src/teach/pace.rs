@@ -15,6 +15,8 @@ pub enum Pace {
     Normal,
     /// 0.4 seconds a step
     Fast,
+    /// At once: for a simulated trainer
+    Once,
     /// 0.35 to 3.25 seconds: the less sure it is that its step is right, the longer it waits
     Confidence,
 }
@@ -27,6 +29,7 @@ impl Pace {
             Self::Slow => "slow",
             Self::Normal => "normal",
             Self::Fast => "fast",
+            Self::Once => "at once",
             Self::Confidence => "by confidence",
         }
     }
@@ -38,6 +41,7 @@ impl Pace {
             Self::Slow => 2_600,
             Self::Normal => 1_400,
             Self::Fast => 400,
+            Self::Once => 40,
             Self::Confidence => 350 + (2_900.0 * (1.0 - confidence.clamp(0.0, 1.0))) as u64,
         };
         Some(Duration::from_millis(milliseconds))

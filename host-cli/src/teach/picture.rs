@@ -70,33 +70,40 @@ fn draw(svg: &mut String, column: usize, row: usize, look: &Look, text: &str) {
     if let Some(paper) = &look.paper {
         let _ = writeln!(svg, "<rect x=\"{x}\" y=\"{y}\" width=\"{}\" height=\"{}\" fill=\"{paper}\"/>", length * CELL.0, CELL.1);
     }
-    // Full and partial blocks as areas: letters would leave gaps between them.
-    let mut rest = String::new();
-    for (at, letter) in text.chars().enumerate() {
+    let mut word = String::new();
+    for (at, letter) in text.chars().chain([' ']).enumerate() {
+        let left = x + at * CELL.0;
+        // Blocks as areas and lines as lines: letters would leave gaps between them.
         let eighths = ['▏', '▎', '▍', '▌', '▋', '▊', '▉', '█'].iter().position(|block| *block == letter);
         if let Some(eighths) = eighths {
             let width = (CELL.0 * (eighths + 1)) as f32 / 8.0 + 0.3;
-            let _ =
-                writeln!(svg, "<rect x=\"{}\" y=\"{y}\" width=\"{width}\" height=\"{}\" fill=\"{}\"/>", x + at * CELL.0, CELL.1, look.ink);
+            let _ = writeln!(svg, "<rect x=\"{left}\" y=\"{y}\" width=\"{width}\" height=\"{}.3\" fill=\"{}\"/>", CELL.1, look.ink);
         }
-        rest.push(if eighths.is_some() { ' ' } else { letter });
+        if letter == '─' {
+            let _ =
+                writeln!(svg, "<rect x=\"{left}\" y=\"{}\" width=\"{}.3\" height=\"1\" fill=\"{}\"/>", y + CELL.1 / 2, CELL.0, look.ink);
+        }
+        if letter != ' ' && letter != '─' && eighths.is_none() {
+            word.push(letter);
+            continue;
+        }
+        // Each word at its own place: not every program that shows pictures keeps blanks.
+        let length = word.chars().count();
+        if length > 0 {
+            let _ = writeln!(
+                svg,
+                "<text x=\"{}\" y=\"{}\" textLength=\"{}\" fill=\"{}\"{}{}>{}</text>",
+                left - length * CELL.0,
+                y + 14,
+                length * CELL.0,
+                look.ink,
+                if look.bold { " font-weight=\"bold\"" } else { "" },
+                if look.line { " text-decoration=\"underline\"" } else { "" },
+                word.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;"),
+            );
+            word.clear();
+        }
     }
-    if rest.trim().is_empty() {
-        return;
-    }
-    let skipped = rest.chars().count() - rest.trim_start().chars().count();
-    let text = rest.trim();
-    let _ = writeln!(
-        svg,
-        "<text x=\"{}\" y=\"{}\" textLength=\"{}\" fill=\"{}\"{}{} xml:space=\"preserve\">{}</text>",
-        x + skipped * CELL.0,
-        y + 14,
-        text.chars().count() * CELL.0,
-        look.ink,
-        if look.bold { " font-weight=\"bold\"" } else { "" },
-        if look.line { " text-decoration=\"underline\"" } else { "" },
-        text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;"),
-    );
 }
 
 /// A colour of the palette; `None` for the terminal's own.

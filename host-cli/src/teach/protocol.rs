@@ -56,6 +56,10 @@ const REQUESTS: &[(&str, &str)] = &[
     ("quit", "leave"),
 ];
 
+fn is_request(word: &str) -> bool {
+    REQUESTS.iter().any(|(request, _)| request.split(' ').next() == Some(word))
+}
+
 /// Reads requests to the end of the input, and answers each.
 ///
 /// # Errors
@@ -149,7 +153,11 @@ impl Speaker<'_> {
             "command" => self.command(rest),
             "home" => self.home(rest),
             _ if !rest.is_empty() => Err(Misunderstood {
-                message: format!("{request:?} stands alone on its line"),
+                message: if is_request(request) {
+                    format!("{request:?} stands alone on its line")
+                } else {
+                    format!("{request:?} is no request")
+                },
                 instead: "send command before the words of a command, such as: command go to the red room",
             }),
             "step" => self.step(),

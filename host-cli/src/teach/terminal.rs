@@ -1,5 +1,9 @@
 //! The terminal: taken over, and given back as it was, whatever happens.
 
+#[cfg(all(test, unix))]
+#[path = "../../tests/window/mod.rs"]
+mod window;
+
 use super::keys::{Focus, Intent, intent};
 use super::palette::Palette;
 use super::screen;
@@ -45,6 +49,15 @@ fn take_over() -> io::Result<()> {
 fn give_back() {
     let _ = execute!(stdout(), DisableBracketedPaste, LeaveAlternateScreen, Show);
     let _ = disable_raw_mode();
+}
+
+/// A panic is told on the terminal as it was found. Where panics abort, nothing else gives it back.
+fn give_back_in_a_panic() {
+    let told = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        give_back();
+        told(panic);
+    }));
 }
 
 /// What other programs and the system ask of this one.
@@ -129,11 +142,7 @@ mod signals {
 /// # Errors
 /// Where the terminal cannot be read or drawn on, as when its window is closed.
 pub fn show(visit: &mut Visit, palette: Palette) -> io::Result<()> {
-    let told = std::panic::take_hook();
-    std::panic::set_hook(Box::new(move |panic| {
-        give_back();
-        told(panic);
-    }));
+    give_back_in_a_panic();
     let signals = signals::Signals::listen()?;
     let mut stage = Stage::enter()?;
     let begun = Instant::now();
@@ -175,4 +184,32 @@ fn suspend(stage: &mut Stage, signals: &signals::Signals) -> io::Result<()> {
     signals.suspend()?;
     take_over()?;
     stage.terminal.clear()
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use portable_pty::CommandBuilder;
+    use window::Window;
+
+    /// Set where this test runs in a window of its own, to panic there.
+    const IN_A_WINDOW: &str = "GOODBOT_TEST_IN_A_WINDOW";
+
+    #[test]
+    fn a_panic_gives_the_terminal_back() {
+        if std::env::var_os(IN_A_WINDOW).is_some() {
+            give_back_in_a_panic();
+            // As where panics abort.
+            std::mem::forget(Stage::enter().unwrap());
+            panic!("a fault of this test");
+        }
+        let mut itself = CommandBuilder::new(std::env::current_exe().unwrap());
+        itself.args(["--exact", "teach::terminal::tests::a_panic_gives_the_terminal_back", "--nocapture"]);
+        itself.env(IN_A_WINDOW, "1");
+        let mut window = Window::open(itself, 80, 24);
+        window.see("a fault of this test");
+        assert!(!window.end().success());
+        assert!(String::from_utf8_lossy(&window.bytes()).contains("[?1049h"));
+        assert!(window.is_as_found());
+    }
 }

@@ -246,7 +246,7 @@ impl Visit {
             Intent::Auto => {
                 self.auto = !self.auto;
                 self.paused = false;
-                self.message = if self.auto { "A simulated trainer judges now; a stops it." } else { "You judge again." }.to_owned();
+                self.message = if self.auto { "A simulated trainer judges; a stops it." } else { "You judge again." }.to_owned();
                 if let (true, Phase::Waiting(_)) = (self.auto, self.phase) {
                     self.word_at = Some(now);
                     self.phase = Phase::Waiting(Some(now + SECOND_THOUGHTS));

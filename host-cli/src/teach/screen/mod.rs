@@ -14,7 +14,7 @@ use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Position, Rect};
 use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
-use ratatui::widgets::{Block, Paragraph, Wrap};
+use ratatui::widgets::{Block, Borders, Paragraph, Wrap};
 
 /// The smallest screen on which anything can be seen.
 const LEAST: (u16, u16) = (24, 8);
@@ -28,24 +28,30 @@ pub fn draw(frame: &mut Frame<'_>, visit: &Visit, palette: Palette) {
         frame.render_widget(Paragraph::new("Please make the window larger.").wrap(Wrap { trim: true }), area);
         return;
     }
-    let [title, middle, told, message, prompt, keys] = Layout::vertical([
+    let [title, middle, message, prompt, keys] = Layout::vertical([
         Constraint::Length(1),
         Constraint::Min(3),
-        Constraint::Length(1),
-        Constraint::Length(if area.width < 100 { 2 } else { 1 }),
+        Constraint::Length(if area.width < 100 { 3 } else { 2 }),
         Constraint::Length(1),
         Constraint::Length(1),
     ])
     .areas(area);
     draw_title(frame, title, visit, palette);
     draw_middle(frame, middle, visit, palette);
-    frame.render_widget(Paragraph::new(visit.told()).style(palette.quiet()), told);
-    frame.render_widget(Paragraph::new(visit.message.as_str()).style(palette.strong()).wrap(Wrap { trim: true }), message);
+    draw_message(frame, message, visit, palette);
     draw_prompt(frame, prompt, visit, palette);
     draw_keys(frame, keys, visit, palette);
     if let Some((shown, first)) = visit.page {
         page::draw(frame, area, visit, shown, first, palette);
     }
+}
+
+/// What is to be told, and what the robot did.
+fn draw_message(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
+    let told = Line::styled(visit.told(), palette.quiet());
+    let message = Line::styled(visit.message.as_str(), palette.strong());
+    let lines: Vec<Line<'_>> = [told, message].into_iter().filter(|line| line.width() > 0).collect();
+    frame.render_widget(Paragraph::new(lines).wrap(Wrap { trim: true }), area);
 }
 
 fn draw_title(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
@@ -66,7 +72,7 @@ fn draw_middle(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palett
     let scene = visit.classroom.trainer.scene();
     let (columns, rows) = plan::wanted(&scene);
     if area.width < BESIDE {
-        let [home, rest] = Layout::vertical([Constraint::Max(rows + 2), Constraint::Fill(1)]).areas(area);
+        let [home, rest] = Layout::vertical([Constraint::Max(rows + 1), Constraint::Fill(1)]).areas(area);
         draw_home(frame, home, &scene, visit, palette);
         thoughts::draw_beliefs(frame, rest, visit, palette);
         return;
@@ -74,7 +80,7 @@ fn draw_middle(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palett
     let words = thoughts::wanted(visit);
     let [above, below] = Layout::vertical([Constraint::Fill(1), Constraint::Length(words.min(area.height.saturating_sub(8)))]).areas(area);
     let most = area.width / 2;
-    let [home, rest] = Layout::horizontal([Constraint::Length((columns + 2).clamp(20, most)), Constraint::Fill(1)]).areas(above);
+    let [home, rest] = Layout::horizontal([Constraint::Length(columns.clamp(18, most)), Constraint::Fill(1)]).spacing(2).areas(above);
     draw_home(frame, home, &scene, visit, palette);
     thoughts::draw_beliefs(frame, rest, visit, palette);
     thoughts::draw_words(frame, below, visit, palette);
@@ -88,9 +94,12 @@ fn draw_home(frame: &mut Frame<'_>, area: Rect, scene: &super::scene::Scene, vis
     plan::draw(frame, inner, scene, moved, palette);
 }
 
-/// A frame with a heading.
+/// A line with a heading above what belongs together.
 fn framed(heading: &str, palette: Palette) -> Block<'_> {
-    Block::bordered().border_style(palette.quiet()).title(Span::styled(format!(" {heading} "), Style::new().add_modifier(Modifier::BOLD)))
+    Block::new()
+        .borders(Borders::TOP)
+        .border_style(palette.quiet())
+        .title(Span::styled(format!("{heading} "), Style::new().add_modifier(Modifier::BOLD)))
 }
 
 fn draw_prompt(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
@@ -100,7 +109,7 @@ fn draw_prompt(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palett
         Some(session) => session.command.clone(),
         None => visit.prompt.text(),
     };
-    let lead = if session.is_some() { "You said: " } else { "Tell it: " };
+    let lead = if session.is_some() { "Command: " } else { "Tell it: " };
     // Where the command is longer than the line, its end is what is being written.
     let room = usize::from(area.width).saturating_sub(lead.len() + 1);
     let before = if session.is_some() { text.chars().count() } else { visit.prompt.before().chars().count() };
@@ -141,8 +150,11 @@ fn keys(visit: &Visit) -> Vec<(&'static str, &'static str)> {
 fn draw_keys(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
     let mut spans = Vec::new();
     for (key, what) in keys(visit) {
-        spans.push(Span::styled(format!(" {key} "), Style::new().add_modifier(Modifier::REVERSED)));
-        spans.push(Span::styled(format!(" {what} "), palette.quiet()));
+        spans.push(Span::styled(key, Style::new().add_modifier(Modifier::REVERSED)));
+        spans.push(Span::styled(format!(" {what}  "), palette.quiet()));
     }
     frame.render_widget(Paragraph::new(Line::from(spans)), area);
 }
+
+#[cfg(test)]
+mod tests;

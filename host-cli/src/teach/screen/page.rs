@@ -20,7 +20,7 @@ const KEYS: [(&str, &str); 14] = [
     ("d", "drop: finish, and do not learn from it"),
     ("u", "undo: take back the last step; between sessions, what the last one taught"),
     ("a", "auto: a simulated trainer judges (in lessons of the tour)"),
-    ("s", "speed: step by step, slow, normal, fast, by confidence"),
+    ("s", "speed: step by step, slow, normal, fast, at once, by confidence"),
     ("w", "words: what it calls things"),
     ("h, r", "between sessions: another home; put everything back"),
     ("enter, esc", "write a command; stop writing"),

@@ -17,13 +17,15 @@ use ratatui::widgets::Paragraph;
 const TABLED: usize = 3;
 /// How many steps leave a mark beside a task.
 const MARKS: usize = 8;
+/// By how much a word must be more probable for an idea than on average, to be the idea's own.
+const STANDS_OUT: f32 = 0.05;
 /// The shortest bar that is worth drawing.
 const LEAST_BAR: usize = 5;
 
 /// The rows that the words take.
 pub fn wanted(visit: &Visit) -> u16 {
     let tasks = visit.classroom.trainer.meanings().len().min(TABLED);
-    u16::try_from(tasks.max(2)).unwrap_or(2) + 3
+    u16::try_from(tasks.max(2)).unwrap_or(2) + 2
 }
 
 /// Draws how probable each task is.
@@ -142,19 +144,33 @@ pub fn draw_words(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Pal
     frame.render_widget(Paragraph::new(lines), inner);
 }
 
+/// The word that the robot expects more for an idea than for others, by the largest difference, with its probability. None where no word
+/// stands out.
+fn own_word<'a>(idea: &'a Idea, all: &[Idea]) -> Option<(&'a Idea, &'a str, f32)> {
+    let elsewhere = |word: &str| {
+        let shares = all.iter().flat_map(|idea| &idea.called).filter(|(known, _)| known == word).map(|(_, share)| share);
+        shares.sum::<f32>() / all.len().max(1) as f32
+    };
+    let (word, share, more) =
+        idea.called.iter().map(|(word, share)| (word, *share, share - elsewhere(word))).max_by(|(.., a), (.., b)| a.total_cmp(b))?;
+    (more > STANDS_OUT).then_some((idea, word, share))
+}
+
 fn draw_ideas(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
     let block = framed("What it calls things (w: all of it)", palette);
     let inner = block.inner(area);
     frame.render_widget(block, area);
     let ideas = visit.classroom.trainer.ideas();
-    let entries: Vec<String> = ideas
-        .iter()
-        .filter(|idea| idea.token.chars().any(char::is_uppercase))
-        .filter_map(|idea| Some((idea, idea.called.first()?)))
-        .map(|(idea, (word, share))| format!("{} \"{}\" {}", idea.words, visit.classroom.words.of(word), percent(*share)))
-        .collect();
+    let entry =
+        |(idea, word, share): (&Idea, &str, f32)| format!("{} \"{}\" {}", idea.words, visit.classroom.words.of(word), percent(share));
+    let entries: Vec<String> = ideas.iter().filter_map(|idea| own_word(idea, &ideas)).map(entry).collect();
     if entries.is_empty() {
-        frame.render_widget(Paragraph::new("Nothing yet: it has learned no word.").style(palette.quiet()), inner);
+        let nothing = if ideas.is_empty() {
+            "Nothing yet: it has learned no word."
+        } else {
+            "It cannot tell its words apart yet. Teach it another command."
+        };
+        frame.render_widget(Paragraph::new(nothing).style(palette.quiet()), inner);
         return;
     }
     let column = entries.iter().map(|entry| entry.chars().count()).max().unwrap_or(0) + 2;
@@ -181,6 +197,18 @@ pub fn all_ideas<'a>(visit: &Visit, palette: Palette) -> Vec<Line<'a>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_idea_is_called_what_others_are_not() {
+        let idea = |token: &str, called: &[(&str, f32)]| Idea {
+            token: token.to_owned(),
+            words: token.to_owned(),
+            called: called.iter().map(|(word, share)| ((*word).to_owned(), *share)).collect(),
+        };
+        let all = [idea("roomIsRed", &[("the", 0.6), ("red", 0.4)]), idea("roomIsBlue", &[("the", 0.6), ("red", 0.0)])];
+        assert_eq!(own_word(&all[0], &all).map(|(_, word, _)| word), Some("red"));
+        assert_eq!(own_word(&all[1], &all), None);
+    }
 
     #[test]
     fn a_bar_is_as_long_as_its_share() {
