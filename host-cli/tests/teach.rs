@@ -1,5 +1,6 @@
 //! `goodbot teach` without a terminal: requests as lines, answers as lines of JSON.
 
+#[allow(dead_code, reason = "other tests use the rest")]
 mod program;
 
 use program::{Run, goodbot};

@@ -2,6 +2,7 @@
 
 use portable_pty::{Child, CommandBuilder, ExitStatus, MasterPty, PtySize, native_pty_system};
 use std::io::{Read, Write};
+use std::num::NonZeroU16;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
@@ -18,6 +19,10 @@ pub struct Window {
     closed: Arc<AtomicBool>,
 }
 
+fn cells(number: u16) -> NonZeroU16 {
+    NonZeroU16::new(number).expect("a window has cells")
+}
+
 struct Seen {
     screen: vt100::Parser,
     bytes: Vec<u8>,
@@ -32,7 +37,7 @@ impl Window {
         let child = pty.slave.spawn_command(program).expect("the program starts");
         let keys = pty.master.take_writer().expect("a keyboard");
         let mut output = pty.master.try_clone_reader().expect("a screen");
-        let seen = Arc::new(Mutex::new(Seen { screen: vt100::Parser::new(rows, columns, 0), bytes: Vec::new() }));
+        let seen = Arc::new(Mutex::new(Seen { screen: vt100::Parser::new(cells(rows), cells(columns), 0), bytes: Vec::new() }));
         let screen = Arc::clone(&seen);
         let closed = Arc::new(AtomicBool::new(false));
         let nobody_looks = Arc::clone(&closed);
@@ -81,7 +86,7 @@ impl Window {
 
     /// Makes the window larger or smaller.
     pub fn resize(&self, columns: u16, rows: u16) {
-        self.seen.lock().expect("a screen").screen.screen_mut().set_size(rows, columns);
+        self.seen.lock().expect("a screen").screen.screen_mut().set_size(cells(rows), cells(columns));
         self.master.resize(PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 }).expect("the window changes");
     }
 

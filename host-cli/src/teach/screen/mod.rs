@@ -151,7 +151,7 @@ fn draw_keys(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette)
     let mut spans = Vec::new();
     for (key, what) in keys(visit) {
         spans.push(Span::styled(key, Style::new().add_modifier(Modifier::REVERSED)));
-        spans.push(Span::styled(format!(" {what}  "), palette.quiet()));
+        spans.push(Span::styled(format!(" {what} "), palette.quiet()));
     }
     frame.render_widget(Paragraph::new(Line::from(spans)), area);
 }
