@@ -115,8 +115,7 @@ fn what_a_session_taught_is_taken_back_from_both_files() {
     let model = folder.path().join("words.goodbot").to_str().unwrap().to_owned();
     let (_, answers) = teach(&["--model", &model], "command go to the red room\nstep\ngood\nfinish\nundo\n");
     assert_eq!(answers[answers.len() - 2], json!({"type": "undone", "sessions": 0}));
-    assert_eq!(std::fs::read_to_string(folder.path().join("words.jsonl")).unwrap(), "");
-    assert!(!folder.path().join("words.goodbot").exists());
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
 }
 
 #[test]

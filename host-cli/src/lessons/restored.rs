@@ -15,9 +15,20 @@ pub fn agent(file: &Path, lifted: &[LiftedTask]) -> Result<Agent<'static>, Failu
     let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
     let bytes = read_whole(file)?;
     let contents = Contents::read(&bytes).map_err(|error| fault(&error))?;
-    let (sizes, least) = (contents.sizes, Capacities::STANDARD);
+    let capacities = room_for(&contents);
+    // One for the whole run of the program.
+    let memory = Box::leak(Box::new(HeapMemory::new(&capacities)));
+    let mut agent = Agent::new(memory.split().agent, lifted, Options::DEFAULT).map_err(|error| fault(&error))?;
+    agent.restore(&bytes).map_err(|error| fault(&error))?;
+    agent.learn_fully();
+    Ok(agent)
+}
+
+/// Memory for a robot that has learned what a model file holds, and room for more.
+pub fn room_for(contents: &Contents<'_>) -> Capacities {
+    let (sizes, least) = (&contents.sizes, Capacities::STANDARD);
     let most = |least: usize, size: u32| least.max((size as usize).min(1 << 24));
-    let capacities = Capacities {
+    Capacities {
         words: most(least.words, sizes.words),
         word_bytes: most(least.word_bytes, sizes.word_bytes),
         tokens: most(least.tokens, sizes.tokens),
@@ -31,11 +42,5 @@ pub fn agent(file: &Path, lifted: &[LiftedTask]) -> Result<Agent<'static>, Failu
         alignments: most(least.alignments, sizes.alignments),
         length_pairs: most(least.length_pairs, sizes.length_pairs),
         ..least
-    };
-    // One for the whole run of the program.
-    let memory = Box::leak(Box::new(HeapMemory::new(&capacities)));
-    let mut agent = Agent::new(memory.split().agent, lifted, Options::DEFAULT).map_err(|error| fault(&error))?;
-    agent.restore(&bytes).map_err(|error| fault(&error))?;
-    agent.learn_fully();
-    Ok(agent)
+    }
 }

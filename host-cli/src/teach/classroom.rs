@@ -140,6 +140,12 @@ impl Classroom {
         Ok(under_way)
     }
 
+    /// The visit is over: what was being learned is learned to its end, and a session under way is written down.
+    pub fn leave(&mut self) -> Result<(), Refusal> {
+        while !self.learn(u32::MAX)? {}
+        self.forget().map(|_| ())
+    }
+
     /// Takes back what the last session of this visit taught. Gives `false` where there is none.
     pub fn unlearn(&mut self) -> Result<bool, Refusal> {
         self.forget()?;

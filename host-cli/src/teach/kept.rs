@@ -76,6 +76,15 @@ pub struct Kept {
     written: Vec<Written>,
 }
 
+/// A log in which nothing was written is not left behind.
+impl Drop for Kept {
+    fn drop(&mut self) {
+        if self.log.metadata().is_ok_and(|log| log.is_file() && log.len() == 0) {
+            let _ = std::fs::remove_file(&self.places.log);
+        }
+    }
+}
+
 fn cannot(path: &Path, what: &str, error: impl std::fmt::Display) -> Failure {
     Failure::Input(format!("{}: cannot be {what} ({error}); name other files with --model and --log", path.display()))
 }

@@ -101,7 +101,8 @@ pub fn run(options: &TeachOptions) -> Result<(), Failure> {
         let svg = picture_of_a_lesson(options, seed)?;
         return write_whole(file, svg.as_bytes()).map_err(|error| Failure::Input(format!("{} cannot be written: {error}", file.display())));
     }
-    let lines = options.lines || !stdin().is_terminal() || !stdout().is_terminal();
+    let dumb = std::env::var("TERM").is_ok_and(|terminal| terminal == "dumb");
+    let lines = options.lines || dumb || !stdin().is_terminal() || !stdout().is_terminal();
     let mut classroom = open(options, lines)?;
     if !lines {
         return visit(classroom, options.speed, seed);
@@ -118,12 +119,13 @@ fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
     let palette = Palette::of(|name| std::env::var(name).ok());
     let mut visit = Visit::new(classroom, pace, seed);
     let shown = terminal::show(&mut visit, palette);
-    // Where the window was closed nobody reads this.
-    let mut out = stdout().lock();
-    let written = visit.classroom.forget();
-    if let Some(kept) = visit.classroom.kept() {
-        let learned = plain_names::count(visit.classroom.trainer.lessons_learned(), "session");
-        let _ = writeln!(out, "It has learned from {learned}: {}", kept.places().model.display());
+    // What was being learned is learned to its end, and a session under way is written down.
+    let written = visit.classroom.leave();
+    let learned = visit.classroom.trainer.lessons_learned();
+    if let Some(kept) = visit.classroom.kept().filter(|_| learned > 0) {
+        // Where the window was closed nobody reads this.
+        let told = plain_names::count(learned, "session");
+        let _ = writeln!(stdout(), "It has learned from {told}: {}", kept.places().model.display());
     }
     written.map_err(|refusal| Failure::Result(refusal.0))?;
     match shown {

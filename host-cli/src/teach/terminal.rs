@@ -14,6 +14,7 @@ use crossterm::execute;
 use crossterm::terminal::{EnterAlternateScreen, LeaveAlternateScreen, disable_raw_mode, enable_raw_mode};
 use ratatui::Terminal;
 use ratatui::backend::CrosstermBackend;
+use ratatui::layout::Rect;
 use std::io::{self, Stdout, stdout};
 use std::time::{Duration, Instant};
 
@@ -28,9 +29,13 @@ struct Stage {
 impl Stage {
     fn enter() -> io::Result<Self> {
         take_over()?;
-        let mut stage = Self { terminal: Terminal::new(CrosstermBackend::new(stdout()))? };
-        stage.terminal.clear()?;
-        Ok(stage)
+        Ok(Self { terminal: Terminal::new(CrosstermBackend::new(stdout()))? })
+    }
+
+    /// Draws everything anew the next time. To clear would ask the terminal where its cursor is, and not every terminal answers.
+    fn redraw(&mut self) -> io::Result<()> {
+        let size = self.terminal.size()?;
+        self.terminal.resize(Rect::new(0, 0, size.width, size.height))
     }
 }
 
@@ -158,7 +163,7 @@ pub fn show(visit: &mut Visit, palette: Palette) -> io::Result<()> {
         }
         if signals.go_on() {
             take_over()?;
-            stage.terminal.clear()?;
+            stage.redraw()?;
         }
         let now = begun.elapsed();
         let wait = visit.next().map_or(SIGNALS_WAIT, |next| next.saturating_sub(now).min(SIGNALS_WAIT));
@@ -168,7 +173,7 @@ pub fn show(visit: &mut Visit, palette: Palette) -> io::Result<()> {
         match event::read()? {
             Event::Key(key) => match intent(key, visit.focus(), visit.prompt.is_empty()) {
                 Some(Intent::Suspend) => suspend(&mut stage, &signals)?,
-                Some(Intent::Redraw) => stage.terminal.clear()?,
+                Some(Intent::Redraw) => stage.redraw()?,
                 Some(intent) => visit.take(intent, begun.elapsed()),
                 None => {}
             },
@@ -183,7 +188,7 @@ fn suspend(stage: &mut Stage, signals: &signals::Signals) -> io::Result<()> {
     give_back();
     signals.suspend()?;
     take_over()?;
-    stage.terminal.clear()
+    stage.redraw()
 }
 
 #[cfg(all(test, unix))]
@@ -206,10 +211,12 @@ mod tests {
         let mut itself = CommandBuilder::new(std::env::current_exe().unwrap());
         itself.args(["--exact", "teach::terminal::tests::a_panic_gives_the_terminal_back", "--nocapture"]);
         itself.env(IN_A_WINDOW, "1");
+        itself.env("RUST_BACKTRACE", "0");
         let mut window = Window::open(itself, 80, 24);
-        window.see("a fault of this test");
         assert!(!window.end().success());
-        assert!(String::from_utf8_lossy(&window.bytes()).contains("[?1049h"));
+        let wrote = |text: &str| String::from_utf8_lossy(&window.bytes()).contains(text);
+        window.wait("the panic's message", |_| wrote("a fault of this test"));
+        assert!(wrote("[?1049h"));
         assert!(window.is_as_found());
     }
 }

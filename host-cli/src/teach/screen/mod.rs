@@ -80,7 +80,7 @@ fn draw_middle(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palett
     let words = thoughts::wanted(visit);
     let [above, below] = Layout::vertical([Constraint::Fill(1), Constraint::Length(words.min(area.height.saturating_sub(8)))]).areas(area);
     let most = area.width / 2;
-    let [home, rest] = Layout::horizontal([Constraint::Length(columns.clamp(18, most)), Constraint::Fill(1)]).spacing(2).areas(above);
+    let [home, rest] = Layout::horizontal([Constraint::Length(columns.min(most)), Constraint::Fill(1)]).spacing(2).areas(above);
     draw_home(frame, home, &scene, visit, palette);
     thoughts::draw_beliefs(frame, rest, visit, palette);
     thoughts::draw_words(frame, below, visit, palette);

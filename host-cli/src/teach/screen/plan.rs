@@ -9,11 +9,14 @@ use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::Paragraph;
 
+/// The columns that the legend takes at least.
+const LEAST_COLUMNS: u16 = 24;
+
 /// The columns and rows that the home takes with its legend, at its best.
 pub fn wanted(scene: &Scene) -> (u16, u16) {
     let columns = scene.ground.iter().map(Vec::len).max().unwrap_or(0) * 2;
-    let rows = scene.ground.len() + legend(scene, columns.max(18)).len();
-    (u16::try_from(columns).unwrap_or(u16::MAX), u16::try_from(rows).unwrap_or(u16::MAX))
+    let rows = scene.ground.len() + legend(scene, columns.max(usize::from(LEAST_COLUMNS))).len();
+    (u16::try_from(columns).unwrap_or(u16::MAX).max(LEAST_COLUMNS), u16::try_from(rows).unwrap_or(u16::MAX))
 }
 
 /// A letter for each word, its own where there are enough: the first of its letters that no word before it has.
@@ -52,17 +55,17 @@ fn block_letters(scene: &Scene, color: &str, shape: &str) -> [char; 2] {
 /// What the letters mean, in lines of at most so many columns.
 fn legend(scene: &Scene, columns: usize) -> Vec<String> {
     let colors = colors(scene);
-    let mut entries = vec!["@ robot".to_owned()];
-    for (_, _, color, shape) in scene.blocks() {
-        entries.push(format!("{} {color} {shape}", block_letters(scene, color, shape).iter().collect::<String>()));
-    }
     let mut rooms: Vec<&str> = Vec::new();
     scene.room_colors().for_each(|color| {
         if !rooms.contains(&color) {
             rooms.push(color)
         }
     });
-    entries.extend(rooms.iter().map(|color| format!("{} {color}", letter_of(&colors, color))));
+    let mut entries: Vec<String> = rooms.iter().map(|color| format!("{} {color}", letter_of(&colors, color))).collect();
+    for (_, _, color, shape) in scene.blocks() {
+        entries.push(format!("{} {color} {shape}", block_letters(scene, color, shape).iter().collect::<String>()));
+    }
+    entries.push("@ robot".to_owned());
     let mut lines: Vec<String> = Vec::new();
     for entry in entries {
         match lines.last_mut() {

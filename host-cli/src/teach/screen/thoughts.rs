@@ -17,6 +17,8 @@ use ratatui::widgets::Paragraph;
 const TABLED: usize = 3;
 /// How many steps leave a mark beside a task.
 const MARKS: usize = 8;
+/// A word speaks for a task of which it gives so many times an even share.
+const SPEAKS: f32 = 1.3;
 /// By how much a word must be more probable for an idea than on average, to be the idea's own.
 const STANDS_OUT: f32 = 0.05;
 /// The shortest bar that is worth drawing.
@@ -131,13 +133,12 @@ pub fn draw_words(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Pal
             break;
         }
         head.push(Span::styled(format!("{:>column$}", cut(&word.word, 12)), if word.known { Style::new() } else { palette.quiet() }));
-        let most = word.shares.iter().copied().fold(0.0, f32::max);
-        let tells = word.known && word.shares.iter().any(|share| *share < most * 0.9);
+        let even = 1.0 / word.shares.len().max(1) as f32;
         for (row, meaning) in rows.iter_mut().zip(&meanings) {
             let share = word.shares.get(meaning.position).copied().unwrap_or(0.0);
-            let strongest = tells && share >= most * 0.99;
-            let text = if word.known { format!("{}{:.0}", if strongest { "*" } else { "" }, share * 100.0) } else { "new".to_owned() };
-            row.push(Span::styled(format!("{text:>column$}"), if strongest { palette.strong() } else { palette.quiet() }));
+            let speaks = word.known && share >= even * SPEAKS;
+            let text = if word.known { format!("{}{:.0}", if speaks { "*" } else { "" }, share * 100.0) } else { "new".to_owned() };
+            row.push(Span::styled(format!("{text:>column$}"), if speaks { palette.strong() } else { palette.quiet() }));
         }
     }
     let lines: Vec<Line<'_>> = std::iter::once(head).chain(rows).map(Line::from).collect();

@@ -1,15 +1,17 @@
 //! A visit on the screen: what keys do, and what happens by itself as time goes by. Nothing here knows a terminal or a clock.
 
-use super::classroom::{Classroom, Tested};
-use super::keys::{Focus, Intent};
-use super::lessons::{Stop, Tour, random_home};
-use super::pace::Pace;
-use super::plain_names::{action_words, count, percent};
-use super::prompt::Prompt;
-use super::session::{Judged, Step};
-use super::trainer::{Acted, Meaning, Refusal, WordSupport};
+mod telling;
+mod time;
+
+use crate::teach::classroom::{Classroom, Tested};
+use crate::teach::keys::{Focus, Intent};
+use crate::teach::lessons::{Stop, Tour, random_home};
+use crate::teach::pace::Pace;
+use crate::teach::plain_names::{count, percent};
+use crate::teach::prompt::Prompt;
+use crate::teach::session::{Judged, Step};
+use crate::teach::trainer::{Acted, Refusal, WordSupport};
 use goodbot::feedback::Feedback;
-use goodbot_course::lesson::{MOST_STEPS, RESTS};
 use std::time::Duration;
 
 /// How much of the work is done between two looks at the keyboard.
@@ -173,10 +175,7 @@ impl Visit {
     fn obey(&mut self, intent: Intent, now: Duration) -> Result<(), Refusal> {
         let in_session = self.classroom.session().is_some();
         match intent {
-            Intent::Leave => {
-                self.left = true;
-                self.classroom.forget()?;
-            }
+            Intent::Leave => self.left = true,
             Intent::Explain => self.page = Some((Page::Explanation, 0)),
             Intent::Words => self.page = Some((Page::Words, 0)),
             Intent::Scroll(lines) => {
@@ -366,99 +365,6 @@ impl Visit {
         let verdict = if right { "Right: it understood" } else { "Wrong: it took it for" };
         self.idle(format!("{verdict} \"{}\".", heard.words));
         Ok(())
-    }
-
-    /// Lets happen what happens by itself, up to a time since the visit began.
-    pub fn tick(&mut self, now: Duration) {
-        if let Err(refusal) = self.advance(now) {
-            // What cannot go on is over; what was learned before is kept.
-            if self.phase != Phase::Idle {
-                let _ = self.classroom.forget();
-                self.idle(sentence(&refusal.0));
-            }
-        }
-    }
-
-    fn advance(&mut self, now: Duration) -> Result<(), Refusal> {
-        match self.phase {
-            Phase::Planning if self.classroom.trainer.plan(PLAN_BUDGET)? => self.act(now),
-            Phase::Learning if self.classroom.learn(LEARN_BUDGET)? => {
-                let learned = count(self.classroom.trainer.lessons_learned(), "session");
-                self.idle(format!("Learned. It knows what {learned} taught it; u takes the last one back."));
-                Ok(())
-            }
-            Phase::Waiting(until) if !self.paused => self.wait_over(until, now),
-            _ => Ok(()),
-        }
-    }
-
-    fn act(&mut self, now: Duration) -> Result<(), Refusal> {
-        if self.acted().is_none() {
-            if self.paused && !self.stepping {
-                self.phase = Phase::Waiting(None);
-                return Ok(());
-            }
-            self.classroom.trainer.act()?;
-        }
-        self.stepping = false;
-        let wait = self.acted().and_then(|acted| self.wait(acted));
-        self.word_at = wait.filter(|_| self.auto).map(|wait| now + wait / 2);
-        self.phase = Phase::Waiting(wait.map(|wait| now + wait));
-        Ok(())
-    }
-
-    fn wait_over(&mut self, until: Option<Duration>, now: Duration) -> Result<(), Refusal> {
-        if self.word_at.is_some_and(|at| at <= now) {
-            self.word_at = None;
-            if let Some(word) = self.classroom.trainer.simulated_word() {
-                self.classroom.trainer.judge(word)?;
-            }
-            return Ok(());
-        }
-        if until.is_none_or(|until| until > now) {
-            return Ok(());
-        }
-        let acted = self.acted().map_or("", |acted| acted.plan);
-        if self.tested.is_some() && !acted.is_empty() && acted != "toward" {
-            return self.pass_test();
-        }
-        let intended = self.classroom.trainer.intended_plan();
-        self.go_on()?;
-        let long = self.done().len() >= usize::from(MOST_STEPS);
-        let there = intended == Some("goal") && self.rests >= RESTS;
-        if self.auto && (there || long || intended == Some("dead end")) {
-            return self.finish();
-        }
-        Ok(())
-    }
-
-    /// What the robot did last, and what was said to that.
-    pub fn told(&self) -> String {
-        let likeliest = || self.classroom.trainer.meanings().into_iter().next();
-        match (self.phase, self.acted()) {
-            (Phase::Idle, _) => self.stop().map_or_else(String::new, |stop| stop.hint().to_owned()),
-            (Phase::Learning, _) => String::new(),
-            (_, None) if self.phase == Phase::Planning => "It is making its plan …".to_owned(),
-            (_, None) => "It waits.".to_owned(),
-            (_, Some(acted)) => {
-                let sure = percent(acted.confidence);
-                let why = match acted.plan {
-                    "goal" => {
-                        likeliest().map_or_else(String::new, |Meaning { words, .. }| format!("It thinks that it is done: \"{words}\"."))
-                    }
-                    "dead end" => "It cannot do what it thinks is meant any more, so it stays.".to_owned(),
-                    "unknown" => "This home is too large for its plan, so it stays.".to_owned(),
-                    _ => format!("It {}, and is {sure} sure that this is right.", action_words(&acted.action)),
-                };
-                let said = match acted.judged {
-                    Some(Feedback::Reward) => " You said: good.",
-                    Some(Feedback::Punish) => " You said: bad.",
-                    _ if self.tested.is_none() && self.wait(acted).is_none() => " Good or bad?",
-                    _ => "",
-                };
-                format!("{why}{said}")
-            }
-        }
     }
 }
 

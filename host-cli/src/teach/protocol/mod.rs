@@ -1,17 +1,17 @@
 //! Teaching without a terminal: one request a line comes in, one JSON object a line goes out. docs/teach.md describes both.
 
-use super::classroom::Classroom;
-use super::lessons::random_home;
-use super::session::Judged;
-use super::text_map;
-use super::trainer::{Meaning, Refusal};
+mod lines;
+
+use crate::teach::classroom::Classroom;
+use crate::teach::lessons::random_home;
+use crate::teach::session::Judged;
+use crate::teach::text_map;
+use crate::teach::trainer::{Meaning, Refusal};
 use goodbot::feedback::Feedback;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+use lines::Lines;
 use serde_json::{Map, Value, json};
 use std::io::{self, BufRead, Write};
-
-/// The longest line that is taken, in bytes.
-const LONGEST_LINE: usize = 1 << 20;
 
 /// The version of what is written here.
 const PROTOCOL: u32 = 1;
@@ -103,44 +103,6 @@ fn error(message: &str, instead: &str) -> Value {
     json!({"type": "error", "message": message, "do": instead})
 }
 
-/// Lines of an input, each of a bounded length.
-struct Lines<R> {
-    input: R,
-}
-
-impl<R: BufRead> Lines<R> {
-    /// The next line, or why it is none.
-    fn next(&mut self) -> io::Result<Option<Result<String, &'static str>>> {
-        let (mut bytes, mut any, mut long) = (Vec::new(), false, false);
-        loop {
-            let buffer = match self.input.fill_buf() {
-                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
-                buffer => buffer?,
-            };
-            if buffer.is_empty() {
-                break;
-            }
-            any = true;
-            let end = buffer.iter().position(|&byte| byte == b'\n');
-            let part = buffer.get(..end.unwrap_or(buffer.len())).unwrap_or(&[]);
-            long |= bytes.len() + part.len() > LONGEST_LINE;
-            if !long {
-                bytes.extend_from_slice(part);
-            }
-            let used = part.len() + usize::from(end.is_some());
-            self.input.consume(used);
-            if end.is_some() {
-                break;
-            }
-        }
-        Ok(match (any, long) {
-            (false, _) => None,
-            (true, true) => Some(Err("this line is longer than 1 MiB")),
-            (true, false) => Some(String::from_utf8(bytes).map_err(|_| "this line is no text in UTF-8")),
-        })
-    }
-}
-
 struct Speaker<'a> {
     classroom: &'a mut Classroom,
     seed: u64,
@@ -194,7 +156,7 @@ impl Speaker<'_> {
 
     fn farewell(&mut self) -> Value {
         // A session under way is written down, and what cannot be written is told.
-        let failure = self.classroom.forget().err();
+        let failure = self.classroom.leave().err();
         let places = self.classroom.kept().map(|kept| kept.places());
         let mut bye = json!({
             "type": "bye", "sessions": self.classroom.trainer.lessons_learned(),
@@ -234,7 +196,7 @@ impl Speaker<'_> {
     fn support(&self) -> Result<Vec<Value>, Refusal> {
         let meanings = self.classroom.trainer.meanings();
         let of = |position: usize| meanings.iter().find(|meaning| meaning.position == position).map(|meaning| meaning.name.clone());
-        let word = |word: super::trainer::WordSupport| {
+        let word = |word: crate::teach::trainer::WordSupport| {
             let shares: Map<String, Value> =
                 word.shares.iter().enumerate().filter_map(|(position, &share)| Some((of(position)?, number(share)))).collect();
             json!({"word": word.word, "known": word.known, "speaks_for": shares})
@@ -356,7 +318,7 @@ impl Speaker<'_> {
     }
 
     fn words(&self) -> Value {
-        let idea = |idea: super::trainer::Idea| {
+        let idea = |idea: crate::teach::trainer::Idea| {
             let called = idea.called.iter().map(|(word, share)| (self.classroom.words.of(word), number(*share)));
             json!({"token": idea.token, "words": idea.words, "called": called.collect::<Map<String, Value>>()})
         };

@@ -5,51 +5,30 @@
 //!
 //! What the trainer says counts at once, and of several words to one step the last one counts. To take a word or a step back, the session
 //! is walked again up to there: the same actions and the same feedback give the same belief.
+//!
+//! - [`mind`]: the robot's mind and its home in memory; [`thoughts`]: what the robot thinks.
 
-use super::plain_names::{task_words, token_words};
-use super::scene::{Scene, scene};
-use super::session::{Judged, Session, Step, Verdict};
-use crate::lessons::evidence;
-use crate::load::{home as homes, task_name::task_name};
+mod mind;
+mod thoughts;
+
+pub use thoughts::{Idea, Meaning, WordSupport};
+
+use crate::lessons::restored::room_for;
+use crate::teach::scene::{Scene, scene};
+use crate::teach::session::{Judged, Session, Step, Verdict};
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
-use goodbot::home::{self, Home, HomeState, Moves};
-use goodbot::language::tokenizer::for_each_word;
+use goodbot::home::{Home, HomeState};
 use goodbot::oomdp::{Action, action_name, action_named, apply};
 use goodbot::planning::{OptimalSet, Progress};
-use goodbot::probability::Scaled;
 use goodbot::snapshot::Contents;
-use goodbot::symbols::Symbol;
-use goodbot::task::GroundedTask;
-use goodbot::{Agent, Capacities, HeapMemory, Options};
+use goodbot::{Agent, Capacities};
 use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::RecordedSession;
-use goodbot_formats::task_text::GroundTaskText;
+use mind::{Mind, Rooms, build, new_mind};
 use rand_pcg::Pcg32;
-use self_cell::{MutBorrow, self_cell};
 use std::fmt;
-
-/// The most that any table may hold after a model from elsewhere.
-const MOST_OF_A_TABLE: usize = 1 << 24;
-
-self_cell! {
-    /// The robot's mind in its own memory.
-    struct Mind {
-        owner: MutBorrow<HeapMemory>,
-        #[covariant]
-        dependent: Agent,
-    }
-}
-
-self_cell! {
-    /// A home in its own memory.
-    struct Rooms {
-        owner: MutBorrow<HeapMemory>,
-        #[covariant]
-        dependent: Home,
-    }
-}
 
 /// Why something was refused, in words for the trainer.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -67,19 +46,6 @@ fn refused(error: impl fmt::Display) -> Refusal {
 
 fn no_session() -> Refusal {
     Refusal("no session is under way; give a command first".to_owned())
-}
-
-/// A task that the command may mean.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Meaning {
-    /// Its position, which stays for the session.
-    pub position: usize,
-    /// As logs write it: `agentInRoom(agent0,room1)`.
-    pub name: String,
-    /// As a person says it: `go to the green room`.
-    pub words: String,
-    /// How probable it is now.
-    pub probability: f32,
 }
 
 /// What the robot did last.
@@ -101,28 +67,6 @@ pub struct Acted {
     before: Option<HomeState>,
 }
 
-/// What a word of the command said: for each task, its share of the word. A word that tells nothing is spread evenly.
-#[derive(Clone, Debug, PartialEq)]
-pub struct WordSupport {
-    /// The word as it was said.
-    pub word: String,
-    /// Whether it was learned from before.
-    pub known: bool,
-    /// For each task, by position, its share; together 1.
-    pub shares: Vec<f32>,
-}
-
-/// What the robot calls one idea.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Idea {
-    /// The machine token: `roomIsRed`.
-    pub token: String,
-    /// In plain words: `room is red`.
-    pub words: String,
-    /// The words that it expects for it, the likeliest first, with their probabilities.
-    pub called: Vec<(String, f32)>,
-}
-
 /// One robot, one home, and the session under way.
 pub struct Trainer {
     mind: Mind,
@@ -132,44 +76,6 @@ pub struct Trainer {
     session: Option<Session>,
     acted: Option<Acted>,
     random: Pcg32,
-}
-
-fn new_mind(capacities: &Capacities) -> Result<Mind, Refusal> {
-    let lifted = home::paper_tasks().map_err(refused)?;
-    let memory = MutBorrow::new(HeapMemory::new(capacities));
-    Mind::try_new(memory, |memory| Agent::new(memory.borrow_mut().split().agent, &lifted, Options::DEFAULT)).map_err(refused)
-}
-
-fn build(file: &EnvironmentFile) -> Result<(Rooms, HomeState), Refusal> {
-    let mut start = None;
-    let rooms = Rooms::try_new(MutBorrow::new(homes::memory()), |memory| {
-        let (home, state) =
-            homes::build(file, Moves::Push, memory.borrow_mut().split().home).map_err(|flaw| Refusal(flaw.message(file)))?;
-        start = Some(state);
-        Ok::<_, Refusal>(home)
-    })?;
-    start.map(|start| (rooms, start)).ok_or_else(|| Refusal("the home has no start".to_owned()))
-}
-
-/// A robot that has learned more elsewhere keeps its room.
-fn room_for(contents: &Contents<'_>) -> Capacities {
-    let (sizes, least) = (&contents.sizes, Capacities::STANDARD);
-    let most = |least: usize, size: u32| least.max((size as usize).min(MOST_OF_A_TABLE));
-    Capacities {
-        words: most(least.words, sizes.words),
-        word_bytes: most(least.word_bytes, sizes.word_bytes),
-        tokens: most(least.tokens, sizes.tokens),
-        token_bytes: most(least.token_bytes, sizes.token_bytes),
-        commands: most(least.commands, sizes.commands),
-        command_tokens: most(least.command_tokens, sizes.command_tokens),
-        sessions: most(least.sessions, sizes.sessions),
-        sentence_words: most(least.sentence_words, sizes.sentence_words),
-        pairs: most(least.pairs, sizes.pairs),
-        translations: most(least.translations, sizes.translations),
-        alignments: most(least.alignments, sizes.alignments),
-        length_pairs: most(least.length_pairs, sizes.length_pairs),
-        ..least
-    }
 }
 
 const fn plan_word(plan: &OptimalSet) -> &'static str {
@@ -455,85 +361,5 @@ impl Trainer {
         let session = self.session.as_ref().ok_or_else(no_session)?;
         let intended = session.intended.and_then(|position| self.name_of(position)).map(|name| name.atoms().to_vec());
         Ok(session.record(intended, learn))
-    }
-
-    fn name_of(&self, position: usize) -> Option<GroundTaskText> {
-        let task = self.agent().tasks().get(position)?;
-        task_name(self.home(), self.agent().lifted().get(usize::from(task.lifted))?, task).ok()
-    }
-
-    /// The tasks that the command may mean, the likeliest first. None where no command was heard.
-    pub fn meanings(&self) -> Vec<Meaning> {
-        let agent = self.agent();
-        let tasks = if self.session.is_some() { agent.tasks() } else { &[] };
-        let named = |(position, task): (usize, &GroundedTask)| {
-            let lifted = agent.lifted().get(usize::from(task.lifted))?;
-            let name = self.name_of(position)?.to_string();
-            Some(Meaning {
-                position,
-                name,
-                words: task_words(self.home(), lifted, task),
-                probability: agent.belief().probability(position),
-            })
-        };
-        let mut meanings: Vec<Meaning> = tasks.iter().enumerate().filter_map(named).collect();
-        meanings.sort_by(|a, b| b.probability.total_cmp(&a.probability));
-        meanings
-    }
-
-    /// Which word of the command speaks for which task: for each word and task, how probable the word alone is under the task, the mean
-    /// over the task's machine commands.
-    pub fn word_support(&self) -> Result<Vec<WordSupport>, Refusal> {
-        let session = self.session.as_ref().ok_or_else(no_session)?;
-        let (agent, home) = (self.agent(), self.home());
-        let (language, sentence) = (agent.language(), agent.sentence());
-        let learned = |word: &Option<Symbol>| word.filter(|word| word.index() < language.tables().words());
-        let mut rows = vec![Vec::new(); sentence.len()];
-        for task in agent.tasks() {
-            let Some(lifted) = agent.lifted().get(usize::from(task.lifted)) else { continue };
-            let commands = evidence::commands(home, lifted, task, agent.options()).map_err(refused)?;
-            let find = |command: &Vec<String>| command.iter().map(|token| language.tokens().find(token)).collect::<Option<Vec<_>>>();
-            let commands: Vec<Vec<Symbol>> = commands.iter().filter_map(find).collect();
-            for (at, row) in rows.iter_mut().enumerate() {
-                // A word that is left out keeps its place in the sentence and says nothing.
-                let alone: Vec<Option<Symbol>> =
-                    sentence.iter().enumerate().map(|(other, word)| if other == at { *word } else { None }).collect();
-                let sum = commands.iter().fold(Scaled::ZERO, |sum, command| sum.plus(language.likelihood(&alone, command)));
-                row.push(sum.scaled_by(1.0 / commands.len().max(1) as f32));
-            }
-        }
-        let mut said = Vec::new();
-        for_each_word(&session.command, |word| {
-            said.push(word.to_owned());
-            Ok(())
-        })
-        .map_err(refused)?;
-        let support = |((word, row), heard): ((String, Vec<Scaled>), &Option<Symbol>)| {
-            let whole = goodbot::probability::total(row.iter().copied());
-            let even = 1.0 / row.len().max(1) as f32;
-            let shares = row.iter().map(|&part| if whole.is_zero() { even } else { part.over(whole) }).collect();
-            WordSupport { word, known: learned(heard).is_some(), shares }
-        };
-        Ok(said.into_iter().zip(rows).zip(sentence.iter()).map(support).collect())
-    }
-
-    /// What the robot calls things, as it was last learned: for each idea the words that it expects. Only beginnings of words may be known:
-    /// see [`word_letters`](Self::word_letters).
-    pub fn ideas(&self) -> Vec<Idea> {
-        let language = self.agent().language();
-        let tables = language.tables();
-        let idea = |(token, text): (Symbol, &str)| {
-            let words = language.words().iter().take(tables.words());
-            let mut called: Vec<(String, f32)> =
-                words.map(|(word, text)| (text.to_owned(), tables.translation(word, Some(token)))).collect();
-            called.sort_by(|a, b| b.1.total_cmp(&a.1));
-            Idea { token: text.to_owned(), words: token_words(text), called }
-        };
-        language.tokens().iter().take(tables.tokens()).map(idea).collect()
-    }
-
-    /// How many letters of a word the robot keeps; all of them where it is 0.
-    pub fn word_letters(&self) -> usize {
-        usize::from(self.agent().options().language.word_letters)
     }
 }
