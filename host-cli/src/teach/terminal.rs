@@ -16,6 +16,7 @@ use ratatui::Terminal;
 use ratatui::backend::CrosstermBackend;
 use ratatui::layout::Rect;
 use std::io::{self, Stdout, stdout};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
 /// How long signals may wait at most.
@@ -142,6 +143,21 @@ mod signals {
     }
 }
 
+/// Keys and changes of size, from a thread of their own: where the window was closed, reading may never come back.
+fn listen() -> Receiver<io::Result<Event>> {
+    let (sender, receiver) = channel();
+    std::thread::spawn(move || {
+        loop {
+            let event = event::read();
+            let ended = event.is_err();
+            if sender.send(event).is_err() || ended {
+                break;
+            }
+        }
+    });
+    receiver
+}
+
 /// Shows a visit until it is over.
 ///
 /// # Errors
@@ -150,6 +166,7 @@ pub fn show(visit: &mut Visit, palette: Palette) -> io::Result<()> {
     give_back_in_a_panic();
     let signals = signals::Signals::listen()?;
     let mut stage = Stage::enter()?;
+    let events = listen();
     let begun = Instant::now();
     while !visit.left {
         visit.tick(begun.elapsed());
@@ -167,10 +184,12 @@ pub fn show(visit: &mut Visit, palette: Palette) -> io::Result<()> {
         }
         let now = begun.elapsed();
         let wait = visit.next().map_or(SIGNALS_WAIT, |next| next.saturating_sub(now).min(SIGNALS_WAIT));
-        if !event::poll(wait)? {
-            continue;
-        }
-        match event::read()? {
+        let event = match events.recv_timeout(wait) {
+            Ok(event) => event?,
+            Err(RecvTimeoutError::Timeout) => continue,
+            Err(RecvTimeoutError::Disconnected) => return Ok(()),
+        };
+        match event {
             Event::Key(key) => match intent(key, visit.focus(), visit.prompt.is_empty()) {
                 Some(Intent::Suspend) => suspend(&mut stage, &signals)?,
                 Some(Intent::Redraw) => stage.redraw()?,
