@@ -16,6 +16,7 @@ use ratatui::Terminal;
 use ratatui::backend::CrosstermBackend;
 use ratatui::layout::Rect;
 use std::io::{self, Stdout, stdout};
+use std::mem::ManuallyDrop;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
@@ -24,13 +25,14 @@ const SIGNALS_WAIT: Duration = Duration::from_millis(100);
 
 /// A terminal that was taken over; it is given back when this is dropped.
 struct Stage {
-    terminal: Terminal<CrosstermBackend<Stdout>>,
+    /// Not dropped: that would show the cursor once more, and panic where the window was closed.
+    terminal: ManuallyDrop<Terminal<CrosstermBackend<Stdout>>>,
 }
 
 impl Stage {
     fn enter() -> io::Result<Self> {
         take_over()?;
-        Ok(Self { terminal: Terminal::new(CrosstermBackend::new(stdout()))? })
+        Ok(Self { terminal: ManuallyDrop::new(Terminal::new(CrosstermBackend::new(stdout()))?) })
     }
 
     /// Draws everything anew the next time. To clear would ask the terminal where its cursor is, and not every terminal answers.
