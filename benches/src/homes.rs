@@ -1,12 +1,14 @@
 //! The homes that plans are measured in, with their tasks.
 
+use goodbot::Capacities;
 use goodbot::home::{Home, HomeState, Moves, SCHEMA};
-use goodbot::memory::Memory;
+use goodbot::memory::HomeHeap;
 use goodbot::oomdp::Domain;
-use goodbot::planning::{GoalTable, Planner, Progress, Sweep};
+use goodbot::planning::Plan;
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
-use goodbot::{Capacities, HeapMemory};
+use goodbot_tests::own_planner::OwnPlanner;
 use goodbot_tests::random_homes::{Size, random_home};
+use goodbot_tests::sweep::Sweep;
 use rand_pcg::Pcg32;
 
 /// Room for four million states looked at one by one.
@@ -25,19 +27,17 @@ pub const fn size(rooms: i32, blocks: i32) -> Size {
 
 /// A home with tasks and what plans for them.
 #[derive(Debug)]
-pub struct Scene<'m> {
+pub struct Scene {
     /// The home.
-    pub home: Home<'m>,
+    pub home: Home<HomeHeap>,
     /// Where all begins.
     pub start: HomeState,
     /// The lifted tasks.
     pub lifted: Vec<LiftedTask>,
     /// The tasks.
     pub tasks: Vec<GroundedTask>,
-    /// Which of them a state satisfies.
-    pub goals: GoalTable<'m>,
     /// What plans.
-    pub planner: Planner<'m>,
+    pub planner: OwnPlanner,
 }
 
 /// Which tasks a scene has.
@@ -49,25 +49,22 @@ pub enum Tasks {
     Count(usize),
 }
 
-impl<'m> Scene<'m> {
+impl Scene {
     /// Of twelve scenes, the one from whose start the search has most to do; the first where exact plans are out of reach.
-    pub fn roomy(size: Size, tasks: Tasks, memory: &'m mut HeapMemory) -> Self {
-        let looks = |seed: u64| {
-            let mut own = HeapMemory::new(&LARGE);
-            let mut scene = Scene::seeded(seed, size, tasks, &mut own);
+    pub fn roomy(size: Size, tasks: Tasks) -> Self {
+        let expansions = |seed: u64| {
+            let mut scene = Self::seeded(seed, size, tasks);
             if scene.home.state_count() > LARGE.states as u64 {
                 return 0;
             }
-            scene.plan();
-            scene.planner.search().looks()
+            scene.plan().expansions()
         };
-        Self::seeded((0..12).max_by_key(|&seed| (looks(seed), 12 - seed)).unwrap_or(0), size, tasks, memory)
+        Self::seeded((0..12).max_by_key(|&seed| (expansions(seed), 12 - seed)).unwrap_or(0), size, tasks)
     }
 
     /// The scene of a seed.
-    pub fn seeded(seed: u64, size: Size, tasks: Tasks, memory: &'m mut HeapMemory) -> Self {
-        let Memory { home, agent } = memory.split();
-        let (home, start) = random_home(&mut Pcg32::new(seed, 3), size, Moves::Push, home);
+    pub fn seeded(seed: u64, size: Size, tasks: Tasks) -> Self {
+        let (home, start) = random_home(&mut Pcg32::new(seed, 3), size, Moves::Push, HomeHeap::new(&LARGE));
         let mut texts = vec!["agentInRoom(?a, ?r)", "blockInRoom(?o, ?r)"];
         if tasks != Tasks::Paper {
             texts.push("agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2)");
@@ -84,32 +81,18 @@ impl<'m> Scene<'m> {
             grounded.truncate(TaskSet::MOST);
             grounded = grounded.iter().step_by((grounded.len() / count).max(1)).take(count).copied().collect();
         }
-        let mut goals = GoalTable::new(agent.session.goals);
-        goals.fill(&home, &lifted, &grounded, &start).expect("room for the goals");
-        let mut planner = Planner::new(agent.session.plan, agent.language.tables.counts);
-        planner.forget(grounded.len());
-        Self { home, start, lifted, tasks: grounded, goals, planner }
+        let planner = OwnPlanner::new(&LARGE, &home, &lifted, &grounded, &start);
+        Self { home, start, lifted, tasks: grounded, planner }
     }
 
-    /// All its tasks.
-    pub fn all(&self) -> TaskSet {
-        TaskSet::first(self.tasks.len())
+    /// Plans at its start for all its tasks.
+    pub fn plan(&mut self) -> Plan<'_> {
+        let all = self.planner.all();
+        self.planner.plan_for(&self.home, &self.start, all, u32::MAX)
     }
 
-    /// Plans at its start, knowing nothing of before.
-    pub fn plan(&mut self) {
-        self.planner.forget(self.tasks.len());
-        let all = self.all();
-        self.planner.begin(&self.home, &self.goals, &self.start, all, TaskSet::EMPTY);
-        while self.planner.advance(&self.home, &self.goals, &self.start, u32::MAX) == Progress::Working {}
+    /// Sweeps its whole state space.
+    pub fn sweep(&self) -> Sweep {
+        Sweep::new(&self.home, &self.start, &self.lifted, &self.tasks)
     }
-}
-
-/// Sweeps the whole space of a scene.
-pub fn sweep<'w>(scene: &Scene<'_>, words: &'w mut Vec<u64>) -> Sweep<'w> {
-    words.resize(Sweep::words_needed(&scene.home, scene.tasks.len()).expect("words that can be counted"), 0);
-    let mut sweep = Sweep::new(words);
-    assert!(sweep.begin(&scene.home, &scene.start, scene.all()), "room for the sweep");
-    while sweep.advance(&scene.home, &scene.goals, u32::MAX) == Progress::Working {}
-    sweep
 }

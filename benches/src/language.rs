@@ -1,6 +1,7 @@
 //! A bitext to learn from, and models that have learned.
 
-use goodbot::language::{LanguageMemory, LanguageModel, Settings};
+use goodbot::language::{LanguageModel, Settings};
+use goodbot::memory::AgentMemory;
 use goodbot::planning::Progress;
 
 /// One sentence pair: machine tokens and English words, in which no word stands twice.
@@ -40,12 +41,7 @@ pub fn sessions(count: usize) -> Vec<(Vec<String>, Vec<Vec<String>>)> {
 }
 
 /// A model that holds these sessions, each machine command with this weight, and has not been trained.
-pub fn model<'m>(
-    memory: LanguageMemory<'m>,
-    data: &[(Vec<String>, Vec<Vec<String>>)],
-    settings: Settings,
-    weight: f32,
-) -> LanguageModel<'m> {
+pub fn model<M: AgentMemory>(memory: M, data: &[(Vec<String>, Vec<Vec<String>>)], settings: Settings, weight: f32) -> LanguageModel<M> {
     let mut model = LanguageModel::new(memory, settings).expect("settings to train with");
     for (english, machine) in data {
         let sentence = model.hear(&english.join(" ")).expect("a command");
@@ -59,7 +55,7 @@ pub fn model<'m>(
 }
 
 /// Trains from uniform tables to the end.
-pub fn train(model: &mut LanguageModel<'_>) {
+pub fn train(model: &mut LanguageModel<impl AgentMemory>) {
     model.begin_training();
     while model.train(u32::MAX) == Progress::Working {}
 }

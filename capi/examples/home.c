@@ -59,9 +59,11 @@ static int teach(goodbot *robot, const char *command, int left, int right) {
         int door = (left + right) / 2, far0 = x0 > door ? x0 - door : door - x0, far1 = x1 > door ? x1 - door : door - x1;
         int good = there ? action == GOODBOT_NOOP : far1 < far0 || (far1 == far0 && y1 > y0);
         rests = there && action == GOODBOT_NOOP ? rests + 1 : 0;
-        TRY(goodbot_feedback(robot, action, good ? GOODBOT_REWARD : GOODBOT_PUNISH));
+        uint32_t evidence;
+        TRY(goodbot_feedback(robot, good ? GOODBOT_REWARD : GOODBOT_PUNISH, &evidence));
+        if (evidence != GOODBOT_EVIDENCE_USED) return 1;
     }
-    TRY(goodbot_finish(robot));
+    TRY(goodbot_finish(robot, NULL));
     goodbot_status status;
     while ((status = goodbot_learn(robot, 100)) == GOODBOT_STATUS_WORKING) {
     }
@@ -113,7 +115,8 @@ int main(void) {
     /* Misuse is answered by a status. */
     if (goodbot_hear(NULL, "go") != GOODBOT_STATUS_NULL) return 1;
     if (goodbot_hear(other, " ") != GOODBOT_STATUS_EMPTY_COMMAND) return 1;
-    if (goodbot_feedback(other, 0, GOODBOT_REWARD) != GOODBOT_STATUS_NO_SESSION) return 1;
+    uint32_t evidence;
+    if (goodbot_feedback(other, GOODBOT_REWARD, &evidence) != GOODBOT_STATUS_NO_SESSION) return 1;
     model[length / 2] ^= 1;
     if (goodbot_restore(other, model, length) != GOODBOT_STATUS_BAD_MODEL) return 1;
     if (goodbot_init_home(second_memory, 100, &capacities, &other) != GOODBOT_STATUS_MEMORY) return 1;

@@ -62,10 +62,12 @@ static int lesson(goodbot *robot, const char *command, uint32_t from, uint32_t t
         TRY(goodbot_table_state(robot, &floor));
         int right = floor < target ? action == UP : floor > target ? action == DOWN : action == GOODBOT_NOOP;
         rests = floor == target && right ? rests + 1 : 0;
-        TRY(goodbot_feedback(robot, action, right ? GOODBOT_REWARD : GOODBOT_PUNISH));
         TRY(goodbot_done(robot, action));
+        uint32_t evidence;
+        TRY(goodbot_feedback(robot, right ? GOODBOT_REWARD : GOODBOT_PUNISH, &evidence));
+        if (evidence != GOODBOT_EVIDENCE_USED) return 1;
     }
-    TRY(goodbot_finish(robot));
+    TRY(goodbot_finish(robot, NULL));
     while ((status = goodbot_learn(robot, 100)) == GOODBOT_STATUS_WORKING) {
     }
     TRY(status);

@@ -7,8 +7,8 @@
      goodbot_home_begin ... goodbot_home_build  where it is
      goodbot_hear                               a command: a session begins
        goodbot_plan ..., goodbot_decide         an action; you do it
-       goodbot_feedback                         what the trainer says to it
-       goodbot_done or goodbot_home_place       where things are then
+       goodbot_done                             it was done; goodbot_home_place where things then are elsewhere than described
+       goodbot_feedback                         what the trainer says to it, until the next action is done
      goodbot_finish, goodbot_learn ...          the session is learned from; goodbot_forget if it shall not be
      goodbot_save                               what it has learned, as bytes
 
@@ -101,6 +101,18 @@
 // The search was too small to find out: the robot does nothing.
 #define GOODBOT_PLAN_UNKNOWN 3
 
+// The action leads to the goal, but a shorter way may exist: what the trainer says to it is no evidence for or against the task.
+#define GOODBOT_PLAN_APPROXIMATE 4
+
+// What the trainer said has been taken in.
+#define GOODBOT_EVIDENCE_USED 0
+
+// It says nothing, because no task's right actions are known exactly in that state. The belief is unchanged.
+#define GOODBOT_EVIDENCE_NOTHING 1
+
+// It is impossible whatever the task and the trainer, and was ignored.
+#define GOODBOT_EVIDENCE_IMPOSSIBLE 2
+
 // What came of a call.
 typedef enum goodbot_status {
   // Done.
@@ -147,6 +159,8 @@ typedef enum goodbot_status {
   GOODBOT_STATUS_BUFFER = 20,
   // Anything else.
   GOODBOT_STATUS_OTHER = 21,
+  // No action was done that could be judged: call `goodbot_done` for each.
+  GOODBOT_STATUS_NOTHING_DONE = 22,
 } goodbot_status;
 
 // A robot. Its memory is the caller's and must not be moved, copied over or freed while it is used.
@@ -474,14 +488,14 @@ enum goodbot_status goodbot_trainer(struct goodbot *robot,
 // `robot` is null or a handle, `command` null or a C string in UTF-8.
 enum goodbot_status goodbot_hear(struct goodbot *robot, const char *command);
 
-// Plans for the state in which things are now, at most about `budget` looks of the search, each at a state or a row of states. `WORKING` means: call again.
+// Plans for the state in which things are now, at most about `budget` node expansions. `WORKING` means: call again.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_plan(struct goodbot *robot,
                                  uint32_t budget);
 
-// Decides on an action in the state that was planned for. `plan` may be null; it is given `GOODBOT_PLAN_GOAL` and so on.
+// Decides on an action in the state in which things are now, which must have been planned for. `plan` may be null; it is given `GOODBOT_PLAN_GOAL` and so on.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `action` is room for one, `plan` is null or room for a number.
@@ -489,22 +503,27 @@ enum goodbot_status goodbot_decide(struct goodbot *robot,
                                    uint8_t *action,
                                    uint32_t *plan);
 
-// Takes in what the trainer said to an action that was done in the state that was planned for: `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
-// `GOODBOT_NEUTRAL`.
+// Takes in what the trainer said to the action that was done last (see `goodbot_done`): `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
+// `GOODBOT_NEUTRAL`. It may be called at any time until the next action is done, also while the robot plans; of several words the last
+// counts. `evidence` is given what came of it, `GOODBOT_EVIDENCE_USED` and so on.
 //
 // The caller sees to it:
-// `robot` is null or a handle.
+// `robot` is null or a handle, `evidence` null or room for a number.
 enum goodbot_status goodbot_feedback(struct goodbot *robot,
-                                     uint8_t action,
-                                     int32_t feedback);
+                                     int32_t feedback,
+                                     uint32_t *evidence);
 
-// Takes in that the trainer did an action to show the way.
+// Takes in that the trainer did an action to show the way, and takes note that it did what the description says, as `goodbot_done` does.
+// `evidence` is given what came of it.
 //
 // The caller sees to it:
-// `robot` is null or a handle.
-enum goodbot_status goodbot_demonstration(struct goodbot *robot, uint8_t action);
+// `robot` is null or a handle, `evidence` null or room for a number.
+enum goodbot_status goodbot_demonstration(struct goodbot *robot,
+                                          uint8_t action,
+                                          uint32_t *evidence);
 
-// Takes note that an action was done and did what the description says. A robot that senses where things are says that instead.
+// Takes note that an action was done in the state in which things are now, which must have been planned for, and that it did what the
+// description says. A robot that senses where things are calls this for each action too, and then says where they are where that differs.
 //
 // The caller sees to it:
 // `robot` is null or a handle.

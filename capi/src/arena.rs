@@ -1,7 +1,9 @@
 //! The caller's memory, dealt out table by table.
 
+use core::ptr::NonNull;
 use goodbot::Capacities;
-use goodbot::memory::Memory;
+use goodbot::home::{HomeTables, HomeTablesRef};
+use goodbot::memory::{AgentMemory, AgentTables, AgentTablesRef, HomeMemory};
 
 /// What is left of the caller's memory.
 #[derive(Debug)]
@@ -21,18 +23,17 @@ impl Arena {
     }
 
     /// Room for `count` values, each set to `empty`.
-    pub fn table<T: Copy + 'static>(&mut self, count: usize, empty: T) -> Option<&'static mut [T]> {
+    pub fn table<T: Copy>(&mut self, count: usize, empty: T) -> Option<Table<T>> {
         let first = self.place::<T>(count)?;
         for position in 0..count {
             // SAFETY: `place` made sure of the room and the alignment.
             unsafe { first.add(position).write(empty) };
         }
-        // SAFETY: as above, every value has just been written, and no other table is given the same bytes.
-        Some(unsafe { core::slice::from_raw_parts_mut(first, count) })
+        Some(Table { first, count })
     }
 
     /// Aligned room for `count` values, not written yet.
-    pub fn place<T>(&mut self, count: usize) -> Option<*mut T> {
+    pub fn place<T>(&mut self, count: usize) -> Option<NonNull<T>> {
         let skip = self.at.align_offset(align_of::<T>());
         let bytes = size_of::<T>().checked_mul(count)?.checked_add(skip)?;
         if bytes > self.left {
@@ -41,7 +42,39 @@ impl Arena {
         let first = self.at.wrapping_add(skip).cast::<T>();
         self.at = self.at.wrapping_add(bytes);
         self.left = self.left.wrapping_sub(bytes);
-        Some(first)
+        NonNull::new(first)
+    }
+}
+
+/// A table in the caller's memory: `count` values from `first` on, which nothing else refers to.
+#[derive(Debug)]
+pub struct Table<T> {
+    first: NonNull<T>,
+    count: usize,
+}
+
+impl<T> Table<T> {
+    /// The values, for as long as the caller's memory stays.
+    ///
+    /// # Safety
+    /// The memory stays as long as the values are used.
+    pub unsafe fn stay<'r>(self) -> &'r mut [T] {
+        // SAFETY: the arena gave these values to this table alone, which ends here; the rest is the caller's promise.
+        unsafe { core::slice::from_raw_parts_mut(self.first.as_ptr(), self.count) }
+    }
+}
+
+impl<T> AsRef<[T]> for Table<T> {
+    fn as_ref(&self) -> &[T] {
+        // SAFETY: the arena gave these values to this table alone, and each was written.
+        unsafe { core::slice::from_raw_parts(self.first.as_ptr(), self.count) }
+    }
+}
+
+impl<T> AsMut<[T]> for Table<T> {
+    fn as_mut(&mut self) -> &mut [T] {
+        // SAFETY: as above, and the table is borrowed alone.
+        unsafe { core::slice::from_raw_parts_mut(self.first.as_ptr(), self.count) }
     }
 }
 
@@ -54,32 +87,52 @@ pub const fn after<T>(at: usize, count: usize) -> usize {
 }
 
 macro_rules! tables {
-    ($($table:ident: $Element:ty = $empty:expr; $field:ident $(($($call:tt)*))?,)*) => {
-        /// All tables of one robot, in the caller's memory.
-        struct Tables {
-            $($table: &'static mut [$Element],)*
+    ($(#[$meta:meta])* $Tables:ident $after:ident $($table:ident: $Element:ty = $empty:expr; $field:ident $(($($call:tt)*))?,)*) => {
+        $(#[$meta])*
+        #[derive(Debug)]
+        pub struct $Tables {
+            $($table: Table<$Element>,)*
         }
 
-        impl Tables {
-            fn deal(arena: &mut Arena, capacities: &Capacities) -> Option<Self> {
+        impl $Tables {
+            /// Deals them out.
+            pub fn deal(arena: &mut Arena, capacities: &Capacities) -> Option<Self> {
                 Some(Self { $($table: arena.table(capacities.$field $(($($call)*))?, $empty)?,)* })
             }
         }
 
         /// Where the tables end that begin at `at`.
-        pub const fn after_tables(at: usize, capacities: &Capacities) -> usize {
+        pub const fn $after(at: usize, capacities: &Capacities) -> usize {
             $(let at = after::<$Element>(at, capacities.$field $(($($call)*))?);)*
             at
         }
     };
 }
-goodbot::for_each_table! { tables!() }
+goodbot::for_each_home_table! { tables!(
+    /// All tables of one home.
+    HomeArena after_home
+) }
+goodbot::for_each_agent_table! { tables!(
+    /// All tables of one agent.
+    AgentArena after_agent
+) }
 
-/// Deals out all tables.
-pub fn memory(arena: &mut Arena, capacities: &Capacities) -> Option<Memory<'static>> {
-    let mut tables = Tables::deal(arena, capacities)?;
-    let memory = goodbot::split_tables!(&mut tables);
-    // SAFETY: only the references' own lifetimes are widened: what they refer to lies in the arena and not in `tables`, which is not used
-    // again.
-    Some(unsafe { core::mem::transmute::<Memory<'_>, Memory<'static>>(memory) })
+impl HomeMemory for HomeArena {
+    fn lend(&mut self) -> HomeTables<'_> {
+        goodbot::home_tables!(mut self)
+    }
+
+    fn read(&self) -> HomeTablesRef<'_> {
+        goodbot::home_tables!(ref self)
+    }
+}
+
+impl AgentMemory for AgentArena {
+    fn lend(&mut self) -> AgentTables<'_> {
+        goodbot::agent_tables!(mut self)
+    }
+
+    fn read(&self) -> AgentTablesRef<'_> {
+        goodbot::agent_tables!(ref self)
+    }
 }

@@ -40,7 +40,7 @@ pub unsafe extern "C" fn goodbot_most_likely(robot: *mut Goodbot, task: *mut u32
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            let best = robot.agent.most_likely(Some(&mut robot.random)).ok_or(GoodbotStatus::NoSession)?;
+            let best = robot.agent.most_likely_by(&mut robot.random).ok_or(GoodbotStatus::NoSession)?;
             give(task, best as u32)
         })
     }
@@ -64,12 +64,12 @@ pub unsafe extern "C" fn goodbot_task_text(robot: *mut Goodbot, task: u32, buffe
             in_world!(&robot.world, |domain, _state| {
                 for (position, part) in grounded.propositions(lifted).enumerate() {
                     writer.put(if position > 0 { " & " } else { "" });
-                    writer.put(domain.schema().proposition_name(part.proposition));
+                    writer.put(domain.world().schema.proposition_name(part.proposition));
                     for (position, object) in
-                        domain.schema().parameters(part.proposition).iter().zip(part.arguments).map(|pair| pair.1).enumerate()
+                        domain.world().schema.parameters(part.proposition).iter().zip(part.arguments).map(|pair| pair.1).enumerate()
                     {
                         writer.put(if position > 0 { "," } else { "(" });
-                        writer.put(domain.objects().name(object));
+                        writer.put(domain.world().objects.name(object));
                     }
                     writer.put(")");
                 }

@@ -1,66 +1,81 @@
 //! How large the tables are, and what memory that takes.
 
-use crate::arena::{after, after_tables};
+use crate::arena::{after, after_agent, after_home};
 use crate::robot::Goodbot;
 use crate::status::GoodbotStatus;
 use crate::table;
 use goodbot::Capacities;
+use goodbot::capacity::Capacity;
 
-/// How large each table is. Begin with a preset and raise what is full.
+/// How large each table is, one number for each `goodbot_capacity`. Begin with a preset and raise what is full.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GoodbotCapacities {
-    /// Objects of one environment: agent, rooms, doors and blocks together. At most 255.
-    pub objects: u32,
-    /// Distinct names and attribute values of one environment.
-    pub names: u32,
-    /// Bytes that the names and attribute values of one environment take together.
-    pub name_bytes: u32,
-    /// Cells of a home that are not wall.
-    pub cells: u32,
-    /// Grounded tasks of one session. At most 64, one bit each in a task set.
-    pub tasks: u32,
-    /// Trainer strategies told apart at once. At most 8.
-    pub strategies: u32,
-    /// Joint beliefs: tasks times strategies.
-    pub beliefs: u32,
-    /// Distinct machine commands that one session's tasks and constraints can express.
-    pub candidates: u32,
-    /// Machine tokens of all candidates together.
-    pub candidate_tokens: u32,
-    /// Distinct ground propositions that one session's tasks are made of.
-    pub ground_propositions: u32,
-    /// Entries of the table that finds the tasks satisfied by a state: the values of all state variables together.
-    pub goal_entries: u32,
-    /// States that one search can hold, where actions cost 1 each.
-    pub states: u32,
-    /// States that one search can hold where the state space is larger than `states` and visited states are hashed. 0 turns it off.
-    pub hashed_states: u32,
-    /// Distinct English words. At most 65,534.
-    pub words: u32,
-    /// Bytes that those words take together.
-    pub word_bytes: u32,
-    /// Distinct machine tokens. At most 65,534.
-    pub tokens: u32,
-    /// Bytes that those tokens take together.
-    pub token_bytes: u32,
-    /// Distinct machine commands in the training data.
-    pub commands: u32,
-    /// Machine tokens of those commands together.
-    pub command_tokens: u32,
-    /// Sessions learned from.
-    pub sessions: u32,
-    /// English words of those sessions' commands together.
-    pub sentence_words: u32,
-    /// Weighted pairs of an English command and a machine command in the training data.
-    pub pairs: u32,
-    /// Cells of the translation table: (machine tokens + 1) times English words.
-    pub translations: u32,
-    /// Cells of all alignment tables together: (l + 1) times n for each pair of lengths.
-    pub alignments: u32,
-    /// Distinct pairs of a machine command's and an English command's length.
-    pub length_pairs: u32,
+    /// Entries of each table.
+    pub entries: [u32; GOODBOT_CAPACITIES],
 }
+
+/// How many capacities there are.
+pub const GOODBOT_CAPACITIES: usize = 25;
+
+/// The tables, by their positions in `goodbot_capacities`.
+#[repr(u8)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GoodbotCapacity {
+    /// Objects of one environment: agent, rooms, doors and blocks together. At most 255; a home takes 32.
+    Objects,
+    /// Distinct names and attribute values of one environment.
+    Names,
+    /// Bytes that the names and attribute values of one environment take together.
+    NameBytes,
+    /// Cells of a home that are not wall.
+    Cells,
+    /// Grounded tasks of one session. At most 64, one bit each in a task set.
+    Tasks,
+    /// Trainer strategies told apart at once. At most 8.
+    Strategies,
+    /// Joint beliefs: tasks times strategies.
+    Beliefs,
+    /// Distinct machine commands that one session's tasks and constraints can express.
+    Candidates,
+    /// Machine tokens of all candidates together.
+    CandidateTokens,
+    /// Distinct ground propositions that one session's tasks are made of.
+    GroundPropositions,
+    /// Entries of the table that finds the tasks satisfied by a state: cells times movable pieces, the robot included.
+    GoalEntries,
+    /// States that one search can hold that looks at them one by one, where actions cost 1 each.
+    States,
+    /// States that one search can hold where the state space is larger than `STATES` and visited states are hashed. 0 turns it off.
+    HashedStates,
+    /// Distinct English words. At most 65,534.
+    Words,
+    /// Bytes that those words take together.
+    WordBytes,
+    /// Distinct machine tokens. At most 65,534.
+    Tokens,
+    /// Bytes that those tokens take together.
+    TokenBytes,
+    /// Distinct machine commands in the training data.
+    Commands,
+    /// Machine tokens of those commands together.
+    CommandTokens,
+    /// Sessions learned from.
+    Sessions,
+    /// English words of those sessions' commands together.
+    SentenceWords,
+    /// Weighted pairs of an English command and a machine command in the training data.
+    Pairs,
+    /// Cells of the translation table: (machine tokens + 1) times English words.
+    Translations,
+    /// Cells of all alignment tables together: (l + 1) times n for each pair of lengths.
+    Alignments,
+    /// Distinct pairs of a machine command's and an English command's length.
+    LengthPairs,
+}
+
+// The enum stands here for C's header; its order is that of the core's list.
+const _: () = assert!(GOODBOT_CAPACITIES == Capacity::ALL.len() && GoodbotCapacity::LengthPairs as usize + 1 == GOODBOT_CAPACITIES);
 
 /// The preset for controllers.
 pub const GOODBOT_SMALL: u32 = 0;
@@ -89,7 +104,7 @@ const _: () = assert!(bytes(&Capacities::SMALL, true) <= PROMISED.0 + GOODBOT_TA
 
 /// Bytes that a robot takes, in memory that is aligned to 8.
 pub const fn bytes(capacities: &Capacities, table: bool) -> usize {
-    let at = after_tables(after::<Goodbot>(0, 1), capacities);
+    let at = after_agent(after_home(after::<Goodbot>(0, 1), capacities), capacities);
     let at = if table { table::after_storage(at) } else { at };
     match at.checked_next_multiple_of(8) {
         Some(bytes) => bytes,
@@ -97,26 +112,20 @@ pub const fn bytes(capacities: &Capacities, table: bool) -> usize {
     }
 }
 
-/// The fields that both have, by name.
-macro_rules! same_fields {
-    ($($field:ident,)*) => {
-        impl From<&Capacities> for GoodbotCapacities {
-            fn from(from: &Capacities) -> Self {
-                Self { $($field: from.$field as u32,)* }
-            }
-        }
-
-        impl From<&GoodbotCapacities> for Capacities {
-            fn from(from: &GoodbotCapacities) -> Self {
-                Self { $($field: from.$field as usize,)* }
-            }
-        }
-    };
+impl From<&Capacities> for GoodbotCapacities {
+    fn from(from: &Capacities) -> Self {
+        Self { entries: Capacity::ALL.map(|capacity| u32::try_from(from.get(capacity)).unwrap_or(u32::MAX)) }
+    }
 }
-same_fields! {
-    objects, names, name_bytes, cells, tasks, strategies, beliefs, candidates, candidate_tokens, ground_propositions, goal_entries,
-    states, hashed_states, words, word_bytes, tokens, token_bytes, commands, command_tokens, sessions, sentence_words, pairs,
-    translations, alignments, length_pairs,
+
+impl From<&GoodbotCapacities> for Capacities {
+    fn from(from: &GoodbotCapacities) -> Self {
+        let mut capacities = Self::NONE;
+        for (capacity, entries) in Capacity::ALL.into_iter().zip(from.entries) {
+            capacities.set(capacity, entries as usize);
+        }
+        capacities
+    }
 }
 
 /// Fills in a preset, `GOODBOT_SMALL` or `GOODBOT_TINY`.
@@ -156,4 +165,48 @@ pub unsafe extern "C" fn goodbot_size(capacities: *const GoodbotCapacities) -> u
 pub unsafe extern "C" fn goodbot_table_size(capacities: *const GoodbotCapacities) -> usize {
     // SAFETY: the caller's promise.
     unsafe { capacities.as_ref() }.map_or(0, |capacities| bytes(&capacities.into(), true))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::format;
+
+    #[test]
+    fn the_numbers_of_the_tables_are_the_cores() {
+        let c: &[GoodbotCapacity] = &[
+            GoodbotCapacity::Objects,
+            GoodbotCapacity::Names,
+            GoodbotCapacity::NameBytes,
+            GoodbotCapacity::Cells,
+            GoodbotCapacity::Tasks,
+            GoodbotCapacity::Strategies,
+            GoodbotCapacity::Beliefs,
+            GoodbotCapacity::Candidates,
+            GoodbotCapacity::CandidateTokens,
+            GoodbotCapacity::GroundPropositions,
+            GoodbotCapacity::GoalEntries,
+            GoodbotCapacity::States,
+            GoodbotCapacity::HashedStates,
+            GoodbotCapacity::Words,
+            GoodbotCapacity::WordBytes,
+            GoodbotCapacity::Tokens,
+            GoodbotCapacity::TokenBytes,
+            GoodbotCapacity::Commands,
+            GoodbotCapacity::CommandTokens,
+            GoodbotCapacity::Sessions,
+            GoodbotCapacity::SentenceWords,
+            GoodbotCapacity::Pairs,
+            GoodbotCapacity::Translations,
+            GoodbotCapacity::Alignments,
+            GoodbotCapacity::LengthPairs,
+        ];
+        for (number, (&mine, capacity)) in c.iter().zip(Capacity::ALL).enumerate() {
+            assert_eq!((mine as usize, capacity as usize), (number, number));
+            let name = format!("{mine:?}");
+            let words = name.chars().flat_map(|letter| letter.is_uppercase().then_some('_').into_iter().chain(letter.to_lowercase()));
+            assert_eq!(words.skip(1).collect::<std::string::String>(), capacity.name());
+        }
+        assert_eq!(c.len(), GOODBOT_CAPACITIES);
+    }
 }

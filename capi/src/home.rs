@@ -1,11 +1,11 @@
 //! The home environment: rooms, doors, blocks, an agent.
 
+use crate::arena::HomeArena;
 use crate::capacities::GoodbotCapacities;
 use crate::robot::{Goodbot, World, give, plot, settle, text, with};
 use crate::status::{Failure, GoodbotStatus};
 use core::ffi::c_char;
 use goodbot::home::{self, Area, Cell, HomeBuilder, Moves};
-use goodbot::oomdp::Domain;
 use goodbot::task::LiftedTask;
 
 /// Makes a robot that will live in homes, in the caller's memory: `bytes` bytes, aligned to 8, as many as `goodbot_size` says. It
@@ -30,8 +30,8 @@ pub unsafe extern "C" fn goodbot_init_home(
         Err(status) => return status,
     };
     let Ok(tasks): Result<[LiftedTask; 2], _> = home::paper_tasks() else { return GoodbotStatus::Other };
-    // SAFETY: `plot` gave room for it, and `robot` is not null.
-    unsafe { settle(plot.at, plot.memory, &tasks, |_| Ok(World::Nothing), robot) }
+    // SAFETY: `robot` is not null.
+    unsafe { settle(plot, &tasks, |home| Ok(World::Nothing(home)), robot) }
 }
 
 /// Begins to describe a home. What was learned stays; a session under way ends unlearned.
@@ -43,21 +43,18 @@ pub unsafe extern "C" fn goodbot_home_begin(robot: *mut Goodbot) -> GoodbotStatu
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            if matches!(robot.world, World::Table(..)) {
-                return Err(GoodbotStatus::World.into());
-            }
-            let memory = robot.empty_home();
+            let memory = robot.empty_home()?;
             robot.world = World::Plan(HomeBuilder::new(memory));
             Ok(GoodbotStatus::Ok)
         })
     }
 }
 
-fn plan(robot: &mut Goodbot) -> Result<&mut HomeBuilder<'static>, Failure> {
+fn plan(robot: &mut Goodbot) -> Result<&mut HomeBuilder<HomeArena>, Failure> {
     match &mut robot.world {
         World::Plan(builder) => Ok(builder),
-        World::Nothing => Err(GoodbotStatus::NoWorld.into()),
-        World::Home(..) | World::Table(..) => Err(GoodbotStatus::World.into()),
+        World::Nothing(_) => Err(GoodbotStatus::NoWorld.into()),
+        World::Home(..) | World::Table(..) | World::Changing => Err(GoodbotStatus::World.into()),
     }
 }
 
@@ -154,12 +151,15 @@ pub unsafe extern "C" fn goodbot_home_build(robot: *mut Goodbot) -> GoodbotStatu
     unsafe {
         with(robot, |robot| {
             plan(robot)?;
-            let World::Plan(builder) = core::mem::replace(&mut robot.world, World::Nothing) else {
+            let World::Plan(builder) = core::mem::replace(&mut robot.world, World::Changing) else {
                 return Err(GoodbotStatus::NoWorld.into());
             };
-            let (home, start) = builder.build(Moves::Push)?;
-            robot.world = World::Home(home, start);
-            Ok(GoodbotStatus::Ok)
+            let (world, result) = match builder.try_build(Moves::Push) {
+                Ok((home, start)) => (World::Home(home, start), Ok(GoodbotStatus::Ok)),
+                Err((error, memory)) => (World::Nothing(memory), Err(error.into())),
+            };
+            robot.world = world;
+            result
         })
     }
 }
@@ -175,7 +175,7 @@ pub unsafe extern "C" fn goodbot_home_place(robot: *mut Goodbot, name: *const c_
         with(robot, |robot| {
             let World::Home(home, state) = &mut robot.world else { return Err(GoodbotStatus::NoWorld.into()) };
             let object = home.objects().find(text(name)?).ok_or(GoodbotStatus::Unknown)?;
-            *state = home.placed(state, object, Cell::new(x, y)).ok_or(GoodbotStatus::Number)?;
+            *state = home.placed(state, &[(object, Cell::new(x, y))]).ok_or(GoodbotStatus::Number)?;
             Ok(GoodbotStatus::Ok)
         })
     }

@@ -1,14 +1,13 @@
 //! The handle: a robot at the beginning of the caller's memory.
 
-use crate::arena::{Arena, memory};
+use crate::arena::{AgentArena, Arena, HomeArena};
 use crate::capacities::GoodbotCapacities;
 use crate::status::{Failure, GoodbotStatus};
 use crate::table::TableDomain;
 use core::ffi::{CStr, c_char};
+use core::ptr::NonNull;
 use goodbot::capacity::CapacityError;
-use goodbot::home::{Home, HomeBuilder, HomeMemory, HomeState};
-use goodbot::memory::Memory;
-use goodbot::oomdp::objects::ObjectMemory;
+use goodbot::home::{Home, HomeBuilder, HomeState};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use rand_pcg::Pcg32;
@@ -21,8 +20,7 @@ pub struct Goodbot {
     magic: u32,
     pub(crate) full: Option<CapacityError>,
     pub(crate) random: Pcg32,
-    pub(crate) agent: Agent<'static>,
-    rooms: RawHome,
+    pub(crate) agent: Agent<AgentArena>,
     pub(crate) world: World,
 }
 
@@ -30,65 +28,38 @@ pub struct Goodbot {
 #[derive(Debug)]
 pub enum World {
     /// Nothing yet.
-    Nothing,
+    Nothing(HomeArena),
     /// A home that is being described.
-    Plan(HomeBuilder<'static>),
-    /// A home, where things stand now, and where they stood when it was built.
-    Home(Home<'static>, HomeState),
+    Plan(HomeBuilder<HomeArena>),
+    /// A home, and where things stand now.
+    Home(Home<HomeArena>, HomeState),
     /// The caller's own.
     Table(TableDomain, u32),
-}
-
-/// The memory of a home, to be lent again and again.
-#[derive(Clone, Copy, Debug)]
-struct RawHome {
-    objects: *mut [goodbot::oomdp::Object],
-    name_bytes: *mut [u8],
-    name_ends: *mut [u16],
-    areas: *mut [goodbot::home::layout::StoredArea],
-    places: *mut [goodbot::home::Place],
-}
-
-impl RawHome {
-    fn of(memory: HomeMemory<'static>) -> Self {
-        Self {
-            objects: memory.objects.objects,
-            name_bytes: memory.objects.name_bytes,
-            name_ends: memory.objects.name_ends,
-            areas: memory.areas,
-            places: memory.places,
-        }
-    }
-
-    /// # Safety
-    /// What was lent before is not used any more.
-    unsafe fn lend(self) -> HomeMemory<'static> {
-        // SAFETY: the pointers come from references to the caller's memory, which stays; nothing else refers to it, as the caller of this
-        // promises.
-        unsafe {
-            HomeMemory {
-                objects: ObjectMemory { objects: &mut *self.objects, name_bytes: &mut *self.name_bytes, name_ends: &mut *self.name_ends },
-                areas: &mut *self.areas,
-                places: &mut *self.places,
-            }
-        }
-    }
+    /// It is being changed for another; no call ends so.
+    Changing,
 }
 
 impl Goodbot {
-    /// The home's memory for a new description; the world there was is gone.
-    pub(crate) fn empty_home(&mut self) -> HomeMemory<'static> {
-        self.agent.forget();
-        self.world = World::Nothing;
-        // SAFETY: the world was all that used it.
-        unsafe { self.rooms.lend() }
+    /// The home's memory for a new description; the world there was is gone, and with it a session under way.
+    pub(crate) fn empty_home(&mut self) -> Result<HomeArena, Failure> {
+        if let World::Table(..) | World::Changing = self.world {
+            return Err(GoodbotStatus::World.into());
+        }
+        self.agent.leave();
+        match core::mem::replace(&mut self.world, World::Changing) {
+            World::Nothing(memory) => Ok(memory),
+            World::Plan(builder) => Ok(builder.into_memory()),
+            World::Home(home, _) => Ok(home.into_memory()),
+            World::Table(..) | World::Changing => Err(GoodbotStatus::World.into()),
+        }
     }
 }
 
 /// Memory that was checked and dealt out, for a robot that is not made yet.
 pub(crate) struct Plot {
-    pub(crate) at: *mut Goodbot,
-    pub(crate) memory: Memory<'static>,
+    at: NonNull<Goodbot>,
+    pub(crate) home: HomeArena,
+    agent: AgentArena,
     pub(crate) arena: Arena,
 }
 
@@ -107,36 +78,35 @@ pub(crate) unsafe fn plot(at: *mut u8, bytes: usize, capacities: *const GoodbotC
     }
     // SAFETY: the caller's promise.
     let mut arena = unsafe { Arena::new(at, bytes) };
+    let capacities = Capacities::from(capacities);
     let at = arena.place::<Goodbot>(1).ok_or(GoodbotStatus::Memory)?;
-    let memory = memory(&mut arena, &Capacities::from(capacities)).ok_or(GoodbotStatus::Memory)?;
-    Ok(Plot { at, memory, arena })
+    let home = HomeArena::deal(&mut arena, &capacities).ok_or(GoodbotStatus::Memory)?;
+    let agent = AgentArena::deal(&mut arena, &capacities).ok_or(GoodbotStatus::Memory)?;
+    Ok(Plot { at, home, agent, arena })
 }
 
 /// Makes the robot and gives its handle.
 ///
 /// # Safety
-/// `at` is room for a robot, and `robot` for a handle.
+/// `robot` is room for a handle.
 pub(crate) unsafe fn settle(
-    at: *mut Goodbot,
-    memory: Memory<'static>,
+    plot: Plot,
     tasks: &[LiftedTask],
-    world: impl FnOnce(HomeMemory<'static>) -> Result<World, Failure>,
+    world: impl FnOnce(HomeArena) -> Result<World, Failure>,
     robot: *mut *mut Goodbot,
 ) -> GoodbotStatus {
-    let rooms = RawHome::of(memory.home);
-    let agent = match Agent::new(memory.agent, tasks, Options::DEFAULT) {
+    let agent = match Agent::new(plot.agent, tasks, Options::DEFAULT) {
         Ok(agent) => agent,
         Err(error) => return Failure::from(error).status,
     };
-    // SAFETY: nothing else uses it yet.
-    let world = match world(unsafe { rooms.lend() }) {
+    let world = match world(plot.home) {
         Ok(world) => world,
         Err(failure) => return failure.status,
     };
-    // SAFETY: the caller's promise.
+    // SAFETY: `plot` made sure of the room; the rest is the caller's promise.
     unsafe {
-        at.write(Goodbot { magic: MAGIC, full: None, random: Pcg32::new(0, 0x2014), agent, rooms, world });
-        robot.write(at);
+        plot.at.write(Goodbot { magic: MAGIC, full: None, random: Pcg32::new(0, 0x2014), agent, world });
+        robot.write(plot.at.as_ptr());
     }
     GoodbotStatus::Ok
 }
@@ -224,9 +194,7 @@ pub unsafe extern "C" fn goodbot_full(
     unsafe {
         with(robot, |robot| {
             let full = robot.full.ok_or(GoodbotStatus::Unknown)?;
-            let field = full.capacity.field();
-            let behind_path = field.bytes().rposition(|byte| byte == b':').map_or(0, |colon| colon.saturating_add(1));
-            let field = field.get(behind_path..).unwrap_or(field);
+            let field = full.capacity.name();
             if name.is_null() || bytes == 0 {
                 return Err(GoodbotStatus::Null.into());
             }

@@ -55,6 +55,12 @@ pub enum GoodbotStatus {
     Buffer = 20,
     /// Anything else.
     Other = 21,
+    /// No action was done that could be judged: call `goodbot_done` for each.
+    NothingDone = 22,
+    /// The command is not heard to its end: call `goodbot_hear_on` until it is.
+    StillHearing = 23,
+    /// The session is not finished: call `goodbot_finish_on` until it is.
+    StillFinishing = 24,
 }
 
 /// Why a call failed, with the table that was full, if one was.
@@ -83,9 +89,13 @@ impl From<AgentError> for Failure {
             AgentError::NoTask => GoodbotStatus::NoTask,
             AgentError::NoSession => GoodbotStatus::NoSession,
             AgentError::NotPlanned => GoodbotStatus::NotPlanned,
+            AgentError::OtherDomain => GoodbotStatus::NoSession,
+            AgentError::NothingDone => GoodbotStatus::NothingDone,
+            AgentError::StillHearing => GoodbotStatus::StillHearing,
+            AgentError::StillFinishing => GoodbotStatus::StillFinishing,
             AgentError::StillLearning => GoodbotStatus::StillLearning,
             AgentError::NotApplicable => GoodbotStatus::NotApplicable,
-            AgentError::NotAProbability | AgentError::Setting(_) => GoodbotStatus::Number,
+            AgentError::Strategy(_) | AgentError::Prior { .. } | AgentError::NoPrior | AgentError::Setting(_) => GoodbotStatus::Number,
             AgentError::Capacity(error) => return error.into(),
             _ => GoodbotStatus::Other,
         }
@@ -142,7 +152,7 @@ impl From<RestoreError> for Failure {
 /// What is wrong, as a sentence for people; a constant text that is never null.
 #[unsafe(no_mangle)]
 pub extern "C" fn goodbot_status_text(status: i32) -> *const core::ffi::c_char {
-    const TEXTS: [&core::ffi::CStr; 22] = [
+    const TEXTS: [&core::ffi::CStr; 25] = [
         c"done",
         c"not done yet; call again",
         c"a pointer is null that must not be",
@@ -165,6 +175,9 @@ pub extern "C" fn goodbot_status_text(status: i32) -> *const core::ffi::c_char {
         c"the model was learned with another vocabulary",
         c"the buffer is too small",
         c"something else failed",
+        c"no action was done that could be judged; say that one was done first",
+        c"the command is not heard to its end; hear on until it is",
+        c"the session is not finished; finish on until it is",
     ];
     usize::try_from(status).ok().and_then(|status| TEXTS.get(status)).unwrap_or(&c"no such status").as_ptr()
 }

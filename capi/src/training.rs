@@ -6,6 +6,7 @@ use core::ffi::c_char;
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::oomdp::{Action, apply};
 use goodbot::planning::{OptimalSet, Progress};
+use goodbot::session::{Evidence, Finished};
 
 /// The action of doing nothing, which every robot has.
 pub const GOODBOT_NOOP: u8 = 15;
@@ -24,6 +25,15 @@ pub const GOODBOT_PLAN_TOWARD: u32 = 1;
 pub const GOODBOT_PLAN_DEAD_END: u32 = 2;
 /// The search was too small to find out: the robot does nothing.
 pub const GOODBOT_PLAN_UNKNOWN: u32 = 3;
+/// The action leads to the goal, but a shorter way may exist: what the trainer says to it is no evidence for or against the task.
+pub const GOODBOT_PLAN_APPROXIMATE: u32 = 4;
+
+/// What the trainer said has been taken in.
+pub const GOODBOT_EVIDENCE_USED: u32 = 0;
+/// It says nothing, because no task's right actions are known exactly in that state. The belief is unchanged.
+pub const GOODBOT_EVIDENCE_NOTHING: u32 = 1;
+/// It is impossible whatever the task and the trainer, and was ignored.
+pub const GOODBOT_EVIDENCE_IMPOSSIBLE: u32 = 2;
 
 /// Runs an expression on the world and its state, whichever it is.
 macro_rules! in_world {
@@ -31,7 +41,7 @@ macro_rules! in_world {
         match $world {
             World::Home($domain, $state) => $run,
             World::Table($domain, $state) => $run,
-            World::Nothing | World::Plan(_) => return Err(GoodbotStatus::NoWorld.into()),
+            World::Nothing(_) | World::Plan(_) | World::Changing => return Err(GoodbotStatus::NoWorld.into()),
         }
     };
 }
@@ -74,7 +84,33 @@ pub unsafe extern "C" fn goodbot_hear(robot: *mut Goodbot, command: *const c_cha
     }
 }
 
-/// Plans for the state in which things are now, at most about `budget` looks of the search, each at a state or a row of states. `WORKING` means: call again.
+/// Begins to hear a command as `goodbot_hear` does, but in parts: call `goodbot_hear_on` until it is done.
+///
+/// # Safety
+/// `robot` is null or a handle, `command` null or a C string in UTF-8.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_begin_hearing(robot: *mut Goodbot, command: *const c_char) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let command = text(command)?;
+            in_world!(&robot.world, |domain, state| robot.agent.begin_hearing(domain, state, command)?);
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+/// Goes on hearing the command, at most about `budget` table cells of work. `WORKING` means: call again.
+///
+/// # Safety
+/// `robot` is null or a handle.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_hear_on(robot: *mut Goodbot, budget: u32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe { with(robot, |robot| of(in_world!(&robot.world, |domain, _state| robot.agent.hear_on(domain, budget)?))) }
+}
+
+/// Plans for the state in which things are now, at most about `budget` node expansions. `WORKING` means: call again.
 ///
 /// # Safety
 /// `robot` is null or a handle.
@@ -84,7 +120,7 @@ pub unsafe extern "C" fn goodbot_plan(robot: *mut Goodbot, budget: u32) -> Goodb
     unsafe { with(robot, |robot| of(in_world!(&robot.world, |domain, state| robot.agent.plan(domain, state, budget)?))) }
 }
 
-/// Decides on an action in the state that was planned for. `plan` may be null; it is given `GOODBOT_PLAN_GOAL` and so on.
+/// Decides on an action in the state in which things are now, which must have been planned for. `plan` may be null; it is given `GOODBOT_PLAN_GOAL` and so on.
 ///
 /// # Safety
 /// `robot` is null or a handle; `action` is room for one, `plan` is null or room for a number.
@@ -93,10 +129,12 @@ pub unsafe extern "C" fn goodbot_decide(robot: *mut Goodbot, action: *mut u8, pl
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            let decision = robot.agent.decide(Some(&mut robot.random))?;
+            let Goodbot { agent, random, .. } = robot;
+            let decision = in_world!(&robot.world, |domain, state| agent.decide_by(domain, state, random)?);
             let kind = match decision.plan {
                 OptimalSet::Goal => GOODBOT_PLAN_GOAL,
                 OptimalSet::Toward(_) => GOODBOT_PLAN_TOWARD,
+                OptimalSet::Approximate(_) => GOODBOT_PLAN_APPROXIMATE,
                 OptimalSet::DeadEnd(_) => GOODBOT_PLAN_DEAD_END,
                 OptimalSet::Unknown => GOODBOT_PLAN_UNKNOWN,
             };
@@ -108,13 +146,22 @@ pub unsafe extern "C" fn goodbot_decide(robot: *mut Goodbot, action: *mut u8, pl
     }
 }
 
-/// Takes in what the trainer said to an action that was done in the state that was planned for: `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
-/// `GOODBOT_NEUTRAL`.
+fn write(evidence: Evidence) -> u32 {
+    match evidence {
+        Evidence::Used => GOODBOT_EVIDENCE_USED,
+        Evidence::SaysNothing => GOODBOT_EVIDENCE_NOTHING,
+        Evidence::Impossible => GOODBOT_EVIDENCE_IMPOSSIBLE,
+    }
+}
+
+/// Takes in what the trainer said to the action that was done last (see `goodbot_done`): `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
+/// `GOODBOT_NEUTRAL`. It may be called at any time until the next action is done, also while the robot plans; of several words the last
+/// counts. `evidence` is given what came of it, `GOODBOT_EVIDENCE_USED` and so on.
 ///
 /// # Safety
-/// `robot` is null or a handle.
+/// `robot` is null or a handle, `evidence` null or room for a number.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn goodbot_feedback(robot: *mut Goodbot, action: u8, feedback: i32) -> GoodbotStatus {
+pub unsafe extern "C" fn goodbot_feedback(robot: *mut Goodbot, feedback: i32, evidence: *mut u32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
@@ -124,28 +171,40 @@ pub unsafe extern "C" fn goodbot_feedback(robot: *mut Goodbot, action: u8, feedb
                 GOODBOT_NEUTRAL => Feedback::Neutral,
                 _ => return Err(GoodbotStatus::Number.into()),
             };
-            robot.agent.feedback(Action(action), feedback)?;
-            Ok(GoodbotStatus::Ok)
+            if evidence.is_null() {
+                return Err(GoodbotStatus::Null.into());
+            }
+            give(evidence, write(robot.agent.feedback(feedback)?))
         })
     }
 }
 
-/// Takes in that the trainer did an action to show the way.
+/// Takes in that the trainer did an action to show the way, and takes note that it did what the description says, as `goodbot_done` does.
+/// `evidence` is given what came of it.
 ///
 /// # Safety
-/// `robot` is null or a handle.
+/// `robot` is null or a handle, `evidence` null or room for a number.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn goodbot_demonstration(robot: *mut Goodbot, action: u8) -> GoodbotStatus {
+pub unsafe extern "C" fn goodbot_demonstration(robot: *mut Goodbot, action: u8, evidence: *mut u32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            robot.agent.demonstration(Action(action))?;
-            Ok(GoodbotStatus::Ok)
+            if evidence.is_null() {
+                return Err(GoodbotStatus::Null.into());
+            }
+            let agent = &mut robot.agent;
+            let came = in_world!(&mut robot.world, |domain, state| {
+                let came = agent.demonstrated(domain, state, Action(action))?;
+                *state = apply(domain, state, Action(action)).ok_or(GoodbotStatus::NotApplicable)?;
+                came
+            });
+            give(evidence, write(came))
         })
     }
 }
 
-/// Takes note that an action was done and did what the description says. A robot that senses where things are says that instead.
+/// Takes note that an action was done in the state in which things are now, which must have been planned for, and that it did what the
+/// description says. A robot that senses where things are calls this for each action too, and then says where they are where that differs.
 ///
 /// # Safety
 /// `robot` is null or a handle.
@@ -154,27 +213,68 @@ pub unsafe extern "C" fn goodbot_done(robot: *mut Goodbot, action: u8) -> Goodbo
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            in_world!(&mut robot.world, |domain, state| {
-                *state = apply(domain, state, Action(action)).ok_or(GoodbotStatus::NotApplicable)?;
-            });
+            let agent = &mut robot.agent;
+            in_world!(&mut robot.world, |domain, state| *state = agent.acted(domain, state, Action(action))?);
             Ok(GoodbotStatus::Ok)
         })
     }
 }
 
-/// Ends the session and begins to learn from it: call `goodbot_learn` until it is done.
+/// Ends the session and begins to learn from it: call `goodbot_learn` until it is done. `gave_way` is null, or is given how many older
+/// sessions were forgotten because memory was full.
+///
+/// # Safety
+/// `robot` is null or a handle, `gave_way` null or room for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_finish(robot: *mut Goodbot, gave_way: *mut u32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let finished = in_world!(&robot.world, |domain, _state| robot.agent.finish(domain)?);
+            tell(gave_way, finished)
+        })
+    }
+}
+
+/// Begins to end the session as `goodbot_finish` does, but in parts: call `goodbot_finish_on` until it is done.
 ///
 /// # Safety
 /// `robot` is null or a handle.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn goodbot_finish(robot: *mut Goodbot) -> GoodbotStatus {
+pub unsafe extern "C" fn goodbot_begin_finishing(robot: *mut Goodbot) -> GoodbotStatus {
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            in_world!(&robot.world, |domain, _state| robot.agent.finish(domain)?);
+            in_world!(&robot.world, |domain, _state| robot.agent.begin_finishing(domain)?);
             Ok(GoodbotStatus::Ok)
         })
     }
+}
+
+/// Goes on ending the session, at most about `budget` table cells of work. `WORKING` means: call again. Once it is done, `gave_way` is
+/// given what `goodbot_finish` gives it.
+///
+/// # Safety
+/// `robot` is null or a handle, `gave_way` null or room for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_finish_on(robot: *mut Goodbot, budget: u32, gave_way: *mut u32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| match in_world!(&robot.world, |domain, _state| robot.agent.finish_on(domain, budget)?) {
+            Some(finished) => tell(gave_way, finished),
+            None => Ok(GoodbotStatus::Working),
+        })
+    }
+}
+
+/// # Safety
+/// `gave_way` is null or room for a number.
+unsafe fn tell(gave_way: *mut u32, finished: Finished) -> Result<GoodbotStatus, Failure> {
+    if gave_way.is_null() {
+        return Ok(GoodbotStatus::Ok);
+    }
+    // SAFETY: the caller's promise.
+    unsafe { give(gave_way, finished.gave_way.count() as u32) }
 }
 
 /// Ends the session without learning from it.

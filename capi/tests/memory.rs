@@ -53,8 +53,8 @@ fn null_is_answered_and_never_followed() {
 #[test]
 fn capacities_without_end_ask_for_more_memory_than_there_is() {
     let mut capacities = small();
-    capacities.translations = u32::MAX;
-    capacities.hashed_states = u32::MAX;
+    capacities.entries[GoodbotCapacity::Translations as usize] = u32::MAX;
+    capacities.entries[GoodbotCapacity::HashedStates as usize] = u32::MAX;
     let wanted = unsafe { goodbot_size(&raw const capacities) };
     assert!(wanted > 40_000_000_000);
     let mut memory = vec![0_u64; 4_096];
@@ -76,7 +76,7 @@ fn the_sizes_known_when_a_program_is_compiled_are_enough() {
 #[test]
 fn capacities_of_nothing_make_a_robot_that_says_what_to_raise() {
     let mut capacities = small();
-    capacities.objects = 0;
+    capacities.entries[GoodbotCapacity::Objects as usize] = 0;
     let owned = in_homes(capacities);
     unsafe {
         assert_eq!(goodbot_home_begin(owned.robot), GoodbotStatus::Ok);

@@ -5,6 +5,7 @@
 mod robots;
 
 use goodbot_capi::beliefs::*;
+use goodbot_capi::capacities::GoodbotCapacity;
 use goodbot_capi::home::*;
 use goodbot_capi::model::*;
 use goodbot_capi::robot::{goodbot_full, goodbot_seed};
@@ -39,10 +40,10 @@ fn every_function_refuses_a_null_handle() {
             goodbot_hear(nobody, c"go".as_ptr()),
             goodbot_plan(nobody, 1),
             goodbot_decide(nobody, &raw mut action, null_mut()),
-            goodbot_feedback(nobody, 0, GOODBOT_REWARD),
-            goodbot_demonstration(nobody, 0),
+            goodbot_feedback(nobody, GOODBOT_REWARD, &raw mut number),
+            goodbot_demonstration(nobody, 0, &raw mut number),
             goodbot_done(nobody, 0),
-            goodbot_finish(nobody),
+            goodbot_finish(nobody, null_mut()),
             goodbot_forget(nobody),
             goodbot_learn(nobody, 1),
             goodbot_task_count(nobody, &raw mut number),
@@ -71,6 +72,8 @@ fn every_function_refuses_a_null_place_for_its_answer() {
             goodbot_most_likely(owned.robot, null_mut()),
             goodbot_task_text(owned.robot, 0, null_mut(), 10),
             goodbot_decide(owned.robot, null_mut(), null_mut()),
+            goodbot_feedback(owned.robot, GOODBOT_REWARD, null_mut()),
+            goodbot_demonstration(owned.robot, 0, null_mut()),
             goodbot_home_where(owned.robot, c"agent0".as_ptr(), null_mut(), &raw mut x),
             goodbot_home_where(owned.robot, c"agent0".as_ptr(), &raw mut x, null_mut()),
             goodbot_home_place(owned.robot, null(), 1, 1),
@@ -116,7 +119,7 @@ fn nothing_can_be_done_before_there_is_a_home() {
         assert_eq!(goodbot_done(robot, 0), GoodbotStatus::NoWorld);
         assert_eq!(goodbot_home_place(robot, c"agent0".as_ptr(), 1, 1), GoodbotStatus::NoWorld);
         assert_eq!(goodbot_home_begin(robot), GoodbotStatus::Ok);
-        assert_eq!(goodbot_finish(robot), GoodbotStatus::NoWorld);
+        assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::NoWorld);
     }
 }
 
@@ -149,7 +152,8 @@ fn a_description_begun_twice_begins_anew() {
         assert_eq!(describe(owned.robot), GoodbotStatus::Ok);
         // The session ended with its home.
         assert_eq!(goodbot_plan(owned.robot, 1), GoodbotStatus::NoSession);
-        assert_eq!(goodbot_feedback(owned.robot, 0, GOODBOT_REWARD), GoodbotStatus::NoSession);
+        let mut evidence = 0;
+        assert_eq!(goodbot_feedback(owned.robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::NoSession);
     }
 }
 
@@ -157,28 +161,36 @@ fn a_description_begun_twice_begins_anew() {
 fn a_session_is_led_in_its_order_and_every_step_out_of_it_is_named() {
     let owned = at_home();
     let robot = owned.robot;
-    let (mut action, mut task) = (0, 0);
+    let (mut action, mut task, mut evidence) = (0, 0, 9);
     unsafe {
         assert_eq!(goodbot_plan(robot, 1), GoodbotStatus::NoSession);
-        assert_eq!(goodbot_finish(robot), GoodbotStatus::NoSession);
+        assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::NoSession);
         assert_eq!(goodbot_most_likely(robot, &raw mut task), GoodbotStatus::NoSession);
         assert_eq!(goodbot_hear(robot, c" , ".as_ptr()), GoodbotStatus::EmptyCommand);
         assert_eq!(goodbot_hear(robot, c"go to the green room".as_ptr()), GoodbotStatus::Ok);
         assert_eq!(goodbot_decide(robot, &raw mut action, null_mut()), GoodbotStatus::NotPlanned);
-        assert_eq!(goodbot_feedback(robot, 0, GOODBOT_REWARD), GoodbotStatus::NotPlanned);
+        assert_eq!(goodbot_done(robot, 0), GoodbotStatus::NotPlanned);
         hear_and_plan(robot, c"go to the green room");
-        assert_eq!(goodbot_feedback(robot, 0, 2), GoodbotStatus::Number);
+        assert_eq!(goodbot_feedback(robot, 2, &raw mut evidence), GoodbotStatus::Number);
+        assert_eq!(goodbot_feedback(robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::NothingDone);
         for action in [4, 14, 16, 200] {
-            assert_eq!(goodbot_feedback(robot, action, GOODBOT_REWARD), GoodbotStatus::NotApplicable);
-            assert_eq!(goodbot_demonstration(robot, action), GoodbotStatus::NotApplicable);
+            assert_eq!(goodbot_demonstration(robot, action, &raw mut evidence), GoodbotStatus::NotApplicable);
             assert_eq!(goodbot_done(robot, action), GoodbotStatus::NotApplicable);
         }
         let mut plan = 9;
         assert_eq!(goodbot_decide(robot, &raw mut action, &raw mut plan), GoodbotStatus::Ok);
         assert_eq!(plan, GOODBOT_PLAN_TOWARD);
-        assert_eq!(goodbot_feedback(robot, action, GOODBOT_REWARD), GoodbotStatus::Ok);
-        assert_eq!(goodbot_demonstration(robot, action), GoodbotStatus::Ok);
-        assert_eq!(goodbot_finish(robot), GoodbotStatus::Ok);
+        assert_eq!(goodbot_done(robot, action), GoodbotStatus::Ok);
+        assert_eq!(goodbot_decide(robot, &raw mut action, &raw mut plan), GoodbotStatus::NotPlanned);
+        assert_eq!(goodbot_feedback(robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::Ok);
+        assert_eq!(evidence, GOODBOT_EVIDENCE_USED);
+        while goodbot_plan(robot, 50) == GoodbotStatus::Working {}
+        assert_eq!(goodbot_demonstration(robot, action, &raw mut evidence), GoodbotStatus::Ok);
+        assert_eq!(
+            (goodbot_feedback(robot, GOODBOT_REWARD, &raw mut evidence), evidence),
+            (GoodbotStatus::NothingDone, GOODBOT_EVIDENCE_USED)
+        );
+        assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::Ok);
         assert_eq!(goodbot_learn(robot, 1), GoodbotStatus::Working);
         assert_eq!(goodbot_hear(robot, c"go".as_ptr()), GoodbotStatus::StillLearning);
         while goodbot_learn(robot, 1_000) == GoodbotStatus::Working {}
@@ -241,8 +253,11 @@ fn a_model_is_taken_over_whole_or_not_at_all() {
     let (robot, mut bytes, mut written) = (owned.robot, 0, 0);
     hear_and_plan(robot, c"go to the green room");
     unsafe {
-        assert_eq!(goodbot_feedback(robot, 0, GOODBOT_REWARD), GoodbotStatus::Ok);
-        assert_eq!(goodbot_finish(robot), GoodbotStatus::Ok);
+        assert_eq!(goodbot_done(robot, 0), GoodbotStatus::Ok);
+        let mut evidence = 9;
+        assert_eq!(goodbot_feedback(robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::Ok);
+        assert_eq!(evidence, GOODBOT_EVIDENCE_USED);
+        assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::Ok);
         while goodbot_learn(robot, 1_000) == GoodbotStatus::Working {}
         assert_eq!(goodbot_saved_size(robot, &raw mut bytes), GoodbotStatus::Ok);
         let mut model = vec![0; bytes];
@@ -256,7 +271,9 @@ fn a_model_is_taken_over_whole_or_not_at_all() {
         let lift = Lift::new();
         let other = of_table(&lift.table()).unwrap();
         assert_eq!(goodbot_restore(other.robot, model.as_ptr(), bytes), GoodbotStatus::OtherDomain);
-        let tight = in_homes(goodbot_capi::capacities::GoodbotCapacities { words: 1, ..small() });
+        let mut one_word = small();
+        one_word.entries[GoodbotCapacity::Words as usize] = 1;
+        let tight = in_homes(one_word);
         assert_eq!(goodbot_restore(tight.robot, model.as_ptr(), bytes), GoodbotStatus::Full);
     }
 }
@@ -293,6 +310,7 @@ fn states_out_of_a_table_s_range_are_refused() {
     let owned = of_table(&lift.table()).unwrap();
     unsafe {
         assert_eq!(goodbot_table_set_state(owned.robot, 3), GoodbotStatus::Number);
+        hear_and_plan(owned.robot, c"to the roof");
         // An action that leads to a state that there is not cannot be done.
         assert_eq!(goodbot_done(owned.robot, 0), GoodbotStatus::NotApplicable);
         let mut state = 9;
@@ -304,12 +322,25 @@ fn states_out_of_a_table_s_range_are_refused() {
 #[test]
 fn every_status_has_a_sentence_of_its_own() {
     let sentence = |status| unsafe { CStr::from_ptr(goodbot_status_text(status)) }.to_str().unwrap();
-    let mut all: Vec<&str> = (0..=GoodbotStatus::Other as i32).map(sentence).collect();
-    for status in [-1, GoodbotStatus::Other as i32 + 1, i32::MIN, i32::MAX] {
+    let mut all: Vec<&str> = (0..=GoodbotStatus::NothingDone as i32).map(sentence).collect();
+    for status in [-1, GoodbotStatus::NothingDone as i32 + 1, i32::MIN, i32::MAX] {
         assert_eq!(sentence(status), "no such status");
     }
     all.sort_unstable();
     all.dedup();
-    assert_eq!(all.len(), GoodbotStatus::Other as usize + 1);
+    assert_eq!(all.len(), GoodbotStatus::NothingDone as usize + 1);
     assert!(!all.contains(&"no such status"));
+}
+
+#[test]
+fn the_tasks_of_a_home_are_gone_when_another_is_described() {
+    let owned = at_home();
+    hear_and_plan(owned.robot, c"go to the green room");
+    let (mut count, mut task, mut text) = (9, 9, [0; 64]);
+    unsafe {
+        assert_eq!(goodbot_home_begin(owned.robot), GoodbotStatus::Ok);
+        assert_eq!((goodbot_task_count(owned.robot, &raw mut count), count), (GoodbotStatus::Ok, 0));
+        assert_eq!(goodbot_most_likely(owned.robot, &raw mut task), GoodbotStatus::NoSession);
+        assert_eq!(goodbot_task_text(owned.robot, 0, text.as_mut_ptr(), 64), GoodbotStatus::Unknown);
+    }
 }

@@ -20,26 +20,25 @@
 //!
 //! # A robot that learns
 //! ```
-//! use goodbot::{Agent, Options, feedback::Feedback, home::{self, Area, Cell, HomeBuilder, Moves}, oomdp::Domain};
+//! use goodbot::{Agent, Options, feedback::Feedback, home::{self, Area, Cell, HomeBuilder, Moves}, session::Evidence};
 //! goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
 //! let mut memory = Memory::new();
-//! let parts = memory.split();
-//! let mut builder = HomeBuilder::new(parts.home);
+//! let mut builder = HomeBuilder::new(&mut memory.home);
 //! builder.room("room0", Area::new(0, 0, 8, 4), "red")?;
 //! builder.room("room1", Area::new(0, 4, 8, 8), "green")?;
 //! builder.door("door0", Area::new(2, 4, 2, 4))?;
 //! builder.agent("agent0", Cell::new(4, 2))?;
 //! let (home, mut state) = builder.build(Moves::Push)?;
-//! let mut agent = Agent::new(parts.agent, &home::paper_tasks()?, Options::PAPER)?;
+//! let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks()?, Options::PAPER)?;
 //!
 //! agent.hear(&home, &state, "go to the green room")?;
 //! for _ in 0..6 {
 //!     agent.plan_fully(&home, &state)?;
-//!     let decision = agent.decide::<rand_pcg::Pcg32>(None)?;
-//!     agent.feedback(decision.action, Feedback::Reward)?;
-//!     state = goodbot::oomdp::apply(&home, &state, decision.action).unwrap_or(state);
+//!     let decision = agent.decide(&home, &state)?;
+//!     state = agent.acted(&home, &state, decision.action)?;
+//!     assert_eq!(agent.feedback(Feedback::Reward)?, Evidence::Used);
 //! }
-//! agent.finish(&home)?;
+//! assert_eq!(agent.finish(&home)?.gave_way.count(), 0);
 //! agent.learn_fully();
 //! assert_eq!(home.agent_cell(&state).y, 5);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -56,6 +55,8 @@
 #![deny(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable)]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing))]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
@@ -75,6 +76,6 @@ pub mod symbols;
 pub mod task;
 
 pub use capacity::Capacities;
-#[cfg(feature = "std")]
+#[cfg(feature = "alloc")]
 pub use memory::HeapMemory;
 pub use session::{Agent, AgentError, Options};

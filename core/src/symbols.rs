@@ -20,57 +20,64 @@ impl Symbol {
 ///
 /// ```
 /// use goodbot::{capacity::Capacity, symbols::Symbols};
-/// let (mut bytes, mut ends) = ([0; 16], [0; 4]);
-/// let mut symbols = Symbols::new(&mut bytes, &mut ends, Capacity::Words, Capacity::WordBytes);
+/// let (mut bytes, mut ends, mut count) = ([0; 16], [0; 4], 0);
+/// let mut symbols = Symbols::new(&mut bytes, &mut ends, &mut count, Capacity::Words, Capacity::WordBytes);
 /// let red = symbols.intern("red").unwrap();
 /// assert_eq!(symbols.intern("red"), Ok(red));
-/// assert_eq!(symbols.text(red), "red");
-/// assert_eq!(symbols.find("green"), None);
+/// assert_eq!(symbols.read().text(red), "red");
+/// assert_eq!(symbols.read().find("green"), None);
 /// ```
 #[derive(Debug)]
-pub struct Symbols<'m> {
-    bytes: &'m mut [u8],
-    ends: &'m mut [u16],
-    len: usize,
+pub struct Symbols<'t> {
+    bytes: &'t mut [u8],
+    ends: &'t mut [u16],
+    len: &'t mut usize,
     count_capacity: Capacity,
     byte_capacity: Capacity,
 }
 
-impl<'m> Symbols<'m> {
-    /// An empty table over `bytes` (all texts end to end, at most 65,535 of them) and `ends` (one entry a text). The two capacities are
-    /// named in errors.
-    pub fn new(bytes: &'m mut [u8], ends: &'m mut [u16], count_capacity: Capacity, byte_capacity: Capacity) -> Self {
-        Self { bytes, ends, len: 0, count_capacity, byte_capacity }
+/// The same texts, to be read.
+#[derive(Clone, Copy, Debug)]
+pub struct SymbolsRef<'t> {
+    bytes: &'t [u8],
+    ends: &'t [u16],
+    len: usize,
+}
+
+impl<'t> SymbolsRef<'t> {
+    /// The first `len` texts of `bytes` and `ends`, as [`Symbols`] laid them out.
+    pub(crate) const fn new(bytes: &'t [u8], ends: &'t [u16], len: usize) -> Self {
+        Self { bytes, ends, len }
     }
 
     /// How many texts there are.
-    pub fn len(&self) -> usize {
+    pub const fn len(self) -> usize {
         self.len
     }
 
     /// Whether there is none.
-    pub fn is_empty(&self) -> bool {
+    pub const fn is_empty(self) -> bool {
         self.len == 0
     }
 
     /// Bytes that the texts take together.
-    pub fn byte_len(&self) -> usize {
+    pub fn byte_len(self) -> usize {
         self.start(self.len)
     }
 
     /// How many texts, and how many bytes of them, there is room for.
-    pub(crate) fn room(&self) -> (usize, usize) {
+    pub(crate) fn room(self) -> (usize, usize) {
         (self.ends.len().min(usize::from(u16::MAX) - 1), self.bytes.len().min(usize::from(u16::MAX)))
     }
 
-    fn start(&self, position: usize) -> usize {
+    fn start(self, position: usize) -> usize {
         match position.checked_sub(1) {
             Some(previous) => self.ends.get(previous).copied().unwrap_or(0) as usize,
             None => 0,
         }
     }
 
-    fn raw(&self, position: usize) -> &[u8] {
+    fn raw(self, position: usize) -> &'t [u8] {
         if position >= self.len {
             return &[];
         }
@@ -78,20 +85,20 @@ impl<'m> Symbols<'m> {
     }
 
     /// The text of `symbol`; empty for a symbol of another table that this one does not have.
-    pub fn text(&self, symbol: Symbol) -> &str {
+    pub fn text(self, symbol: Symbol) -> &'t str {
         core::str::from_utf8(self.raw(symbol.index())).unwrap_or("")
     }
 
     /// All texts, in order.
-    pub fn iter(&self) -> impl Iterator<Item = (Symbol, &str)> {
-        (0..self.len).map(|position| {
+    pub fn iter(self) -> impl Iterator<Item = (Symbol, &'t str)> {
+        (0..self.len).map(move |position| {
             let symbol = Symbol(position as u16);
             (symbol, self.text(symbol))
         })
     }
 
     /// The symbol of `text`, if the table has it.
-    pub fn find(&self, text: &str) -> Option<Symbol> {
+    pub fn find(self, text: &str) -> Option<Symbol> {
         let wanted = text.as_bytes();
         let mut start = 0;
         for (position, &end) in self.ends.iter().take(self.len).enumerate() {
@@ -103,6 +110,35 @@ impl<'m> Symbols<'m> {
         }
         None
     }
+}
+
+impl<'t> Symbols<'t> {
+    /// The first `len` texts of `bytes` (all texts end to end, at most 65,535 of them) and `ends` (one entry a text). The two capacities
+    /// are named in errors.
+    pub const fn new(
+        bytes: &'t mut [u8],
+        ends: &'t mut [u16],
+        len: &'t mut usize,
+        count_capacity: Capacity,
+        byte_capacity: Capacity,
+    ) -> Self {
+        Self { bytes, ends, len, count_capacity, byte_capacity }
+    }
+
+    /// The texts, to be read.
+    pub const fn read(&self) -> SymbolsRef<'_> {
+        SymbolsRef { bytes: self.bytes, ends: self.ends, len: *self.len }
+    }
+
+    /// How many texts there are.
+    pub const fn len(&self) -> usize {
+        *self.len
+    }
+
+    /// Whether there is none.
+    pub const fn is_empty(&self) -> bool {
+        *self.len == 0
+    }
 
     /// The symbol of `text`, added if the table does not have it yet.
     ///
@@ -112,52 +148,52 @@ impl<'m> Symbols<'m> {
         if text.len() > NAME_BYTES {
             return Err(CapacityError::new(Capacity::NameBytes, NAME_BYTES, text.len()));
         }
-        if let Some(symbol) = self.find(text) {
+        if let Some(symbol) = self.read().find(text) {
             return Ok(symbol);
         }
-        let start = self.start(self.len);
+        let start = self.read().byte_len();
         let end = start.saturating_add(text.len());
         let most = self.bytes.len().min(usize::from(u16::MAX));
         let full = CapacityError::new(self.byte_capacity, most, end);
         let end_entry = u16::try_from(end).map_err(|_| full)?;
         let most_symbols = self.ends.len().min(usize::from(u16::MAX) - 1);
-        if self.len >= most_symbols {
+        if *self.len >= most_symbols {
             return Err(CapacityError::full(self.count_capacity, most_symbols));
         }
         let Some(room) = self.bytes.get_mut(start..end) else { return Err(full) };
         room.iter_mut().zip(text.as_bytes()).for_each(|(slot, &byte)| *slot = byte);
-        if let Some(entry) = self.ends.get_mut(self.len) {
+        if let Some(entry) = self.ends.get_mut(*self.len) {
             *entry = end_entry;
         }
-        let symbol = Symbol(self.len as u16);
-        self.len = self.len.saturating_add(1);
+        let symbol = Symbol(*self.len as u16);
+        *self.len = self.len.saturating_add(1);
         Ok(symbol)
     }
 
     /// Forgets one text. Those after it move up: each of their symbols becomes the one before.
     pub fn remove(&mut self, symbol: Symbol) {
         let position = symbol.index();
-        if position >= self.len {
+        if position >= *self.len {
             return;
         }
-        let (start, end) = (self.start(position), self.start(position.saturating_add(1)));
-        let (all, length) = (self.byte_len(), end.saturating_sub(start));
+        let (start, end) = (self.read().start(position), self.read().start(position.saturating_add(1)));
+        let (all, length) = (self.read().byte_len(), end.saturating_sub(start));
         if let Some(bytes) = self.bytes.get_mut(start..all) {
             close_gap(bytes, length);
         }
         let last = self.len.saturating_sub(1);
-        if let Some(ends) = self.ends.get_mut(position..self.len) {
+        if let Some(ends) = self.ends.get_mut(position..*self.len) {
             close_gap(ends, 1);
         }
         for end in self.ends.iter_mut().take(last).skip(position) {
             *end = end.saturating_sub(length as u16);
         }
-        self.len = last;
+        *self.len = last;
     }
 
     /// Forgets all texts from position `len` on.
     pub fn truncate(&mut self, len: usize) {
-        self.len = self.len.min(len);
+        *self.len = (*self.len).min(len);
     }
 }
 
@@ -179,20 +215,20 @@ mod tests {
 
     #[test]
     fn a_full_table_says_what_to_raise_and_keeps_what_it_has() {
-        let (mut bytes, mut ends) = ([0; 8], [0; 2]);
-        let mut symbols = Symbols::new(&mut bytes, &mut ends, Capacity::Words, Capacity::WordBytes);
+        let (mut bytes, mut ends, mut count) = ([0; 8], [0; 2], 0);
+        let mut symbols = Symbols::new(&mut bytes, &mut ends, &mut count, Capacity::Words, Capacity::WordBytes);
         symbols.intern("red").unwrap();
         assert_eq!(symbols.intern("yellow"), Err(CapacityError::new(Capacity::WordBytes, 8, 9)));
         symbols.intern("blue").unwrap();
         assert_eq!(symbols.intern("a"), Err(CapacityError::new(Capacity::Words, 2, 3)));
-        assert_eq!(symbols.find("blue"), Some(Symbol(1)));
+        assert_eq!(symbols.read().find("blue"), Some(Symbol(1)));
     }
 
     #[test]
     fn a_removed_text_leaves_the_others_in_order() {
         for removed in 0..4 {
-            let (mut bytes, mut ends) = ([0; 16], [0; 4]);
-            let mut symbols = Symbols::new(&mut bytes, &mut ends, Capacity::Words, Capacity::WordBytes);
+            let (mut bytes, mut ends, mut count) = ([0; 16], [0; 4], 0);
+            let mut symbols = Symbols::new(&mut bytes, &mut ends, &mut count, Capacity::Words, Capacity::WordBytes);
             let mut texts = std::vec!["red", "", "blue", "green"];
             for text in &texts {
                 symbols.intern(text).unwrap();
@@ -200,20 +236,20 @@ mod tests {
             symbols.remove(Symbol(removed));
             symbols.remove(Symbol(9));
             texts.remove(usize::from(removed));
-            assert!(symbols.iter().map(|(_, text)| text).eq(texts));
+            assert!(symbols.read().iter().map(|(_, text)| text).eq(texts));
             assert_eq!(symbols.intern("pink"), Ok(Symbol(3)));
         }
     }
 
     #[test]
     fn truncating_makes_room_again() {
-        let (mut bytes, mut ends) = ([0; 8], [0; 2]);
-        let mut symbols = Symbols::new(&mut bytes, &mut ends, Capacity::Words, Capacity::WordBytes);
+        let (mut bytes, mut ends, mut count) = ([0; 8], [0; 2], 0);
+        let mut symbols = Symbols::new(&mut bytes, &mut ends, &mut count, Capacity::Words, Capacity::WordBytes);
         symbols.intern("red").unwrap();
         symbols.intern("blue").unwrap();
         symbols.truncate(1);
-        assert_eq!(symbols.find("blue"), None);
+        assert_eq!(symbols.read().find("blue"), None);
         assert_eq!(symbols.intern("green"), Ok(Symbol(1)));
-        assert_eq!(symbols.byte_len(), 8);
+        assert_eq!(symbols.read().byte_len(), 8);
     }
 }

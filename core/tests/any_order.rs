@@ -3,9 +3,11 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing)]
 
 use goodbot::feedback::{Feedback, Strategy, simulated::below};
-use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeMemory, HomeState, Moves};
+use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::language::Settings;
-use goodbot::oomdp::{Action, Domain, apply};
+use goodbot::memory::AgentMemory;
+use goodbot::memory::HomeMemory;
+use goodbot::oomdp::{Action, Domain};
 use goodbot::session::options::Weights;
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
@@ -29,7 +31,7 @@ fn coordinate(random: &mut Pcg32) -> i32 {
 }
 
 /// Some home: often a sound one, often with objects that are none.
-fn any_home<'m>(memory: HomeMemory<'m>, random: &mut Pcg32) -> Option<(Home<'m>, HomeState)> {
+fn any_home<M: HomeMemory>(memory: M, random: &mut Pcg32) -> Option<(Home<M>, HomeState)> {
     let colours = ["red", "green", "", "tan", "ßeta", "a-colour-with-a-very-long-name-that-is-no-colour-at-all"];
     let mut builder = HomeBuilder::new(memory);
     let width = 2 + below(4, random) as i32;
@@ -60,7 +62,7 @@ fn is_share(value: f32) -> bool {
     (0.0..=1.0).contains(&value)
 }
 
-fn check(agent: &Agent<'_>, seed: u64) {
+fn check(agent: &Agent<impl AgentMemory>, seed: u64) {
     let belief = agent.belief();
     let sum: f32 = (0..belief.tasks()).map(|task| belief.probability(task)).inspect(|&p| assert!(is_share(p), "seed {seed}: {p}")).sum();
     assert!(belief.tasks() == 0 || (sum - 1.0).abs() < 1e-3, "seed {seed}: the tasks' probabilities add up to {sum}");
@@ -82,7 +84,7 @@ fn check(agent: &Agent<'_>, seed: u64) {
     }
 }
 
-fn act(agent: &mut Agent<'_>, homes: &[(Home<'_>, HomeState)], at: &mut (usize, HomeState), random: &mut Pcg32) {
+fn act(agent: &mut Agent<impl AgentMemory>, homes: &[(Home<impl HomeMemory>, HomeState)], at: &mut (usize, HomeState), random: &mut Pcg32) {
     let (home, start) = (&homes[at.0].0, homes[at.0].1);
     let action = Action(*pick(random, &[0, 1, 2, 3, 4, 5, 15, 16, 255]));
     match below(22, random) {
@@ -105,14 +107,15 @@ fn act(agent: &mut Agent<'_>, homes: &[(Home<'_>, HomeState)], at: &mut (usize, 
         4..=6 => drop(agent.plan(home, &at.1, random.next_u32() % 50)),
         7..=9 => {
             let _ = agent.plan_fully(home, &at.1);
-            if let Ok(decision) = agent.decide(Some(&mut *random)) {
-                at.1 = apply(home, &at.1, decision.action).unwrap_or(at.1);
-                let _ = agent.feedback(decision.action, *pick(random, &[Feedback::Reward, Feedback::Punish, Feedback::Neutral]));
+            if let Ok(decision) = agent.decide_by(home, &at.1, random) {
+                at.1 = agent.acted(home, &at.1, decision.action).expect("an action that was decided on can be done");
+                let _ = agent.feedback(*pick(random, &[Feedback::Reward, Feedback::Punish, Feedback::Neutral]));
             }
         }
-        10 => drop(agent.decide::<Pcg32>(None)),
-        11 | 12 => drop(agent.feedback(action, *pick(random, &[Feedback::Reward, Feedback::Punish, Feedback::Neutral]))),
-        13 | 14 => drop(agent.demonstration(action)),
+        10 => drop(agent.decide(home, &at.1)),
+        11 => drop(agent.acted(home, &at.1, action)),
+        12 => drop(agent.feedback(*pick(random, &[Feedback::Reward, Feedback::Punish, Feedback::Neutral]))),
+        13 | 14 => drop(agent.demonstrated(home, &at.1, action)),
         15 => agent.forget(),
         16 => drop(agent.finish(home)),
         17 => drop(agent.learn(random.next_u32() % 300)),
@@ -138,7 +141,7 @@ macro_rules! walk {
     ($Memory:ident, $seed:expr) => {{
         let (seed, random) = ($seed, &mut Pcg32::seed_from_u64($seed));
         let (mut memory, mut first, mut second) = ($Memory::new(), $Memory::new(), $Memory::new());
-        let homes: Vec<_> = [any_home(first.split().home, random), any_home(second.split().home, random)].into_iter().flatten().collect();
+        let homes: Vec<_> = [any_home(&mut first.home, random), any_home(&mut second.home, random)].into_iter().flatten().collect();
         if !homes.is_empty() {
             let lifted: Vec<_> =
                 ["agentInRoom(?a, ?r)", "blockInRoom(?o, ?r)", "agentInRoom(?a, ?r) & blockInRoom(?o, ?s)", "blockInDoor(?b, ?d)"]
@@ -155,7 +158,7 @@ macro_rules! walk {
             };
             let weights = *pick(random, &[Weights::Paper, Weights::Belief]);
             let options = Options { language, weights, least_weight: *pick(random, &[5e-5, 0.5, 0.0]) };
-            let mut agent = Agent::new(memory.split().agent, &lifted, options).unwrap();
+            let mut agent = Agent::new(&mut memory.agent, &lifted, options).unwrap();
             let mut at = (0, homes[0].1);
             for _ in 0..120 {
                 act(&mut agent, &homes, &mut at, random);

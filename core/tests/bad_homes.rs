@@ -2,16 +2,16 @@
 
 use goodbot::Capacities;
 use goodbot::capacity::{Capacity, CapacityError};
-use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeError, HomeState, Moves, Problem};
+use goodbot::home::{Area, Cell, HomeBuilder, HomeError, Moves, Problem};
+use goodbot::memory::HomeArrays;
 
 goodbot::memory! { struct Memory = Capacities::SMALL; }
 
 const ROOM: Area = Area::new(0, 0, 8, 4);
 
-fn refused(make: impl for<'m> FnOnce(&mut HomeBuilder<'m>) -> Result<(), HomeError>) -> HomeError {
-    let mut memory = Memory::new();
-    let mut builder = HomeBuilder::new(memory.split().home);
-    let built: Result<(Home<'_>, HomeState), HomeError> = make(&mut builder).and_then(|()| builder.build(Moves::Push));
+fn refused(make: impl FnOnce(&mut HomeBuilder<HomeArrays<Memory>>) -> Result<(), HomeError>) -> HomeError {
+    let mut builder = HomeBuilder::new(Memory::new().home);
+    let built = make(&mut builder).and_then(|()| builder.build(Moves::Push));
     built.map(|_| ()).unwrap_err()
 }
 
@@ -106,7 +106,7 @@ fn a_home_with_more_states_than_can_be_numbered_is_refused() {
     goodbot::memory! { struct Large = Capacities { cells: 200, ..Capacities::SMALL }; }
     let build = |blocks: i32| {
         let mut memory = Large::new();
-        let mut builder = HomeBuilder::new(memory.split().home);
+        let mut builder = HomeBuilder::new(&mut memory.home);
         builder.room("room0", Area::new(0, 0, 21, 11), "red").unwrap();
         builder.agent("agent0", Cell::new(1, 1)).unwrap();
         for block in 0..blocks {

@@ -1,15 +1,17 @@
 //! How a session ends, and that an ended one stays ended until it is taken up again.
 
 use goodbot::feedback::Feedback;
-use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeMemory, HomeState, Moves};
+use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::language::Settings;
+use goodbot::memory::AgentArrays;
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Action;
 use goodbot::{Agent, AgentError, Capacities, Options};
 
 goodbot::memory! { struct Memory = Capacities::SMALL; }
 
 /// Two rooms above one.
-fn rooms(memory: HomeMemory<'_>) -> (Home<'_>, HomeState) {
+fn rooms<M: HomeMemory>(memory: M) -> (Home<M>, HomeState) {
     let mut builder = HomeBuilder::new(memory);
     builder.room("room0", Area::new(0, 0, 8, 4), "blue").unwrap();
     builder.room("room1", Area::new(0, 4, 4, 8), "green").unwrap();
@@ -23,17 +25,17 @@ fn rooms(memory: HomeMemory<'_>) -> (Home<'_>, HomeState) {
 #[test]
 fn a_session_is_learned_from_once() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(rooms_memory.split().home);
-    let mut agent = Agent::new(memory.split().agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let (home, start) = rooms(&mut rooms_memory.home);
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     agent.hear(&home, &start, "go to the red room").unwrap();
-    agent.finish(&home).unwrap();
+    let _ = agent.finish(&home).unwrap();
     agent.learn_fully();
     assert_eq!(agent.finish(&home), Err(AgentError::NoSession));
     assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NoSession));
     assert_eq!(agent.language().bitext().sessions(), 1);
     // Said once more in the same place, it goes on, and counts as a session more.
     agent.hear_again(&home, &start).unwrap();
-    agent.finish(&home).unwrap();
+    let _ = agent.finish(&home).unwrap();
     agent.learn_fully();
     assert_eq!(agent.language().bitext().sessions(), 2);
 }
@@ -41,13 +43,13 @@ fn a_session_is_learned_from_once() {
 #[test]
 fn a_session_is_taken_up_again_when_it_is_learned_and_planned_as_before() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(rooms_memory.split().home);
-    let mut agent = Agent::new(memory.split().agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let (home, start) = rooms(&mut rooms_memory.home);
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     agent.hear(&home, &start, "go to the red room").unwrap();
     agent.plan_fully(&home, &start).unwrap();
-    let plans = |agent: &Agent<'_>| [0, 1].map(|task| agent.search().optimal(task));
+    let plans = |agent: &Agent<&mut AgentArrays<Memory>>| [0, 1].map(|task| agent.planned().optimal(task));
     let before = plans(&agent);
-    agent.finish(&home).unwrap();
+    let _ = agent.finish(&home).unwrap();
     // Planning and training have one memory in turn.
     assert_eq!(agent.hear_again(&home, &start), Err(AgentError::StillLearning));
     agent.learn_fully();
@@ -59,8 +61,8 @@ fn a_session_is_taken_up_again_when_it_is_learned_and_planned_as_before() {
 #[test]
 fn a_forgotten_session_is_not_learned_from() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(rooms_memory.split().home);
-    let mut agent = Agent::new(memory.split().agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let (home, start) = rooms(&mut rooms_memory.home);
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     agent.hear(&home, &start, "go to the red room").unwrap();
     agent.forget();
     assert_eq!(agent.finish(&home), Err(AgentError::NoSession));
@@ -71,10 +73,13 @@ fn a_forgotten_session_is_not_learned_from() {
 #[test]
 fn after_a_prior_that_is_no_probability_no_session_is_under_way() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(rooms_memory.split().home);
-    let mut agent = Agent::new(memory.split().agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let (home, start) = rooms(&mut rooms_memory.home);
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     for prior in [f32::NAN, -1.0, f32::INFINITY, 0.0] {
-        assert_eq!(agent.hear_with_prior(&home, &start, "go", |_, _| prior), Err(AgentError::NotAProbability));
+        let error = agent.hear_with_prior(&home, &start, "go", |_, _| prior).unwrap_err();
+        assert!(
+            matches!(error, AgentError::Prior { task: 0, value } if value.to_bits() == prior.to_bits()) || error == AgentError::NoPrior
+        );
         assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NoSession));
         assert_eq!(agent.hear_again(&home, &start), Err(AgentError::NoSession));
     }
@@ -83,18 +88,19 @@ fn after_a_prior_that_is_no_probability_no_session_is_under_way() {
 #[test]
 fn a_command_of_a_length_never_heard_is_learned_from_too() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(rooms_memory.split().home);
+    let (home, start) = rooms(&mut rooms_memory.home);
     let options = Options { language: Settings { length: true, ..Settings::PAPER }, ..Options::PAPER };
-    let mut agent = Agent::new(memory.split().agent, &home::paper_tasks().unwrap(), options).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), options).unwrap();
     agent.hear(&home, &start, "go to the red room").unwrap();
-    agent.finish(&home).unwrap();
+    let _ = agent.finish(&home).unwrap();
     agent.learn_fully();
     let pairs = agent.language().bitext().pairs().len();
     // Pr(n|l) is 0 for each machine command: nothing explains three words, and the feedback alone tells what they mean.
     agent.hear(&home, &start, "red room now").unwrap();
     agent.plan_fully(&home, &start).unwrap();
-    agent.feedback(Action(2), Feedback::Reward).unwrap();
-    agent.finish(&home).unwrap();
+    agent.acted(&home, &start, Action(2)).unwrap();
+    let _ = agent.feedback(Feedback::Reward).unwrap();
+    let _ = agent.finish(&home).unwrap();
     agent.learn_fully();
     let added = agent.language().bitext().pairs().get(pairs..).unwrap();
     let whole: f32 = added.iter().map(|pair| pair.weight).sum();

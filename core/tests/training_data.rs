@@ -3,14 +3,15 @@
 use goodbot::Capacities;
 use goodbot::capacity::{Capacity, TOKENS_PER_COMMAND};
 use goodbot::language::{LanguageModel, Settings};
+use goodbot::memory::AgentArrays;
 use goodbot::planning::Progress;
 use goodbot::symbols::Symbol;
 
 goodbot::memory! { struct Memory = Capacities { words: 8, word_bytes: 8, ..Capacities::SMALL }; }
 
 /// A model that heard one command, which meant the one machine token.
-fn taught(memory: &mut Memory) -> LanguageModel<'_> {
-    let mut model = LanguageModel::new(memory.split().agent.language, Settings::PAPER).unwrap();
+fn taught(memory: &mut Memory) -> LanguageModel<&mut AgentArrays<Memory>> {
+    let mut model = LanguageModel::new(&mut memory.agent, Settings::PAPER).unwrap();
     let go = model.tokens_mut().intern("agentInRoom").unwrap();
     let sentence = model.hear("go red").unwrap();
     model.add_session(&sentence, [([go].as_slice(), 0.75)].into_iter()).unwrap();
@@ -21,7 +22,7 @@ fn taught(memory: &mut Memory) -> LanguageModel<'_> {
 fn training_that_begins_anew_forgets_what_it_had_counted() {
     let (mut once, mut twice) = (Memory::new(), Memory::new());
     let (mut once, mut twice) = (taught(&mut once), taught(&mut twice));
-    let teach_more = |model: &mut LanguageModel<'_>| {
+    let teach_more = |model: &mut LanguageModel<&mut AgentArrays<Memory>>| {
         let room = model.tokens_mut().intern("room").unwrap();
         let sentence = model.hear("red").unwrap();
         model.add_session(&sentence, [([room].as_slice(), 1.0)].into_iter()).unwrap();

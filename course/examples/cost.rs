@@ -4,7 +4,6 @@
 
 use goodbot::feedback::{SimulatedTrainer, Strategy};
 use goodbot::{Agent, Capacities, HeapMemory, Options, home};
-use goodbot_course::layout::lend;
 use goodbot_course::{Homes, LESSONS, Lesson, Turn, generator};
 use std::time::{Duration, Instant};
 
@@ -24,29 +23,28 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let begin = Instant::now();
     for seed in 1..=AGENTS {
         let mut memory = HeapMemory::new(&Capacities::SMALL);
-        let mut parts = memory.split();
         let mut random = generator(seed);
-        let homes = timed(&mut homes_time, || Homes::random(&mut random, &mut parts.home));
-        let mut agent = Agent::new(parts.agent, &home::paper_tasks()?, Options::PAPER)?;
+        let homes = timed(&mut homes_time, || Homes::random(&mut random, &mut memory.home));
+        let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks()?, Options::PAPER)?;
         for exercise in &LESSONS {
-            let (home, start) = homes.layout(exercise.home).build(lend(&mut parts.home))?;
+            let (home, start) = homes.layout(exercise.home).build(&mut memory.home)?;
             let mut lesson = Lesson::begin(&mut agent, &home, &start, exercise)?;
             loop {
                 timed(&mut search_time, || agent.plan_fully(&home, lesson.state()))?;
                 plans += 1;
-                states += u64::from(agent.search().looks());
+                states += u64::from(agent.planned().expansions());
                 if let Turn::Ended(_) = lesson.act(&mut agent, &home, &trainer, &mut random)? {
                     break;
                 }
             }
-            agent.finish(&home)?;
+            let _ = agent.finish(&home)?;
             timed(&mut learn_time, || agent.learn_fully());
         }
     }
     let whole = begin.elapsed();
     let each = |sum: Duration| sum.as_secs_f64() * 1e3 / AGENTS as f64;
     println!("one course of seven lessons, mean of {AGENTS} agents:");
-    println!("  search   {:7.3} ms, {} plans, {} looks", each(search_time), plans / AGENTS, states / AGENTS);
+    println!("  search   {:7.3} ms, {} plans, {} expansions", each(search_time), plans / AGENTS, states / AGENTS);
     println!("  learning {:7.3} ms, 7 trainings of 10 rounds", each(learn_time));
     println!("  homes    {:7.3} ms to draw them at random, each solvable", each(homes_time));
     println!("  together {:7.3} ms", each(whole));

@@ -2,26 +2,28 @@
 
 use crate::error::CourseError;
 use crate::exercise::{Exercise, LESSONS, TESTS};
-use crate::layout::{Homes, lend};
+use crate::layout::Homes;
 use crate::lesson::{Ending, FeedbackCounts, LessonReport, Step, run_lesson};
-use goodbot::feedback::{SimulatedTrainer, Strategy};
-use goodbot::home::{Home, HomeMemory, HomeState};
+use crate::trainer::Trainer;
+use goodbot::feedback::Strategy;
+use goodbot::home::{Home, HomeState};
+use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::{Agent, AgentError};
 use rand_core::Rng;
 
 /// What those who look on may see at any time.
 #[derive(Debug)]
-pub struct Scene<'a, 'h, 'm> {
+pub struct Scene<'a, H, M> {
     /// Which lesson or test, from 0.
     pub number: usize,
     /// The command and its meaning.
     pub exercise: &'static Exercise,
     /// The home.
-    pub home: &'a Home<'h>,
+    pub home: &'a Home<H>,
     /// Where things stand.
     pub state: &'a HomeState,
     /// The agent.
-    pub agent: &'a Agent<'m>,
+    pub agent: &'a Agent<M>,
     /// The intended task, by its position among those of the session.
     pub intended: usize,
 }
@@ -29,13 +31,13 @@ pub struct Scene<'a, 'h, 'm> {
 /// Someone who looks on. Every method may be left out.
 pub trait Observer {
     /// A lesson begins: the agent has heard the command.
-    fn lesson_begins(&mut self, _scene: &Scene<'_, '_, '_>) {}
+    fn lesson_begins(&mut self, _scene: &Scene<'_, impl HomeMemory, impl AgentMemory>) {}
     /// The agent has acted and taken in the feedback; the scene's state is that before the action.
-    fn acted(&mut self, _scene: &Scene<'_, '_, '_>, _step: &Step) {}
+    fn acted(&mut self, _scene: &Scene<'_, impl HomeMemory, impl AgentMemory>, _step: &Step) {}
     /// A lesson is over and learned from.
-    fn lesson_ends(&mut self, _number: usize, _agent: &Agent<'_>, _report: &LessonReport) {}
+    fn lesson_ends(&mut self, _number: usize, _agent: &Agent<impl AgentMemory>, _report: &LessonReport) {}
     /// The agent has heard a test's command.
-    fn tested(&mut self, _scene: &Scene<'_, '_, '_>, _report: &TestReport) {}
+    fn tested(&mut self, _scene: &Scene<'_, impl HomeMemory, impl AgentMemory>, _report: &TestReport) {}
 }
 
 impl Observer for () {}
@@ -75,24 +77,24 @@ impl Results {
 const UNFINISHED: LessonReport =
     LessonReport { understood: false, ending: Ending::TooLong, steps: 0, feedback: FeedbackCounts { reward: 0, punish: 0, neutral: 0 } };
 
-/// Trains an agent through the lessons and tests it. The agent takes the trainer to follow the strategy that the trainer does follow.
+/// Trains an agent through the lessons and tests it. The agent takes the trainer to follow the strategy `believed`.
 ///
 /// # Errors
 /// [`CourseError`].
 pub fn run_course<R: Rng + ?Sized>(
-    agent: &mut Agent<'_>,
-    memory: &mut HomeMemory<'_>,
+    agent: &mut Agent<impl AgentMemory>,
+    memory: &mut impl HomeMemory,
     homes: &Homes,
-    strategy: Strategy,
+    trainer: &impl Trainer,
+    believed: Strategy,
     random: &mut R,
     observer: &mut impl Observer,
 ) -> Result<Results, CourseError> {
-    agent.set_strategies(&[(strategy, 1.0)])?;
-    let trainer = SimulatedTrainer { strategy };
+    agent.set_strategies(&[(believed, 1.0)])?;
     let mut results = Results { lessons: [UNFINISHED; LESSONS.len()], tests: [TestReport::default(); TESTS.len()] };
     for (number, (exercise, report)) in LESSONS.iter().zip(&mut results.lessons).enumerate() {
-        let (home, start) = homes.layout(exercise.home).build(lend(memory))?;
-        *report = run_lesson(agent, &home, &start, exercise, &trainer, random, |agent, state, lesson, step| {
+        let (home, start) = homes.layout(exercise.home).build(&mut *memory)?;
+        *report = run_lesson(agent, &home, &start, exercise, trainer, random, |agent, state, lesson, step| {
             let scene = Scene { number, exercise, home: &home, state, agent, intended: lesson.intended() };
             match step {
                 Some(step) => observer.acted(&scene, step),
@@ -101,10 +103,10 @@ pub fn run_course<R: Rng + ?Sized>(
         })?;
         observer.lesson_ends(number, agent, report);
     }
-    let (home, start) = homes.test.build(lend(memory))?;
+    let (home, start) = homes.test.build(&mut *memory)?;
     for (number, (exercise, report)) in TESTS.iter().zip(&mut results.tests).enumerate() {
         let intended = exercise.pose(agent, &home, &start)?.ok_or(CourseError::NotPosed)?;
-        let task = agent.most_likely(Some(&mut *random)).ok_or(CourseError::Agent(AgentError::NoTask))?;
+        let task = agent.most_likely_by(random).ok_or(CourseError::Agent(AgentError::NoTask))?;
         *report = TestReport { right: task == intended, task, probability: agent.belief().probability(intended) };
         observer.tested(&Scene { number, exercise, home: &home, state: &start, agent, intended }, report);
         agent.forget();

@@ -5,7 +5,7 @@ use goodbot::AgentError;
 use goodbot::home::HomeError;
 
 /// Why a course could not go on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CourseError {
     /// The agent refused.
@@ -14,8 +14,6 @@ pub enum CourseError {
     Home(HomeError),
     /// The intended task is not among those that the agent can think of here: it holds already, or its objects are missing.
     NotPosed,
-    /// An action of the plan could not be done.
-    Stuck,
 }
 
 impl From<AgentError> for CourseError {
@@ -36,7 +34,6 @@ impl fmt::Display for CourseError {
             Self::Agent(error) => error.fmt(f),
             Self::Home(error) => error.fmt(f),
             Self::NotPosed => f.write_str("the intended task is not possible here: it holds already, or the home lacks its objects"),
-            Self::Stuck => f.write_str("an action of the plan cannot be done; the domain contradicts itself"),
         }
     }
 }

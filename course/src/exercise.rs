@@ -1,6 +1,7 @@
 //! The commands of the course, what each means, and where it is given.
 
 use goodbot::home::{AGENT_IN_ROOM, BLOCK_IN_ROOM, COLOR, SHAPE};
+use goodbot::memory::AgentMemory;
 use goodbot::oomdp::{Domain, ObjectId, PropositionId};
 use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, AgentError};
@@ -29,7 +30,7 @@ impl Intention {
 
     /// Whether a task is the one meant.
     pub fn is<D: Domain + ?Sized>(&self, domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> bool {
-        let value = |object: ObjectId, attribute| domain.objects().value(object, attribute);
+        let value = |object: ObjectId, attribute| domain.world().objects.value(object, attribute);
         let mut propositions = task.propositions(lifted);
         let (Some(only), None) = (propositions.next(), propositions.next()) else { return false };
         let [subject, room, _] = only.arguments;
@@ -39,7 +40,7 @@ impl Intention {
     }
 
     /// The position of the task meant among those of the agent's session.
-    pub fn find<D: Domain + ?Sized>(&self, agent: &Agent<'_>, domain: &D) -> Option<usize> {
+    pub fn find<D: Domain + ?Sized>(&self, agent: &Agent<impl AgentMemory>, domain: &D) -> Option<usize> {
         let lifted = |task: &GroundedTask| agent.lifted().get(usize::from(task.lifted));
         agent.tasks().iter().position(|task| lifted(task).is_some_and(|lifted| self.is(domain, lifted, task)))
     }
@@ -84,7 +85,12 @@ impl Exercise {
     ///
     /// # Errors
     /// [`AgentError`].
-    pub fn pose<D: Domain + ?Sized>(&self, agent: &mut Agent<'_>, domain: &D, state: &D::State) -> Result<Option<usize>, AgentError> {
+    pub fn pose<D: Domain + ?Sized>(
+        &self,
+        agent: &mut Agent<impl AgentMemory>,
+        domain: &D,
+        state: &D::State,
+    ) -> Result<Option<usize>, AgentError> {
         agent.hear(domain, state, self.command)?;
         Ok(self.intention.find(agent, domain))
     }

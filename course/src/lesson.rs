@@ -3,11 +3,13 @@
 
 use crate::error::CourseError;
 use crate::exercise::Exercise;
+use crate::trainer::Trainer;
 use goodbot::Agent;
-use goodbot::feedback::{Feedback, SimulatedTrainer};
-use goodbot::oomdp::{Action, Domain, apply};
+use goodbot::feedback::Feedback;
+use goodbot::memory::AgentMemory;
+use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::OptimalSet;
-use goodbot::session::Decision;
+use goodbot::session::{Decision, Evidence};
 use rand_core::Rng;
 
 /// The trainer ends a lesson after so many times of doing nothing in a row at the intended goal.
@@ -79,6 +81,8 @@ pub struct Step {
     pub correct: bool,
     /// What the trainer said.
     pub feedback: Feedback,
+    /// What came of it.
+    pub evidence: Evidence,
 }
 
 /// What came of one turn.
@@ -119,7 +123,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
     ///
     /// # Errors
     /// [`CourseError::Agent`], and [`CourseError::NotPosed`] where the intended task is not possible in `start`.
-    pub fn begin<D>(agent: &mut Agent<'_>, domain: &D, start: &S, exercise: &Exercise) -> Result<Self, CourseError>
+    pub fn begin<D>(agent: &mut Agent<impl AgentMemory>, domain: &D, start: &S, exercise: &Exercise) -> Result<Self, CourseError>
     where
         D: Domain<State = S> + ?Sized,
     {
@@ -146,7 +150,13 @@ impl<S: Copy + PartialEq> Lesson<S> {
     ///
     /// # Errors
     /// [`CourseError`].
-    pub fn step<D, R>(&mut self, agent: &mut Agent<'_>, domain: &D, trainer: &SimulatedTrainer, random: &mut R) -> Result<Turn, CourseError>
+    pub fn step<D, R>(
+        &mut self,
+        agent: &mut Agent<impl AgentMemory>,
+        domain: &D,
+        trainer: &impl Trainer,
+        random: &mut R,
+    ) -> Result<Turn, CourseError>
     where
         D: Domain<State = S> + ?Sized,
         R: Rng + ?Sized,
@@ -159,25 +169,33 @@ impl<S: Copy + PartialEq> Lesson<S> {
     ///
     /// # Errors
     /// [`CourseError`].
-    pub fn act<D, R>(&mut self, agent: &mut Agent<'_>, domain: &D, trainer: &SimulatedTrainer, random: &mut R) -> Result<Turn, CourseError>
+    pub fn act<D, R>(
+        &mut self,
+        agent: &mut Agent<impl AgentMemory>,
+        domain: &D,
+        trainer: &impl Trainer,
+        random: &mut R,
+    ) -> Result<Turn, CourseError>
     where
         D: Domain<State = S> + ?Sized,
         R: Rng + ?Sized,
     {
-        let right = agent.search().optimal(self.intended);
+        let right = agent.planned().optimal(self.intended);
         if let Some(ending) = self.ending(right) {
             return Ok(Turn::Ended(ending));
         }
-        let decision = agent.decide(Some(&mut *random))?;
+        let decision = agent.decide_by(domain, &self.state, random)?;
         self.understood.get_or_insert(decision.task == self.intended);
-        let correct = right.actions().is_some_and(|actions| actions.contains(decision.action));
+        // The trainer takes a way that only seems shortest for one.
+        let correct = right.exact().or(right.onward()).is_some_and(|actions| actions.contains(decision.action));
         let feedback = trainer.feedback(correct, random);
-        agent.feedback(decision.action, feedback)?;
+        let next = agent.acted(domain, &self.state, decision.action)?;
+        let evidence = agent.feedback(feedback)?;
         self.feedback.count(feedback);
         self.rests = if right == OptimalSet::Goal && decision.action == Action::NOOP { self.rests.saturating_add(1) } else { 0 };
         self.steps = self.steps.saturating_add(1);
-        self.state = apply(domain, &self.state, decision.action).ok_or(CourseError::Stuck)?;
-        Ok(Turn::Acted(Step { decision, correct, feedback }))
+        self.state = next;
+        Ok(Turn::Acted(Step { decision, correct, feedback, evidence }))
     }
 
     /// Whether the trainer ends the lesson where the intended task's optimal set is this.
@@ -199,18 +217,19 @@ impl<S: Copy + PartialEq> Lesson<S> {
 ///
 /// # Errors
 /// [`CourseError`].
-pub fn run_lesson<D, R>(
-    agent: &mut Agent<'_>,
+pub fn run_lesson<D, R, M>(
+    agent: &mut Agent<M>,
     domain: &D,
     start: &D::State,
     exercise: &Exercise,
-    trainer: &SimulatedTrainer,
+    trainer: &impl Trainer,
     random: &mut R,
-    mut on_step: impl FnMut(&Agent<'_>, &D::State, &Lesson<D::State>, Option<&Step>),
+    mut on_step: impl FnMut(&Agent<M>, &D::State, &Lesson<D::State>, Option<&Step>),
 ) -> Result<LessonReport, CourseError>
 where
     D: Domain + ?Sized,
     R: Rng + ?Sized,
+    M: AgentMemory,
 {
     let mut lesson = Lesson::begin(agent, domain, start, exercise)?;
     on_step(agent, start, &lesson, None);
@@ -219,7 +238,7 @@ where
         match lesson.step(agent, domain, trainer, random)? {
             Turn::Acted(step) => on_step(agent, &before, &lesson, Some(&step)),
             Turn::Ended(ending) => {
-                agent.finish(domain)?;
+                let _ = agent.finish(domain)?;
                 agent.learn_fully();
                 return Ok(lesson.report(ending));
             }

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`exercise`] | the commands, what each means, and in which home it is given |
 //! | [`layout`] | the homes: [drawn](layout::fixed), or [at random](layout::random) for each seed |
+//! | [`trainer`] | what the simulated trainer does |
 //! | [`lesson`] | one lesson: command, actions, feedback, and when the trainer ends it |
 //! | [`course`] | the whole course, and those who look on |
 //!
@@ -13,12 +14,13 @@
 //! ```
 //! use goodbot::feedback::Strategy;
 //! use goodbot::{Agent, Options, home};
-//! use goodbot_course::{Homes, generator, run_course};
+//! use goodbot_course::{CourseTrainer, Homes, generator, run_course};
 //! goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
 //! let mut memory = Memory::new();
-//! let mut parts = memory.split();
-//! let mut agent = Agent::new(parts.agent, &home::paper_tasks()?, Options::PAPER)?;
-//! let results = run_course(&mut agent, &mut parts.home, &Homes::FIXED, Strategy::PUNISH_ONLY, &mut generator(1), &mut ())?;
+//! let mut agent = Agent::new(memory.agent, &home::paper_tasks()?, Options::PAPER)?;
+//! // The trainer never rewards; the agent thinks that it may.
+//! let (trainer, believed) = (CourseTrainer::PUNISH_ONLY, Strategy::PUNISH_ONLY);
+//! let results = run_course(&mut agent, &mut memory.home, &Homes::FIXED, &trainer, believed, &mut generator(1), &mut ())?;
 //! assert!(results.tests.iter().all(|test| test.right));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -39,6 +41,7 @@ pub mod exercise;
 pub mod layout;
 pub mod lesson;
 mod seed;
+pub mod trainer;
 
 pub use course::{Observer, Results, Scene, TestReport, run_course};
 pub use error::CourseError;
@@ -46,3 +49,4 @@ pub use exercise::{Exercise, HomeName, Intention, LESSONS, TESTS};
 pub use layout::{Homes, Layout};
 pub use lesson::{Ending, FeedbackCounts, Lesson, LessonReport, Step, Turn, run_lesson};
 pub use seed::generator;
+pub use trainer::{CourseTrainer, Trainer};

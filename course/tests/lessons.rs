@@ -2,24 +2,26 @@
 
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
 use goodbot::home::{Area, Cell};
+use goodbot::memory::AgentMemory;
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::OptimalSet;
 use goodbot::{Agent, Capacities, HeapMemory, Options, home};
 use goodbot_course::exercise::HomeName;
-use goodbot_course::layout::{BlockPlan, lend};
+use goodbot_course::layout::BlockPlan;
 use goodbot_course::lesson::{MOST_STEPS, RESTS};
 use goodbot_course::{
-    CourseError, Ending, Exercise, Homes, Intention, LESSONS, Layout, Observer, Results, Scene, Step, generator, run_course, run_lesson,
+    CourseError, CourseTrainer, Ending, Exercise, Homes, Intention, LESSONS, Layout, Observer, Results, Scene, Step, generator, run_course,
+    run_lesson,
 };
 
 const BALANCED: Strategy = Strategy::BALANCED;
 
 fn lesson(layout: &Layout, exercise: &Exercise, strategy: Strategy, seed: u64) -> (Result<Ending, CourseError>, Vec<Step>) {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let mut parts = memory.split();
-    let mut agent = Agent::new(parts.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     agent.set_strategies(&[(strategy, 1.0)]).unwrap();
-    let (home, start) = layout.build(lend(&mut parts.home)).unwrap();
+    let (home, start) = layout.build(&mut memory.home).unwrap();
     let mut steps = Vec::new();
     let trainer = SimulatedTrainer { strategy };
     let report =
@@ -77,11 +79,10 @@ fn a_command_for_what_is_done_already_is_refused() {
 
 fn course(strategy: Strategy, seed: u64, random_homes: bool, observer: &mut impl Observer) -> Results {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let mut parts = memory.split();
-    let mut agent = Agent::new(parts.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     let mut random = generator(seed);
-    let homes = if random_homes { Homes::random(&mut random, &mut parts.home) } else { Homes::FIXED };
-    run_course(&mut agent, &mut parts.home, &homes, strategy, &mut random, observer).unwrap()
+    let homes = if random_homes { Homes::random(&mut random, &mut memory.home) } else { Homes::FIXED };
+    run_course(&mut agent, &mut memory.home, &homes, &CourseTrainer::of(strategy), strategy, &mut random, observer).unwrap()
 }
 
 #[test]
@@ -93,6 +94,20 @@ fn the_same_seed_gives_the_same_course() {
     }
 }
 
+#[test]
+fn the_papers_second_trainer_never_rewards_and_all_tests_are_right() {
+    for seed in 0..10 {
+        let mut memory = HeapMemory::new(&Capacities::SMALL);
+        let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+        let (trainer, believed) = (CourseTrainer::PUNISH_ONLY, Strategy::PUNISH_ONLY);
+        let results = run_course(&mut agent, &mut memory.home, &Homes::FIXED, &trainer, believed, &mut generator(seed), &mut ()).unwrap();
+        let feedback = results.feedback();
+        assert_eq!(feedback.reward, 0);
+        assert!(feedback.punish > 0 && feedback.neutral > 0);
+        assert!(results.all_tests_right(), "seed {seed}");
+    }
+}
+
 #[derive(Default)]
 struct Onlooker {
     commands: Vec<&'static str>,
@@ -101,12 +116,12 @@ struct Onlooker {
 }
 
 impl Observer for Onlooker {
-    fn lesson_begins(&mut self, scene: &Scene<'_, '_, '_>) {
+    fn lesson_begins(&mut self, scene: &Scene<'_, impl HomeMemory, impl AgentMemory>) {
         self.commands.push(scene.exercise.command);
-        assert_eq!(scene.home.objects().name(scene.home.agent()), "agent0");
+        assert_eq!(scene.home.world().objects.name(scene.home.agent()), "agent0");
     }
 
-    fn acted(&mut self, _scene: &Scene<'_, '_, '_>, step: &Step) {
+    fn acted(&mut self, _scene: &Scene<'_, impl HomeMemory, impl AgentMemory>, step: &Step) {
         self.steps += 1;
         self.unknown_plans += usize::from(step.decision.plan == OptimalSet::Unknown);
     }

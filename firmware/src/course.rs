@@ -75,7 +75,7 @@ fn main() -> ! {
         longest_round: 0,
         all: 0,
     };
-    let outcome = run(memory.split(), SEED, Budget::ROUNDS, &mut counter);
+    let outcome = run(&mut memory.home, &mut memory.agent, SEED, Budget::ROUNDS, &mut counter);
     report("statics", stack::statics());
     report("stack", stack::deepest());
     for ((_, name), &most) in Work::ALL.iter().zip(&counter.most) {

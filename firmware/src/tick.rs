@@ -56,7 +56,7 @@ fn main() -> ! {
     board::start_counter(TICK);
     let mut turns = Loop { began: 0, period: 0, turns: 0, missed: 0, longest: [0; Work::ALL.len()] };
     board::sleep_through(0);
-    let outcome = run(memory.split(), SEED, BUDGET, &mut turns);
+    let outcome = run(&mut memory.home, &mut memory.agent, SEED, BUDGET, &mut turns);
     for ((_, name), &longest) in Work::ALL.iter().zip(&turns.longest) {
         report(name, longest);
     }

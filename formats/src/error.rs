@@ -135,6 +135,15 @@ pub enum Problem {
     FeedbackMissing,
     /// A step with feedback in a demonstration.
     FeedbackInDemonstration,
+    /// No session begins in so many lines.
+    NoSession {
+        /// How many lines were looked at.
+        lines: usize,
+    },
+    /// A step in a labelled session.
+    StepInLabelled,
+    /// A field that only a labelled session can have.
+    OnlyInLabelled,
     /// A field that a session with `continues` cannot have.
     NotWithContinues,
     /// A session with `continues` and another command or environment than the one before.
@@ -235,6 +244,11 @@ impl fmt::Display for Problem {
             Problem::FeedbackInDemonstration => {
                 f.write_str("does not belong in a demonstration; remove it, or make the session's kind feedback")
             }
+            Problem::NoSession { lines } => write!(f, "no session begins in {lines} lines; check that this is a session log"),
+            Problem::StepInLabelled => {
+                f.write_str("a step does not belong in a labelled session; remove it, or make the session's kind demonstration")
+            }
+            Problem::OnlyInLabelled => f.write_str("belongs in a labelled session alone; remove it, or make the session's kind labelled"),
             Problem::NotWithContinues => {
                 f.write_str("does not belong in a session that continues the one before; remove it, or remove \"continues\"")
             }

@@ -113,6 +113,21 @@ fn an_overlong_line_is_refused_and_the_next_session_is_read() {
 }
 
 #[test]
+fn what_has_no_lines_and_no_end_is_not_read_for_ever() {
+    let mut reader = SessionReader::new(BufReader::new(io::repeat(0)));
+    assert!(matches!(reader.next().unwrap().unwrap_err().problem, Problem::LineTooLong { .. }));
+    assert!(reader.next().is_none());
+}
+
+#[test]
+fn lines_that_are_no_sessions_are_not_passed_over_for_ever() {
+    let input = "x\n".repeat(300_000);
+    let problems: Vec<Problem> = SessionReader::new(input.as_bytes()).map(|session| session.unwrap_err().problem).collect();
+    assert_eq!(problems.len(), 2);
+    assert!(matches!(problems[1], Problem::NoSession { lines: 100_000 }));
+}
+
+#[test]
 fn the_longest_line_is_read_with_either_line_end() {
     for end in ["\n", "\r\n"] {
         for (excess, fits) in [(0, true), (1, false)] {

@@ -1,37 +1,40 @@
-//! Logs of real trainers, where they are at hand: nothing of them is lost.
+//! Logs of real trainers, from the data beside the project: nothing of them is lost. Ignored where there are none.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::Path;
+use std::process::ExitCode;
 
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Record, SessionReader};
+use libtest_mimic::{Arguments, Failed, Trial};
 use serde_json::Value;
 
-/// The logs beside the project, as names and texts; none where there are none.
-fn logs() -> Vec<(String, String)> {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/data");
-    let Ok(entries) = fs::read_dir(&folder) else {
-        println!("skipped: there is no ../shared/data");
-        return Vec::new();
-    };
-    let paths = entries.flatten().map(|entry| entry.path());
-    let mut logs: Vec<_> = paths
-        .filter(|path| path.extension().is_some_and(|e| e == "jsonl"))
-        .map(|path| {
-            let name = path.file_name().unwrap_or_default().to_string_lossy();
-            (name.into_owned(), fs::read_to_string(&path).expect("can be read"))
-        })
-        .collect();
-    logs.sort();
-    logs
+/// The logs of session format 1.
+const LOGS: [&str; 6] =
+    ["coarse.jsonl", "expert.jsonl", "feedback-beliefs.jsonl", "feedback.jsonl", "turk-original.jsonl", "turk-simplified.jsonl"];
+const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data");
+
+fn main() -> ExitCode {
+    let absent = !Path::new(DATA).is_dir();
+    let test =
+        |name: &str, run: fn() -> Result<(), Failed>| Trial::test(name, run).with_ignored_flag(absent).with_kind("needs ../shared/data");
+    let tests = vec![
+        test("every_line_is_written_equal_to_what_was_read", every_line_is_written_equal_to_what_was_read),
+        test("every_session_is_whole_and_is_written_equal_to_what_was_read", every_session_is_whole_and_is_written_equal_to_what_was_read),
+    ];
+    libtest_mimic::run(&Arguments::from_args(), tests).exit_code()
+}
+
+/// The logs, as names and texts.
+fn logs() -> impl Iterator<Item = (&'static str, String)> {
+    LOGS.into_iter().map(|name| (name, fs::read_to_string(Path::new(DATA).join(name)).expect("can be read")))
 }
 
 fn json(text: &str) -> Value {
     serde_json::from_str(text).expect("is JSON")
 }
 
-#[test]
-fn every_line_is_written_equal_to_what_was_read() {
+fn every_line_is_written_equal_to_what_was_read() -> Result<(), Failed> {
     for (name, text) in logs() {
         let mut same_text = 0;
         for (index, line) in text.lines().enumerate() {
@@ -39,23 +42,23 @@ fn every_line_is_written_equal_to_what_was_read() {
                 true => PosteriorLine::parse(line, index + 1).and_then(|p| p.to_json_line()),
                 false => Record::parse(line, index + 1).and_then(|r| r.to_json_line()),
             };
-            let written = written.unwrap_or_else(|error| panic!("{}", error.with_file(&name)));
+            let written = written.unwrap_or_else(|error| panic!("{}", error.with_file(name)));
             assert_eq!(json(&written), json(line), "{name}:{}", index + 1);
             same_text += usize::from(written == line);
         }
         let lines = text.lines().count();
         println!("{name}: {lines} lines, {same_text} of them to the letter");
     }
+    Ok(())
 }
 
-#[test]
-fn every_session_is_whole_and_is_written_equal_to_what_was_read() {
+fn every_session_is_whole_and_is_written_equal_to_what_was_read() -> Result<(), Failed> {
     for (name, text) in logs() {
         if text.starts_with("{\"session\"") {
             continue;
         }
         let mut written = Vec::new();
-        for session in SessionReader::new(text.as_bytes()).with_file(&name) {
+        for session in SessionReader::new(text.as_bytes()).with_file(name) {
             let session = session.unwrap_or_else(|error| panic!("{error}"));
             assert_eq!(session.header_line, written.len() + 1);
             written.extend(session.to_lines().unwrap_or_else(|error| panic!("{name}: {error}")));
@@ -65,4 +68,5 @@ fn every_session_is_whole_and_is_written_equal_to_what_was_read() {
         let written: Vec<_> = written.iter().map(|line| json(line)).collect();
         assert!(read == written, "{name}");
     }
+    Ok(())
 }

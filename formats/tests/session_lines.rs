@@ -68,7 +68,7 @@ fn a_fault_is_told_with_line_and_field_and_what_to_do() {
             "\"environment.version\": version 0 is not known, known is 1; write that, or use a newer goodbot",
         ),
         ("\"x\":4", "\"z\":4", "\"environment.objects[0].z\": is not known here; known are class, name, x, y"),
-        ("\"feedback\"", "\"praise\"", "\"kind\": \"praise\" is not known; write feedback or demonstration"),
+        ("\"feedback\"", "\"praise\"", "\"kind\": \"praise\" is not known; write feedback, demonstration or labelled"),
         ("\"session\"", "\"sesion\"", "\"type\": \"sesion\" is not known; write session, step or end"),
         ("\"command\"", "\"id\"", "\"id\": is given twice; keep one of the two"),
         ("\"w01-3\"", "null", "\"id\": is null; write a text"),
@@ -137,4 +137,20 @@ fn what_could_not_be_read_again_is_not_written() {
     assert!(version.to_json_line().is_err());
     let step = StepRecord { action: String::new(), feedback: None };
     assert_eq!(step.to_json_line().unwrap_err().problem, Problem::Empty);
+}
+
+#[test]
+fn a_labelled_session_tells_its_meaning_and_may_tell_a_way() {
+    let line = r#"{"type":"session","version":1,"kind":"labelled","environment":{"version":1,"objects":[]},"command":"go around","intended":["agentInRoom(agent0,room0)"],"through":[["agentInRoom(agent0,room1)","agentInRoom(agent0,room2)"]],"avoiding":["agentInRoom(agent0,room3)"]}"#;
+    let Record::Session(header) = Record::parse(line, 1).unwrap() else { panic!() };
+    assert_eq!(header.kind, Kind::Labelled);
+    assert!(header.has_way());
+    assert_eq!(header.through.as_ref().unwrap()[0].len(), 2);
+    assert_eq!(header.to_json_line().unwrap(), line);
+    let told = |line: &str| Record::parse(line, 1).unwrap_err().to_string();
+    let without = line.replace(r#","intended":["agentInRoom(agent0,room0)"]"#, "");
+    assert_eq!(told(&without), r#"line 1: field "intended": is missing; add it"#);
+    let shown = line.replace("labelled", "demonstration");
+    let message = r#"line 1: field "through": belongs in a labelled session alone; remove it, or make the session's kind labelled"#;
+    assert_eq!(told(&shown), message);
 }

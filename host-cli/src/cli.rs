@@ -3,14 +3,15 @@
 use crate::ask::AskOptions;
 use crate::check::CheckArgs;
 use crate::evaluate::EvaluateOptions;
+use crate::example::Example;
 use crate::inspect::InspectOptions;
 use crate::learn::LearnOptions;
 use crate::merge::MergeArgs;
 use crate::model::Model;
-use crate::paper::trainer::TrainerChoice;
+use crate::paper::sweep::Sweep;
+use crate::paper::trainer::{BelievedChoice, TrainerChoice};
 use crate::replay::ReplayArgs;
 use crate::teach::TeachOptions;
-use crate::whole_file::new_file;
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use std::path::PathBuf;
 
@@ -18,14 +19,15 @@ const EXAMPLES: &str = "\
 Examples:
   goodbot                              one agent learns and is tested, told as a story
   goodbot --seed 7 --layouts random    another agent, in other homes
-  goodbot --trainer punish-only        a trainer who only says \"bad bot\"
+  goodbot --trainer punish-only        a trainer who only ever says \"bad bot\"
   goodbot --runs 200                   how often each command is understood
   goodbot --runs 200 --json | tail -1  the same, for programs
   goodbot check home.json log.jsonl    what is wrong with files of your own
   goodbot learn log.jsonl --out words.goodbot
                                        a model from recorded sessions
-  goodbot ask --model words.goodbot --environment home.json \"go to the red room\"
+  goodbot ask --with words.goodbot --environment home.json go to the red room
                                        what that model takes a command to mean
+  goodbot example home                 a home to begin with
 
 What you see: the robot hears a command in words that it may not know. For every task that is \
 possible in the home it holds a belief, acts for the most likely one, and changes its mind as the \
@@ -41,12 +43,30 @@ Exit codes: 0 all well, 1 a result that failed, 2 bad use or bad input.";
 #[derive(Debug, Parser)]
 #[command(name = "goodbot", version, after_help = EXAMPLES, args_conflicts_with_subcommands = true, max_term_width = 110)]
 pub struct Cli {
+    /// Tell nothing on standard error but failures: no progress, no remarks
+    #[arg(long, short = 'q', global = true)]
+    pub quiet: bool,
+    /// When to use colours
+    #[arg(long, value_enum, value_name = "WHEN", default_value_t, global = true)]
+    pub color: Color,
     /// What to do
     #[command(subcommand)]
     pub command: Option<Command>,
     /// The options of `goodbot paper`
     #[command(flatten)]
     pub paper: PaperOptions,
+}
+
+/// When to use colours.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Color {
+    /// On a terminal, unless NO_COLOR is set
+    #[default]
+    Auto,
+    /// Always
+    Always,
+    /// Never
+    Never,
 }
 
 /// What to do.
@@ -68,20 +88,31 @@ pub enum Command {
     Replay(ReplayArgs),
     Check(CheckArgs),
     Merge(MergeArgs),
+    /// Print a home or a session log to begin with
+    Example {
+        /// What
+        #[arg(value_enum)]
+        what: Example,
+    },
     /// Print a script that completes commands and options in your shell
     #[command(after_help = "Example:\n  goodbot completions bash > ~/.local/share/bash-completion/completions/goodbot")]
     Completions {
         /// The shell
         shell: clap_complete::Shell,
     },
+    /// Print the manual page
+    #[command(after_help = "Example:\n  goodbot man > ~/.local/share/man/man1/goodbot.1")]
+    Man,
 }
 
 const PAPER_EXAMPLES: &str = "\
 Trainers: each is three probabilities, MU_PLUS,MU_MINUS,EPSILON: of silence after a right action, \
 of silence after a wrong one, and of taking one for the other.
   balanced     0.7,0.7,0.1    silent seven times out of ten
-  punish-only  0.7,0.05,0.1   punishes nearly every wrong action
-  reward-only  0.05,0.7,0.1   rewards nearly every right action
+  punish-only  0.7,0.05,0.1   punishes nearly every wrong action, and never rewards
+  reward-only  0.05,0.7,0.1   rewards nearly every right action, and never punishes
+What the agent thinks of its trainer is another thing: --believes, by default the same three numbers, \
+as in the paper. It then thinks that the second trainer may reward, too.
 
 With --json there is one line for each run, and a last line for all together:
   train_right     shares of runs in which a lesson's command was understood before any feedback
@@ -89,42 +120,58 @@ With --json there is one line for each run, and a last line for all together:
   test_all_right  share of runs in which all tests were right
   translations    mean probability of a word given a machine token
   feedback        how often the trainers said what, all runs together
+  paper           what the paper reports of its one agent
+With --csv there is a line for each setting; --sweep makes many.
 
 Examples:
   goodbot paper --seed 3 --layouts random
   goodbot paper --runs 200 --seed 1 --layouts fixed --plot shares.svg
-  goodbot paper --trainer 0.6,0.2,0.05 --runs 50 --json";
+  goodbot paper --trainer 0.6,0.2,0.05 --believes balanced --runs 50 --json
+  goodbot paper --runs 100 --sweep mu-plus=0.1..0.9:0.2 --csv > sweep.csv";
 
 /// The options of the experiment.
 #[derive(Clone, Debug, Args)]
 pub struct PaperOptions {
-    /// Trainer: balanced, punish-only, reward-only, or three probabilities
+    /// What the trainer does: balanced, punish-only, reward-only, or three probabilities
     #[arg(long, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON", default_value = "balanced", allow_hyphen_values = true)]
     pub trainer: TrainerChoice,
-    /// How many agents to train, each with a seed of its own, counted up from --seed
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    /// What the agent thinks that its trainer does [default: the paper's numbers for this trainer]
+    #[arg(long, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON", allow_hyphen_values = true)]
+    pub believes: Option<BelievedChoice>,
+    /// How many agents to train, 1 to 100000, each with a seed of its own, counted up from --seed
+    #[arg(long, short = 'n', value_name = "N", default_value = "1", value_parser = runs, allow_negative_numbers = true)]
     pub runs: u32,
     /// Seed of the first run: the same seed gives the same run everywhere
-    #[arg(long, value_name = "S", default_value_t = 1, allow_negative_numbers = true)]
+    #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = crate::numbers::seed, allow_negative_numbers = true)]
     pub seed: u64,
-    /// The homes: drawn ones, or random ones for each seed [default: fixed for one run as a story, else random]
+    /// The homes: drawn ones, or random ones for each seed [default: fixed for one run, random for several]
     #[arg(long, value_enum)]
     pub layouts: Option<Layouts>,
     /// How machine commands are weighted when the agent learns
     #[arg(long, value_enum, default_value_t = WeightsChoice::Paper)]
     pub weights: WeightsChoice,
     /// The model of language and learning
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, short = 'm', value_enum, default_value_t)]
     pub model: Model,
+    /// Take a number of the trainer through a range, such as mu-plus=0.1..0.9:0.2; several times for all combinations
+    #[arg(long, value_name = "NUMBER=FROM..TO:STEP", conflicts_with = "plot")]
+    pub sweep: Vec<Sweep>,
     /// Print JSON lines: one for each run, and a summary at the end
     #[arg(long)]
     pub json: bool,
-    /// Write a picture: learned words for one run, shares of right answers for several
-    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath, value_parser = new_file)]
+    /// Print a table of comma-separated values: a line for each setting
+    #[arg(long, conflicts_with = "json")]
+    pub csv: bool,
+    /// Write a picture: learned words for one run, shares of right answers for several; - is standard output
+    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
     pub plot: Option<PathBuf>,
-    /// Write no picture [default: the story of one run writes goodbot-paper.svg]
-    #[arg(long, conflicts_with = "plot")]
-    pub no_plot: bool,
+    /// Replace a file that is no picture of goodbot's
+    #[arg(long, requires = "plot")]
+    pub force: bool,
+}
+
+fn runs(text: &str) -> Result<u32, String> {
+    crate::numbers::between(text, 1, 100_000).map(|runs| runs as u32)
 }
 
 /// Which homes.
@@ -158,11 +205,16 @@ pub enum WeightsChoice {
 impl PaperOptions {
     /// Whether one run is told as a story.
     pub fn is_story(&self) -> bool {
-        self.runs == 1 && !self.json
+        self.runs == 1 && !self.json && !self.csv && self.sweep.is_empty()
     }
 
-    /// Which homes, where that was not said.
+    /// Which homes, where that was not said. How results are shown plays no part.
     pub fn homes(&self) -> Layouts {
-        self.layouts.unwrap_or(if self.is_story() { Layouts::Fixed } else { Layouts::Random })
+        self.layouts.unwrap_or(if self.runs == 1 { Layouts::Fixed } else { Layouts::Random })
+    }
+
+    /// What the agent thinks of its trainer.
+    pub fn believed(&self) -> BelievedChoice {
+        self.believes.clone().unwrap_or_else(|| self.trainer.believed())
     }
 }

@@ -9,26 +9,43 @@ mod ask;
 mod check;
 mod cli;
 mod evaluate;
+mod example;
 mod inspect;
 mod learn;
 mod lessons;
 mod load;
 mod merge;
+mod messages;
+mod misuse;
 mod model;
+mod numbers;
 mod outcome;
+mod output;
 mod paper;
+mod refusal;
 mod replay;
 mod teach;
 mod whole_file;
 
 use clap::{CommandFactory, Parser};
-use cli::{Cli, Command};
+use cli::{Cli, Color, Command};
 use outcome::Failure;
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => return misuse::tell(&error),
+    };
+    if cli.quiet {
+        messages::be_quiet();
+    }
+    messages::set_colored(match cli.color {
+        Color::Always => true,
+        Color::Never => false,
+        Color::Auto => std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|set| set.is_empty()),
+    });
     let done = match cli.command.unwrap_or(Command::Paper(cli.paper)) {
         Command::Paper(options) => paper::run(&options),
         Command::Teach(options) => teach::run(&options),
@@ -39,7 +56,9 @@ fn main() -> ExitCode {
         Command::Check(args) => return check::run(&args),
         Command::Merge(options) => merge::run(&options),
         Command::Evaluate(options) => evaluate::run(&options),
+        Command::Example { what } => example::run(what),
         Command::Completions { shell } => completions(shell),
+        Command::Man => manual(),
     };
     outcome::exit_code(done)
 }
@@ -48,4 +67,22 @@ fn completions(shell: clap_complete::Shell) -> Result<(), Failure> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Cli::command(), "goodbot", &mut script);
     Ok(std::io::stdout().lock().write_all(&script)?)
+}
+
+/// One page with all commands: each is a page of clap_mangen's, one after the other.
+fn manual() -> Result<(), Failure> {
+    let mut page = Vec::new();
+    let mut cli = Cli::command();
+    cli.build();
+    clap_mangen::Man::new(cli.clone()).render(&mut page)?;
+    for command in cli.get_subcommands().filter(|command| command.get_name() != "help") {
+        let man = clap_mangen::Man::new(command.clone());
+        let mut part = Vec::new();
+        man.render_description_section(&mut part)?;
+        man.render_options_section(&mut part)?;
+        man.render_extra_section(&mut part)?;
+        writeln!(page, ".SH \"GOODBOT {}\"", command.get_name().to_uppercase())?;
+        page.extend_from_slice(String::from_utf8_lossy(&part).replace(".SH ", ".SS ").as_bytes());
+    }
+    Ok(std::io::stdout().lock().write_all(&page)?)
 }

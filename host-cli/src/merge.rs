@@ -1,12 +1,15 @@
 //! `goodbot merge`: what two robots learned, in one model.
 
+use crate::messages::{counted, say};
 use crate::outcome::Failure;
-use crate::whole_file::{new_file, read_whole, write_whole};
+use crate::output::Output;
+use crate::whole_file::read_model;
 use clap::{Args, ValueHint};
 use goodbot::capacity::{TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use goodbot::home::paper_tasks;
+use goodbot::memory::AgentHeap;
 use goodbot::snapshot::{Contents, RestoreError};
-use goodbot::{Agent, Capacities, HeapMemory, Options};
+use goodbot::{Agent, Capacities, Options};
 use std::path::{Path, PathBuf};
 
 /// Join what two robots learned
@@ -19,9 +22,12 @@ pub struct MergeArgs {
     /// The second model: its sessions follow
     #[arg(value_name = "B", value_hint = ValueHint::FilePath)]
     pub second: PathBuf,
-    /// Where the merged model goes
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, value_parser = new_file)]
+    /// Where the merged model goes; - is standard output
+    #[arg(long, short = 'o', value_name = "MODEL", value_hint = ValueHint::FilePath)]
     pub out: PathBuf,
+    /// Replace a file that is no model
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// The largest table of translations: larger models are refused by its name.
@@ -40,52 +46,36 @@ Example:
 /// # Errors
 /// [`Failure`] names the file and what is wrong with it.
 pub fn run(options: &MergeArgs) -> Result<(), Failure> {
-    let (first, second) = (read_whole(&options.first)?, read_whole(&options.second)?);
+    let target =
+        Output::model(&options.out, [&options.first, &options.second].into_iter().filter_map(|path| path.to_str()), options.force)?;
+    let (first, second) = (read_model(&options.first)?, read_model(&options.second)?);
     let refused = |path: &Path, error: RestoreError| Failure::Input(format!("{}: {error}", path.display()));
     let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
     let contents = |path, bytes| Contents::read(bytes).map_err(|error| refused(path, error));
     let (ours, theirs) = (contents(&options.first, &first)?, contents(&options.second, &second)?);
-    let mut memory = HeapMemory::new(&room_for(&ours, &theirs));
-    let mut agent = Agent::new(memory.split().agent, &tasks, Options::PAPER).map_err(|error| Failure::Input(error.to_string()))?;
+    let memory = AgentHeap::new(&room_for(&ours, &theirs));
+    let mut agent = Agent::new(memory, &tasks, Options::PAPER).map_err(|error| Failure::Input(error.to_string()))?;
     agent.restore(&first).map_err(|error| refused(&options.first, error))?;
     let added = agent.join(&second).map_err(|error| refused(&options.second, error))?;
     if ours.options != theirs.options {
-        eprintln!("{}: trained with other settings; those of {} stay", options.second.display(), options.first.display());
+        say!("{}: trained with other settings; those of {} stay", options.second.display(), options.first.display());
     }
     let size = agent.saved_bytes().map_err(|error| Failure::Input(error.to_string()))?;
     let mut bytes = vec![0; size];
     agent.save(&mut bytes).map_err(|error| Failure::Input(error.to_string()))?;
-    write_whole(&options.out, &bytes).map_err(|error| Failure::Input(format!("{}: {error}", options.out.display())))?;
+    target.write(&bytes)?;
     let (words, sessions) = (agent.language().words().len(), agent.language().bitext().sessions());
-    eprintln!("{}: {sessions} sessions, {added} of them added; {words} words", options.out.display());
+    say!("{}: {}, {added} of them added; {}", target.name(), counted(sessions, "session"), counted(words, "word"));
     Ok(())
 }
 
 /// Room for all that both have, and not less than the standard capacities.
 fn room_for(ours: &Contents<'_>, theirs: &Contents<'_>) -> Capacities {
     let standard = Capacities::STANDARD;
-    let sum = |least: usize, count: fn(&Contents<'_>) -> usize| least.max(count(ours).saturating_add(count(theirs)));
-    let words = sum(standard.words, |model| model.words.len());
-    let tokens = sum(standard.tokens, |model| model.tokens.len());
+    let both = standard.at_least(ours.needs().plus(theirs.needs()));
     // Every pair of lengths that a model can have.
-    let lengths = (TOKENS_PER_COMMAND + 1) * (WORDS_PER_COMMAND + 1);
+    let length_pairs = (TOKENS_PER_COMMAND + 1) * (WORDS_PER_COMMAND + 1);
     let alignments = (TOKENS_PER_COMMAND + 1) * (TOKENS_PER_COMMAND + 2) / 2 * (WORDS_PER_COMMAND + 1) * WORDS_PER_COMMAND / 2;
-    Capacities {
-        words,
-        word_bytes: sum(standard.word_bytes, |model| model.words.iter().map(str::len).sum()),
-        tokens,
-        token_bytes: sum(standard.token_bytes, |model| model.tokens.iter().map(str::len).sum()),
-        commands: sum(standard.commands, |model| model.commands.len()),
-        command_tokens: sum(standard.command_tokens, |model| model.commands.iter().map(|command| command.len()).sum()),
-        sessions: sum(standard.sessions, |model| model.sessions.len()),
-        sentence_words: sum(standard.sentence_words, |model| model.sessions.iter().map(|session| session.words.len()).sum()),
-        pairs: sum(standard.pairs, |model| model.pairs.len()),
-        strategies: standard.strategies.max(ours.strategies.len()),
-        translations: words.saturating_mul(tokens + 1).clamp(standard.translations, MOST_TRANSLATIONS),
-        alignments,
-        length_pairs: lengths,
-        states: 0,
-        hashed_states: 0,
-        ..standard
-    }
+    let translations = both.words.saturating_mul(both.tokens + 1).clamp(standard.translations, MOST_TRANSLATIONS);
+    Capacities { translations, alignments, length_pairs, states: 0, hashed_states: 0, ..both }
 }

@@ -6,14 +6,23 @@ use goodbot::Options;
 /// A model of language and learning.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Model {
-    /// What understands people best: Model 2 with drawn alignments, four letters a word, facts beside their proposition
+    /// What understands people best
     #[default]
     Default,
     /// The paper's settings
+    #[value(alias = "ibm2")]
     Paper,
 }
 
 impl Model {
+    /// Its name in output.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Default => "default",
+            Self::Paper => "paper",
+        }
+    }
+
     /// The settings.
     pub const fn options(self) -> Options {
         match self {

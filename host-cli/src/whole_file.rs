@@ -1,16 +1,34 @@
 //! Files that are read whole, and written whole or not at all.
 
+use crate::load::content::Content;
 use crate::outcome::Failure;
 use std::fs::File;
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::io::{Read, Write};
+use std::path::Path;
 
-/// The bytes of a file.
+/// The most bytes that a model or a home can have: what never ends is not read to its end.
+pub const MOST_BYTES: u64 = 64 << 20;
+
+/// The bytes of a model.
 ///
 /// # Errors
 /// A [`Failure`] that names the file and says what to do.
-pub fn read_whole(path: &Path) -> Result<Vec<u8>, Failure> {
-    std::fs::read(path).map_err(|error| Failure::Input(format!("{}: cannot be read ({error}); check its name", path.display())))
+pub fn read_model(path: &Path) -> Result<Vec<u8>, Failure> {
+    let refused = |message: String| Failure::Input(format!("{}: {message}", path.display()));
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
+    read.map_err(|error| refused(format!("cannot be read ({error}); check its name")))?;
+    if bytes.len() as u64 > MOST_BYTES {
+        return Err(refused(format!("has more than {} MiB, and no model has; check its name", MOST_BYTES >> 20)));
+    }
+    let content = Content::of(&bytes);
+    if !matches!(content, Content::Model | Content::Environment)
+        || content == Content::Environment && bytes.trim_ascii_start().starts_with(b"{")
+    {
+        let message = format!("this is {}, not a model; name a model (goodbot learn writes one)", content.name());
+        return Err(refused(message));
+    }
+    Ok(bytes)
 }
 
 /// Writes a file so that it has its old content or the new one, whenever the power goes: a new file beside it takes its name when it is
@@ -48,24 +66,6 @@ fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// The name of a file that is to be written, as it is typed: what cannot be written is better known before the work than after it.
-///
-/// # Errors
-/// Why no file of this name can be written.
-pub fn new_file(text: &str) -> Result<PathBuf, String> {
-    let path = PathBuf::from(text);
-    if path.is_dir() || path.file_name().is_none() {
-        return Err("this is a folder; name a file in it".to_owned());
-    }
-    if path.exists() && !path.is_file() {
-        return Ok(path);
-    }
-    match tempfile::tempfile_in(folder_of(&path)) {
-        Ok(_) => Ok(path),
-        Err(error) => Err(format!("no file can be written in {}: {error}", folder_of(&path).display())),
-    }
-}
-
 #[cfg(all(test, unix))]
 mod tests {
     use super::*;
@@ -86,8 +86,7 @@ mod tests {
 
     #[test]
     fn a_device_is_written_to_and_stays_a_device() {
-        let null = new_file("/dev/null").unwrap();
-        write_whole(&null, b"gone").unwrap();
+        write_whole(Path::new("/dev/null"), b"gone").unwrap();
         assert!(!std::fs::metadata("/dev/null").unwrap().is_file());
     }
 }

@@ -36,7 +36,7 @@ fn four_sessions_are_enough_to_understand_a_new_command_in_a_new_home() {
     let model = model.to_str().expect("a name");
     assert_eq!(goodbot(&["learn", &example("sessions.jsonl"), "--out", model], b"").code, 0);
     let command = "take the yellow bag to the blue room";
-    let asked = goodbot(&["ask", "--model", model, "--environment", &example("home.json"), "--json", command], b"");
+    let asked = goodbot(&["ask", "--with", model, "--environment", &example("home.json"), "--json", command], b"");
     let answer: serde_json::Value = serde_json::from_str(&asked.output).expect("a line of JSON");
     assert_eq!(answer["task"], "blockInRoom(block0,room1)");
     assert!(answer["tasks"]["blockInRoom(block0,room1)"].as_f64().expect("a number") > 0.99);
@@ -49,6 +49,6 @@ fn a_command_that_says_nothing_leaves_the_tasks_tied_and_the_answer_says_so() {
     let model = folder.path().join("words.goodbot");
     let model = model.to_str().expect("a name");
     assert_eq!(goodbot(&["learn", &example("sessions.jsonl"), "--out", model], b"").code, 0);
-    let asked = goodbot(&["ask", "--model", model, "--environment", &example("home.json"), "xyzzy plugh"], b"");
+    let asked = goodbot(&["ask", "--with", model, "--environment", &example("home.json"), "xyzzy plugh"], b"");
     assert!(asked.output.contains("one of 2 equally likely"), "{}", asked.output);
 }

@@ -27,7 +27,7 @@ fn a_learned_model_is_asked_and_inspected() {
     assert_eq!(learned.code, 0, "{}", learned.messages);
     assert!(learned.output.starts_with("3 sessions, 5 words"), "{}", learned.output);
     let environment = format!(r#"{{"version":1,"objects":[{},{AGENT}]}}"#, program::ROOMS);
-    let asked = goodbot(&["ask", "--model", model, "--environment", "-", "--json", "green sky"], environment.as_bytes());
+    let asked = goodbot(&["ask", "--with", model, "--environment", "-", "--json", "green sky"], environment.as_bytes());
     assert_eq!(asked.code, 0, "{}", asked.messages);
     let answer: serde_json::Value = serde_json::from_str(&asked.output).expect("a line of JSON");
     assert_eq!(answer["task"], "agentInRoom(agent0,room1)");

@@ -15,7 +15,7 @@ fn model(sessions: &[(&str, &str)]) -> Vec<u8> {
 
 fn model_with(sessions: &[(&str, &str)], capacities: &Capacities, options: Options) -> Vec<u8> {
     let mut memory = HeapMemory::new(capacities);
-    let mut language = LanguageModel::new(memory.split().agent.language, options.language).unwrap();
+    let mut language = LanguageModel::new(&mut memory.agent, options.language).unwrap();
     for (english, machine) in sessions {
         let command: Vec<Symbol> = machine.split(' ').map(|token| language.tokens_mut().intern(token).unwrap()).collect();
         let sentence = language.hear(english).unwrap();
@@ -26,7 +26,7 @@ fn model_with(sessions: &[(&str, &str)], capacities: &Capacities, options: Optio
     bytes.truncate(length);
     // As an agent of the home saves it.
     let mut memory = HeapMemory::new(capacities);
-    let mut agent = Agent::new(memory.split().agent, &paper_tasks().unwrap(), options).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
     agent.restore(&bytes).unwrap();
     let mut bytes = vec![0; agent.saved_bytes().unwrap()];
     agent.save(&mut bytes).unwrap();
@@ -70,13 +70,16 @@ fn words_and_tokens_are_matched_by_name_and_a_common_past_is_kept_once() {
 }
 
 #[test]
-fn a_model_may_be_merged_into_its_own_file() {
+fn a_model_is_not_merged_into_a_file_that_is_read() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("a.model"), model(&[("red", "roomIsRed room")])).unwrap();
     fs::write(folder.path().join("b.model"), model(&[("blue", "roomIsBlue room")])).unwrap();
-    merge(folder.path(), "a.model").success();
-    assert_eq!(sessions(&folder.path().join("a.model")), ["red: roomIsRed room", "blue: roomIsBlue room"]);
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2, "nothing temporary is left");
+    merge(folder.path(), "a.model").code(2).stderr("error: a.model: is read here, and would be replaced; write to another file\n");
+    assert_eq!(sessions(&folder.path().join("a.model")), ["red: roomIsRed room"]);
+    merge(folder.path(), "c.model").success();
+    merge(folder.path(), "c.model").success();
+    assert_eq!(sessions(&folder.path().join("c.model")), ["red: roomIsRed room", "blue: roomIsBlue room"]);
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3, "nothing temporary is left");
 }
 
 #[test]

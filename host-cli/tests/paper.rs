@@ -29,7 +29,7 @@ fn summary(arguments: &[&str]) -> Value {
 }
 
 #[test]
-fn with_no_argument_one_run_is_told_as_a_story_with_a_picture() {
+fn with_no_argument_one_run_is_told_as_a_story_and_no_file_is_written() {
     let folder = folder("story");
     let assert = goodbot(&[]).current_dir(&folder).assert().success();
     let story = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
@@ -39,23 +39,98 @@ fn with_no_argument_one_run_is_told_as_a_story_with_a_picture() {
         "Trainer: \"take the yellow bag to the red room\"",
         "good bot",
         "bad bot",
-        "  <- meant",
+        "  <- expected",
         "\"take the purple chair to the green room\": right",
         "5 of 5 right",
-        "roomIsGreen    gree",
-        "picture: goodbot-paper.svg",
+        "roomIsGreen    green",
     ] {
         assert!(story.contains(part), "no {part:?} in\n{story}");
     }
-    let picture = std::fs::read_to_string(folder.join("goodbot-paper.svg")).unwrap();
-    assert!(picture.starts_with("<svg") && picture.contains("shapeBag"), "{picture}");
+    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 0);
 }
 
 #[test]
-fn the_story_leaves_no_picture_where_none_is_wanted() {
-    let folder = folder("no-plot");
-    goodbot(&["paper", "--no-plot"]).current_dir(&folder).assert().success();
-    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 0);
+fn the_picture_of_one_run_shows_whole_words() {
+    let file = folder("one-run").join("words.svg");
+    output(&["--plot", file.to_str().unwrap()]);
+    let picture = std::fs::read_to_string(file).unwrap();
+    assert!(picture.starts_with("<svg") && picture.contains("shapeBag") && picture.contains("chair"), "{picture}");
+}
+
+#[test]
+fn json_and_csv_show_the_same_experiment_as_the_story() {
+    let json = output(&["paper", "--seed", "3", "--json"]);
+    assert!(json.lines().last().unwrap().contains(r#""layouts":"fixed""#), "{json}");
+    let run: Value = serde_json::from_str(json.lines().next().unwrap()).unwrap();
+    let story = output(&["paper", "--seed", "3"]);
+    for (lesson, steps) in ["go to the green room", "go to the red room"].iter().zip(run["steps"].as_array().unwrap()) {
+        let line = story.lines().find(|line| line.trim_start().starts_with(lesson) && line.ends_with("goal")).unwrap();
+        assert!(line.split_whitespace().any(|part| part.parse() == Ok(steps.as_u64().unwrap())), "{line}: {steps}");
+    }
+    let csv = output(&["paper", "--seed", "3", "--csv"]);
+    assert!(csv.lines().nth(1).unwrap().contains(",fixed,"), "{csv}");
+}
+
+#[test]
+fn the_second_trainer_never_rewards_while_the_agent_believes_the_papers_numbers() {
+    let punish = summary(&["paper", "--runs", "20", "--trainer", "punish-only", "--json"]);
+    assert_eq!((&punish["trainer"], &punish["believes"]), (&"punish-only".into(), &"punish-only".into()));
+    assert_eq!(punish["feedback"]["reward"], 0);
+    assert!(punish["feedback"]["punish"].as_u64().unwrap() > 0);
+    let reward = summary(&["paper", "--runs", "20", "--trainer", "reward-only", "--json"]);
+    assert_eq!(reward["feedback"]["punish"], 0);
+    // By numbers, a trainer withholds nothing.
+    let numbers = summary(&["paper", "--runs", "20", "--trainer", "0.7,0.05,0.1", "--json"]);
+    assert!(numbers["feedback"]["reward"].as_u64().unwrap() > 0);
+}
+
+#[test]
+fn what_the_agent_believes_of_its_trainer_is_another_thing_than_what_the_trainer_does() {
+    let believes = |more: &[&str]| {
+        let arguments = [&["paper", "--runs", "5", "--trainer", "punish-only", "--layouts", "random", "--json"], more].concat();
+        (summary(&arguments), output(&arguments))
+    };
+    let (same, same_text) = believes(&["--believes", "0.7,0.05,0.1"]);
+    let (default, default_text) = believes(&[]);
+    assert_eq!(same_text.lines().next(), default_text.lines().next(), "the paper's numbers are the default");
+    assert_eq!((&same["believes"], &default["believes"]), (&"0.7,0.05,0.1".into(), &"punish-only".into()));
+    let (balanced, balanced_text) = believes(&["--believes", "balanced"]);
+    assert_eq!(balanced["believes"], "balanced");
+    assert_ne!(balanced_text.lines().next(), default_text.lines().next());
+    goodbot(&["paper", "--believes", "strict"]).assert().code(2);
+}
+
+#[test]
+fn the_papers_own_numbers_and_intervals_stand_beside_ours() {
+    let balanced = summary(&["paper", "--runs", "20", "--json"]);
+    assert_eq!((&balanced["paper"]["tests_right"], &balanced["paper"]["translations"]["agentInRoom"]["go"]), (&5.into(), &0.51.into()));
+    let interval = balanced["test_all_right_interval"].as_array().unwrap();
+    let share = balanced["test_all_right"].as_f64().unwrap();
+    assert!(interval[0].as_f64().unwrap() < share && share <= interval[1].as_f64().unwrap());
+    assert_eq!(summary(&["paper", "--runs", "2", "--trainer", "punish-only", "--json"])["paper"]["tests_right"], 4);
+    assert!(summary(&["paper", "--runs", "2", "--trainer", "reward-only", "--json"])["paper"].is_null());
+    let text = output(&["paper", "--runs", "20", "--trainer", "punish-only"]);
+    assert!(text.contains("(never rewards)") && text.contains("paper: 4 of 5 right"), "{text}");
+}
+
+#[test]
+fn a_sweep_gives_a_line_for_each_setting() {
+    let csv = output(&["paper", "--runs", "2", "--sweep", "mu-plus=0.1..0.9:0.4", "--sweep", "believed-epsilon=0.1..0.2:0.1", "--csv"]);
+    let lines: Vec<&str> = csv.lines().collect();
+    assert!(lines[0].starts_with("mu-plus,believed-epsilon,trainer,believes,"), "{csv}");
+    assert_eq!(lines.len(), 1 + 3 * 2);
+    assert!(lines[3].starts_with(r#"0.5,0.1,"0.5,0.7,0.1","0.5,0.7,0.1","#), "{csv}");
+    let json = output(&["paper", "--runs", "2", "--sweep", "mu-plus=0.1..0.9:0.4", "--json"]);
+    let swept: Vec<f64> = json
+        .lines()
+        .map(|line| serde_json::from_str::<Value>(line).unwrap())
+        .filter(|line| line["type"] == "summary")
+        .map(|line| line["sweep"]["mu-plus"].as_f64().unwrap())
+        .collect();
+    assert_eq!(swept, [0.1, 0.5, 0.9]);
+    for wrong in ["mu-plus", "mu-plus=0..1:0", "silence=0..1:0.1", "epsilon=0..1:0.0001"] {
+        goodbot(&["paper", "--sweep", wrong]).assert().code(2);
+    }
 }
 
 #[test]
@@ -67,7 +142,24 @@ fn json_gives_a_line_for_each_run_and_a_summary_in_the_stated_shape() {
         assert_eq!((&line["type"], &line["seed"]), (&"run".into(), &seed.into()));
     }
     let summary = &lines[3];
-    let fields = ["type", "trainer", "layouts", "runs", "train_right", "test_right", "test_all_right", "translations", "feedback"];
+    let fields = [
+        "type",
+        "trainer",
+        "believes",
+        "layouts",
+        "model",
+        "runs",
+        "train_right",
+        "train_right_intervals",
+        "test_right",
+        "test_right_intervals",
+        "test_all_right",
+        "test_all_right_interval",
+        "translations",
+        "translations_half_intervals",
+        "feedback",
+        "paper",
+    ];
     assert_eq!(summary.as_object().unwrap().keys().collect::<Vec<_>>(), fields);
     assert_eq!((&summary["type"], &summary["trainer"]), (&"summary".into(), &"balanced".into()));
     assert_eq!((&summary["layouts"], &summary["runs"]), (&"random".into(), &3.into()));
@@ -87,7 +179,7 @@ fn json_gives_a_line_for_each_run_and_a_summary_in_the_stated_shape() {
 fn the_same_seed_gives_the_same_bytes_alone_and_among_others() {
     let (first, again) = (output(&["--runs", "8", "--json"]), output(&["paper", "--runs", "8", "--json"]));
     assert_eq!(first, again);
-    let alone = output(&["--seed", "4", "--json"]);
+    let alone = output(&["--seed", "4", "--layouts", "random", "--json"]);
     assert_eq!(first.lines().nth(3), alone.lines().next());
     assert_ne!(first.lines().next(), alone.lines().next());
 }
@@ -141,12 +233,19 @@ fn a_trainer_that_is_none_is_refused_with_what_would_be_one() {
 
 #[test]
 fn other_bad_use_exits_with_2() {
-    for arguments in [&["--runs", "0"][..], &["--layouts", "round"], &["--seed", "-1"], &["dance"], &["--plot", "a.svg", "--no-plot"]] {
+    for arguments in [
+        &["--runs", "0"][..],
+        &["--layouts", "round"],
+        &["--seed", "-1"],
+        &["dance"],
+        &["--plot", "-", "--sweep", "epsilon=0..1:0.5"],
+        &["--force"],
+    ] {
         goodbot(arguments).assert().code(2);
     }
     let missing = folder("bad-plot").join("missing").join("a.svg");
     // So many runs would take an hour: what cannot be written is said before the work.
-    goodbot(&["--runs", "1000000", "--plot", missing.to_str().unwrap()]).assert().code(2);
+    goodbot(&["--runs", "100000", "--plot", missing.to_str().unwrap()]).assert().code(2);
 }
 
 #[test]

@@ -32,7 +32,7 @@ fn a_session_is_heard_walked_judged_and_learned_from() {
     assert_eq!(types(&answers), ["ready", "heard", "acted", "judged", "acted", "judged", "finished", "words", "bye"]);
     assert_eq!(answers[0]["protocol"], 1);
     assert_eq!(answers[3]["feedback"], "reward");
-    assert_eq!(answers[6], json!({"type": "finished", "learned": true, "steps": 2, "sessions": 1}));
+    assert_eq!(answers[6], json!({"type": "finished", "learned": true, "steps": 2, "sessions": 1, "gave_way": 0}));
     assert!(answers[7]["ideas"].as_array().unwrap().iter().any(|idea| idea["words"] == "room is red"));
 }
 
@@ -100,7 +100,7 @@ fn a_robot_is_kept_where_it_is_told_and_the_log_is_one_that_other_commands_read(
         vec!["check", &home, &log],
         vec!["replay", &log],
         vec!["inspect", &model],
-        vec!["ask", "--model", &model, "--environment", &home, "go to the red room"],
+        vec!["ask", "--with", &model, "--environment", &home, "go to the red room"],
     ] {
         let run = goodbot(&command, b"");
         assert_eq!(run.code, 0, "{command:?}: {}", run.messages);
@@ -143,7 +143,7 @@ fn files_of_others_are_never_written_to() {
 fn a_home_may_be_drawn() {
     let folder = TempDir::new().unwrap();
     let home = folder.path().join("home.txt");
-    std::fs::write(&home, "#########\n#ggg#rrr#\n#g@g+rCr#\n#########\nblock blue chair 6 1\n").unwrap();
+    std::fs::write(&home, "#########\n#ggg#rrr#\n#g@g+rCr#\n#########\nC: blue chair\n").unwrap();
     let (run, answers) = teach(&[home.to_str().unwrap()], "command push the chair over there\n");
     assert_eq!(run.code, 0, "{}", run.messages);
     assert_eq!(answers[0]["map"][2], "#g@g+rCr#");

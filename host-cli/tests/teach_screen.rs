@@ -89,16 +89,21 @@ fn signals_end_it_as_control_c_does() {
 
 #[test]
 fn it_ends_when_its_window_is_closed_and_the_session_is_written_down() {
-    let folder = TempDir::new().unwrap();
-    let mut window = open(&folder, &["--speed", "step"]);
-    window.see("Tell it what to do");
-    window.press("go to the red room\r");
-    window.see("sure that this is right");
-    window.press("g");
-    window.see("You said: good.");
-    window.close();
-    let log = log(&folder, "robot");
-    assert!(log.contains(r#""feedback":"reward""#), "{log}");
+    // A program that does not control its terminal is sent no signal when that goes.
+    for signalled in [true, false] {
+        let folder = TempDir::new().unwrap();
+        let mut command = teach(&folder, &["--speed", "step"], &[]);
+        command.set_controlling_tty(signalled);
+        let mut window = Window::open(command, 80, 24);
+        window.see("Tell it what to do");
+        window.press("go to the red room\r");
+        window.see("sure that this is right");
+        window.press("g");
+        window.see("You said: good.");
+        window.close();
+        let log = log(&folder, "robot");
+        assert!(log.contains(r#""feedback":"reward""#), "{log}");
+    }
 }
 
 #[cfg(target_os = "linux")]

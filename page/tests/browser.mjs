@@ -11,7 +11,8 @@ const FLAGS = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', 
 
 export async function launch() {
   assert.ok(existsSync(file), 'dist/goodbot.html is not there: cargo xtask page');
-  const executablePath = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
+  const executablePath = process.env.GOODBOT_CHROMIUM || ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
+  assert.ok(executablePath, 'there is no Chromium: `cargo xtask test --only page` fetches one, or name it in GOODBOT_CHROMIUM');
   return chromium.launch({ executablePath, args: FLAGS });
 }
 

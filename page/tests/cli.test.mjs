@@ -67,7 +67,7 @@ test('a model trained in the page answers in the command line with the same bits
   const environment = file('home.json', await home(page));
   const best = [];
   for (const command of TESTS) {
-    const answer = JSON.parse(goodbot('ask', '--model', trained, '--environment', environment, '--json', command));
+    const answer = JSON.parse(goodbot('ask', '--with', trained, '--environment', environment, '--json', command));
     const here = await believed(page, command);
     assert.ok(Object.keys(here).length >= 5);
     assert.deepEqual(bits(answer.tasks), bits(here), command);
@@ -91,7 +91,7 @@ for (const settings of ['default', 'paper']) {
     await play(page, 'Test');
     const environment = file('home.json', await home(page));
     for (const command of TESTS) {
-      const answer = JSON.parse(goodbot('ask', '--model', learned, '--environment', environment, '--json', command));
+      const answer = JSON.parse(goodbot('ask', '--with', learned, '--environment', environment, '--json', command));
       assert.deepEqual(bits(await believed(page, command)), bits(answer.tasks), command);
     }
     assert.deepEqual(await saved(page, '#save-model'), readFileSync(learned), 'the page gives back the file that it took');

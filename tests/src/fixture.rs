@@ -1,6 +1,7 @@
 //! Homes and walks as the reference numbers write them.
 
-use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeMemory, HomeState, Moves};
+use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves};
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Domain;
 use goodbot::task::{GroundedTask, LiftedTask};
 use serde_json::Value;
@@ -10,14 +11,14 @@ fn number(value: &Value) -> i32 {
     i32::try_from(value.as_i64().expect("a whole number")).expect("a small number")
 }
 
-/// A reference file.
-pub fn read(file: &str) -> Option<Value> {
-    let text = std::fs::read_to_string(crate::external(file)?).expect("the file can be read");
-    Some(serde_json::from_str(&text).expect("the file is JSON"))
+/// A reference file of the folder `fixtures`.
+pub fn read(file: &str) -> Value {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures").join(file);
+    serde_json::from_str(&std::fs::read_to_string(path).expect("the file can be read")).expect("the file is JSON")
 }
 
 /// A home from a reference world.
-pub fn home<'m>(world: &Value, memory: HomeMemory<'m>, moves: Moves) -> (Home<'m>, HomeState) {
+pub fn home<M: HomeMemory>(world: &Value, memory: M, moves: Moves) -> (Home<M>, HomeState) {
     let mut builder = HomeBuilder::new(memory);
     let text = |value: &Value| value.as_str().expect("a name").to_owned();
     let area =
@@ -41,9 +42,9 @@ pub fn task_text<D: Domain>(domain: &D, lifted: &[LiftedTask], task: &GroundedTa
     let parts: Vec<String> = task
         .propositions(&lifted[usize::from(task.lifted)])
         .map(|part| {
-            let parameters = domain.schema().parameters(part.proposition).len();
-            let names: Vec<&str> = part.arguments[..parameters].iter().map(|&object| domain.objects().name(object)).collect();
-            format!("{}({})", domain.schema().proposition_name(part.proposition), names.join(", "))
+            let parameters = domain.world().schema.parameters(part.proposition).len();
+            let names: Vec<&str> = part.arguments[..parameters].iter().map(|&object| domain.world().objects.name(object)).collect();
+            format!("{}({})", domain.world().schema.proposition_name(part.proposition), names.join(", "))
         })
         .collect();
     parts.join(" & ")

@@ -1,6 +1,7 @@
 //! Random homes, the same for the same seed.
 
-use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeMemory, HomeState, Moves};
+use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves};
+use goodbot::memory::HomeMemory;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 
@@ -24,7 +25,7 @@ pub struct Size {
 
 /// A home of `columns` times `rows` square rooms, each joined to its neighbours by a door at a random place, with blocks and the agent at
 /// random cells inside the rooms.
-pub fn random_home<'m>(random: &mut Pcg32, size: Size, moves: Moves, memory: HomeMemory<'m>) -> (Home<'m>, HomeState) {
+pub fn random_home<M: HomeMemory>(random: &mut Pcg32, size: Size, moves: Moves, memory: M) -> (Home<M>, HomeState) {
     const COLOURS: [&str; 8] = ["red", "green", "blue", "yellow", "purple", "orange", "tan", "teal"];
     const SHAPES: [&str; 4] = ["chair", "bag", "backpack", "basket"];
     let Size { columns, rows, side, blocks } = size;
@@ -34,7 +35,7 @@ pub fn random_home<'m>(random: &mut Pcg32, size: Size, moves: Moves, memory: Hom
         let (left, bottom) = (column * step, row * step);
         let area = Area::new(left, bottom, left + step, bottom + step);
         builder.room(&format!("room{room}"), area, COLOURS[room % COLOURS.len()]).expect("a room");
-        let mut door = |builder: &mut HomeBuilder<'m>, x, y| {
+        let mut door = |builder: &mut HomeBuilder<M>, x, y| {
             builder.door(&format!("door{doors}"), Area::new(x, y, x, y)).expect("a door");
             doors += 1;
         };

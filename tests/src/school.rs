@@ -1,9 +1,10 @@
 //! A small school: homes of four rooms, the paper's seven lessons and five tests, and a trainer who answers by a strategy.
 
 use goodbot::feedback::{SimulatedTrainer, Strategy};
-use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeMemory, HomeState, Moves};
-use goodbot::oomdp::apply;
-use goodbot::planning::OptimalSet;
+use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves};
+use goodbot::memory::AgentMemory;
+use goodbot::memory::HomeMemory;
+use goodbot::planning::{Judgement, OptimalSet};
 use goodbot::session::AgentError;
 use goodbot::task::GroundedTask;
 use goodbot::{Agent, Capacities, HeapMemory};
@@ -58,13 +59,13 @@ pub fn tests() -> Vec<Lesson> {
 
 impl Lesson {
     /// The home: four rooms of nine cells, two and two, with a door between each two neighbours.
-    pub fn home<'m>(&self, memory: HomeMemory<'m>) -> (Home<'m>, HomeState) {
+    pub fn home<M: HomeMemory>(&self, memory: M) -> (Home<M>, HomeState) {
         self.home_in_order(&(0..11).collect::<Vec<_>>(), memory)
     }
 
     /// The same home, its objects added in another order: 0 to 3 are the rooms, 4 to 7 the doors, 8 and 9 the blocks, 10 the agent. What
     /// `order` leaves out comes last.
-    pub fn home_in_order<'m>(&self, order: &[usize], memory: HomeMemory<'m>) -> (Home<'m>, HomeState) {
+    pub fn home_in_order<M: HomeMemory>(&self, order: &[usize], memory: M) -> (Home<M>, HomeState) {
         let mut builder = HomeBuilder::new(memory);
         let corners = [(0, 0), (4, 0), (0, 4), (4, 4)];
         let gaps = [(4, 2), (4, 6), (2, 4), (6, 4)];
@@ -93,7 +94,7 @@ impl Lesson {
     }
 
     /// The position of the intended task among the agent's.
-    pub fn intended(&self, agent: &Agent<'_>) -> usize {
+    pub fn intended(&self, agent: &Agent<impl AgentMemory>) -> usize {
         // Rooms stand first, doors next, then blocks and the agent; `objects` names them by their order of arrival.
         let (block, room) = self.intended;
         let is_it = |task: &GroundedTask| {
@@ -110,41 +111,42 @@ impl Lesson {
 ///
 /// # Errors
 /// What the agent refuses.
-pub fn train(agent: &mut Agent<'_>, lesson: &Lesson, trainer: Strategy, random: &mut Pcg32) -> Result<(), AgentError> {
+pub fn train(agent: &mut Agent<impl AgentMemory>, lesson: &Lesson, trainer: Strategy, random: &mut Pcg32) -> Result<(), AgentError> {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let (home, mut state) = lesson.home(memory.split().home);
+    let (home, mut state) = lesson.home(&mut memory.home);
     let trainer = SimulatedTrainer { strategy: trainer };
     agent.hear(&home, &state, &lesson.command)?;
     let intended = lesson.intended(agent);
     let mut at_goal = 0;
     for _ in 0..100 {
         agent.plan_fully(&home, &state)?;
-        let decision = agent.decide(Some(&mut *random))?;
-        let optimal = agent.search().optimal(intended);
-        let correct = optimal.actions().is_some_and(|actions| actions.contains(decision.action));
-        agent.feedback(decision.action, trainer.feedback(correct, random))?;
+        let decision = agent.decide_by(&home, &state, random)?;
+        let optimal = agent.planned().optimal(intended);
+        let correct = optimal.judge(decision.action) == Judgement::Correct;
+        let word = trainer.feedback(correct, random);
+        state = agent.acted(&home, &state, decision.action)?;
+        let _ = agent.feedback(word)?;
         if optimal == OptimalSet::Goal && correct {
             at_goal += 1;
         }
         if at_goal == 3 || matches!(optimal, OptimalSet::DeadEnd(_)) {
             break;
         }
-        state = apply(&home, &state, decision.action).expect("an action that was decided on can be done");
     }
-    agent.finish(&home)?;
+    let _ = agent.finish(&home)?;
     agent.learn_fully();
     Ok(())
 }
 
 /// How many of the five tests the agent understands: the intended task is the most likely one on hearing the command.
-pub fn tests_passed(agent: &mut Agent<'_>) -> usize {
+pub fn tests_passed(agent: &mut Agent<impl AgentMemory>) -> usize {
     tests().iter().filter(|test| understands(agent, test)).count()
 }
 
 /// Whether the intended task is the most likely one on hearing the command.
-pub fn understands(agent: &mut Agent<'_>, lesson: &Lesson) -> bool {
+pub fn understands(agent: &mut Agent<impl AgentMemory>, lesson: &Lesson) -> bool {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let (home, state) = lesson.home(memory.split().home);
+    let (home, state) = lesson.home(&mut memory.home);
     agent.hear(&home, &state, &lesson.command).expect("a test is heard");
     let intended = lesson.intended(agent);
     let understood =
@@ -154,9 +156,9 @@ pub fn understands(agent: &mut Agent<'_>, lesson: &Lesson) -> bool {
 }
 
 /// The posterior over the tasks on hearing a lesson's command, bit by bit.
-pub fn posterior_bits(agent: &mut Agent<'_>, lesson: &Lesson) -> Vec<u32> {
+pub fn posterior_bits(agent: &mut Agent<impl AgentMemory>, lesson: &Lesson) -> Vec<u32> {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let (home, state) = lesson.home(memory.split().home);
+    let (home, state) = lesson.home(&mut memory.home);
     agent.hear(&home, &state, &lesson.command).expect("a test is heard");
     let bits = (0..agent.tasks().len()).map(|task| agent.belief().probability(task).to_bits()).collect();
     agent.forget();

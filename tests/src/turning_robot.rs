@@ -1,7 +1,9 @@
 //! A robot that turns and drives, with actions of different costs, on a floor with one crate that it can push but not pull.
 
-use goodbot::oomdp::objects::ObjectMemory;
-use goodbot::oomdp::{Action, ActionKind, Class, ClassId, Domain, GroundProposition, ObjectSet, Proposition, PropositionId, Schema};
+use goodbot::oomdp::{
+    Action, ActionKind, Class, ClassId, Domain, GroundProposition, ObjectSet, ObjectTables, Objects, OneByOne, Proposition, PropositionId,
+    Schema, World,
+};
 
 const SCHEMA: Schema<'static> = Schema {
     classes: &[Class { name: "robot" }, Class { name: "zone" }, Class { name: "crate" }],
@@ -29,7 +31,7 @@ pub struct Pose {
 
 /// A square floor; some of its cells are blocked, and each zone is one cell.
 pub struct TurningRobot<'m> {
-    objects: ObjectSet<'m>,
+    objects: Objects<'m>,
     side: i32,
     blocked: Vec<i32>,
     zones: Vec<i32>,
@@ -39,14 +41,14 @@ pub struct TurningRobot<'m> {
 
 impl<'m> TurningRobot<'m> {
     /// A floor of `side` times `side` cells, which count row by row.
-    pub fn new(side: i32, blocked: Vec<i32>, zones: Vec<i32>, memory: ObjectMemory<'m>) -> Self {
+    pub fn new(side: i32, blocked: Vec<i32>, zones: Vec<i32>, memory: ObjectTables<'m>) -> Self {
         let mut objects = ObjectSet::new(memory);
         objects.add(ClassId(0), "robot0", &[]).expect("a robot");
         objects.add(ClassId(2), "crate0", &[]).expect("a crate");
         for zone in 0..zones.len() {
             objects.add(ClassId(1), &format!("zone{zone}"), &[]).expect("a zone");
         }
-        Self { objects, side, blocked, zones, gap: 1 }
+        Self { objects: objects.into_objects(), side, blocked, zones, gap: 1 }
     }
 
     /// The robot heads north.
@@ -78,13 +80,10 @@ impl<'m> TurningRobot<'m> {
 
 impl Domain for TurningRobot<'_> {
     type State = Pose;
+    type Search = OneByOne;
 
-    fn schema(&self) -> Schema<'_> {
-        SCHEMA
-    }
-
-    fn objects(&self) -> &ObjectSet<'_> {
-        &self.objects
+    fn world(&self) -> World<'_> {
+        World { schema: SCHEMA, objects: self.objects }
     }
 
     fn actions(&self) -> &[ActionKind<'_>] {

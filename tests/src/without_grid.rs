@@ -1,25 +1,20 @@
-//! A domain that does not say how its states lie in a grid, so that they are looked at one by one.
+//! A domain whose states are expanded one by one, whatever it could do itself.
 
-use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition, ObjectSet, Schema};
+use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, World};
 
-/// The domain, without its grid.
+/// The domain, without its floor.
 #[derive(Debug)]
 pub struct WithoutGrid<'d, D: Domain> {
     /// The domain.
     pub domain: &'d D,
-    /// Whether it says its variables: without them, no task is told to be a dead end before all is searched.
-    pub with_variables: bool,
 }
 
 impl<D: Domain> Domain for WithoutGrid<'_, D> {
     type State = D::State;
+    type Search = OneByOne;
 
-    fn schema(&self) -> Schema<'_> {
-        self.domain.schema()
-    }
-
-    fn objects(&self) -> &ObjectSet<'_> {
-        self.domain.objects()
+    fn world(&self) -> World<'_> {
+        self.domain.world()
     }
 
     fn actions(&self) -> &[ActionKind<'_>] {
@@ -44,37 +39,5 @@ impl<D: Domain> Domain for WithoutGrid<'_, D> {
 
     fn numbered(&self, number: u64) -> D::State {
         self.domain.numbered(number)
-    }
-
-    fn variables(&self) -> usize {
-        if self.with_variables { self.domain.variables() } else { 0 }
-    }
-
-    fn values(&self, variable: usize) -> usize {
-        self.domain.values(variable)
-    }
-
-    fn value(&self, state: &D::State, variable: usize) -> usize {
-        self.domain.value(state, variable)
-    }
-
-    fn with_value(&self, state: &D::State, variable: usize, value: usize) -> D::State {
-        self.domain.with_value(state, variable, value)
-    }
-
-    fn reads(&self, proposition: &GroundProposition) -> Option<usize> {
-        self.domain.reads(proposition).filter(|_| self.with_variables)
-    }
-
-    fn stands_still(&self, variable: usize) -> bool {
-        self.domain.stands_still(variable)
-    }
-
-    fn ways_on(&self) -> usize {
-        if self.with_variables { self.domain.ways_on() } else { 0 }
-    }
-
-    fn way_on(&self, variable: usize, value: usize, way: usize) -> Option<usize> {
-        self.domain.way_on(variable, value, way)
     }
 }

@@ -2,16 +2,17 @@
 
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::snapshot::RestoreError;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_tests::school::{self, train};
 use rand_pcg::Pcg32;
 
-fn agent<'m>(memory: &'m mut HeapMemory) -> Agent<'m> {
-    Agent::new(memory.split().agent, &paper_tasks().unwrap(), Options::PAPER).unwrap()
+fn agent(memory: &mut HeapMemory) -> Agent<&mut AgentHeap> {
+    Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap()
 }
 
-fn saved(agent: &Agent<'_>) -> Vec<u8> {
+fn saved(agent: &Agent<impl AgentMemory>) -> Vec<u8> {
     let mut buffer = vec![0; agent.saved_bytes().unwrap()];
     agent.save(&mut buffer).unwrap();
     buffer

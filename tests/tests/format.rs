@@ -52,7 +52,7 @@ fn crc32(bytes: &[u8]) -> u32 {
 #[test]
 fn a_saved_model_is_what_the_document_says_byte_by_byte() {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let mut agent = Agent::new(memory.split().agent, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
     for lesson in school::lessons().iter().cycle().take(40) {
         train(&mut agent, lesson, Strategy::BALANCED, &mut Pcg32::new(6, 6)).unwrap();
     }

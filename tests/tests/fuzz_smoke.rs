@@ -22,7 +22,7 @@ fn corpus(target: &str) -> Vec<Vec<u8>> {
 /// The model of a robot that has learned the paper's course.
 fn model() -> Vec<u8> {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let mut agent = Agent::new(memory.split().agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
     for lesson in school::lessons() {
         school::train(&mut agent, &lesson, Strategy::BALANCED, &mut Pcg32::new(6, 6)).unwrap();
     }

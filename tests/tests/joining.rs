@@ -4,6 +4,7 @@ use goodbot::capacity::Capacity;
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
 use goodbot::language::Settings;
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::snapshot::RestoreError;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_tests::school::{self, Lesson, tests_passed, train};
@@ -12,8 +13,8 @@ use rand_pcg::Pcg32;
 const ROOMY: Capacities =
     Capacities { sessions: 64, sentence_words: 640, pairs: 1_024, commands: 128, command_tokens: 1_024, ..Capacities::SMALL };
 
-fn agent(memory: &mut HeapMemory, options: Options) -> Agent<'_> {
-    Agent::new(memory.split().agent, &paper_tasks().unwrap(), options).unwrap()
+fn agent(memory: &mut HeapMemory, options: Options) -> Agent<&mut AgentHeap> {
+    Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap()
 }
 
 /// A model after these lessons.
@@ -39,14 +40,14 @@ fn grown(from: &[u8], lessons: &[&Lesson], seed: u64) -> Vec<u8> {
     saved(&agent)
 }
 
-fn saved(agent: &Agent<'_>) -> Vec<u8> {
+fn saved(agent: &Agent<impl AgentMemory>) -> Vec<u8> {
     let mut bytes = vec![0; agent.saved_bytes().unwrap()];
     agent.save(&mut bytes).unwrap();
     bytes
 }
 
 /// What each session said, oldest first.
-fn commands(agent: &Agent<'_>) -> Vec<String> {
+fn commands(agent: &Agent<impl AgentMemory>) -> Vec<String> {
     let language = agent.language();
     let text = |session| language.bitext().sentence(session).iter().map(|&word| language.words().text(word)).collect::<Vec<_>>().join(" ");
     (0..language.bitext().sessions() as u16).map(text).collect()

@@ -3,8 +3,9 @@
 use goodbot::feedback::{Feedback, Strategy as Trainer};
 use goodbot::home::paper_tasks;
 use goodbot::language::{LanguageModel, Settings};
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::oomdp::{Action, Domain};
-use goodbot::planning::{OptimalSet, Progress};
+use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::symbols::Symbol;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_tests::fixture::task_text;
@@ -40,13 +41,13 @@ fn trainer() -> impl proptest::strategy::Strategy<Value = Trainer> {
     (0.0..=1.0_f32, 0.0..=1.0_f32, 0.0..=1.0_f32).prop_map(|(plus, minus, epsilon)| Trainer::new(plus, minus, epsilon).unwrap())
 }
 
-fn agent<'m>(memory: &'m mut HeapMemory, trainer: Trainer) -> Agent<'m> {
-    let mut agent = Agent::new(memory.split().agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
+fn agent(memory: &mut HeapMemory, trainer: Trainer) -> Agent<&mut AgentHeap> {
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
     agent.set_strategies(&[(trainer, 0.5), (Trainer::BALANCED, 0.5)]).unwrap();
     agent
 }
 
-fn posterior(agent: &Agent<'_>) -> Vec<f32> {
+fn posterior(agent: &Agent<impl AgentMemory>) -> Vec<f32> {
     (0..agent.tasks().len()).map(|task| agent.belief().probability(task)).collect()
 }
 
@@ -59,11 +60,12 @@ proptest! {
     ) {
         let (mut memory, mut home_memory) = (HeapMemory::new(&Capacities::SMALL), HeapMemory::new(&Capacities::SMALL));
         let mut agent = agent(&mut memory, trainer);
-        let (home, state) = lesson.home(home_memory.split().home);
+        let (home, state) = lesson.home(&mut home_memory.home);
         prop_assume!(agent.hear(&home, &state, &lesson.command).is_ok());
         agent.plan_fully(&home, &state).unwrap();
         for (action, feedback) in steps {
-            let _ = agent.feedback(Action(action), feedback);
+            let _ = agent.acted(&home, &state, Action(action));
+            let _ = agent.feedback(feedback);
             let posterior = posterior(&agent);
             prop_assert!(posterior.iter().all(|probability| (0.0..=1.0).contains(probability)));
             prop_assert!((posterior.iter().sum::<f32>() - 1.0).abs() < 1e-5, "{posterior:?}");
@@ -75,15 +77,17 @@ proptest! {
         lesson in lesson(), mu in 0.01..=1.0_f32, epsilon in 0.0..=1.0_f32, first in feedback(), actions in vec(0..4_u8, 1..20),
     ) {
         let (mut memory, mut home_memory) = (HeapMemory::new(&Capacities::SMALL), HeapMemory::new(&Capacities::SMALL));
-        let mut agent = Agent::new(memory.split().agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
+        let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
         agent.set_strategies(&[(Trainer::new(mu, mu, epsilon).unwrap(), 1.0)]).unwrap();
-        let (home, state) = lesson.home(home_memory.split().home);
+        let (home, state) = lesson.home(&mut home_memory.home);
         prop_assume!(agent.hear(&home, &state, &lesson.command).is_ok());
         agent.plan_fully(&home, &state).unwrap();
-        let _ = agent.feedback(Action(0), first);
+        agent.acted(&home, &state, Action(0)).unwrap();
+        let _ = agent.feedback(first).unwrap();
         let before = posterior(&agent);
         for action in actions {
-            agent.feedback(Action(action), Feedback::Neutral).unwrap();
+            agent.acted(&home, &state, Action(action)).unwrap();
+            let _ = agent.feedback(Feedback::Neutral).unwrap();
         }
         for (before, after) in before.iter().zip(posterior(&agent)) {
             prop_assert!((before - after).abs() < 1e-4, "{before} became {after}");
@@ -96,14 +100,15 @@ proptest! {
     ) {
         let (mut memory, mut home_memory) = (HeapMemory::new(&Capacities::SMALL), HeapMemory::new(&Capacities::SMALL));
         let mut agent = agent(&mut memory, trainer);
-        let (home, state) = lesson.home(home_memory.split().home);
+        let (home, state) = lesson.home(&mut home_memory.home);
         prop_assume!(agent.hear(&home, &state, &lesson.command).is_ok());
         agent.plan_fully(&home, &state).unwrap();
         // Nothing is reached by doing nothing: it is wrong for all tasks whose goal can still be reached.
-        let apart = |task| !matches!(agent.search().optimal(task), OptimalSet::Toward(_));
+        let apart = |task| !matches!(agent.planned().optimal(task), OptimalSet::Toward(_));
         prop_assume!(!(0..agent.tasks().len()).any(apart));
         let before = posterior(&agent);
-        agent.feedback(Action::NOOP, feedback).unwrap();
+        agent.acted(&home, &state, Action::NOOP).unwrap();
+        let _ = agent.feedback(feedback).unwrap();
         for (before, after) in before.iter().zip(posterior(&agent)) {
             prop_assert!((before - after).abs() < 1e-5, "{before} became {after}");
         }
@@ -122,7 +127,7 @@ proptest! {
         for rounds in 1..12 {
             let mut memory = HeapMemory::new(&LARGE);
             let settings = Settings { smoothing, alignment_prior, rounds, ..Settings::PAPER };
-            let mut model = LanguageModel::new(memory.split().agent.language, settings).unwrap();
+            let mut model = LanguageModel::new(&mut memory.agent, settings).unwrap();
             for (tokens, words, weight) in &data {
                 let command: Vec<Symbol> = tokens.iter().map(|token| model.tokens_mut().intern(&format!("token{token}")).unwrap()).collect();
                 let english: Vec<String> = words.iter().map(|word| format!("word{word}")).collect();
@@ -131,7 +136,7 @@ proptest! {
             }
             model.begin_training();
             while model.train(u32::MAX) == Progress::Working {}
-            let now = objective(&model);
+            let now = objective(model.read());
             prop_assert!(now >= last - 1e-4 * last.abs().max(1.0), "round {rounds}: {now} after {last}");
             last = now;
         }
@@ -144,11 +149,12 @@ proptest! {
         let believe = |order: &[usize]| {
             let (mut memory, mut home_memory) = (HeapMemory::new(&Capacities::SMALL), HeapMemory::new(&Capacities::SMALL));
             let mut agent = agent(&mut memory, Trainer::PUNISH_ONLY);
-            let (home, state) = lesson.home_in_order(order, home_memory.split().home);
+            let (home, state) = lesson.home_in_order(order, &mut home_memory.home);
             agent.hear(&home, &state, &lesson.command).ok()?;
             agent.plan_fully(&home, &state).unwrap();
             for &(action, feedback) in &steps {
-                let _ = agent.feedback(Action(action), feedback);
+                let _ = agent.acted(&home, &state, Action(action));
+                let _ = agent.feedback(feedback);
             }
             let name = |task| task_text(&home, agent.lifted(), task);
             let beliefs: BTreeMap<String, f32> = agent.tasks().iter().map(name).zip(posterior(&agent)).collect();
@@ -167,7 +173,7 @@ proptest! {
     fn plans_are_shortest_against_a_brute_force_search(lesson in lesson(), walk in vec(0..4_u8, 0..40)) {
         let (mut memory, mut home_memory) = (HeapMemory::new(&Capacities::SMALL), HeapMemory::new(&Capacities::SMALL));
         let mut agent = agent(&mut memory, Trainer::BALANCED);
-        let (home, start) = lesson.home(home_memory.split().home);
+        let (home, start) = lesson.home(&mut home_memory.home);
         prop_assume!(agent.hear(&home, &start, &lesson.command).is_ok());
         let state = walk.iter().fold(start, |state, &action| home.step(&state, Action(action)).unwrap_or(state));
         agent.plan_fully(&home, &state).unwrap();
@@ -175,11 +181,11 @@ proptest! {
             let lifted = &agent.lifted()[usize::from(task.lifted)];
             let holds = |state: &_| task.propositions(lifted).all(|part| home.holds(&part, state));
             let expected = distance(&home, &state, holds);
-            prop_assert_eq!(agent.search().distance(position), expected);
+            prop_assert_eq!(agent.planned().distance(position), expected);
             let Some(expected) = expected.filter(|&distance| distance > 0) else { continue };
             for action in (0..home.actions().len()).map(|action| Action(action as u8)) {
                 let left = home.step(&state, action).and_then(|next| distance(&home, &next, holds));
-                let optimal = agent.search().optimal(position).actions().is_some_and(|actions| actions.contains(action));
+                let optimal = agent.planned().judge(position, action) == Judgement::Correct;
                 prop_assert_eq!(optimal, left == Some(expected - 1));
             }
         }
@@ -206,7 +212,7 @@ fn distance<D: Domain>(domain: &D, start: &D::State, holds: impl Fn(&D::State) -
 }
 
 /// The logarithm of what EM maximises: the weighted likelihood of the data, and the priors that the pseudo-counts stand for.
-fn objective(model: &LanguageModel<'_>) -> f64 {
+fn objective(model: goodbot::language::LanguageRef<'_>) -> f64 {
     let (tables, bitext, settings) = (model.tables(), model.bitext(), model.settings());
     let rows = || std::iter::once(None).chain(model.tokens().iter().map(|(token, _)| Some(token)));
     let log = |value: f32| f64::from(value).ln();

@@ -3,6 +3,7 @@
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
+use goodbot::memory::AgentMemory;
 use goodbot::session::AgentError;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_tests::school::{self, Lesson, tests_passed, train};
@@ -61,7 +62,7 @@ const ROBOTS: u64 = 10;
 
 fn live(name: &str, life: Life, options: Options, seed: u64) -> usize {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let mut agent = Agent::new(memory.split().agent, &paper_tasks().unwrap(), options).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
     let mut random = Pcg32::new(seed, 1);
     for session in 0..SESSIONS {
         let lesson = life(session, &mut random);
@@ -91,7 +92,7 @@ fn after_a_thousand_sessions_under_the_default_settings_the_five_tests_pass() {
 }
 
 /// All that a robot has learned, as it would be saved.
-fn saved(agent: &Agent<'_>) -> Vec<u8> {
+fn saved(agent: &Agent<impl AgentMemory>) -> Vec<u8> {
     let mut bytes = vec![0; agent.saved_bytes().unwrap()];
     agent.save(&mut bytes).unwrap();
     bytes
@@ -101,7 +102,7 @@ fn saved(agent: &Agent<'_>) -> Vec<u8> {
 fn a_robot_that_was_saved_and_restored_forgets_as_one_that_never_was() {
     let mut memories = [HeapMemory::new(&Capacities::SMALL), HeapMemory::new(&Capacities::SMALL)];
     let tasks = paper_tasks().unwrap();
-    let [mut never, mut restored] = memories.each_mut().map(|memory| Agent::new(memory.split().agent, &tasks, Options::PAPER).unwrap());
+    let [mut never, mut restored] = memories.each_mut().map(|memory| Agent::new(&mut memory.agent, &tasks, Options::PAPER).unwrap());
     let mut randoms = [Pcg32::new(3, 1), Pcg32::new(3, 1)];
     for session in 0..120 {
         for (agent, random) in [&mut never, &mut restored].into_iter().zip(&mut randoms) {
@@ -118,7 +119,7 @@ fn a_robot_that_was_saved_and_restored_forgets_as_one_that_never_was() {
 fn a_home_with_more_new_things_than_there_is_room_for_is_lived_in_and_learned() {
     // The seven lessons' homes have nineteen machine tokens.
     let mut memory = HeapMemory::new(&Capacities { tokens: 12, ..Capacities::SMALL });
-    let mut agent = Agent::new(memory.split().agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
     let mut random = Pcg32::new(1, 1);
     for _ in 0..3 {
         for lesson in school::lessons() {
@@ -137,7 +138,7 @@ fn a_home_with_more_new_things_than_there_is_room_for_is_lived_in_and_learned() 
 #[test]
 fn words_that_stand_in_no_session_any_more_are_forgotten() {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let mut agent = Agent::new(memory.split().agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
     let mut random = Pcg32::new(1, 1);
     for session in 0..60 {
         train(&mut agent, &half_of_it_noise(session, &mut random), Strategy::BALANCED, &mut random).unwrap();
@@ -150,14 +151,14 @@ fn words_that_stand_in_no_session_any_more_are_forgotten() {
 #[test]
 fn a_vocabulary_that_was_restored_full_makes_room_for_a_command_of_new_words() {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let mut agent = Agent::new(memory.split().agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
     let mut random = Pcg32::new(1, 1);
     for lesson in school::lessons() {
         train(&mut agent, &lesson, Strategy::BALANCED, &mut random).unwrap();
     }
     let words = agent.language().words().len();
     let mut memory = HeapMemory::new(&Capacities { words, ..Capacities::SMALL });
-    let mut full = Agent::new(memory.split().agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let mut full = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
     full.restore(&saved(&agent)).unwrap();
     full.learn_fully();
     let new = Lesson { command: "vite".to_owned(), ..school::lessons()[0].clone() };
@@ -172,7 +173,7 @@ fn a_vocabulary_that_was_restored_full_makes_room_for_a_command_of_new_words() {
 #[test]
 fn a_session_too_large_for_the_memory_is_refused_and_nothing_is_forgotten() {
     let mut memory = HeapMemory::new(&Capacities { sentence_words: 16, ..Capacities::SMALL });
-    let mut agent = Agent::new(memory.split().agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
     let mut random = Pcg32::new(1, 1);
     for lesson in &school::lessons()[..3] {
         train(&mut agent, lesson, Strategy::BALANCED, &mut random).unwrap();
@@ -187,7 +188,7 @@ fn a_session_too_large_for_the_memory_is_refused_and_nothing_is_forgotten() {
 #[test]
 fn words_beyond_a_full_vocabulary_are_left_out_and_the_rest_is_learned() {
     let mut memory = HeapMemory::new(&Capacities { words: 6, ..Capacities::SMALL });
-    let mut agent = Agent::new(memory.split().agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
     let long = Lesson { command: "please go at once to the green room".to_owned(), ..school::lessons()[0].clone() };
     train(&mut agent, &long, Strategy::BALANCED, &mut Pcg32::new(1, 1)).unwrap();
     let language = agent.language();

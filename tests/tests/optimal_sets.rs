@@ -1,52 +1,42 @@
 //! Optimal sets against brute force, in random homes and for a robot whose actions cost 1 to 5.
 
 use goodbot::home::{self, Moves};
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{ActionSet, Domain, PropositionId};
-use goodbot::planning::{GoalMemory, GoalTable, OptimalSet, Progress, Search, Sweep};
-use goodbot::session::{AgentMemory, SessionMemory};
+use goodbot::planning::OptimalSet;
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
 use goodbot::{Capacities, HeapMemory};
 use goodbot_tests::brute_force::BruteForce;
+use goodbot_tests::own_planner::OwnPlanner;
 use goodbot_tests::random_homes::{Size, below, random_home};
+use goodbot_tests::sweep::Sweep;
 use goodbot_tests::turning_robot::TurningRobot;
 use rand_pcg::Pcg32;
 
 const ROOMY: Capacities = Capacities { states: 1 << 15, hashed_states: 1 << 15, ..Capacities::STANDARD };
 
 /// How many optimal sets were compared.
-fn compare<D: Domain>(domain: &D, start: &D::State, lifted: &[LiftedTask], memory: AgentMemory<'_>, every: usize) -> usize {
-    let AgentMemory { language, session } = memory;
-    let SessionMemory { tasks, goals, plan, .. } = session;
-    let GoalMemory { parts, entries } = goals;
-    let count = ground(domain, lifted, start, tasks).unwrap();
-    let tasks: &[GroundedTask] = &tasks[..count];
-    let mut goals = GoalTable::new(GoalMemory { parts, entries });
-    goals.fill(domain, lifted, tasks, start).unwrap();
+fn compare<D: Domain>(domain: &D, start: &D::State, lifted: &[LiftedTask], every: usize) -> usize {
+    let mut tasks = [GroundedTask::UNUSED; 64];
+    let count = ground(domain, lifted, start, &mut tasks).unwrap();
+    let tasks = &tasks[..count];
     let truth = BruteForce::new(domain, start, lifted, tasks);
-
-    let mut words = vec![0; 1 << 19];
-    let mut sweep = Sweep::new(&mut words);
-    let swept = sweep.begin(domain, start, TaskSet::first(count));
-    while sweep.advance(domain, &goals, 100) == Progress::Working {}
-    let (mut search, mut compared) = (Search::new(plan, language.tables.counts), 0);
+    // State numbers that lie far apart have no room in a sweep.
+    let sweep = (domain.state_count() < 1 << 24).then(|| Sweep::new(domain, start, lifted, tasks));
+    let (mut planner, mut compared) = (OwnPlanner::new(&ROOMY, domain, lifted, tasks, start), 0);
     for (position, state) in truth.states.iter().enumerate().step_by(every) {
-        search.begin(domain, &goals, state, TaskSet::first(count), TaskSet::EMPTY);
-        while search.advance(domain, &goals, 100) == Progress::Working {}
-        assert!(search.unknown().is_empty());
+        let plan = planner.plan_for(domain, state, TaskSet::first(count), 100);
+        assert!(plan.unknown().is_empty() && plan.approximate().is_empty());
         for task in 0..count {
-            assert_eq!(search.optimal(task), truth.optimal(position, task), "search, state {position}, task {task}");
-            assert_eq!(search.distance(task), truth.distances[task][position]);
-        }
-        if swept {
-            for task in 0..count {
-                let toward = match truth.optimal(position, task) {
-                    OptimalSet::Toward(actions) => actions,
-                    _ => ActionSet::EMPTY,
-                };
-                assert!(sweep.knows(domain, state));
-                assert_eq!(sweep.toward(domain, state, task), toward, "sweep, state {position}, task {task}");
-                assert_eq!(sweep.distance(domain, state, task), truth.distances[task][position]);
-            }
+            assert_eq!(plan.optimal(task), truth.optimal(position, task), "search, state {position}, task {task}");
+            assert_eq!(plan.distance(task), truth.distances[task][position]);
+            let Some(sweep) = &sweep else { continue };
+            let toward = match truth.optimal(position, task) {
+                OptimalSet::Toward(actions) => actions,
+                _ => ActionSet::EMPTY,
+            };
+            assert_eq!(sweep.toward(domain, state, task), toward, "sweep, state {position}, task {task}");
+            assert_eq!(sweep.distance(domain, state, task), truth.distances[task][position]);
         }
         compared += count;
     }
@@ -60,20 +50,19 @@ fn search_and_sweep_give_the_optimal_sets_of_brute_force_in_random_homes() {
     let [agent, block] = home::paper_tasks().unwrap();
     for round in 0..12 {
         let mut memory = HeapMemory::new(&ROOMY);
-        let parts = memory.split();
         let size =
             Size { columns: 2 + round % 2, rows: 1 + round / 9, side: 2 + round % 2, blocks: 1 + i32::from(round % 3 == 0 && round < 9) };
         let moves = if round % 2 == 0 { Moves::Push } else { Moves::PushAndPull };
-        let (home, start) = random_home(&mut random, size, moves, parts.home);
+        let (home, start) = random_home(&mut random, size, moves, &mut memory.home);
         let lifted = [agent.clone(), block.clone(), pairs.clone()];
-        let compared = compare(&home, &start, &lifted, parts.agent, 7);
+        let compared = compare(&home, &start, &lifted, 7);
         assert!(compared > 0, "{size:?}");
     }
 }
 
 /// The tasks of the robot and of the crate.
 fn robot_tasks(robot: &TurningRobot<'_>) -> [LiftedTask; 2] {
-    [0, 1].map(|proposition| LiftedTask::single(PropositionId(proposition), &robot.schema()).unwrap())
+    [0, 1].map(|proposition| LiftedTask::single(PropositionId(proposition), &robot.world().schema).unwrap())
 }
 
 #[test]
@@ -81,36 +70,32 @@ fn actions_of_different_costs_hashed_or_not_give_the_optimal_sets_of_brute_force
     let mut random = Pcg32::new(8, 8);
     for round in 0..8 {
         let mut memory = HeapMemory::new(&ROOMY);
-        let parts = memory.split();
         let blocked = vec![2 + below(&mut random, 9), 12 + below(&mut random, 11)];
-        let mut robot = TurningRobot::new(5, blocked, vec![24, 1 + below(&mut random, 20), 20], parts.home.objects);
+        let mut robot = TurningRobot::new(5, blocked, vec![24, 1 + below(&mut random, 20), 20], memory.home.lend().objects);
         if round % 2 == 1 {
             robot.gap = 1_000_003;
         }
         let start = robot.start(0, 7);
-        compare(&robot, &start, &robot_tasks(&robot), parts.agent, 41);
+        compare(&robot, &start, &robot_tasks(&robot), 41);
     }
 }
 
 #[test]
 fn a_search_that_runs_out_of_memory_says_unknown_and_never_anything_wrong() {
-    let mut memory = HeapMemory::new(&Capacities { states: 4_096, hashed_states: 300, ..ROOMY });
-    let parts = memory.split();
-    let mut robot = TurningRobot::new(5, vec![6, 17], vec![24, 1, 20], parts.home.objects);
+    let mut memory = HeapMemory::new(&ROOMY);
+    let mut robot = TurningRobot::new(5, vec![6, 17], vec![24, 1, 20], memory.home.lend().objects);
     robot.gap = 1_000_003;
     let (start, lifted) = (robot.start(0, 7), robot_tasks(&robot));
     let mut tasks = [GroundedTask::UNUSED; 8];
     let count = ground(&robot, &lifted, &start, &mut tasks).unwrap();
-    let mut goals = GoalTable::new(parts.agent.session.goals);
-    goals.fill(&robot, &lifted, &tasks[..count], &start).unwrap();
     let truth = BruteForce::new(&robot, &start, &lifted, &tasks[..count]);
-    let mut search = Search::new(parts.agent.session.plan, parts.agent.language.tables.counts);
+    let bounded = Capacities { states: 4_096, hashed_states: 300, ..ROOMY };
+    let mut planner = OwnPlanner::new(&bounded, &robot, &lifted, &tasks[..count], &start);
     let (mut known, mut unknown) = (0, 0);
     for (position, state) in truth.states.iter().enumerate().step_by(13) {
-        search.begin(&robot, &goals, state, TaskSet::first(count), TaskSet::EMPTY);
-        while search.advance(&robot, &goals, 50) == Progress::Working {}
+        let plan = planner.plan_for(&robot, state, TaskSet::first(count), 50);
         for task in 0..count {
-            match search.optimal(task) {
+            match plan.optimal(task) {
                 OptimalSet::Unknown => unknown += 1,
                 found => {
                     assert_eq!(found, truth.optimal(position, task));

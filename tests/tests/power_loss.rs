@@ -129,7 +129,7 @@ impl<const READ: usize, const WRITE: usize, const ERASE: usize> NorFlash for Fla
 /// Models of a robot after each of the first lessons, each longer than the one before.
 fn models(count: usize) -> Vec<Vec<u8>> {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let mut agent = Agent::new(memory.split().agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
     let mut random = Pcg32::new(2, 2);
     let mut models = Vec::new();
     for lesson in &school::lessons()[..count] {

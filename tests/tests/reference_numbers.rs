@@ -3,8 +3,9 @@
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Moves};
 use goodbot::language::{LanguageModel, Settings};
-use goodbot::oomdp::{Domain, action_named, apply};
-use goodbot::session::{Options, Weights};
+use goodbot::memory::AgentMemory;
+use goodbot::oomdp::{Domain, action_named};
+use goodbot::session::{Evidence, Options, Weights};
 use goodbot::symbols::Symbol;
 use goodbot::{Agent, Capacities, HeapMemory};
 use goodbot_tests::fixture::{home, read, task_text};
@@ -18,13 +19,13 @@ fn assert_close(what: &str, ours: f32, reference: f64) {
     assert!((f64::from(ours) - reference).abs() <= TOLERANCE, "{what}: {ours} here, {reference} in the reference");
 }
 
-fn symbols(model: &mut LanguageModel<'_>, command: &str) -> Vec<Symbol> {
+fn symbols(model: &mut LanguageModel<impl AgentMemory>, command: &str) -> Vec<Symbol> {
     command.split(' ').map(|token| model.tokens_mut().intern(token).unwrap()).collect()
 }
 
 #[test]
 fn weighted_model_2_gives_the_reference_tables() {
-    let Some(reference) = read("fixtures/ibm2.json") else { return };
+    let reference = read("ibm2.json");
     for fit in reference["fits"].as_array().unwrap() {
         let settings = Settings {
             smoothing: fit["smoothing"].as_f64().unwrap() as f32,
@@ -33,7 +34,7 @@ fn weighted_model_2_gives_the_reference_tables() {
             ..Settings::PAPER
         };
         let mut memory = HeapMemory::new(&Capacities::STANDARD);
-        let mut model = LanguageModel::new(memory.split().agent.language, settings).unwrap();
+        let mut model = LanguageModel::new(&mut memory.agent, settings).unwrap();
         for row in reference["data"].as_array().unwrap() {
             let command = symbols(&mut model, row[0].as_str().unwrap());
             let sentence = model.hear(row[1].as_str().unwrap()).unwrap();
@@ -73,13 +74,12 @@ fn weighted_model_2_gives_the_reference_tables() {
 
 #[test]
 fn plans_from_every_state_are_the_reference_plans() {
-    let Some(reference) = read("fixtures/plans.json") else { return };
+    let reference = read("plans.json");
     for case in reference.as_array().unwrap() {
         let mut memory = HeapMemory::new(&Capacities::STANDARD);
-        let parts = memory.split();
-        let (home, start) = home(&case["world"], parts.home, Moves::PushAndPull);
+        let (home, start) = home(&case["world"], &mut memory.home, Moves::PushAndPull);
         let lifted = home::paper_tasks().unwrap();
-        let mut agent = Agent::new(parts.agent, &lifted, Options::PAPER).unwrap();
+        let mut agent = Agent::new(&mut memory.agent, &lifted, Options::PAPER).unwrap();
         agent.hear(&home, &start, case["command"].as_str().unwrap()).unwrap();
         let states = reachable(&home, &start);
         assert_eq!(states.len() as u64, case["reachable"].as_u64().unwrap());
@@ -92,11 +92,11 @@ fn plans_from_every_state_are_the_reference_plans() {
             agent.hear_again(&home, &start).unwrap();
             agent.plan_fully(&home, state).unwrap();
             for (task, sums) in sums.iter_mut().enumerate() {
-                let Some(distance) = agent.search().distance(task).map(u64::from) else { continue };
+                let Some(distance) = agent.planned().distance(task).map(u64::from) else { continue };
                 if *state == start {
                     from_start[task] = distance;
                 }
-                let moves = if distance > 0 { agent.search().optimal(task).actions().unwrap().len() } else { 0 };
+                let moves = if distance > 0 { agent.planned().optimal(task).exact().unwrap().len() } else { 0 };
                 sums.add(distance, moves as u64);
             }
         }
@@ -120,7 +120,7 @@ fn assert_probabilities(what: &str, ours: &[(String, f32)], reference: &Value) {
     }
 }
 
-fn posterior<D: Domain>(agent: &Agent<'_>, domain: &D) -> Vec<(String, f32)> {
+fn posterior<D: Domain>(agent: &Agent<impl AgentMemory>, domain: &D) -> Vec<(String, f32)> {
     let name = |task| task_text(domain, agent.lifted(), task);
     agent.tasks().iter().enumerate().map(|(position, task)| (name(task), agent.belief().probability(position))).collect()
 }
@@ -130,9 +130,9 @@ fn follow_curriculum(case: &Value, weights: Weights) {
     let mut home_memories: Vec<HeapMemory> = (0..32).map(|_| HeapMemory::new(&Capacities::STANDARD)).collect();
     let mut homes = home_memories.iter_mut();
     let mut memory = HeapMemory::new(&Capacities::STANDARD);
-    let mut agent = Agent::new(memory.split().agent, &lifted, Options { weights, ..Options::PAPER }).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &lifted, Options { weights, ..Options::PAPER }).unwrap();
     for (lesson, session) in case["train"].as_array().unwrap().iter().enumerate() {
-        let (home, start) = home(&session["world"], homes.next().unwrap().split().home, Moves::Push);
+        let (home, start) = home(&session["world"], &mut homes.next().unwrap().home, Moves::Push);
         agent.hear(&home, &start, session["command"].as_str().unwrap()).unwrap();
         assert_probabilities(&format!("lesson {lesson} prior"), &posterior(&agent, &home), &session["prior"]);
         let mut state = start;
@@ -144,8 +144,8 @@ fn follow_curriculum(case: &Value, weights: Weights) {
                 _ => Feedback::Neutral,
             };
             agent.plan_fully(&home, &state).unwrap();
-            agent.feedback(action, feedback).unwrap();
-            state = apply(&home, &state, action).unwrap();
+            state = agent.acted(&home, &state, action).unwrap();
+            assert_eq!(agent.feedback(feedback), Ok(Evidence::Used));
         }
         assert_probabilities(&format!("lesson {lesson} posterior"), &posterior(&agent, &home), &session["posterior"]);
         agent.weigh(&home).unwrap();
@@ -160,11 +160,11 @@ fn follow_curriculum(case: &Value, weights: Weights) {
             })
             .collect();
         assert_probabilities(&format!("lesson {lesson} machine commands"), &machine, &session["machine"]);
-        agent.finish(&home).unwrap();
+        let _ = agent.finish(&home).unwrap();
         agent.learn_fully();
     }
     for test in case["tests"].as_array().unwrap() {
-        let (home, start) = home(&test["world"], homes.next().unwrap().split().home, Moves::Push);
+        let (home, start) = home(&test["world"], &mut homes.next().unwrap().home, Moves::Push);
         agent.hear(&home, &start, test["command"].as_str().unwrap()).unwrap();
         assert_probabilities(test["command"].as_str().unwrap(), &posterior(&agent, &home), &test["posterior"]);
     }
@@ -178,12 +178,12 @@ fn follow_curriculum(case: &Value, weights: Weights) {
 
 #[test]
 fn the_papers_course_gives_the_reference_beliefs_with_the_papers_weights() {
-    let Some(reference) = read("fixtures/curriculum.json") else { return };
+    let reference = read("curriculum.json");
     follow_curriculum(&reference["attributes, paper weights"], Weights::Paper);
 }
 
 #[test]
 fn the_papers_course_gives_the_reference_beliefs_with_belief_weights() {
-    let Some(reference) = read("fixtures/curriculum.json") else { return };
+    let reference = read("curriculum.json");
     follow_curriculum(&reference["attributes, original weights"], Weights::Belief);
 }

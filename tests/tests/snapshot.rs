@@ -3,6 +3,7 @@
 use goodbot::capacity::Capacity;
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::oomdp::Schema;
 use goodbot::planning::Progress;
 use goodbot::snapshot::{Contents, RestoreError, SaveError, most_bytes};
@@ -13,13 +14,13 @@ use rand_pcg::Pcg32;
 
 const TRAINERS: [(Strategy, f32); 3] = [(Strategy::BALANCED, 0.4), (Strategy::PUNISH_ONLY, 0.3), (Strategy::REWARD_ONLY, 0.3)];
 
-fn agent<'m>(memory: &'m mut HeapMemory) -> Agent<'m> {
-    let mut agent = Agent::new(memory.split().agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
+fn agent(memory: &mut HeapMemory) -> Agent<&mut AgentHeap> {
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
     agent.set_strategies(&TRAINERS).unwrap();
     agent
 }
 
-fn saved(agent: &Agent<'_>) -> Vec<u8> {
+fn saved(agent: &Agent<impl AgentMemory>) -> Vec<u8> {
     let mut buffer = vec![0; most_bytes(&Capacities::STANDARD)];
     let length = agent.save(&mut buffer).unwrap();
     buffer.truncate(length);
@@ -27,7 +28,7 @@ fn saved(agent: &Agent<'_>) -> Vec<u8> {
 }
 
 /// All that the agent has learned, as bits: the parameters, the trainer beliefs, and what it makes of the tests.
-fn mind(agent: &mut Agent<'_>) -> Vec<u32> {
+fn mind(agent: &mut Agent<impl AgentMemory>) -> Vec<u32> {
     let mut bits: Vec<u32> = (0..3).map(|strategy| agent.belief().strategy_probability(strategy).to_bits()).collect();
     for (token, _) in agent.language().tokens().iter() {
         bits.extend(agent.language().words().iter().map(|(word, _)| agent.language().tables().translation(word, Some(token)).to_bits()));
@@ -120,7 +121,7 @@ fn what_does_not_fit_is_refused_by_the_capacitys_name_and_changes_nothing() {
     }
     let bytes = saved(&full);
     let contents = Contents::read(&bytes).unwrap();
-    assert_eq!((contents.sessions.len(), contents.sizes.words), (7, Capacities::SMALL.words as u32));
+    assert_eq!((contents.sessions.len(), contents.sizes.words), (7, Capacities::SMALL.words));
     let small = Capacities::SMALL;
     let smaller = [
         (Capacities { words: 4, ..small }, Capacity::Words),
@@ -148,7 +149,7 @@ fn what_does_not_fit_is_refused_by_the_capacitys_name_and_changes_nothing() {
         assert_eq!(saved(&other), before);
     }
     let mut memory = HeapMemory::new(&Capacities { strategies: 2, beliefs: 24, ..small });
-    let mut other = Agent::new(memory.split().agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let mut other = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
     assert!(matches!(other.restore(&bytes), Err(RestoreError::Capacity(error)) if error.capacity == Capacity::Strategies));
 }
 
@@ -159,7 +160,7 @@ fn a_model_of_another_domain_is_refused() {
     let schema = Schema { attributes: &[], ..goodbot::home::SCHEMA };
     let tasks = [LiftedTask::parse("agentInRoom(?a, ?r)", &schema).unwrap()];
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let mut other = Agent::new(memory.split().agent, &tasks, Options::PAPER).unwrap();
+    let mut other = Agent::new(&mut memory.agent, &tasks, Options::PAPER).unwrap();
     assert_eq!(other.restore(&saved(&agent)), Err(RestoreError::OtherDomain));
 }
 

@@ -8,7 +8,7 @@ use goodbot::{Agent, Capacities, HeapMemory, Options};
 /// How many machine commands "agent to one room, block to the other" and its exchange have in all.
 fn distinct_commands(order: TokenOrder) -> usize {
     let (mut homes, mut minds) = (HeapMemory::new(&Capacities::SMALL), HeapMemory::new(&Capacities::STANDARD));
-    let mut builder = HomeBuilder::new(homes.split().home);
+    let mut builder = HomeBuilder::new(&mut homes.home);
     builder.room("room0", Area::new(0, 0, 8, 4), "red").unwrap();
     builder.room("room1", Area::new(0, 4, 8, 8), "green").unwrap();
     builder.room("room2", Area::new(8, 0, 12, 8), "blue").unwrap();
@@ -17,7 +17,7 @@ fn distinct_commands(order: TokenOrder) -> usize {
     let (home, state) = builder.build(Moves::Push).unwrap();
     let both = LiftedTask::parse("agentInRoom(?a,?r1) & blockInRoom(?o,?r2)", &home::SCHEMA).unwrap();
     let language = Settings { order, ..Settings::DEFAULT };
-    let mut agent = Agent::new(minds.split().agent, &[both], Options { language, ..Options::DEFAULT }).unwrap();
+    let mut agent = Agent::new(&mut minds.agent, &[both], Options { language, ..Options::DEFAULT }).unwrap();
     agent.hear(&home, &state, "go").unwrap();
     agent.candidates().entries().len()
 }
@@ -31,7 +31,7 @@ fn facts_beside_their_proposition_tell_exchanged_rooms_apart() {
 fn words_that_begin_alike_are_one_word_where_letters_count() {
     let words = |language| {
         let mut memory = HeapMemory::new(&Capacities::SMALL);
-        let mut model = goodbot::language::LanguageModel::new(memory.split().agent.language, language).unwrap();
+        let mut model = goodbot::language::LanguageModel::new(&mut memory.agent, language).unwrap();
         model.hear("orange orangey oranges").unwrap();
         model.words().len()
     };

@@ -1,5 +1,6 @@
 //! The paper's course for the page: the homes as environments, and what each command means.
 
+use goodbot::memory::HomeHeap;
 use goodbot_course::layout::Layout;
 use goodbot_course::{Exercise, Homes, LESSONS, TESTS, generator};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
@@ -36,8 +37,7 @@ pub fn fixed() -> Course {
 
 /// The course in homes at random.
 pub fn random(seed: u64) -> Course {
-    let mut memory = goodbot::HeapMemory::new(&ROOMS);
-    course(&Homes::random(&mut generator(seed), &mut memory.split().home))
+    course(&Homes::random(&mut generator(seed), &mut HomeHeap::new(&ROOMS)))
 }
 
 fn course(homes: &Homes) -> Course {

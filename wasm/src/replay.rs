@@ -4,9 +4,9 @@
 //! demonstrations.
 
 use goodbot::feedback::Strategy;
-use goodbot::oomdp::action_named;
+use goodbot::oomdp::{action_named, apply};
 use goodbot::task::GroundedTask;
-use goodbot_formats::session::RecordedSession;
+use goodbot_formats::session::{Kind, RecordedSession};
 
 use crate::log::Step;
 use crate::world::{Refusal, World};
@@ -23,7 +23,7 @@ impl World {
             strategies.push((Strategy::new(mu_plus, mu_minus, epsilon).map_err(Refusal::from)?, prior));
         }
         self.forget();
-        self.mind.with_dependent_mut(|_, agent| agent.set_strategies(&strategies)).map_err(Refusal::from)
+        self.mind.set_strategies(&strategies).map_err(Refusal::from)
     }
 
     /// Hears the command under way once more, with a prior for each task in the order of the belief's, instead of what the words say.
@@ -33,10 +33,9 @@ impl World {
     pub fn set_prior(&mut self, prior: &[f32]) -> Result<(), Refusal> {
         let recording = self.recording.take().ok_or_else(|| Refusal("no session is under way".to_owned()))?;
         let Self { mind, rooms, state, .. } = self;
-        let tasks: Vec<GroundedTask> = mind.borrow_dependent().tasks().to_vec();
+        let tasks: Vec<GroundedTask> = mind.tasks().to_vec();
         let of = |task: &GroundedTask| tasks.iter().position(|known| known == task).and_then(|at| prior.get(at).copied()).unwrap_or(0.0);
-        mind.with_dependent_mut(|_, agent| agent.hear_with_prior(rooms.borrow_dependent(), state, &recording.command, |task, _| of(task)))
-            .map_err(Refusal::from)?;
+        mind.hear_with_prior(rooms, state, &recording.command, |task, _| of(task)).map_err(Refusal::from)?;
         self.recording = Some(recording);
         Ok(())
     }
@@ -48,7 +47,7 @@ impl World {
     pub fn hear_again(&mut self, command: &str) -> Result<(), Refusal> {
         self.reset();
         let Self { mind, rooms, state, .. } = self;
-        mind.with_dependent_mut(|_, agent| agent.hear_again(rooms.borrow_dependent(), state)).map_err(Refusal::from)?;
+        mind.hear_again(rooms, state).map_err(Refusal::from)?;
         self.record(command, true)
     }
 
@@ -57,10 +56,11 @@ impl World {
     /// # Errors
     /// As [`act_as`](Self::act_as).
     pub fn demonstrate(&mut self, action: &str) -> Result<(), Refusal> {
-        self.act_as(action)?;
-        self.acted = None;
-        let Some(done) = action_named(self.home(), action) else { return Ok(()) };
-        self.mind.with_dependent_mut(|_, agent| agent.demonstration(done)).map_err(Refusal::from)?;
+        self.check_judged()?;
+        let done = action_named(self.home(), action).ok_or_else(|| Refusal(format!("{action} is no action here")))?;
+        let Self { mind, rooms, state, .. } = self;
+        let _ = mind.demonstrated(rooms, state, done).map_err(Refusal::from)?;
+        *state = apply(rooms, state, done).unwrap_or(*state);
         if let Some(recording) = &mut self.recording {
             recording.kind = "demonstration";
             recording.steps.push(Step::new(action.to_owned(), None));
@@ -75,6 +75,9 @@ impl World {
     /// Why the session cannot be gone through; what was learned before is kept.
     pub fn replay(&mut self, session: &RecordedSession) -> Result<(), Refusal> {
         let header = &session.header;
+        if header.kind == Kind::Labelled {
+            return Err(Refusal("a labelled session has no steps to go through; learn from it with goodbot learn".to_owned()));
+        }
         if header.continues {
             self.hear_again(&header.command)?;
         } else {

@@ -1,24 +1,52 @@
 //! Where a task would lead the robot, for the ghost on the floor plan.
 
+use goodbot::capacity::CapacityError;
 use goodbot::home::{Home, HomeState};
+use goodbot::memory::{AgentHeap, AgentMemory, AgentTables, HomeMemory};
 use goodbot::oomdp::apply;
-use goodbot::planning::{GoalTable, OptimalSet, Progress, Search};
-use goodbot::task::TaskSet;
+use goodbot::planning::{OptimalSet, PlanTables, Planner, Progress};
+use goodbot::task::{GroundedTask, LiftedTask, TaskSet};
 
-use crate::cells::{Lookout, SCOUT, Scout, memory};
+use crate::cells::SCOUT;
 
-/// How many looks of the search a look ahead may take before it is given up.
-const MOST_LOOKS: u32 = 200_000;
+/// How many expansions of the search a look ahead may take before it is given up.
+const MOST_EXPANSIONS: u32 = 200_000;
 /// How many steps it may go.
 const MOST_STEPS: usize = 300;
 
-/// A scout who has not looked yet.
-pub fn scout() -> Scout {
-    Scout::new(memory(&SCOUT), |memory| {
-        let agent = memory.borrow_mut().split().agent;
-        let search = Search::new(agent.session.plan, agent.language.tables.counts);
-        Lookout { goals: GoalTable::new(agent.session.goals), search }
-    })
+/// A second planner in its own memory: looking ahead must not disturb the plan that feedback is judged by.
+#[derive(Debug)]
+pub struct Scout {
+    memory: AgentHeap,
+    planner: Planner,
+}
+
+impl Default for Scout {
+    /// A scout who has not looked yet.
+    fn default() -> Self {
+        Self { memory: AgentHeap::new(&SCOUT), planner: Planner::new() }
+    }
+}
+
+impl Scout {
+    fn tables(memory: &mut AgentHeap) -> PlanTables<'_> {
+        let AgentTables { session, workspace, .. } = memory.lend();
+        PlanTables::new(session.goals, session.plan, workspace)
+    }
+
+    /// Takes the tasks of a session.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where they are too many.
+    pub fn set_tasks<M: HomeMemory>(
+        &mut self,
+        home: &Home<M>,
+        lifted: &[LiftedTask],
+        tasks: &[GroundedTask],
+        state: &HomeState,
+    ) -> Result<(), CapacityError> {
+        self.planner.set_tasks(&mut Self::tables(&mut self.memory), home, lifted, tasks, state)
+    }
 }
 
 /// A look ahead under way: the states on the way to a task's goal, following the first optimal action each time.
@@ -34,34 +62,39 @@ pub struct Lookahead {
 impl Lookahead {
     /// A look from a state to where a task is done.
     pub fn new(state: HomeState, task: usize) -> Self {
-        Self { states: vec![state], task, left: MOST_LOOKS, searching: false, arrived: false }
+        Self { states: vec![state], task, left: MOST_EXPANSIONS, searching: false, arrived: false }
     }
 
-    /// Goes on, with at most about `budget` looks. A look that is done may lead nowhere.
-    pub fn advance(&mut self, lookout: &mut Lookout<'_>, home: &Home<'_>, budget: u32) -> Progress {
+    /// Goes on, with at most about `budget` expansions. A look that is done may lead nowhere.
+    pub fn advance<M: HomeMemory>(&mut self, scout: &mut Scout, home: &Home<M>, budget: u32) -> Progress {
         let mut budget = budget.max(1);
+        let Scout { memory, planner } = scout;
         while budget > 0 && !self.arrived {
             let Some(here) = self.states.last().copied() else { return Progress::Done };
-            if !self.searching {
-                lookout.search.begin(home, &lookout.goals, &here, TaskSet::of(self.task), TaskSet::EMPTY);
+            let mut tables = Scout::tables(memory);
+            let mut before = 0;
+            if self.searching {
+                before = planner.plan(tables.optimal, tables.distances).expansions();
+            } else {
+                planner.begin(&mut tables, home, &here, TaskSet::of(self.task), TaskSet::EMPTY);
                 self.searching = true;
             }
-            let before = lookout.search.looks();
-            let progress = lookout.search.advance(home, &lookout.goals, budget.min(self.left));
+            let progress = planner.advance(&mut tables, home, &here, budget.min(self.left));
+            let plan = planner.plan(tables.optimal, tables.distances);
             // A search that needs no state at all still counts, so that this ends.
-            let spent = lookout.search.looks().saturating_sub(before).max(1);
+            let spent = plan.expansions().saturating_sub(before).max(1);
             (budget, self.left) = (budget.saturating_sub(spent), self.left.saturating_sub(spent));
             let next = match progress {
                 Progress::Working if self.left == 0 => None,
                 Progress::Working => return Progress::Working,
-                Progress::Done => match lookout.search.optimal(self.task) {
-                    OptimalSet::Goal => {
-                        self.arrived = true;
-                        return Progress::Done;
-                    }
-                    OptimalSet::Toward(actions) => actions.iter().next().and_then(|action| apply(home, &here, action)),
-                    OptimalSet::DeadEnd(_) | OptimalSet::Unknown => None,
-                },
+                Progress::Done if plan.optimal(self.task) == OptimalSet::Goal => {
+                    self.arrived = true;
+                    return Progress::Done;
+                }
+                Progress::Done => {
+                    let onward = plan.optimal(self.task).onward();
+                    onward.and_then(|actions| actions.iter().next()).and_then(|action| apply(home, &here, action))
+                }
             };
             let Some(next) = next.filter(|_| self.left > 0 && self.states.len() < MOST_STEPS) else { return Progress::Done };
             self.states.push(next);

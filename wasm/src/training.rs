@@ -7,15 +7,17 @@ use goodbot::feedback::simulated::unit;
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
 use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, HomeState, ROOM, SHAPE};
 use goodbot::language::tokenizer::for_each_word;
-use goodbot::oomdp::{Action, Domain, ObjectId, action_name, action_named, apply};
-use goodbot::planning::{OptimalSet, Progress};
+use goodbot::memory::HomeMemory;
+use goodbot::oomdp::{Action, Domain, ObjectId, action_name, action_named};
+use goodbot::planning::{Judgement, OptimalSet, Progress};
+use goodbot::session;
 use goodbot::task::{GroundedTask, LiftedTask};
 
 use crate::log::{PULLING, Recording, Step, strategies};
 use crate::route::Lookahead;
 use crate::view::{Belief, Decided, Evidence, Heat, Route, Support, Task, TrainerStyle};
 use crate::words::support;
-use crate::world::{Refusal, World, thing};
+use crate::world::{Acted, Refusal, World, thing};
 
 /// The authors' strategies for a robot that also learns how its trainer uses feedback: name, mu+, mu-, prior.
 const STYLES: [(&str, f32, f32, f32); 3] = [("balanced", 0.75, 0.75, 0.32), ("R+/P-", 0.75, 0.85, 0.36), ("R-/P+", 0.85, 0.75, 0.32)];
@@ -35,7 +37,7 @@ impl World {
                 strategies.push((Strategy::new(mu_plus, mu_minus, EPSILON).map_err(Refusal::from)?, prior));
             }
         }
-        self.mind.with_dependent_mut(|_, agent| agent.set_strategies(&strategies)).map_err(Refusal::from)
+        self.mind.set_strategies(&strategies).map_err(Refusal::from)
     }
 
     /// Whether the robot learns how its trainer uses reward and punishment.
@@ -50,7 +52,7 @@ impl World {
     pub fn hear(&mut self, command: &str) -> Result<(), Refusal> {
         self.forget();
         let Self { mind, rooms, state, .. } = self;
-        mind.with_dependent_mut(|_, agent| agent.hear(rooms.borrow_dependent(), state, command)).map_err(Refusal::from)?;
+        mind.hear(rooms, state, command).map_err(Refusal::from)?;
         self.record(command, false)
     }
 
@@ -59,9 +61,8 @@ impl World {
         let environment = self.environment_now();
         let actions = self.pulls().then_some(PULLING);
         let Self { mind, scout, rooms, state, .. } = self;
-        let (home, agent) = (rooms.borrow_dependent(), mind.borrow_dependent());
-        scout.with_dependent_mut(|_, lookout| lookout.goals.fill(home, agent.lifted(), agent.tasks(), state)).map_err(Refusal::from)?;
-        let known = agent.belief().strategies();
+        scout.set_tasks(rooms, mind.lifted(), mind.tasks(), state).map_err(Refusal::from)?;
+        let known = mind.belief().strategies();
         let strategies = if continues { None } else { strategies(known, |at| style_name(known, at)) };
         let command = command.to_owned();
         self.recording = Some(Recording { command, environment, actions, continues, kind: "feedback", strategies, steps: Vec::new() });
@@ -79,8 +80,7 @@ impl World {
     /// Where no session is under way.
     pub fn plan(&mut self, budget: u32) -> Result<bool, Refusal> {
         let Self { mind, rooms, state, .. } = self;
-        let progress = mind.with_dependent_mut(|_, agent| agent.plan(rooms.borrow_dependent(), state, budget));
-        Ok(progress.map_err(Refusal::from)? == Progress::Done)
+        Ok(mind.plan(rooms, state, budget).map_err(Refusal::from)? == Progress::Done)
     }
 
     /// Decides on an action and does it. The plan must be done; the action waits for [`judge`](Self::judge).
@@ -89,12 +89,12 @@ impl World {
     /// Where no session is under way, the plan is not done, or the last action was not judged.
     pub fn act(&mut self) -> Result<Decided, Refusal> {
         self.check_judged()?;
-        let Self { mind, random, .. } = self;
-        let decision = mind.with_dependent_mut(|_, agent| agent.decide(Some(random))).map_err(Refusal::from)?;
+        let Self { mind, rooms, state, random, .. } = self;
+        let decision = mind.decide_by(rooms, state, random).map_err(Refusal::from)?;
         let agent = self.agent();
-        let plans: Vec<OptimalSet> = (0..agent.tasks().len()).map(|task| agent.search().optimal(task)).collect();
+        let plans: Vec<OptimalSet> = (0..agent.tasks().len()).map(|task| agent.planned().optimal(task)).collect();
         let agrees = |(task, plan): (usize, &OptimalSet)| {
-            let right = plan.actions().is_some_and(|actions| actions.contains(decision.action));
+            let right = plan.exact().or(plan.onward()).is_some_and(|actions| actions.contains(decision.action));
             if right { agent.belief().probability(task) } else { 0.0 }
         };
         let decided = Decided {
@@ -103,7 +103,7 @@ impl World {
             confidence: plans.iter().enumerate().map(agrees).sum::<f32>().clamp(0.0, 1.0),
             plans: plans.iter().map(plan_word).collect(),
         };
-        self.perform(decision.action);
+        self.perform(decision.action)?;
         Ok(decided)
     }
 
@@ -114,20 +114,20 @@ impl World {
     pub fn act_as(&mut self, action: &str) -> Result<(), Refusal> {
         self.check_judged()?;
         let action = action_named(self.home(), action).ok_or_else(|| Refusal(format!("{action} is no action here")))?;
-        if !self.agent().search().applicable().contains(action) {
-            return Err(Refusal("the action cannot be done here".to_owned()));
-        }
-        self.perform(action);
-        Ok(())
+        self.perform(action)
     }
 
     pub(crate) fn check_judged(&self) -> Result<(), Refusal> {
         if self.acted.is_some() { Err(Refusal("the last action waits for its feedback".to_owned())) } else { Ok(()) }
     }
 
-    fn perform(&mut self, action: Action) {
-        self.state = apply(self.home(), &self.state, action).unwrap_or(self.state);
-        self.acted = Some(action);
+    fn perform(&mut self, action: Action) -> Result<(), Refusal> {
+        let Self { mind, rooms, state, .. } = self;
+        let next = mind.acted(rooms, state, action).map_err(Refusal::from)?;
+        let plan = mind.planned();
+        let judgements = (0..mind.tasks().len()).map(|task| plan.judge(task, action)).collect();
+        (self.acted, self.state) = (Some(Acted { action, judgements }), next);
+        Ok(())
     }
 
     /// Takes in what the trainer said to the last action: `reward`, `punish`, or anything else for silence.
@@ -135,26 +135,29 @@ impl World {
     /// # Errors
     /// Where no action waits for feedback.
     pub fn judge(&mut self, feedback: &str) -> Result<Evidence, Refusal> {
-        let action = self.acted.ok_or_else(|| Refusal("no action waits for feedback".to_owned()))?;
+        let Acted { action, judgements } = self.acted.take().ok_or_else(|| Refusal("no action waits for feedback".to_owned()))?;
         let feedback = match feedback {
             "reward" => Feedback::Reward,
             "punish" => Feedback::Punish,
             _ => Feedback::Neutral,
         };
-        let agent = self.agent();
-        let judgements = (0..agent.tasks().len()).map(|task| match agent.search().optimal(task).actions() {
-            Some(actions) if actions.contains(action) => "right",
-            Some(_) => "wrong",
-            None => "unknown",
-        });
-        let (judgements, before) = (judgements.collect(), self.probabilities());
-        self.mind.with_dependent_mut(|_, agent| agent.feedback(action, feedback)).map_err(Refusal::from)?;
-        self.acted = None;
+        let words = |judgement: &Judgement| match judgement {
+            Judgement::Correct => "right",
+            Judgement::Incorrect => "wrong",
+            Judgement::Unknown => "unknown",
+        };
+        let before = self.probabilities();
+        let outcome = match self.mind.feedback(feedback).map_err(Refusal::from)? {
+            session::Evidence::Used => "used",
+            session::Evidence::SaysNothing => "says nothing",
+            session::Evidence::Impossible => "impossible",
+        };
         let action = action_name(self.home(), action).to_owned();
         if let Some(recording) = &mut self.recording {
             recording.steps.push(Step::new(action.clone(), Some(feedback.name())));
         }
-        Ok(Evidence { action, feedback: feedback.name(), judgements, before, after: self.probabilities() })
+        let judgements = judgements.iter().map(words).collect();
+        Ok(Evidence { action, feedback: feedback.name(), outcome, judgements, before, after: self.probabilities() })
     }
 
     /// What a trainer who means the given task and follows the paper's balanced strategy would say to the last action.
@@ -162,8 +165,8 @@ impl World {
     /// # Errors
     /// Where no action waits for feedback.
     pub fn simulated_feedback(&mut self, intended: usize) -> Result<&'static str, Refusal> {
-        let action = self.acted.ok_or_else(|| Refusal("no action waits for feedback".to_owned()))?;
-        let right = self.agent().search().optimal(intended).actions().is_some_and(|actions| actions.contains(action));
+        let acted = self.acted.as_ref().ok_or_else(|| Refusal("no action waits for feedback".to_owned()))?;
+        let right = acted.judgements.get(intended) == Some(&Judgement::Correct);
         Ok(SimulatedTrainer { strategy: Strategy::BALANCED }.feedback(right, &mut self.random).name())
     }
 
@@ -183,21 +186,26 @@ impl World {
     pub fn finish(&mut self) -> Result<String, Refusal> {
         let log = self.log(true)?;
         let Self { mind, rooms, .. } = self;
-        let ended = mind.with_dependent_mut(|_, agent| agent.finish(rooms.borrow_dependent()));
+        let ended = mind.finish(rooms);
         (self.recording, self.acted) = (None, None);
-        ended.map_err(Refusal::from)?;
+        self.gave_way += ended.map_err(Refusal::from)?.gave_way.count();
         Ok(log)
+    }
+
+    /// How many sessions have given way to new ones in this robot's life, because its memory was full.
+    pub fn gave_way(&self) -> usize {
+        self.gave_way
     }
 
     /// Goes on learning, with at most about `budget` table cells of work. Gives whether it is done.
     pub fn learn(&mut self, budget: u32) -> bool {
-        self.mind.with_dependent_mut(|_, agent| agent.learn(budget)) == Progress::Done
+        self.mind.learn(budget) == Progress::Done
     }
 
     /// Ends the session, if one is under way, without learning from it.
     pub fn forget(&mut self) {
         if self.recording.take().is_some() {
-            self.mind.with_dependent_mut(|_, agent| agent.forget());
+            self.mind.forget();
         }
         (self.acted, self.ahead) = (None, None);
     }
@@ -241,12 +249,11 @@ impl World {
     /// nowhere, or finding out takes too long.
     pub fn look(&mut self, budget: u32) -> (bool, Option<Route>) {
         let Self { ahead, scout, rooms, .. } = self;
-        let home = rooms.borrow_dependent();
         let Some(looking) = ahead else { return (true, None) };
-        if scout.with_dependent_mut(|_, lookout| looking.advance(lookout, home, budget)) == Progress::Working {
+        if looking.advance(scout, rooms, budget) == Progress::Working {
             return (false, None);
         }
-        (true, ahead.take().and_then(Lookahead::states).and_then(|states| route(home, &states)))
+        (true, ahead.take().and_then(Lookahead::states).and_then(|states| route(rooms, &states)))
     }
 
     /// Which word of the command speaks for which task.
@@ -293,7 +300,7 @@ fn style_name(known: &[(Strategy, f32)], at: usize) -> String {
     STYLES.iter().find(alike).map_or_else(|| format!("style{at}"), |style| style.0.to_owned())
 }
 
-fn route(home: &Home<'_>, states: &[HomeState]) -> Option<Route> {
+fn route(home: &Home<impl HomeMemory>, states: &[HomeState]) -> Option<Route> {
     let end = states.last()?;
     let moved = std::iter::once(home.agent()).chain(home.blocks().iter().copied());
     Some(Route {
@@ -305,6 +312,7 @@ fn route(home: &Home<'_>, states: &[HomeState]) -> Option<Route> {
 const fn plan_word(plan: &OptimalSet) -> &'static str {
     match plan {
         OptimalSet::Toward(_) => "toward",
+        OptimalSet::Approximate(_) => "approximate",
         OptimalSet::Goal => "goal",
         OptimalSet::DeadEnd(_) => "dead end",
         OptimalSet::Unknown => "unknown",
@@ -312,17 +320,17 @@ const fn plan_word(plan: &OptimalSet) -> &'static str {
 }
 
 /// The task as logs write it.
-fn task_name(home: &Home<'_>, lifted: &LiftedTask, task: &GroundedTask) -> String {
+fn task_name(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
     let parts = task.propositions(lifted).map(|part| {
-        let parameters = home.schema().parameters(part.proposition).len();
+        let parameters = home.world().schema.parameters(part.proposition).len();
         let names: Vec<&str> = part.arguments.iter().take(parameters).map(|&object| home.objects().name(object)).collect();
-        format!("{}({})", home.schema().proposition_name(part.proposition), names.join(","))
+        format!("{}({})", home.world().schema.proposition_name(part.proposition), names.join(","))
     });
     parts.collect::<Vec<_>>().join(" & ")
 }
 
 /// The task as a person says it. Objects that look alike are told apart by their names.
-fn task_words(home: &Home<'_>, lifted: &LiftedTask, task: &GroundedTask) -> String {
+fn task_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
     let parts = task.propositions(lifted).map(|part| {
         let [subject, room, _] = part.arguments;
         match part.proposition {
@@ -333,7 +341,7 @@ fn task_words(home: &Home<'_>, lifted: &LiftedTask, task: &GroundedTask) -> Stri
     parts.collect::<Vec<_>>().join(" and ")
 }
 
-fn described(home: &Home<'_>, id: ObjectId) -> String {
+fn described(home: &Home<impl HomeMemory>, id: ObjectId) -> String {
     let objects = home.objects();
     let class = objects.get(id).map(|object| object.class);
     let looks = |id: ObjectId| (objects.value(id, COLOR), objects.value(id, SHAPE));

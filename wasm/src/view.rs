@@ -108,6 +108,8 @@ pub struct Evidence {
     pub action: String,
     /// The feedback to it.
     pub feedback: &'static str,
+    /// What came of it: `used`, `says nothing` where no task's plan is known exactly, or `impossible` under every task and strategy.
+    pub outcome: &'static str,
     /// For each task whether the action was `right`, `wrong` or `unknown`.
     pub judgements: Vec<&'static str>,
     /// The tasks' probabilities before.

@@ -4,9 +4,10 @@
 //! over machine positions of alignment times translation. Each word's row is then made to sum to 1, so that a word that tells nothing is
 //! spread evenly.
 
+use goodbot::Agent;
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::home::Home;
-use goodbot::session::Agent;
+use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::symbols::{Symbol, Symbols};
 use goodbot::task::Expression;
 
@@ -16,13 +17,13 @@ use crate::view::Support;
 ///
 /// # Errors
 /// A [`CapacityError`] where a task's machine commands are too many or too long.
-pub fn support(agent: &Agent<'_>, home: &Home<'_>) -> Result<Support, CapacityError> {
+pub fn support(agent: &Agent<impl AgentMemory>, home: &Home<impl HomeMemory>) -> Result<Support, CapacityError> {
     let language = agent.language();
     let sentence = agent.sentence();
     let length = sentence.len();
     // Interning machine tokens must leave the model's own as they are.
-    let (mut bytes, mut ends) = (vec![0; 4_096], vec![0; 256]);
-    let mut own = Symbols::new(&mut bytes, &mut ends, Capacity::Tokens, Capacity::TokenBytes);
+    let (mut bytes, mut ends, mut count) = (vec![0; 4_096], vec![0; 256], 0);
+    let mut own = Symbols::new(&mut bytes, &mut ends, &mut count, Capacity::Tokens, Capacity::TokenBytes);
     let mut rows = vec![Vec::new(); length];
     for task in agent.tasks() {
         let Some(lifted) = agent.lifted().get(usize::from(task.lifted)) else { continue };
@@ -30,7 +31,7 @@ pub fn support(agent: &Agent<'_>, home: &Home<'_>) -> Result<Support, CapacityEr
         let mut sums = vec![0.0_f32; length];
         for constraint in 0..expression.constraints() {
             let command: Vec<Option<Symbol>> =
-                expression.machine_command(constraint)?.iter().map(|&token| language.tokens().find(own.text(token))).collect();
+                expression.machine_command(constraint)?.iter().map(|&token| language.tokens().find(own.read().text(token))).collect();
             for (i, (word, sum)) in sentence.iter().zip(&mut sums).enumerate() {
                 let Some(word) = *word else { continue };
                 let given =

@@ -4,15 +4,17 @@ use std::fmt;
 
 use goodbot::home::map::Map;
 use goodbot::home::{self, Area, BLOCK, COLOR, Cell, DOOR, Home, HomeBuilder, HomeError, HomeState, Moves, ROOM, SHAPE};
-use goodbot::oomdp::{Action, Domain, ObjectId};
-use goodbot::snapshot::Contents;
+use goodbot::memory::{AgentHeap, HomeHeap, HomeMemory};
+use goodbot::oomdp::{Action, ObjectId};
+use goodbot::planning::Judgement;
+use goodbot::snapshot::{Contents, SAVED};
 use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use rand_pcg::Pcg32;
 
-use crate::cells::{MIND, MOST_OF_A_FIELD, Mind, ROOMS, Rooms, Scout, memory};
+use crate::cells::{MIND, MOST_OF_A_FIELD, ROOMS};
 use crate::log::Recording;
-use crate::route::{self, Lookahead};
+use crate::route::{Lookahead, Scout};
 use crate::view::{Extent, Place, Scene, Thing};
 
 /// Why something was refused, in words for the person at the page.
@@ -36,16 +38,25 @@ impl Refusal {
 /// The robot that the page starts with stands in a home of one room.
 const FIRST_HOME: &str = r#"{"version":1,"objects":[{"class":"room","name":"room0","left":0,"bottom":0,"right":4,"top":4,"color":"red"},{"class":"agent","name":"agent0","x":2,"y":2}]}"#;
 
+/// An action that waits for its feedback, and how it is judged for each task.
+#[derive(Clone, Debug)]
+pub(crate) struct Acted {
+    pub(crate) action: Action,
+    pub(crate) judgements: Vec<Judgement>,
+}
+
 /// One home, one robot, and the session under way.
 pub struct World {
-    pub(crate) mind: Mind,
+    pub(crate) mind: Agent<AgentHeap>,
     pub(crate) scout: Scout,
-    pub(crate) rooms: Rooms,
+    pub(crate) rooms: Home<HomeHeap>,
     pub(crate) file: EnvironmentFile,
     pub(crate) moves: Moves,
     pub(crate) start: HomeState,
     pub(crate) state: HomeState,
-    pub(crate) acted: Option<Action>,
+    pub(crate) acted: Option<Acted>,
+    /// How many sessions have given way to new ones in this robot's life.
+    pub(crate) gave_way: usize,
     pub(crate) recording: Option<Recording>,
     pub(crate) ahead: Option<Lookahead>,
     pub(crate) random: Pcg32,
@@ -57,58 +68,39 @@ impl fmt::Debug for World {
     }
 }
 
-fn new_mind(capacities: &Capacities) -> Result<Mind, Refusal> {
+fn new_mind(capacities: &Capacities) -> Result<Agent<AgentHeap>, Refusal> {
     let lifted = home::paper_tasks().map_err(Refusal::from)?;
-    Mind::try_new(memory(capacities), |memory| Agent::new(memory.borrow_mut().split().agent, &lifted, Options::DEFAULT))
-        .map_err(Refusal::from)
+    Agent::new(AgentHeap::new(capacities), &lifted, Options::DEFAULT).map_err(Refusal::from)
 }
 
 /// Builds the home of a file. The message of a refusal names the object.
-fn build(file: &EnvironmentFile, moves: Moves) -> Result<(Rooms, HomeState), Refusal> {
-    let mut start = None;
+fn build(file: &EnvironmentFile, moves: Moves) -> Result<(Home<HomeHeap>, HomeState), Refusal> {
     let refuse = |error: HomeError| {
         let object = error.object.and_then(|at| file.objects.get(usize::from(at)));
         Refusal(object.map_or_else(|| error.problem.to_string(), |object| format!("{}: {}", object.name(), error.problem)))
     };
-    let rooms = Rooms::try_new(memory(&ROOMS), |memory| {
-        let mut builder = HomeBuilder::new(memory.borrow_mut().split().home);
-        for object in &file.objects {
-            match object {
-                ObjectRecord::Room { name, left, bottom, right, top, color } => {
-                    builder.room(name, Area::new(*left, *bottom, *right, *top), color)
-                }
-                ObjectRecord::Door { name, left, bottom, right, top } => builder.door(name, Area::new(*left, *bottom, *right, *top)),
-                ObjectRecord::Agent { name, x, y } => builder.agent(name, Cell::new(*x, *y)),
-                ObjectRecord::Block { name, x, y, color, shape } => builder.block(name, Cell::new(*x, *y), color, shape),
+    let mut builder = HomeBuilder::new(HomeHeap::new(&ROOMS));
+    for object in &file.objects {
+        match object {
+            ObjectRecord::Room { name, left, bottom, right, top, color } => {
+                builder.room(name, Area::new(*left, *bottom, *right, *top), color)
             }
-            .map_err(refuse)?;
+            ObjectRecord::Door { name, left, bottom, right, top } => builder.door(name, Area::new(*left, *bottom, *right, *top)),
+            ObjectRecord::Agent { name, x, y } => builder.agent(name, Cell::new(*x, *y)),
+            ObjectRecord::Block { name, x, y, color, shape } => builder.block(name, Cell::new(*x, *y), color, shape),
         }
-        let (home, state) = builder.build(moves).map_err(refuse)?;
-        start = Some(state);
-        Ok::<_, Refusal>(home)
-    })?;
-    start.map(|start| (rooms, start)).ok_or_else(|| Refusal("the home has no start".to_owned()))
+        .map_err(refuse)?;
+    }
+    builder.build(moves).map_err(refuse)
 }
 
 /// A robot that has learned more than the page's own, on another machine, keeps its room.
 fn room_for(contents: &Contents<'_>) -> Capacities {
-    let sizes = &contents.sizes;
-    let most = |least: usize, size: u32| least.max((size as usize).min(MOST_OF_A_FIELD));
-    Capacities {
-        words: most(MIND.words, sizes.words),
-        word_bytes: most(MIND.word_bytes, sizes.word_bytes),
-        tokens: most(MIND.tokens, sizes.tokens),
-        token_bytes: most(MIND.token_bytes, sizes.token_bytes),
-        commands: most(MIND.commands, sizes.commands),
-        command_tokens: most(MIND.command_tokens, sizes.command_tokens),
-        sessions: most(MIND.sessions, sizes.sessions),
-        sentence_words: most(MIND.sentence_words, sizes.sentence_words),
-        pairs: most(MIND.pairs, sizes.pairs),
-        translations: most(MIND.translations, sizes.translations),
-        alignments: most(MIND.alignments, sizes.alignments),
-        length_pairs: most(MIND.length_pairs, sizes.length_pairs),
-        ..MIND
+    let mut most = MIND;
+    for capacity in SAVED {
+        most.set(capacity, MOST_OF_A_FIELD);
     }
+    MIND.at_least(contents.sizes.at_most(most))
 }
 
 /// Says why an environment cannot be used, if it cannot.
@@ -130,13 +122,14 @@ impl World {
         let (rooms, start) = build(&file, moves)?;
         Ok(Self {
             mind: new_mind(&MIND)?,
-            scout: route::scout(),
+            scout: Scout::default(),
             rooms,
             file,
             moves,
             start,
             state: start,
             acted: None,
+            gave_way: 0,
             recording: None,
             ahead: None,
             random: Pcg32::new(seed, 1),
@@ -190,7 +183,7 @@ impl World {
     pub fn restart(&mut self) -> Result<(), Refusal> {
         let learns_style = self.learns_style();
         self.mind = new_mind(&MIND)?;
-        (self.recording, self.acted, self.state) = (None, None, self.start);
+        (self.recording, self.acted, self.state, self.gave_way) = (None, None, self.start, 0);
         self.set_learns_style(learns_style)
     }
 
@@ -214,20 +207,20 @@ impl World {
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
         let contents = Contents::read(bytes).map_err(Refusal::from)?;
         let mut mind = new_mind(&room_for(&contents))?;
-        mind.with_dependent_mut(|_, agent| agent.restore(bytes)).map_err(Refusal::from)?;
+        mind.restore(bytes).map_err(Refusal::from)?;
         self.forget();
         self.mind = mind;
         Ok(())
     }
 
     /// The home.
-    pub(crate) fn home(&self) -> &Home<'_> {
-        self.rooms.borrow_dependent()
+    pub(crate) fn home(&self) -> &Home<HomeHeap> {
+        &self.rooms
     }
 
     /// The robot's mind.
-    pub fn agent(&self) -> &Agent<'_> {
-        self.mind.borrow_dependent()
+    pub fn agent(&self) -> &Agent<AgentHeap> {
+        &self.mind
     }
 
     /// The environment with everything where it is now.
@@ -271,12 +264,12 @@ const fn extent(area: Area) -> Extent {
     Extent { left: area.left, bottom: area.bottom, right: area.right, top: area.top }
 }
 
-fn place(home: &Home<'_>, id: ObjectId) -> Place {
+fn place(home: &Home<impl HomeMemory>, id: ObjectId) -> Place {
     let objects = home.objects();
     Place { name: objects.name(id).to_owned(), extent: extent(home.area(id)), color: objects.value(id, COLOR).to_owned() }
 }
 
-pub(crate) fn thing(home: &Home<'_>, state: &HomeState, id: ObjectId) -> Thing {
+pub(crate) fn thing(home: &Home<impl HomeMemory>, state: &HomeState, id: ObjectId) -> Thing {
     let objects = home.objects();
     let cell = home.block_cell(state, id).unwrap_or_else(|| home.agent_cell(state));
     let (color, shape) = (objects.value(id, COLOR).to_owned(), objects.value(id, SHAPE).to_owned());

@@ -1,13 +1,14 @@
 //! Each benchmark here and in WebAssembly, in one run.
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 
+use crate::programs::NODE;
 use crate::toolchain::{self, Target};
 use crate::{process, project};
 
 /// Prints one line a work: its time, that in node, and the ratio.
 pub fn run() -> Result<()> {
-    process::find_program("node").context("node is not installed; install it, on Debian by `apt-get install nodejs`")?;
+    NODE.path()?;
     let mut command = toolchain::cross_cargo_as(Target::Wasm32, "rustc")?;
     process::run(command.args(["--quiet", "--release", "--package", "goodbot-benches", "--lib", "--crate-type", "cdylib"]))?;
     let module = toolchain::artifacts(Target::Wasm32, "release").join("goodbot_benches.wasm");

@@ -6,7 +6,7 @@ use std::process::Command;
 use anyhow::{Context, Result, bail};
 
 use crate::capi::library;
-use crate::toolchain::need_program;
+use crate::programs::GCC;
 use crate::{process, project};
 
 const PAGE: &str = "docs/robot.md";
@@ -89,7 +89,7 @@ impl Drop for Folder {
 
 /// Does what the page says.
 pub fn follow() -> Result<()> {
-    need_program("gcc", &["gcc", "libc6-dev"], "to build the C program")?;
+    GCC.path()?;
     let page = std::fs::read_to_string(project::root().join(PAGE)).with_context(|| format!("{PAGE} cannot be read"))?;
     let folder = Folder::new()?;
     in_c(part(&page, "\n## In C\n", "\n### A robot of your own\n")?, &folder.0)?;
@@ -112,7 +112,7 @@ fn in_rust(part: &str, folder: &Path) -> Result<()> {
     let folder = folder.join("robot");
     std::fs::write(folder.join("src/main.rs"), program(&blocks, "rust"))?;
     let mut run = shell(commands(&blocks, "cargo run")?, &folder);
-    expect(promised(part)?, &process::capture(run.env("CARGO_TARGET_DIR", folder.join("target")))?)
+    expect(promised(part)?, &process::capture(run.env("CARGO_TARGET_DIR", project::target_dir().join("guide")))?)
 }
 
 #[cfg(test)]

@@ -4,11 +4,12 @@ use std::process::Command;
 
 use anyhow::{Context, Result};
 
+use crate::programs::VALGRIND;
 use crate::{process, project};
 
 /// Prints one line a work whose name has `filter` in it.
 pub fn run(filter: &str) -> Result<()> {
-    process::find_program("valgrind").context("valgrind is not installed; install it, on Debian by `apt-get install valgrind`")?;
+    VALGRIND.path()?;
     process::run(project::cargo().args(["build", "--release", "--quiet", "--package", "goodbot-benches", "--bin", "measure"]))?;
     let measure = project::target_dir().join("release").join(format!("measure{}", std::env::consts::EXE_SUFFIX));
     let names = process::capture(&mut Command::new(&measure))?;

@@ -9,6 +9,7 @@ mod guide;
 mod instructions;
 mod page;
 mod process;
+mod programs;
 mod project;
 mod steps;
 mod test;
@@ -31,9 +32,11 @@ struct Arguments {
 enum Task {
     /// Makes sure that goodbot can be built for microcontrollers and for the browser.
     Setup,
+    /// Finds or fetches every program that the commands need, and says where it is.
+    Programs,
     /// Writes the trainer page, `dist/goodbot.html`.
     Page,
-    /// Runs every check and every test; stops at the first that fails.
+    /// Runs every check and every test; stops at the first that fails, and names what cannot be done here.
     Test(test::Options),
     /// Measures goodbot beside other programs on the same work; those that cannot be installed are left out.
     Compare,
@@ -69,7 +72,8 @@ fn main() -> ExitCode {
 fn run() -> Result<ExitCode> {
     match Arguments::parse().command {
         Task::Setup => toolchain::setup()?,
-        Task::Page => page::build()?,
+        Task::Programs => programs::list()?,
+        Task::Page => drop(page::build()?),
         Task::Test(options) => return test::run(&options),
         Task::Compare => compare::run()?,
         Task::BenchWasm => bench_wasm::run()?,

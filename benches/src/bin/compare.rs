@@ -9,10 +9,9 @@ use std::process::{Command, ExitCode, Stdio};
 use std::time::Duration;
 
 use goodbot::language::Settings;
-use goodbot::oomdp::Domain;
 use goodbot::{Capacities, HeapMemory};
 use goodbot_benches::dijkstra::{HOMES, one_dijkstra_a_task};
-use goodbot_benches::homes::{LARGE, Scene, Tasks, size, sweep};
+use goodbot_benches::homes::{Scene, Tasks, size};
 use goodbot_benches::language::{model, sessions, train};
 use goodbot_benches::timing::{ROUNDS, in_turn, median, ratio, time};
 use goodbot_benches::works;
@@ -42,36 +41,35 @@ fn show(what: &str, times: (Duration, Duration), least: Option<f64>, most: Optio
 /// All tasks by one search, against one search a task by the crate pathfinding, from the start of nine random homes; and by one sweep for
 /// every state, against the same peer for every state.
 fn against_dijkstra(seeds: Range<u64>) -> Result<(), String> {
-    let mut words = Vec::new();
     let (mut theirs, mut own, mut own_sweeps, mut theirs_everywhere) = [Duration::ZERO; 4].into();
-    let (mut tasks, mut dead, mut looks) = (0, 0, 0);
+    let (mut tasks, mut dead, mut expansions) = (0, 0, 0);
     for seed in seeds.clone() {
-        let mut memory = HeapMemory::new(&LARGE);
-        let mut scene = Scene::seeded(seed, HOMES, Tasks::Paper, &mut memory);
-        scene.plan();
-        let ours: Vec<Option<u32>> = (0..scene.tasks.len()).map(|task| scene.planner.search().distance(task)).collect();
+        let mut scene = Scene::seeded(seed, HOMES, Tasks::Paper);
+        let count = scene.tasks.len();
+        let plan = scene.plan();
+        expansions += plan.expansions();
+        let ours: Vec<Option<u32>> = (0..count).map(|task| plan.distance(task)).collect();
         let peer = one_dijkstra_a_task(&scene);
         if ours != peer {
             return Err(format!("the distances are not equal: {ours:?} here, {peer:?} there"));
         }
         tasks += ours.len();
-        looks += scene.planner.search().looks();
         dead += ours.iter().filter(|distance| distance.is_none()).count();
         let (mut slow, mut fast) = (Vec::new(), Vec::new());
         for _ in 0..ROUNDS {
-            fast.push(time(&mut || scene.plan()));
+            fast.push(time(&mut || {
+                std::hint::black_box(scene.plan());
+            }));
             slow.push(time(&mut || drop(black_box(one_dijkstra_a_task(&scene)))));
         }
         own += median(fast);
         let slow = median(slow);
         theirs += slow;
-        own_sweeps += median((0..3).map(|_| time(&mut || assert!(!sweep(&scene, &mut words).is_working()))).collect());
-        let swept = sweep(&scene, &mut words);
-        let known = (0..scene.home.state_count()).filter(|&number| swept.knows(&scene.home, &scene.home.numbered(number))).count();
-        theirs_everywhere += slow * u32::try_from(known).unwrap_or(u32::MAX);
+        own_sweeps += median((0..3).map(|_| time(&mut || drop(black_box(scene.sweep())))).collect());
+        theirs_everywhere += slow * u32::try_from(scene.sweep().states()).unwrap_or(u32::MAX);
     }
     println!(
-        "the random homes of seeds {seeds:?}, three rooms, two blocks: {tasks} tasks, {dead} of them dead ends, equal distances, {looks} looks"
+        "the random homes of seeds {seeds:?}, three rooms, two blocks: {tasks} tasks, {dead} of them dead ends, equal distances, {expansions} expansions"
     );
     show("one pathfinding::dijkstra a task / one search for all", (theirs, own), Some(10.0), None)?;
     show("the same for every state, the peer's time from one / one sweep", (theirs_everywhere, own_sweeps), Some(20.0), None)
@@ -79,11 +77,17 @@ fn against_dijkstra(seeds: Range<u64>) -> Result<(), String> {
 
 /// 64 tasks against eight of them, in one state space.
 fn many_tasks() -> Result<(), String> {
-    let (mut memory, mut other) = (HeapMemory::new(&LARGE), HeapMemory::new(&LARGE));
-    let mut many = Scene::roomy(size(12, 1), Tasks::Count(64), &mut memory);
-    let mut few = Scene::roomy(size(12, 1), Tasks::Count(8), &mut other);
-    let times = in_turn(&mut || many.plan(), &mut || few.plan());
-    println!("{} looks, {} and {} tasks", many.planner.search().looks(), many.tasks.len(), few.tasks.len());
+    let mut many = Scene::roomy(size(12, 1), Tasks::Count(64));
+    let mut few = Scene::roomy(size(12, 1), Tasks::Count(8));
+    let times = in_turn(
+        &mut || {
+            std::hint::black_box(many.plan());
+        },
+        &mut || {
+            std::hint::black_box(few.plan());
+        },
+    );
+    println!("{} expansions, {} and {} tasks", many.plan().expansions(), many.tasks.len(), few.tasks.len());
     show("64 tasks / 8 tasks", times, None, Some(1.5))
 }
 
@@ -115,9 +119,9 @@ fn against_nltk() -> Result<(), String> {
     let output = child.wait_with_output().map_err(|error| error.to_string())?;
     let reply: Value = serde_json::from_slice(&output.stdout).map_err(|error| format!("model2.py gave no tables: {error}"))?;
 
-    let mut memory = HeapMemory::new(&Capacities::STANDARD);
+    let memory = HeapMemory::new(&Capacities::STANDARD);
     let settings = Settings { smoothing: 0.0, ..Settings::PAPER };
-    let mut model = model(memory.split().agent.language, &data, settings, 1.0);
+    let mut model = model(memory.agent, &data, settings, 1.0);
     let times: Vec<Duration> = (0..ROUNDS).map(|_| time(&mut || train(&mut model))).collect();
     let rows = |table: &str| reply[table].as_array().cloned().unwrap_or_default();
     let (mut cells, mut largest) = (0, 0.0_f64);

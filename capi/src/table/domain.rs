@@ -1,8 +1,12 @@
 //! The caller's robot as the core sees it.
 
 use super::description::{GOODBOT_CANNOT, GoodbotHolds, GoodbotStep};
+use crate::arena::HomeArena;
 use core::ffi::c_void;
-use goodbot::oomdp::{Action, ActionKind, Attribute, Class, Domain, GroundProposition, ObjectSet, Proposition, Schema};
+use goodbot::memory::HomeMemory;
+use goodbot::oomdp::{
+    Action, ActionKind, Attribute, Class, Domain, GroundProposition, ObjectCount, Objects, OneByOne, Proposition, Schema, World,
+};
 
 /// What an action leads to.
 #[derive(Clone, Copy, Debug)]
@@ -17,7 +21,8 @@ pub(super) enum Steps {
 #[derive(Debug)]
 pub struct TableDomain {
     pub(super) schema: Schema<'static>,
-    pub(super) objects: ObjectSet<'static>,
+    pub(super) memory: HomeArena,
+    pub(super) objects: ObjectCount,
     pub(super) actions: &'static [ActionKind<'static>],
     pub(super) steps: Steps,
     pub(super) holds: GoodbotHolds,
@@ -37,13 +42,10 @@ pub(super) type Parts = (&'static [Class<'static>], &'static [Attribute<'static>
 
 impl Domain for TableDomain {
     type State = u32;
+    type Search = OneByOne;
 
-    fn schema(&self) -> Schema<'_> {
-        self.schema
-    }
-
-    fn objects(&self) -> &ObjectSet<'_> {
-        &self.objects
+    fn world(&self) -> World<'_> {
+        World { schema: self.schema, objects: Objects::new(self.memory.read().objects, self.objects) }
     }
 
     fn actions(&self) -> &[ActionKind<'_>] {
@@ -85,25 +87,5 @@ impl Domain for TableDomain {
 
     fn numbered(&self, number: u64) -> u32 {
         number as u32
-    }
-
-    fn variables(&self) -> usize {
-        1
-    }
-
-    fn values(&self, _variable: usize) -> usize {
-        self.states as usize
-    }
-
-    fn value(&self, state: &u32, _variable: usize) -> usize {
-        *state as usize
-    }
-
-    fn with_value(&self, _state: &u32, _variable: usize, value: usize) -> u32 {
-        value as u32
-    }
-
-    fn reads(&self, _proposition: &GroundProposition) -> Option<usize> {
-        Some(0)
     }
 }

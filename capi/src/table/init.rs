@@ -5,13 +5,13 @@ use super::description::{
     GOODBOT_MOST_PROPOSITIONS, GOODBOT_MOST_TASKS, GoodbotTable,
 };
 use super::domain::{Parts, Steps, TableDomain};
-use crate::arena::{Arena, after};
+use crate::arena::{Arena, HomeArena, after};
 use crate::capacities::GoodbotCapacities;
 use crate::robot::{Goodbot, World, give, plot, settle, text, with};
 use crate::status::{Failure, GoodbotStatus};
 use core::ffi::{c_char, c_void};
-use goodbot::home::HomeMemory;
-use goodbot::oomdp::{ActionKind, Attribute, Carrier, Class, ClassId, ObjectSet, Proposition, Schema};
+use goodbot::memory::HomeMemory;
+use goodbot::oomdp::{ActionKind, Attribute, Carrier, Class, ClassId, ObjectCount, ObjectSet, Proposition, Schema};
 use goodbot::task::LiftedTask;
 use heapless::Vec;
 
@@ -92,13 +92,12 @@ unsafe fn init(
         for &task in list(table.tasks, table.task_count, GOODBOT_MOST_TASKS)? {
             tasks.push(LiftedTask::parse(text(task)?, &schema)?).map_err(|_| GoodbotStatus::Number)?;
         }
-        let world = |memory: HomeMemory<'static>| {
-            let objects = objects(table, ObjectSet::new(memory.objects))?;
-            let domain =
-                TableDomain { schema, objects, actions, steps, holds: table.holds, context: table.context, states: table.state_count };
-            Ok(World::Table(domain, table.start))
+        let world = |mut memory: HomeArena| {
+            let objects = objects(table, &mut memory)?;
+            let (holds, context, states) = (table.holds, table.context, table.state_count);
+            Ok(World::Table(TableDomain { schema, memory, objects, actions, steps, holds, context, states }, table.start))
         };
-        Ok(settle(plot.at, plot.memory, &tasks, world, robot))
+        Ok(settle(plot, &tasks, world, robot))
     }
 }
 
@@ -107,11 +106,15 @@ unsafe fn init(
 unsafe fn schema(table: &GoodbotTable, arena: &mut Arena) -> Result<Parts, Failure> {
     let room = GoodbotStatus::Memory;
     let classes = arena.table(GOODBOT_MOST_CLASSES, Class { name: "" }).ok_or(room)?;
-    let mut carriers = arena.table(GOODBOT_MOST_CARRIERS, NO_CARRIER).ok_or(room)?;
+    let carriers = arena.table(GOODBOT_MOST_CARRIERS, NO_CARRIER).ok_or(room)?;
     let attributes = arena.table(GOODBOT_MOST_ATTRIBUTES, NO_ATTRIBUTE).ok_or(room)?;
-    let mut parameters = arena.table(GOODBOT_MOST_PROPOSITIONS * GOODBOT_MOST_ARGUMENTS, ClassId(0)).ok_or(room)?;
+    let parameters = arena.table(GOODBOT_MOST_PROPOSITIONS * GOODBOT_MOST_ARGUMENTS, ClassId(0)).ok_or(room)?;
     let propositions = arena.table(GOODBOT_MOST_PROPOSITIONS, NO_PROPOSITION).ok_or(room)?;
-    // SAFETY: the caller's promise, for all that follows.
+    // SAFETY: the caller's promise, for all that follows: its memory stays as long as the robot is used.
+    let (classes, attributes, propositions) = unsafe { (classes.stay(), attributes.stay(), propositions.stay()) };
+    // SAFETY: as above.
+    let (mut carriers, mut parameters) = unsafe { (carriers.stay(), parameters.stay()) };
+    // SAFETY: as above.
     unsafe {
         for (slot, &name) in classes.iter_mut().zip(list(table.classes, table.class_count, GOODBOT_MOST_CLASSES)?) {
             slot.name = text(name)?;
@@ -147,6 +150,8 @@ unsafe fn schema(table: &GoodbotTable, arena: &mut Arena) -> Result<Parts, Failu
 
 unsafe fn actions(table: &GoodbotTable, arena: &mut Arena) -> Result<&'static [ActionKind<'static>], Failure> {
     let actions = arena.table(GOODBOT_MOST_ACTIONS, ActionKind { name: "", cost: 1 }).ok_or(GoodbotStatus::Memory)?;
+    // SAFETY: the caller's promise: its memory stays as long as the robot is used.
+    let actions = unsafe { actions.stay() };
     // SAFETY: the caller's promise.
     for (slot, action) in actions.iter_mut().zip(unsafe { list(table.actions, table.action_count, GOODBOT_MOST_ACTIONS) }?) {
         if !(1..=16).contains(&action.cost) {
@@ -177,7 +182,8 @@ unsafe fn steps(table: &GoodbotTable) -> Result<Steps, Failure> {
     Ok(Steps::Function(table.step))
 }
 
-unsafe fn objects(table: &GoodbotTable, mut objects: ObjectSet<'static>) -> Result<ObjectSet<'static>, Failure> {
+unsafe fn objects(table: &GoodbotTable, memory: &mut HomeArena) -> Result<ObjectCount, Failure> {
+    let mut objects = ObjectSet::new(memory.lend().objects);
     // SAFETY: the caller's promise, for all that follows.
     unsafe {
         for object in list(table.objects, table.object_count, usize::from(u8::MAX))? {
@@ -194,7 +200,7 @@ unsafe fn objects(table: &GoodbotTable, mut objects: ObjectSet<'static>) -> Resu
             objects.add(ClassId(object.object_class), text(object.name)?, &values)?;
         }
     }
-    Ok(objects)
+    Ok(objects.count())
 }
 
 /// Says which state things are in, as sensed.

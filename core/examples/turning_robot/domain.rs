@@ -3,8 +3,9 @@
 //! This is all that a robot brings: its state, its actions with their costs, what they do, and a number for each state. The objects and
 //! the propositional functions are the home's, so what was learned in one is understood in the other.
 
-use goodbot::home::{Home, HomeState, SCHEMA};
-use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition, ObjectSet, Schema};
+use goodbot::home::{Home, HomeState};
+use goodbot::memory::HomeMemory;
+use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, World};
 
 /// Driving forward costs twice a turn.
 const ACTIONS: [ActionKind<'static>; 3] =
@@ -23,20 +24,17 @@ pub struct TurningState {
 }
 
 /// The robot and its rooms.
-pub struct TurningRobot<'m> {
+pub struct TurningRobot<M> {
     /// The rooms.
-    pub home: Home<'m>,
+    pub home: Home<M>,
 }
 
-impl Domain for TurningRobot<'_> {
+impl<M: HomeMemory> Domain for TurningRobot<M> {
     type State = TurningState;
+    type Search = OneByOne;
 
-    fn schema(&self) -> Schema<'_> {
-        SCHEMA
-    }
-
-    fn objects(&self) -> &ObjectSet<'_> {
-        self.home.objects()
+    fn world(&self) -> World<'_> {
+        self.home.world()
     }
 
     fn actions(&self) -> &[ActionKind<'_>] {

@@ -7,11 +7,13 @@ mod domain;
 use domain::{TurningRobot, TurningState};
 use goodbot::feedback::Feedback;
 use goodbot::home::map::Map;
-use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeError, HomeMemory, HomeState, Moves};
-use goodbot::oomdp::{Domain, action_name, apply};
+use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeError, HomeState, Moves};
+use goodbot::memory::HomeMemory;
+use goodbot::oomdp::{Action, Domain, action_name};
+use goodbot::session::Evidence;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 
-fn rooms<'m>(memory: HomeMemory<'m>, colors: [&str; 3]) -> Result<(Home<'m>, HomeState), HomeError> {
+fn rooms<M: HomeMemory>(memory: M, colors: [&str; 3]) -> Result<(Home<M>, HomeState), HomeError> {
     let mut builder = HomeBuilder::new(memory);
     builder.room("room0", Area::new(0, 0, 8, 4), colors[0])?;
     builder.room("room1", Area::new(0, 4, 4, 8), colors[1])?;
@@ -24,38 +26,38 @@ fn rooms<'m>(memory: HomeMemory<'m>, colors: [&str; 3]) -> Result<(Home<'m>, Hom
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut memory = HeapMemory::new(&Capacities::STANDARD);
-    let mut agent = Agent::new(memory.split().agent, &home::paper_tasks()?, Options::PAPER)?;
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks()?, Options::PAPER)?;
 
     for (color, room) in [("green", "room1"), ("red", "room2")] {
         let mut memory = HeapMemory::new(&Capacities::STANDARD);
-        let (home, mut state) = rooms(memory.split().home, ["blue", "green", "red"])?;
+        let (home, mut state) = rooms(&mut memory.home, ["blue", "green", "red"])?;
         agent.hear(&home, &state, &format!("go to the {color} room"))?;
         for _ in 0..8 {
             agent.plan_fully(&home, &state)?;
-            let decision = agent.decide::<rand_pcg::Pcg32>(None)?;
+            let decision = agent.decide(&home, &state)?;
             let goal = agent.tasks()[decision.task];
-            let right = home.objects().name(goal.bindings[1]) == room;
-            agent.feedback(decision.action, if right { Feedback::Reward } else { Feedback::Punish })?;
-            state = apply(&home, &state, decision.action).unwrap_or(state);
+            let right = home.world().objects.name(goal.bindings[1]) == room;
+            state = agent.acted(&home, &state, decision.action)?;
+            assert_eq!(agent.feedback(if right { Feedback::Reward } else { Feedback::Punish })?, Evidence::Used);
         }
-        agent.finish(&home)?;
+        let _ = agent.finish(&home)?;
         agent.learn_fully();
     }
 
     let mut memory = HeapMemory::new(&Capacities::STANDARD);
-    let (home, start) = rooms(memory.split().home, ["green", "blue", "red"])?;
+    let (home, start) = rooms(&mut memory.home, ["green", "blue", "red"])?;
     let robot = TurningRobot { home };
     let mut state = TurningState { home: start, heading: 0 };
     println!("{}", Map::new(&robot.home, &state.home));
     agent.hear(&robot, &state, "go to the red room")?;
     loop {
         agent.plan_fully(&robot, &state)?;
-        let decision = agent.decide::<rand_pcg::Pcg32>(None)?;
-        if decision.action == goodbot::oomdp::Action::NOOP {
+        let decision = agent.decide(&robot, &state)?;
+        if decision.action == Action::NOOP {
             break;
         }
         print!("{} ", action_name(&robot, decision.action));
-        state = robot.step(&state, decision.action).unwrap_or(state);
+        state = agent.acted(&robot, &state, decision.action)?;
     }
     println!("\n\n{}", Map::new(&robot.home, &state.home));
     Ok(())

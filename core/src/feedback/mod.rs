@@ -8,17 +8,8 @@ pub mod belief;
 pub mod simulated;
 pub mod strategy;
 
-pub use belief::{Belief, BeliefError, BeliefMemory};
+pub use belief::{Belief, BeliefCount, BeliefError, BeliefRef, BeliefTables, BeliefTablesRef};
 pub use simulated::SimulatedTrainer;
 pub use strategy::{Feedback, Strategy, StrategyError};
 
-/// How an action relates to a task's optimal set.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Judgement {
-    /// The action is in the optimal set.
-    Correct,
-    /// It is not.
-    Incorrect,
-    /// The optimal set is unknown.
-    Unknown,
-}
+pub use crate::planning::Judgement;

@@ -50,8 +50,6 @@ pub enum StrategyError {
     MuMinus,
     /// epsilon is outside [0, 1] or not a number.
     Epsilon,
-    /// The probability of a strategy is outside [0, 1] or not a number, or those of all strategies are 0.
-    Prior,
 }
 
 impl fmt::Display for StrategyError {
@@ -60,7 +58,6 @@ impl fmt::Display for StrategyError {
             Self::MuPlus => "mu+ must be a number from 0 to 1",
             Self::MuMinus => "mu- must be a number from 0 to 1",
             Self::Epsilon => "epsilon must be a number from 0 to 1",
-            Self::Prior => "a strategy's prior must be a number from 0 to 1, and one of them more than 0",
         })
     }
 }

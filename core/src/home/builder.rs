@@ -1,21 +1,46 @@
 //! A home from its objects, checked.
 
-use super::layout::{Area, Cell, Place, StoredArea, WALL, is_wall, spot_of};
+use super::layout::{Area, Cell, Place, StoredArea, find, is_wall};
 use super::moves::{Home, HomeState, Moves};
 use super::{AGENT, BLOCK, DOOR, ROOM};
 use crate::capacity::{BLOCKS, Capacity, CapacityError};
-use crate::oomdp::objects::{ObjectError, ObjectMemory};
-use crate::oomdp::{ClassId, ObjectId, ObjectSet};
+use crate::memory::HomeMemory;
+use crate::oomdp::objects::{ObjectCount, ObjectError, ObjectTables, ObjectTablesRef};
+use crate::oomdp::{CellId, ClassId, ObjectId, ObjectSet, Objects};
 
-/// Memory for one home.
+/// The tables of one home.
 #[derive(Debug)]
-pub struct HomeMemory<'m> {
+pub struct HomeTables<'t> {
     /// The objects and their names.
-    pub objects: ObjectMemory<'m>,
+    pub objects: ObjectTables<'t>,
     /// One box an object.
-    pub areas: &'m mut [StoredArea],
+    pub areas: &'t mut [StoredArea],
     /// One entry a free cell.
-    pub places: &'m mut [Place],
+    pub places: &'t mut [Place],
+}
+
+/// The tables of one home, to be read.
+#[derive(Clone, Copy, Debug)]
+pub struct HomeTablesRef<'t> {
+    /// The objects and their names.
+    pub objects: ObjectTablesRef<'t>,
+    /// One box an object.
+    pub areas: &'t [StoredArea],
+    /// One entry a free cell.
+    pub places: &'t [Place],
+}
+
+impl HomeTables<'_> {
+    /// The same tables, lent for a shorter time.
+    pub fn lend(&mut self) -> HomeTables<'_> {
+        HomeTables { objects: self.objects.lend(), areas: self.areas, places: self.places }
+    }
+
+    /// The same tables, to be read.
+    #[inline]
+    pub const fn read(&self) -> HomeTablesRef<'_> {
+        HomeTablesRef { objects: self.objects.read(), areas: self.areas, places: self.places }
+    }
 }
 
 /// What is wrong with a home.
@@ -95,7 +120,7 @@ impl core::error::Error for HomeError {}
 /// use goodbot::home::{Area, Cell, HomeBuilder, Moves};
 /// goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
 /// let mut memory = Memory::new();
-/// let mut builder = HomeBuilder::new(memory.split().home);
+/// let mut builder = HomeBuilder::new(&mut memory.home);
 /// builder.room("room0", Area::new(0, 0, 8, 4), "red")?;
 /// builder.room("room1", Area::new(0, 4, 8, 8), "green")?;
 /// builder.door("door0", Area::new(2, 4, 2, 4))?;
@@ -106,40 +131,53 @@ impl core::error::Error for HomeError {}
 /// # Ok::<(), goodbot::home::HomeError>(())
 /// ```
 #[derive(Debug)]
-pub struct HomeBuilder<'m> {
-    objects: ObjectSet<'m>,
-    areas: &'m mut [StoredArea],
-    places: &'m mut [Place],
+pub struct HomeBuilder<M> {
+    memory: M,
+    count: ObjectCount,
     agent: Option<ObjectId>,
 }
 
-impl<'m> HomeBuilder<'m> {
-    /// An empty home.
-    pub fn new(memory: HomeMemory<'m>) -> Self {
-        Self { objects: ObjectSet::new(memory.objects), areas: memory.areas, places: memory.places, agent: None }
+impl<M> HomeBuilder<M> {
+    /// An empty home in this memory: `memory.home`, `&mut memory.home` or anything else that is [`HomeMemory`].
+    pub const fn new(memory: M) -> Self {
+        Self { memory, count: ObjectCount::NONE, agent: None }
+    }
+
+    /// The memory, for another home.
+    pub fn into_memory(self) -> M {
+        self.memory
+    }
+}
+
+impl<M: HomeMemory> HomeBuilder<M> {
+    fn objects(&self) -> Objects<'_> {
+        Objects::new(self.memory.read().objects, self.count)
     }
 
     fn here(&self, problem: Problem) -> HomeError {
-        HomeError { problem, object: Some(self.objects.len() as u16) }
+        HomeError { problem, object: Some(self.objects().len() as u16) }
     }
 
     fn add(&mut self, class: ClassId, name: &str, area: Area, values: &[&str]) -> Result<ObjectId, HomeError> {
         if !area.is_within_reach() {
             return Err(self.here(Problem::TooFar));
         }
-        // One bit an object in the masks of each place.
-        let limit = self.areas.len().min(32);
-        if self.objects.len() >= limit {
+        // One region an object.
+        let limit = self.memory.read().areas.len().min(32);
+        if self.objects().len() >= limit {
             return Err(self.here(Problem::Capacity(CapacityError::full(Capacity::Objects, limit))));
         }
-        let id = self.objects.add(class, name, values).map_err(|error| {
+        let mut objects = ObjectSet::with(self.memory.lend().objects, self.count);
+        let added = objects.add(class, name, values);
+        self.count = objects.count();
+        let id = added.map_err(|error| {
             self.here(match error {
                 ObjectError::DuplicateName => Problem::DuplicateName,
                 ObjectError::EmptyName => Problem::EmptyName,
                 ObjectError::Capacity(error) => Problem::Capacity(error),
             })
         })?;
-        if let Some(slot) = self.areas.get_mut(id.index()) {
+        if let Some(slot) = self.memory.lend().areas.get_mut(id.index()) {
             *slot = StoredArea::of(area);
         }
         Ok(id)
@@ -172,7 +210,7 @@ impl<'m> HomeBuilder<'m> {
     /// # Errors
     /// [`HomeError`]; the home is then as before.
     pub fn block(&mut self, name: &str, cell: Cell, color: &str, shape: &str) -> Result<ObjectId, HomeError> {
-        if self.objects.of_class(BLOCK).count() >= BLOCKS {
+        if self.objects().of_class(BLOCK).count() >= BLOCKS {
             return Err(self.here(Problem::Capacity(CapacityError::full(Capacity::Blocks, BLOCKS))));
         }
         self.add(BLOCK, name, Area::new(cell.x, cell.y, cell.x, cell.y), &[color, shape])
@@ -191,16 +229,36 @@ impl<'m> HomeBuilder<'m> {
         Ok(id)
     }
 
-    fn areas_of(&self, class: ClassId) -> impl Iterator<Item = (ObjectId, Area)> {
-        self.objects.of_class(class).filter_map(|id| Some((id, self.areas.get(id.index())?.area())))
+    fn areas_of(&self, class: ClassId) -> impl Iterator<Item = (ObjectId, Area)> + use<'_, M> {
+        let areas = self.memory.read().areas;
+        self.objects().of_class(class).filter_map(move |id| Some((id, areas.get(id.index())?.area())))
     }
 
-    /// Checks the home as a whole and gives it with its initial state.
+    /// Checks the home as a whole and returns it with its initial state.
     ///
     /// # Errors
     /// [`HomeError`]: no agent or room, the agent or a block in a wall or on another, more free cells than the memory holds, or more
     /// states than can be numbered.
-    pub fn build(mut self, moves: Moves) -> Result<(Home<'m>, HomeState), HomeError> {
+    pub fn build(self, moves: Moves) -> Result<(Home<M>, HomeState), HomeError> {
+        self.try_build(moves).map_err(|(error, _)| error)
+    }
+
+    /// As [`build`](Self::build), but gives the memory back where that fails.
+    ///
+    /// # Errors
+    /// As [`build`](Self::build), with the memory.
+    pub fn try_build(mut self, moves: Moves) -> Result<(Home<M>, HomeState), (HomeError, M)> {
+        match self.check() {
+            Ok((count, agent, start, blocks)) => {
+                let block_count = self.objects().of_class(BLOCK).count();
+                Ok((Home::new(self.memory, self.count, count, agent, blocks, block_count, moves), start))
+            }
+            Err(error) => Err((error, self.memory)),
+        }
+    }
+
+    /// Finds the free cells and where everything stands: how many cells, the agent, the initial state, and the blocks.
+    fn check(&mut self) -> Result<(usize, ObjectId, HomeState, [ObjectId; BLOCKS]), HomeError> {
         let whole = |problem| HomeError { problem, object: None };
         let Some(agent) = self.agent else { return Err(whole(Problem::NoAgent)) };
         let mut bounds: Option<Area> = None;
@@ -213,12 +271,12 @@ impl<'m> HomeBuilder<'m> {
         let count = self.find_places(bounds).map_err(|error| whole(Problem::Capacity(error)))?;
         self.join_neighbours(count);
         let (start, blocks) = self.stand(agent, count)?;
-        let block_count = self.objects.of_class(BLOCK).count();
+        let block_count = self.objects().of_class(BLOCK).count();
         // Numbers that ran over would make two states one to the search.
         if (0..block_count).try_fold(count as u64, |states, _| states.checked_mul(count as u64)).is_none() {
             return Err(whole(Problem::TooManyStates));
         }
-        Ok((Home::new(self.objects, self.areas, self.places, count, agent, blocks, block_count, moves), start))
+        Ok((count, agent, start, blocks))
     }
 
     fn find_places(&mut self, bounds: Area) -> Result<usize, CapacityError> {
@@ -229,14 +287,13 @@ impl<'m> HomeBuilder<'m> {
                 if is_wall(cell, self.areas_of(ROOM).map(|(_, area)| area), self.areas_of(DOOR).map(|(_, area)| area)) {
                     continue;
                 }
-                let mark = |marks: u32, id: ObjectId| marks | 1_u32.checked_shl(u32::from(id.0)).unwrap_or(0);
-                let inside = self.areas_of(ROOM).filter(|(_, area)| area.holds_strictly(cell)).fold(0, |marks, (id, _)| mark(marks, id));
-                let doors = self.areas_of(DOOR).filter(|(_, area)| area.holds(cell)).fold(0, |marks, (id, _)| mark(marks, id));
-                let limit = self.places.len().min(usize::from(WALL));
-                let Some(slot) = self.places.get_mut(count).filter(|_| count < limit) else {
+                let inside = self.areas_of(ROOM).find(|(_, area)| area.holds_strictly(cell));
+                let region = inside.or_else(|| self.areas_of(DOOR).find(|(_, area)| area.holds(cell))).map_or(0, |(id, _)| id.0);
+                let limit = self.memory.read().places.len().min(CellId::NONE.index());
+                let Some(slot) = self.memory.lend().places.get_mut(count).filter(|_| count < limit) else {
                     return Err(CapacityError::full(Capacity::Cells, limit));
                 };
-                *slot = Place { x: x as i16, y: y as i16, neighbours: [WALL; 4], rooms: inside, doors };
+                *slot = Place { x: x as i16, y: y as i16, neighbours: [CellId::NONE; 4], region };
                 count = count.saturating_add(1);
             }
         }
@@ -245,26 +302,26 @@ impl<'m> HomeBuilder<'m> {
 
     fn join_neighbours(&mut self, count: usize) {
         for position in 0..count {
-            let free = self.places.get(..count).unwrap_or(&[]);
+            let free = self.memory.read().places.get(..count).unwrap_or(&[]);
             let Some(cell) = free.get(position).map(Place::cell) else { return };
             let neighbours = [(0, 1), (0, -1), (1, 0), (-1, 0)]
-                .map(|(x, y)| spot_of(free, Cell::new(cell.x.saturating_add(x), cell.y.saturating_add(y))).unwrap_or(WALL));
-            if let Some(place) = self.places.get_mut(position) {
+                .map(|(x, y)| find(free, Cell::new(cell.x.saturating_add(x), cell.y.saturating_add(y))).unwrap_or(CellId::NONE));
+            if let Some(place) = self.memory.lend().places.get_mut(position) {
                 place.neighbours = neighbours;
             }
         }
     }
 
     fn stand(&self, agent: ObjectId, count: usize) -> Result<(HomeState, [ObjectId; BLOCKS]), HomeError> {
-        let free = self.places.get(..count).unwrap_or(&[]);
-        let spot = |id: ObjectId| {
-            let area = self.areas.get(id.index()).map_or(Area::NOWHERE, |area| area.area());
-            spot_of(free, Cell::new(area.left, area.bottom)).ok_or(HomeError { problem: Problem::InWall, object: Some(u16::from(id.0)) })
+        let free = self.memory.read().places.get(..count).unwrap_or(&[]);
+        let cell_of = |id: ObjectId| {
+            let area = self.memory.read().areas.get(id.index()).map_or(Area::NOWHERE, |area| area.area());
+            find(free, Cell::new(area.left, area.bottom)).ok_or(HomeError { problem: Problem::InWall, object: Some(u16::from(id.0)) })
         };
-        let mut state = HomeState { agent: spot(agent)?, blocks: [WALL; BLOCKS] };
+        let mut state = HomeState { agent: cell_of(agent)?, blocks: [CellId::NONE; BLOCKS] };
         let mut ids = [ObjectId(u8::MAX); BLOCKS];
-        for (position, id) in self.objects.of_class(BLOCK).enumerate() {
-            let here = spot(id)?;
+        for (position, id) in self.objects().of_class(BLOCK).enumerate() {
+            let here = cell_of(id)?;
             if here == state.agent || state.blocks.contains(&here) {
                 return Err(HomeError { problem: Problem::OnAnother, object: Some(u16::from(id.0)) });
             }

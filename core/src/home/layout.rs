@@ -1,5 +1,9 @@
 //! Where the rooms and doors of a home are, and which cells are free of wall.
 
+use crate::oomdp::CellId;
+/// A free cell of a home. Its region is the room whose inside it is in, or else the door.
+pub use crate::oomdp::FloorCell as Place;
+
 /// The largest distance of a coordinate from the origin, in cells.
 pub const FARTHEST: i32 = 255;
 
@@ -33,32 +37,6 @@ impl Area {
     /// Whether the cell is inside the box, its edge excluded.
     pub const fn holds_strictly(&self, cell: Cell) -> bool {
         cell.x > self.left && cell.x < self.right && cell.y > self.bottom && cell.y < self.top
-    }
-
-    /// The box without its edge.
-    pub(super) const fn inside(&self) -> Self {
-        Self::new(self.left.wrapping_add(1), self.bottom.wrapping_add(1), self.right.wrapping_sub(1), self.top.wrapping_sub(1))
-    }
-
-    fn width(&self) -> usize {
-        usize::try_from(self.right.wrapping_sub(self.left).wrapping_add(1)).unwrap_or(0)
-    }
-
-    /// How many cells it has.
-    pub(super) fn cells(&self) -> usize {
-        self.width().saturating_mul(usize::try_from(self.top.wrapping_sub(self.bottom).wrapping_add(1)).unwrap_or(0))
-    }
-
-    /// The position of a cell of the box, row by row.
-    pub(super) fn position(&self, cell: Cell) -> Option<usize> {
-        let (x, y) = (cell.x.wrapping_sub(self.left), cell.y.wrapping_sub(self.bottom));
-        self.holds(cell).then(|| (y.unsigned_abs() as usize).saturating_mul(self.width()).saturating_add(x.unsigned_abs() as usize))
-    }
-
-    /// The cell at a position of the box.
-    pub(super) fn cell_at(&self, position: usize) -> Option<Cell> {
-        let (x, y) = (position.checked_rem(self.width())? as i32, position.checked_div(self.width())? as i32);
-        Some(Cell::new(self.left.wrapping_add(x), self.bottom.wrapping_add(y)))
     }
 
     pub(super) const fn is_within_reach(&self) -> bool {
@@ -106,25 +84,7 @@ impl Cell {
     }
 }
 
-/// A free cell, by its position among a home's free cells.
-pub(super) type Spot = u16;
-/// No free cell: a wall.
-pub(super) const WALL: Spot = Spot::MAX;
-
-/// A free cell of a home: where it is, its neighbours, and the rooms and doors that it lies in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
-    pub(super) x: i16,
-    pub(super) y: i16,
-    pub(super) neighbours: [Spot; 4],
-    pub(super) rooms: u32,
-    pub(super) doors: u32,
-}
-
 impl Place {
-    /// What unused memory holds.
-    pub const UNUSED: Self = Self { x: 0, y: 0, neighbours: [0; 4], rooms: 0, doors: 0 };
-
     /// The cell.
     pub const fn cell(&self) -> Cell {
         Cell::new(self.x as i32, self.y as i32)
@@ -144,6 +104,6 @@ pub(super) fn is_wall(cell: Cell, rooms: impl Iterator<Item = Area>, mut doors: 
 }
 
 /// Finds the cell among the places, which lie row by row from the south, each row from the west.
-pub(super) fn spot_of(places: &[Place], cell: Cell) -> Option<Spot> {
-    places.binary_search_by_key(&(cell.y, cell.x), |place| (i32::from(place.y), i32::from(place.x))).ok().map(|found| found as Spot)
+pub(super) fn find(places: &[Place], cell: Cell) -> Option<CellId> {
+    places.binary_search_by_key(&(cell.y, cell.x), |place| (i32::from(place.y), i32::from(place.x))).ok().map(|found| CellId(found as u16))
 }

@@ -3,6 +3,7 @@
 use super::layout::{Area, Cell};
 use super::moves::{Home, HomeState};
 use super::{BLOCK, COLOR, DOOR, ROOM, SHAPE};
+use crate::memory::HomeMemory;
 use crate::oomdp::{Domain, ObjectId};
 use core::fmt;
 
@@ -13,7 +14,7 @@ use core::fmt;
 /// use goodbot::home::{Area, Cell, HomeBuilder, Moves, map::Map};
 /// goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
 /// let mut memory = Memory::new();
-/// let mut builder = HomeBuilder::new(memory.split().home);
+/// let mut builder = HomeBuilder::new(&mut memory.home);
 /// builder.room("room0", Area::new(0, 0, 4, 3), "red")?;
 /// builder.room("room1", Area::new(4, 0, 8, 3), "green")?;
 /// builder.door("door0", Area::new(4, 2, 4, 2))?;
@@ -25,20 +26,20 @@ use core::fmt;
 /// # Ok::<(), goodbot::home::HomeError>(())
 /// ```
 #[derive(Debug)]
-pub struct Map<'a, 'm> {
-    home: &'a Home<'m>,
+pub struct Map<'a, M> {
+    home: &'a Home<M>,
     state: &'a HomeState,
 }
 
-impl<'a, 'm> Map<'a, 'm> {
+impl<'a, M: HomeMemory> Map<'a, M> {
     /// The drawing of `home` in `state`.
-    pub fn new(home: &'a Home<'m>, state: &'a HomeState) -> Self {
+    pub fn new(home: &'a Home<M>, state: &'a HomeState) -> Self {
         Self { home, state }
     }
 
     /// The box of all rooms.
     pub fn bounds(&self) -> Area {
-        let rooms = self.home.objects().of_class(ROOM).map(|room| self.home.area(room));
+        let rooms = self.home.world().objects.of_class(ROOM).map(|room| self.home.area(room));
         rooms
             .reduce(|a, b| Area::new(a.left.min(b.left), a.bottom.min(b.bottom), a.right.max(b.right), a.top.max(b.top)))
             .unwrap_or(Area::NOWHERE)
@@ -46,7 +47,7 @@ impl<'a, 'm> Map<'a, 'm> {
 
     /// The character of one cell.
     pub fn character(&self, cell: Cell) -> char {
-        let objects = self.home.objects();
+        let objects = self.home.world().objects;
         let first = |id: ObjectId, attribute: usize| objects.value(id, attribute).chars().next();
         if self.home.agent_cell(self.state) == cell {
             return '@';
@@ -54,7 +55,7 @@ impl<'a, 'm> Map<'a, 'm> {
         if let Some(block) = objects.of_class(BLOCK).find(|&block| self.home.block_cell(self.state, block) == Some(cell)) {
             return first(block, SHAPE).map_or('O', |letter| letter.to_ascii_uppercase());
         }
-        if super::layout::spot_of(self.home.places(), cell).is_none() {
+        if super::layout::find(self.home.places(), cell).is_none() {
             return if objects.of_class(ROOM).any(|room| self.home.area(room).holds(cell)) { '#' } else { ' ' };
         }
         if let Some(room) = objects.of_class(ROOM).find(|&room| self.home.area(room).holds_strictly(cell)) {
@@ -64,7 +65,7 @@ impl<'a, 'm> Map<'a, 'm> {
     }
 }
 
-impl fmt::Display for Map<'_, '_> {
+impl<M: HomeMemory> fmt::Display for Map<'_, M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         use fmt::Write;
         let bounds = self.bounds();

@@ -12,8 +12,8 @@ pub mod layout;
 pub mod map;
 pub mod moves;
 
-pub use builder::{HomeBuilder, HomeError, HomeMemory, Problem};
-pub use layout::{Area, Cell, Place};
+pub use builder::{HomeBuilder, HomeError, HomeTables, HomeTablesRef, Problem};
+pub use layout::{Area, Cell, Place, StoredArea};
 pub use moves::{Home, HomeState, Moves};
 
 use crate::oomdp::{Attribute, Carrier, Class, ClassId, Proposition, PropositionId, Schema};

@@ -58,19 +58,22 @@ impl Pair {
     pub const UNUSED: Self = Self { session: 0, command: 0, weight: 0.0 };
 }
 
-/// Memory for a [`Bitext`].
-#[derive(Debug)]
-pub struct BitextMemory<'m> {
-    /// One entry a distinct machine command.
-    pub commands: &'m mut [Span],
-    /// Their tokens.
-    pub command_tokens: &'m mut [Symbol],
-    /// One entry a session.
-    pub sessions: &'m mut [Span],
-    /// The words of their English commands.
-    pub sentence_words: &'m mut [Symbol],
-    /// One entry a pair.
-    pub pairs: &'m mut [Pair],
+crate::memory::tables! {
+    /// The tables of the training data.
+    BitextTables,
+    /// The tables of the training data, to be read.
+    BitextTablesRef {
+        /// One entry a distinct machine command.
+        commands: Span,
+        /// Their tokens.
+        command_tokens: Symbol,
+        /// One entry a session.
+        sessions: Span,
+        /// The words of their English commands.
+        sentence_words: Symbol,
+        /// One entry a pair.
+        pairs: Pair,
+    }
 }
 
 /// How much of the memory is used.
@@ -83,43 +86,101 @@ pub struct Extent {
     pairs: usize,
 }
 
+impl Extent {
+    /// Nothing is used.
+    pub(crate) const NONE: Self = Self { commands: 0, command_tokens: 0, sessions: 0, sentence_words: 0, pairs: 0 };
+}
+
 /// The training data.
 #[derive(Debug)]
-pub struct Bitext<'m> {
-    memory: BitextMemory<'m>,
+pub struct Bitext<'t> {
+    memory: BitextTables<'t>,
+    used: &'t mut Extent,
+}
+
+/// The training data, to be read.
+#[derive(Clone, Copy, Debug)]
+pub struct BitextRef<'t> {
+    memory: BitextTablesRef<'t>,
     used: Extent,
 }
 
-impl<'m> Bitext<'m> {
-    /// No data yet.
-    pub fn new(memory: BitextMemory<'m>) -> Self {
-        Self { memory, used: Extent::default() }
+impl<'t> BitextRef<'t> {
+    /// The data that `used` says are there.
+    pub(crate) const fn new(memory: BitextTablesRef<'t>, used: Extent) -> Self {
+        Self { memory, used }
     }
 
     /// How many sessions.
-    pub fn sessions(&self) -> usize {
+    pub const fn sessions(self) -> usize {
         self.used.sessions
     }
 
     /// How many distinct machine commands.
-    pub fn commands(&self) -> usize {
+    pub const fn commands(self) -> usize {
         self.used.commands
     }
 
     /// The pairs, session by session.
-    pub fn pairs(&self) -> &[Pair] {
+    pub fn pairs(self) -> &'t [Pair] {
         self.memory.pairs.get(..self.used.pairs).unwrap_or(&[])
     }
 
     /// The words of a session's English command.
-    pub fn sentence(&self, session: u16) -> &[Symbol] {
+    pub fn sentence(self, session: u16) -> &'t [Symbol] {
         span(self.memory.sessions, self.memory.sentence_words, usize::from(session), self.used.sessions)
     }
 
     /// Whether a session's English command was heard more than once in the robot's life, as far as its sessions tell.
-    pub fn heard_again(&self, session: u16) -> bool {
+    pub fn heard_again(self, session: u16) -> bool {
         let span = self.memory.sessions.get(..self.used.sessions).and_then(|sessions| sessions.get(usize::from(session)));
         span.is_some_and(|span| span.0 & Span::AGAIN != 0)
+    }
+
+    /// The tokens of a machine command.
+    pub fn command(self, command: u16) -> &'t [Symbol] {
+        span(self.memory.commands, self.memory.command_tokens, usize::from(command), self.used.commands)
+    }
+
+    /// The pairs of one session.
+    pub fn pairs_of(self, session: u16) -> &'t [Pair] {
+        let pairs = self.pairs();
+        let start = pairs.partition_point(|pair| pair.session < session);
+        let end = pairs.partition_point(|pair| pair.session <= session);
+        pairs.get(start..end).unwrap_or(&[])
+    }
+
+    /// How much the memory holds.
+    pub(crate) fn room(self, rooms: &mut Capacities) {
+        rooms.commands = self.memory.commands.len().min(usize::from(u16::MAX));
+        rooms.command_tokens = self.memory.command_tokens.len().min(MOST_POOL);
+        rooms.sessions = self.memory.sessions.len().min(usize::from(u16::MAX));
+        rooms.sentence_words = self.memory.sentence_words.len().min(MOST_POOL);
+        rooms.pairs = self.memory.pairs.len();
+    }
+
+    /// How much of it is used.
+    pub(crate) const fn usage(self, used: &mut Capacities) {
+        let Extent { commands, command_tokens, sessions, sentence_words, pairs } = self.used;
+        (used.commands, used.command_tokens) = (commands, command_tokens);
+        (used.sessions, used.sentence_words, used.pairs) = (sessions, sentence_words, pairs);
+    }
+}
+
+impl<'t> Bitext<'t> {
+    /// The data that `used` says are there.
+    pub(crate) const fn new(memory: BitextTables<'t>, used: &'t mut Extent) -> Self {
+        Self { memory, used }
+    }
+
+    /// The data, to be read.
+    pub const fn read(&self) -> BitextRef<'_> {
+        BitextRef { memory: self.memory.read(), used: *self.used }
+    }
+
+    /// How many sessions.
+    pub const fn sessions(&self) -> usize {
+        self.used.sessions
     }
 
     pub(crate) fn set_heard_again(&mut self, session: u16) {
@@ -128,36 +189,14 @@ impl<'m> Bitext<'m> {
         }
     }
 
-    /// The tokens of a machine command.
-    pub fn command(&self, command: u16) -> &[Symbol] {
-        span(self.memory.commands, self.memory.command_tokens, usize::from(command), self.used.commands)
-    }
-
-    /// The pairs of one session.
-    pub fn pairs_of(&self, session: u16) -> &[Pair] {
-        let pairs = self.pairs();
-        let start = pairs.partition_point(|pair| pair.session < session);
-        let end = pairs.partition_point(|pair| pair.session <= session);
-        pairs.get(start..end).unwrap_or(&[])
-    }
-
-    /// How much the memory holds.
-    pub(crate) fn room(&self, rooms: &mut Capacities) {
-        rooms.commands = self.memory.commands.len().min(usize::from(u16::MAX));
-        rooms.command_tokens = self.memory.command_tokens.len().min(MOST_POOL);
-        rooms.sessions = self.memory.sessions.len().min(usize::from(u16::MAX));
-        rooms.sentence_words = self.memory.sentence_words.len().min(MOST_POOL);
-        rooms.pairs = self.memory.pairs.len();
-    }
-
     /// How much is used now; [`rewind`](Self::rewind) takes it.
-    pub fn extent(&self) -> Extent {
-        self.used
+    pub const fn extent(&self) -> Extent {
+        *self.used
     }
 
     /// Forgets what came after `extent`.
     pub fn rewind(&mut self, extent: Extent) {
-        self.used = extent;
+        *self.used = extent;
     }
 
     /// Adds a session with its English command. Pairs added after it belong to it.
@@ -208,7 +247,7 @@ impl<'m> Bitext<'m> {
         if position >= self.used.sessions {
             return;
         }
-        let same = |&other: &u16| other != session && self.sentence(other) == self.sentence(session);
+        let same = |&other: &u16| other != session && self.read().sentence(other) == self.read().sentence(session);
         if let Some(heir) = (0..self.used.sessions as u16).rev().find(same) {
             self.set_heard_again(heir);
         }
@@ -234,7 +273,7 @@ impl<'m> Bitext<'m> {
     /// Forgets the machine commands that no pair has.
     fn remove_unused_commands(&mut self) {
         for command in (0..self.used.commands as u16).rev() {
-            if self.pairs().iter().any(|pair| pair.command == command) {
+            if self.read().pairs().iter().any(|pair| pair.command == command) {
                 continue;
             }
             let tokens = (&mut *self.memory.command_tokens, &mut self.used.command_tokens);
@@ -259,7 +298,7 @@ impl<'m> Bitext<'m> {
         if tokens.len() > TOKENS_PER_COMMAND {
             return Err(CapacityError::new(Capacity::TokensPerCommand, TOKENS_PER_COMMAND, tokens.len()));
         }
-        let known = (0..self.used.commands as u16).find(|&command| self.command(command) == tokens);
+        let known = (0..self.used.commands as u16).find(|&command| self.read().command(command) == tokens);
         if let Some(command) = known {
             return Ok(command);
         }

@@ -3,9 +3,9 @@
 //! Every training starts from t = 1/V and a = 1/(l + 1). In each round, every pair of the data gives its weight's worth of expected
 //! counts to the cells that explain its words; then t = (count + s) / (total + s V) and a = count / total.
 
-use super::bitext::Bitext;
+use super::bitext::BitextRef;
 use super::settings::Settings;
-use super::tables::Tables;
+use super::tables::{Tables, TablesRef};
 use crate::planning::Progress;
 use crate::symbols::Symbol;
 
@@ -14,11 +14,11 @@ use crate::symbols::Symbol;
 enum Phase {
     #[default]
     Done,
-    /// Giving counts, from this pair on.
+    /// The E-step: expected counts, from this pair on.
     Expect(usize),
-    /// Setting t, from this row on.
+    /// The M-step of t, from this row on.
     Translations(usize),
-    /// Setting a, from this pair of lengths on.
+    /// The M-step of a, from this pair of lengths on.
     Alignments(usize),
 }
 
@@ -30,10 +30,12 @@ pub struct Training {
 }
 
 impl Training {
+    /// No training is under way.
+    pub(super) const DONE: Self = Self { phase: Phase::Done, round: 0 };
+
     /// Begins: the tables take their new sizes. The caller has made sure that they fit.
-    pub(super) fn begin(tables: &mut Tables<'_>, bitext: &Bitext<'_>, words: usize, tokens: usize, settings: &Settings) -> Self {
-        tables.words = words;
-        tables.tokens = tokens;
+    pub(super) fn begin(tables: &mut Tables<'_>, bitext: BitextRef<'_>, words: usize, tokens: usize, settings: &Settings) -> Self {
+        (tables.trained.words, tables.trained.tokens) = (words, tokens);
         tables.clear_counts();
         for pair in tables.memory.length_pairs.iter_mut() {
             pair.weight = 0.0;
@@ -44,7 +46,7 @@ impl Training {
             let wanted = |lengths: &&mut super::tables::LengthPair| {
                 usize::from(lengths.machine) == machine && usize::from(lengths.english) == english
             };
-            if let Some(lengths) = tables.memory.length_pairs.iter_mut().take(tables.length_pairs).find(wanted) {
+            if let Some(lengths) = tables.memory.length_pairs.iter_mut().take(tables.trained.length_pairs).find(wanted) {
                 lengths.weight += pair.weight;
             }
         }
@@ -63,7 +65,7 @@ impl Training {
     }
 
     /// Goes on, with at most about `budget` table cells of work (one pair, row or alignment table at least).
-    pub(super) fn advance(&mut self, tables: &mut Tables<'_>, bitext: &Bitext<'_>, settings: &Settings, budget: u32) -> Progress {
+    pub(super) fn advance(&mut self, tables: &mut Tables<'_>, bitext: BitextRef<'_>, settings: &Settings, budget: u32) -> Progress {
         let mut left = i64::from(budget.max(1));
         while left > 0 {
             let (work, next) = match self.phase {
@@ -78,12 +80,12 @@ impl Training {
                     }
                     None => (0, Phase::Translations(0)),
                 },
-                Phase::Translations(row) if row <= tables.tokens => {
+                Phase::Translations(row) if row <= tables.trained.tokens => {
                     maximise_translations(tables, row, settings.smoothing);
-                    (tables.words, Phase::Translations(row.saturating_add(1)))
+                    (tables.trained.words, Phase::Translations(row.saturating_add(1)))
                 }
                 Phase::Translations(_) => (0, Phase::Alignments(0)),
-                Phase::Alignments(pair) if pair < tables.length_pairs => {
+                Phase::Alignments(pair) if pair < tables.trained.length_pairs => {
                     (maximise_alignments(tables, pair, settings), Phase::Alignments(pair.saturating_add(1)))
                 }
                 Phase::Alignments(_) => {
@@ -101,11 +103,11 @@ impl Training {
 /// Gives one pair's expected counts. In the first round all parameters are uniform, and the tables hold nothing yet.
 fn expect(tables: &mut Tables<'_>, command: &[Symbol], sentence: &[Symbol], weight: f32, first_round: bool) {
     let width = command.len().saturating_add(1);
-    let Some(pair) = tables.length_pair(command.len(), sentence.len()) else { return };
+    let Some(pair) = tables.read().length_pair(command.len(), sentence.len()) else { return };
     let start = pair.start as usize;
-    let words = tables.words;
-    let (t, a) = tables.memory.parts();
-    let rows = || core::iter::once(0).chain(command.iter().map(|&token| Tables::row(Some(token))));
+    let words = tables.trained.words;
+    let (t, a) = tables.parts();
+    let rows = || core::iter::once(0).chain(command.iter().map(|&token| TablesRef::row(Some(token))));
     for (i, word) in sentence.iter().enumerate() {
         let from = start.saturating_add(i.saturating_mul(width));
         let range = from..from.saturating_add(width);
@@ -141,9 +143,9 @@ fn expect(tables: &mut Tables<'_>, command: &[Symbol], sentence: &[Symbol], weig
 
 /// Sets one row of t from its counts, and clears them.
 fn maximise_translations(tables: &mut Tables<'_>, row: usize, smoothing: f32) {
-    let start = row.saturating_mul(tables.words);
-    let range = start..start.saturating_add(tables.words);
-    let (t, _) = tables.memory.parts();
+    let start = row.saturating_mul(tables.trained.words);
+    let range = start..start.saturating_add(tables.trained.words);
+    let (t, _) = tables.parts();
     let (Some(row), Some(counts)) = (t.values.get_mut(range.clone()), t.counts.get_mut(range)) else { return };
     let total: f32 = counts.iter().sum();
     let whole = total + smoothing * row.len() as f32;
@@ -161,7 +163,7 @@ fn maximise_alignments(tables: &mut Tables<'_>, pair: usize, settings: &Settings
     let (start, cells) = (lengths.start as usize, lengths.cells());
     let width = usize::from(lengths.machine).saturating_add(1);
     let range = start..start.saturating_add(cells);
-    let (_, a) = tables.memory.parts();
+    let (_, a) = tables.parts();
     let (Some(alignments), Some(counts)) = (a.values.get_mut(range.clone()), a.counts.get_mut(range)) else { return 0 };
     let uniform = 1.0 / width as f32;
     for (alignments, counts) in alignments.chunks_mut(width).zip(counts.chunks_mut(width)) {

@@ -17,10 +17,10 @@
 //!
 //! The newest session never goes. One that could not be kept even alone is refused, and nothing is forgotten for it.
 
-use super::model::LanguageModel;
-use super::tables::Tables;
+use super::model::LanguageMut;
+use super::tables::TablesRef;
 use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
-use crate::symbols::{Symbol, Symbols};
+use crate::symbols::{Symbol, SymbolsRef};
 use heapless::Vec;
 
 /// The part of the vocabulary that is kept free: one in so many.
@@ -39,6 +39,16 @@ const LIGHT: f32 = 0.1;
 /// The least of a session's weight that must be kept.
 const LEAST_KEPT: f32 = 0.5;
 
+/// What came of one try to keep a session.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[must_use]
+pub(crate) enum Room {
+    /// It has room.
+    Found,
+    /// This session gave way; whether that is enough is not known yet.
+    Made(u16),
+}
+
 /// Why a session has to give way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Want {
@@ -50,43 +60,39 @@ enum Want {
     Vocabulary,
 }
 
-impl LanguageModel<'_> {
-    /// Adds one session to the training data, as [`add_session`](Self::add_session) does; where memory is full, other sessions give way.
-    /// Words that found no room when they were heard are left out. [`tidy_vocabulary`](Self::tidy_vocabulary) and a training must follow.
+impl LanguageMut<'_> {
+    /// Adds one session to the training data, as [`add_session`](Self::add_session) does, or where memory is full lets one other session
+    /// give way: call again until room is found. Words that found no room when they were heard are left out.
+    /// [`tidy_vocabulary`](Self::tidy_vocabulary) and a training must follow.
     ///
     /// `session_tokens` are the machine tokens that must stay.
     ///
     /// # Errors
     /// A [`CapacityError`] where the session could not be kept even alone; nothing is forgotten then.
-    pub(crate) fn add_session_making_room<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
+    pub(crate) fn add_session_or_make_room<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
         &mut self,
         sentence: &[Option<Symbol>],
         session_tokens: &[Symbol],
         pairs: impl Fn() -> I,
-    ) -> Result<(), CapacityError> {
+    ) -> Result<Room, CapacityError> {
         let mut words: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
         for &word in sentence.iter().flatten() {
             let too_long = CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, sentence.len());
             words.push(word).map_err(|_| too_long)?;
         }
         self.check_alone(&words, session_tokens, pairs())?;
-        loop {
-            let (extent, length_pairs) = (self.bitext.extent(), self.tables.length_pairs);
-            match self.add_to_data(&words, &pairs) {
-                Ok(()) => return Ok(()),
-                Err(error) => {
-                    self.bitext.rewind(extent);
-                    self.tables.length_pairs = length_pairs;
-                    let want = match error.capacity {
-                        Capacity::Alignments | Capacity::LengthPairs => Want::Lengths(words.len()),
-                        _ => Want::Session,
-                    };
-                    let Some(session) = self.least(want, self.bitext.sessions()) else { return Err(error) };
-                    self.bitext.remove_session(session);
-                    self.rebuild_lengths()?;
-                }
-            }
-        }
+        let (extent, length_pairs) = (self.bitext.extent(), self.tables.trained.length_pairs);
+        let Err(error) = self.add_to_data(&words, &pairs) else { return Ok(Room::Found) };
+        self.bitext.rewind(extent);
+        self.tables.trained.length_pairs = length_pairs;
+        let want = match error.capacity {
+            Capacity::Alignments | Capacity::LengthPairs => Want::Lengths(words.len()),
+            _ => Want::Session,
+        };
+        let Some(session) = self.least(want, self.bitext.sessions()) else { return Err(error) };
+        self.bitext.remove_session(session);
+        self.rebuild_lengths()?;
+        Ok(Room::Made(session))
     }
 
     fn add_to_data<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
@@ -102,15 +108,15 @@ impl LanguageModel<'_> {
         for (command, _) in pairs() {
             left_out = self.tables.add_lengths(command.len(), words.len()).err().or(left_out);
         }
-        let has_table = |tables: &Tables<'_>, command: &[Symbol]| tables.length_pair(command.len(), words.len()).is_some();
+        let has_table = |tables: TablesRef<'_>, command: &[Symbol]| tables.length_pair(command.len(), words.len()).is_some();
         let mut kept = 1.0;
         if let Some(error) = left_out {
-            kept = pairs().filter(|(command, _)| has_table(&self.tables, command)).map(|(_, weight)| weight).sum();
+            kept = pairs().filter(|(command, _)| has_table(self.tables.read(), command)).map(|(_, weight)| weight).sum();
             if kept < LEAST_KEPT {
                 return Err(error);
             }
         }
-        for (command, weight) in pairs().filter(|(command, _)| has_table(&self.tables, command)) {
+        for (command, weight) in pairs().filter(|(command, _)| has_table(self.tables.read(), command)) {
             self.bitext.add_pair(command, if left_out.is_some() { weight / kept } else { weight })?;
         }
         Ok(())
@@ -123,12 +129,12 @@ impl LanguageModel<'_> {
         tokens: &[Symbol],
         pairs: impl Iterator<Item = (&'a [Symbol], f32)>,
     ) -> Result<(), CapacityError> {
-        let rooms = self.rooms();
+        let rooms = self.read().rooms();
         let fits = |capacity, limit: usize, given: usize| {
             if given > limit { Err(CapacityError::new(capacity, limit, given)) } else { Ok(()) }
         };
         if words.is_empty() {
-            return Err(self.no_room_for_a_word());
+            return Err(self.read().no_room_for_a_word());
         }
         let (mut count, mut command_tokens) = (0_usize, 0_usize);
         // All of them have the same English length: one bit a machine length is enough.
@@ -150,38 +156,44 @@ impl LanguageModel<'_> {
         fits(Capacity::CommandTokens, rooms.command_tokens, command_tokens)?;
         fits(Capacity::LengthPairs, rooms.length_pairs, length_pairs)?;
         fits(Capacity::Alignments, rooms.alignments, alignments)?;
-        let different = |table: &Symbols<'_>, used: &[Symbol]| table.iter().filter(|(symbol, _)| used.contains(symbol)).count();
-        let cells = different(&self.tokens, tokens).saturating_add(1).saturating_mul(different(&self.words, words));
+        let different = |table: SymbolsRef<'_>, used: &[Symbol]| table.iter().filter(|(symbol, _)| used.contains(symbol)).count();
+        let cells = different(self.tokens.read(), tokens).saturating_add(1).saturating_mul(different(self.words.read(), words));
         fits(Capacity::Translations, rooms.translations, cells)
     }
 
-    /// Makes sure that the vocabulary fits the tables and has an eighth free, now that a session was added. Symbols may change: those of
-    /// the session, in `sentence` and `session_tokens`, are renamed with the rest. A training must follow.
+    /// Makes sure that the vocabulary fits the tables and has an eighth free, now that a session was added, or lets one other session give
+    /// way for that: call again until room is found. Symbols may change: those of the session, in `sentence` and `session_tokens`, are
+    /// renamed with the rest. A training must follow.
     ///
     /// # Errors
-    /// A [`CapacityError`] that [`add_session_making_room`](Self::add_session_making_room) would have given.
-    pub(crate) fn tidy_vocabulary(&mut self, sentence: &mut [Option<Symbol>], session_tokens: &mut [Symbol]) -> Result<(), CapacityError> {
+    /// A [`CapacityError`] that [`add_session_or_make_room`](Self::add_session_or_make_room) would have given.
+    pub(crate) fn tidy_vocabulary(
+        &mut self,
+        sentence: &mut [Option<Symbol>],
+        session_tokens: &mut [Symbol],
+    ) -> Result<Room, CapacityError> {
         self.remove_unused_words(sentence);
-        while !self.vocabulary_has_room() {
+        if !self.vocabulary_has_room() {
             self.remove_unused_tokens(session_tokens);
-            if self.vocabulary_has_room() {
-                break;
-            }
-            let others = self.bitext.sessions().saturating_sub(1);
-            let Some(session) = self.least(Want::Vocabulary, others) else { break };
-            self.bitext.remove_session(session);
-            self.remove_unused_words(sentence);
         }
-        self.data_replaced()
+        if !self.vocabulary_has_room() {
+            let others = self.bitext.sessions().saturating_sub(1);
+            if let Some(session) = self.least(Want::Vocabulary, others) {
+                self.bitext.remove_session(session);
+                return Ok(Room::Made(session));
+            }
+        }
+        self.data_replaced()?;
+        Ok(Room::Found)
     }
 
     fn vocabulary_has_room(&self) -> bool {
-        let Capacities { words, word_bytes, tokens, token_bytes, .. } = self.rooms();
+        let Capacities { words, word_bytes, tokens, token_bytes, .. } = self.read().rooms();
         let free = |used: usize, room: usize| room.saturating_sub(used) >= room / FREE_PART;
         free(self.words.len(), words)
-            && free(self.words.byte_len(), word_bytes)
+            && free(self.words.read().byte_len(), word_bytes)
             && free(self.tokens.len(), tokens)
-            && free(self.tokens.byte_len(), token_bytes)
+            && free(self.tokens.read().byte_len(), token_bytes)
             && self.tables.fits(self.tokens.len(), self.words.len()).is_ok()
     }
 
@@ -191,7 +203,7 @@ impl LanguageModel<'_> {
         let strange = || sessions().filter(|&session| self.is_strange(session));
         match want {
             Want::Lengths(new) => {
-                let length = |session| self.bitext.sentence(session).len();
+                let length = |session| self.bitext.read().sentence(session).len();
                 let others = || sessions().filter(|&session| length(session) != new);
                 let as_long = |wanted| sessions().filter(|&session| length(session) == wanted).count();
                 let rarest = || oldest_with_most(others(), |session| usize::MAX.saturating_sub(as_long(length(session))));
@@ -205,35 +217,35 @@ impl LanguageModel<'_> {
 
     /// Whether the command was heard once, and has a word that no other session has.
     fn is_strange(&self, session: u16) -> bool {
-        !self.bitext.heard_again(session) && self.own_words(session) > 0
+        !self.bitext.read().heard_again(session) && self.own_words(session) > 0
     }
 
     /// How little is lost with a session.
     fn repeated(&self, session: u16) -> (bool, usize, usize) {
         let times = self.times_kept(session);
         let words = self.rarest(session).min(WELL_KNOWN);
-        (times > 1, times.saturating_add(words), self.bitext.pairs_of(session).len())
+        (times > 1, times.saturating_add(words), self.bitext.read().pairs_of(session).len())
     }
 
     /// How many sessions have the same command, itself included.
     fn times_kept(&self, session: u16) -> usize {
-        let same = |&other: &u16| self.bitext.sentence(other) == self.bitext.sentence(session);
+        let same = |&other: &u16| self.bitext.read().sentence(other) == self.bitext.read().sentence(session);
         (0..self.bitext.sessions() as u16).filter(same).count()
     }
 
     /// In how many sessions a word stands.
     fn sessions_with(&self, word: Symbol) -> usize {
-        (0..self.bitext.sessions() as u16).filter(|&session| self.bitext.sentence(session).contains(&word)).count()
+        (0..self.bitext.sessions() as u16).filter(|&session| self.bitext.read().sentence(session).contains(&word)).count()
     }
 
     /// How many words of a session no other session has.
     fn own_words(&self, session: u16) -> usize {
-        self.bitext.sentence(session).iter().filter(|&&word| self.sessions_with(word) <= 1).count()
+        self.bitext.read().sentence(session).iter().filter(|&&word| self.sessions_with(word) <= 1).count()
     }
 
     /// In how many sessions the rarest word of a session stands, itself included.
     fn rarest(&self, session: u16) -> usize {
-        self.bitext.sentence(session).iter().map(|&word| self.sessions_with(word)).min().unwrap_or(usize::MAX)
+        self.bitext.read().sentence(session).iter().map(|&word| self.sessions_with(word)).min().unwrap_or(usize::MAX)
     }
 
     /// Forgets the words that no session has.

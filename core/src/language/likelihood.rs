@@ -1,12 +1,12 @@
 //! Pr(e|m), exactly: the product over the words of the sum over the tokens, NULL included, of a(j|i,l,n) t(e_i|m_j).
 
-use super::tables::Tables;
+use super::tables::TablesRef;
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
 
 /// Pr(e|m) of an English command given a machine command; 1 for an untrained model. A word that the model was not trained on is skipped:
 /// it keeps its place in the sentence and says nothing.
-pub fn likelihood(tables: &Tables<'_>, sentence: &[Option<Symbol>], command: &[Symbol]) -> Scaled {
+pub fn likelihood(tables: TablesRef<'_>, sentence: &[Option<Symbol>], command: &[Symbol]) -> Scaled {
     let width = command.len().saturating_add(1);
     let uniform = 1.0 / width as f32;
     let table = tables.alignment_table(command.len(), sentence.len());
@@ -28,15 +28,18 @@ pub fn likelihood(tables: &Tables<'_>, sentence: &[Option<Symbol>], command: &[S
 
 /// The sum over the tokens, NULL first, of the token's alignment times its translation into a word that the model knows.
 #[inline]
-fn explained(tables: &Tables<'_>, word: Symbol, command: &[Symbol], mut alignments: impl Iterator<Item = f32>) -> f32 {
+fn explained(tables: TablesRef<'_>, word: Symbol, command: &[Symbol], mut alignments: impl Iterator<Item = f32>) -> f32 {
     let (column, null) = (tables.column(word), alignments.next().unwrap_or(0.0));
     let of_null = null * column.translation(0);
-    command.iter().zip(alignments).fold(of_null, |sum, (&token, alignment)| sum + alignment * column.translation(Tables::row(Some(token))))
+    command
+        .iter()
+        .zip(alignments)
+        .fold(of_null, |sum, (&token, alignment)| sum + alignment * column.translation(TablesRef::row(Some(token))))
 }
 
 /// Pr(n|l): the weighted share of the English length among the data of this machine length; 0 for lengths never seen together, 1 for an
 /// untrained model.
-pub fn length_likelihood(tables: &Tables<'_>, machine: usize, english: usize) -> f32 {
+pub fn length_likelihood(tables: TablesRef<'_>, machine: usize, english: usize) -> f32 {
     if tables.words() == 0 {
         return 1.0;
     }

@@ -19,8 +19,9 @@ pub mod settings;
 pub mod tables;
 pub mod tokenizer;
 
-pub use bitext::{Bitext, BitextMemory};
-pub use model::{LanguageMemory, LanguageModel};
+pub use bitext::{BitextRef, BitextTables, BitextTablesRef, Pair, Span};
+pub use em::Training;
+pub use model::{LanguageModel, LanguageMut, LanguageRef, LanguageTables, LanguageTablesRef};
 pub use settings::{SettingError, Settings};
-pub use tables::{TableMemory, Tables};
+pub use tables::{LengthPair, ParameterTables, ParameterTablesRef, TablesRef};
 pub use tokenizer::Sentence;

@@ -1,109 +1,266 @@
 //! The language model as a whole: vocabularies, training data and parameters.
 
-use super::bitext::{Bitext, BitextMemory, Extent};
+use super::bitext::{Bitext, BitextRef, BitextTables, BitextTablesRef, Extent};
 use super::em::Training;
 use super::likelihood::{length_likelihood, likelihood};
 use super::settings::{SettingError, Settings};
-use super::tables::{TableMemory, Tables};
+use super::tables::{ParameterTables, ParameterTablesRef, Tables, TablesRef, Trained};
 use super::tokenizer::{Sentence, for_each_word, word_form};
 use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
+use crate::memory::AgentMemory;
 use crate::planning::Progress;
 use crate::probability::Scaled;
-use crate::symbols::{Symbol, Symbols};
+use crate::symbols::{Symbol, Symbols, SymbolsRef};
 
-/// Memory for a [`LanguageModel`].
+/// The tables of a language model.
 #[derive(Debug)]
-pub struct LanguageMemory<'m> {
+pub struct LanguageTables<'t> {
     /// The English words end to end.
-    pub word_bytes: &'m mut [u8],
+    pub word_bytes: &'t mut [u8],
     /// One entry an English word.
-    pub word_ends: &'m mut [u16],
+    pub word_ends: &'t mut [u16],
     /// The machine tokens end to end.
-    pub token_bytes: &'m mut [u8],
+    pub token_bytes: &'t mut [u8],
     /// One entry a machine token.
-    pub token_ends: &'m mut [u16],
+    pub token_ends: &'t mut [u16],
     /// The training data.
-    pub bitext: BitextMemory<'m>,
+    pub bitext: BitextTables<'t>,
     /// The parameters.
-    pub tables: TableMemory<'m>,
+    pub parameters: ParameterTables<'t>,
 }
 
-/// The language model: what was said and what it meant, and IBM Model 2 trained on that.
-#[derive(Debug)]
-pub struct LanguageModel<'m> {
+/// The tables of a language model, to be read.
+#[derive(Clone, Copy, Debug)]
+pub struct LanguageTablesRef<'t> {
+    /// The English words end to end.
+    pub word_bytes: &'t [u8],
+    /// One entry an English word.
+    pub word_ends: &'t [u16],
+    /// The machine tokens end to end.
+    pub token_bytes: &'t [u8],
+    /// One entry a machine token.
+    pub token_ends: &'t [u16],
+    /// The training data.
+    pub bitext: BitextTablesRef<'t>,
+    /// The parameters.
+    pub parameters: ParameterTablesRef<'t>,
+}
+
+impl LanguageTables<'_> {
+    /// The same tables, lent for a shorter time.
+    pub fn lend(&mut self) -> LanguageTables<'_> {
+        LanguageTables {
+            word_bytes: self.word_bytes,
+            word_ends: self.word_ends,
+            token_bytes: self.token_bytes,
+            token_ends: self.token_ends,
+            bitext: self.bitext.lend(),
+            parameters: self.parameters.lend(),
+        }
+    }
+
+    /// The same tables, to be read.
+    pub const fn read(&self) -> LanguageTablesRef<'_> {
+        LanguageTablesRef {
+            word_bytes: self.word_bytes,
+            word_ends: self.word_ends,
+            token_bytes: self.token_bytes,
+            token_ends: self.token_ends,
+            bitext: self.bitext.read(),
+            parameters: self.parameters.read(),
+        }
+    }
+}
+
+/// All of a language model that is not in its tables.
+#[derive(Clone, Debug)]
+pub(crate) struct LanguageState {
     settings: Settings,
-    pub(super) words: Symbols<'m>,
-    pub(super) tokens: Symbols<'m>,
-    pub(super) bitext: Bitext<'m>,
-    pub(super) tables: Tables<'m>,
+    words: usize,
+    tokens: usize,
+    data: Extent,
+    trained: Trained,
     training: Training,
     learned_words: usize,
     learned_tokens: usize,
 }
 
-impl<'m> LanguageModel<'m> {
+impl LanguageState {
     /// An untrained model.
-    ///
-    /// # Errors
-    /// A [`SettingError`] where a setting is none to train with.
-    pub fn new(memory: LanguageMemory<'m>, settings: Settings) -> Result<Self, SettingError> {
-        settings.check()?;
-        Ok(Self {
+    pub(crate) const fn new(settings: Settings) -> Self {
+        Self {
             settings,
-            words: Symbols::new(memory.word_bytes, memory.word_ends, Capacity::Words, Capacity::WordBytes),
-            tokens: Symbols::new(memory.token_bytes, memory.token_ends, Capacity::Tokens, Capacity::TokenBytes),
-            bitext: Bitext::new(memory.bitext),
-            tables: Tables::new(memory.tables),
-            training: Training::default(),
+            words: 0,
+            tokens: 0,
+            data: Extent::NONE,
+            trained: Trained::NONE,
+            training: Training::DONE,
             learned_words: 0,
             learned_tokens: 0,
-        })
+        }
     }
 
+    /// Whether a training is under way.
+    pub(crate) fn is_training(&self) -> bool {
+        !self.training.is_done()
+    }
+
+    /// The model in its tables; `counts` are for the expected counts.
+    pub(crate) fn with<'t>(&'t mut self, tables: LanguageTables<'t>, counts: &'t mut [u64]) -> LanguageMut<'t> {
+        LanguageMut {
+            settings: &mut self.settings,
+            words: Symbols::new(tables.word_bytes, tables.word_ends, &mut self.words, Capacity::Words, Capacity::WordBytes),
+            tokens: Symbols::new(tables.token_bytes, tables.token_ends, &mut self.tokens, Capacity::Tokens, Capacity::TokenBytes),
+            bitext: Bitext::new(tables.bitext, &mut self.data),
+            tables: Tables::new(tables.parameters, counts, &mut self.trained),
+            training: &mut self.training,
+            learned_words: &mut self.learned_words,
+            learned_tokens: &mut self.learned_tokens,
+        }
+    }
+
+    /// The model in its tables, to be read; `counts` is how many words there are for the expected counts.
+    pub(crate) fn read<'t>(&'t self, tables: LanguageTablesRef<'t>, counts: usize) -> LanguageRef<'t> {
+        LanguageRef {
+            settings: &self.settings,
+            words: SymbolsRef::new(tables.word_bytes, tables.word_ends, self.words),
+            tokens: SymbolsRef::new(tables.token_bytes, tables.token_ends, self.tokens),
+            bitext: BitextRef::new(tables.bitext, self.data),
+            tables: TablesRef::new(tables.parameters, counts, self.trained),
+            training: self.training,
+            learned_words: self.learned_words,
+            learned_tokens: self.learned_tokens,
+        }
+    }
+}
+
+/// The language model: what was said and what it meant, and IBM Model 2 trained on that. To be read.
+#[derive(Clone, Copy, Debug)]
+pub struct LanguageRef<'t> {
+    settings: &'t Settings,
+    words: SymbolsRef<'t>,
+    tokens: SymbolsRef<'t>,
+    bitext: BitextRef<'t>,
+    tables: TablesRef<'t>,
+    training: Training,
+    learned_words: usize,
+    learned_tokens: usize,
+}
+
+impl<'t> LanguageRef<'t> {
     /// How it is trained.
-    pub fn settings(&self) -> &Settings {
-        &self.settings
+    pub const fn settings(self) -> &'t Settings {
+        self.settings
     }
 
     /// The English words.
-    pub fn words(&self) -> &Symbols<'m> {
-        &self.words
+    pub const fn words(self) -> SymbolsRef<'t> {
+        self.words
     }
 
     /// The machine tokens.
-    pub fn tokens(&self) -> &Symbols<'m> {
-        &self.tokens
-    }
-
-    /// The machine tokens, to intern those of a new session's tasks in. They stay when the session is learned from.
-    pub fn tokens_mut(&mut self) -> &mut Symbols<'m> {
-        &mut self.tokens
+    pub const fn tokens(self) -> SymbolsRef<'t> {
+        self.tokens
     }
 
     /// The training data.
-    pub fn bitext(&self) -> &Bitext<'m> {
-        &self.bitext
+    pub const fn bitext(self) -> BitextRef<'t> {
+        self.bitext
     }
 
     /// The parameters of the last training.
-    pub fn tables(&self) -> &Tables<'m> {
-        &self.tables
+    pub const fn tables(self) -> TablesRef<'t> {
+        self.tables
     }
 
     /// Whether a training is under way. Until it is done, the parameters say nothing.
-    pub fn is_training(&self) -> bool {
+    pub fn is_training(self) -> bool {
         !self.training.is_done()
     }
 
     /// The training under way.
-    pub fn training(&self) -> &Training {
-        &self.training
+    pub const fn training(self) -> Training {
+        self.training
+    }
+
+    /// Pr(e|m), times Pr(n|l) where [`Settings::length`] says so.
+    pub fn likelihood(self, sentence: &[Option<Symbol>], command: &[Symbol]) -> Scaled {
+        let words = likelihood(self.tables, sentence, command);
+        if self.settings.length { words.scaled_by(length_likelihood(self.tables, command.len(), sentence.len())) } else { words }
+    }
+
+    /// How much each table holds.
+    pub(crate) fn rooms(self) -> Capacities {
+        let mut rooms = Capacities::NONE;
+        (rooms.words, rooms.word_bytes) = self.words.room();
+        (rooms.tokens, rooms.token_bytes) = self.tokens.room();
+        self.bitext.room(&mut rooms);
+        self.tables.room(&mut rooms);
+        rooms
+    }
+
+    /// How much of each table is used.
+    pub(crate) fn usage(self, used: &mut Capacities) {
+        (used.words, used.word_bytes) = (self.words.len(), self.words.byte_len());
+        (used.tokens, used.token_bytes) = (self.tokens.len(), self.tokens.byte_len());
+        self.bitext.usage(used);
+        self.tables.usage(used);
+    }
+
+    /// The English words of the sessions that were learned from.
+    pub(crate) fn learned_words(self) -> impl Iterator<Item = &'t str> {
+        (0..self.learned_words).map(move |position| self.words.text(Symbol(position as u16)))
+    }
+
+    /// The machine tokens of those sessions.
+    pub(crate) fn learned_tokens(self) -> impl Iterator<Item = &'t str> {
+        (0..self.learned_tokens).map(move |position| self.tokens.text(Symbol(position as u16)))
+    }
+
+    /// Why a word that was heard is not in the vocabulary.
+    pub(super) fn no_room_for_a_word(self) -> CapacityError {
+        let (words, bytes) = self.words.room();
+        if self.words.len() < words { CapacityError::full(Capacity::WordBytes, bytes) } else { CapacityError::full(Capacity::Words, words) }
+    }
+}
+
+/// The language model, to be taught: what one call works on.
+#[derive(Debug)]
+pub struct LanguageMut<'t> {
+    settings: &'t mut Settings,
+    pub(super) words: Symbols<'t>,
+    pub(super) tokens: Symbols<'t>,
+    pub(super) bitext: Bitext<'t>,
+    pub(super) tables: Tables<'t>,
+    training: &'t mut Training,
+    learned_words: &'t mut usize,
+    learned_tokens: &'t mut usize,
+}
+
+impl<'t> LanguageMut<'t> {
+    /// The model, to be read.
+    pub const fn read(&self) -> LanguageRef<'_> {
+        LanguageRef {
+            settings: self.settings,
+            words: self.words.read(),
+            tokens: self.tokens.read(),
+            bitext: self.bitext.read(),
+            tables: self.tables.read(),
+            training: *self.training,
+            learned_words: *self.learned_words,
+            learned_tokens: *self.learned_tokens,
+        }
+    }
+
+    /// The machine tokens, to intern those of a new session's tasks in. They stay when the session is learned from.
+    pub fn tokens_mut(&mut self) -> &mut Symbols<'t> {
+        &mut self.tokens
     }
 
     /// Forgets the words and machine tokens that came since the last session that was learned from.
     pub fn forget_unlearned(&mut self) {
-        self.words.truncate(self.learned_words);
-        self.tokens.truncate(self.learned_tokens);
+        self.words.truncate(*self.learned_words);
+        self.tokens.truncate(*self.learned_tokens);
     }
 
     /// The words of a command, new ones interned. Where the vocabulary is full, a new word is `None`: it says nothing, and is left out when
@@ -132,12 +289,6 @@ impl<'m> LanguageModel<'m> {
         })
     }
 
-    /// Pr(e|m), times Pr(n|l) where [`Settings::length`] says so.
-    pub fn likelihood(&self, sentence: &[Option<Symbol>], command: &[Symbol]) -> Scaled {
-        let words = likelihood(&self.tables, sentence, command);
-        if self.settings.length { words.scaled_by(length_likelihood(&self.tables, command.len(), sentence.len())) } else { words }
-    }
-
     /// Adds one session to the training data: its English command with each of `pairs`, a machine command and its weight. A training must
     /// follow: [`begin_training`](Self::begin_training).
     ///
@@ -148,55 +299,35 @@ impl<'m> LanguageModel<'m> {
         sentence: &[Option<Symbol>],
         pairs: impl Iterator<Item = (&'a [Symbol], f32)>,
     ) -> Result<(), CapacityError> {
-        let (extent, length_pairs) = (self.bitext.extent(), self.tables.length_pairs);
+        let (extent, length_pairs) = (self.bitext.extent(), self.tables.trained.length_pairs);
         let result = self.try_add_session(sentence, pairs);
         match result {
             Ok(()) => {
-                self.learned_words = self.words.len();
-                self.learned_tokens = self.tokens.len();
+                *self.learned_words = self.words.len();
+                *self.learned_tokens = self.tokens.len();
             }
             Err(_) => {
                 self.bitext.rewind(extent);
-                self.tables.length_pairs = length_pairs;
+                self.tables.trained.length_pairs = length_pairs;
             }
         }
         result
     }
 
-    /// How much each table holds.
-    pub(crate) fn rooms(&self) -> Capacities {
-        let mut rooms = Capacities { ..Capacities::SMALL };
-        (rooms.words, rooms.word_bytes) = self.words.room();
-        (rooms.tokens, rooms.token_bytes) = self.tokens.room();
-        self.bitext.room(&mut rooms);
-        self.tables.room(&mut rooms);
-        rooms
-    }
-
-    /// The English words of the sessions that were learned from.
-    pub(crate) fn learned_words(&self) -> impl Iterator<Item = &str> {
-        (0..self.learned_words).map(|position| self.words.text(Symbol(position as u16)))
-    }
-
-    /// The machine tokens of those sessions.
-    pub(crate) fn learned_tokens(&self) -> impl Iterator<Item = &str> {
-        (0..self.learned_tokens).map(|position| self.tokens.text(Symbol(position as u16)))
-    }
-
     /// Forgets everything, and takes other settings.
     pub(crate) fn clear(&mut self, settings: Settings) {
-        self.settings = settings;
+        *self.settings = settings;
         self.words.truncate(0);
         self.tokens.truncate(0);
         self.bitext.rewind(Extent::default());
-        (self.learned_words, self.learned_tokens) = (0, 0);
+        (*self.learned_words, *self.learned_tokens) = (0, 0);
     }
 
-    pub(crate) fn words_mut(&mut self) -> &mut Symbols<'m> {
+    pub(crate) fn words_mut(&mut self) -> &mut Symbols<'t> {
         &mut self.words
     }
 
-    pub(crate) fn bitext_mut(&mut self) -> &mut Bitext<'m> {
+    pub(crate) fn bitext_mut(&mut self) -> &mut Bitext<'t> {
         &mut self.bitext
     }
 
@@ -206,16 +337,17 @@ impl<'m> LanguageModel<'m> {
     /// # Errors
     /// A [`CapacityError`] where the tables have no room.
     pub(crate) fn data_replaced(&mut self) -> Result<(), CapacityError> {
-        (self.learned_words, self.learned_tokens) = (self.words.len(), self.tokens.len());
+        (*self.learned_words, *self.learned_tokens) = (self.words.len(), self.tokens.len());
         self.tables.fits(self.tokens.len(), self.words.len())?;
         self.rebuild_lengths()
     }
 
     /// Lays the alignment tables out anew for the pairs of lengths that the data have now. A training must follow.
     pub(super) fn rebuild_lengths(&mut self) -> Result<(), CapacityError> {
-        self.tables.length_pairs = 0;
-        for pair in self.bitext.pairs() {
-            self.tables.add_lengths(self.bitext.command(pair.command).len(), self.bitext.sentence(pair.session).len())?;
+        self.tables.trained.length_pairs = 0;
+        let bitext = self.bitext.read();
+        for pair in bitext.pairs() {
+            self.tables.add_lengths(bitext.command(pair.command).len(), bitext.sentence(pair.session).len())?;
         }
         Ok(())
     }
@@ -227,7 +359,7 @@ impl<'m> LanguageModel<'m> {
     ) -> Result<(), CapacityError> {
         let mut words: heapless::Vec<Symbol, WORDS_PER_COMMAND> = heapless::Vec::new();
         for &word in sentence {
-            let word = word.ok_or(self.no_room_for_a_word())?;
+            let word = word.ok_or(self.read().no_room_for_a_word())?;
             words.push(word).map_err(|_| CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, sentence.len()))?;
         }
         self.tables.fits(self.tokens.len(), self.words.len())?;
@@ -239,29 +371,118 @@ impl<'m> LanguageModel<'m> {
         Ok(())
     }
 
-    /// Why a word that was heard is not in the vocabulary.
-    pub(super) fn no_room_for_a_word(&self) -> CapacityError {
-        let (words, bytes) = self.words.room();
-        if self.words.len() < words { CapacityError::full(Capacity::WordBytes, bytes) } else { CapacityError::full(Capacity::Words, words) }
-    }
-
     /// Begins training on all the data, from uniform parameters.
     pub fn begin_training(&mut self) {
-        self.training = Training::begin(&mut self.tables, &self.bitext, self.learned_words, self.learned_tokens, &self.settings);
-    }
-
-    /// Gives the words of the expected counts away. Training needs them back: see [`take_workspace`](Self::take_workspace).
-    pub(crate) fn lend_workspace(&mut self) -> &'m mut [u64] {
-        self.tables.lend_counts()
-    }
-
-    /// Takes the words of the expected counts back.
-    pub(crate) fn take_workspace(&mut self, words: &'m mut [u64]) {
-        self.tables.take_counts(words);
+        *self.training = Training::begin(&mut self.tables, self.bitext.read(), *self.learned_words, *self.learned_tokens, self.settings);
     }
 
     /// Goes on with the training, with at most about `budget` table cells of work.
     pub fn train(&mut self, budget: u32) -> Progress {
-        self.training.advance(&mut self.tables, &self.bitext, &self.settings, budget)
+        self.training.advance(&mut self.tables, self.bitext.read(), self.settings, budget)
+    }
+}
+
+/// A language model by itself, in memory that it owns or borrows. An [`Agent`](crate::Agent) has one of its own.
+#[derive(Debug)]
+pub struct LanguageModel<M> {
+    memory: M,
+    state: LanguageState,
+}
+
+impl<M: AgentMemory> LanguageModel<M> {
+    /// An untrained model.
+    ///
+    /// # Errors
+    /// A [`SettingError`] where a setting is out of range.
+    pub fn new(memory: M, settings: Settings) -> Result<Self, SettingError> {
+        settings.check()?;
+        Ok(Self { memory, state: LanguageState::new(settings) })
+    }
+
+    /// The model for one call that changes it.
+    pub fn lend(&mut self) -> LanguageMut<'_> {
+        let tables = self.memory.lend();
+        self.state.with(tables.language, tables.workspace)
+    }
+
+    /// The model, to be read.
+    pub fn read(&self) -> LanguageRef<'_> {
+        let tables = self.memory.read();
+        self.state.read(tables.language, tables.workspace.len())
+    }
+
+    /// How it is trained.
+    pub const fn settings(&self) -> &Settings {
+        &self.state.settings
+    }
+
+    /// The English words.
+    pub fn words(&self) -> SymbolsRef<'_> {
+        self.read().words()
+    }
+
+    /// The machine tokens.
+    pub fn tokens(&self) -> SymbolsRef<'_> {
+        self.read().tokens()
+    }
+
+    /// The machine tokens, to intern new ones in.
+    pub fn tokens_mut(&mut self) -> Symbols<'_> {
+        self.lend().tokens
+    }
+
+    /// The training data.
+    pub fn bitext(&self) -> BitextRef<'_> {
+        self.read().bitext()
+    }
+
+    /// The parameters of the last training.
+    pub fn tables(&self) -> TablesRef<'_> {
+        self.read().tables()
+    }
+
+    /// As [`LanguageMut::hear`].
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where the command or one of its words is too long.
+    pub fn hear(&mut self, command: &str) -> Result<Sentence, CapacityError> {
+        self.lend().hear(command)
+    }
+
+    /// As [`LanguageRef::likelihood`].
+    pub fn likelihood(&self, sentence: &[Option<Symbol>], command: &[Symbol]) -> Scaled {
+        self.read().likelihood(sentence, command)
+    }
+
+    /// As [`LanguageMut::add_session`].
+    ///
+    /// # Errors
+    /// A [`CapacityError`]; the model is then as before.
+    pub fn add_session<'a>(
+        &mut self,
+        sentence: &[Option<Symbol>],
+        pairs: impl Iterator<Item = (&'a [Symbol], f32)>,
+    ) -> Result<(), CapacityError> {
+        self.lend().add_session(sentence, pairs)
+    }
+
+    /// Forgets the words and machine tokens that came since the last session that was learned from.
+    pub fn forget_unlearned(&mut self) {
+        self.lend().forget_unlearned();
+    }
+
+    /// Begins training on all the data, from uniform parameters.
+    pub fn begin_training(&mut self) {
+        self.lend().begin_training();
+    }
+
+    /// Goes on with the training, with at most about `budget` table cells of work.
+    pub fn train(&mut self, budget: u32) -> Progress {
+        self.lend().train(budget)
+    }
+
+    /// The memory, for something else.
+    pub fn into_memory(self) -> M {
+        self.memory
     }
 }

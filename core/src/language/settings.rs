@@ -1,4 +1,4 @@
-//! How the language model is trained, and which settings are none to train with.
+//! How the language model is trained, and which settings are out of range.
 
 use crate::task::TokenOrder;
 use core::fmt;
@@ -46,12 +46,12 @@ impl Settings {
     /// Whether a model can be trained with them.
     ///
     /// # Errors
-    /// A [`SettingError`] that names the first that is none.
+    /// A [`SettingError`] that names the first that is out of range.
     pub fn check(&self) -> Result<(), SettingError> {
         let sound = |sound: bool, error| if sound { Ok(()) } else { Err(error) };
-        sound(is_weight(self.smoothing), SettingError::Smoothing)?;
-        sound(is_weight(self.alignment_prior), SettingError::AlignmentPrior)?;
-        sound(self.rounds <= MOST_ROUNDS, SettingError::Rounds)
+        sound(is_weight(self.smoothing), SettingError::Smoothing(self.smoothing))?;
+        sound(is_weight(self.alignment_prior), SettingError::AlignmentPrior(self.alignment_prior))?;
+        sound(self.rounds <= MOST_ROUNDS, SettingError::Rounds(self.rounds))
     }
 }
 
@@ -60,40 +60,40 @@ pub(crate) fn is_weight(value: f32) -> bool {
     (0.0..=MOST_WEIGHT).contains(&value)
 }
 
-/// The setting that nothing can be learned with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// A setting that is out of range, with its value.
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SettingError {
     /// [`Settings::smoothing`].
-    Smoothing,
+    Smoothing(f32),
     /// [`Settings::alignment_prior`].
-    AlignmentPrior,
+    AlignmentPrior(f32),
     /// [`Settings::rounds`].
-    Rounds,
+    Rounds(u32),
     /// [`Options::least_weight`](crate::Options::least_weight).
-    LeastWeight,
+    LeastWeight(f32),
 }
 
 impl SettingError {
     /// The field to correct.
     pub const fn field(self) -> &'static str {
         match self {
-            Self::Smoothing => "Settings::smoothing",
-            Self::AlignmentPrior => "Settings::alignment_prior",
-            Self::Rounds => "Settings::rounds",
-            Self::LeastWeight => "Options::least_weight",
+            Self::Smoothing(_) => "Settings::smoothing",
+            Self::AlignmentPrior(_) => "Settings::alignment_prior",
+            Self::Rounds(_) => "Settings::rounds",
+            Self::LeastWeight(_) => "Options::least_weight",
         }
     }
 }
 
 impl fmt::Display for SettingError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let allowed = match self {
-            Self::Smoothing | Self::AlignmentPrior => "a number from 0 to 1000000",
-            Self::Rounds => "1000 at most",
-            Self::LeastWeight => "a number from 0 to less than 1",
-        };
-        write!(f, "{} must be {allowed}", self.field())
+        let field = self.field();
+        match self {
+            Self::Smoothing(value) | Self::AlignmentPrior(value) => write!(f, "{field} is {value}; it must be a number from 0 to 1000000"),
+            Self::Rounds(value) => write!(f, "{field} is {value}; it must be 1000 at most"),
+            Self::LeastWeight(value) => write!(f, "{field} is {value}; it must be a number from 0 to less than 1"),
+        }
     }
 }
 
@@ -106,10 +106,12 @@ mod tests {
     #[test]
     fn settings_that_nothing_can_be_learned_with_are_refused_by_name() {
         for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -0.1, 1.1e6] {
-            assert_eq!(Settings { smoothing: wrong, ..Settings::PAPER }.check(), Err(SettingError::Smoothing));
-            assert_eq!(Settings { alignment_prior: wrong, ..Settings::DEFAULT }.check(), Err(SettingError::AlignmentPrior));
+            let error = Settings { smoothing: wrong, ..Settings::PAPER }.check().unwrap_err();
+            assert!(matches!(error, SettingError::Smoothing(value) if value.to_bits() == wrong.to_bits()));
+            let error = Settings { alignment_prior: wrong, ..Settings::DEFAULT }.check().unwrap_err();
+            assert!(matches!(error, SettingError::AlignmentPrior(value) if value.to_bits() == wrong.to_bits()));
         }
-        assert_eq!(Settings { rounds: 1_001, ..Settings::PAPER }.check(), Err(SettingError::Rounds));
+        assert_eq!(Settings { rounds: 1_001, ..Settings::PAPER }.check(), Err(SettingError::Rounds(1_001)));
         assert_eq!((Settings::PAPER.check(), Settings::DEFAULT.check()), (Ok(()), Ok(())));
     }
 }

@@ -28,17 +28,33 @@ impl LengthPair {
     }
 }
 
-/// Memory for [`Tables`].
-#[derive(Debug)]
-pub struct TableMemory<'m> {
-    /// t(word | token).
-    pub translations: &'m mut [f32],
-    /// a(j | i, l, n).
-    pub alignments: &'m mut [f32],
-    /// The expected counts of all cells of both, two to a word. Between trainings it is no matter what is in them.
-    pub counts: &'m mut [u64],
-    /// One entry a pair of lengths.
-    pub length_pairs: &'m mut [LengthPair],
+crate::memory::tables! {
+    /// The tables of the parameters.
+    ParameterTables,
+    /// The tables of the parameters, to be read.
+    ParameterTablesRef {
+        /// t(word | token).
+        translations: f32,
+        /// a(j | i, l, n).
+        alignments: f32,
+        /// One entry a pair of lengths.
+        length_pairs: LengthPair,
+    }
+}
+
+/// How much of the tables is in use.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Trained {
+    pub(super) length_pairs: usize,
+    /// V: English words that the parameters were trained on.
+    pub(super) words: usize,
+    /// Machine tokens that they were trained on, NULL not counted.
+    pub(super) tokens: usize,
+}
+
+impl Trained {
+    /// Nothing is in use.
+    pub(crate) const NONE: Self = Self { length_pairs: 0, words: 0, tokens: 0 };
 }
 
 /// The translations into one word: a column of the table.
@@ -58,15 +74,6 @@ impl Column<'_> {
     }
 }
 
-impl TableMemory<'_> {
-    /// The parameters, and the counts of each: t and its counts, then a and its counts.
-    pub(super) fn parts(&mut self) -> (Cells<'_>, Cells<'_>) {
-        let counts: &mut [f32] = bytemuck::try_cast_slice_mut(self.counts).unwrap_or(&mut []);
-        let (translation_counts, alignment_counts) = counts.split_at_mut_checked(self.translations.len()).unwrap_or((&mut [], &mut []));
-        (Cells { values: self.translations, counts: translation_counts }, Cells { values: self.alignments, counts: alignment_counts })
-    }
-}
-
 /// Parameters, and the expected count of each.
 #[derive(Debug)]
 pub(super) struct Cells<'t> {
@@ -81,113 +88,57 @@ fn first<T>(all: &mut [T], most: usize) -> &mut [T] {
 
 /// The parameters, and room for the expected counts of the next round.
 #[derive(Debug)]
-pub struct Tables<'m> {
-    pub(super) memory: TableMemory<'m>,
-    pub(super) length_pairs: usize,
-    /// V: English words that the parameters were trained on.
-    pub(super) words: usize,
-    /// Machine tokens that they were trained on, NULL not counted.
-    pub(super) tokens: usize,
+pub struct Tables<'t> {
+    pub(super) memory: ParameterTables<'t>,
+    /// The expected counts of all cells, two to a word. Their contents are unspecified between trainings.
+    counts: &'t mut [u64],
+    pub(super) trained: &'t mut Trained,
 }
 
-impl<'m> Tables<'m> {
-    /// Untrained parameters. Cells beyond those that can be counted are left out.
-    pub fn new(mut memory: TableMemory<'m>) -> Self {
-        let cells = memory.counts.len().saturating_mul(2);
+/// The parameters, to be read.
+#[derive(Clone, Copy, Debug)]
+pub struct TablesRef<'t> {
+    memory: ParameterTablesRef<'t>,
+    trained: Trained,
+}
+
+impl<'t> Tables<'t> {
+    /// The parameters that `trained` says are there. Cells beyond those that can be counted are left out.
+    pub(crate) fn new(mut memory: ParameterTables<'t>, counts: &'t mut [u64], trained: &'t mut Trained) -> Self {
+        let cells = counts.len().saturating_mul(2);
         memory.translations = first(memory.translations, cells);
         memory.alignments = first(memory.alignments, cells.saturating_sub(memory.translations.len()));
-        Self { memory, length_pairs: 0, words: 0, tokens: 0 }
+        Self { memory, counts, trained }
+    }
+
+    /// The parameters, to be read.
+    pub const fn read(&self) -> TablesRef<'_> {
+        TablesRef { memory: self.memory.read(), trained: *self.trained }
+    }
+
+    /// The parameters, and the counts of each: t and its counts, then a and its counts.
+    pub(super) fn parts(&mut self) -> (Cells<'_>, Cells<'_>) {
+        let counts: &mut [f32] = bytemuck::try_cast_slice_mut(self.counts).unwrap_or(&mut []);
+        let memory = &mut self.memory;
+        let (of_translations, of_alignments) = counts.split_at_mut_checked(memory.translations.len()).unwrap_or((&mut [], &mut []));
+        (Cells { values: memory.translations, counts: of_translations }, Cells { values: memory.alignments, counts: of_alignments })
     }
 
     /// Begins to count, in the cells that are in use.
     pub(super) fn clear_counts(&mut self) {
-        let translations = self.tokens.saturating_add(1).saturating_mul(self.words);
-        let alignments = self.alignments_end();
-        let (t, a) = self.memory.parts();
+        let translations = self.trained.tokens.saturating_add(1).saturating_mul(self.trained.words);
+        let alignments = self.read().alignments_end();
+        let (t, a) = self.parts();
         t.counts.get_mut(..translations).unwrap_or(&mut []).fill(0.0);
         a.counts.get_mut(..alignments).unwrap_or(&mut []).fill(0.0);
     }
 
-    /// Where the alignment tables end.
-    fn alignments_end(&self) -> usize {
-        self.length_pairs().last().map_or(0, |last| (last.start as usize).saturating_add(last.cells()))
-    }
-
-    /// Gives the words of the counts away, until the next training.
-    pub(super) fn lend_counts(&mut self) -> &'m mut [u64] {
-        core::mem::take(&mut self.memory.counts)
-    }
-
-    /// Takes the words of the counts back.
-    pub(super) fn take_counts(&mut self, counts: &'m mut [u64]) {
-        self.memory.counts = counts;
-    }
-
-    /// How much the tables hold.
-    pub(super) fn room(&self, rooms: &mut Capacities) {
-        rooms.translations = self.memory.translations.len();
-        rooms.alignments = self.memory.alignments.len();
-        rooms.length_pairs = self.memory.length_pairs.len();
-    }
-
-    /// V: the English words that the parameters were trained on; 0 for an untrained model.
-    pub fn words(&self) -> usize {
-        self.words
-    }
-
-    /// The machine tokens that they were trained on, NULL not counted.
-    pub fn tokens(&self) -> usize {
-        self.tokens
-    }
-
-    /// The pairs of lengths that the data have.
-    pub fn length_pairs(&self) -> &[LengthPair] {
-        self.memory.length_pairs.get(..self.length_pairs).unwrap_or(&[])
-    }
-
-    /// The row of a token in the translation table.
-    pub(super) fn row(token: Option<Symbol>) -> usize {
-        token.map_or(0, |token| token.index().saturating_add(1))
-    }
-
-    /// t(word | token), NULL for `None`: 1/V for a token never seen, 0 for a word never seen.
-    pub fn translation(&self, word: Symbol, token: Option<Symbol>) -> f32 {
-        if word.index() >= self.words { 0.0 } else { self.column(word).translation(Self::row(token)) }
-    }
-
-    /// The translations into one word, which the parameters were trained on.
-    #[inline]
-    pub(super) fn column(&self, word: Symbol) -> Column<'_> {
-        let cells = self.memory.translations.get(word.index()..).unwrap_or(&[]);
-        Column { cells, stride: self.words, rows: self.tokens, unseen: 1.0 / self.words.max(1) as f32 }
-    }
-
-    /// The trained alignment table of a pair of lengths: n rows of l + 1.
-    pub(super) fn alignment_table(&self, machine: usize, english: usize) -> Option<&[f32]> {
-        let pair = self.length_pair(machine, english).filter(|pair| pair.trained)?;
-        let start = pair.start as usize;
-        self.memory.alignments.get(start..start.saturating_add(pair.cells()))
-    }
-
-    pub(super) fn length_pair(&self, machine: usize, english: usize) -> Option<&LengthPair> {
-        self.length_pairs().iter().find(|pair| usize::from(pair.machine) == machine && usize::from(pair.english) == english)
-    }
-
-    /// a(j | i, l, n), for j from 0 to l and i from 0 to n - 1: uniform for lengths never seen.
-    pub fn alignment(&self, j: usize, i: usize, machine: usize, english: usize) -> f32 {
-        let width = machine.saturating_add(1);
-        match self.alignment_table(machine, english) {
-            Some(table) => table.get(i.saturating_mul(width).saturating_add(j)).copied().filter(|_| j < width).unwrap_or(0.0),
-            None => 1.0 / width as f32,
-        }
-    }
-
     /// Makes sure that there is an alignment table for a pair of lengths. A new one stays uniform until the next training.
     pub(super) fn add_lengths(&mut self, machine: usize, english: usize) -> Result<(), CapacityError> {
-        if self.length_pair(machine, english).is_some() {
+        if self.read().length_pair(machine, english).is_some() {
             return Ok(());
         }
-        let start = self.alignments_end();
+        let start = self.read().alignments_end();
         let pair = LengthPair { machine: machine as u8, english: english as u8, start: start as u32, trained: false, weight: 0.0 };
         let end = start.saturating_add(pair.cells());
         let room = self.memory.alignments.len();
@@ -195,14 +146,14 @@ impl<'m> Tables<'m> {
             return Err(CapacityError::new(Capacity::Alignments, room, end));
         }
         let limit = self.memory.length_pairs.len();
-        let Some(slot) = self.memory.length_pairs.get_mut(self.length_pairs) else {
+        let Some(slot) = self.memory.length_pairs.get_mut(self.trained.length_pairs) else {
             return Err(CapacityError::full(Capacity::LengthPairs, limit));
         };
         *slot = pair;
         // A training under way has not cleared them.
-        let (_, a) = self.memory.parts();
+        let (_, a) = self.parts();
         a.counts.get_mut(start..end).unwrap_or(&mut []).fill(0.0);
-        self.length_pairs = self.length_pairs.saturating_add(1);
+        self.trained.length_pairs = self.trained.length_pairs.saturating_add(1);
         Ok(())
     }
 
@@ -211,5 +162,85 @@ impl<'m> Tables<'m> {
         let cells = tokens.saturating_add(1).saturating_mul(words);
         let room = self.memory.translations.len();
         if cells > room { Err(CapacityError::new(Capacity::Translations, room, cells)) } else { Ok(()) }
+    }
+}
+
+impl<'t> TablesRef<'t> {
+    /// The parameters that `trained` says are there, with room for the counts of so many `cells`.
+    pub(crate) fn new(mut memory: ParameterTablesRef<'t>, counts: usize, trained: Trained) -> Self {
+        let cells = counts.saturating_mul(2);
+        memory.translations = memory.translations.get(..cells).unwrap_or(memory.translations);
+        memory.alignments = memory.alignments.get(..cells.saturating_sub(memory.translations.len())).unwrap_or(memory.alignments);
+        Self { memory, trained }
+    }
+
+    /// Where the alignment tables end.
+    fn alignments_end(self) -> usize {
+        self.length_pairs().last().map_or(0, |last| (last.start as usize).saturating_add(last.cells()))
+    }
+
+    /// How much the tables hold.
+    pub(super) const fn room(self, rooms: &mut Capacities) {
+        rooms.translations = self.memory.translations.len();
+        rooms.alignments = self.memory.alignments.len();
+        rooms.length_pairs = self.memory.length_pairs.len();
+    }
+
+    /// How much of the tables is used.
+    pub(super) fn usage(self, used: &mut Capacities) {
+        used.translations = self.trained.tokens.saturating_add(1).saturating_mul(self.trained.words);
+        (used.alignments, used.length_pairs) = (self.alignments_end(), self.trained.length_pairs);
+    }
+
+    /// V: the English words that the parameters were trained on; 0 for an untrained model.
+    pub const fn words(self) -> usize {
+        self.trained.words
+    }
+
+    /// The machine tokens that they were trained on, NULL not counted.
+    pub const fn tokens(self) -> usize {
+        self.trained.tokens
+    }
+
+    /// The pairs of lengths that the data have.
+    pub fn length_pairs(self) -> &'t [LengthPair] {
+        self.memory.length_pairs.get(..self.trained.length_pairs).unwrap_or(&[])
+    }
+
+    /// The row of a token in the translation table.
+    pub(super) fn row(token: Option<Symbol>) -> usize {
+        token.map_or(0, |token| token.index().saturating_add(1))
+    }
+
+    /// t(word | token), NULL for `None`: 1/V for a token never seen, 0 for a word never seen.
+    pub fn translation(self, word: Symbol, token: Option<Symbol>) -> f32 {
+        if word.index() >= self.trained.words { 0.0 } else { self.column(word).translation(Self::row(token)) }
+    }
+
+    /// The translations into one word, which the parameters were trained on.
+    #[inline]
+    pub(super) fn column(self, word: Symbol) -> Column<'t> {
+        let cells = self.memory.translations.get(word.index()..).unwrap_or(&[]);
+        Column { cells, stride: self.trained.words, rows: self.trained.tokens, unseen: 1.0 / self.trained.words.max(1) as f32 }
+    }
+
+    /// The trained alignment table of a pair of lengths: n rows of l + 1.
+    pub(super) fn alignment_table(self, machine: usize, english: usize) -> Option<&'t [f32]> {
+        let pair = self.length_pair(machine, english).filter(|pair| pair.trained)?;
+        let start = pair.start as usize;
+        self.memory.alignments.get(start..start.saturating_add(pair.cells()))
+    }
+
+    pub(super) fn length_pair(self, machine: usize, english: usize) -> Option<&'t LengthPair> {
+        self.length_pairs().iter().find(|pair| usize::from(pair.machine) == machine && usize::from(pair.english) == english)
+    }
+
+    /// a(j | i, l, n), for j from 0 to l and i from 0 to n - 1: uniform for lengths never seen.
+    pub fn alignment(self, j: usize, i: usize, machine: usize, english: usize) -> f32 {
+        let width = machine.saturating_add(1);
+        match self.alignment_table(machine, english) {
+            Some(table) => table.get(i.saturating_mul(width).saturating_add(j)).copied().filter(|_| j < width).unwrap_or(0.0),
+            None => 1.0 / width as f32,
+        }
     }
 }

@@ -1,12 +1,12 @@
-//! Division by the same number over and over.
+//! Exact division by one number, again and again.
 
-/// Divides by one number, without dividing where the numbers are small: a controller's division takes many steps, or is a program.
+/// Exact division through a 32-bit reciprocal. It avoids the software division of small controllers such as Cortex-M0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Divider {
     by: u64,
-    /// 2^32 divided by the number, rounded up: a product with it is too large by less than its 2^32nd part times the number.
+    /// 2^32 divided by the number, rounded up.
     inverse: u64,
-    /// Where that may be one too much.
+    /// From this dividend on, the product with the reciprocal may be one too large.
     limit: u64,
 }
 
@@ -17,15 +17,15 @@ impl Divider {
         Self { by, inverse: (1_u64 << 32).div_ceil(by), limit: (1_u64 << 32) / by }
     }
 
-    /// The quotient and the rest.
+    /// Returns the quotient and the remainder.
     #[inline]
     pub const fn split(&self, number: u64) -> (u64, u64) {
         if number < self.limit {
-            // Both factors have 32 bits, which takes one multiplication: divided by 1, a number is less than `limit`, 2^32.
+            // Both factors have 32 bits, so one multiplication is enough.
             let quotient = if self.by == 1 { number } else { (number as u32 as u64 * (self.inverse as u32 as u64)) >> 32 };
             (quotient, number.wrapping_sub(quotient.wrapping_mul(self.by)))
         } else {
-            // Never 0, which the compiler does not know: a division that can panic would bring the text for it.
+            // `by` is never 0, but the compiler does not know; a checked division keeps the panic message out of the program.
             match (number.checked_div(self.by), number.checked_rem(self.by)) {
                 (Some(quotient), Some(rest)) => (quotient, rest),
                 _ => (0, 0),

@@ -1,6 +1,6 @@
 //! The seam: what a robot brings of its own.
 
-use super::{Grid, GroundProposition, ObjectSet, Schema};
+use super::{GroundProposition, Objects, Schema, SearchKind};
 
 /// An action, by its position in [`Domain::actions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -78,158 +78,89 @@ pub struct ActionKind<'a> {
 /// The largest cost of an action.
 pub const MOST_COST: u8 = 16;
 
+/// What there is in a domain: its vocabulary and its objects.
+#[derive(Clone, Copy, Debug)]
+pub struct World<'a> {
+    /// The classes, attributes and propositional functions.
+    pub schema: Schema<'a>,
+    /// The objects of the environment.
+    pub objects: Objects<'a>,
+}
+
 /// A robot and its world: an object-oriented MDP with deterministic actions (paper, sections 3 and 4).
 ///
-/// The objects and their attributes do not change as the robot acts; the state says where everything is. States are numbered without
-/// gaps where that is possible: the search keeps its marks in plain arrays by that number, and only hashes where the numbers run higher
-/// than its memory.
+/// The objects and their attributes do not change as the robot acts; the state holds what does. To bring your own robot:
 ///
-/// `examples/turning_robot` brings a second robot by this trait.
+/// 1. name its classes, attributes and propositional functions in a [`Schema`], and its objects in an [`ObjectSet`](super::ObjectSet);
+/// 2. choose a state type, and number the states without gaps from 0: [`state_count`](Self::state_count), [`number`](Self::number) and
+///    [`numbered`](Self::numbered);
+/// 3. say what the actions do ([`step`](Self::step)) and which propositions hold ([`holds`](Self::holds));
+/// 4. set `type Search =` [`OneByOne`](super::OneByOne). A robot that moves pieces on a floor of cells can implement
+///    [`PushGrid`](super::PushGrid) as well and set [`BitRows`](super::BitRows), which is many times faster.
+///
+/// The folder `examples` has four robots: one that turns and drives, an arm, lamps in a house, and a lift made of tables.
 pub trait Domain {
     /// All that changes as the robot acts.
     type State: Copy + PartialEq;
 
-    /// The classes, attributes and propositional functions.
-    fn schema(&self) -> Schema<'_>;
+    /// Which search plans for this domain: [`OneByOne`](super::OneByOne) or [`BitRows`](super::BitRows).
+    type Search: SearchKind<Self>;
 
-    /// The objects of the environment.
-    fn objects(&self) -> &ObjectSet<'_>;
+    /// The vocabulary and the objects.
+    fn world(&self) -> World<'_>;
 
-    /// The actions, at most [`Action::MOST`], in an order that stays. Doing nothing is not among them.
+    /// The actions, at most [`Action::MOST`], always in the same order. Doing nothing is not listed.
     fn actions(&self) -> &[ActionKind<'_>];
 
-    /// The state that an action leads to, `None` where the action cannot be done. Bumping into a wall can be done and changes nothing.
+    /// Returns the state that an action leads to, or `None` where the action cannot be done. Bumping into a wall can be done and changes
+    /// nothing.
     fn step(&self, state: &Self::State, action: Action) -> Option<Self::State>;
 
-    /// Whether the proposition holds.
+    /// Returns whether the proposition holds in the state.
     fn holds(&self, proposition: &GroundProposition, state: &Self::State) -> bool;
 
-    /// Above every number that [`number`](Self::number) gives. [`u64::MAX`] where that is not known.
+    /// A bound: every number that [`number`](Self::number) returns is below it. [`u64::MAX`] where no bound is known.
     fn state_count(&self) -> u64;
 
-    /// The number of a state; different states have different numbers.
+    /// Returns the number of a state. Different states have different numbers. Exact plans need memory for every number below
+    /// [`state_count`](Self::state_count), so leave few gaps.
     fn number(&self, state: &Self::State) -> u64;
 
-    /// The state with this number. Only asked for numbers that [`number`](Self::number) gave.
+    /// Returns the state with this number. It is called only with numbers that [`number`](Self::number) returned.
     fn numbered(&self, number: u64) -> Self::State;
+}
 
-    /// The number of the state that an action leads to; `number` is that of `state`. A domain that can tell it by the difference, without
-    /// making the state, is searched faster. `None` where the action cannot be done.
-    fn number_after(&self, state: &Self::State, _number: u64, action: Action) -> Option<u64> {
-        self.step(state, action).map(|next| self.number(&next))
-    }
+/// The cost of an action, at least 1; 1 for an action that the domain does not have.
+pub(crate) fn cost<D: Domain + ?Sized>(domain: &D, action: Action) -> u8 {
+    domain.actions().get(usize::from(action.0)).map_or(1, |kind| kind.cost.clamp(1, MOST_COST))
+}
 
-    /// How many variables make up the state, if the domain wants to say: 0 is always correct. A domain whose propositions each read one
-    /// variable (where the agent is, where a block is) makes goal tests cost the same however many tasks there are.
-    fn variables(&self) -> usize {
-        0
-    }
+/// The domain's own actions, in order.
+pub(crate) fn own_actions<D: Domain + ?Sized>(domain: &D) -> impl Iterator<Item = Action> + use<D> {
+    (0..domain.actions().len().min(Action::MOST)).map(|position| Action(position as u8))
+}
 
-    /// How many values a variable has.
-    fn values(&self, _variable: usize) -> usize {
-        0
+/// A digest of what a domain is: its objects, its actions and the number of its states. Plans and sessions of one domain are told from
+/// those of another by it.
+pub(crate) fn digest<D: Domain + ?Sized>(domain: &D) -> u32 {
+    // FNV-1a: one multiplication of 32 bits for each byte.
+    let mut digest = 0x811c_9dc5_u32;
+    let mut take = |bytes: &[u8]| bytes.iter().for_each(|&byte| digest = (digest ^ u32::from(byte)).wrapping_mul(0x0100_0193));
+    let objects = domain.world().objects;
+    for (id, object) in objects.iter() {
+        take(&[object.class.0]);
+        take(objects.name(id).as_bytes());
+        (0..crate::capacity::ATTRIBUTES).for_each(|attribute| {
+            take(objects.value(id, attribute).as_bytes());
+            take(&[0]);
+        });
     }
-
-    /// The value of a variable in a state.
-    fn value(&self, _state: &Self::State, _variable: usize) -> usize {
-        0
+    for kind in domain.actions() {
+        take(kind.name.as_bytes());
+        take(&[0, kind.cost]);
     }
-
-    /// The state with one variable set to a value, which need not be a state that can be reached.
-    fn with_value(&self, state: &Self::State, _variable: usize, _value: usize) -> Self::State {
-        *state
-    }
-
-    /// The variable that a proposition reads, where it reads only one.
-    fn reads(&self, _proposition: &GroundProposition) -> Option<usize> {
-        None
-    }
-
-    /// Whether a variable keeps its value until the robot acts on it: where a block is, not where the robot is. In a home too large for
-    /// exact plans, such a variable is taken to stand still in the plans of tasks that do not read it.
-    fn stands_still(&self, _variable: usize) -> bool {
-        false
-    }
-
-    /// How the robot's places lie in a grid, if they do: `None` is always correct, and makes the search look at states one by one.
-    ///
-    /// A domain that gives one says this: variable 0 is the robot's place, and the number of a state is its place plus
-    /// [`values(0)`](Self::values) times a number of all else, the row. Every action costs 1. A direction of the grid leads to the
-    /// neighbour cell of the same row where that is free and not [`taken`](Self::taken), and does nothing where it is not free; the other
-    /// actions do nothing where no neighbour cell is taken. What a direction does toward a taken cell, and another action beside one, is
-    /// asked of [`number_after`](Self::number_after).
-    fn grid(&self) -> Option<Grid> {
-        None
-    }
-
-    /// A state of a row, with the robot at any place.
-    fn row(&self, row: u64) -> Self::State {
-        self.numbered(row.wrapping_mul(self.values(0) as u64))
-    }
-
-    /// The bit of a place, in a row of the grid: larger for larger places.
-    fn bit_of(&self, _place: usize) -> usize {
-        0
-    }
-
-    /// Whether the robot can ever be at a place, or act on what is there.
-    fn is_free(&self, _place: usize) -> bool {
-        true
-    }
-
-    /// The place that a variable other than the first takes, so that the robot can go there only by acting on it.
-    fn taken(&self, _state: &Self::State, _variable: usize) -> Option<usize> {
-        None
-    }
-
-    /// How many values a variable that [stands still](Self::stands_still) can take on after a value by one action, if the domain wants to
-    /// say: 0 is always correct, and makes dead ends take longer to find.
-    fn ways_on(&self) -> usize {
-        0
-    }
-
-    /// A value that a variable can take on after `value` by one action, for each `way` below [`ways_on`](Self::ways_on). All that it can
-    /// take on in any state must be among them; others do no harm.
-    fn way_on(&self, _variable: usize, _value: usize, _way: usize) -> Option<usize> {
-        None
-    }
-
-    /// How many regions the places make up, rooms and doors say, at most 32: 0 is always correct. A domain that gives some is planned for
-    /// region by region where the memory cannot hold even the robot and the blocks of a task.
-    ///
-    /// The domain then says this: the values of variable 0, the robot's place, and of all variables that
-    /// [stand still](Self::stands_still) are the same places, and there is no other variable. [`way_on`](Self::way_on) says which places lie
-    /// side by side, for variable 0 too, with the same `way` in the same direction for all.
-    fn regions(&self) -> usize {
-        0
-    }
-
-    /// How many places a region has; a bound does.
-    fn region_size(&self, _region: usize) -> usize {
-        0
-    }
-
-    /// The region of a place, and the position of the place in it, less than the region's size.
-    fn region_of(&self, _place: usize) -> Option<(usize, usize)> {
-        None
-    }
-
-    /// The place at a position of a region.
-    fn place_in(&self, _region: usize, _position: usize) -> Option<usize> {
-        None
-    }
-
-    /// How many states at most lead to one state by one action, if the domain wants to say: 0 is always correct, and makes the sweep
-    /// slower.
-    fn ways_in(&self) -> usize {
-        0
-    }
-
-    /// A state from which an action may lead to `state`, for each `way` below [`ways_in`](Self::ways_in). All states from which one does
-    /// must be among them; others do no harm.
-    fn way_in(&self, _state: &Self::State, _way: usize) -> Option<Self::State> {
-        None
-    }
+    take(&domain.state_count().to_le_bytes());
+    digest
 }
 
 /// The name of an action of a domain, `noop` included.

@@ -4,17 +4,21 @@
 //! - [`schema`]: the classes, attributes and propositional functions of a domain, by name;
 //! - [`objects`]: the objects of one environment;
 //! - [`domain`]: the [`Domain`] trait, the seam where a robot brings its own states and actions;
-//! - [`grid`]: how a robot's places lie in a grid, for the search that looks at many states at once;
-//! - [`divider`]: state numbers, taken apart.
+//! - [`push_grid`]: the optional [`PushGrid`] trait, for robots that move pieces on a floor of cells;
+//! - [`search_kind`]: which search plans for a domain;
+//! - [`divider`]: exact division through a reciprocal.
 
 pub mod divider;
 pub mod domain;
-pub mod grid;
 pub mod objects;
+pub mod push_grid;
 pub mod schema;
+pub mod search_kind;
 
 pub use divider::Divider;
-pub use domain::{Action, ActionKind, ActionSet, Domain, action_name, action_named, apply};
-pub use grid::Grid;
-pub use objects::{Object, ObjectId, ObjectSet};
+pub use domain::{Action, ActionKind, ActionSet, Domain, World, action_name, action_named, apply};
+pub(crate) use domain::{cost, digest, own_actions};
+pub use objects::{Object, ObjectCount, ObjectError, ObjectId, ObjectSet, ObjectTables, ObjectTablesRef, Objects};
+pub use push_grid::{CellId, Floor, FloorCell, Piece, PushGrid};
 pub use schema::{Attribute, Carrier, Class, ClassId, GroundProposition, Proposition, PropositionId, Schema};
+pub use search_kind::{BitRows, OneByOne, SearchKind};

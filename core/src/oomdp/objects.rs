@@ -1,10 +1,11 @@
 //! The objects of one environment: a set of fixed capacity, in memory that the caller lends.
 
 use super::schema::ClassId;
-use crate::capacity::{ATTRIBUTES, Capacity, CapacityError};
-use crate::symbols::{Symbol, Symbols};
+use crate::capacity::{ATTRIBUTES, Capacities, Capacity, CapacityError};
+use crate::symbols::{Symbol, Symbols, SymbolsRef};
+use core::fmt;
 
-/// An object, by its position in its [`ObjectSet`].
+/// An object, by its position among the [`Objects`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ObjectId(pub u8);
 
@@ -36,15 +37,18 @@ impl Object {
     }
 }
 
-/// Memory for an [`ObjectSet`].
-#[derive(Debug)]
-pub struct ObjectMemory<'m> {
-    /// One entry an object.
-    pub objects: &'m mut [Object],
-    /// Names and attribute values.
-    pub name_bytes: &'m mut [u8],
-    /// One entry a name or value.
-    pub name_ends: &'m mut [u16],
+crate::memory::tables! {
+    /// The tables of the objects.
+    ObjectTables,
+    /// The tables of the objects, to be read.
+    ObjectTablesRef {
+        /// One entry an object.
+        objects: Object,
+        /// Names and attribute values.
+        name_bytes: u8,
+        /// One entry a name or value.
+        name_ends: u16,
+    }
 }
 
 /// Why an object could not be added.
@@ -58,25 +62,85 @@ pub enum ObjectError {
     Capacity(CapacityError),
 }
 
+impl fmt::Display for ObjectError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::DuplicateName => "another object has this name; give each its own",
+            Self::EmptyName => "the object's name is empty; give it one",
+            Self::Capacity(error) => return error.fmt(f),
+        })
+    }
+}
+
+impl core::error::Error for ObjectError {}
+
 impl From<CapacityError> for ObjectError {
     fn from(error: CapacityError) -> Self {
         Self::Capacity(error)
     }
 }
 
-/// The objects of one environment.
-#[derive(Debug)]
-pub struct ObjectSet<'m> {
-    objects: &'m mut [Object],
-    len: usize,
-    names: Symbols<'m>,
+/// How many objects and names there are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ObjectCount {
+    objects: usize,
+    names: usize,
 }
 
-impl<'m> ObjectSet<'m> {
-    /// An empty set.
-    pub fn new(memory: ObjectMemory<'m>) -> Self {
-        let names = Symbols::new(memory.name_bytes, memory.name_ends, Capacity::Names, Capacity::NameBytesTogether);
-        Self { objects: memory.objects, len: 0, names }
+impl ObjectCount {
+    /// None.
+    pub const NONE: Self = Self { objects: 0, names: 0 };
+}
+
+/// The objects of one environment, while they are being described.
+#[derive(Debug)]
+pub struct ObjectSet<'t> {
+    memory: ObjectTables<'t>,
+    count: ObjectCount,
+}
+
+/// The objects of one environment.
+#[derive(Clone, Copy, Debug)]
+pub struct Objects<'t> {
+    memory: ObjectTablesRef<'t>,
+    count: ObjectCount,
+}
+
+impl<'t> ObjectSet<'t> {
+    /// No objects yet.
+    ///
+    /// ```
+    /// use goodbot::oomdp::{ClassId, Object, ObjectSet, ObjectTables};
+    /// let (mut objects, mut name_bytes, mut name_ends) = ([Object::UNUSED; 4], [0; 64], [0; 8]);
+    /// let memory = ObjectTables { objects: &mut objects, name_bytes: &mut name_bytes, name_ends: &mut name_ends };
+    /// let mut set = ObjectSet::new(memory);
+    /// let lamp = set.add(ClassId(0), "lamp0", &["red"])?;
+    /// assert_eq!(set.into_objects().value(lamp, 0), "red");
+    /// # Ok::<(), goodbot::oomdp::ObjectError>(())
+    /// ```
+    pub const fn new(memory: ObjectTables<'t>) -> Self {
+        Self { memory, count: ObjectCount::NONE }
+    }
+
+    /// The objects that `count` says are in the tables, to be added to.
+    pub const fn with(memory: ObjectTables<'t>, count: ObjectCount) -> Self {
+        Self { memory, count }
+    }
+
+    /// How many objects and names there are.
+    pub const fn count(&self) -> ObjectCount {
+        self.count
+    }
+
+    /// The objects, to be read.
+    pub const fn read(&self) -> Objects<'_> {
+        Objects { memory: self.memory.read(), count: self.count }
+    }
+
+    /// The objects, all of which have been added.
+    pub fn into_objects(self) -> Objects<'t> {
+        let ObjectTables { objects, name_bytes, name_ends } = self.memory;
+        Objects { memory: ObjectTablesRef { objects, name_bytes, name_ends }, count: self.count }
     }
 
     /// Adds an object with the given attribute values; `""` stands for no value.
@@ -87,73 +151,91 @@ impl<'m> ObjectSet<'m> {
         if name.is_empty() {
             return Err(ObjectError::EmptyName);
         }
-        if self.find(name).is_some() {
+        if self.read().find(name).is_some() {
             return Err(ObjectError::DuplicateName);
         }
-        let limit = self.objects.len().min(usize::from(u8::MAX));
-        if self.len >= limit {
+        let limit = self.memory.objects.len().min(usize::from(u8::MAX));
+        if self.count.objects >= limit {
             return Err(CapacityError::full(Capacity::Objects, limit).into());
         }
         if values.len() > ATTRIBUTES {
             return Err(CapacityError::new(Capacity::Attributes, ATTRIBUTES, values.len()).into());
         }
-        let mut object = Object { class, name: self.names.intern(name)?, ..Object::UNUSED };
+        let (bytes, ends) = (&mut *self.memory.name_bytes, &mut *self.memory.name_ends);
+        let mut names = Symbols::new(bytes, ends, &mut self.count.names, Capacity::Names, Capacity::NameBytesTogether);
+        let mut object = Object { class, name: names.intern(name)?, ..Object::UNUSED };
         for (slot, value) in object.values.iter_mut().zip(values) {
             if !value.is_empty() {
-                *slot = self.names.intern(value)?.0.saturating_add(1);
+                *slot = names.intern(value)?.0.saturating_add(1);
             }
         }
-        let id = ObjectId(self.len as u8);
-        if let Some(slot) = self.objects.get_mut(self.len) {
+        let id = ObjectId(self.count.objects as u8);
+        if let Some(slot) = self.memory.objects.get_mut(self.count.objects) {
             *slot = object;
         }
-        self.len = self.len.saturating_add(1);
+        self.count.objects = self.count.objects.saturating_add(1);
         Ok(id)
+    }
+}
+
+impl<'t> Objects<'t> {
+    /// The objects that `count` says are in the tables.
+    pub const fn new(memory: ObjectTablesRef<'t>, count: ObjectCount) -> Self {
+        Self { memory, count }
+    }
+
+    const fn names(self) -> SymbolsRef<'t> {
+        SymbolsRef::new(self.memory.name_bytes, self.memory.name_ends, self.count.names)
     }
 
     /// How many objects there are.
-    pub fn len(&self) -> usize {
-        self.len
+    pub const fn len(self) -> usize {
+        self.count.objects
     }
 
     /// Whether there is none.
-    pub fn is_empty(&self) -> bool {
-        self.len == 0
+    pub const fn is_empty(self) -> bool {
+        self.count.objects == 0
     }
 
     /// The object with this identity.
-    pub fn get(&self, id: ObjectId) -> Option<&Object> {
-        self.objects.get(..self.len)?.get(id.index())
+    pub fn get(self, id: ObjectId) -> Option<&'t Object> {
+        self.memory.objects.get(..self.count.objects)?.get(id.index())
     }
 
     /// All objects, in the order in which they were added.
-    pub fn iter(&self) -> impl Iterator<Item = (ObjectId, &Object)> {
-        self.objects.iter().take(self.len).enumerate().map(|(position, object)| (ObjectId(position as u8), object))
+    pub fn iter(self) -> impl Iterator<Item = (ObjectId, &'t Object)> {
+        self.memory.objects.iter().take(self.count.objects).enumerate().map(|(position, object)| (ObjectId(position as u8), object))
     }
 
     /// The objects of one class, in order.
-    pub fn of_class(&self, class: ClassId) -> impl Iterator<Item = ObjectId> {
+    pub fn of_class(self, class: ClassId) -> impl Iterator<Item = ObjectId> + use<'t> {
         self.iter().filter(move |(_, object)| object.class == class).map(|(id, _)| id)
     }
 
     /// The object with this name.
-    pub fn find(&self, name: &str) -> Option<ObjectId> {
-        let name = self.names.find(name)?;
+    pub fn find(self, name: &str) -> Option<ObjectId> {
+        let name = self.names().find(name)?;
         self.iter().find(|(_, object)| object.name == name).map(|(id, _)| id)
     }
 
     /// The name of an object; empty for one that the set does not have.
-    pub fn name(&self, id: ObjectId) -> &str {
-        self.get(id).map_or("", |object| self.names.text(object.name))
+    pub fn name(self, id: ObjectId) -> &'t str {
+        self.get(id).map_or("", |object| self.names().text(object.name))
     }
 
     /// The text of an attribute value.
-    pub fn value_text(&self, value: Symbol) -> &str {
-        self.names.text(value)
+    pub fn value_text(self, value: Symbol) -> &'t str {
+        self.names().text(value)
     }
 
     /// The value of an object's attribute, by the attribute's position in the schema; empty where it has none.
-    pub fn value(&self, id: ObjectId, attribute: usize) -> &str {
-        self.get(id).and_then(|object| object.value(attribute)).map_or("", |value| self.names.text(value))
+    pub fn value(self, id: ObjectId, attribute: usize) -> &'t str {
+        self.get(id).and_then(|object| object.value(attribute)).map_or("", |value| self.names().text(value))
+    }
+
+    /// How many names and bytes of them there are.
+    pub(crate) fn usage(self, used: &mut Capacities) {
+        (used.objects, used.names, used.name_bytes) = (self.count.objects, self.count.names, self.names().byte_len());
     }
 }

@@ -90,6 +90,15 @@ impl<'a> Schema<'a> {
 pub struct GroundProposition {
     /// The propositional function.
     pub proposition: PropositionId,
-    /// Its arguments; those beyond the function's parameters are object 0 and mean nothing.
+    /// Its arguments; those beyond the function's parameters are object 0, so that equal propositions compare equal.
     pub arguments: [ObjectId; ARGUMENTS],
+}
+
+impl GroundProposition {
+    /// The proposition of these objects. Unused arguments are object 0, and objects beyond [`ARGUMENTS`] are left out.
+    pub fn new(proposition: PropositionId, objects: &[ObjectId]) -> Self {
+        let mut arguments = [ObjectId(0); ARGUMENTS];
+        arguments.iter_mut().zip(objects).for_each(|(argument, &object)| *argument = object);
+        Self { proposition, arguments }
+    }
 }

@@ -1,11 +1,11 @@
 //! Which tasks a state satisfies.
 //!
-//! A task is a conjunction of ground propositions, and most propositions read one variable of the state: where the agent is, where one
-//! block is. So for each value of each variable the table keeps the tasks that this value does not rule out, one bit a task, and the
-//! tasks that a state satisfies are the intersection over its variables: as many look-ups as variables, however many tasks.
+//! A task is a conjunction of ground propositions. On a floor with pieces, most propositions depend on the cell of one piece. So for each
+//! cell of each piece the table keeps the tasks that it does not rule out, one bit a task, and the tasks that a state satisfies are the
+//! intersection over its pieces: as many look-ups as pieces, however many tasks. In other domains the propositions are asked one by one.
 
 use crate::capacity::{Capacity, CapacityError};
-use crate::oomdp::{Domain, GroundProposition, ObjectId, PropositionId};
+use crate::oomdp::{CellId, Domain, GroundProposition, ObjectId, Piece, PropositionId, PushGrid, SearchKind};
 use crate::task::{GroundedTask, LiftedTask, TaskSet};
 
 /// A ground proposition and the tasks that it is a part of.
@@ -13,7 +13,7 @@ use crate::task::{GroundedTask, LiftedTask, TaskSet};
 pub struct GoalPart {
     proposition: GroundProposition,
     tasks: TaskSet,
-    tabled: bool,
+    piece: Option<Piece>,
 }
 
 impl GoalPart {
@@ -21,168 +21,167 @@ impl GoalPart {
     pub const UNUSED: Self = Self {
         proposition: GroundProposition { proposition: PropositionId(0), arguments: [ObjectId(0); crate::capacity::ARGUMENTS] },
         tasks: TaskSet::EMPTY,
-        tabled: false,
+        piece: None,
     };
 }
 
-/// Memory for a [`GoalTable`].
-#[derive(Debug)]
-pub struct GoalMemory<'m> {
-    /// One entry a distinct ground proposition.
-    pub parts: &'m mut [GoalPart],
-    /// One entry a value of a state variable; where there are too few, propositions are asked one by one.
-    pub entries: &'m mut [TaskSet],
-}
-
-/// Which tasks ask what of a state.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Asked {
-    /// Where the robot is: the first variable.
-    pub(super) of_place: TaskSet,
-    /// Any other variable.
-    pub(super) of_all_else: TaskSet,
-    /// More than one variable at once.
-    pub(super) of_several: TaskSet,
-}
-
-/// Finds the tasks that a state satisfies.
-#[derive(Debug)]
-pub struct GoalTable<'m> {
-    memory: GoalMemory<'m>,
-    parts: usize,
-    variables: usize,
-    asked: Asked,
-    all: TaskSet,
-    untabled: bool,
-}
-
-impl<'m> GoalTable<'m> {
-    /// A table of no tasks.
-    pub fn new(memory: GoalMemory<'m>) -> Self {
-        Self { memory, parts: 0, variables: 0, asked: Asked::default(), all: TaskSet::EMPTY, untabled: false }
+crate::memory::tables! {
+    /// The tables of the goals.
+    GoalMemory,
+    /// The tables of the goals, to be read.
+    GoalMemoryRef {
+        /// One entry a distinct ground proposition.
+        parts: GoalPart,
+        /// One entry a cell and piece; where there are too few, propositions are asked one by one.
+        entries: TaskSet,
     }
+}
 
-    /// Fills the table for `tasks`. `state` is any state of the domain.
-    ///
-    /// # Errors
-    /// A [`CapacityError`] where the tasks have more distinct ground propositions than there is room for; the table then has no tasks.
-    pub fn fill<D: Domain + ?Sized>(
-        &mut self,
+/// What the tasks of one session ask, beside the tables.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct GoalTable {
+    parts: usize,
+    all: TaskSet,
+    /// Cells of each piece in the table; 0 where there is no table.
+    tabled_cells: usize,
+    /// The tasks that ask for the cell of the robot, for that of another piece, and for something that no single cell decides.
+    of_robot: TaskSet,
+    of_others: TaskSet,
+    of_several: TaskSet,
+}
+
+impl GoalTable {
+    pub(super) const EMPTY: Self = Self {
+        parts: 0,
+        all: TaskSet::EMPTY,
+        tabled_cells: 0,
+        of_robot: TaskSet::EMPTY,
+        of_others: TaskSet::EMPTY,
+        of_several: TaskSet::EMPTY,
+    };
+
+    /// Fills the tables for these tasks. `state` is any state of the domain.
+    pub(super) fn fill<D: Domain + ?Sized>(
+        memory: &mut GoalMemory<'_>,
         domain: &D,
         lifted: &[LiftedTask],
         tasks: &[GroundedTask],
         state: &D::State,
-    ) -> Result<(), CapacityError> {
-        (self.parts, self.variables, self.all, self.untabled) = (0, 0, TaskSet::EMPTY, false);
-        self.asked = Asked::default();
+    ) -> Result<Self, CapacityError> {
+        let grid = D::Search::grid(domain);
+        let mut table = Self { all: TaskSet::first(tasks.len()), ..Self::EMPTY };
         for (position, task) in tasks.iter().enumerate() {
             let Some(lifted) = lifted.get(usize::from(task.lifted)) else { continue };
             for proposition in task.propositions(lifted) {
-                self.add(proposition, position)?;
+                let piece = grid.and_then(|grid| grid.piece_of(&proposition));
+                let asked = match piece {
+                    Some(Piece::ROBOT) => &mut table.of_robot,
+                    Some(_) => &mut table.of_others,
+                    None => &mut table.of_several,
+                };
+                *asked = asked.with(position);
+                let known = memory.parts.iter_mut().take(table.parts).find(|part| part.proposition == proposition);
+                if let Some(part) = known {
+                    part.tasks = part.tasks.with(position);
+                    continue;
+                }
+                let limit = memory.parts.len();
+                let slot = memory.parts.get_mut(table.parts).ok_or(CapacityError::full(Capacity::GroundPropositions, limit))?;
+                *slot = GoalPart { proposition, tasks: TaskSet::of(position), piece };
+                table.parts = table.parts.saturating_add(1);
             }
         }
-        let fits = (0..domain.variables()).try_fold(0_usize, |sum, variable| sum.checked_add(domain.values(variable)));
-        if fits.is_some_and(|entries| entries <= self.memory.entries.len()) {
-            self.tabulate(domain, state);
+        if let Some(grid) = grid {
+            table.tabulate(memory, grid, state);
         }
-        for part in self.memory.parts.iter().take(self.parts) {
-            let asked = match domain.reads(&part.proposition) {
-                Some(0) => &mut self.asked.of_place,
-                Some(_) => &mut self.asked.of_all_else,
-                None => &mut self.asked.of_several,
-            };
-            *asked = asked.union(part.tasks);
-        }
-        self.untabled = self.memory.parts.iter().take(self.parts).any(|part| !part.tabled);
-        self.all = TaskSet::first(tasks.len());
-        Ok(())
+        Ok(table)
     }
 
-    fn add(&mut self, proposition: GroundProposition, task: usize) -> Result<(), CapacityError> {
-        let limit = self.memory.parts.len();
-        let known = self.memory.parts.iter_mut().take(self.parts).find(|part| part.proposition == proposition);
-        if let Some(part) = known {
-            part.tasks = part.tasks.union(TaskSet::of(task));
-            return Ok(());
+    fn tabulate<G: PushGrid + ?Sized>(&mut self, memory: &mut GoalMemory<'_>, grid: &G, state: &G::State) {
+        let (cells, pieces) = (grid.floor().cells.len(), grid.pieces());
+        if cells.checked_mul(pieces).is_none_or(|entries| entries > memory.entries.len()) {
+            return;
         }
-        let Some(slot) = self.memory.parts.get_mut(self.parts) else {
-            self.parts = 0;
-            return Err(CapacityError::full(Capacity::GroundPropositions, limit));
-        };
-        *slot = GoalPart { proposition, tasks: TaskSet::of(task), tabled: false };
-        self.parts = self.parts.saturating_add(1);
-        Ok(())
-    }
-
-    fn tabulate<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) {
-        self.variables = domain.variables();
-        let mut entries = self.memory.entries.iter_mut();
-        for variable in 0..self.variables {
-            for value in 0..domain.values(variable) {
-                let changed = domain.with_value(state, variable, value);
-                let Some(entry) = entries.next() else { return };
-                *entry = TaskSet(u64::MAX);
-                for part in self.memory.parts.iter_mut().take(self.parts) {
-                    if domain.reads(&part.proposition) == Some(variable) {
-                        part.tabled = true;
-                        if !domain.holds(&part.proposition, &changed) {
-                            *entry = entry.without(part.tasks);
-                        }
-                    }
+        let mut entries = memory.entries.iter_mut();
+        for piece in (0..pieces).map(|piece| Piece(piece as u8)) {
+            for cell in grid.floor().ids() {
+                let there = Goals { table: self, parts: memory.parts, entries: &[] }.allowed_by(grid, state, piece, cell);
+                if let Some(entry) = entries.next() {
+                    *entry = there;
                 }
             }
         }
+        self.tabled_cells = cells;
     }
 
-    /// A table of tasks that hold where the domain says so, whatever proposition it is asked.
-    pub(super) fn of_domain(memory: GoalMemory<'m>, tasks: TaskSet) -> Self {
-        if let Some(part) = memory.parts.first_mut() {
-            *part = GoalPart { tasks, ..GoalPart::UNUSED };
-        }
-        Self { parts: 1, all: tasks, untabled: true, ..Self::new(memory) }
+    /// The tasks that ask for the robot's cell.
+    pub(super) fn of_robot(&self) -> TaskSet {
+        self.of_robot
     }
 
-    pub(super) fn asked(&self) -> Asked {
-        self.asked
+    /// The tasks that ask for the cell of a piece other than the robot.
+    pub(super) fn of_others(&self) -> TaskSet {
+        self.of_others
     }
 
-    /// The variables that a task's propositions read, one bit each; `None` where one of them reads more than one.
-    pub fn variables_of<D: Domain + ?Sized>(&self, domain: &D, task: usize) -> Option<u32> {
-        let mut parts = self.memory.parts.iter().take(self.parts).filter(|part| part.tasks.contains(task));
-        parts.try_fold(0, |read, part| Some(read | 1_u32.checked_shl(domain.reads(&part.proposition)? as u32)?))
+    /// The tasks that ask for something that no single piece's cell decides.
+    pub(super) fn of_several(&self) -> TaskSet {
+        self.of_several
+    }
+}
+
+/// The goals with their tables.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Goals<'t> {
+    pub(super) table: &'t GoalTable,
+    pub(super) parts: &'t [GoalPart],
+    pub(super) entries: &'t [TaskSet],
+}
+
+impl Goals<'_> {
+    fn parts(&self) -> impl Iterator<Item = &GoalPart> {
+        self.parts.iter().take(self.table.parts)
     }
 
-    /// The tasks that the value of one variable in `state` does not rule out. What is asked of more than one variable at once is left out.
+    /// The pieces whose cells a task asks for, one bit each; `None` where no single piece decides a proposition of it.
+    pub(super) fn pieces_of(&self, task: usize) -> Option<u32> {
+        let mut parts = self.parts().filter(|part| part.tasks.contains(task));
+        parts.try_fold(0, |pieces, part| Some(pieces | part.piece?.bit()))
+    }
+
+    /// The tasks that a piece on this cell does not rule out.
     #[inline]
-    pub fn not_ruled_out<D: Domain + ?Sized>(&self, domain: &D, state: &D::State, variable: usize) -> TaskSet {
-        if variable < self.variables {
-            let offset = (0..variable).fold(domain.value(state, variable), |sum, earlier| sum.wrapping_add(domain.values(earlier)));
-            return self.memory.entries.get(offset).copied().unwrap_or(TaskSet::EMPTY).common(self.all);
+    pub(super) fn allowed<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State, piece: Piece, cell: CellId) -> TaskSet {
+        if self.table.tabled_cells == 0 {
+            return self.allowed_by(grid, state, piece, cell);
         }
-        let mut left = self.all;
-        for part in self.memory.parts.iter().take(self.parts) {
-            let asked = !left.common(part.tasks).is_empty() && domain.reads(&part.proposition) == Some(variable);
-            if asked && !domain.holds(&part.proposition, state) {
-                left = left.without(part.tasks);
+        let at = usize::from(piece.0).wrapping_mul(self.table.tabled_cells).wrapping_add(cell.index());
+        self.entries.get(at).copied().unwrap_or(TaskSet::EMPTY)
+    }
+
+    #[inline(never)]
+    fn allowed_by<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State, piece: Piece, cell: CellId) -> TaskSet {
+        let there = grid.put(state, piece, cell);
+        let ruled_out = self.parts().filter(|part| part.piece == Some(piece) && !grid.holds(&part.proposition, &there));
+        ruled_out.fold(self.table.all, |left, part| left.without(part.tasks))
+    }
+
+    /// The tasks among `asked` that hold in `state`.
+    #[inline]
+    pub(super) fn satisfied<D: Domain + ?Sized>(&self, domain: &D, state: &D::State, asked: TaskSet) -> TaskSet {
+        let mut satisfied = asked.common(self.table.all);
+        let grid = D::Search::grid(domain).filter(|_| self.table.tabled_cells > 0);
+        if let Some(grid) = grid {
+            for piece in (0..grid.pieces()).map(|piece| Piece(piece as u8)) {
+                satisfied = satisfied.common(self.allowed(grid, state, piece, grid.cell(state, piece)));
+            }
+            if satisfied.common(self.table.of_several).is_empty() {
+                return satisfied;
             }
         }
-        left
-    }
-
-    /// The tasks that hold in `state`.
-    #[inline]
-    pub fn satisfied<D: Domain + ?Sized>(&self, domain: &D, state: &D::State) -> TaskSet {
-        let (mut satisfied, mut offset) = (self.all, 0_usize);
-        for variable in 0..self.variables {
-            let at = offset.wrapping_add(domain.value(state, variable));
-            satisfied = satisfied.common(self.memory.entries.get(at).copied().unwrap_or(TaskSet::EMPTY));
-            offset = offset.wrapping_add(domain.values(variable));
-        }
-        if self.untabled {
-            for part in self.memory.parts.iter().take(self.parts) {
-                if !part.tabled && !satisfied.common(part.tasks).is_empty() && !domain.holds(&part.proposition, state) {
-                    satisfied = satisfied.without(part.tasks);
-                }
+        for part in self.parts().filter(|part| grid.is_none() || part.piece.is_none()) {
+            if !satisfied.common(part.tasks).is_empty() && !domain.holds(&part.proposition, state) {
+                satisfied = satisfied.without(part.tasks);
             }
         }
         satisfied

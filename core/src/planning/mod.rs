@@ -1,29 +1,35 @@
-//! Planning: which actions are on a shortest way to each task's goal (paper, section 4: uniform-cost search).
+//! Planning: which actions begin a shortest way to each task's goal (paper, section 4: uniform-cost search).
 //!
-//! - [`goals`]: which tasks a state satisfies, at the same cost for one task as for 64;
-//! - [`search`]: one uniform-cost search from the current state that serves all tasks, in steps as large as the caller allows;
-//! - [`sweep`]: one sweep from all goals that serves all tasks in every state, for those who ask for all;
-//! - [`relaxed`]: plans for homes too large for that, with the blocks that do not matter to a task standing still;
-//! - `regions`: plans region by region, for memories too small for that too;
-//! - [`planner`]: which way of planning serves a state.
+//! ```text
+//!            Planner: for one state after another, all tasks at once
+//!            ┌──────────────────────────────────────────────────────┐
+//!  goals ──▶ │ deadlock ─▶ exact search ─▶ approximate              │ ──▶ Plan
+//!            │             bitboard, or     only for what the exact │
+//!            │             one_by_one       search left open        │
+//!            └──────────────────────────────────────────────────────┘
+//! ```
+//!
+//! - [`goals`]: which tasks a state satisfies, at nearly the same cost for one task as for 64;
+//! - `deadlock`: tasks that one piece alone rules out for ever, told without a search;
+//! - `bitboard`: exact; expands the states that differ only in the robot's cell together, as rows of bits;
+//! - `one_by_one`: exact; serves every domain, and searches nearby through a hash table where the states do not fit the memory;
+//! - `approximate`: searches in smaller state spaces, for what the exact search left open; good to act on, no evidence;
+//! - [`planner`]: the order of all these;
+//! - [`plan`]: what is known afterwards, and how an action is judged by it.
 
-mod confined;
-mod frontier;
+mod approximate;
+mod bitboard;
+mod bits;
+mod deadlock;
 pub mod goals;
-mod lanes;
-mod optimal_set;
+mod one_by_one;
+pub mod plan;
 pub mod planner;
-mod regions;
-pub mod relaxed;
-pub mod search;
-mod standing;
-pub mod sweep;
-mod trail;
 
-pub use goals::{GoalMemory, GoalTable};
-pub use planner::Planner;
-pub use search::{OptimalSet, PlanMemory, Search};
-pub use sweep::Sweep;
+pub use goals::{GoalMemory, GoalMemoryRef, GoalPart};
+pub use one_by_one::states_needed;
+pub use plan::{Judgement, OptimalSet, Plan};
+pub use planner::{PlanMemory, PlanMemoryRef, PlanTables, Planner};
 
 /// Whether work that is done in parts has come to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

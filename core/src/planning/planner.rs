@@ -1,108 +1,269 @@
-//! Which way of planning serves a state.
+//! Plans for one state after another, for the tasks of one session.
 //!
-//! | the state space | the plan |
-//! |---|---|
-//! | fits the search's memory | one search, exact |
-//! | too large, with blocks that can be taken to stand still | the [relaxation](super::relaxed) |
-//! | too large even so, with regions | [region by region](Domain::regions), approximate |
-//! | too large otherwise | a search that hashes states, until the memory is full |
+//! Each plan goes the same way, for all tasks at once:
+//! 1. what holds here, and what is a deadlock, needs no search;
+//! 2. the exact search: by rows of bits where the domain is a floor with pieces and the rows fit, else state by state. Where the states do
+//!    not fit either, it looks as far as its hash table reaches, so that near goals are found exactly all the same;
+//! 3. on a floor with pieces, the tasks that are still open get an approximate plan.
 
 use super::Progress;
-use super::goals::GoalTable;
-use super::regions::Regions;
-use super::relaxed::Relaxation;
-use super::search::{PlanMemory, Search};
-use crate::oomdp::Domain;
-use crate::task::TaskSet;
+use super::approximate::Approximation;
+use super::bitboard::{RowSearch, View};
+use super::deadlock;
+use super::goals::{GoalMemory, GoalPart, GoalTable, Goals};
+use super::one_by_one::{self, StateSearch};
+use super::plan::{Found, Plan, Results};
+use crate::capacity::CapacityError;
+use crate::oomdp::{ActionSet, Domain, PushGrid, SearchKind};
+use crate::task::{GroundedTask, LiftedTask, TaskSet};
 
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-enum Way {
-    #[default]
-    Known,
-    Search,
-    Relaxed,
-    Regions,
+crate::memory::tables! {
+    /// The tables of the searches and of what they find.
+    PlanMemory,
+    /// The tables of the searches and of what they find, to be read.
+    PlanMemoryRef {
+        /// As many entries as words of the workspace are for first actions and the frontier: see
+        /// [`Capacities::search_words`](crate::Capacities::search_words).
+        search_words: (),
+        /// State numbers, where states are hashed; may be empty.
+        hashed: u64,
+        /// The optimal set of each task.
+        optimal: ActionSet,
+        /// The distance of each task.
+        distances: u32,
+    }
 }
 
-/// Plans for one state after another, for the tasks of one session.
+/// The tables of a [`Planner`], lent to it for the length of a call. What they hold between its calls belongs to it.
 #[derive(Debug)]
-pub struct Planner<'m> {
-    search: Search<'m>,
-    relaxation: Relaxation,
-    regions: Regions,
-    way: Way,
-    all: TaskSet,
+pub struct PlanTables<'t> {
+    /// One entry a distinct ground proposition.
+    pub goal_parts: &'t mut [GoalPart],
+    /// One entry a cell and piece; where there are too few, propositions are asked one by one.
+    pub goal_entries: &'t mut [TaskSet],
+    /// First actions and the frontier.
+    pub marks: &'t mut [u64],
+    /// State numbers, where states are hashed; may be empty.
+    pub hashed: &'t mut [u64],
+    /// The optimal set of each task.
+    pub optimal: &'t mut [ActionSet],
+    /// The distance of each task.
+    pub distances: &'t mut [u32],
 }
 
-impl<'m> Planner<'m> {
-    /// A planner that knows nothing yet.
-    pub fn new(plan: PlanMemory<'m>, workspace: &'m mut [u64]) -> Self {
+impl<'t> PlanTables<'t> {
+    /// The tables in these memories, with the marks at the front of the workspace.
+    pub fn new(goals: GoalMemory<'t>, plan: PlanMemory<'t>, workspace: &'t mut [u64]) -> Self {
+        let words = plan.search_words.len().min(workspace.len());
         Self {
-            search: Search::new(plan, workspace),
-            relaxation: Relaxation::default(),
-            regions: Regions::default(),
-            way: Way::Known,
-            all: TaskSet::EMPTY,
+            goal_parts: goals.parts,
+            goal_entries: goals.entries,
+            marks: workspace.get_mut(..words).unwrap_or(&mut []),
+            hashed: plan.hashed,
+            optimal: plan.optimal,
+            distances: plan.distances,
         }
     }
 
-    /// Ends what is under way and gives the workspace away, until [`take_workspace`](Self::take_workspace).
-    pub(crate) fn lend_workspace(&mut self) -> &'m mut [u64] {
-        self.way = Way::Known;
-        self.search.lend_workspace()
+    /// Borrows the tables apart: the goals, the marks, the hash table, and the results.
+    fn split<'s>(&'s mut self, table: &'s GoalTable, found: &'s mut Found) -> (Goals<'s>, &'s mut [u64], &'s mut [u64], Results<'s>) {
+        let goals = Goals { table, parts: self.goal_parts, entries: self.goal_entries };
+        (goals, self.marks, self.hashed, Results { found, optimal: self.optimal, distances: self.distances })
+    }
+}
+
+/// The search under way, or what it left in the marks.
+#[derive(Clone, Copy, Debug)]
+enum Marked {
+    /// Something else: the marks were in other hands.
+    Anything,
+    /// Zeros.
+    Nothing,
+    Rows(RowSearch),
+    States(StateSearch),
+}
+
+impl Marked {
+    /// Leaves zeros in the marks.
+    fn clear(&mut self, marks: &mut [u64]) {
+        match core::mem::replace(self, Self::Nothing) {
+            Self::Anything => marks.fill(0),
+            Self::Nothing => {}
+            Self::Rows(rows) => rows.clear(marks),
+            Self::States(states) => states.clear(marks),
+        }
+    }
+}
+
+/// What is left to do.
+#[derive(Clone, Copy, Debug)]
+enum Stage {
+    Exact,
+    Approximate(Approximation),
+    Done,
+}
+
+/// Plans for one state after another. It holds no tables: they are lent to each call.
+#[derive(Clone, Copy, Debug)]
+pub struct Planner {
+    goals: GoalTable,
+    found: Found,
+    stage: Stage,
+    marked: Marked,
+}
+
+impl Default for Planner {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Planner {
+    /// A planner of no tasks.
+    pub const fn new() -> Self {
+        Self { goals: GoalTable::EMPTY, found: Found::NOTHING, stage: Stage::Done, marked: Marked::Anything }
     }
 
-    /// Takes the workspace for the search.
-    pub(crate) fn take_workspace(&mut self, workspace: &'m mut [u64]) {
-        self.search.take_workspace(workspace);
+    /// Takes the tasks to plan for. `state` is any state of the domain.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where the tasks have more distinct ground propositions than there is room for, or where the domain has more
+    /// states than fit and can neither be hashed nor planned for approximately; there are then no tasks.
+    pub fn set_tasks<D: Domain + ?Sized>(
+        &mut self,
+        tables: &mut PlanTables<'_>,
+        domain: &D,
+        lifted: &[LiftedTask],
+        tasks: &[GroundedTask],
+        state: &D::State,
+    ) -> Result<(), CapacityError> {
+        (self.goals, self.found, self.stage) = (GoalTable::EMPTY, Found::NOTHING, Stage::Done);
+        one_by_one::check(domain, tables.marks.len(), tables.hashed.len())?;
+        let mut memory = GoalMemory { parts: tables.goal_parts, entries: tables.goal_entries };
+        self.goals = GoalTable::fill(&mut memory, domain, lifted, tasks, state)?;
+        Ok(())
     }
 
-    /// Forgets what it knows: the tasks or the domain are others now.
-    pub fn forget(&mut self, tasks: usize) {
-        self.relaxation.forget();
-        (self.way, self.all) = (Way::Known, TaskSet::first(tasks));
+    /// Ends what is under way, because the marks are lent to something else. They may then hold anything.
+    pub fn release_marks(&mut self) {
+        (self.stage, self.marked) = (Stage::Done, Marked::Anything);
     }
 
     /// Begins at `state`, for the tasks in `wanted`; those in `dead` are known to be dead ends.
-    pub fn begin<D: Domain + ?Sized>(&mut self, domain: &D, goals: &GoalTable<'_>, state: &D::State, wanted: TaskSet, dead: TaskSet) {
-        if Relaxation::applies(domain) && !self.search.fits(domain, goals, self.all) {
-            self.way = Way::Relaxed;
-            self.search.stand(domain, goals, state, wanted, dead);
-            self.relaxation.begin(&mut self.search, domain, goals, state);
-        } else {
-            self.way = Way::Search;
-            self.search.begin(domain, goals, state, wanted, dead);
+    #[inline(never)]
+    pub fn begin<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, wanted: TaskSet, dead: TaskSet) {
+        self.marked.clear(tables.marks);
+        tables.optimal.fill(ActionSet::EMPTY);
+        tables.distances.fill(u32::MAX);
+        let mut found = Found::NOTHING;
+        let (goals, marks, hashed, results) = tables.split(&self.goals, &mut found);
+        *results.found = Found::at(domain, &goals, state, wanted, dead);
+        if let Some(grid) = D::Search::grid(domain) {
+            let possible = deadlock::possible(grid, &goals, state, results.found.unknown, marks);
+            results.found.rule_out(results.found.unknown.without(possible));
+        }
+        let open = results.found.unknown;
+        results.found.sought = open;
+        self.stage = if open.is_empty() { Stage::Done } else { Stage::Exact };
+        if !open.is_empty() {
+            let rows = D::Search::grid(domain).and_then(|grid| {
+                let mut rows = RowSearch::layout(grid, &goals, open, View::WHOLE, marks.len())?;
+                rows.begin(grid, &goals, state, marks, results.found.applicable);
+                Some(rows)
+            });
+            self.marked = match rows {
+                Some(rows) => Marked::Rows(rows),
+                None => Marked::States(StateSearch::begin(domain, state, marks, hashed, results.found.applicable)),
+            };
+        }
+        self.found = found;
+    }
+
+    /// Goes on, with at most about `budget` expansions (at least one). `state` is the one that it began with.
+    #[inline(never)]
+    pub fn advance<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, budget: u32) -> Progress {
+        let mut left = budget.max(1);
+        while !self.is_done() {
+            if left == 0 {
+                return Progress::Working;
+            }
+            if self.found.sought.is_empty() {
+                left = left.saturating_sub(self.next_search(tables, domain, state));
+            } else {
+                self.search(tables, domain, state, &mut left);
+            }
+        }
+        Progress::Done
+    }
+
+    /// Goes on with the search under way. It is over once it seeks no task.
+    fn search<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
+        let (goals, marks, hashed, mut results) = tables.split(&self.goals, &mut self.found);
+        while *left > 0 {
+            let expansions = match &mut self.marked {
+                Marked::Rows(rows) => D::Search::grid(domain).and_then(|grid| rows.expand(marks, &mut results, grid, &goals, state)),
+                Marked::States(states) => states.expand(marks, hashed, &mut results, domain, &goals),
+                Marked::Anything | Marked::Nothing => None,
+            };
+            if let Some(expansions) = expansions {
+                *left = left.saturating_sub(expansions);
+                results.found.expansions = results.found.expansions.saturating_add(expansions);
+                continue;
+            }
+            if let Stage::Approximate(_) = self.stage {
+                results.found.approximate = results.found.approximate.union(results.found.met);
+            }
+            results.end_level();
+            let ahead = match &mut self.marked {
+                Marked::Rows(rows) => rows.next_level(),
+                Marked::States(states) => states.next_level(results.found.level),
+                Marked::Anything | Marked::Nothing => false,
+            };
+            if !ahead || results.found.sought.is_empty() {
+                results.found.sought = TaskSet::EMPTY;
+                return;
+            }
         }
     }
 
-    /// Goes on, with no more than about `budget` looks. `state` is the one that it began with.
-    pub fn advance<D: Domain + ?Sized>(&mut self, domain: &D, goals: &GoalTable<'_>, state: &D::State, budget: u32) -> Progress {
-        let progress = match self.way {
-            Way::Known => Progress::Done,
-            Way::Search => self.search.advance(domain, goals, budget),
-            Way::Relaxed => match self.relaxation.advance(&mut self.search, domain, goals, state, budget) {
-                Progress::Done if domain.regions() > 0 && !self.search.unknown().is_empty() => {
-                    self.way = Way::Regions;
-                    self.regions.begin(&mut self.search, domain, goals, state);
-                    Progress::Working
-                }
-                progress => progress,
-            },
-            Way::Regions => self.regions.advance(&mut self.search, domain, goals, state, budget),
-        };
-        if progress == Progress::Done {
-            self.way = Way::Known;
+    /// The search under way has come to its end: begins the next, if one is left. Returns the work that it took, in expansions.
+    #[inline(never)]
+    fn next_search<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State) -> u32 {
+        if let Stage::Exact = self.stage {
+            let complete = !matches!(&self.marked, Marked::States(states) if !states.is_complete());
+            if complete {
+                self.found.rule_out(self.found.unknown);
+            }
+            self.stage = Stage::Approximate(Approximation::new(self.found.unknown));
         }
-        progress
+        let (Stage::Approximate(approximation), Some(grid)) = (&mut self.stage, D::Search::grid(domain)) else {
+            self.stage = Stage::Done;
+            return 0;
+        };
+        if self.found.unknown.is_empty() {
+            self.stage = Stage::Done;
+            return 0;
+        }
+        self.marked.clear(tables.marks);
+        let (goals, marks, _, results) = tables.split(&self.goals, &mut self.found);
+        match approximation.next(grid, &goals, state, results.found.unknown, marks) {
+            Some((tasks, mut rows)) => {
+                (results.found.level, results.found.sought) = (0, tasks);
+                rows.begin(grid, &goals, state, marks, results.found.applicable);
+                self.marked = Marked::Rows(rows);
+            }
+            None => self.stage = Stage::Done,
+        }
+        grid.floor().cells.len() as u32
     }
 
     /// Whether it has come to its end.
     pub fn is_done(&self) -> bool {
-        self.way == Way::Known
+        matches!(self.stage, Stage::Done)
     }
 
-    /// What it found.
-    pub fn search(&self) -> &Search<'m> {
-        &self.search
+    /// What is known of each task, in the tables that planning wrote.
+    pub fn plan<'t>(&'t self, optimal: &'t [ActionSet], distances: &'t [u32]) -> Plan<'t> {
+        Plan { found: &self.found, optimal, distances }
     }
 }

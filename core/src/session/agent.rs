@@ -1,20 +1,25 @@
 //! The robot's mind: Algorithm 1.
 //!
-//! [`Agent::hear`] a command, [`Agent::plan`] from the state the robot is in, [`Agent::decide`] on an action, do it, and tell what the
-//! trainer said with [`Agent::feedback`]; over and over, until [`Agent::finish`]. Planning and learning go in parts: `plan` and `learn`
-//! take a budget and say whether they are done.
+//! [`Agent::hear`] a command, [`Agent::plan`] from the state the robot is in, [`Agent::decide`] on an action, do it and say so with
+//! [`Agent::acted`], and tell what the trainer said with [`Agent::feedback`]; over and over, until [`Agent::finish`]. Planning and learning
+//! go in parts: `plan` and `learn` take a budget and say whether they are done. The trainer may speak while the next plan is being made.
 
-use super::candidates::Candidates;
+use super::candidates::{CandidateCount, CandidatesRef};
 use super::error::AgentError;
-use super::options::{AgentMemory, Options};
-use crate::capacity::{Capacity, CapacityError, LIFTED_TASKS};
+use super::learning::GaveWay;
+use super::options::{Options, SessionTablesRef, Weights};
+use crate::capacity::{Capacities, Capacity, CapacityError, LIFTED_TASKS};
 use crate::feedback::simulated::below;
-use crate::feedback::{Belief, Feedback, Judgement, Strategy};
-use crate::language::{LanguageModel, Sentence};
-use crate::oomdp::{Action, ActionSet, Domain};
-use crate::planning::{GoalTable, OptimalSet, Planner, Progress, Search};
+use crate::feedback::{Belief, BeliefCount, BeliefRef, Feedback, Strategy};
+use crate::language::model::LanguageState;
+use crate::language::{LanguageMut, LanguageRef, Sentence};
+use crate::memory::{AgentMemory, AgentTables};
+use crate::oomdp::{Action, ActionSet, Domain, apply, digest};
+use crate::planning::{Judgement, OptimalSet, Plan, PlanTables, Planner, Progress};
 use crate::probability::Scaled;
+use crate::symbols::Symbol;
 use crate::task::{GroundedTask, LiftedTask, TaskSet};
+use core::fmt;
 use heapless::Vec;
 use rand_core::Rng;
 
@@ -28,82 +33,144 @@ pub struct Decision {
     pub action: Action,
     /// The task that it follows: the most likely one.
     pub task: usize,
-    /// What the plan says for that task. Where it is a dead end or unknown, the action is to do nothing.
+    /// What the plan says for that task, and whether exactly. Where it is a dead end or unknown, the action is to do nothing.
     pub plan: OptimalSet,
 }
 
-/// The robot's mind.
-#[derive(Debug)]
-pub struct Agent<'m> {
-    pub(crate) options: Options,
-    pub(crate) language: LanguageModel<'m>,
-    pub(super) lifted: Vec<LiftedTask, LIFTED_TASKS>,
-    pub(super) tasks: &'m mut [GroundedTask],
-    pub(super) task_count: usize,
-    pub(super) candidates: Candidates<'m>,
-    pub(crate) belief: Belief<'m>,
-    pub(super) goals: GoalTable<'m>,
-    pub(super) planner: Planner<'m>,
-    pub(super) sentence: Sentence,
-    pub(super) start: Option<u64>,
-    pub(super) ended: bool,
-    pub(super) planned: Option<u64>,
-    pub(super) dead: TaskSet,
-    pub(super) followed: Option<usize>,
+/// What came of a piece of evidence.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[must_use]
+pub enum Evidence {
+    /// The belief has taken it in.
+    Used,
+    /// It says nothing, because no task's optimal set is known exactly in the state of the action. The belief is unchanged.
+    SaysNothing,
+    /// It is impossible under every task and strategy, and was ignored.
+    Impossible,
 }
 
-impl<'m> Agent<'m> {
-    /// An agent that has learned nothing yet. `lifted` are the tasks that commands may mean, as many as [`LIFTED_TASKS`] at most.
+/// The last action that was done, judged for each task: a word about it may come while the next plan is being made.
+#[derive(Clone, Copy, Debug)]
+struct Done {
+    correct: TaskSet,
+    incorrect: TaskSet,
+}
+
+/// Work that goes in parts, and where it stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Work {
+    /// None is under way.
+    None,
+    /// The tasks get their priors, from this machine command on.
+    Hearing(Position, Prior),
+    /// The machine commands get their weights, from this one on.
+    Weighing(Position, Weights),
+    /// The session joins the training data; the others give way.
+    Keeping,
+    /// The vocabulary gets room again.
+    Tidying,
+}
+
+/// A machine command among those of all tasks, and the sum over those of its task before it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Position {
+    pub(super) task: usize,
+    pub(super) constraint: u16,
+    pub(super) sum: Scaled,
+}
+
+impl Position {
+    /// The first machine command of a task.
+    pub(super) const fn of_task(task: usize) -> Self {
+        Self { task, constraint: 0, sum: Scaled::ZERO }
+    }
+}
+
+/// Whether some task so far has a prior of more than 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Prior {
+    Zero,
+    Positive,
+}
+
+/// The robot's mind, in memory that it owns or borrows: see [`memory`](mod@crate::memory).
+///
+/// Functions that take any agent say `agent: &mut Agent<impl AgentMemory>`.
+pub struct Agent<M> {
+    pub(crate) memory: M,
+    pub(crate) options: Options,
+    pub(crate) language: LanguageState,
+    pub(super) lifted: Vec<LiftedTask, LIFTED_TASKS>,
+    pub(super) task_count: usize,
+    pub(super) candidates: CandidateCount,
+    pub(crate) belief: BeliefCount,
+    planner: Planner,
+    pub(super) sentence: Sentence,
+    pub(super) work: Work,
+    pub(super) gave_way: GaveWay,
+    pub(super) start: Option<u64>,
+    /// The digest of the domain that the session began in.
+    pub(super) domain: u32,
+    pub(super) ended: bool,
+    /// The state that was planned for last, and the state that the action done there leads to.
+    planned: Option<u64>,
+    expected: Option<u64>,
+    /// Dead ends of the state that was planned for last.
+    dead: TaskSet,
+    done: Option<Done>,
+    pub(super) followed: Option<usize>,
+    /// The most that each table has held.
+    most: Capacities,
+}
+
+impl<M> fmt::Debug for Agent<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Agent").field("options", &self.options).field("tasks", &self.task_count).finish_non_exhaustive()
+    }
+}
+
+impl<M> Agent<M> {
+    /// An agent that knows no tasks yet, for a static: [`set_tasks`](Self::set_tasks) comes before the first command.
     ///
-    /// # Errors
-    /// [`AgentError::Capacity`] where there are more, [`AgentError::Setting`] where an option is none to learn with.
-    #[inline(never)]
-    pub fn new(memory: AgentMemory<'m>, lifted: &[LiftedTask], options: Options) -> Result<Self, AgentError> {
-        options.check()?;
-        let AgentMemory { language, session } = memory;
-        let mut language = LanguageModel::new(language, options.language)?;
-        let workspace = language.lend_workspace();
-        Ok(Self {
-            options,
-            language,
-            lifted: Vec::from_slice(lifted).map_err(|_| CapacityError::new(Capacity::LiftedTasks, LIFTED_TASKS, lifted.len()))?,
-            tasks: session.tasks,
+    /// ```
+    /// use goodbot::{Agent, home, memory::AgentArrays};
+    /// goodbot::memory! { struct Memory = goodbot::Capacities::TINY; }
+    /// static AGENT: std::sync::Mutex<Agent<AgentArrays<Memory>>> = std::sync::Mutex::new(Agent::without_tasks(AgentArrays::new()));
+    /// AGENT.lock().unwrap().set_tasks(&home::paper_tasks()?, goodbot::Options::PAPER)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub const fn without_tasks(memory: M) -> Self {
+        Self {
+            memory,
+            options: Options::DEFAULT,
+            language: LanguageState::new(Options::DEFAULT.language),
+            lifted: Vec::new(),
             task_count: 0,
-            candidates: Candidates::new(session.candidates),
-            belief: Belief::new(session.belief),
-            goals: GoalTable::new(session.goals),
-            planner: Planner::new(session.plan, workspace),
+            candidates: CandidateCount::NONE,
+            belief: BeliefCount::NONE,
+            planner: Planner::new(),
             sentence: Sentence::new(),
+            work: Work::None,
+            gave_way: GaveWay::NONE,
             start: None,
+            domain: 0,
             ended: false,
             planned: None,
+            expected: None,
             dead: TaskSet::EMPTY,
+            done: None,
             followed: None,
-        })
+            most: Capacities::NONE,
+        }
     }
 
-    /// Replaces the trainer strategies and their probabilities, which are renormalised. A session under way ends unlearned.
-    ///
-    /// # Errors
-    /// [`AgentError::NotAProbability`] or [`AgentError::Capacity`]; the strategies are then as before.
-    pub fn set_strategies(&mut self, strategies: &[(Strategy, f32)]) -> Result<(), AgentError> {
-        self.belief.set_strategies(strategies)?;
-        self.start = None;
-        Ok(())
-    }
-
-    /// The language model.
-    pub fn language(&self) -> &LanguageModel<'m> {
-        &self.language
-    }
-
-    /// The belief over tasks and strategies.
-    pub fn belief(&self) -> &Belief<'m> {
-        &self.belief
+    /// The memory, for something else.
+    pub fn into_memory(self) -> M {
+        self.memory
     }
 
     /// How it understands and learns.
-    pub fn options(&self) -> &Options {
+    pub const fn options(&self) -> &Options {
         &self.options
     }
 
@@ -112,97 +179,195 @@ impl<'m> Agent<'m> {
         &self.lifted
     }
 
+    /// The words of the command.
+    pub fn sentence(&self) -> &[Option<Symbol>] {
+        &self.sentence
+    }
+}
+
+impl<M: AgentMemory> Agent<M> {
+    /// An agent that has learned nothing yet, in `memory.agent`, `&mut memory.agent` or any other [`AgentMemory`]. `lifted` are the tasks
+    /// that commands may mean, as many as [`LIFTED_TASKS`] at most.
+    ///
+    /// # Errors
+    /// [`AgentError::Capacity`] where there are more, or no room for a trainer strategy, and [`AgentError::Setting`] where an option is
+    /// out of range.
+    #[inline(never)]
+    pub fn new(memory: M, lifted: &[LiftedTask], options: Options) -> Result<Self, AgentError> {
+        let mut agent = Self::without_tasks(memory);
+        agent.set_tasks(lifted, options)?;
+        Ok(agent)
+    }
+
+    /// Takes the tasks that commands may mean, and the options. What was learned and the session under way are forgotten; the trainer is
+    /// the paper's balanced one.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); the agent is then as before.
+    pub fn set_tasks(&mut self, lifted: &[LiftedTask], options: Options) -> Result<(), AgentError> {
+        options.check()?;
+        let too_many = CapacityError::new(Capacity::LiftedTasks, LIFTED_TASKS, lifted.len());
+        if lifted.len() > LIFTED_TASKS {
+            return Err(too_many.into());
+        }
+        self.belief_mut().set_strategies(&[(Strategy::BALANCED, 1.0)])?;
+        self.end_session();
+        self.lifted = Vec::from_slice(lifted).map_err(|_| too_many)?;
+        (self.options, self.language) = (options, LanguageState::new(options.language));
+        Ok(())
+    }
+
+    pub(crate) fn belief_mut(&mut self) -> Belief<'_> {
+        Belief::new(self.memory.lend().session.belief, &mut self.belief)
+    }
+
+    pub(crate) fn language_mut(&mut self) -> LanguageMut<'_> {
+        let tables = self.memory.lend();
+        self.language.with(tables.language, tables.workspace)
+    }
+
+    /// Replaces the trainer strategies and their probabilities, which are renormalised. A session under way ends unlearned.
+    ///
+    /// # Errors
+    /// [`AgentError::Strategy`] or [`AgentError::Capacity`]; the strategies are then as before.
+    pub fn set_strategies(&mut self, strategies: &[(Strategy, f32)]) -> Result<(), AgentError> {
+        self.belief_mut().set_strategies(strategies)?;
+        (self.start, self.work) = (None, Work::None);
+        Ok(())
+    }
+
+    /// The language model.
+    pub fn language(&self) -> LanguageRef<'_> {
+        let tables = self.memory.read();
+        self.language.read(tables.language, tables.workspace.len())
+    }
+
+    /// The belief over tasks and strategies.
+    pub fn belief(&self) -> BeliefRef<'_> {
+        BeliefRef::new(self.memory.read().session.belief, self.belief)
+    }
+
     /// The tasks of this session.
     pub fn tasks(&self) -> &[GroundedTask] {
-        self.tasks.get(..self.task_count).unwrap_or(&[])
+        self.memory.read().session.tasks.get(..self.task_count).unwrap_or(&[])
     }
 
     /// The machine commands of this session.
-    pub fn candidates(&self) -> &Candidates<'m> {
-        &self.candidates
+    pub fn candidates(&self) -> CandidatesRef<'_> {
+        CandidatesRef::new(self.memory.read().session.candidates, self.candidates)
     }
 
-    /// The plan.
-    pub fn search(&self) -> &Search<'m> {
-        self.planner.search()
+    /// What is known of each task in the state that was planned for last.
+    pub fn planned(&self) -> Plan<'_> {
+        let plan = self.memory.read().session.plan;
+        self.planner.plan(plan.optimal, plan.distances)
     }
 
-    /// The words of the command.
-    pub fn sentence(&self) -> &Sentence {
-        &self.sentence
+    fn check_under_way(&self) -> Result<(), AgentError> {
+        match self.work {
+            Work::Hearing(..) => Err(AgentError::StillHearing),
+            Work::Weighing(..) | Work::Keeping | Work::Tidying => Err(AgentError::StillFinishing),
+            Work::None if self.start.is_none() || self.ended => Err(AgentError::NoSession),
+            Work::None => Ok(()),
+        }
     }
 
-    pub(super) fn check_under_way(&self) -> Result<(), AgentError> {
-        if self.start.is_none() || self.ended { Err(AgentError::NoSession) } else { Ok(()) }
+    /// Checks that a session is under way in this domain.
+    pub(super) fn check_session<D: Domain + ?Sized>(&self, domain: &D) -> Result<(), AgentError> {
+        self.check_under_way()?;
+        if self.domain == digest(domain) { Ok(()) } else { Err(AgentError::OtherDomain) }
+    }
+
+    fn check_planned<D: Domain + ?Sized>(&self, domain: &D, state: &D::State) -> Result<(), AgentError> {
+        self.check_session(domain)?;
+        let planned = self.planned == Some(domain.number(state)) && self.planner.is_done();
+        if planned { Ok(()) } else { Err(AgentError::NotPlanned) }
     }
 
     /// Ends a session under way, and forgets which tasks it had.
     pub(crate) fn end_session(&mut self) {
-        (self.start, self.planned, self.followed) = (None, None, None);
-        self.dead = TaskSet::EMPTY;
+        (self.start, self.followed, self.work) = (None, None, Work::None);
+        self.forget_plan();
         self.task_count = 0;
-        self.candidates.clear();
+        self.candidates = CandidateCount::NONE;
         self.sentence.clear();
     }
 
-    /// Plans for `state`, with at most about `budget` looks of the search. Call until done; a different state begins anew.
+    /// Forgets what was planned and done.
+    pub(super) fn forget_plan(&mut self) {
+        (self.planned, self.expected, self.done) = (None, None, None);
+        self.dead = TaskSet::EMPTY;
+    }
+
+    /// Takes the first `count` tasks to plan for.
+    pub(super) fn plan_for<D: Domain + ?Sized>(&mut self, domain: &D, count: usize, state: &D::State) -> Result<(), CapacityError> {
+        let AgentTables { session, workspace, .. } = self.memory.lend();
+        let tasks = session.tasks.get(..count).unwrap_or(&[]);
+        let mut tables = PlanTables::new(session.goals, session.plan, workspace);
+        self.planner.set_tasks(&mut tables, domain, &self.lifted, tasks, state)
+    }
+
+    /// Plans for `state`, with at most about `budget` expansions of the search. Call until done; a different state begins anew.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`].
+    /// [`AgentError::NoSession`], or [`AgentError::OtherDomain`] where the session was begun in another domain.
     #[inline(never)]
     pub fn plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, budget: u32) -> Result<Progress, AgentError> {
-        self.check_under_way()?;
+        self.check_session(domain)?;
         let number = domain.number(state);
         if self.planned != Some(number) {
-            self.planned = Some(number);
-            self.begin_plan(domain, state);
+            self.begin_plan(domain, state, number);
         }
-        let progress = self.planner.advance(domain, &self.goals, state, budget);
+        let AgentTables { session, workspace, .. } = self.memory.lend();
+        let mut tables = PlanTables::new(session.goals, session.plan, workspace);
+        let progress = self.planner.advance(&mut tables, domain, state, budget);
         if progress == Progress::Done {
-            self.dead = self.dead.union(self.search().dead());
+            self.dead = self.dead.union(self.planned().dead());
         }
         Ok(progress)
     }
 
     /// By itself, like every part of the work that takes much of the stack: parts that follow each other then take it in turn.
     #[inline(never)]
-    fn begin_plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) {
-        self.workspace_to_planner();
+    fn begin_plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, number: u64) {
+        // A goal that could not be reached can be reached again where somebody else has moved things.
+        if self.expected != Some(number) {
+            self.dead = TaskSet::EMPTY;
+        }
+        (self.planned, self.expected) = (Some(number), None);
         let wanted = self.worth_planning();
-        self.planner.begin(domain, &self.goals, state, wanted, self.dead);
+        let AgentTables { session, workspace, .. } = self.memory.lend();
+        let mut tables = PlanTables::new(session.goals, session.plan, workspace);
+        self.planner.begin(&mut tables, domain, state, wanted, self.dead);
     }
 
-    /// Lends the workspace to the planner, unless training has it. The two never work at one time: no command is heard before all is learned,
-    /// and learning begins when the session is over.
-    fn workspace_to_planner(&mut self) {
-        if !self.language.is_training() {
-            let workspace = self.language.lend_workspace();
-            if !workspace.is_empty() {
-                self.planner.take_workspace(workspace);
-            }
-        }
-    }
-
-    /// Lends the workspace to a training that is about to begin. What is planned is over.
+    /// Ends what is planned, because training needs the workspace. The two never work at one time: no command is heard before all is
+    /// learned, and learning begins when the session is over.
     pub(crate) fn workspace_to_training(&mut self) {
-        let workspace = self.planner.lend_workspace();
-        if !workspace.is_empty() {
-            self.planned = None;
-            self.language.take_workspace(workspace);
-        }
+        self.planned = None;
+        self.planner.release_marks();
     }
 
     /// The tasks whose probability still matters: [`NEGLIGIBLE`] or more.
     fn worth_planning(&self) -> TaskSet {
-        let least = self.belief.whole().scaled_by(NEGLIGIBLE);
-        let matters = |&task: &usize| !least.exceeds(self.belief.weight(task));
-        (0..self.task_count).filter(matters).fold(TaskSet::EMPTY, |set, task| set.union(TaskSet::of(task)))
+        let belief = self.belief();
+        let least = belief.whole().scaled_by(NEGLIGIBLE);
+        (0..self.task_count).filter(|&task| !least.exceeds(belief.weight(task))).fold(TaskSet::EMPTY, TaskSet::with)
     }
 
-    /// The most likely task: the largest posterior. On a tie the task that is followed stays; otherwise the generator draws, and without
-    /// one the first in order is taken.
-    pub fn most_likely<R: Rng + ?Sized>(&self, random: Option<&mut R>) -> Option<usize> {
-        let weight = |task: usize| self.belief.weight(task);
+    /// The most likely task: the largest posterior. On a tie the task that is followed stays; otherwise the first in order is taken.
+    pub fn most_likely(&self) -> Option<usize> {
+        self.likeliest(&mut |_| 0)
+    }
+
+    /// The most likely task: the largest posterior. On a tie the task that is followed stays; otherwise the generator draws.
+    pub fn most_likely_by<R: Rng + ?Sized>(&self, random: &mut R) -> Option<usize> {
+        self.likeliest(&mut |count| below(count, random))
+    }
+
+    fn likeliest(&self, draw: &mut dyn FnMut(usize) -> usize) -> Option<usize> {
+        let belief = self.belief();
+        let weight = |task: usize| belief.weight(task);
         let mut best = Scaled::ZERO;
         for task in 0..self.task_count {
             if weight(task).exceeds(best) {
@@ -213,67 +378,96 @@ impl<'m> Agent<'m> {
         if let Some(followed) = self.followed.filter(|&followed| tied().any(|task| task == followed)) {
             return Some(followed);
         }
-        let draw = random.map_or(0, |random| below(tied().count(), random));
-        tied().nth(draw)
+        tied().nth(draw(tied().count()))
     }
 
-    /// Decides on an action in the state that was planned for: one of the optimal set of the most likely task, which `random` draws (the
-    /// first in order without it). At the task's goal, in a dead end, and where the set is unknown, the action is to do nothing.
+    /// Decides on an action in `state`, which must have been planned for: the first of those that lead on to the goal of the most likely
+    /// task. At the goal, in a dead end, and where no way is known, the action is to do nothing.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`] or [`AgentError::NotPlanned`].
-    pub fn decide<R: Rng + ?Sized>(&mut self, mut random: Option<&mut R>) -> Result<Decision, AgentError> {
-        self.check_planned()?;
-        let task = self.most_likely(random.as_deref_mut()).ok_or(AgentError::NoSession)?;
+    /// [`AgentError::NoSession`], [`AgentError::OtherDomain`], or [`AgentError::NotPlanned`] where the plan for this state is not done.
+    pub fn decide<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<Decision, AgentError> {
+        self.decide_with(domain, state, &mut |_| 0)
+    }
+
+    /// As [`decide`](Self::decide), but the generator draws where several tasks are most likely, and where several actions lead on.
+    ///
+    /// # Errors
+    /// As [`decide`](Self::decide).
+    pub fn decide_by<D, R>(&mut self, domain: &D, state: &D::State, random: &mut R) -> Result<Decision, AgentError>
+    where
+        D: Domain + ?Sized,
+        R: Rng + ?Sized,
+    {
+        self.decide_with(domain, state, &mut |count| below(count, random))
+    }
+
+    fn decide_with<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        state: &D::State,
+        draw: &mut dyn FnMut(usize) -> usize,
+    ) -> Result<Decision, AgentError> {
+        self.check_planned(domain, state)?;
+        let task = self.likeliest(draw).ok_or(AgentError::NoSession)?;
+        let plan = self.planned().optimal(task);
+        let action = plan.onward().and_then(|actions| actions.iter().nth(draw(actions.len()))).unwrap_or(Action::NOOP);
+        // A domain that changes unseen is no domain; whatever it does, no action is decided on that cannot be done.
+        apply(domain, state, action).ok_or(AgentError::NotPlanned)?;
         self.followed = Some(task);
-        let plan = self.search().optimal(task);
-        let action = match plan {
-            OptimalSet::Toward(actions) => {
-                let draw = random.map_or(0, |random| below(actions.len(), random));
-                actions.iter().nth(draw).unwrap_or(Action::NOOP)
-            }
-            OptimalSet::Goal | OptimalSet::DeadEnd(_) | OptimalSet::Unknown => Action::NOOP,
-        };
         Ok(Decision { action, task, plan })
     }
 
-    fn check_planned(&self) -> Result<(), AgentError> {
+    /// Takes note that `action` was done in `state`, which must have been planned for. Returns the state that it leads to. The trainer's
+    /// word about it is taken in by [`feedback`](Self::feedback), at any time until the next action is done.
+    ///
+    /// # Errors
+    /// As [`decide`](Self::decide), and [`AgentError::NotApplicable`] where the action cannot be done in this state.
+    pub fn acted<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, action: Action) -> Result<D::State, AgentError> {
+        self.check_planned(domain, state)?;
+        let next = apply(domain, state, action).ok_or(AgentError::NotApplicable)?;
+        let plan = self.planned();
+        let done = Done { correct: plan.judged(action, Judgement::Correct), incorrect: plan.judged(action, Judgement::Incorrect) };
+        self.belief_mut().settle();
+        (self.done, self.expected) = (Some(done), Some(domain.number(&next)));
+        Ok(next)
+    }
+
+    /// Takes in the trainer's word about the action that was done last. Of several words the last counts.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSession`], or [`AgentError::NothingDone`] where no action was done since the command.
+    pub fn feedback(&mut self, feedback: Feedback) -> Result<Evidence, AgentError> {
         self.check_under_way()?;
-        if self.planned.is_none() || !self.planner.is_done() { Err(AgentError::NotPlanned) } else { Ok(()) }
+        let Done { correct, incorrect } = self.done.ok_or(AgentError::NothingDone)?;
+        if correct.union(incorrect).is_empty() {
+            return Ok(Evidence::SaysNothing);
+        }
+        let possible = self.belief_mut().observe_feedback(feedback, |task| match task {
+            task if correct.contains(task) => Judgement::Correct,
+            task if incorrect.contains(task) => Judgement::Incorrect,
+            _ => Judgement::Unknown,
+        });
+        Ok(if possible { Evidence::Used } else { Evidence::Impossible })
     }
 
-    fn check_applicable(&self, action: Action) -> Result<(), AgentError> {
-        self.check_planned()?;
-        if self.search().applicable().contains(action) { Ok(()) } else { Err(AgentError::NotApplicable) }
-    }
-
-    /// Takes in the trainer's feedback to `action`, done in the state that was planned for. Gives `false` where the feedback is impossible
-    /// under every task and strategy, and was ignored.
+    /// Takes in that the trainer did `action` in `state`, which must have been planned for, to show the way: it is in the optimal set with
+    /// probability 1 - epsilon, spread evenly over that set, else spread evenly over the other actions that can be done.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`], [`AgentError::NotPlanned`] or [`AgentError::NotApplicable`].
-    pub fn feedback(&mut self, action: Action, feedback: Feedback) -> Result<bool, AgentError> {
-        self.check_applicable(action)?;
-        let search = self.planner.search();
-        Ok(self.belief.observe_feedback(feedback, |task| match search.optimal(task).actions() {
-            Some(actions) if actions.contains(action) => Judgement::Correct,
-            Some(_) => Judgement::Incorrect,
-            None => Judgement::Unknown,
-        }))
-    }
-
-    /// Takes in that the trainer did `action` to show the way, in the state that was planned for: it is in the optimal set with
-    /// probability 1 - epsilon, spread evenly over that set, else spread evenly over the other applicable actions.
-    ///
-    /// # Errors
-    /// As [`feedback`](Self::feedback).
-    pub fn demonstration(&mut self, action: Action) -> Result<bool, AgentError> {
-        self.check_applicable(action)?;
-        let search = self.planner.search();
-        let applicable = search.applicable();
-        Ok(self.belief.observe(|strategy, task| {
-            let optimal = search.optimal(task).actions()?;
-            let others = ActionSet(applicable.0 & !optimal.0);
+    /// As [`acted`](Self::acted).
+    pub fn demonstrated<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, action: Action) -> Result<Evidence, AgentError> {
+        self.acted(domain, state, action)?;
+        // Nobody judges what the trainer did.
+        let Some(Done { correct, incorrect }) = self.done.take() else { return Err(AgentError::NothingDone) };
+        if correct.union(incorrect).is_empty() {
+            return Ok(Evidence::SaysNothing);
+        }
+        let session = self.memory.lend().session;
+        let plan = self.planner.plan(session.plan.optimal, session.plan.distances);
+        let possible = Belief::new(session.belief, &mut self.belief).observe(|strategy, task| {
+            let optimal = plan.optimal(task).exact()?;
+            let others = ActionSet(plan.applicable().0 & !optimal.0);
             if others.is_empty() {
                 return Some(1.0 / optimal.len().max(1) as f32);
             }
@@ -282,7 +476,8 @@ impl<'m> Agent<'m> {
             } else {
                 strategy.epsilon() / others.len().max(1) as f32
             })
-        }))
+        });
+        Ok(if possible { Evidence::Used } else { Evidence::Impossible })
     }
 
     /// Plans to the end.
@@ -292,5 +487,50 @@ impl<'m> Agent<'m> {
     pub fn plan_fully<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<(), AgentError> {
         while self.plan(domain, state, u32::MAX)? == Progress::Working {}
         Ok(())
+    }
+
+    /// How large each of its tables is. Those of a home are 0.
+    pub fn capacities(&self) -> Capacities {
+        let SessionTablesRef { tasks, candidates, belief, goals, plan } = self.memory.read().session;
+        Capacities {
+            tasks: tasks.len(),
+            strategies: belief.strategies.len(),
+            beliefs: belief.joint.len(),
+            candidates: candidates.entries.len(),
+            candidate_tokens: candidates.tokens.len(),
+            ground_propositions: goals.parts.len(),
+            goal_entries: goals.entries.len(),
+            // Groups of 64 states: see `Capacities::search_words`.
+            states: (plan.search_words.len().saturating_mul(64) / (11 * 64 + 3)).saturating_mul(64),
+            hashed_states: plan.hashed.len(),
+            ..self.language().rooms()
+        }
+    }
+
+    /// How full each of its tables is now. Those of a home and of the searches are 0: planning says what it needs by a
+    /// [`CapacityError`].
+    pub fn usage(&self) -> Capacities {
+        let belief = self.belief();
+        let mut used = Capacities {
+            tasks: self.task_count,
+            strategies: belief.strategies().len(),
+            beliefs: belief.strategies().len().saturating_mul(belief.tasks()),
+            candidates: self.candidates().entries().len(),
+            candidate_tokens: self.candidates().all_tokens().len(),
+            ..Capacities::NONE
+        };
+        self.language().usage(&mut used);
+        used
+    }
+
+    /// How full each of its tables was at most, at the end of a command that was heard or of a session that was learned from: memory of
+    /// these capacities has room for the same life once more.
+    pub fn most_used(&self) -> Capacities {
+        self.most.at_least(self.usage())
+    }
+
+    /// Takes note of how full the tables are.
+    pub(super) fn take_usage(&mut self) {
+        self.most = self.most_used();
     }
 }

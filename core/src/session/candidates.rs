@@ -24,74 +24,100 @@ impl Candidate {
     pub const UNUSED: Self = Self { start: 0, len: 0, check: 0, likelihood: Scaled::ZERO, weight: Scaled::ZERO };
 }
 
-/// Memory for [`Candidates`].
-#[derive(Debug)]
-pub struct CandidateMemory<'m> {
-    /// One entry a distinct machine command.
-    pub entries: &'m mut [Candidate],
-    /// Their tokens.
-    pub tokens: &'m mut [Symbol],
+crate::memory::tables! {
+    /// The tables of the candidates.
+    CandidateTables,
+    /// The tables of the candidates, to be read.
+    CandidateTablesRef {
+        /// One entry a distinct machine command.
+        entries: Candidate,
+        /// Their tokens.
+        tokens: Symbol,
+    }
 }
 
-/// The distinct machine commands of one session.
-#[derive(Debug)]
-pub struct Candidates<'m> {
-    memory: CandidateMemory<'m>,
+/// How much of the tables is used.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct CandidateCount {
     len: usize,
     used: usize,
 }
 
-impl<'m> Candidates<'m> {
-    /// None yet.
-    pub fn new(memory: CandidateMemory<'m>) -> Self {
-        Self { memory, len: 0, used: 0 }
-    }
+impl CandidateCount {
+    /// None.
+    pub(crate) const NONE: Self = Self { len: 0, used: 0 };
+}
 
-    /// Forgets all.
-    pub fn clear(&mut self) {
-        (self.len, self.used) = (0, 0);
+/// The distinct machine commands of one session.
+#[derive(Debug)]
+pub(crate) struct Candidates<'t> {
+    memory: CandidateTables<'t>,
+    count: &'t mut CandidateCount,
+}
+
+/// The distinct machine commands of one session, to be read.
+#[derive(Clone, Copy, Debug)]
+pub struct CandidatesRef<'t> {
+    memory: CandidateTablesRef<'t>,
+    count: CandidateCount,
+}
+
+impl<'t> CandidatesRef<'t> {
+    pub(super) const fn new(memory: CandidateTablesRef<'t>, count: CandidateCount) -> Self {
+        Self { memory, count }
     }
 
     /// All, in the order in which they first came.
-    pub fn entries(&self) -> &[Candidate] {
-        self.memory.entries.get(..self.len).unwrap_or(&[])
-    }
-
-    pub(super) fn entry_mut(&mut self, position: usize) -> Option<&mut Candidate> {
-        self.memory.entries.get_mut(..self.len)?.get_mut(position)
+    pub fn entries(self) -> &'t [Candidate] {
+        self.memory.entries.get(..self.count.len).unwrap_or(&[])
     }
 
     /// The tokens of one.
-    pub fn tokens(&self, candidate: &Candidate) -> &[Symbol] {
+    pub fn tokens(self, candidate: &Candidate) -> &'t [Symbol] {
         let start = candidate.start as usize;
         self.memory.tokens.get(start..start.saturating_add(usize::from(candidate.len))).unwrap_or(&[])
     }
 
     /// The tokens of all.
-    pub(super) fn all_tokens(&self) -> &[Symbol] {
-        self.memory.tokens.get(..self.used).unwrap_or(&[])
+    pub(super) fn all_tokens(self) -> &'t [Symbol] {
+        self.memory.tokens.get(..self.count.used).unwrap_or(&[])
+    }
+
+    /// The position of the machine command with these tokens, if it is among them.
+    pub fn find(self, tokens: &[Symbol]) -> Option<usize> {
+        let check = check(tokens);
+        self.entries().iter().position(|entry| entry.check == check && self.tokens(entry) == tokens)
+    }
+}
+
+impl<'t> Candidates<'t> {
+    pub(super) const fn new(memory: CandidateTables<'t>, count: &'t mut CandidateCount) -> Self {
+        Self { memory, count }
+    }
+
+    /// The candidates, to be read.
+    pub const fn read(&self) -> CandidatesRef<'_> {
+        CandidatesRef { memory: self.memory.read(), count: *self.count }
+    }
+
+    pub(super) fn entry_mut(&mut self, position: usize) -> Option<&mut Candidate> {
+        self.memory.entries.get_mut(..self.count.len)?.get_mut(position)
     }
 
     /// The tokens of all, to be renamed.
     pub(super) fn all_tokens_mut(&mut self) -> &mut [Symbol] {
-        self.memory.tokens.get_mut(..self.used).unwrap_or(&mut [])
+        self.memory.tokens.get_mut(..self.count.used).unwrap_or(&mut [])
     }
 
     /// Takes note that the tokens were renamed.
     pub(super) fn renamed(&mut self) {
-        for position in 0..self.len {
-            let Some(entry) = self.entries().get(position) else { continue };
-            let renewed = check(self.tokens(entry));
+        for position in 0..self.count.len {
+            let Some(entry) = self.read().entries().get(position) else { continue };
+            let renewed = check(self.read().tokens(entry));
             if let Some(entry) = self.entry_mut(position) {
                 entry.check = renewed;
             }
         }
-    }
-
-    /// The position of the machine command with these tokens, if it is among them.
-    pub fn find(&self, tokens: &[Symbol]) -> Option<usize> {
-        let check = check(tokens);
-        self.entries().iter().position(|entry| entry.check == check && self.tokens(entry) == tokens)
     }
 
     /// Adds a machine command that is not among them, with its likelihood. Gives its position.
@@ -100,15 +126,16 @@ impl<'m> Candidates<'m> {
     /// A [`CapacityError`].
     pub fn add(&mut self, tokens: &[Symbol], likelihood: Scaled) -> Result<usize, CapacityError> {
         let limit = self.memory.entries.len();
-        let end = self.used.saturating_add(tokens.len());
+        let end = self.count.used.saturating_add(tokens.len());
         let full = CapacityError::new(Capacity::CandidateTokens, self.memory.tokens.len(), end);
-        let Some(entry) = self.memory.entries.get_mut(self.len) else {
+        let Some(entry) = self.memory.entries.get_mut(self.count.len) else {
             return Err(CapacityError::full(Capacity::Candidates, limit));
         };
-        self.memory.tokens.get_mut(self.used..end).ok_or(full)?.iter_mut().zip(tokens).for_each(|(slot, &token)| *slot = token);
-        *entry = Candidate { start: self.used as u32, len: tokens.len() as u8, check: check(tokens), likelihood, weight: Scaled::ZERO };
-        let position = self.len;
-        (self.len, self.used) = (self.len.saturating_add(1), end);
+        self.memory.tokens.get_mut(self.count.used..end).ok_or(full)?.iter_mut().zip(tokens).for_each(|(slot, &token)| *slot = token);
+        *entry =
+            Candidate { start: self.count.used as u32, len: tokens.len() as u8, check: check(tokens), likelihood, weight: Scaled::ZERO };
+        let position = self.count.len;
+        (self.count.len, self.count.used) = (self.count.len.saturating_add(1), end);
         Ok(position)
     }
 }

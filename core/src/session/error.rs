@@ -6,7 +6,7 @@ use crate::language::SettingError;
 use core::fmt;
 
 /// Why the agent could not do what it was asked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum AgentError {
     /// The command has no word.
@@ -17,13 +17,30 @@ pub enum AgentError {
     NoSession,
     /// The plan for this state is not done: call `plan` until it is.
     NotPlanned,
+    /// The session was begun in another domain: hear a command in this one.
+    OtherDomain,
+    /// No action was done since the command: there is nothing to judge.
+    NothingDone,
     /// The last session is still being learned from: call `learn` until it is.
     StillLearning,
     /// The action cannot be done in the state that was planned for.
     NotApplicable,
-    /// A strategy or a prior is no probability.
-    NotAProbability,
-    /// An option is none to learn with.
+    /// The command is not heard to its end: call `hear_on` until it is.
+    StillHearing,
+    /// The session is not weighed and kept yet: call `finish_on` until it is.
+    StillFinishing,
+    /// The prior of a task is negative or not a number.
+    Prior {
+        /// The task, by its position.
+        task: u8,
+        /// Its prior.
+        value: f32,
+    },
+    /// The priors of all tasks are 0.
+    NoPrior,
+    /// A trainer strategy was refused.
+    Strategy(BeliefError),
+    /// An option is out of range.
     Setting(SettingError),
     /// Something was full. What was learned before is kept.
     Capacity(CapacityError),
@@ -44,8 +61,8 @@ impl From<SettingError> for AgentError {
 impl From<BeliefError> for AgentError {
     fn from(error: BeliefError) -> Self {
         match error {
-            BeliefError::Strategy(_) => Self::NotAProbability,
             BeliefError::Capacity(error) => Self::Capacity(error),
+            error => Self::Strategy(error),
         }
     }
 }
@@ -57,9 +74,15 @@ impl fmt::Display for AgentError {
             Self::NoTask => "there is nothing to do here: every task is done already or needs objects that are not here",
             Self::NoSession => "no session is under way; give a command first",
             Self::NotPlanned => "the plan for this state is not done; plan on until it is",
+            Self::OtherDomain => "the session was begun in another environment; give a command in this one",
+            Self::NothingDone => "no action was done that could be judged; act first",
             Self::StillLearning => "the last session is still being learned from; learn on until it is done",
             Self::NotApplicable => "the action cannot be done in this state",
-            Self::NotAProbability => "a prior is not a number from 0 to 1, or all are 0",
+            Self::StillHearing => "the command is not heard to its end; hear on until it is",
+            Self::StillFinishing => "the session is not finished; finish on until it is",
+            Self::Prior { task, value } => return write!(f, "the prior of task {task} is {value}; it must be a number of 0 or more"),
+            Self::NoPrior => "every task's prior is 0; give one of them more",
+            Self::Strategy(error) => return error.fmt(f),
             Self::Setting(error) => return error.fmt(f),
             Self::Capacity(error) => return error.fmt(f),
         })

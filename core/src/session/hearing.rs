@@ -1,17 +1,20 @@
 //! How a session begins: a command becomes a belief over the tasks that are possible here (paper, Algorithm 1).
 
-use super::agent::Agent;
-use super::candidates::Candidates;
+use super::agent::{Agent, Position, Prior, Work};
+use super::candidates::{CandidateCount, Candidates};
 use super::error::AgentError;
 use crate::capacity::CapacityError;
-use crate::language::{LanguageModel, Sentence};
-use crate::oomdp::Domain;
+use crate::feedback::Belief;
+use crate::language::LanguageRef;
+use crate::memory::{AgentMemory, AgentTables};
+use crate::oomdp::{Domain, digest};
+use crate::planning::Progress;
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
 use crate::task::machine_command::{Tokens, intern_heads};
-use crate::task::{Expression, GroundedTask, LiftedTask, TaskSet, ground};
+use crate::task::{Expression, GroundedTask, LiftedTask, ground};
 
-impl<'m> Agent<'m> {
+impl<M: AgentMemory> Agent<M> {
     /// Hears a command in the state that the session starts from: the tasks possible here get their prior from the language model,
     /// Pr(t|e,s) proportional to the sum over l of Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c).
     ///
@@ -19,14 +22,49 @@ impl<'m> Agent<'m> {
     /// [`AgentError`]; no session is then under way (but for [`AgentError::StillLearning`], which changes nothing), and what was learned is
     /// kept.
     pub fn hear<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
-        self.open(domain, state, command)?;
-        self.understand(domain)
+        self.begin_hearing(domain, state, command)?;
+        while self.hear_on(domain, u32::MAX)? == Progress::Working {}
+        Ok(())
     }
 
-    /// Hears a command whose task prior is given: `prior(domain, task)` for each task, in any unit.
+    /// Begins to hear a command, as [`hear`](Self::hear) does, but in parts: call [`hear_on`](Self::hear_on) until it is done.
     ///
     /// # Errors
-    /// As [`hear`](Self::hear), and [`AgentError::NotAProbability`].
+    /// As [`hear`](Self::hear).
+    pub fn begin_hearing<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
+        self.open(domain, state, command)?;
+        let result = self.begin_to_understand(domain);
+        if result.is_err() {
+            self.start = None;
+        }
+        result
+    }
+
+    /// Goes on hearing the command, with at most about `budget` table cells of work (at least one machine command). The belief is the same
+    /// whatever the budget.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSession`] where no command was begun, [`AgentError::OtherDomain`] where it was begun in another domain, and
+    /// [`AgentError::Capacity`]; in the last case no session is under way any more.
+    pub fn hear_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Progress, AgentError> {
+        if let Work::Hearing(..) = self.work {
+            if self.domain != digest(domain) {
+                return Err(AgentError::OtherDomain);
+            }
+            let result = self.understand_on(domain, budget);
+            if result.is_err() {
+                (self.start, self.work) = (None, Work::None);
+            }
+            return result;
+        }
+        self.check_session(domain).map(|()| Progress::Done)
+    }
+
+    /// Hears a command whose task prior is given: `prior(task, lifted)` for each task and the lifted task that it grounds, in any unit.
+    ///
+    /// # Errors
+    /// As [`hear`](Self::hear), [`AgentError::Prior`] where a prior is negative or not a number, and [`AgentError::NoPrior`] where all are
+    /// 0.
     pub fn hear_with_prior<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
@@ -34,48 +72,47 @@ impl<'m> Agent<'m> {
         command: &str,
         prior: impl Fn(&GroundedTask, &LiftedTask) -> f32,
     ) -> Result<(), AgentError> {
-        self.open(domain, state, command)?;
         // The machine commands' likelihoods are still needed when the session is learned from.
-        self.understand(domain)?;
+        self.hear(domain, state, command)?;
         let mut any = false;
         for position in 0..self.task_count {
-            let task = self.tasks.get(position).copied().unwrap_or(GroundedTask::UNUSED);
+            let task = self.task(position);
             let value = self.lifted.get(usize::from(task.lifted)).map_or(0.0, |lifted| prior(&task, lifted));
             if !(0.0..=f32::MAX).contains(&value) {
-                return self.refuse_prior();
+                return self.refuse_prior(AgentError::Prior { task: position as u8, value });
             }
             any |= value > 0.0;
-            self.belief.set_prior(position, Scaled::new(value));
+            self.belief_mut().set_prior(position, Scaled::new(value));
         }
-        if !any {
-            return self.refuse_prior();
-        }
-        Ok(())
+        if any { Ok(()) } else { self.refuse_prior(AgentError::NoPrior) }
     }
 
     /// Ends the session that was about to begin: a belief of no tasks is a belief all the same.
-    fn refuse_prior(&mut self) -> Result<(), AgentError> {
+    fn refuse_prior(&mut self, error: AgentError) -> Result<(), AgentError> {
         self.start = None;
-        self.belief.restart(core::iter::empty())?;
-        Err(AgentError::NotAProbability)
+        self.belief_mut().restart(core::iter::empty())?;
+        Err(error)
     }
 
     /// Hears the same command again in the same initial state: the belief goes on. An ended session, learned from or forgotten, is taken up
     /// again by this.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`] where the last session did not start in this state, and [`AgentError::StillLearning`] while what it ended
-    /// with is being learned.
+    /// [`AgentError::NoSession`] where the last session did not start in this state, [`AgentError::StillLearning`] while what it ended
+    /// with is being learned, and [`AgentError::StillHearing`] or [`AgentError::StillFinishing`] while it is not that far.
     pub fn hear_again<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<(), AgentError> {
-        if self.start != Some(domain.number(state)) || self.tasks().is_empty() {
+        if self.start != Some(domain.number(state)) || self.domain != digest(domain) || self.tasks().is_empty() {
             return Err(AgentError::NoSession);
         }
         if self.language.is_training() {
             return Err(AgentError::StillLearning);
         }
+        if let Err(error @ (AgentError::StillHearing | AgentError::StillFinishing)) = self.check_session(domain) {
+            return Err(error);
+        }
         self.ended = false;
-        self.planned = None;
-        self.dead = TaskSet::EMPTY;
+        self.belief_mut().settle();
+        self.forget_plan();
         Ok(())
     }
 
@@ -84,86 +121,115 @@ impl<'m> Agent<'m> {
         if self.language.is_training() {
             return Err(AgentError::StillLearning);
         }
-        self.start = None;
+        (self.start, self.followed, self.work) = (None, None, Work::None);
         self.ended = false;
-        self.planned = None;
-        self.followed = None;
-        self.dead = TaskSet::EMPTY;
+        self.forget_plan();
         self.task_count = 0;
-        self.language.forget_unlearned();
-        self.language.hear_into(command, &mut self.sentence)?;
+        let tables = self.memory.lend();
+        let mut language = self.language.with(tables.language, tables.workspace);
+        language.forget_unlearned();
+        language.hear_into(command, &mut self.sentence)?;
         if self.sentence.is_empty() {
             return Err(AgentError::EmptyCommand);
         }
-        let count = ground(domain, &self.lifted, state, self.tasks)?;
+        let count = ground(domain, &self.lifted, state, tables.session.tasks)?;
         if count == 0 {
             return Err(AgentError::NoTask);
         }
-        self.goals.fill(domain, &self.lifted, self.tasks.get(..count).unwrap_or(&[]), state)?;
+        self.plan_for(domain, count, state)?;
         self.task_count = count;
-        self.planner.forget(count);
+        self.domain = digest(domain);
         self.start = Some(domain.number(state));
         Ok(())
     }
 
-    /// Begins the belief with each task's Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c). Fills the candidates.
-    fn understand<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
-        let result = self.try_understand(domain);
-        if result.is_err() {
-            self.start = None;
-        }
-        result
+    /// The task at a position.
+    pub(super) fn task(&self, position: usize) -> GroundedTask {
+        self.tasks().get(position).copied().unwrap_or(GroundedTask::UNUSED)
     }
 
+    /// Begins the belief with each task's Pr(l|s) Pr(t|s,l).
     #[inline(never)]
-    fn try_understand<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
-        self.candidates.clear();
-        self.belief.restart(self.tasks.iter().take(self.task_count).map(|task| Scaled::new(task.prior)))?;
+    fn begin_to_understand<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+        self.candidates = CandidateCount::NONE;
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
+        Belief::new(session.belief, &mut self.belief).restart(tasks.iter().map(|task| Scaled::new(task.prior)))?;
         // The tasks' own tokens come first, and what can be said of objects after them, as far as there is room.
-        intern_heads(&domain.schema(), &self.lifted, self.tasks.get(..self.task_count).unwrap_or(&[]), self.language.tokens_mut())?;
-        let mut any = false;
-        for position in 0..self.task_count {
-            let explained = self.for_each_candidate(domain, position, |candidates, language, sentence, tokens, _| {
-                let found = match candidates.find(tokens) {
-                    Some(found) => found,
-                    None => candidates.add(tokens, language.likelihood(sentence, tokens))?,
-                };
-                Ok(candidates.entries().get(found).map_or(Scaled::ZERO, |entry| entry.likelihood))
-            })?;
-            let prior = explained.scaled_by(self.tasks.get(position).map_or(0.0, |task| task.prior));
-            any |= !prior.is_zero();
-            self.belief.set_prior(position, prior);
-        }
-        // A command that nothing explains says nothing.
-        if !any {
-            for position in 0..self.task_count {
-                self.belief.set_prior(position, Scaled::new(self.tasks.get(position).map_or(0.0, |task| task.prior)));
-            }
-        }
+        let mut language = self.language.with(language, workspace);
+        intern_heads(&domain.world().schema, &self.lifted, tasks, language.tokens_mut())?;
+        self.work = Work::Hearing(Position::of_task(0), Prior::Zero);
         Ok(())
     }
 
-    /// The sum over the constraints of a task of Pr(c|s,l,t), which is the last argument of `each`, times what `each` gives for the machine
-    /// command.
+    /// Goes on giving each task its Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c). Fills the candidates.
+    fn understand_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Progress, AgentError> {
+        let mut left = budget.max(1);
+        while let Work::Hearing(mut position, mut any) = self.work {
+            if position.task >= self.task_count {
+                // A command that nothing explains says nothing.
+                if any == Prior::Zero {
+                    for position in 0..self.task_count {
+                        let prior = Scaled::new(self.task(position).prior);
+                        self.belief_mut().set_prior(position, prior);
+                    }
+                }
+                self.work = Work::None;
+                self.take_usage();
+                break;
+            }
+            if left == 0 {
+                return Ok(Progress::Working);
+            }
+            let done = self.for_each_candidate(domain, &mut position, &mut left, |candidates, language, sentence, tokens, _| {
+                let found = match candidates.read().find(tokens) {
+                    Some(found) => found,
+                    None => candidates.add(tokens, language.likelihood(sentence, tokens))?,
+                };
+                Ok(candidates.read().entries().get(found).map_or(Scaled::ZERO, |entry| entry.likelihood))
+            })?;
+            if done {
+                let prior = position.sum.scaled_by(self.task(position.task).prior);
+                if !prior.is_zero() {
+                    any = Prior::Positive;
+                }
+                self.belief_mut().set_prior(position.task, prior);
+                position = Position::of_task(position.task.saturating_add(1));
+            }
+            self.work = Work::Hearing(position, any);
+        }
+        Ok(Progress::Done)
+    }
+
+    /// Goes on with the machine commands of a task: adds Pr(c|s,l,t), which is the last argument of `each`, times what `each` returns for
+    /// the machine command to the position's sum. Returns whether all of the task's are done.
+    #[inline(never)]
     pub(super) fn for_each_candidate<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        position: usize,
-        mut each: impl FnMut(&mut Candidates<'m>, &LanguageModel<'m>, &Sentence, &[Symbol], f32) -> Result<Scaled, CapacityError>,
-    ) -> Result<Scaled, AgentError> {
-        let Some(task) = self.tasks.get(position) else { return Ok(Scaled::ZERO) };
-        let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { return Ok(Scaled::ZERO) };
-        let order = self.language.settings().order;
+        position: &mut Position,
+        left: &mut u32,
+        mut each: impl FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError>,
+    ) -> Result<bool, AgentError> {
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let Some(task) = session.tasks.get(position.task) else { return Ok(true) };
+        let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { return Ok(true) };
+        let order = language.read().settings().order;
         // Left where it was made, and the tokens too: taken out of their results, they would stand on the stack twice.
-        let expression = Expression::new(domain, lifted, task, order, self.language.tokens_mut());
+        let expression = Expression::new(domain, lifted, task, order, language.tokens_mut());
         let expression = expression.as_ref().map_err(|error| *error)?;
+        let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
         let mut tokens = Tokens::new();
         let share = 1.0 / f32::from(expression.constraints());
-        let mut sum = Scaled::ZERO;
-        for constraint in 0..expression.constraints() {
-            expression.write_machine_command(constraint, &mut tokens)?;
-            sum = sum.plus(each(&mut self.candidates, &self.language, &self.sentence, &tokens, share)?.scaled_by(share));
+        while position.constraint < expression.constraints() && *left > 0 {
+            expression.write_machine_command(position.constraint, &mut tokens)?;
+            let value = each(&mut candidates, language.read(), &self.sentence, &tokens, share)?;
+            position.sum = position.sum.plus(value.scaled_by(share));
+            position.constraint = position.constraint.saturating_add(1);
+            let cells = tokens.len().saturating_add(1).saturating_mul(self.sentence.len().max(1));
+            *left = left.saturating_sub(cells as u32);
         }
-        Ok(sum)
+        Ok(position.constraint >= expression.constraints())
     }
 }

@@ -1,68 +1,217 @@
 //! The end of a session: each machine command takes its share of the posterior, and the language model learns from it.
 
-use super::agent::Agent;
-use super::candidates::Candidate;
+use super::agent::{Agent, Position, Work};
+use super::candidates::{Candidate, Candidates};
 use super::error::AgentError;
 use super::options::Weights;
-use crate::oomdp::Domain;
+use crate::language::forgetting::Room;
+use crate::memory::{AgentMemory, AgentTables};
+use crate::oomdp::{Domain, digest};
 use crate::planning::Progress;
 use crate::probability::{Scaled, total};
 
-impl Agent<'_> {
+/// How many of the sessions that gave way are told by their positions.
+const MOST_TOLD: usize = 8;
+
+/// The sessions that gave way to a new one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GaveWay {
+    count: u16,
+    /// In order of their positions.
+    told: [u16; MOST_TOLD],
+}
+
+impl GaveWay {
+    /// None.
+    pub(super) const NONE: Self = Self { count: 0, told: [0; MOST_TOLD] };
+
+    /// How many.
+    pub const fn count(&self) -> usize {
+        self.count as usize
+    }
+
+    /// Their positions in the training data before the new session came, in order; at most eight are told.
+    pub fn positions(&self) -> &[u16] {
+        self.told.get(..self.count().min(MOST_TOLD)).unwrap_or(&[])
+    }
+
+    /// One more, by its position now.
+    fn add(&mut self, now: u16) {
+        let told = self.count().min(MOST_TOLD);
+        // Those before it went already.
+        let before =
+            self.positions().iter().fold(now, |position, &gone| if gone <= position { position.saturating_add(1) } else { position });
+        let at = self.positions().partition_point(|&gone| gone < before);
+        if let Some(behind) = self.told.get_mut(at..told.saturating_add(1).min(MOST_TOLD)) {
+            let mut moved = before;
+            for slot in behind {
+                core::mem::swap(slot, &mut moved);
+            }
+        }
+        self.count = self.count.saturating_add(1);
+    }
+}
+
+/// What came of the end of a session.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[must_use = "other sessions may have given way"]
+pub struct Finished {
+    /// The older sessions that gave way because memory was full.
+    pub gave_way: GaveWay,
+}
+
+impl<M: AgentMemory> Agent<M> {
     /// Ends the session without learning from it. What it made known of words and machine tokens is forgotten with the next command, so
     /// that the same session can still be taken up again with [`hear_again`](Self::hear_again).
     pub fn forget(&mut self) {
-        self.ended = true;
-        self.planned = None;
+        match self.work {
+            // Half heard, it is no session.
+            Work::Hearing(..) => self.end_session(),
+            Work::Tidying => {
+                // It has joined the training data already.
+                while let Ok(Progress::Working) = self.tidy() {}
+            }
+            Work::None | Work::Weighing(..) | Work::Keeping => {}
+        }
+        (self.ended, self.work) = (true, Work::None);
+        self.forget_plan();
+    }
+
+    /// Ends the session without learning from it and forgets its tasks, because the robot leaves the environment that they are about.
+    pub fn leave(&mut self) {
+        self.end_session();
     }
 
     /// Ends the session and learns from it: each machine command with its share of the posterior joins the training data, and training on
     /// all of them begins. Call [`learn`](Self::learn) until it is done. Where memory is full, other sessions give way, as
-    /// [`forgetting`](crate::language::forgetting) says.
+    /// [`forgetting`](crate::language::forgetting) says; the result tells which.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`], [`AgentError::StillLearning`], or [`AgentError::Capacity`] where the session could not be kept even
-    /// alone: it is then forgotten and everything learned before is kept. Where none of its words found room, in a vocabulary that was
-    /// restored full, others give way so that the next command is heard whole.
-    pub fn finish<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
-        self.check_under_way()?;
+    /// [`AgentError::NoSession`], [`AgentError::OtherDomain`], [`AgentError::StillHearing`], [`AgentError::StillLearning`], or
+    /// [`AgentError::Capacity`] where the session could not be kept even alone: it is then forgotten and everything learned before is kept.
+    /// Where none of its words found room, in a vocabulary that was restored full, others give way so that the next command is heard whole.
+    pub fn finish<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<Finished, AgentError> {
+        self.begin_finishing(domain)?;
+        loop {
+            if let Some(finished) = self.finish_on(domain, u32::MAX)? {
+                return Ok(finished);
+            }
+        }
+    }
+
+    /// Begins to end the session, as [`finish`](Self::finish) does, but in parts: call [`finish_on`](Self::finish_on) until it is done.
+    ///
+    /// # Errors
+    /// As [`finish`](Self::finish).
+    pub fn begin_finishing<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+        self.check_session(domain)?;
         if self.language.is_training() {
             return Err(AgentError::StillLearning);
         }
-        self.weigh(domain)?;
-        self.keep()
-    }
-
-    /// Lets the session's machine commands join the training data, by their weights.
-    #[inline(never)]
-    fn keep(&mut self) -> Result<(), AgentError> {
-        let whole = total(self.candidates.entries().iter().map(|entry| entry.weight));
-        let share = |weight: Scaled| Some(weight.over(whole)).filter(|&share| share > self.options.least_weight);
-        let kept: f32 = self.candidates.entries().iter().filter_map(|entry| share(entry.weight)).sum();
-        let candidates = &self.candidates;
-        let weighted = |entry: &Candidate| share(entry.weight).map(|share| (candidates.tokens(entry), share / kept));
-        let pairs = || candidates.entries().iter().filter_map(weighted);
-        self.ended = true;
-        self.planned = None;
-        let added = self.language.add_session_making_room(&self.sentence, candidates.all_tokens(), pairs);
-        if let Err(error) = added {
-            self.start = None;
-            self.language.forget_unlearned();
-            if self.sentence.iter().all(Option::is_none) {
-                self.language.tidy_vocabulary(&mut self.sentence, &mut [])?;
-                self.begin_training();
-            }
-            return Err(error.into());
-        }
-        self.language.tidy_vocabulary(&mut self.sentence, self.candidates.all_tokens_mut())?;
-        self.candidates.renamed();
-        self.begin_training();
+        self.gave_way = GaveWay::NONE;
+        self.begin_weighing(self.options.weights);
         Ok(())
     }
 
-    fn begin_training(&mut self) {
-        self.workspace_to_training();
-        self.language.begin_training();
+    /// Goes on ending the session, with at most about `budget` table cells of work (at least one machine command, or one session that gives
+    /// way). What is learned is the same whatever the budget. `None` means: call again.
+    ///
+    /// # Errors
+    /// As [`finish`](Self::finish).
+    pub fn finish_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Option<Finished>, AgentError> {
+        if let Work::None | Work::Hearing(..) = self.work {
+            return Err(self.check_session(domain).err().unwrap_or(AgentError::NoSession));
+        }
+        if self.domain != digest(domain) {
+            return Err(AgentError::OtherDomain);
+        }
+        let result = self.finish_part(domain, budget.max(1));
+        if result.is_err() {
+            self.work = Work::None;
+        }
+        result
+    }
+
+    fn finish_part<D: Domain + ?Sized>(&mut self, domain: &D, mut left: u32) -> Result<Option<Finished>, AgentError> {
+        while left > 0 {
+            match self.work {
+                Work::Weighing(..) => {
+                    if self.weigh_on(domain, &mut left)? == Progress::Done {
+                        self.workspace_to_training();
+                        self.work = Work::Keeping;
+                    }
+                }
+                Work::Keeping => {
+                    if self.keep()? == Progress::Done {
+                        self.work = Work::Tidying;
+                    }
+                    left = left.saturating_sub(self.kept_cells());
+                }
+                Work::Tidying => {
+                    if self.tidy()? == Progress::Done {
+                        self.work = Work::None;
+                        return Ok(Some(Finished { gave_way: self.gave_way }));
+                    }
+                    left = left.saturating_sub(self.kept_cells());
+                }
+                Work::None | Work::Hearing(..) => return Err(AgentError::NoSession),
+            }
+        }
+        Ok(None)
+    }
+
+    /// About the work of keeping a session or making room for it once, in table cells.
+    fn kept_cells(&self) -> u32 {
+        self.language().bitext().pairs().len() as u32
+    }
+
+    /// Lets the session's machine commands join the training data, by their weights, or lets one other session give way.
+    #[inline(never)]
+    fn keep(&mut self) -> Result<Progress, AgentError> {
+        self.ended = true;
+        self.forget_plan();
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let candidates = Candidates::new(session.candidates, &mut self.candidates);
+        let candidates = candidates.read();
+        let whole = total(candidates.entries().iter().map(|entry| entry.weight));
+        let share = |weight: Scaled| Some(weight.over(whole)).filter(|&share| share > self.options.least_weight);
+        let kept: f32 = candidates.entries().iter().filter_map(|entry| share(entry.weight)).sum();
+        let weighted = |entry: &Candidate| share(entry.weight).map(|share| (candidates.tokens(entry), share / kept));
+        let pairs = || candidates.entries().iter().filter_map(weighted);
+        match language.add_session_or_make_room(&self.sentence, candidates.all_tokens(), pairs) {
+            Ok(Room::Found) => Ok(Progress::Done),
+            Ok(Room::Made(session)) => {
+                self.gave_way.add(session);
+                Ok(Progress::Working)
+            }
+            Err(error) => {
+                self.start = None;
+                language.forget_unlearned();
+                if self.sentence.iter().all(Option::is_none) {
+                    while let Room::Made(_) = language.tidy_vocabulary(&mut self.sentence, &mut [])? {}
+                    language.begin_training();
+                }
+                Err(error.into())
+            }
+        }
+    }
+
+    /// Gives the vocabulary room again, or lets one other session give way for that; then training begins.
+    #[inline(never)]
+    fn tidy(&mut self) -> Result<Progress, AgentError> {
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
+        let room = language.tidy_vocabulary(&mut self.sentence, candidates.all_tokens_mut())?;
+        candidates.renamed();
+        if let Room::Made(session) = room {
+            self.gave_way.add(session);
+            return Ok(Progress::Working);
+        }
+        language.begin_training();
+        self.take_usage();
+        Ok(Progress::Done)
     }
 
     /// The weight of each machine command of the session as it stands, for [`finish`](Self::finish) and for those who look on: the entries
@@ -72,42 +221,69 @@ impl Agent<'_> {
     /// # Errors
     /// [`AgentError::Capacity`].
     pub fn weigh<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
-        self.weigh_by(domain, self.options.weights)?;
-        if self.options.weights == Weights::Paper && self.candidates.entries().iter().all(|entry| entry.weight.is_zero()) {
-            self.weigh_by(domain, Weights::Belief)?;
-        }
-        Ok(())
+        let work = self.work;
+        self.begin_weighing(self.options.weights);
+        let result = loop {
+            match self.weigh_on(domain, &mut { u32::MAX }) {
+                Ok(Progress::Working) => {}
+                Ok(Progress::Done) => break Ok(()),
+                Err(error) => break Err(error),
+            }
+        };
+        self.work = work;
+        result
     }
 
-    fn weigh_by<D: Domain + ?Sized>(&mut self, domain: &D, weights: Weights) -> Result<(), AgentError> {
-        for position in 0..self.candidates.entries().len() {
-            if let Some(entry) = self.candidates.entry_mut(position) {
+    fn begin_weighing(&mut self, weights: Weights) {
+        let session = self.memory.lend().session;
+        let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
+        for position in 0..candidates.read().entries().len() {
+            if let Some(entry) = candidates.entry_mut(position) {
                 entry.weight = Scaled::ZERO;
             }
         }
-        for position in 0..self.task_count {
-            let prior = self.tasks.get(position).map_or(0.0, |task| task.prior);
+        self.work = Work::Weighing(Position::of_task(0), weights);
+    }
+
+    fn weigh_on<D: Domain + ?Sized>(&mut self, domain: &D, left: &mut u32) -> Result<Progress, AgentError> {
+        while let Work::Weighing(mut position, weights) = self.work {
+            if position.task >= self.task_count {
+                let unexplained = weights == Weights::Paper && self.candidates().entries().iter().all(|entry| entry.weight.is_zero());
+                if !unexplained {
+                    return Ok(Progress::Done);
+                }
+                self.begin_weighing(Weights::Belief);
+                continue;
+            }
+            if *left == 0 {
+                break;
+            }
+            let prior = self.task(position.task).prior;
             let evidence = match weights {
-                Weights::Paper => self.belief.evidence(position).scaled_by(prior),
-                Weights::Belief => self.belief.weight(position),
+                Weights::Paper => self.belief().evidence(position.task).scaled_by(prior),
+                Weights::Belief => self.belief().weight(position.task),
             };
             let mut part = None;
-            self.for_each_candidate(domain, position, |candidates, _, _, tokens, share| {
+            let done = self.for_each_candidate(domain, &mut position, left, |candidates, _, _, tokens, share| {
                 // Equal for all constraints of the task.
                 let evidence = *part.get_or_insert_with(|| evidence.scaled_by(share));
-                if let Some(entry) = candidates.find(tokens).and_then(|found| candidates.entry_mut(found)) {
+                if let Some(entry) = candidates.read().find(tokens).and_then(|found| candidates.entry_mut(found)) {
                     let explained = if weights == Weights::Paper { entry.likelihood } else { Scaled::ONE };
                     entry.weight = entry.weight.plus(evidence.times(explained));
                 }
                 Ok(Scaled::ZERO)
             })?;
+            if done {
+                position = Position::of_task(position.task.saturating_add(1));
+            }
+            self.work = Work::Weighing(position, weights);
         }
-        Ok(())
+        Ok(Progress::Working)
     }
 
     /// Goes on learning, with at most about `budget` table cells of work.
     pub fn learn(&mut self, budget: u32) -> Progress {
-        self.language.train(budget)
+        self.language_mut().train(budget)
     }
 
     /// Learns to the end.

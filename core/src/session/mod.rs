@@ -13,7 +13,8 @@ mod hearing;
 pub mod learning;
 pub mod options;
 
-pub use agent::{Agent, Decision};
-pub use candidates::{Candidate, CandidateMemory, Candidates};
+pub use agent::{Agent, Decision, Evidence};
+pub use candidates::{Candidate, CandidateTables, CandidateTablesRef, CandidatesRef};
 pub use error::AgentError;
-pub use options::{AgentMemory, Options, SessionMemory, Weights};
+pub use learning::{Finished, GaveWay};
+pub use options::{Options, SessionTables, SessionTablesRef, Weights};

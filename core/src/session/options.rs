@@ -1,9 +1,9 @@
 //! How an agent understands and learns, and the memory it needs.
 
-use super::candidates::CandidateMemory;
-use crate::feedback::BeliefMemory;
-use crate::language::{LanguageMemory, SettingError, Settings};
-use crate::planning::{GoalMemory, PlanMemory};
+use super::candidates::{CandidateTables, CandidateTablesRef};
+use crate::feedback::{BeliefTables, BeliefTablesRef};
+use crate::language::{SettingError, Settings};
+use crate::planning::{GoalMemory, GoalMemoryRef, PlanMemory, PlanMemoryRef};
 use crate::task::GroundedTask;
 
 /// How machine commands are weighted when a session ends.
@@ -37,10 +37,10 @@ impl Options {
     /// Whether an agent can learn with them.
     ///
     /// # Errors
-    /// A [`SettingError`] that names the first that is none.
+    /// A [`SettingError`] that names the first that is out of range.
     pub fn check(&self) -> Result<(), SettingError> {
         self.language.check()?;
-        if (0.0..1.0).contains(&self.least_weight) { Ok(()) } else { Err(SettingError::LeastWeight) }
+        if (0.0..1.0).contains(&self.least_weight) { Ok(()) } else { Err(SettingError::LeastWeight(self.least_weight)) }
     }
 }
 
@@ -50,26 +50,56 @@ impl Default for Options {
     }
 }
 
-/// Memory for what one session needs.
+/// The tables of what one session needs.
 #[derive(Debug)]
-pub struct SessionMemory<'m> {
+pub struct SessionTables<'t> {
     /// One entry a grounded task.
-    pub tasks: &'m mut [GroundedTask],
+    pub tasks: &'t mut [GroundedTask],
     /// The machine commands.
-    pub candidates: CandidateMemory<'m>,
+    pub candidates: CandidateTables<'t>,
     /// The belief.
-    pub belief: BeliefMemory<'m>,
+    pub belief: BeliefTables<'t>,
     /// The goals.
-    pub goals: GoalMemory<'m>,
-    /// The search.
-    pub plan: PlanMemory<'m>,
+    pub goals: GoalMemory<'t>,
+    /// The searches.
+    pub plan: PlanMemory<'t>,
 }
 
-/// Memory for an [`Agent`](super::Agent).
-#[derive(Debug)]
-pub struct AgentMemory<'m> {
-    /// What it learns.
-    pub language: LanguageMemory<'m>,
-    /// What one session needs.
-    pub session: SessionMemory<'m>,
+/// The tables of what one session needs, to be read.
+#[derive(Clone, Copy, Debug)]
+pub struct SessionTablesRef<'t> {
+    /// One entry a grounded task.
+    pub tasks: &'t [GroundedTask],
+    /// The machine commands.
+    pub candidates: CandidateTablesRef<'t>,
+    /// The belief.
+    pub belief: BeliefTablesRef<'t>,
+    /// The goals.
+    pub goals: GoalMemoryRef<'t>,
+    /// The searches.
+    pub plan: PlanMemoryRef<'t>,
+}
+
+impl SessionTables<'_> {
+    /// The same tables, lent for a shorter time.
+    pub fn lend(&mut self) -> SessionTables<'_> {
+        SessionTables {
+            tasks: self.tasks,
+            candidates: self.candidates.lend(),
+            belief: self.belief.lend(),
+            goals: self.goals.lend(),
+            plan: self.plan.lend(),
+        }
+    }
+
+    /// The same tables, to be read.
+    pub const fn read(&self) -> SessionTablesRef<'_> {
+        SessionTablesRef {
+            tasks: self.tasks,
+            candidates: self.candidates.read(),
+            belief: self.belief.read(),
+            goals: self.goals.read(),
+            plan: self.plan.read(),
+        }
+    }
 }

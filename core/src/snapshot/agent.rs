@@ -4,9 +4,10 @@ use super::contents::Contents;
 use super::error::{RestoreError, SaveError};
 use super::writing::Writing;
 use crate::capacity::{Capacity, CapacityError};
+use crate::memory::AgentMemory;
 use crate::session::Agent;
 
-impl Agent<'_> {
+impl<M: AgentMemory> Agent<M> {
     /// Saves all that was learned to the front of the buffer: the training data, the options, and the trainer strategies with what is
     /// believed of them now. Gives the length. A session under way is not saved; a training under way begins anew when restored.
     ///
@@ -34,16 +35,16 @@ impl Agent<'_> {
         if contents.vocabulary != 0 && contents.vocabulary != self.vocabulary() {
             return Err(RestoreError::OtherDomain);
         }
-        let limit = self.belief.most_strategies();
+        let limit = self.belief().most_strategies();
         if contents.strategies.len() > limit {
             return Err(CapacityError::new(Capacity::Strategies, limit, contents.strategies.len()).into());
         }
-        self.language.check_room(&contents)?;
+        self.language().check_room(&contents)?;
         self.end_session();
         self.options = contents.options;
-        self.belief.take_over(contents.strategies.iter().filter_map(|record| record.strategy()));
+        self.belief_mut().take_over(contents.strategies.iter().filter_map(|record| record.strategy()));
         self.workspace_to_training();
-        self.language.take_over(&contents);
+        self.language_mut().take_over(&contents);
         Ok(())
     }
 
@@ -52,8 +53,8 @@ impl Agent<'_> {
         self.lifted().first().map_or(0, |task| task.vocabulary())
     }
 
-    fn writing(&self) -> Writing<'_, '_> {
-        let sizes = self.language.sizes(self.belief.most_strategies());
+    fn writing(&self) -> Writing<'_> {
+        let sizes = self.language().sizes(self.belief().most_strategies());
         Writing {
             vocabulary: self.vocabulary(),
             options: *self.options(),

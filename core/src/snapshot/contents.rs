@@ -5,7 +5,8 @@ use super::record::{
     CHECK, CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OPTIONS_BYTES, OptionsRecord, PairRecord, SessionRecord, Sizes,
     StrategyRecord, VERSION,
 };
-use crate::capacity::NAME_BYTES;
+use crate::capacity::{Capacities, NAME_BYTES};
+use crate::language::lengths::SeenLengths;
 use crate::language::settings::is_weight;
 use crate::session::Options;
 use core::marker::PhantomData;
@@ -115,7 +116,7 @@ fn section<'a, T: Deserialize<'a>>(
 /// use goodbot::{Agent, Options, home, snapshot::Contents};
 /// goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
 /// let mut memory = Memory::new();
-/// let mut agent = Agent::new(memory.split().agent, &home::paper_tasks()?, Options::PAPER)?;
+/// let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks()?, Options::PAPER)?;
 /// let mut buffer = [0; 4_096];
 /// let saved = agent.save(&mut buffer)?;
 /// let contents = Contents::read(&buffer[..saved])?;
@@ -127,8 +128,8 @@ fn section<'a, T: Deserialize<'a>>(
 pub struct Contents<'a> {
     /// The digest of the domain's vocabulary; 0 where the model was saved without a domain.
     pub vocabulary: u32,
-    /// How large the tables were that it was saved from.
-    pub sizes: Sizes,
+    /// How large the tables were that it was saved from; 0 for those of a home or of one session.
+    pub sizes: Capacities,
     /// How the robot learns.
     pub options: Options,
     /// The trainer strategies and their probabilities.
@@ -157,7 +158,7 @@ impl<'a> Contents<'a> {
         let rest = &mut rest;
         let head = RestoreError::Inconsistent(Part::Head);
         let vocabulary: u32 = take(rest).ok_or(head)?;
-        let sizes: Sizes = take(rest).ok_or(head)?;
+        let sizes = take::<Sizes>(rest).ok_or(head)?.capacities();
         let options = options(rest).ok_or(RestoreError::Inconsistent(Part::Options))?;
         let strategies: Section<'a, StrategyRecord> =
             section(rest, Part::Strategies, |record: &StrategyRecord| record.strategy().is_some())?;
@@ -188,6 +189,37 @@ impl<'a> Contents<'a> {
             return Err(RestoreError::Inconsistent(Part::HeardAgain));
         }
         Ok(Self { vocabulary, sizes, options, strategies, words, tokens, commands, sessions, pairs, heard_again })
+    }
+}
+
+impl Contents<'_> {
+    /// The least capacities of memory that has room for all of it.
+    pub fn needs(&self) -> Capacities {
+        let (commands, mut pairs) = (self.commands.index(), self.pairs.iter());
+        let mut lengths = SeenLengths::new();
+        for session in self.sessions.iter() {
+            for pair in pairs.by_ref().take(session.pairs as usize) {
+                if let Some(command) = commands.get(usize::from(pair.command)) {
+                    lengths.see(command.len(), session.words.len());
+                }
+            }
+        }
+        Capacities {
+            strategies: self.strategies.len(),
+            words: self.words.len(),
+            word_bytes: self.words.iter().map(str::len).sum(),
+            tokens: self.tokens.len(),
+            token_bytes: self.tokens.iter().map(str::len).sum(),
+            commands: self.commands.len(),
+            command_tokens: self.commands.iter().map(|command| command.len()).sum(),
+            sessions: self.sessions.len(),
+            sentence_words: self.sessions.iter().map(|session| session.words.len()).sum(),
+            pairs: self.pairs.len(),
+            translations: self.tokens.len().saturating_add(1).saturating_mul(self.words.len()),
+            alignments: lengths.cells,
+            length_pairs: lengths.pairs,
+            ..Capacities::NONE
+        }
     }
 }
 

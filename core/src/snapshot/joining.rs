@@ -4,14 +4,15 @@ use super::contents::{Contents, Index};
 use super::error::RestoreError;
 use super::record::{CommandRecord, PairRecord, SessionRecord};
 use crate::capacity::{CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
-use crate::language::LanguageModel;
-use crate::language::bitext::Pair;
+use crate::language::Pair;
 use crate::language::tokenizer::word_form;
+use crate::language::{LanguageMut, LanguageRef};
+use crate::memory::AgentMemory;
 use crate::session::Agent;
 use crate::symbols::Symbol;
 use heapless::Vec;
 
-impl Agent<'_> {
+impl<M: AgentMemory> Agent<M> {
     /// Adds the sessions of a model file after those learned here, words and machine tokens matched by their text, and begins training: call
     /// [`learn`](Self::learn) until it is done. A session that both have, the same in words, machine commands and weights to the last bit,
     /// comes from a common past and is kept once; one that a model has several times is kept as often. The options and what is believed of
@@ -24,26 +25,16 @@ impl Agent<'_> {
         if contents.vocabulary != 0 && contents.vocabulary != self.vocabulary() {
             return Err(RestoreError::OtherDomain);
         }
-        self.language.check_forms(&contents)?;
+        self.language().check_forms(&contents)?;
         self.end_session();
         self.workspace_to_training();
-        Ok(self.language.join_contents(&contents)?)
+        Ok(self.language_mut().join_contents(&contents)?)
     }
 }
 
-impl LanguageModel<'_> {
-    /// Adds the sessions of a model file after its own, and begins training. See [`Agent::join`].
-    ///
-    /// # Errors
-    /// [`RestoreError`]; the training data are then as before.
-    pub fn join(&mut self, bytes: &[u8]) -> Result<usize, RestoreError> {
-        let contents = Contents::read(bytes)?;
-        self.check_forms(&contents)?;
-        Ok(self.join_contents(&contents)?)
-    }
-
+impl LanguageRef<'_> {
     /// Whole words can be cut to the letters that count here, but cut ones cannot be made whole; and facts stand where they stand.
-    fn check_forms(&self, contents: &Contents<'_>) -> Result<(), RestoreError> {
+    pub(super) fn check_forms(self, contents: &Contents<'_>) -> Result<(), RestoreError> {
         let (here, there) = (self.settings(), &contents.options.language);
         let letters = |letters: u8| if letters == 0 { u8::MAX } else { letters };
         if contents.sessions.is_empty() || (here.order == there.order && letters(here.word_letters) <= letters(there.word_letters)) {
@@ -52,10 +43,12 @@ impl LanguageModel<'_> {
             Err(RestoreError::OtherForms)
         }
     }
+}
 
-    fn join_contents(&mut self, contents: &Contents<'_>) -> Result<usize, CapacityError> {
+impl LanguageMut<'_> {
+    pub(super) fn join_contents(&mut self, contents: &Contents<'_>) -> Result<usize, CapacityError> {
         self.forget_unlearned();
-        let (words, tokens, extent) = (self.words().len(), self.tokens().len(), self.bitext().extent());
+        let (words, tokens, extent) = (self.words_mut().len(), self.tokens_mut().len(), self.bitext_mut().extent());
         let added = self.add_contents(contents).and_then(|added| self.data_replaced().map(|()| added));
         if added.is_err() {
             self.bitext_mut().rewind(extent);
@@ -70,7 +63,7 @@ impl LanguageModel<'_> {
 
     fn add_contents(&mut self, contents: &Contents<'_>) -> Result<usize, CapacityError> {
         let texts = Texts { words: contents.words.index(), tokens: contents.tokens.index(), commands: contents.commands.index() };
-        let own = self.bitext().sessions() as u16;
+        let own = self.read().bitext().sessions() as u16;
         let (mut pairs, mut heard_again, mut added) = (contents.pairs.iter(), contents.heard_again.iter(), 0_usize);
         for (position, session) in contents.sessions.iter().enumerate() {
             let count = session.pairs as usize;
@@ -81,7 +74,7 @@ impl LanguageModel<'_> {
                 None => {
                     self.add_record(&session, pairs.clone().take(count), &texts)?;
                     added = added.saturating_add(1);
-                    self.bitext().sessions().saturating_sub(1) as u16
+                    self.read().bitext().sessions().saturating_sub(1) as u16
                 }
             };
             if heard_again.next() == Some(true) {
@@ -94,17 +87,17 @@ impl LanguageModel<'_> {
 
     /// Whether a session is the one of a file, pair by pair.
     fn has_session(&self, own: u16, session: &SessionRecord, pairs: impl Iterator<Item = PairRecord>, texts: &Texts<'_>) -> bool {
-        let (bitext, letters) = (self.bitext(), usize::from(self.settings().word_letters));
+        let (language, bitext, letters) = (self.read(), self.read().bitext(), usize::from(self.read().settings().word_letters));
         let words = session.words.iter().map(|&word| word_form(texts.words.get(usize::from(word)).unwrap_or(""), letters));
         let mut own_pairs = bitext.pairs_of(own).iter();
         let same_command = |command: u16, own: u16| {
             let command = texts.commands.get(usize::from(command)).unwrap_or_default();
             let tokens = command.iter().map(|&token| texts.tokens.get(usize::from(token)).unwrap_or(""));
-            bitext.command(own).iter().map(|&token| self.tokens().text(token)).eq(tokens)
+            bitext.command(own).iter().map(|&token| language.tokens().text(token)).eq(tokens)
         };
         let same_pair =
             |pair: &PairRecord, own: &Pair| pair.weight.to_bits() == own.weight.to_bits() && same_command(pair.command, own.command);
-        bitext.sentence(own).iter().map(|&word| self.words().text(word)).eq(words)
+        bitext.sentence(own).iter().map(|&word| language.words().text(word)).eq(words)
             && own_pairs.len() == session.pairs as usize
             && pairs.into_iter().all(|pair| own_pairs.next().is_some_and(|own| same_pair(&pair, own)))
     }
@@ -115,7 +108,7 @@ impl LanguageModel<'_> {
         pairs: impl Iterator<Item = PairRecord>,
         texts: &Texts<'_>,
     ) -> Result<(), CapacityError> {
-        let letters = usize::from(self.settings().word_letters);
+        let letters = usize::from(self.read().settings().word_letters);
         let mut sentence: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
         for &word in &session.words {
             let word = word_form(texts.words.get(usize::from(word)).unwrap_or(""), letters);

@@ -21,4 +21,4 @@ mod writing;
 
 pub use contents::Contents;
 pub use error::{RestoreError, SaveError};
-pub use record::{MAGIC, VERSION, most_bytes};
+pub use record::{MAGIC, SAVED, VERSION, most_bytes};

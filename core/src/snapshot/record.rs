@@ -4,7 +4,7 @@
 //! and the CRC are little-endian.
 
 use crate::Capacities;
-use crate::capacity::{TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
+use crate::capacity::{Capacity, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::feedback::Strategy;
 use crate::language::Settings;
 use crate::session::{Options, Weights};
@@ -24,23 +24,40 @@ pub const LEAST_BYTES: usize = HEADER_BYTES + CHECK_BYTES;
 /// The CRC-32 that ends a file (the one of Ethernet, zip and PNG), bit by bit: no table in flash.
 pub(crate) const CHECK: crc::Crc<u32, crc::NoTable> = crc::Crc::<u32, crc::NoTable>::new(&crc::CRC_32_ISO_HDLC);
 
-/// How large the tables were in the memory that the model was saved from.
+/// The tables whose sizes a file tells, in its order: those that what is learned lies in.
+pub const SAVED: [Capacity; 13] = [
+    Capacity::Strategies,
+    Capacity::Words,
+    Capacity::WordBytes,
+    Capacity::Tokens,
+    Capacity::TokenBytes,
+    Capacity::Commands,
+    Capacity::CommandTokens,
+    Capacity::Sessions,
+    Capacity::SentenceWords,
+    Capacity::Pairs,
+    Capacity::Translations,
+    Capacity::Alignments,
+    Capacity::LengthPairs,
+];
+
+/// How large the tables were in the memory that the model was saved from, in the order of [`SAVED`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[expect(missing_docs, reason = "each field is the one of Capacities with the same name")]
-pub struct Sizes {
-    pub strategies: u32,
-    pub words: u32,
-    pub word_bytes: u32,
-    pub tokens: u32,
-    pub token_bytes: u32,
-    pub commands: u32,
-    pub command_tokens: u32,
-    pub sessions: u32,
-    pub sentence_words: u32,
-    pub pairs: u32,
-    pub translations: u32,
-    pub alignments: u32,
-    pub length_pairs: u32,
+pub(crate) struct Sizes([u32; SAVED.len()]);
+
+impl Sizes {
+    pub(crate) fn new(rooms: &Capacities) -> Self {
+        Self(SAVED.map(|capacity| u32::try_from(rooms.get(capacity)).unwrap_or(u32::MAX)))
+    }
+
+    /// The capacities; those of tables that a file does not tell are 0.
+    pub(crate) fn capacities(self) -> Capacities {
+        let mut capacities = Capacities::NONE;
+        for (capacity, size) in SAVED.into_iter().zip(self.0) {
+            capacities.set(capacity, size as usize);
+        }
+        capacities
+    }
 }
 
 /// Room for the options' record.
@@ -127,12 +144,39 @@ pub struct PairRecord {
     pub weight: f32,
 }
 
-/// Bytes that a model saved from memory of these capacities takes at most: how large a buffer or a storage slot must be.
+/// Bytes that a model saved from memory of these capacities takes at most: how large a buffer or a storage slot must be. [`usize::MAX`]
+/// where that is beyond all memory.
 pub const fn most_bytes(capacities: &Capacities) -> usize {
     // A length or number takes 5 bytes at most, a position 3, an f32 4.
-    let fixed = LEAST_BYTES + 5 + 13 * 5 + (5 + OPTIONS_BYTES) + 7 * 5;
-    let names = capacities.words + capacities.word_bytes + capacities.tokens + capacities.token_bytes;
-    let commands = capacities.commands + 3 * capacities.command_tokens;
-    let sessions = 7 * capacities.sessions + 3 * capacities.sentence_words;
-    fixed + 16 * capacities.strategies + names + commands + sessions + 7 * capacities.pairs
+    let fixed = LEAST_BYTES + 5 + 5 * SAVED.len() + (5 + OPTIONS_BYTES) + 7 * 5;
+    let mut sum = fixed;
+    let mut rest: &[(usize, usize)] = &[
+        (capacities.strategies, 16),
+        (capacities.words, 1),
+        (capacities.word_bytes, 1),
+        (capacities.tokens, 1),
+        (capacities.token_bytes, 1),
+        (capacities.commands, 1),
+        (capacities.command_tokens, 3),
+        (capacities.sessions, 7),
+        (capacities.sentence_words, 3),
+        (capacities.pairs, 7),
+    ];
+    while let [(entries, bytes), after @ ..] = rest {
+        sum = sum.saturating_add(entries.saturating_mul(*bytes));
+        rest = after;
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_bytes_of_capacities_beyond_all_memory_do_not_run_over() {
+        let endless = Capacities { pairs: usize::MAX / 2, command_tokens: usize::MAX, ..Capacities::SMALL };
+        assert_eq!(most_bytes(&endless), usize::MAX);
+        assert!(most_bytes(&Capacities::STANDARD) < 1 << 20);
+    }
 }

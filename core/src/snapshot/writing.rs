@@ -4,8 +4,8 @@ use super::error::SaveError;
 use super::record::{
     CHECK, CHECK_BYTES, HEADER_BYTES, LEAST_BYTES, MAGIC, OPTIONS_BYTES, OptionsRecord, PairRecord, Sizes, StrategyRecord, VERSION,
 };
-use crate::feedback::Belief;
-use crate::language::LanguageModel;
+use crate::feedback::BeliefRef;
+use crate::language::LanguageRef;
 use crate::language::settings::is_weight;
 use crate::session::Options;
 use crate::symbols::Symbol;
@@ -13,11 +13,11 @@ use postcard::ser_flavors::Size;
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 /// What a model file says, ready to be written.
-pub(super) struct Writing<'a, 'm> {
+pub(super) struct Writing<'a> {
     pub vocabulary: u32,
     pub options: Options,
-    pub language: &'a LanguageModel<'m>,
-    pub strategies: Option<&'a Belief<'m>>,
+    pub language: LanguageRef<'a>,
+    pub strategies: Option<BeliefRef<'a>>,
     pub sizes: Sizes,
 }
 
@@ -49,7 +49,7 @@ fn positions(symbols: &[Symbol]) -> impl Serialize {
     Sequence(move || symbols.iter().map(|symbol| symbol.0))
 }
 
-impl Serialize for Writing<'_, '_> {
+impl Serialize for Writing<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let (language, bitext) = (self.language, self.language.bitext());
         let mut bytes = [0; OPTIONS_BYTES];
@@ -59,7 +59,7 @@ impl Serialize for Writing<'_, '_> {
         payload.serialize_field("sizes", &self.sizes)?;
         payload.serialize_field("options", &ByteString(options))?;
         let strategies = || {
-            let known = self.strategies.map_or(&[][..], Belief::strategies);
+            let known = self.strategies.map_or(&[][..], BeliefRef::strategies);
             known.iter().enumerate().map(|(position, &(strategy, before))| {
                 let probability = self.strategies.map_or(before, |belief| belief.strategy_probability(position));
                 StrategyRecord::new(strategy, probability)
@@ -92,7 +92,7 @@ impl Serialize for ByteString<'_> {
     }
 }
 
-impl Writing<'_, '_> {
+impl Writing<'_> {
     /// Bytes of the whole file.
     pub fn bytes(&self) -> Result<usize, SaveError> {
         self.check()?;

@@ -12,7 +12,7 @@ const MOST_UNIT: usize = 256;
 /// Two slots in flash, of which one always holds a complete model once one was stored.
 ///
 /// ```no_run
-/// # fn example<F: embedded_storage::nor_flash::NorFlash>(flash: F, agent: &mut goodbot::Agent<'_>) -> Option<()> {
+/// # fn example<F: embedded_storage::nor_flash::NorFlash>(flash: F, agent: &mut goodbot::Agent<impl goodbot::memory::AgentMemory>) -> Option<()> {
 /// use goodbot::storage::TwoSlots;
 /// let mut slots = TwoSlots::new(flash, 0, 4_096).ok()?;
 /// let mut buffer = [0; 3_072];

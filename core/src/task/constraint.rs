@@ -28,7 +28,7 @@ pub type Facts = Vec<Fact, FACTS_PER_TASK>;
 /// A [`CapacityError`] where there are more than [`FACTS_PER_TASK`].
 pub fn facts<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> Result<Facts, CapacityError> {
     let mut facts = Facts::new();
-    let (schema, objects) = (domain.schema(), domain.objects());
+    let (schema, objects) = (domain.world().schema, domain.world().objects);
     for &object in task.bindings.iter().take(lifted.variables.len()) {
         let Some(bound) = objects.get(object) else { continue };
         for (position, attribute) in schema.attributes.iter().enumerate() {

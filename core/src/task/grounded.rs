@@ -1,8 +1,8 @@
 //! Grounded tasks: a lifted task with its variables bound to objects.
 
 use super::{LiftedTask, TaskSet};
-use crate::capacity::{ARGUMENTS, Capacity, CapacityError, VARIABLES_PER_TASK};
-use crate::oomdp::{Domain, GroundProposition, ObjectId, ObjectSet};
+use crate::capacity::{Capacity, CapacityError, VARIABLES_PER_TASK};
+use crate::oomdp::{Domain, GroundProposition, ObjectId, Objects};
 
 /// A lifted task with its variables bound to objects, and its prior Pr(l|s) Pr(t|s,l).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,11 +23,8 @@ impl GroundedTask {
     pub fn propositions(&self, lifted: &LiftedTask) -> impl Iterator<Item = GroundProposition> {
         let bindings = self.bindings;
         lifted.propositions.iter().map(move |part| {
-            let mut arguments = [ObjectId(0); ARGUMENTS];
-            for (argument, &variable) in arguments.iter_mut().zip(&part.variables) {
-                *argument = bindings.get(usize::from(variable)).copied().unwrap_or(ObjectId(0));
-            }
-            GroundProposition { proposition: part.proposition, arguments }
+            let object = |variable: u8| bindings.get(usize::from(variable)).copied().unwrap_or(ObjectId(0));
+            GroundProposition { proposition: part.proposition, arguments: part.variables.map(object) }
         })
     }
 }
@@ -44,13 +41,14 @@ pub fn ground<D: Domain + ?Sized>(
     state: &D::State,
     tasks: &mut [GroundedTask],
 ) -> Result<usize, CapacityError> {
+    let objects = domain.world().objects;
     let limit = tasks.len().min(TaskSet::MOST);
     let (mut count, mut groups) = (0_usize, 0_usize);
     for (position, task) in lifted.iter().enumerate() {
         let first = count;
         let mut bindings = Some([ObjectId(0); VARIABLES_PER_TASK]).filter(|_| !task.variables.is_empty());
         if let Some(start) = bindings {
-            bindings = next_binding(domain.objects(), task, start, true);
+            bindings = next_binding(objects, task, start, true);
         }
         while let Some(bound) = bindings {
             let grounded = GroundedTask { lifted: position as u8, bindings: bound, prior: 0.0 };
@@ -61,7 +59,7 @@ pub fn ground<D: Domain + ?Sized>(
                 }
                 count = count.saturating_add(1);
             }
-            bindings = next_binding(domain.objects(), task, bound, false);
+            bindings = next_binding(objects, task, bound, false);
         }
         let group = tasks.get_mut(first..count).unwrap_or(&mut []);
         let share = 1.0 / group.len().max(1) as f32;
@@ -79,7 +77,7 @@ pub fn ground<D: Domain + ?Sized>(
 
 /// The next assignment of different objects of the right classes, in the order of the objects, the last variable counting fastest.
 fn next_binding(
-    objects: &ObjectSet<'_>,
+    objects: Objects<'_>,
     task: &LiftedTask,
     mut bound: [ObjectId; VARIABLES_PER_TASK],
     first: bool,

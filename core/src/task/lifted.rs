@@ -6,12 +6,15 @@ use crate::snapshot::vocabulary::digest;
 use core::fmt;
 use heapless::Vec;
 
+/// Stands for an argument that the propositional function does not have.
+pub const NO_VARIABLE: u8 = u8::MAX;
+
 /// A propositional function of a lifted task's variables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LiftedProposition {
     /// The propositional function.
     pub proposition: PropositionId,
-    /// The variable of each argument, by position among the task's variables.
+    /// The variable of each argument, by position among the task's variables; [`NO_VARIABLE`] beyond the function's parameters.
     pub variables: [u8; ARGUMENTS],
 }
 
@@ -70,7 +73,7 @@ impl LiftedTask {
         if parameters.is_empty() {
             return Err(TaskTextError::UnknownProposition);
         }
-        let mut variables = [0; ARGUMENTS];
+        let mut variables = [NO_VARIABLE; ARGUMENTS];
         if parameters.len() > ARGUMENTS {
             return Err(CapacityError::new(Capacity::Arguments, ARGUMENTS, parameters.len()).into());
         }
@@ -111,7 +114,7 @@ impl LiftedTask {
             if parameters.len() > ARGUMENTS {
                 return Err(CapacityError::new(Capacity::Arguments, ARGUMENTS, parameters.len()).into());
             }
-            let mut variables = [0; ARGUMENTS];
+            let mut variables = [NO_VARIABLE; ARGUMENTS];
             for ((argument, slot), &class) in pieces(arguments, b',').zip(variables.iter_mut()).zip(parameters) {
                 let variable = argument.trim_ascii();
                 if variable.len() < 2 || variable.as_bytes().first() != Some(&b'?') {

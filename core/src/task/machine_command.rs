@@ -47,7 +47,7 @@ impl Expression {
         order: TokenOrder,
         tokens: &mut Symbols<'_>,
     ) -> Result<Self, CapacityError> {
-        let schema = domain.schema();
+        let schema = domain.world().schema;
         let mut expression = Self { head: head(&schema, lifted, tokens)?, facts: Vec::new(), behind: Vec::new() };
         let mut facts = facts(domain, lifted, task)?;
         if order == TokenOrder::Propositions {
@@ -56,7 +56,7 @@ impl Expression {
         for fact in &facts {
             let Some(attribute) = schema.attributes.get(usize::from(fact.attribute)) else { continue };
             let Some(carrier) = attribute.carriers.get(usize::from(fact.carrier)) else { continue };
-            let value = domain.objects().value(fact.object, usize::from(fact.attribute));
+            let value = domain.world().objects.value(fact.object, usize::from(fact.attribute));
             let class = tokens.intern(schema.class_name(carrier.class))?;
             let pair = match tokens.intern(&attribute_token(carrier.prefix, value)?) {
                 Ok(token) => [token, class],
@@ -146,7 +146,7 @@ fn head(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut Symbols<'_>) -> R
 fn place<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask, fact: &Fact) -> (u8, u8) {
     let mut end = 0_usize;
     for (part, grounded) in lifted.propositions.iter().zip(task.propositions(lifted)) {
-        let parameters = domain.schema().parameters(part.proposition).len();
+        let parameters = domain.world().schema.parameters(part.proposition).len();
         end = end.saturating_add(parameters).saturating_add(1);
         if let Some(argument) = grounded.arguments.iter().take(parameters).position(|&object| object == fact.object) {
             return (end as u8, argument as u8);

@@ -50,6 +50,12 @@ impl TaskSet {
         Self(self.0 | other.0)
     }
 
+    /// The set with one task more.
+    #[must_use]
+    pub const fn with(self, task: usize) -> Self {
+        self.union(Self::of(task))
+    }
+
     /// The tasks that `other` does not have.
     #[must_use]
     pub const fn without(self, other: Self) -> Self {

@@ -9,8 +9,8 @@ pub mod random;
 pub mod solvable;
 
 use crate::exercise::HomeName;
-use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeError, HomeMemory, HomeState, Moves};
-use goodbot::oomdp::objects::ObjectMemory;
+use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeError, HomeState, Moves};
+use goodbot::memory::HomeMemory;
 
 /// Most rooms of a layout, and most doors.
 pub const ROOMS: usize = 4;
@@ -50,7 +50,7 @@ impl Layout {
     ///
     /// # Errors
     /// [`HomeError`] where the layout is no home or the memory is too small.
-    pub fn build<'m>(&self, memory: HomeMemory<'m>) -> Result<(Home<'m>, HomeState), HomeError> {
+    pub fn build<M: HomeMemory>(&self, memory: M) -> Result<(Home<M>, HomeState), HomeError> {
         let mut builder = HomeBuilder::new(memory);
         for (name, room) in ROOM_NAMES.iter().zip(&self.rooms) {
             if let Some((area, color)) = room {
@@ -69,19 +69,6 @@ impl Layout {
         }
         builder.agent("agent0", self.agent)?;
         builder.build(Moves::Push)
-    }
-}
-
-/// Lends a home's memory on, so that one home after another can live in it.
-pub fn lend<'a>(memory: &'a mut HomeMemory<'_>) -> HomeMemory<'a> {
-    HomeMemory {
-        objects: ObjectMemory {
-            objects: &mut *memory.objects.objects,
-            name_bytes: &mut *memory.objects.name_bytes,
-            name_ends: &mut *memory.objects.name_ends,
-        },
-        areas: &mut *memory.areas,
-        places: &mut *memory.places,
     }
 }
 

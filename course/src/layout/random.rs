@@ -5,10 +5,11 @@
 //! any more, nothing the agent does is wrong for them, and the trainer's feedback at the goal cannot tell the intended one from the rest.
 
 use super::solvable::is_solvable;
-use super::{BlockPlan, Homes, Layout, ROOMS, lend};
+use super::{BlockPlan, Homes, Layout, ROOMS};
 use crate::exercise::{Exercise, HomeName, LESSONS, TESTS};
 use goodbot::feedback::simulated::below;
-use goodbot::home::{Area, Cell, HomeMemory};
+use goodbot::home::{Area, Cell};
+use goodbot::memory::HomeMemory;
 use rand_core::Rng;
 
 /// The colours of rooms.
@@ -19,7 +20,7 @@ const DRAWS: usize = 1_000;
 impl Homes {
     /// Homes at random. In each, every command that is given there can be obeyed and is not obeyed yet. `memory` is where they are tried
     /// out.
-    pub fn random<R: Rng + ?Sized>(random: &mut R, memory: &mut HomeMemory<'_>) -> Self {
+    pub fn random<R: Rng + ?Sized>(random: &mut R, memory: &mut impl HomeMemory) -> Self {
         let mut homes = Self::FIXED;
         let names = [HomeName::A, HomeName::B, HomeName::C, HomeName::D, HomeName::E, HomeName::F];
         for (layout, name) in homes.lessons.iter_mut().zip(names) {
@@ -35,10 +36,10 @@ fn exercises(home: HomeName) -> impl Iterator<Item = &'static Exercise> + Clone 
     LESSONS.iter().chain(&TESTS).filter(move |exercise| exercise.home == home)
 }
 
-fn solvable_layout<R: Rng + ?Sized>(name: HomeName, drawn: &Layout, random: &mut R, memory: &mut HomeMemory<'_>) -> Layout {
+fn solvable_layout<R: Rng + ?Sized>(name: HomeName, drawn: &Layout, random: &mut R, memory: &mut impl HomeMemory) -> Layout {
     for _ in 0..DRAWS {
         let Some(layout) = layout(name, drawn, random) else { continue };
-        let Ok((home, start)) = layout.build(lend(memory)) else { continue };
+        let Ok((home, start)) = layout.build(&mut *memory) else { continue };
         if exercises(name).all(|exercise| is_solvable(&home, &start, &exercise.intention)) {
             return layout;
         }

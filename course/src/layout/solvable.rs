@@ -2,7 +2,8 @@
 
 use crate::exercise::Intention;
 use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, HomeState, ROOM, SHAPE};
-use goodbot::oomdp::{Action, Domain, GroundProposition, ObjectId};
+use goodbot::memory::HomeMemory;
+use goodbot::oomdp::{Action, CellId, Domain, GroundProposition, Piece, PushGrid};
 
 /// Most free cells of a home that [`is_solvable`] looks at: one bit each.
 pub const CELLS: usize = 64;
@@ -18,8 +19,8 @@ impl Reached {
 }
 
 /// What an intention asks for in a home, `None` where its objects are missing.
-fn goal(home: &Home<'_>, intention: &Intention) -> Option<GroundProposition> {
-    let objects = home.objects();
+fn goal(home: &Home<impl HomeMemory>, intention: &Intention) -> Option<GroundProposition> {
+    let objects = home.world().objects;
     let room = objects.of_class(ROOM).find(|&room| objects.value(room, COLOR) == intention.room)?;
     let subject = match intention.block {
         None => home.agent(),
@@ -27,19 +28,20 @@ fn goal(home: &Home<'_>, intention: &Intention) -> Option<GroundProposition> {
             *home.blocks().iter().find(|&&block| objects.value(block, COLOR) == color && objects.value(block, SHAPE) == shape)?
         }
     };
-    Some(GroundProposition { proposition: intention.proposition, arguments: [subject, room, ObjectId(0)] })
+    Some(GroundProposition::new(intention.proposition, &[subject, room]))
 }
 
 /// Whether the intended task can be done and is not done yet. Every place that the agent and the block in question can come to is tried,
 /// while the other blocks stay where they are. A home of more than [`CELLS`] free cells counts as unsolvable.
-pub fn is_solvable(home: &Home<'_>, start: &HomeState, intention: &Intention) -> bool {
+pub fn is_solvable(home: &Home<impl HomeMemory>, start: &HomeState, intention: &Intention) -> bool {
     let Some(goal) = goal(home, intention) else { return false };
     if home.places().len() > CELLS || home.holds(&goal, start) {
         return false;
     }
-    // The variable of the block that moves; where the agent itself is meant, every block stays.
-    let moving = if goal.proposition == BLOCK_IN_ROOM { home.reads(&goal) } else { None };
-    let place = |state: &HomeState| (moving.map_or(0, |variable| home.value(state, variable)), home.value(state, 0));
+    // The block that moves; where the agent itself is meant, every block stays.
+    let moving = if goal.proposition == BLOCK_IN_ROOM { home.piece_of(&goal) } else { None };
+    let cell = |state: &HomeState, piece: Piece| home.cell(state, piece).index();
+    let place = |state: &HomeState| (moving.map_or(0, |piece| cell(state, piece)), cell(state, Piece::ROBOT));
     let (mut reached, mut done) = (Reached([0; CELLS]), Reached([0; CELLS]));
     let mark = |reached: &mut Reached, (block, agent): (usize, usize)| {
         if let Some(row) = reached.row(block) {
@@ -55,12 +57,12 @@ pub fn is_solvable(home: &Home<'_>, start: &HomeState, intention: &Intention) ->
             for agent in (0..CELLS).filter(|&agent| open >> agent & 1 == 1) {
                 fresh = true;
                 mark(&mut done, (block, agent));
-                let at = home.with_value(start, 0, agent);
-                let at = moving.map_or(at, |variable| home.with_value(&at, variable, block));
+                let at = home.put(start, Piece::ROBOT, CellId(agent as u16));
+                let at = moving.map_or(at, |piece| home.put(&at, piece, CellId(block as u16)));
                 for action in 0..home.actions().len() {
                     let Some(next) = home.step(&at, Action(action as u8)) else { continue };
-                    let others_stay =
-                        (1..home.variables()).filter(|&other| Some(other) != moving).all(|o| home.value(&next, o) == home.value(start, o));
+                    let mut others = (1..home.pieces()).map(|piece| Piece(piece as u8)).filter(|&piece| Some(piece) != moving);
+                    let others_stay = others.all(|piece| home.cell(&next, piece) == home.cell(start, piece));
                     if !others_stay {
                         continue;
                     }

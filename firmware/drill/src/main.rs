@@ -7,7 +7,7 @@ goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
 
 fn main() -> ExitCode {
     let mut memory = Memory::new();
-    match run(memory.split(), SEED, Budget::ROUNDS, &mut ()) {
+    match run(&mut memory.home, &mut memory.agent, SEED, Budget::ROUNDS, &mut ()) {
         Ok(outcome) => {
             println!("passed {}\nsteps {}\ndigest {}", outcome.passed, outcome.steps, outcome.digest.0);
             ExitCode::SUCCESS

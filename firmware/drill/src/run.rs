@@ -1,13 +1,14 @@
 //! The run: lessons, then tests.
 
 use crate::digest::Digest;
+use goodbot::memory::HomeMemory;
+use goodbot::memory::{AgentMemory};
 use goodbot::feedback::{SimulatedTrainer, Strategy};
-use goodbot::home::{self, HomeMemory};
-use goodbot::memory::Memory;
+use goodbot::home;
 use goodbot::planning::Progress;
 use goodbot::{Agent, Options};
 use goodbot_course::exercise::{self, Exercise, TESTS};
-use goodbot_course::layout::{Layout, lend};
+use goodbot_course::layout::Layout;
 use goodbot_course::lesson::{Lesson, Turn};
 use goodbot_course::{CourseError, Homes, generator};
 
@@ -90,8 +91,13 @@ pub struct Outcome {
 ///
 /// # Errors
 /// [`CourseError`]: where the memory is too small, mostly.
-pub fn run(memory: Memory<'_>, seed: u64, budget: Budget, watch: &mut impl Watch) -> Result<Outcome, CourseError> {
-    let Memory { home: mut rooms, agent } = memory;
+pub fn run(
+    mut rooms: impl HomeMemory,
+    agent: impl AgentMemory,
+    seed: u64,
+    budget: Budget,
+    watch: &mut impl Watch,
+) -> Result<Outcome, CourseError> {
     let tasks = home::paper_tasks().map_err(|_| CourseError::NotPosed)?;
     // Left where it was made: taken out of the result, it would stand on the stack twice.
     let mut made = Agent::new(agent, &tasks, Options::DEFAULT);
@@ -99,18 +105,18 @@ pub fn run(memory: Memory<'_>, seed: u64, budget: Budget, watch: &mut impl Watch
     let mut outcome = Outcome { passed: 0, tests: TESTS.len() as u32, steps: 0, digest: Digest::EMPTY };
     let mut random = generator(seed);
     for (number, lesson) in exercise::LESSONS.iter().enumerate() {
-        train(agent, lend(&mut rooms), (number, lesson), &mut random, &mut outcome, budget, watch)?;
+        train(agent, &mut rooms, (number, lesson), &mut random, &mut outcome, budget, watch)?;
     }
     for (number, test) in TESTS.iter().enumerate() {
         let number = LESSONS.wrapping_add(number);
         watch.begin();
-        let (home, start) = Homes::FIXED.test.build(lend(&mut rooms))?;
+        let (home, start) = Homes::FIXED.test.build(&mut rooms)?;
         watch.end(Work::Build, number);
         watch.begin();
         agent.hear(&home, &start, test.command)?;
         watch.end(Work::Hear, number);
         take(agent, &mut outcome.digest);
-        let understood = test.intention.find(agent, &home) == agent.most_likely(Some(&mut random));
+        let understood = test.intention.find(agent, &home) == agent.most_likely_by(&mut random);
         outcome.passed = outcome.passed.wrapping_add(u32::from(understood));
         agent.forget();
     }
@@ -119,8 +125,8 @@ pub fn run(memory: Memory<'_>, seed: u64, budget: Budget, watch: &mut impl Watch
 
 #[inline(never)]
 fn train<R: rand_core::Rng>(
-    agent: &mut Agent<'_>,
-    rooms: HomeMemory<'_>,
+    agent: &mut Agent<impl AgentMemory>,
+    rooms: impl HomeMemory,
     (number, exercise): (usize, &Exercise),
     random: &mut R,
     outcome: &mut Outcome,
@@ -155,7 +161,7 @@ fn train<R: rand_core::Rng>(
         take(agent, &mut outcome.digest);
     }
     watch.begin();
-    agent.finish(&home)?;
+    let _ = agent.finish(&home)?;
     watch.end(Work::Finish, number);
     loop {
         let round = agent.language().training().round();
@@ -172,7 +178,7 @@ fn train<R: rand_core::Rng>(
     Ok(())
 }
 
-fn take(agent: &Agent<'_>, digest: &mut Digest) {
+fn take(agent: &Agent<impl AgentMemory>, digest: &mut Digest) {
     for task in 0..agent.tasks().len() {
         digest.take(agent.belief().probability(task));
     }

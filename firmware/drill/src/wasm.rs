@@ -9,5 +9,5 @@ goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
 #[unsafe(no_mangle)]
 pub extern "C" fn goodbot_drill_digest() -> u32 {
     let mut memory = Box::new(Memory::new());
-    run(memory.split(), SEED, Budget::ROUNDS, &mut ()).map_or(0, |outcome| outcome.digest.0)
+    run(&mut memory.home, &mut memory.agent, SEED, Budget::ROUNDS, &mut ()).map_or(0, |outcome| outcome.digest.0)
 }

@@ -24,9 +24,15 @@ pub struct SessionHeader {
     pub environment: EnvironmentFile,
     /// What was said.
     pub command: String,
-    /// The conjunction that was meant, for evaluation only; at least one proposition.
+    /// The conjunction that was meant; at least one proposition. For evaluation only, but in a labelled session it is the lesson.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub intended: Option<Vec<GroundAtomText>>,
+    /// In a labelled session whose task has a way: what is to hold in between, one after the other, each a list of alternatives.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub through: Option<Vec<Vec<GroundAtomText>>>,
+    /// In a labelled session whose task has a way: what must never hold.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub avoiding: Option<Vec<GroundAtomText>>,
     /// The domain's actions, where they are not the four moves.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub actions: Option<Vec<String>>,
@@ -57,9 +63,22 @@ pub struct StrategyRecord {
     pub prior: f64,
 }
 
-const FIELDS: &[&str] =
-    &["type", "version", "id", "kind", "environment", "command", "intended", "actions", "continues", "prior", "strategies"];
-const KINDS: &[&str] = &["feedback", "demonstration"];
+const FIELDS: &[&str] = &[
+    "type",
+    "version",
+    "id",
+    "kind",
+    "environment",
+    "command",
+    "intended",
+    "through",
+    "avoiding",
+    "actions",
+    "continues",
+    "prior",
+    "strategies",
+];
+const KINDS: &[&str] = &["feedback", "demonstration", "labelled"];
 const MOVES: [&str; 4] = ["north", "south", "east", "west"];
 
 impl SessionHeader {
@@ -83,11 +102,14 @@ impl SessionHeader {
             id: fields.optional("id").map(|id| id.text()).transpose()?,
             kind: match fields.required("kind")?.word(KINDS)? {
                 0 => Kind::Feedback,
-                _ => Kind::Demonstration,
+                1 => Kind::Demonstration,
+                _ => Kind::Labelled,
             },
             environment: EnvironmentFile::read(fields.required("environment")?)?,
             command: fields.required("command")?.text()?,
-            intended: fields.optional("intended").map(intended).transpose()?,
+            intended: fields.optional("intended").map(propositions).transpose()?,
+            through: fields.optional("through").map(through).transpose()?,
+            avoiding: fields.optional("avoiding").map(propositions).transpose()?,
             actions: fields.optional("actions").map(actions).transpose()?,
             continues: match fields.optional("continues") {
                 Some(continues) => continues.truth()?,
@@ -103,7 +125,21 @@ impl SessionHeader {
                 }
             }
         }
+        if header.kind == Kind::Labelled {
+            fields.required("intended")?;
+        } else {
+            for name in ["through", "avoiding"] {
+                if fields.optional(name).is_some() {
+                    return Err(fields.error(name, Problem::OnlyInLabelled));
+                }
+            }
+        }
         Ok(header)
+    }
+
+    /// Whether the session tells a way: what is to hold, or never to hold, before what was meant does.
+    pub fn has_way(&self) -> bool {
+        self.through.is_some() || self.avoiding.is_some()
     }
 
     /// Whether a step can be one of this session's.
@@ -115,6 +151,7 @@ impl SessionHeader {
             return wrong("action", Problem::UnknownAction { found, known });
         }
         match (self.kind, step.feedback) {
+            (Kind::Labelled, _) => Err(FormatError::new(line, Problem::StepInLabelled)),
             (Kind::Feedback, None) => wrong("feedback", Problem::FeedbackMissing),
             (Kind::Demonstration, Some(_)) => wrong("feedback", Problem::FeedbackInDemonstration),
             _ => Ok(()),
@@ -126,7 +163,11 @@ fn write_prior<S: serde::Serializer>(prior: &Option<Vec<(GroundTaskText, f64)>>,
     weights::in_order(prior.as_deref().unwrap_or_default(), serializer)
 }
 
-fn intended(node: Node<'_>) -> Result<Vec<GroundAtomText>, FormatError> {
+fn through(node: Node<'_>) -> Result<Vec<Vec<GroundAtomText>>, FormatError> {
+    node.filled_list()?.into_iter().map(propositions).collect()
+}
+
+fn propositions(node: Node<'_>) -> Result<Vec<GroundAtomText>, FormatError> {
     let mut atoms = Vec::new();
     for item in node.filled_list()? {
         let atom = item.text()?.parse();

@@ -7,6 +7,9 @@ use crate::error::{FormatError, Problem};
 /// The most bytes that a line of a log may have, its end not counted: 16 MiB.
 pub const MAX_LINE_BYTES: usize = 16 << 20;
 
+/// Of a longer line so much is passed over to find the next one. What goes on beyond that has no lines, and is not read to its end.
+const MOST_PASSED_OVER: usize = 8 * MAX_LINE_BYTES;
+
 /// A file, line by line.
 pub(super) struct Lines<R> {
     input: R,
@@ -24,6 +27,12 @@ pub(super) struct Line {
 impl<R: BufRead> Lines<R> {
     pub(super) fn new(input: R) -> Self {
         Lines { input, read: 0, failed: false }
+    }
+
+    /// Reads no more: what is wrong, on the line that was read last.
+    pub(super) fn give_up(&mut self, problem: Problem) -> FormatError {
+        self.failed = true;
+        FormatError::new(self.read, problem)
     }
 
     /// The next line without its end, be that LF or CRLF, and without a byte order mark.
@@ -59,6 +68,10 @@ impl<R: BufRead> Lines<R> {
             let used = part.len() + usize::from(end.is_some());
             self.input.consume(used);
             if end.is_some() {
+                break;
+            }
+            if length > MOST_PASSED_OVER {
+                self.failed = true;
                 break;
             }
         }

@@ -6,13 +6,16 @@
 //!
 //! On the session line, `type`, `version` (1), `kind`, `environment` (an
 //! [environment](crate::environment)) and `command` must be there. `kind` is `feedback`, where each
-//! step has a `feedback` of `reward`, `punish` or `neutral`, or `demonstration`, where none has.
+//! step has a `feedback` of `reward`, `punish` or `neutral`, `demonstration`, where none has, or `labelled`, where there is no step and
+//! `intended` is the lesson.
 //! May be absent:
 //!
 //! | field | what |
 //! |---|---|
 //! | `id` | the session's name |
-//! | `intended` | what the trainer meant, as [propositions](crate::task_text), for evaluation only |
+//! | `intended` | what the trainer meant, as [propositions](crate::task_text), for evaluation only; in a labelled session the lesson |
+//! | `through` | in a labelled session: what is to hold on the way, one list of alternatives after the other |
+//! | `avoiding` | in a labelled session: what must never hold on the way |
 //! | `actions` | the domain's actions, where they are not the four moves; `noop` always is one |
 //! | `continues` | `true`: the command before, once more, in the same environment |
 //! | `prior` | from tasks to probabilities, instead of what the words would give |

@@ -9,6 +9,9 @@ use super::{EndRecord, RecordedSession};
 use crate::environment::EnvironmentFile;
 use crate::error::{FormatError, Problem};
 
+/// Of what is no session so many lines are passed over to find the next one: what goes on beyond that is no log.
+const MOST_PASSED_OVER: usize = 100_000;
+
 /// Reads sessions. An iterator: each item is a whole session or what is wrong with it.
 ///
 /// After an error one may stop, or go on: the next item is then the next session of the log, and
@@ -89,7 +92,7 @@ impl<R: BufRead> SessionReader<R> {
         if let Some(pending) = self.pending.take() {
             return Some(pending);
         }
-        loop {
+        for _ in 0..MOST_PASSED_OVER {
             let broken = matches!(self.last, Last::Broken);
             let stray = |line, problem| Some(Err(FormatError::new(line, problem)));
             match self.record()? {
@@ -108,6 +111,7 @@ impl<R: BufRead> SessionReader<R> {
                 Err(failure) => return Some(Err(failure.error)),
             }
         }
+        Some(Err(self.lines.give_up(Problem::NoSession { lines: MOST_PASSED_OVER })))
     }
 
     /// Whether the session continues what came before, if it says so.

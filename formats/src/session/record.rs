@@ -14,6 +14,8 @@ pub enum Kind {
     Feedback,
     /// The trainer shows what is to be done.
     Demonstration,
+    /// The meaning is told: there is nothing to judge or to show.
+    Labelled,
 }
 
 /// What the trainer said to a step.

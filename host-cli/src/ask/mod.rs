@@ -1,85 +1,285 @@
 //! `goodbot ask`: what does a command mean here?
+//!
+//! - [`meanings`]: what it may mean, with what is done already;
+//! - [`why`]: word by word, what speaks for a task;
+//! - [`drawing`]: the home as text.
 
-use crate::lessons::{evidence, restored};
+mod drawing;
+mod meanings;
+mod why;
+
+use crate::lessons::restored;
 use crate::load::kinds::TaskKinds;
-use crate::load::{home, input, task_name::task_name};
+use crate::load::session::moves;
+use crate::load::task_name::{in_words, task_name};
+use crate::load::{Fault, home, input};
 use crate::outcome::Failure;
+use crate::refusal;
 use clap::{Args, ValueHint};
-use goodbot::home::Moves;
+use goodbot::home::map::Map;
+use goodbot::home::{Home, HomeState, Moves};
+use goodbot::memory::AgentMemory;
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Domain, apply};
 use goodbot::planning::OptimalSet;
-use goodbot::symbols::Symbol;
 use goodbot::{Agent, AgentError};
 use goodbot_formats::environment::EnvironmentFile;
+use goodbot_formats::session::SessionReader;
+use goodbot_formats::task_text::GroundTaskText;
+use meanings::Meaning;
 use serde_json::json;
-use std::io::Write;
+use std::io::{BufRead, BufWriter, Write};
 use std::path::PathBuf;
+use why::Word;
 
 /// The longest plan that is printed.
 const LONGEST_PLAN: usize = 1_000;
 
 /// The options of `goodbot ask`.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Example:
-  goodbot ask --model words.goodbot --environment home.json \"go to the orange room\"")]
+#[command(after_help = EXAMPLES)]
 pub struct AskOptions {
     /// A model that `goodbot learn` wrote
-    #[arg(long, value_name = "MODEL", value_hint = ValueHint::FilePath)]
-    model: PathBuf,
-    /// An environment (JSON); - is standard input
-    #[arg(long, value_name = "ENV.json", value_hint = ValueHint::FilePath)]
-    environment: String,
-    /// The command
-    #[arg(value_name = "COMMAND")]
-    command: String,
-    /// A kind of task beside the paper's two; may be given several times
-    #[arg(long = "lifted", alias = "task", value_name = "TASK", value_parser = TaskKinds::parse)]
-    lifted: Vec<goodbot::task::LiftedTask>,
+    #[arg(long, short = 'w', value_name = "MODEL", value_hint = ValueHint::FilePath)]
+    with: PathBuf,
+    /// A home, as JSON or drawn as text; - is standard input
+    #[arg(long, short = 'e', value_name = "HOME", value_hint = ValueHint::FilePath, required_unless_present = "log")]
+    environment: Option<String>,
+    /// The command, in as many words as you like; - asks each line of standard input
+    #[arg(value_name = "COMMAND", required_unless_present = "log")]
+    command: Vec<String>,
+    /// Ask the commands of a session log, each in its own home, and compare with what was meant there
+    #[arg(long, short = 'l', value_name = "LOG", value_hint = ValueHint::FilePath, conflicts_with_all = ["environment", "command", "pull"])]
+    log: Option<String>,
+    /// Ask the session of this id alone
+    #[arg(long, value_name = "ID", requires = "log")]
+    session: Option<String>,
+    /// Tell word by word what speaks for the answer
+    #[arg(long)]
+    why: bool,
+    /// What was meant, such as "agentInRoom(agent0,room1)": tells word by word what speaks for it and what for the answer
+    #[arg(long, value_name = "TASK", value_parser = expected)]
+    expected: Option<GroundTaskText>,
+    /// Below this probability the answer is "unsure"
+    #[arg(long, value_name = "P", default_value = "0.5", value_parser = probability, allow_negative_numbers = true)]
+    threshold: f32,
+    #[command(flatten)]
+    kinds: TaskKinds,
     /// The robot can pull blocks too
     #[arg(long)]
     pull: bool,
-    /// Print one line of JSON
+    /// Print a line of JSON for each command
     #[arg(long)]
     json: bool,
 }
 
-/// Runs the command.
-pub fn run(options: &AskOptions) -> Result<(), Failure> {
-    let fault = |error: &dyn std::fmt::Display| Failure::Input(error.to_string());
-    let lifted = TaskKinds::and(&options.lifted).map_err(|error| fault(&error))?;
-    let mut agent = restored::agent(&options.model, &lifted)?;
-    let name = input::name(&options.environment);
-    let bytes = input::bytes(&options.environment).map_err(|error| fault(&error))?;
-    let text = String::from_utf8(bytes).map_err(|_| Failure::Input(format!("{name}: is no text in UTF-8")))?;
-    let environment = EnvironmentFile::parse(&text).map_err(|error| fault(&crate::load::Fault::from_format(name, error)))?;
-    let mut memory = home::memory();
-    let moves = if options.pull { Moves::PushAndPull } else { Moves::Push };
-    let (home, start) = home::build(&environment, moves, memory.split().home)
-        .map_err(|flaw| Failure::Input(format!("{name}: field \"{}\": {}", flaw.field(), flaw.message(&environment))))?;
-    agent.hear(&home, &start, &options.command).map_err(|error| fault(&error))?;
-    let best = agent.most_likely::<rand_pcg::Pcg32>(None).ok_or_else(|| fault(&AgentError::NoTask))?;
-    let mut tasks = Vec::new();
-    for (position, task) in agent.tasks().iter().enumerate() {
-        let Some(kind) = lifted.get(usize::from(task.lifted)) else { continue };
-        let text = task_name(&home, kind, task).map_err(|error| fault(&error))?;
-        tasks.push((text.to_string(), agent.belief().probability(position)));
-    }
-    let words = words(&agent, &home, best).map_err(|error| fault(&error))?;
-    let plan = plan(&mut agent, &home, start, best).map_err(|error| fault(&error))?;
-    print(options, tasks, &words, plan.as_deref(), best)
+const EXAMPLES: &str = "\
+Tasks that are done already count among what may be meant; the plan is for the most likely one that is not. Each word that was never heard \
+makes the answer less sure.
+
+With --json, \"tasks\" are the robot's own beliefs, of what is still to do; \"meanings\" are what is shown without --json.
+
+Examples:
+  goodbot ask --with words.goodbot --environment home.json go to the orange room
+  goodbot ask --with words.goodbot --environment home.json --why take the bag to the blue room
+  goodbot ask --with words.goodbot --log log.jsonl --session w01-3 --why
+  echo \"go to the red room\" | goodbot ask --with words.goodbot --environment home.json -";
+
+fn expected(text: &str) -> Result<GroundTaskText, String> {
+    text.parse().map_err(|error: goodbot_formats::task_text::TaskTextError| error.to_string())
 }
 
-/// The actions that lead to a task's goal; nothing where they are not known or there are none.
-fn plan<D: Domain>(agent: &mut Agent<'_>, home: &D, start: D::State, task: usize) -> Result<Option<Vec<String>>, AgentError> {
-    let (mut state, mut plan) = (start, vec![]);
+fn probability(text: &str) -> Result<f32, String> {
+    let number: Option<f32> = text.trim().parse().ok();
+    number.filter(|number| (0.0..=1.0).contains(number)).ok_or_else(|| "give a number from 0 to 1".to_owned())
+}
+
+/// A command, and where it is given.
+struct Question {
+    /// The session that it is from, if it is from one.
+    session: Option<String>,
+    /// Where it stands, for messages.
+    source: String,
+    environment: EnvironmentFile,
+    moves: Moves,
+    command: String,
+    expected: Option<GroundTaskText>,
+}
+
+/// What is answered to a question.
+struct Answer {
+    /// The robot's beliefs of what is still to do, in order.
+    tasks: Vec<(String, f32)>,
+    /// The most likely of these.
+    best: usize,
+    meanings: Vec<Meaning>,
+    words: Vec<Word>,
+    /// What was meant, in words, and how it explains the words.
+    expected: Option<(GroundTaskText, String, Vec<Word>)>,
+    /// The actions, and whether there is no shorter way.
+    plan: Option<(Vec<String>, bool)>,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// [`Failure`].
+pub fn run(options: &AskOptions) -> Result<(), Failure> {
+    let lifted = options.kinds.lifted()?;
+    let mut agent = restored::agent(&options.with, &lifted)?;
+    let mut out = BufWriter::new(std::io::stdout().lock());
+    for (number, question) in questions(options)?.iter().enumerate() {
+        let mut memory = home::memory();
+        let (home, start) = home::build(&question.environment, question.moves, &mut memory).map_err(|flaw| {
+            Failure::Input(format!("{}: field \"{}\": {}", question.source, flaw.field(), flaw.message(&question.environment)))
+        })?;
+        let answer = answer(&mut agent, &home, &start, question)?;
+        if options.json {
+            writeln!(out, "{}", to_json(&answer, question, options.threshold))?;
+            continue;
+        }
+        if number > 0 {
+            writeln!(out)?;
+        }
+        print(&mut out, options, question, &answer, &Map::new(&home, &start))?;
+    }
+    Ok(out.flush()?)
+}
+
+fn questions(options: &AskOptions) -> Result<Vec<Question>, Failure> {
+    let fault = |fault: Fault| Failure::Input(fault.to_string());
+    if let Some(log) = &options.log {
+        return sessions(options, log);
+    }
+    let Some(file) = &options.environment else { return Ok(vec![]) };
+    let commands = match options.command.as_slice() {
+        [only] if only == "-" && file == "-" => {
+            let message = "the home and the commands cannot both come from standard input; name a file for the home";
+            return Err(Failure::Input(message.to_owned()));
+        }
+        [only] if only == "-" => lines()?,
+        words => vec![words.join(" ")],
+    };
+    let environment = home::read(file).map_err(fault)?;
+    let moves = if options.pull { Moves::PushAndPull } else { Moves::Push };
+    let question = |command| Question {
+        session: None,
+        source: input::name(file).to_owned(),
+        environment: environment.clone(),
+        moves,
+        command,
+        expected: options.expected.clone(),
+    };
+    Ok(commands.into_iter().map(question).collect())
+}
+
+/// The commands of standard input, one on each line.
+fn lines() -> Result<Vec<String>, Failure> {
+    const MOST: usize = 100_000;
+    let mut commands = Vec::new();
+    for line in input::bytes("-").map_err(|fault| Failure::Input(fault.to_string()))?.lines() {
+        let line = line.map_err(|_| Failure::Input("standard input: is not UTF-8; write commands in UTF-8".to_owned()))?;
+        if !line.trim().is_empty() {
+            commands.push(line.trim().to_owned());
+        }
+        if commands.len() > MOST {
+            return Err(Failure::Input(format!("standard input: has more than {MOST} commands; ask fewer at once")));
+        }
+    }
+    if commands.is_empty() {
+        return Err(Failure::Input("standard input: has no command; write one on each line".to_owned()));
+    }
+    Ok(commands)
+}
+
+fn sessions(options: &AskOptions, log: &str) -> Result<Vec<Question>, Failure> {
+    let name = input::name(log);
+    let mut questions = Vec::new();
+    for recorded in SessionReader::new(input::log(log).map_err(|fault| Failure::Input(fault.to_string()))?) {
+        let recorded = recorded.map_err(|error| Failure::Input(Fault::from_format(name, error).to_string()))?;
+        let header = recorded.header;
+        if options.session.is_some() && header.id != options.session {
+            continue;
+        }
+        let intended = header.intended.clone().and_then(|atoms| GroundTaskText::new(atoms).ok());
+        questions.push(Question {
+            source: format!("{name}:{}", recorded.header_line),
+            moves: moves(header.action_names()).unwrap_or(Moves::Push),
+            session: header.id,
+            environment: header.environment,
+            command: header.command,
+            expected: options.expected.clone().or(intended),
+        });
+    }
+    if questions.is_empty() {
+        let message = match &options.session {
+            Some(id) => format!("{name}: has no session {id:?}; check its id"),
+            None => format!("{name}: has no session; name a log that has one"),
+        };
+        return Err(Failure::Input(message));
+    }
+    Ok(questions)
+}
+
+fn answer(
+    agent: &mut Agent<impl AgentMemory>,
+    home: &Home<impl HomeMemory>,
+    start: &HomeState,
+    question: &Question,
+) -> Result<Answer, Failure> {
+    let fault = |error: AgentError| Failure::Input(refusal::in_words(&error));
+    let meanings = meanings::meanings(agent, home, start, &question.command).map_err(fault)?;
+    let mut tasks = Vec::new();
+    for (position, task) in agent.tasks().iter().enumerate() {
+        let Some(kind) = agent.lifted().get(usize::from(task.lifted)) else { continue };
+        let text = task_name(home, kind, task).map_err(|error| Failure::Input(error.to_string()))?;
+        tasks.push((text, agent.belief().probability(position)));
+    }
+    let best = agent.most_likely().unwrap_or(0);
+    let expected = match &question.expected {
+        None => None,
+        Some(task) => {
+            let position = tasks.iter().position(|(name, _)| name.holds_exactly(task.atoms()));
+            let grounded = position.and_then(|position| agent.tasks().get(position));
+            let kind = grounded.and_then(|grounded| agent.lifted().get(usize::from(grounded.lifted)));
+            let done =
+                meanings.iter().find(|it| it.done && it.name.parse().is_ok_and(|name: GroundTaskText| name.holds_exactly(task.atoms())));
+            match (grounded.zip(kind), position, done) {
+                (Some((grounded, kind)), Some(position), _) => {
+                    let words = why::words(agent, home, &question.command, position).map_err(fault)?;
+                    Some((task.clone(), in_words(home, kind, grounded), words))
+                }
+                (_, _, Some(done)) => Some((task.clone(), done.words.clone(), vec![])),
+                _ => {
+                    let known: Vec<&str> = meanings.iter().map(|meaning| meaning.name.as_str()).collect();
+                    let message = format!("{}: {task} is no task here; tasks are {}", question.source, known.join(", "));
+                    return Err(Failure::Input(message));
+                }
+            }
+        }
+    };
+    let words = why::words(agent, home, &question.command, best).map_err(fault)?;
+    let plan = if tasks.is_empty() { None } else { plan(agent, home, *start, best).map_err(fault)? };
+    let tasks = tasks.into_iter().map(|(name, probability)| (name.to_string(), probability)).collect();
+    Ok(Answer { tasks, best, meanings, words, expected, plan })
+}
+
+/// The actions that lead to a task's goal, and whether there is no shorter way; nothing where they are not known or there are none.
+fn plan<D: Domain>(
+    agent: &mut Agent<impl AgentMemory>,
+    home: &D,
+    start: D::State,
+    task: usize,
+) -> Result<Option<(Vec<String>, bool)>, AgentError> {
+    let (mut state, mut plan, mut exact) = (start, vec![], true);
     while plan.len() < LONGEST_PLAN {
         agent.plan_fully(home, &state)?;
-        let actions = match agent.search().optimal(task) {
-            OptimalSet::Goal => return Ok(Some(plan)),
-            OptimalSet::Toward(actions) => actions,
-            OptimalSet::DeadEnd(_) | OptimalSet::Unknown => return Ok(None),
-        };
+        let here = agent.planned().optimal(task);
+        if here == OptimalSet::Goal {
+            return Ok(Some((plan, exact)));
+        }
+        let Some(actions) = here.onward() else { return Ok(None) };
+        exact &= here.exact().is_some();
         let Some((action, next)) = actions.iter().next().and_then(|action| Some((action, apply(home, &state, action)?))) else { break };
         plan.push(home.actions().get(usize::from(action.0)).map_or_else(String::new, |action| action.name.to_owned()));
         state = next;
@@ -87,61 +287,116 @@ fn plan<D: Domain>(agent: &mut Agent<'_>, home: &D, start: D::State, task: usize
     Ok(None)
 }
 
-/// How a word was explained.
-struct Word {
-    word: String,
-    token: String,
-    share: f32,
+impl Answer {
+    fn tied(&self) -> usize {
+        let likeliest = self.tasks.get(self.best).map_or(0.0, |(_, share)| *share);
+        self.tasks.iter().filter(|&&(_, share)| share >= likeliest).count()
+    }
+
+    /// `sure`, `unsure` or `done`.
+    fn verdict(&self, threshold: f32) -> &'static str {
+        match self.meanings.first() {
+            Some(first) if first.probability >= threshold => {
+                if first.done {
+                    "done"
+                } else {
+                    "sure"
+                }
+            }
+            _ => "unsure",
+        }
+    }
 }
 
-/// The words, each with the machine token that explains it best in the task's most likely machine command.
-fn words<D: Domain>(agent: &Agent<'_>, home: &D, best: usize) -> Result<Vec<Word>, AgentError> {
-    let Some(task) = agent.tasks().get(best) else { return Ok(vec![]) };
-    let Some(lifted) = agent.lifted().get(usize::from(task.lifted)) else { return Ok(vec![]) };
-    let language = agent.language();
-    let find = |command: &Vec<String>| -> Option<Vec<Symbol>> { command.iter().map(|token| language.tokens().find(token)).collect() };
-    let commands: Vec<Vec<Symbol>> = evidence::commands(home, lifted, task, agent.options())?.iter().filter_map(find).collect();
-    let sentence = agent.sentence();
-    let likelier = |best: Option<Vec<Symbol>>, command: Vec<Symbol>| match best {
-        Some(best) if !language.likelihood(sentence, &command).exceeds(language.likelihood(sentence, &best)) => Some(best),
-        _ => Some(command),
-    };
-    let Some(command) = commands.into_iter().fold(None, likelier) else { return Ok(vec![]) };
-    Ok(crate::lessons::training::explained(language, sentence, &command)
-        .into_iter()
-        .map(|it| Word {
-            token: if it.probability.is_some() { it.token } else { "never heard".to_owned() },
-            word: it.word,
-            share: it.share,
-        })
-        .collect())
+fn to_json(answer: &Answer, question: &Question, threshold: f32) -> serde_json::Value {
+    let tasks: serde_json::Map<_, _> = answer.tasks.iter().map(|(name, share)| (name.clone(), json!(share))).collect();
+    let word = |it: &Word| json!({"word": it.word, "token": it.token, "share": it.share, "probability": it.probability});
+    let meaning = |it: &Meaning| json!({"task": it.name, "words": it.words, "probability": it.probability, "done": it.done});
+    let mut line = json!({
+        "type": "answer", "command": question.command, "task": answer.tasks.get(answer.best).map(|(name, _)| name), "tied": answer.tied(),
+        "tasks": tasks, "plan": answer.plan.as_ref().map(|(actions, _)| actions), "exact": answer.plan.as_ref().map(|(_, exact)| exact), "words": answer.words.iter().map(word).collect::<Vec<_>>(),
+        "verdict": answer.verdict(threshold), "meanings": answer.meanings.iter().map(meaning).collect::<Vec<_>>(),
+    });
+    if let Some(line) = line.as_object_mut() {
+        if let Some(session) = &question.session {
+            line.insert("session".to_owned(), json!(session));
+        }
+        if let Some((task, _, words)) = &answer.expected {
+            line.insert("expected".to_owned(), json!(task.to_string()));
+            line.insert("words_for_expected".to_owned(), words.iter().map(word).collect());
+        }
+    }
+    line
 }
 
-fn print(options: &AskOptions, mut tasks: Vec<(String, f32)>, words: &[Word], plan: Option<&[String]>, best: usize) -> Result<(), Failure> {
-    let mut out = std::io::stdout().lock();
-    let (said, likeliest) = tasks.get(best).cloned().unwrap_or_default();
-    let tied = tasks.iter().filter(|&&(_, share)| share >= likeliest).count();
-    if options.json {
-        let tasks: serde_json::Map<_, _> = tasks.into_iter().map(|(name, share)| (name, json!(share))).collect();
-        let words: Vec<_> = words.iter().map(|it| json!({"word": it.word, "token": it.token, "share": it.share})).collect();
-        let line =
-            json!({"type": "answer", "command": options.command, "task": said, "tied": tied, "tasks": tasks, "plan": plan, "words": words});
-        writeln!(out, "{line}")?;
-        return Ok(());
+fn print(
+    out: &mut impl Write,
+    options: &AskOptions,
+    question: &Question,
+    answer: &Answer,
+    map: &Map<'_, impl HomeMemory>,
+) -> Result<(), Failure> {
+    drawing::draw(out, map)?;
+    let session = question.session.as_ref().map_or_else(String::new, |id| format!("{}: ", id.escape_debug()));
+    writeln!(out, "\n{session}\"{}\"", question.command.escape_debug())?;
+    for meaning in &answer.meanings {
+        let done = if meaning.done { "  (already done here)" } else { "" };
+        writeln!(out, "  {:6.3}  {:44} {}{done}", meaning.probability, meaning.words, meaning.name)?;
     }
-    tasks.sort_by(|a, b| b.1.total_cmp(&a.1));
-    for (name, share) in &tasks {
-        writeln!(out, "{share:6.3}  {name}")?;
+    let unheard: Vec<String> =
+        answer.words.iter().filter(|word| word.probability.is_none()).map(|word| format!("{:?}", word.word)).collect();
+    if !unheard.is_empty() {
+        writeln!(out, "\nnever heard: {}", unheard.join(", "))?;
     }
-    if tied > 1 {
-        writeln!(out, "\nthe plan is for {said}, one of {tied} equally likely")?;
+    verdict(out, options.threshold, answer)?;
+    if answer.tied() > 1 {
+        writeln!(out, "the plan is for one of {} equally likely", answer.tied())?;
     }
-    match plan {
-        Some([]) => writeln!(out, "\nplan: nothing to do")?,
-        Some(plan) => writeln!(out, "\nplan: {}", plan.join(" "))?,
-        None => writeln!(out, "\nplan: none was found")?,
+    match &answer.plan {
+        Some((plan, _)) if plan.is_empty() => writeln!(out, "plan: nothing to do")?,
+        Some((plan, true)) => writeln!(out, "plan: {}", plan.join(" "))?,
+        Some((plan, false)) => writeln!(out, "plan: {} (approximate: a shorter way may exist)", plan.join(" "))?,
+        None => writeln!(out, "plan: none was found")?,
     }
-    writeln!(out, "\nword explained by")?;
-    words.iter().try_for_each(|it| writeln!(out, "  {:12} {:16} {:.2}", it.word, it.token, it.share))?;
+    if let Some((task, words, _)) = &answer.expected {
+        let right = answer
+            .tasks
+            .get(answer.best)
+            .is_some_and(|(name, _)| name.parse().is_ok_and(|it: GroundTaskText| it.holds_exactly(task.atoms())));
+        writeln!(out, "expected: {words}, {task}{}", if right { "  (right)" } else { "" })?;
+    }
+    if options.why || options.expected.is_some() {
+        words(out, answer)?;
+    }
+    Ok(())
+}
+
+fn verdict(out: &mut impl Write, threshold: f32, answer: &Answer) -> std::io::Result<()> {
+    let percent = |meaning: &Meaning| format!("{} ({:.0} % sure)", meaning.words, 100.0 * meaning.probability);
+    match (answer.verdict(threshold), answer.meanings.as_slice()) {
+        ("done", [first, ..]) => writeln!(out, "\nanswer: already done here: {}", percent(first)),
+        ("sure", [first, ..]) => writeln!(out, "\nanswer: {}", percent(first)),
+        (_, [first, second, ..]) => writeln!(out, "\nanswer: unsure: {}, or {}", percent(first), percent(second)),
+        (_, [first]) => writeln!(out, "\nanswer: unsure: {}", percent(first)),
+        (_, []) => writeln!(out, "\nanswer: there is nothing to do"),
+    }
+}
+
+/// Word by word: what speaks for the answer, and for what was expected.
+fn words(out: &mut impl Write, answer: &Answer) -> std::io::Result<()> {
+    let expected = answer.expected.as_ref().map(|(_, _, words)| words.as_slice()).filter(|words| !words.is_empty());
+    match expected {
+        None => writeln!(out, "\nword             explained by        share of it")?,
+        Some(_) => writeln!(out, "\nword             predicted by        expected by         how much more for the prediction")?,
+    }
+    for (position, word) in answer.words.iter().enumerate() {
+        match expected.and_then(|words| words.get(position)) {
+            None => writeln!(out, "  {:14} {:18} {:6.2}", word.word, word.token, word.share)?,
+            Some(other) => {
+                let times = word.probability.zip(other.probability).map_or_else(String::new, |(a, b)| format!("{:6.2} times", a / b));
+                writeln!(out, "  {:14} {:19} {:19} {times}", word.word, word.token, other.token)?;
+            }
+        }
+    }
     Ok(())
 }

@@ -1,9 +1,10 @@
 //! Accuracy against the number of sessions that were trained on.
 
-use super::folds::{ask, shuffled};
+use super::folds::{ask, no_room, shuffled};
 use super::method::{Method, Trained};
-use crate::lessons::{Lesson, bar, training};
-use goodbot::AgentError;
+use crate::lessons::{Lesson, training};
+use crate::messages::bar;
+use crate::outcome::Failure;
 use goodbot::language::Settings;
 use plotters::prelude::*;
 use rayon::prelude::*;
@@ -23,8 +24,8 @@ pub struct Point {
 /// The curve, averaged over `runs` orders of the sessions.
 ///
 /// # Errors
-/// An [`AgentError`] where a command has no room.
-pub fn points(lessons: &[Lesson], method: Method, settings: Settings, runs: usize, seed: u64) -> Result<Vec<Point>, AgentError> {
+/// [`Failure::Input`] where a command has no room.
+pub fn points(lessons: &[Lesson], method: Method, settings: Settings, runs: usize, seed: u64) -> Result<Vec<Point>, Failure> {
     let most = lessons.len() * 9 / 10;
     let doubling = std::iter::successors(Some(2_usize), |size| Some(size * 2)).take_while(|&size| size < most);
     let sizes: Vec<usize> = doubling.chain([most]).collect();
@@ -38,7 +39,8 @@ pub fn points(lessons: &[Lesson], method: Method, settings: Settings, runs: usiz
                 |memory, run| {
                     let order = shuffled(lessons.len(), seed.wrapping_add(run as u64));
                     let (taught, asked) = order.split_at(sessions);
-                    let mut trained = Trained::on(method, memory, taught.iter().filter_map(|&taught| lessons.get(taught)), settings)?;
+                    let mut trained =
+                        Trained::on(method, memory, taught.iter().filter_map(|&taught| lessons.get(taught)), settings).map_err(no_room)?;
                     let (mut right, mut all) = (0_usize, 0_usize);
                     for lesson in asked.iter().filter_map(|&asked| lessons.get(asked)) {
                         if let Some(answer) = ask(&mut trained, lesson)? {
@@ -49,7 +51,7 @@ pub fn points(lessons: &[Lesson], method: Method, settings: Settings, runs: usiz
                     Ok(right as f64 / all.max(1) as f64)
                 },
             )
-            .collect::<Result<_, AgentError>>()?;
+            .collect::<Result<_, Failure>>()?;
         let mean = shares.iter().sum::<f64>() / runs as f64;
         let variance = shares.iter().map(|share| (share - mean) * (share - mean)).sum::<f64>() / (runs.max(2) - 1) as f64;
         points.push(Point { sessions, mean, deviation: variance.sqrt() });

@@ -1,24 +1,29 @@
 //! The models that are compared.
 
+use super::folds::no_room;
 use crate::lessons::training;
 use crate::lessons::{Lesson, MachineCommand};
+use crate::load::{home, session};
+use crate::outcome::Failure;
 use clap::ValueEnum;
-use goodbot::HeapMemory;
+use goodbot::Agent;
 use goodbot::capacity::CapacityError;
+use goodbot::home::Moves;
 use goodbot::language::tokenizer::for_each_word;
 use goodbot::language::{LanguageModel, Settings};
+use goodbot::memory::AgentHeap;
 use goodbot::task::TokenOrder;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What is trained.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Method {
-    /// Model 2 with the default settings
+    /// What understands people best
     #[default]
     Default,
-    /// Model 2 with the paper's settings
-    #[value(alias = "paper")]
-    Ibm2,
+    /// The paper's settings
+    #[value(alias = "ibm2")]
+    Paper,
     /// Each machine command has words of its own: naive Bayes, no alignment
     BagOfWords,
     /// Words are translated into the demonstrated actions, and a task is known by its actions
@@ -30,7 +35,7 @@ impl Method {
     pub const fn settings(self) -> Settings {
         match self {
             Self::Default => Settings::DEFAULT,
-            Self::Ibm2 | Self::BagOfWords | Self::Action => Settings::PAPER,
+            Self::Paper | Self::BagOfWords | Self::Action => Settings::PAPER,
         }
     }
 }
@@ -55,9 +60,11 @@ pub fn ablations() -> Vec<(&'static str, Settings)> {
 /// A trained model.
 pub enum Trained<'m> {
     /// Model 2.
-    Model2(Box<LanguageModel<'m>>),
+    Model2(Box<LanguageModel<&'m mut AgentHeap>>),
     /// Words of each machine command.
     Bags(Bags),
+    /// A robot that was trained before.
+    Robot(Box<Agent<AgentHeap>>),
 }
 
 impl<'m> Trained<'m> {
@@ -67,42 +74,53 @@ impl<'m> Trained<'m> {
     /// An [`AgentError`](goodbot::AgentError).
     pub fn on<'l>(
         method: Method,
-        memory: &'m mut HeapMemory,
+        memory: &'m mut AgentHeap,
         lessons: impl Iterator<Item = &'l Lesson>,
         settings: Settings,
     ) -> Result<Self, goodbot::AgentError> {
         Ok(match method {
             Method::BagOfWords => Self::Bags(Bags::of(lessons, settings.smoothing)?),
-            Method::Default | Method::Ibm2 | Method::Action => Self::Model2(Box::new(training::train(memory, lessons, settings)?)),
+            Method::Default | Method::Paper | Method::Action => Self::Model2(Box::new(training::train(memory, lessons, settings)?)),
         })
     }
 
     /// The posterior over a lesson's tasks.
     ///
     /// # Errors
-    /// A [`CapacityError`].
-    pub fn posterior(&mut self, lesson: &Lesson) -> Result<Vec<f32>, CapacityError> {
+    /// [`Failure::Input`] where the command has no room.
+    pub fn posterior(&mut self, lesson: &Lesson) -> Result<Vec<f32>, Failure> {
         match self {
-            Self::Model2(model) => training::posterior(model, lesson),
-            Self::Bags(bags) => bags.posterior(lesson),
+            Self::Model2(model) => training::posterior(model, lesson).map_err(|error| no_room(error.into())),
+            Self::Bags(bags) => bags.posterior(lesson).map_err(|error| no_room(error.into())),
+            Self::Robot(agent) => {
+                let header = &lesson.header;
+                let moves = session::moves(header.action_names()).unwrap_or(Moves::Push);
+                let mut memory = home::memory();
+                let (home, start) = home::build(&header.environment, moves, &mut memory)
+                    .map_err(|flaw| Failure::Input(format!("{}: {}", lesson.id, flaw.message(&header.environment))))?;
+                agent.hear(&home, &start, &lesson.command).map_err(no_room)?;
+                let posterior = (0..agent.tasks().len()).map(|task| agent.belief().probability(task)).collect();
+                agent.forget();
+                Ok(posterior)
+            }
         }
     }
 
-    /// The words that speak most for `said` against `meant`, with how many times more probable they are there.
+    /// The words that speak most for `predicted` against `meant`, with how many times more probable they are there.
     ///
     /// # Errors
     /// A [`CapacityError`].
-    pub fn telling(&mut self, lesson: &Lesson, said: usize, meant: usize) -> Result<Vec<(String, f32)>, CapacityError> {
+    pub fn telling(&mut self, lesson: &Lesson, predicted: usize, meant: usize) -> Result<Vec<(String, f32)>, CapacityError> {
         let Self::Model2(model) = self else { return Ok(vec![]) };
         let mut sides = Vec::new();
-        for task in [said, meant] {
+        for task in [predicted, meant] {
             let Some(reading) = lesson.readings.get(task) else { return Ok(vec![]) };
             let Some(command) = training::best_command(model, &lesson.command, &reading.commands)? else { return Ok(vec![]) };
             sides.push(training::explain(model, &lesson.command, command)?);
         }
-        let [said, meant] = sides.as_slice() else { return Ok(vec![]) };
+        let [predicted, meant] = sides.as_slice() else { return Ok(vec![]) };
         let ratio = |(a, b): (&training::Explained, &training::Explained)| Some((a.word.clone(), a.probability? / b.probability?));
-        let mut words: Vec<(String, f32)> = said.iter().zip(meant).filter_map(ratio).collect();
+        let mut words: Vec<(String, f32)> = predicted.iter().zip(meant).filter_map(ratio).collect();
         words.sort_by(|a, b| b.1.total_cmp(&a.1));
         words.truncate(3);
         Ok(words)

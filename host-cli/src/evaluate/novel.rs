@@ -1,49 +1,74 @@
 //! The same commands in layouts that no session took place in: the rooms exchange their places, and agent and blocks stand elsewhere.
 
+use super::folds::no_room;
 use crate::lessons::Lesson;
 use crate::lessons::evidence::Witness;
 use crate::outcome::Failure;
-use goodbot::language::Settings;
+use goodbot::Options;
 use goodbot::task::LiftedTask;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use goodbot_formats::session::{Kind, RecordedSession, SessionHeader};
 use rand_core::Rng;
-use rayon::prelude::*;
+use std::sync::Mutex;
 
 /// How often a layout is drawn anew where what was meant holds already, or nothing stands right.
 const TRIES: usize = 200;
 
-/// Each lesson in `count` other layouts.
-///
-/// # Errors
-/// A [`Failure`] where a lesson's home has no other layout.
-pub fn layouts(
-    lessons: &[Lesson],
-    lifted: &[LiftedTask],
-    settings: Settings,
+/// Other layouts to ask commands in.
+pub struct Novel<'l> {
+    lifted: &'l [LiftedTask],
+    options: Options,
     count: usize,
     seed: u64,
-) -> Result<Vec<Vec<Lesson>>, Failure> {
-    let options = goodbot::Options { language: settings, ..goodbot::Options::DEFAULT };
-    lessons
-        .par_iter()
-        .enumerate()
-        .map_init(
-            || Witness::new(lifted, options, false),
-            |witness, (position, lesson)| {
-                let witness = witness.as_mut().map_err(|error| Failure::Input(error.to_string()))?;
-                let mut random = goodbot_course::generator(seed.wrapping_add(position as u64));
-                (0..count).map(|_| elsewhere(witness, lesson, &mut random)).collect()
-            },
-        )
-        .collect()
+    /// Those who look at layouts, one for each core: each has a memory of its own.
+    witnesses: Mutex<Vec<Witness>>,
+}
+
+impl<'l> Novel<'l> {
+    /// `count` layouts for each command.
+    pub fn new(lifted: &'l [LiftedTask], options: Options, count: usize, seed: u64) -> Self {
+        Self { lifted, options, count, seed, witnesses: Mutex::new(vec![]) }
+    }
+
+    /// Shows a lesson, the one at `position`, in one layout after the other.
+    ///
+    /// # Errors
+    /// What `each` says, and a [`Failure`] where the home has no other layout.
+    pub fn each_layout(
+        &self,
+        lesson: &Lesson,
+        position: usize,
+        each: &mut impl FnMut(&Lesson) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        if lesson.intended.is_none() {
+            return Ok(());
+        }
+        let free = self.witnesses.lock().ok().and_then(|mut witnesses| witnesses.pop());
+        let mut witness = match free {
+            Some(witness) => witness,
+            None => Witness::new(self.lifted, self.options, false).map_err(no_room)?,
+        };
+        let mut random = goodbot_course::generator(self.seed.wrapping_add(position as u64));
+        let done = (0..self.count).try_for_each(|_| each(&elsewhere(&mut witness, lesson, &mut random)?));
+        if let Ok(mut witnesses) = self.witnesses.lock() {
+            witnesses.push(witness);
+        }
+        done
+    }
 }
 
 fn elsewhere(witness: &mut Witness, lesson: &Lesson, random: &mut impl Rng) -> Result<Lesson, Failure> {
     for _ in 0..TRIES {
         let environment = rearranged(&lesson.header.environment, random);
         let known = environment == lesson.header.environment;
-        let header = SessionHeader { environment, kind: Kind::Demonstration, prior: None, strategies: None, ..lesson.header.clone() };
+        let header = SessionHeader {
+            environment,
+            kind: Kind::Demonstration,
+            prior: None,
+            strategies: None,
+            continues: false,
+            ..lesson.header.clone()
+        };
         let recorded = RecordedSession { header, header_line: 1, steps: vec![], learn: false, end_line: 1 };
         // What cannot be built, or asks for what holds already, is drawn anew.
         if let Ok(lesson) = witness.lesson(&lesson.id, &recorded)

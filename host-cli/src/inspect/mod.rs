@@ -1,11 +1,12 @@
 //! `goodbot inspect`: which words a model knows, and what they mean to it.
 
 use crate::lessons::restored;
+use crate::messages::counted;
 use crate::outcome::Failure;
+use crate::output::{self, Output};
 use crate::paper::lexicon::Lexicon;
 use crate::paper::plot;
 use crate::paper::table::forms;
-use crate::whole_file::{new_file, write_whole};
 use clap::{Args, ValueHint};
 use goodbot::home;
 use serde_json::json;
@@ -21,26 +22,41 @@ pub struct InspectOptions {
     /// A model that `goodbot learn` wrote
     #[arg(value_name = "MODEL", value_hint = ValueHint::FilePath)]
     model: PathBuf,
-    /// How many words of each token, and tokens of each word
-    #[arg(long, value_name = "N", default_value_t = 8)]
+    /// How many words of each token, and tokens of each word: 1 to 1000
+    #[arg(long, short = 'n', value_name = "N", default_value = "8", value_parser = most, allow_negative_numbers = true)]
     most: usize,
-    /// Write a heat map of the most telling words
-    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath, value_parser = new_file)]
+    /// Write a heat map of the most telling words; - is standard output
+    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
     plot: Option<PathBuf>,
+    /// Replace a file that is no picture of goodbot's
+    #[arg(long)]
+    force: bool,
     /// Print a line of JSON for each token and each word
     #[arg(long)]
     json: bool,
 }
 
+fn most(text: &str) -> Result<usize, String> {
+    crate::numbers::between(text, 1, 1_000)
+}
+
 /// Runs the command.
 pub fn run(options: &InspectOptions) -> Result<(), Failure> {
     let lifted = home::paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
+    let target =
+        options.plot.as_deref().map(|plot| Output::picture(plot, options.model.to_str().into_iter(), options.force)).transpose()?;
     let agent = restored::agent(&options.model, &lifted)?;
     let lexicon = Lexicon::of(agent.language());
-    let mut out = std::io::stdout().lock();
+    let mut out = output::text(&[target.as_ref()])?;
+    // Before anything is printed: a reader who leaves must not cost the picture.
+    if let Some(target) = &target {
+        let svg = plot::learned_words(&telling(&lexicon)).map_err(|error| Failure::Result(error.to_string()))?;
+        target.write(svg.as_bytes())?;
+    }
     if !options.json {
         let letters = agent.language().settings().word_letters;
-        writeln!(out, "{} sessions, {} words{}", agent.language().bitext().sessions(), lexicon.words.len(), forms(letters))?;
+        let sessions = counted(agent.language().bitext().sessions(), "session");
+        writeln!(out, "{sessions}, {}{}", counted(lexicon.words.len(), "word"), forms(letters))?;
         writeln!(out, "\nThe words of each machine token: t(word | token)")?;
     }
     for (token, row) in &lexicon.rows {
@@ -70,11 +86,7 @@ pub fn run(options: &InspectOptions) -> Result<(), Failure> {
             writeln!(out, "  {word:12} {}", tokens.join("  "))?;
         }
     }
-    if let Some(file) = &options.plot {
-        let svg = plot::learned_words(&telling(&lexicon)).map_err(|error| Failure::Result(error.to_string()))?;
-        write_whole(file, svg.as_bytes()).map_err(|error| Failure::Input(format!("{} cannot be written: {error}", file.display())))?;
-    }
-    Ok(())
+    Ok(out.flush()?)
 }
 
 /// The most probable words of the tokens alone: a picture of hundreds of words shows none.

@@ -2,12 +2,15 @@
 
 use crate::lessons::{self, training};
 use crate::load::kinds::TaskKinds;
+use crate::messages::counted;
 use crate::model::Model;
 use crate::outcome::Failure;
-use crate::whole_file::{new_file, write_whole};
+use crate::output::{self, Output};
+use crate::refusal;
 use clap::{Args, ValueHint};
+use goodbot::memory::AgentHeap;
 use goodbot::snapshot::most_bytes;
-use goodbot::{Agent, Capacities, HeapMemory};
+use goodbot::{Agent, Capacities};
 use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
@@ -21,18 +24,20 @@ Sessions that say that they are not to be learned from are walked through and le
 Example:
   goodbot learn turk-simplified.jsonl --out words.goodbot")]
 pub struct LearnOptions {
-    /// Session logs (JSON Lines), feedback or demonstrations; - is standard input
+    /// Session logs (JSON Lines): feedback, demonstrations or labels; - is standard input
     #[arg(required = true, value_name = "FILE", value_hint = ValueHint::FilePath)]
     files: Vec<String>,
-    /// Where the model goes
-    #[arg(long, value_name = "MODEL", value_hint = ValueHint::FilePath, value_parser = new_file)]
+    /// Where the model goes; - is standard output
+    #[arg(long, short = 'o', value_name = "MODEL", value_hint = ValueHint::FilePath)]
     out: PathBuf,
-    /// A kind of task beside the paper's two; may be given several times
-    #[arg(long = "lifted", alias = "task", value_name = "TASK", value_parser = TaskKinds::parse)]
-    lifted: Vec<goodbot::task::LiftedTask>,
-    /// The settings of the model
-    #[arg(long, value_enum, default_value_t)]
+    #[command(flatten)]
+    kinds: TaskKinds,
+    /// The model of language and learning
+    #[arg(long, short = 'm', value_enum, default_value_t)]
     model: Model,
+    /// Replace a file that is no model
+    #[arg(long)]
+    force: bool,
     /// Pass over sessions that are at fault, and count them
     #[arg(long)]
     keep_going: bool,
@@ -43,34 +48,36 @@ pub struct LearnOptions {
 
 /// Runs the command.
 pub fn run(options: &LearnOptions) -> Result<(), Failure> {
-    let lifted = TaskKinds::and(&options.lifted).map_err(|error| Failure::Input(error.to_string()))?;
-    let (lessons, skipped) = lessons::read(&options.files, &lifted, options.model.options(), false, options.keep_going)?;
+    let lifted = options.kinds.lifted()?;
+    let target = Output::model(&options.out, options.files.iter().map(String::as_str), options.force)?;
+    let lessons::Lessons { lessons, skipped, with_way } =
+        lessons::read(&options.files, &lifted, options.model.options(), false, options.keep_going)?;
     let learned = lessons.iter().filter(|lesson| lesson.learn).count();
     if learned == 0 {
         return Err(Failure::Input("no session is to be learned from; set \"learn\" to true at the end of one".to_owned()));
     }
     let fault = |error: &dyn std::fmt::Display| Failure::Input(error.to_string());
     let capacities = training::capacities(&lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD });
-    let mut memory = HeapMemory::new(&capacities);
-    let model = training::train(&mut memory, lessons.iter(), options.model.options().language).map_err(|error| fault(&error))?;
+    let mut memory = AgentHeap::new(&capacities);
+    let model = training::train(&mut memory, lessons.iter(), options.model.options().language)
+        .map_err(|error| Failure::Input(refusal::in_words(&error)))?;
     let mut buffer = vec![0; most_bytes(&capacities)];
     let length = model.save(&mut buffer).map_err(|error| fault(&error))?;
     // The robot's whole mind: the same training data, with its trainer strategies and the vocabulary of its tasks.
-    let mut agent_memory = HeapMemory::new(&capacities);
-    let mut agent = Agent::new(agent_memory.split().agent, &lifted, options.model.options()).map_err(|error| fault(&error))?;
+    let mut agent = Agent::new(AgentHeap::new(&capacities), &lifted, options.model.options()).map_err(|error| fault(&error))?;
     agent.restore(buffer.get(..length).unwrap_or(&[])).map_err(|error| fault(&error))?;
     let length = agent.save(&mut buffer).map_err(|error| fault(&error))?;
-    write_whole(&options.out, buffer.get(..length).unwrap_or(&[]))
-        .map_err(|error| Failure::Input(format!("{} cannot be written: {error}", options.out.display())))?;
+    target.write(buffer.get(..length).unwrap_or(&[]))?;
     let (words, tokens, pairs) = (model.tables().words(), model.tables().tokens(), model.bitext().pairs().len());
-    let mut out = std::io::stdout().lock();
+    let mut out = output::text(&[Some(&target)])?;
     if options.json {
         let line = json!({
-            "type": "model", "sessions": learned, "skipped": skipped, "words": words, "tokens": tokens, "pairs": pairs, "bytes": length,
+            "type": "model", "sessions": learned, "skipped": skipped, "left_out_with_way": with_way, "words": words, "tokens": tokens, "pairs": pairs, "bytes": length,
         });
         writeln!(out, "{line}")?;
     } else {
-        writeln!(out, "{learned} sessions, {words} words, {tokens} machine tokens: {length} bytes in {}", options.out.display())?;
+        let [sessions, words, tokens] = [(learned, "session"), (words, "word"), (tokens, "machine token")].map(|(n, it)| counted(n, it));
+        writeln!(out, "{sessions}, {words}, {tokens}: {length} bytes in {}", target.name())?;
     }
-    Ok(())
+    Ok(out.flush()?)
 }

@@ -6,17 +6,19 @@ use crate::load::session::{Session, load};
 use crate::load::{Fault, home};
 use goodbot::capacity::TOKENS_PER_COMMAND;
 use goodbot::home::HomeState;
+use goodbot::memory::AgentHeap;
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain, ObjectId, apply};
-use goodbot::planning::OptimalSet;
 use goodbot::probability::total;
+use goodbot::session::Evidence;
 use goodbot::symbols::Symbols;
 use goodbot::task::{Expression, LiftedTask};
-use goodbot::{Agent, AgentError, Capacities, HeapMemory, Options};
-use goodbot_formats::session::{Kind, RecordedSession};
+use goodbot::{Agent, AgentError, Capacities, Options};
+use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, StepRecord};
 
 /// Sees what a session shows.
 pub struct Witness {
-    agent: Agent<'static>,
+    agent: Agent<AgentHeap>,
     lifted: Vec<LiftedTask>,
     plans: bool,
 }
@@ -24,9 +26,7 @@ pub struct Witness {
 impl Witness {
     /// One that knows no word. `plans` says whether each task's plan is wanted.
     pub fn new(lifted: &[LiftedTask], options: Options, plans: bool) -> Result<Self, goodbot::AgentError> {
-        // One for each thread of the program.
-        let memory = Box::leak(Box::new(HeapMemory::new(&Capacities::STANDARD)));
-        Ok(Self { agent: Agent::new(memory.split().agent, lifted, options)?, lifted: lifted.to_vec(), plans })
+        Ok(Self { agent: Agent::new(AgentHeap::new(&Capacities::STANDARD), lifted, options)?, lifted: lifted.to_vec(), plans })
     }
 
     /// Walks through a session. Trainer strategies that the session names are taken; a recorded prior is not, since words made it.
@@ -37,35 +37,33 @@ impl Witness {
         let header = &recorded.header;
         let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
         let mut memory = home::memory();
-        let session = load(file, recorded, &self.lifted, memory.split().home)?;
-        let intended = match &header.intended {
-            None => None,
-            Some(atoms) => match session.tasks.iter().position(|(_, name)| name.holds_exactly(atoms)) {
-                Some(position) => Some(position),
-                None => {
-                    let message = "is no task here: it holds at the beginning already, or is of a kind not asked for; name its kind with \
-                                   --lifted, or correct it";
-                    return Err(vec![Fault::on_line(file, recorded.header_line, message).in_field("intended")]);
-                }
-            },
-        };
+        let session = load(file, recorded, &self.lifted, &mut memory)?;
+        // What is no task here was refused when the session was loaded.
+        let intended = header.intended.as_ref().and_then(|atoms| session.tasks.iter().position(|(_, name)| name.holds_exactly(atoms)));
         let strategies = session.strategies.clone().unwrap_or_else(|| vec![(goodbot::feedback::Strategy::BALANCED, 1.0)]);
         self.agent.set_strategies(&strategies).map_err(at(recorded.header_line))?;
         self.agent.hear(&session.home, &session.start, &header.command).map_err(at(recorded.header_line))?;
         let remarks = self.watch(file, recorded, &session)?;
+        let beliefs: Vec<f32> = match (header.kind, intended) {
+            (Kind::Labelled, Some(told)) => (0..session.tasks.len()).map(|task| f32::from(u8::from(task == told))).collect(),
+            _ => (0..session.tasks.len()).map(|task| self.agent.belief().probability(task)).collect(),
+        };
         self.agent.weigh(&session.home).map_err(at(recorded.end_line))?;
         let shown = match header.kind {
             Kind::Demonstration => recorded.steps.iter().map(|(_, step)| step.action.clone()).collect(),
-            Kind::Feedback => vec![],
+            Kind::Feedback | Kind::Labelled => vec![],
         };
+        let pairs = self.pairs();
+        let readings = self.readings(&session, &beliefs).map_err(at(recorded.header_line))?;
         let lesson = Lesson {
             id: header.id.clone().unwrap_or_else(|| format!("{file}:{}", recorded.header_line)),
             command: header.command.clone(),
             header: header.clone(),
             intended,
-            readings: self.readings(&session).map_err(at(recorded.header_line))?,
-            pairs: self.pairs(),
+            pairs: intended.filter(|_| header.kind == Kind::Labelled).and_then(|told| readings.get(told)).map_or(pairs, told_pairs),
+            readings,
             shown,
+            walk: walked(recorded),
             learn: recorded.learn,
             remarks,
         };
@@ -73,7 +71,7 @@ impl Witness {
         Ok(lesson)
     }
 
-    fn watch(&mut self, file: &str, recorded: &RecordedSession, session: &Session<'_>) -> Result<Vec<Fault>, Vec<Fault>> {
+    fn watch(&mut self, file: &str, recorded: &RecordedSession, session: &Session<impl HomeMemory>) -> Result<Vec<Fault>, Vec<Fault>> {
         let mut remarks = vec![];
         let mut last: HomeState = session.start;
         for step in &session.steps {
@@ -85,18 +83,22 @@ impl Witness {
                 remarks.push(Fault::on_line(file, step.line, message).in_field("action"));
             }
             self.agent.plan_fully(&session.home, &step.before).map_err(at)?;
-            match recorded.header.kind {
-                Kind::Feedback => self.agent.feedback(step.action, step.feedback),
-                Kind::Demonstration => self.agent.demonstration(step.action),
-            }
-            .map_err(at)?;
             last = apply(&session.home, &step.before, step.action).unwrap_or(last);
+            let evidence = match recorded.header.kind {
+                Kind::Feedback => {
+                    self.agent.acted(&session.home, &step.before, step.action).map_err(at)?;
+                    self.agent.feedback(step.feedback)
+                }
+                Kind::Demonstration => self.agent.demonstrated(&session.home, &step.before, step.action),
+                Kind::Labelled => continue,
+            };
+            remarks.extend(remark(evidence.map_err(at)?).map(|message| Fault::on_line(file, step.line, message)));
         }
         // A trainer who shows the way stops where it is done.
         if recorded.header.kind == Kind::Demonstration {
             let at = |error: AgentError| vec![Fault::on_line(file, recorded.end_line, error)];
             self.agent.plan_fully(&session.home, &last).map_err(at)?;
-            self.agent.demonstration(Action::NOOP).map_err(at)?;
+            let _ = self.agent.demonstrated(&session.home, &last, Action::NOOP).map_err(at)?;
         }
         Ok(remarks)
     }
@@ -117,7 +119,7 @@ impl Witness {
         pairs
     }
 
-    fn readings(&mut self, session: &Session<'_>) -> Result<Vec<Reading>, AgentError> {
+    fn readings(&mut self, session: &Session<impl HomeMemory>, beliefs: &[f32]) -> Result<Vec<Reading>, AgentError> {
         let mut readings = Vec::new();
         for (position, (task, name)) in session.tasks.iter().enumerate() {
             let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
@@ -125,6 +127,7 @@ impl Witness {
                 name: name.clone(),
                 label: label(&session.home, lifted, &task.bindings),
                 prior: task.prior,
+                belief: beliefs.get(position).copied().unwrap_or(0.0),
                 commands: commands(&session.home, lifted, task, self.agent.options())?,
                 plan: if self.plans { self.plan(session, position)? } else { vec![] },
             });
@@ -133,13 +136,14 @@ impl Witness {
     }
 
     /// The first in order of a task's shortest plans.
-    fn plan(&mut self, session: &Session<'_>, task: usize) -> Result<MachineCommand, AgentError> {
+    fn plan(&mut self, session: &Session<impl HomeMemory>, task: usize) -> Result<MachineCommand, AgentError> {
         let (mut state, mut plan) = (session.start, vec![]);
         self.agent.hear_again(&session.home, &session.start)?;
         while plan.len() < TOKENS_PER_COMMAND {
             self.agent.plan_fully(&session.home, &state)?;
-            let OptimalSet::Toward(actions) = self.agent.search().optimal(task) else { break };
-            let Some((action, next)) = actions.iter().next().and_then(|action| Some((action, apply(&session.home, &state, action)?)))
+            let actions = self.agent.planned().optimal(task).onward();
+            let Some((action, next)) =
+                actions.and_then(|actions| actions.iter().next()).and_then(|action| Some((action, apply(&session.home, &state, action)?)))
             else {
                 break;
             };
@@ -150,6 +154,34 @@ impl Witness {
     }
 }
 
+/// What is worth knowing of a step that is no evidence.
+pub fn remark(evidence: Evidence) -> Option<&'static str> {
+    match evidence {
+        Evidence::Used => None,
+        Evidence::SaysNothing => Some("says nothing: no task's optimal actions are known exactly here"),
+        Evidence::Impossible => Some("this is impossible whatever the task and the strategy, and was ignored"),
+    }
+}
+
+/// What was done and how it was judged, step by step.
+fn walked(recorded: &RecordedSession) -> String {
+    let step = |(_, step): &(usize, StepRecord)| format!("{} {}", step.action, step.feedback.map_or("", FeedbackWord::as_str));
+    recorded.steps.iter().map(step).collect::<Vec<_>>().join(", ")
+}
+
+/// The machine commands of a task whose meaning was told: all equally probable, equal ones once.
+fn told_pairs(reading: &Reading) -> Vec<(MachineCommand, f32)> {
+    let share = 1.0 / reading.commands.len().max(1) as f32;
+    let mut pairs: Vec<(MachineCommand, f32)> = Vec::new();
+    for command in &reading.commands {
+        match pairs.iter_mut().find(|(known, _)| known == command) {
+            Some((_, whole)) => *whole += share,
+            None => pairs.push((command.clone(), share)),
+        }
+    }
+    pairs
+}
+
 /// The machine commands of a task, one for each constraint.
 pub fn commands<D: Domain>(
     domain: &D,
@@ -157,22 +189,23 @@ pub fn commands<D: Domain>(
     task: &goodbot::task::GroundedTask,
     options: &Options,
 ) -> Result<Vec<MachineCommand>, AgentError> {
-    let (mut bytes, mut ends) = ([0; 2_048], [0; 64]);
-    let mut tokens = Symbols::new(&mut bytes, &mut ends, goodbot::capacity::Capacity::Tokens, goodbot::capacity::Capacity::TokenBytes);
+    let (mut bytes, mut ends, mut count) = ([0; 2_048], [0; 64], 0);
+    let mut tokens =
+        Symbols::new(&mut bytes, &mut ends, &mut count, goodbot::capacity::Capacity::Tokens, goodbot::capacity::Capacity::TokenBytes);
     let expression = Expression::new(domain, lifted, task, options.language.order, &mut tokens)?;
     let text = |constraint| -> Result<MachineCommand, AgentError> {
-        Ok(expression.machine_command(constraint)?.iter().map(|&token| tokens.text(token).to_owned()).collect())
+        Ok(expression.machine_command(constraint)?.iter().map(|&token| tokens.read().text(token).to_owned()).collect())
     };
     (0..expression.constraints()).map(text).collect()
 }
 
 /// A task by its propositions and the attributes of its objects.
 pub fn label<D: Domain>(domain: &D, lifted: &LiftedTask, bindings: &[ObjectId]) -> String {
-    let functions = lifted.propositions().iter().map(|part| domain.schema().proposition_name(part.proposition).to_owned());
-    let objects = domain.objects();
+    let functions = lifted.propositions().iter().map(|part| domain.world().schema.proposition_name(part.proposition).to_owned());
+    let objects = domain.world().objects;
     let mut parts: Vec<String> = functions.collect();
     for &object in bindings.iter().take(lifted.variables().len()) {
-        for (position, _) in domain.schema().attributes.iter().enumerate() {
+        for (position, _) in domain.world().schema.attributes.iter().enumerate() {
             let value = objects.value(object, position);
             if !value.is_empty() {
                 parts.push(quoted(value).trim_matches('"').to_owned());

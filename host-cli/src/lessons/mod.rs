@@ -12,13 +12,13 @@ pub mod restored;
 pub mod training;
 
 use crate::load::{Fault, input};
+use crate::messages::{bar, counted, say};
 use crate::outcome::Failure;
 use evidence::Witness;
 use goodbot::Options;
 use goodbot::task::LiftedTask;
-use goodbot_formats::session::{RecordedSession, SessionHeader, SessionReader};
+use goodbot_formats::session::{Kind, RecordedSession, SessionHeader, SessionReader};
 use goodbot_formats::task_text::GroundTaskText;
-use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
 /// A machine command: its tokens.
@@ -33,6 +33,8 @@ pub struct Reading {
     pub label: String,
     /// Its probability before any word.
     pub prior: f32,
+    /// Its probability from the steps alone, or from what was told, without any word.
+    pub belief: f32,
     /// Its machine commands, equally probable.
     pub commands: Vec<MachineCommand>,
     /// The actions of one of its shortest plans; empty where no one asked for plans.
@@ -56,27 +58,52 @@ pub struct Lesson {
     pub pairs: Vec<(MachineCommand, f32)>,
     /// What the trainer did, in order; empty for feedback.
     pub shown: Vec<String>,
+    /// What was done and how it was judged, as a text.
+    pub walk: String,
     /// Whether it is to be learned from.
     pub learn: bool,
     /// What is worth knowing, and no fault.
     pub remarks: Vec<Fault>,
 }
 
-/// Reads the sessions of all files and walks through them. Gives the lessons and how many sessions were passed over.
-pub fn read(
-    files: &[String],
-    lifted: &[LiftedTask],
-    options: Options,
-    plans: bool,
-    keep_going: bool,
-) -> Result<(Vec<Lesson>, usize), Failure> {
+impl Lesson {
+    /// Whether the steps alone, without any word, speak more for what was meant than for any other task. Nothing where it is not known what
+    /// was meant, or where it was told.
+    pub fn evidence_is_right(&self) -> Option<bool> {
+        let meant = self.readings.get(self.intended.filter(|_| self.header.kind != Kind::Labelled)?)?;
+        Some(self.readings.iter().filter(|reading| reading.belief >= meant.belief).count() == 1)
+    }
+}
+
+/// The most sessions at fault that are passed over: what has more is no log.
+pub const MOST_FAULTS: usize = 1_000;
+/// The most sessions that a model can be trained on.
+const MOST_SESSIONS: usize = u16::MAX as usize;
+
+/// What was read.
+#[derive(Debug, Default)]
+pub struct Lessons {
+    /// The lessons.
+    pub lessons: Vec<Lesson>,
+    /// How many sessions at fault were passed over.
+    pub skipped: usize,
+    /// How many labelled sessions were left out because they tell a way.
+    pub with_way: usize,
+}
+
+/// Reads the sessions of all files and walks through them.
+pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bool, keep_going: bool) -> Result<Lessons, Failure> {
     let mut sessions: Vec<(String, RecordedSession)> = Vec::new();
-    let mut skipped = 0;
+    let (mut skipped, mut with_way) = (0, 0);
     for file in files {
-        let opened = input::open(file).map_err(|fault| Failure::Input(fault.to_string()))?;
+        let opened = input::log(file).map_err(|fault| Failure::Input(fault.to_string()))?;
         let name = input::name(file);
         for session in SessionReader::new(opened) {
             match session {
+                Ok(session) if session.header.has_way() => with_way += 1,
+                Ok(_) if sessions.len() >= MOST_SESSIONS => {
+                    return Err(Failure::Input(format!("{name}: has more than {MOST_SESSIONS} sessions; learn from fewer at once")));
+                }
                 Ok(session) => sessions.push((name.to_owned(), session)),
                 Err(error) => refuse(&[Fault::from_format(name, error)], keep_going, &mut skipped)?,
             }
@@ -102,19 +129,22 @@ pub fn read(
     for lesson in walked {
         match lesson {
             Ok(lesson) => {
-                lesson.remarks.iter().for_each(|remark| eprintln!("{remark}"));
+                lesson.remarks.iter().for_each(|remark| say!("{remark}"));
                 lessons.push(lesson);
             }
             Err(faults) => refuse(&faults, keep_going, &mut skipped)?,
         }
     }
     if skipped > 0 {
-        eprintln!("{skipped} sessions at fault were passed over");
+        say!("{} at fault passed over", counted(skipped, "session"));
+    }
+    if with_way > 0 {
+        say!("{} with a way (through, avoiding) left out: no task here has one", counted(with_way, "session"));
     }
     if lessons.is_empty() {
         return Err(Failure::Input("there is no session to learn from; name a file that has one".to_owned()));
     }
-    Ok((lessons, skipped))
+    Ok(Lessons { lessons, skipped, with_way })
 }
 
 fn refuse(faults: &[Fault], keep_going: bool, skipped: &mut usize) -> Result<(), Failure> {
@@ -124,11 +154,9 @@ fn refuse(faults: &[Fault], keep_going: bool, skipped: &mut usize) -> Result<(),
     }
     eprintln!("{}", text.join("\n"));
     *skipped += 1;
+    if *skipped > MOST_FAULTS {
+        let message = format!("more than {MOST_FAULTS} sessions are at fault; check with goodbot check that this is a session log");
+        return Err(Failure::Input(message));
+    }
     Ok(())
-}
-
-/// A progress bar on standard error.
-pub fn bar(length: usize, what: &'static str) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg} {bar:30} {pos}/{len} {elapsed}").unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::new(length as u64).with_style(style).with_message(what)
 }

@@ -2,18 +2,19 @@
 
 use super::{Lesson, MachineCommand};
 use goodbot::AgentError;
+use goodbot::Capacities;
 use goodbot::capacity::CapacityError;
 use goodbot::language::tokenizer::for_each_word;
-use goodbot::language::{LanguageModel, Settings};
+use goodbot::language::{LanguageModel, LanguageRef, Settings};
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::planning::Progress;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
-use goodbot::{Capacities, HeapMemory};
 use std::collections::BTreeSet;
 
 /// Memory for a language model of these lessons, and for no search.
-pub fn memory(lessons: &[Lesson]) -> HeapMemory {
-    HeapMemory::new(&capacities(lessons, Capacities { states: 64, hashed_states: 0, cells: 1, ..Capacities::STANDARD }))
+pub fn memory(lessons: &[Lesson]) -> AgentHeap {
+    AgentHeap::new(&capacities(lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD }))
 }
 
 /// Capacities for what these lessons teach, and no less than `least`.
@@ -60,11 +61,11 @@ pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
 /// # Errors
 /// An [`AgentError`] where the memory was made for fewer lessons, or a setting is none to train with.
 pub fn train<'m, 'l>(
-    memory: &'m mut HeapMemory,
+    memory: &'m mut AgentHeap,
     lessons: impl Iterator<Item = &'l Lesson>,
     settings: Settings,
-) -> Result<LanguageModel<'m>, AgentError> {
-    let mut model = LanguageModel::new(memory.split().agent.language, settings)?;
+) -> Result<LanguageModel<&'m mut AgentHeap>, AgentError> {
+    let mut model = LanguageModel::new(memory, settings)?;
     for lesson in lessons.filter(|lesson| lesson.learn) {
         let sentence = model.hear(&lesson.command)?;
         let pairs: Vec<(Vec<Symbol>, f32)> = lesson
@@ -80,7 +81,7 @@ pub fn train<'m, 'l>(
 }
 
 /// The symbols of a machine command.
-pub fn symbols(model: &mut LanguageModel<'_>, command: &MachineCommand) -> Result<Vec<Symbol>, CapacityError> {
+pub fn symbols(model: &mut LanguageModel<impl AgentMemory>, command: &MachineCommand) -> Result<Vec<Symbol>, CapacityError> {
     command.iter().map(|token| model.tokens_mut().intern(token)).collect()
 }
 
@@ -88,7 +89,7 @@ pub fn symbols(model: &mut LanguageModel<'_>, command: &MachineCommand) -> Resul
 ///
 /// # Errors
 /// A [`CapacityError`] where the command has no room.
-pub fn posterior(model: &mut LanguageModel<'_>, lesson: &Lesson) -> Result<Vec<f32>, CapacityError> {
+pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -> Result<Vec<f32>, CapacityError> {
     let sentence = model.hear(&lesson.command)?;
     let mut scores = Vec::new();
     for reading in &lesson.readings {
@@ -122,16 +123,20 @@ pub struct Explained {
 ///
 /// # Errors
 /// A [`CapacityError`] where the command has no room.
-pub fn explain(model: &mut LanguageModel<'_>, english: &str, command: &MachineCommand) -> Result<Vec<Explained>, CapacityError> {
+pub fn explain(
+    model: &mut LanguageModel<impl AgentMemory>,
+    english: &str,
+    command: &MachineCommand,
+) -> Result<Vec<Explained>, CapacityError> {
     let sentence = model.hear(english)?;
     let tokens = symbols(model, command)?;
-    let explained = explained(model, &sentence, &tokens);
+    let explained = explained(model.read(), &sentence, &tokens);
     model.forget_unlearned();
     Ok(explained)
 }
 
 /// The same, for what is interned already.
-pub fn explained(model: &LanguageModel<'_>, sentence: &[Option<Symbol>], tokens: &[Symbol]) -> Vec<Explained> {
+pub fn explained(model: LanguageRef<'_>, sentence: &[Option<Symbol>], tokens: &[Symbol]) -> Vec<Explained> {
     let tables = model.tables();
     let mut explained = Vec::new();
     for (i, &word) in sentence.iter().enumerate() {
@@ -160,7 +165,7 @@ pub fn explained(model: &LanguageModel<'_>, sentence: &[Option<Symbol>], tokens:
 /// # Errors
 /// A [`CapacityError`] where the command has no room.
 pub fn best_command<'r>(
-    model: &mut LanguageModel<'_>,
+    model: &mut LanguageModel<impl AgentMemory>,
     english: &str,
     commands: &'r [MachineCommand],
 ) -> Result<Option<&'r MachineCommand>, CapacityError> {

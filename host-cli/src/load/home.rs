@@ -1,8 +1,12 @@
 //! A home from an environment, and what is wrong with it.
 
+use super::content::Content;
+use super::{Fault, input, map};
+use goodbot::Capacities;
 use goodbot::capacity::{Capacity, CapacityError};
-use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeMemory, HomeState, Moves, Problem};
-use goodbot::{Capacities, HeapMemory};
+use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves, Problem as HomeProblem};
+use goodbot::memory::{HomeHeap, HomeMemory};
+use goodbot_formats::Problem;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 
 /// What is wrong with a home.
@@ -11,7 +15,7 @@ pub struct Flaw {
     /// The object, by its position in the environment, where it is one of them.
     pub object: Option<usize>,
     /// What is wrong.
-    pub problem: Problem,
+    pub problem: HomeProblem,
 }
 
 impl Flaw {
@@ -20,7 +24,7 @@ impl Flaw {
         match self.object.and_then(|object| environment.objects.get(object)) {
             Some(object) => format!("object {}: {}", super::fault::quoted(object.name()), self.problem),
             None => match self.problem {
-                Problem::Capacity(CapacityError { capacity: Capacity::Objects, limit, given }) => {
+                HomeProblem::Capacity(CapacityError { capacity: Capacity::Objects, limit, given }) => {
                     format!("are {given}, and {limit} are the most; leave out some")
                 }
                 problem => problem.to_string(),
@@ -34,14 +38,38 @@ impl Flaw {
     }
 }
 
-/// Memory for one home of the largest size; the share of an agent is next to nothing.
-pub fn memory() -> HeapMemory {
-    let Capacities { objects, names, name_bytes, cells, .. } = Capacities::STANDARD;
-    HeapMemory::new(&Capacities { objects, names, name_bytes, cells, states: 0, ..Capacities::SMALL })
+/// A home from a file, as JSON or drawn as text.
+///
+/// # Errors
+/// What is wrong with the file.
+pub fn read(file: &str) -> Result<EnvironmentFile, Fault> {
+    let (name, bytes) = (input::name(file), input::bytes(file)?);
+    let content = Content::of(&bytes);
+    if !matches!(content, Content::Environment | Content::Map) {
+        return Err(Fault::new(name, format!("this is {}, not a home; name a home (goodbot example home prints one)", content.name())));
+    }
+    let text = String::from_utf8(bytes).map_err(|_| Fault::new(name, Problem::NotUtf8))?;
+    parse(name, &text)
+}
+
+/// A home from a text, as JSON or drawn.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn parse(name: &str, text: &str) -> Result<EnvironmentFile, Fault> {
+    if map::is_map(text) {
+        return map::parse(text).map_err(|wrong| Fault::on_line(name, wrong.line, wrong.message));
+    }
+    EnvironmentFile::parse(text).map_err(|error| Fault::from_format(name, error))
+}
+
+/// Memory for one home of the largest size.
+pub fn memory() -> HomeHeap {
+    HomeHeap::new(&Capacities::STANDARD)
 }
 
 /// The home of an environment, with its initial state.
-pub fn build<'m>(environment: &EnvironmentFile, moves: Moves, memory: HomeMemory<'m>) -> Result<(Home<'m>, HomeState), Flaw> {
+pub fn build<M: HomeMemory>(environment: &EnvironmentFile, moves: Moves, memory: M) -> Result<(Home<M>, HomeState), Flaw> {
     let mut builder = HomeBuilder::new(memory);
     for (position, object) in environment.objects.iter().enumerate() {
         add(&mut builder, object).map_err(|problem| Flaw { object: Some(position), problem })?;
@@ -55,16 +83,16 @@ pub fn flaws(environment: &EnvironmentFile) -> Vec<Flaw> {
     if environment.objects.len() > most {
         return vec![Flaw {
             object: None,
-            problem: Problem::Capacity(CapacityError::new(Capacity::Objects, most, environment.objects.len())),
+            problem: HomeProblem::Capacity(CapacityError::new(Capacity::Objects, most, environment.objects.len())),
         }];
     }
     let mut flaws = Vec::new();
     let has = |wanted: fn(&ObjectRecord) -> bool| environment.objects.iter().any(wanted);
     if !has(|object| matches!(object, ObjectRecord::Agent { .. })) {
-        flaws.push(Flaw { object: None, problem: Problem::NoAgent });
+        flaws.push(Flaw { object: None, problem: HomeProblem::NoAgent });
     }
     if !has(|object| matches!(object, ObjectRecord::Room { .. })) {
-        flaws.push(Flaw { object: None, problem: Problem::NoRoom });
+        flaws.push(Flaw { object: None, problem: HomeProblem::NoRoom });
     }
     flaws.extend(flawed_alone(environment));
     if flaws.is_empty() {
@@ -76,13 +104,13 @@ pub fn flaws(environment: &EnvironmentFile) -> Vec<Flaw> {
 /// The objects that cannot be added, whatever else there is.
 fn flawed_alone(environment: &EnvironmentFile) -> Vec<Flaw> {
     let mut memory = memory();
-    let mut builder = HomeBuilder::new(memory.split().home);
+    let mut builder = HomeBuilder::new(&mut memory);
     let mut flaws = Vec::new();
     for (position, object) in environment.objects.iter().enumerate() {
         if let Err(problem) = add(&mut builder, object) {
             flaws.push(Flaw { object: Some(position), problem });
             // Where one does not fit, none after it does.
-            if matches!(problem, Problem::Capacity(_)) {
+            if matches!(problem, HomeProblem::Capacity(_)) {
                 break;
             }
         }
@@ -96,9 +124,9 @@ fn misplaced(environment: &EnvironmentFile) -> Vec<Flaw> {
     loop {
         let rest = EnvironmentFile::new(left.iter().filter_map(|&position| environment.objects.get(position).cloned()).collect());
         let mut memory = memory();
-        let Err(flaw) = build(&rest, Moves::Push, memory.split().home).map(drop) else { return flaws };
+        let Err(flaw) = build(&rest, Moves::Push, &mut memory).map(drop) else { return flaws };
         // Once the agent is left out, nothing more can be tried.
-        if flaw.problem == Problem::NoAgent {
+        if flaw.problem == HomeProblem::NoAgent {
             return flaws;
         }
         let object = flaw.object.and_then(|object| left.get(object).copied());
@@ -108,7 +136,7 @@ fn misplaced(environment: &EnvironmentFile) -> Vec<Flaw> {
     }
 }
 
-fn add(builder: &mut HomeBuilder<'_>, object: &ObjectRecord) -> Result<(), Problem> {
+fn add(builder: &mut HomeBuilder<impl HomeMemory>, object: &ObjectRecord) -> Result<(), HomeProblem> {
     let added = match object {
         ObjectRecord::Room { name, left, bottom, right, top, color } => builder.room(name, Area::new(*left, *bottom, *right, *top), color),
         ObjectRecord::Door { name, left, bottom, right, top } => builder.door(name, Area::new(*left, *bottom, *right, *top)),

@@ -1,8 +1,10 @@
 //! Files, and standard input under the name `-`.
 
 use super::Fault;
+use super::content::Content;
+use crate::whole_file::MOST_BYTES;
 use std::fs::File;
-use std::io::{BufReader, Read};
+use std::io::{BufRead, BufReader, Read};
 
 /// How standard input is called in messages.
 const STANDARD_INPUT: &str = "standard input";
@@ -19,10 +21,36 @@ pub fn open(file: &str) -> Result<BufReader<Box<dyn Read>>, Fault> {
     Ok(BufReader::with_capacity(1 << 16, opened))
 }
 
+/// Opens a session log, and refuses what is plainly something else.
+pub fn log(file: &str) -> Result<BufReader<Box<dyn Read>>, Fault> {
+    let mut opened = open(file)?;
+    let content = Content::of(opened.fill_buf().map_err(unreadable(file))?);
+    if matches!(content, Content::Map | Content::Beliefs | Content::Model | Content::Picture) || is_home(opened.buffer()) {
+        let message = format!("this is {}, not a session log; name a log (goodbot example log prints one)", content.name());
+        return Err(Fault::new(name(file), message));
+    }
+    Ok(opened)
+}
+
+/// Whether this is the beginning of a home as JSON, be it on one line or on many.
+fn is_home(head: &[u8]) -> bool {
+    let text: String = String::from_utf8_lossy(head).chars().filter(|c| !c.is_whitespace()).take(200).collect();
+    text.trim_start_matches('\u{feff}').starts_with('{') && text.contains("\"objects\":[") && !text.contains("\"type\":")
+}
+
 /// All of a file.
 pub fn bytes(file: &str) -> Result<Vec<u8>, Fault> {
+    rest(file, open(file)?)
+}
+
+/// All that is left of an opened file.
+pub fn rest(file: &str, opened: impl Read) -> Result<Vec<u8>, Fault> {
     let mut bytes = Vec::new();
-    open(file)?.read_to_end(&mut bytes).map_err(unreadable(file))?;
+    opened.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable(file))?;
+    if bytes.len() as u64 > MOST_BYTES {
+        let message = format!("has more than {} MiB, and nothing that is read whole has; check its name", MOST_BYTES >> 20);
+        return Err(Fault::new(name(file), message));
+    }
     Ok(bytes)
 }
 

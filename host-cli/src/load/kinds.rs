@@ -1,27 +1,40 @@
 //! The kinds of tasks that commands may mean.
 
+use crate::outcome::Failure;
 use clap::Args;
+use goodbot::capacity::LIFTED_TASKS;
 use goodbot::home;
-use goodbot::task::{LiftedTask, TaskTextError};
+use goodbot::task::LiftedTask;
 
 /// The kinds of tasks that commands may mean.
 #[derive(Clone, Debug, Args)]
 pub struct TaskKinds {
-    /// A kind of task that commands may mean, such as "agentInRoom(?a,?r1) & blockInRoom(?o,?r2)"; may be given several times. The
-    /// paper's two, if none is given.
-    #[arg(long = "task", alias = "lifted", value_name = "TASK", value_parser = Self::parse)]
+    /// A kind of task that commands may mean beside the paper's two, such as "agentInRoom(?a,?r1) & blockInRoom(?o,?r2)"; may be given
+    /// several times
+    #[arg(long = "task", short = 't', alias = "lifted", value_name = "TASK", value_parser = Self::parse)]
     kinds: Vec<LiftedTask>,
+    /// Leave out the paper's two kinds of tasks
+    #[arg(long, requires = "kinds")]
+    only_these_tasks: bool,
 }
 
 impl TaskKinds {
-    /// The lifted tasks.
-    pub fn lifted(&self) -> Result<Vec<LiftedTask>, TaskTextError> {
-        if self.kinds.is_empty() { Ok(home::paper_tasks()?.to_vec()) } else { Ok(self.kinds.clone()) }
-    }
-
-    /// The paper's two, and others beside them.
-    pub fn and(others: &[LiftedTask]) -> Result<Vec<LiftedTask>, TaskTextError> {
-        Ok(home::paper_tasks()?.into_iter().chain(others.iter().cloned()).collect())
+    /// The lifted tasks: the paper's two, unless they are left out, and those that were named.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] where they are too many.
+    pub fn lifted(&self) -> Result<Vec<LiftedTask>, Failure> {
+        let paper = home::paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
+        let mut lifted = if self.only_these_tasks { vec![] } else { paper.to_vec() };
+        for kind in &self.kinds {
+            if !lifted.contains(kind) {
+                lifted.push(kind.clone());
+            }
+        }
+        if lifted.len() > LIFTED_TASKS {
+            return Err(Failure::Input(format!("{} kinds of tasks are {LIFTED_TASKS} at most; name fewer with --task", lifted.len())));
+        }
+        Ok(lifted)
     }
 
     /// One kind of task.

@@ -5,8 +5,9 @@ use super::task_name::task_name;
 use super::{Fault, home};
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::{Feedback, Strategy};
-use goodbot::home::{Home, HomeMemory, HomeState, Moves, SCHEMA};
+use goodbot::home::{Home, HomeState, Moves, SCHEMA};
 use goodbot::language::tokenizer::for_each_word;
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain, action_named, apply};
 use goodbot::task::{GroundedTask, LiftedTask, ground};
 use goodbot::{AgentError, Capacities};
@@ -30,9 +31,9 @@ pub struct Step {
 
 /// A session that can be replayed.
 #[derive(Debug)]
-pub struct Session<'m> {
+pub struct Session<M> {
     /// The home.
-    pub home: Home<'m>,
+    pub home: Home<M>,
     /// Where everything is at the beginning.
     pub start: HomeState,
     /// The tasks that there are here, with their names.
@@ -45,7 +46,7 @@ pub struct Session<'m> {
     pub steps: Vec<Step>,
 }
 
-impl Session<'_> {
+impl<M> Session<M> {
     /// The recorded prior of a task, 0 where the record does not name it.
     pub fn prior_of(&self, task: &GroundedTask) -> f32 {
         let position = self.tasks.iter().position(|(known, _)| known == task);
@@ -81,7 +82,7 @@ impl Checker<'_> {
 ///
 /// # Errors
 /// All that is wrong with it.
-pub fn load<'m>(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask], memory: HomeMemory<'m>) -> Result<Session<'m>, Vec<Fault>> {
+pub fn load<M: HomeMemory>(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask], memory: M) -> Result<Session<M>, Vec<Fault>> {
     let mut checker = Checker { file, recorded, faults: Vec::new() };
     let header = &recorded.header;
     let moves = moves(header.action_names());
@@ -103,6 +104,7 @@ pub fn load<'m>(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask], m
     let Ok((home, start)) = built else { return Err(checker.faults) };
     checker.intended(&home);
     let tasks = checker.tasks(&home, &start, lifted);
+    checker.intended_task(&home, &start, &tasks);
     let prior = header.prior.as_ref().map(|prior| checker.prior(prior, &tasks));
     let strategies = header.strategies.as_ref().map(|strategies| checker.strategies(strategies));
     let steps = checker.walk(&home, &start);
@@ -129,7 +131,7 @@ impl Checker<'_> {
         }
     }
 
-    fn intended(&mut self, home: &Home<'_>) {
+    fn intended(&mut self, home: &Home<impl HomeMemory>) {
         for (position, atom) in self.recorded.header.intended.iter().flatten().enumerate() {
             if let Err(message) = known_atom(home, atom) {
                 self.fault(format!("intended[{position}]"), message);
@@ -137,7 +139,20 @@ impl Checker<'_> {
         }
     }
 
-    fn tasks(&mut self, home: &Home<'_>, start: &HomeState, lifted: &[LiftedTask]) -> Vec<(GroundedTask, GroundTaskText)> {
+    /// Whether what was meant is a task here.
+    fn intended_task(&mut self, home: &Home<impl HomeMemory>, start: &HomeState, tasks: &[(GroundedTask, GroundTaskText)]) {
+        let Some(intended) = &self.recorded.header.intended else { return };
+        let known: Result<Vec<_>, _> = intended.iter().map(|atom| known_atom(home, atom)).collect();
+        let Ok(known) = known else { return };
+        if known.iter().all(|atom| home.holds(atom, start)) {
+            let message = "holds where the session begins already, so there is nothing to do; correct it or the environment";
+            self.fault("intended", message);
+        } else if !tasks.is_empty() && !tasks.iter().any(|(_, name)| name.holds_exactly(intended)) {
+            self.fault("intended", "is no task of the kinds that commands may mean; name its kind with --task, or correct it");
+        }
+    }
+
+    fn tasks(&mut self, home: &Home<impl HomeMemory>, start: &HomeState, lifted: &[LiftedTask]) -> Vec<(GroundedTask, GroundTaskText)> {
         let mut tasks = vec![GroundedTask::UNUSED; Capacities::STANDARD.tasks];
         let count = match ground(home, lifted, start, &mut tasks) {
             Ok(0) => {
@@ -196,7 +211,7 @@ impl Checker<'_> {
         strategies
     }
 
-    fn walk(&mut self, home: &Home<'_>, start: &HomeState) -> Vec<Step> {
+    fn walk(&mut self, home: &Home<impl HomeMemory>, start: &HomeState) -> Vec<Step> {
         let mut state = *start;
         let mut steps = Vec::new();
         for (line, record) in &self.recorded.steps {
@@ -227,7 +242,7 @@ fn impossible(record: &StepRecord, x: i32, y: i32) -> String {
 }
 
 /// Whether a proposition is about what is here; what is wrong with it otherwise.
-pub fn known_atom(home: &Home<'_>, atom: &GroundAtomText) -> Result<goodbot::oomdp::GroundProposition, String> {
+pub fn known_atom(home: &Home<impl HomeMemory>, atom: &GroundAtomText) -> Result<goodbot::oomdp::GroundProposition, String> {
     let Some(proposition) = SCHEMA.proposition(atom.function()) else {
         let known: Vec<&str> = SCHEMA.propositions.iter().map(|known| known.name).collect();
         return Err(format!("{} is no propositional function; known are {}", quoted(atom.function()), known.join(", ")));
@@ -240,7 +255,7 @@ pub fn known_atom(home: &Home<'_>, atom: &GroundAtomText) -> Result<goodbot::oom
     let mut arguments = goodbot::oomdp::GroundProposition { proposition, arguments: Default::default() };
     for ((name, &class), slot) in atom.arguments().iter().zip(parameters).zip(&mut arguments.arguments) {
         let class_name = SCHEMA.class_name(class);
-        let objects = home.objects();
+        let objects = home.world().objects;
         match objects.find(name) {
             None => return Err(format!("there is no object {}; name a {class_name} of the environment", quoted(name))),
             Some(id) if objects.get(id).is_some_and(|object| object.class != class) => {

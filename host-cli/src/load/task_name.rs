@@ -1,6 +1,8 @@
 //! A grounded task as a text.
 
-use goodbot::oomdp::Domain;
+use goodbot::home::{AGENT, COLOR, Home, SHAPE};
+use goodbot::memory::HomeMemory;
+use goodbot::oomdp::{Domain, ObjectId};
 use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText, TaskTextError};
 
@@ -9,11 +11,34 @@ use goodbot_formats::task_text::{GroundAtomText, GroundTaskText, TaskTextError};
 /// # Errors
 /// A [`TaskTextError`] where a name could not be read again; names from files always can.
 pub fn task_name<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> Result<GroundTaskText, TaskTextError> {
-    let schema = domain.schema();
+    let schema = domain.world().schema;
     let atoms = task.propositions(lifted).map(|part| {
         let parameters = schema.parameters(part.proposition).len();
-        let names = part.arguments.iter().take(parameters).map(|&object| domain.objects().name(object));
+        let names = part.arguments.iter().take(parameters).map(|&object| domain.world().objects.name(object));
         GroundAtomText::new(schema.proposition_name(part.proposition), names)
     });
     GroundTaskText::new(atoms.collect::<Result<_, _>>()?)
+}
+
+/// A task in a person's words: `go to the green room`, `take the blue chair to the red room`.
+pub fn in_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
+    let part = |part: goodbot::oomdp::GroundProposition| {
+        let [subject, place, _] = part.arguments;
+        let goes = home.world().objects.get(subject).is_some_and(|known| known.class == AGENT);
+        let subject = if goes { "go".to_owned() } else { format!("take {}", thing(home, subject)) };
+        format!("{subject} to {}", thing(home, place))
+    };
+    task.propositions(lifted).map(part).collect::<Vec<_>>().join(" and ")
+}
+
+/// An object by its looks, and by its name where others look the same.
+fn thing(home: &Home<impl HomeMemory>, object: ObjectId) -> String {
+    let objects = home.world().objects;
+    let Some(class) = objects.get(object).map(|known| known.class) else { return String::new() };
+    let looks = |object| {
+        let (color, shape) = (objects.value(object, COLOR), objects.value(object, SHAPE));
+        format!("{color} {}", if shape.is_empty() { home.world().schema.class_name(class) } else { shape }).trim().to_owned()
+    };
+    let alike = objects.of_class(class).filter(|&other| looks(other) == looks(object)).count();
+    if alike > 1 { format!("the {} {}", looks(object), objects.name(object)) } else { format!("the {}", looks(object)) }
 }

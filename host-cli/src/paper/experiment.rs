@@ -1,11 +1,13 @@
 //! One run for each seed, as many at a time as the machine has cores.
 
 use super::lexicon::Lexicon;
+use super::summary::REPORTED;
 use crate::cli::{Layouts, PaperOptions, WeightsChoice};
+use crate::messages::bar;
 use crate::outcome::Failure;
 use goodbot::{Agent, Capacities, HeapMemory, Options, home, session::Weights};
 use goodbot_course::{CourseError, Homes, Observer, Results, generator, run_course};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use rayon::prelude::*;
 
 /// What came of one seed.
@@ -15,8 +17,8 @@ pub struct Run {
     pub seed: u64,
     /// Lessons and tests.
     pub results: Results,
-    /// What was learned.
-    pub lexicon: Lexicon,
+    /// The translations that the paper reports.
+    pub reported: [f32; REPORTED.len()],
 }
 
 /// The whole course fits a controller's memory.
@@ -26,26 +28,27 @@ const CAPACITIES: Capacities = Capacities::SMALL;
 ///
 /// # Errors
 /// [`Failure::Result`].
-pub fn run_seed(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> Result<Run, Failure> {
+pub fn run_seed(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> Result<(Run, Lexicon), Failure> {
     attempt(options, seed, observer).map_err(|error| Failure::Result(format!("seed {seed}: {error}")))
 }
 
-fn attempt(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> Result<Run, CourseError> {
+fn attempt(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> Result<(Run, Lexicon), CourseError> {
     let weights = match options.weights {
         WeightsChoice::Paper => Weights::Paper,
         WeightsChoice::Belief => Weights::Belief,
     };
     let mut memory = HeapMemory::new(&CAPACITIES);
-    let mut parts = memory.split();
     let lifted = home::paper_tasks().map_err(|_| CourseError::NotPosed)?;
-    let mut agent = Agent::new(parts.agent, &lifted, Options { weights, ..options.model.options() }).map_err(CourseError::Agent)?;
+    let mut agent = Agent::new(&mut memory.agent, &lifted, Options { weights, ..options.model.options() }).map_err(CourseError::Agent)?;
     let mut random = generator(seed);
     let homes = match options.homes() {
         Layouts::Fixed => Homes::FIXED,
-        Layouts::Random => Homes::random(&mut random, &mut parts.home),
+        Layouts::Random => Homes::random(&mut random, &mut memory.home),
     };
-    let results = run_course(&mut agent, &mut parts.home, &homes, options.trainer.strategy, &mut random, observer)?;
-    Ok(Run { seed, results, lexicon: Lexicon::of(agent.language()) })
+    let (trainer, believed) = (options.trainer.trainer, options.believed().strategy);
+    let results = run_course(&mut agent, &mut memory.home, &homes, &trainer, believed, &mut random, observer)?;
+    let lexicon = Lexicon::of(agent.language());
+    Ok((Run { seed, results, reported: REPORTED.map(|(token, word)| lexicon.translation(token, word)) }, lexicon))
 }
 
 /// All runs, in the order of their seeds.
@@ -54,16 +57,13 @@ fn attempt(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> R
 /// [`Failure::Result`] where a run failed.
 pub fn run_all(options: &PaperOptions) -> Result<Vec<Run>, Failure> {
     let count = options.runs;
-    let bar = if count > 1 { ProgressBar::new(u64::from(count)) } else { ProgressBar::hidden() };
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos} of {len} agents trained, {eta} left") {
-        bar.set_style(style);
-    }
+    let bar = if count > 1 { bar(count as usize, "training agents") } else { ProgressBar::hidden() };
     let runs = (0..count)
         .into_par_iter()
         .map(|number| {
             let run = run_seed(options, options.seed.wrapping_add(u64::from(number)), &mut ());
             bar.inc(1);
-            run
+            run.map(|(run, _)| run)
         })
         .collect();
     bar.finish_and_clear();

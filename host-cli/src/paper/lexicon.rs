@@ -1,9 +1,9 @@
 //! What an agent has learned: for each machine token, how probable each English word is.
 
-use goodbot::language::LanguageModel;
+use goodbot::language::LanguageRef;
 
 /// Translation probabilities, with their names.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Lexicon {
     /// The English words.
     pub words: Vec<String>,
@@ -13,7 +13,7 @@ pub struct Lexicon {
 
 impl Lexicon {
     /// What a language model has learned.
-    pub fn of(language: &LanguageModel<'_>) -> Self {
+    pub fn of(language: LanguageRef<'_>) -> Self {
         let tables = language.tables();
         let words = || language.words().iter().take(tables.words());
         let row = |token| words().map(|(word, _)| tables.translation(word, Some(token))).collect();
@@ -21,6 +21,23 @@ impl Lexicon {
             words: words().map(|(_, text)| text.to_owned()).collect(),
             rows: language.tokens().iter().take(tables.tokens()).map(|(token, text)| (text.to_owned(), row(token))).collect(),
         }
+    }
+
+    /// The same, with each cut word written out as it stands in these commands: `chair` for `chai`. Several that are one to the agent stand
+    /// beside each other.
+    pub fn written_out<'c>(mut self, commands: impl Iterator<Item = &'c str> + Clone, letters: u8) -> Self {
+        if letters > 0 {
+            for word in &mut self.words {
+                let whole = |other: &&str| other.chars().take(usize::from(letters)).eq(word.chars());
+                let mut known: Vec<&str> = commands.clone().flat_map(str::split_whitespace).filter(whole).collect();
+                known.sort_unstable();
+                known.dedup();
+                if !known.is_empty() {
+                    *word = known.join("/");
+                }
+            }
+        }
+        self
     }
 
     /// t(word | token); 0 where either was never seen.

@@ -1,82 +1,93 @@
 //! `goodbot paper`: the paper's experiment.
 //!
 //! - [`experiment`]: the runs;
+//! - [`trainer`]: trainers as they are typed, and what the agent thinks of them;
+//! - [`sweep`]: a number taken through a range;
 //! - [`lexicon`]: what an agent learned;
 //! - [`story`]: one run as it happens;
 //! - [`table`]: results as tables;
 //! - [`summary`]: all runs together, and JSON;
-//! - [`plot`][]: pictures;
-//! - [`trainer`]: trainers as they are typed.
+//! - [`plot`][]: pictures.
 
 mod experiment;
 pub mod lexicon;
 pub mod plot;
 mod story;
 mod summary;
+pub mod sweep;
 pub mod table;
 pub mod trainer;
 
 use crate::cli::PaperOptions;
+use crate::messages::say;
 use crate::outcome::Failure;
-use crate::whole_file::write_whole;
-use experiment::Run;
-use std::io::{BufWriter, Write};
-use std::path::Path;
+use crate::output::{self, Output};
+use goodbot_course::{LESSONS, TESTS};
+use std::io::Write;
 use summary::{Summary, run_to_json};
-
-/// Where the story of one run leaves its picture.
-const PICTURE: &str = "goodbot-paper.svg";
+use sweep::Setting;
 
 /// Runs the experiment and shows it as the options say.
 ///
 /// # Errors
 /// [`Failure`].
 pub fn run(options: &PaperOptions) -> Result<(), Failure> {
-    // Not buffered by line: two hundred runs make two hundred lines.
-    let mut out = BufWriter::new(std::io::stdout().lock());
+    let target = options.plot.as_deref().map(|plot| Output::picture(plot, std::iter::empty(), options.force)).transpose()?;
+    // Not written line by line: two hundred runs make two hundred lines.
+    let mut out = output::text(&[target.as_ref()])?;
     if options.is_story() {
-        let run = story::tell(options, &mut out)?;
-        table::one_run(&mut out, &run, options.model.options().language.word_letters)?;
-        story_picture(options, &run, &mut out)?;
+        one_run(options, target.as_ref(), &mut out)?
     } else {
-        let runs = experiment::run_all(options)?;
-        let summary = Summary::of(&runs);
-        if options.json {
-            for run in &runs {
-                writeln!(out, "{}", run_to_json(run))?;
-            }
-            writeln!(out, "{}", summary.to_json(options))?;
-        } else {
-            table::many_runs(&mut out, options, &summary)?;
-        }
-        if let Some(path) = &options.plot {
-            picture(path, options, &runs, &summary)?;
-            eprintln!("picture: {}", path.display());
-        }
+        many_runs(options, target.as_ref(), &mut out)?
     }
     Ok(out.flush()?)
 }
 
-fn picture(path: &Path, options: &PaperOptions, runs: &[Run], summary: &Summary) -> Result<(), Failure> {
-    let drawing = match runs {
-        [run] => plot::learned_words(&run.lexicon),
-        _ => plot::shares(summary, options),
+fn one_run(options: &PaperOptions, target: Option<&Output>, out: &mut impl Write) -> Result<(), Failure> {
+    let ((run, lexicon), told) = story::tell(options, out)?;
+    let commands = LESSONS.iter().chain(&TESTS).map(|exercise| exercise.command);
+    let lexicon = lexicon.written_out(commands, options.model.options().language.word_letters);
+    // Before the rest is told: a reader who leaves must not cost the picture.
+    if let Some(target) = target {
+        picture(target, plot::learned_words(&lexicon))?;
     }
-    .map_err(|error| Failure::Result(format!("cannot draw the picture: {error}")))?;
-    write_whole(path, drawing.as_bytes()).map_err(|error| Failure::Input(format!("cannot write {}: {error}", path.display())))
+    told?;
+    Ok(table::one_run(out, &run, &lexicon)?)
 }
 
-/// The picture at the end of the story. Where nobody asked for it, it may fail: the folder need not be ours to write in.
-fn story_picture(options: &PaperOptions, run: &Run, out: &mut impl Write) -> Result<(), Failure> {
-    if options.no_plot {
-        return Ok(());
+fn many_runs(options: &PaperOptions, target: Option<&Output>, out: &mut impl Write) -> Result<(), Failure> {
+    let mut rows: Vec<(Setting, Summary)> = Vec::new();
+    for setting in sweep::settings(options).map_err(Failure::Input)? {
+        let runs = experiment::run_all(&setting.options)?;
+        let summary = Summary::of(&runs);
+        if let Some(target) = target {
+            let lone = runs.first().filter(|_| runs.len() == 1);
+            let drawn = match lone {
+                Some(run) => plot::learned_words(&experiment::run_seed(options, run.seed, &mut ())?.1),
+                None => plot::shares(&summary, options),
+            };
+            picture(target, drawn)?;
+        }
+        if options.json {
+            for run in &runs {
+                writeln!(out, "{}", run_to_json(run))?;
+            }
+            writeln!(out, "{}", summary.to_json(&setting))?;
+        }
+        rows.push((setting, summary));
     }
-    let path = options.plot.as_deref().unwrap_or(Path::new(PICTURE));
-    let drawn = picture(path, options, std::slice::from_ref(run), &Summary::of(std::slice::from_ref(run)));
-    match drawn {
-        Ok(()) => writeln!(out, "\nThe learned words as a picture: {}", path.display())?,
-        Err(failure) if options.plot.is_none() => eprintln!("no picture: {failure}; say where with --plot FILE.svg"),
-        Err(failure) => return Err(failure),
+    match rows.as_slice() {
+        _ if options.json => {}
+        rows if options.csv => table::csv(out, options, rows)?,
+        [(_, summary)] if options.sweep.is_empty() => table::many_runs(out, options, summary)?,
+        rows => table::sweep(out, options, rows)?,
     }
+    Ok(())
+}
+
+fn picture(target: &Output, drawing: Result<String, Box<dyn std::error::Error>>) -> Result<(), Failure> {
+    let drawing = drawing.map_err(|error| Failure::Result(format!("cannot draw the picture: {error}")))?;
+    target.write(drawing.as_bytes())?;
+    say!("picture: {}", target.name());
     Ok(())
 }

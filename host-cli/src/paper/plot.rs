@@ -70,9 +70,10 @@ fn shade(probability: f32) -> RGBColor {
 /// A bar for each lesson and test: the share of agents that understood it.
 pub fn shares(summary: &Summary, options: &PaperOptions) -> Result<String, Box<dyn Error>> {
     let (left, top, wide, high) = (330, 80, 400, 26);
-    let lessons = LESSONS.iter().zip(summary.train_right).map(|(exercise, share)| (exercise.command, share, LESSON));
-    let tests = TESTS.iter().zip(summary.test_right).map(|(exercise, share)| (exercise.command, share, TEST));
-    let bars: Vec<_> = lessons.chain(tests).chain([("all five tests", summary.test_all_right, TEST)]).collect();
+    let share = |right: usize| right as f64 / summary.runs.max(1) as f64;
+    let lessons = LESSONS.iter().zip(summary.train_right).map(|(exercise, right)| (exercise.command, share(right), LESSON));
+    let tests = TESTS.iter().zip(summary.test_right).map(|(exercise, right)| (exercise.command, share(right), TEST));
+    let bars: Vec<_> = lessons.chain(tests).chain([("all five tests", share(summary.test_all_right), TEST)]).collect();
     let size = ((left + wide + 80) as u32, (top + bars.len() as i32 * high + 60) as u32);
     draw(size, |canvas| {
         let title = format!("{} agents, trainer {}, {} homes", summary.runs, options.trainer.name, options.homes().name());

@@ -1,26 +1,37 @@
 //! One run as it happens: the home, the command, what the agent believes and does, what the trainer says.
 
 use super::experiment::{Run, run_seed};
+use super::lexicon::Lexicon;
 use crate::cli::PaperOptions;
+use crate::load::task_name::in_words;
 use crate::outcome::Failure;
 use goodbot::Agent;
 use goodbot::feedback::Feedback;
 use goodbot::home::map::Map;
-use goodbot::home::{AGENT, COLOR, Home, SHAPE};
-use goodbot::oomdp::{Domain, ObjectId, action_name};
+use goodbot::memory::AgentMemory;
+use goodbot::memory::HomeMemory;
+use goodbot::oomdp::action_name;
 use goodbot::planning::OptimalSet;
-use goodbot_course::{Ending, LESSONS, LessonReport, Observer, Scene, Step, TESTS, TestReport};
+use goodbot_course::{CourseTrainer, Ending, LESSONS, LessonReport, Observer, Scene, Step, TESTS, TestReport};
 use std::io::{self, Write};
 
 /// Cells of a belief's bar.
 const BAR: usize = 24;
 
-/// Runs one seed and tells it as it happens.
+/// Runs one seed and tells it as it happens. A reader who leaves does not end the run: what came of it comes first, then whether it could
+/// be told.
 ///
 /// # Errors
-/// [`Failure`].
-pub fn tell(options: &PaperOptions, out: &mut impl Write) -> Result<Run, Failure> {
-    let strategy = options.trainer.strategy;
+/// [`Failure`] where the run itself failed.
+pub fn tell(options: &PaperOptions, out: &mut impl Write) -> Result<((Run, Lexicon), io::Result<()>), Failure> {
+    let begun = begin(options, out);
+    let mut story = Story { out, failed: begun.err(), shown: false };
+    let run = run_seed(options, options.seed, &mut story)?;
+    Ok((run, story.failed.map_or(Ok(()), Err)))
+}
+
+fn begin(options: &PaperOptions, out: &mut impl Write) -> io::Result<()> {
+    let CourseTrainer { strategy, rewards, punishes } = options.trainer.trainer;
     writeln!(out, "An agent that knows no word goes through {} lessons and {} tests.", LESSONS.len(), TESTS.len())?;
     writeln!(
         out,
@@ -32,13 +43,16 @@ pub fn tell(options: &PaperOptions, out: &mut impl Write) -> Result<Run, Failure
         options.seed,
         options.homes().name(),
     )?;
-    writeln!(out, "In the drawings @ is the agent, # wall, + a door, a capital letter a block, a small one the room's colour.")?;
-    let mut story = Story { out, failed: None, shown: false };
-    let run = run_seed(options, options.seed, &mut story);
-    match story.failed {
-        Some(error) => Err(error.into()),
-        None => run,
+    if !rewards {
+        writeln!(out, "It never rewards: where another would, it is silent.")?;
     }
+    if !punishes {
+        writeln!(out, "It never punishes: where another would, it is silent.")?;
+    }
+    let believed = options.believed().strategy;
+    let [plus, minus, epsilon] = [believed.mu_plus(), believed.mu_minus(), believed.epsilon()];
+    writeln!(out, "The agent thinks that a trainer is silent with {plus} and {minus}, and mistaken with {epsilon}.")?;
+    writeln!(out, "In the drawings @ is the agent, # wall, + a door, a capital letter a block, a small one the room's colour.")
 }
 
 struct Story<'w, W> {
@@ -58,7 +72,7 @@ impl<W: Write> Story<'_, W> {
 }
 
 impl<W: Write> Observer for Story<'_, W> {
-    fn lesson_begins(&mut self, scene: &Scene<'_, '_, '_>) {
+    fn lesson_begins(&mut self, scene: &Scene<'_, impl HomeMemory, impl AgentMemory>) {
         self.write(|out| {
             writeln!(out, "\nLesson {} of {}\n", scene.number + 1, LESSONS.len())?;
             home(out, scene)?;
@@ -67,7 +81,7 @@ impl<W: Write> Observer for Story<'_, W> {
         });
     }
 
-    fn acted(&mut self, scene: &Scene<'_, '_, '_>, step: &Step) {
+    fn acted(&mut self, scene: &Scene<'_, impl HomeMemory, impl AgentMemory>, step: &Step) {
         self.write(|out| {
             let number = |task| scene.agent.belief().probability(task);
             let best = (0..scene.agent.tasks().len()).max_by(|&a, &b| number(a).total_cmp(&number(b))).unwrap_or(0);
@@ -79,7 +93,7 @@ impl<W: Write> Observer for Story<'_, W> {
             let why = if matches!(step.decision.plan, OptimalSet::DeadEnd(_)) { " (cannot be done any more)" } else { "" };
             writeln!(
                 out,
-                "    {:<6} for {:<32} {said:<10}  now {:.3} {}",
+                "    {:<6} for {:<38} {said:<10}  now {:.3} {}",
                 action_name(scene.home, step.decision.action),
                 format!("{}{why}", task_in_words(scene, step.decision.task)),
                 number(best),
@@ -88,7 +102,7 @@ impl<W: Write> Observer for Story<'_, W> {
         });
     }
 
-    fn lesson_ends(&mut self, _number: usize, _agent: &Agent<'_>, report: &LessonReport) {
+    fn lesson_ends(&mut self, _number: usize, _agent: &Agent<impl AgentMemory>, report: &LessonReport) {
         self.write(|out| {
             let ending = match report.ending {
                 Ending::AtGoal => "done as meant",
@@ -105,7 +119,7 @@ impl<W: Write> Observer for Story<'_, W> {
         });
     }
 
-    fn tested(&mut self, scene: &Scene<'_, '_, '_>, report: &TestReport) {
+    fn tested(&mut self, scene: &Scene<'_, impl HomeMemory, impl AgentMemory>, report: &TestReport) {
         let first = !std::mem::replace(&mut self.shown, true);
         self.write(|out| {
             if first {
@@ -118,7 +132,7 @@ impl<W: Write> Observer for Story<'_, W> {
     }
 }
 
-fn home(out: &mut impl Write, scene: &Scene<'_, '_, '_>) -> io::Result<()> {
+fn home(out: &mut impl Write, scene: &Scene<'_, impl HomeMemory, impl AgentMemory>) -> io::Result<()> {
     for line in Map::new(scene.home, scene.state).to_string().lines() {
         writeln!(out, "    {line}")?;
     }
@@ -126,41 +140,20 @@ fn home(out: &mut impl Write, scene: &Scene<'_, '_, '_>) -> io::Result<()> {
 }
 
 /// Each task with its probability as a bar, the intended one marked.
-fn beliefs(out: &mut impl Write, scene: &Scene<'_, '_, '_>) -> io::Result<()> {
+fn beliefs(out: &mut impl Write, scene: &Scene<'_, impl HomeMemory, impl AgentMemory>) -> io::Result<()> {
     for task in 0..scene.agent.tasks().len() {
         let probability = scene.agent.belief().probability(task);
         let cells = (probability * BAR as f32).round() as usize;
-        let meant = if task == scene.intended { "  <- meant" } else { "" };
+        let meant = if task == scene.intended { "  <- expected" } else { "" };
         let bar = format!("{}{}", "█".repeat(cells), "·".repeat(BAR.saturating_sub(cells)));
         writeln!(out, "    {bar} {probability:.3}  {}{meant}", task_in_words(scene, task))?;
     }
     Ok(())
 }
 
-/// `go to green room`, `blue chair to red room`.
-fn task_in_words(scene: &Scene<'_, '_, '_>, task: usize) -> String {
+/// A task in a person's words.
+fn task_in_words(scene: &Scene<'_, impl HomeMemory, impl AgentMemory>, task: usize) -> String {
     let agent = scene.agent;
     let Some(task) = agent.tasks().get(task) else { return String::new() };
-    let Some(lifted) = agent.lifted().get(usize::from(task.lifted)) else { return String::new() };
-    let parts: Vec<String> = task
-        .propositions(lifted)
-        .map(|part| {
-            let [subject, place, _] = part.arguments;
-            format!("{} to {}", thing(scene.home, subject), thing(scene.home, place))
-        })
-        .collect();
-    parts.join(" and ")
-}
-
-fn thing(home: &Home<'_>, object: ObjectId) -> String {
-    let objects = home.objects();
-    let color = objects.value(object, COLOR);
-    match objects.get(object).map(|known| known.class) {
-        Some(AGENT) => "go".to_owned(),
-        Some(class) => {
-            let shape = objects.value(object, SHAPE);
-            format!("{color} {}", if shape.is_empty() { home.schema().class_name(class) } else { shape }).trim().to_owned()
-        }
-        None => String::new(),
-    }
+    agent.lifted().get(usize::from(task.lifted)).map_or_else(String::new, |lifted| in_words(scene.home, lifted, task))
 }

@@ -1,59 +1,123 @@
 //! All runs together, and the JSON lines.
 
 use super::experiment::Run;
+use super::sweep::Setting;
 use crate::cli::PaperOptions;
-use goodbot_course::{FeedbackCounts, LESSONS, TESTS};
+use crate::evaluate::report::wilson;
+use goodbot_course::{CourseTrainer, FeedbackCounts, LESSONS, TESTS};
 use serde_json::{Map, Value, json};
 
 /// The translations that the paper reports, and those that tell go from take.
 pub const REPORTED: [(&str, &str); 4] = [("agentInRoom", "go"), ("shapeBag", "bag"), ("roomIsRed", "red"), ("blockInRoom", "take")];
 
-/// Shares over all runs.
+/// What the paper reports of its agent, which one trainer taught (section 5).
+#[derive(Clone, Copy, Debug)]
+pub struct Reported {
+    /// How many of the five tests were right.
+    pub tests: usize,
+    /// Which lessons needed no correction.
+    pub lessons: Option<[bool; LESSONS.len()]>,
+    /// The translations of [`REPORTED`].
+    pub translations: Option<[f64; REPORTED.len()]>,
+}
+
+/// Of the first trainer.
+pub const PAPER_BALANCED: Reported =
+    Reported { tests: 5, lessons: Some([false, true, false, false, true, true, true]), translations: Some([0.51, 0.32, 0.33, 0.33]) };
+/// Of the second, who was only allowed to punish.
+pub const PAPER_PUNISH_ONLY: Reported = Reported { tests: 4, lessons: None, translations: None };
+
+/// A mean over all runs.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Mean {
+    /// The mean.
+    pub mean: f64,
+    /// Half of its 95 % interval.
+    pub half: f64,
+}
+
+impl Mean {
+    fn of(values: impl Iterator<Item = f64> + Clone) -> Self {
+        let count = values.clone().count().max(1) as f64;
+        let mean = values.clone().sum::<f64>() / count;
+        let variance = values.map(|value| (value - mean) * (value - mean)).sum::<f64>() / (count - 1.0).max(1.0);
+        Self { mean, half: 1.959_964 * (variance / count).sqrt() }
+    }
+}
+
+/// All runs together.
 #[derive(Debug)]
 pub struct Summary {
     /// How many runs.
     pub runs: usize,
-    /// For each lesson: the share of runs in which its command was understood on hearing it.
-    pub train_right: [f64; LESSONS.len()],
-    /// For each test: the share of runs in which the most likely task was the intended one.
-    pub test_right: [f64; TESTS.len()],
-    /// The share of runs in which all tests were right.
-    pub test_all_right: f64,
+    /// For each lesson: in how many runs its command was understood on hearing it.
+    pub train_right: [usize; LESSONS.len()],
+    /// For each test: in how many runs the most likely task was the intended one.
+    pub test_right: [usize; TESTS.len()],
+    /// In how many runs all tests were right.
+    pub test_all_right: usize,
     /// The mean of each of [`REPORTED`].
-    pub translations: [f64; REPORTED.len()],
+    pub translations: [Mean; REPORTED.len()],
     /// What the trainers said, all runs together.
     pub feedback: FeedbackCounts,
 }
 
 impl Summary {
-    /// The shares of these runs.
+    /// The summary of these runs.
     pub fn of(runs: &[Run]) -> Self {
-        let whole = runs.len().max(1) as f64;
-        let share = |right: &dyn Fn(&Run) -> bool| runs.iter().filter(|run| right(run)).count() as f64 / whole;
-        let mean = |(token, word)| runs.iter().map(|run| f64::from(run.lexicon.translation(token, word))).sum::<f64>() / whole;
+        let count = |right: &dyn Fn(&Run) -> bool| runs.iter().filter(|run| right(run)).count();
         Self {
             runs: runs.len(),
-            train_right: std::array::from_fn(|lesson| share(&|run| run.results.lessons[lesson].understood)),
-            test_right: std::array::from_fn(|test| share(&|run| run.results.tests[test].right)),
-            test_all_right: share(&|run| run.results.all_tests_right()),
-            translations: REPORTED.map(mean),
+            train_right: std::array::from_fn(|lesson| count(&|run| run.results.lessons[lesson].understood)),
+            test_right: std::array::from_fn(|test| count(&|run| run.results.tests[test].right)),
+            test_all_right: count(&|run| run.results.all_tests_right()),
+            translations: std::array::from_fn(|at| Mean::of(runs.iter().map(|run| f64::from(run.reported[at])))),
             feedback: runs.iter().fold(FeedbackCounts::default(), |sum, run| sum.plus(run.results.feedback())),
         }
     }
 
     /// The last line of `--json`.
-    pub fn to_json(&self, options: &PaperOptions) -> Value {
-        json!({
+    pub fn to_json(&self, setting: &Setting) -> Value {
+        let options = &setting.options;
+        let share = |right: usize| right as f64 / self.runs.max(1) as f64;
+        let interval = |right: usize| <[f64; 2]>::from(wilson(right, self.runs));
+        let mut line = json!({
             "type": "summary",
             "trainer": options.trainer.name,
+            "believes": options.believed().name,
             "layouts": options.homes().name(),
+            "model": options.model.name(),
             "runs": self.runs,
-            "train_right": self.train_right,
-            "test_right": self.test_right,
-            "test_all_right": self.test_all_right,
-            "translations": translations(self.translations),
+            "train_right": self.train_right.map(share),
+            "train_right_intervals": self.train_right.map(interval),
+            "test_right": self.test_right.map(share),
+            "test_right_intervals": self.test_right.map(interval),
+            "test_all_right": share(self.test_all_right),
+            "test_all_right_interval": interval(self.test_all_right),
+            "translations": translations(self.translations.map(|it| it.mean)),
+            "translations_half_intervals": translations(self.translations.map(|it| it.half)),
             "feedback": feedback(self.feedback),
-        })
+        });
+        if let Some(line) = line.as_object_mut() {
+            if let Some(paper) = options.reported_by_paper() {
+                let values = paper.translations.map(translations);
+                line.insert("paper".to_owned(), json!({"tests_right": paper.tests, "train_right": paper.lessons, "translations": values}));
+            }
+            if !options.sweep.is_empty() {
+                let values = options.sweep.iter().zip(&setting.values).map(|(sweep, &value)| (sweep.name.clone(), json!(rounded(value))));
+                line.insert("sweep".to_owned(), values.collect::<Map<_, _>>().into());
+            }
+        }
+        line
+    }
+}
+
+impl PaperOptions {
+    /// What the paper reports of this trainer, whose agent thinks of it as the paper's did.
+    pub fn reported_by_paper(&self) -> Option<Reported> {
+        let as_in_paper = self.believed().strategy == self.trainer.trainer.strategy;
+        let known = [(CourseTrainer::BALANCED, PAPER_BALANCED), (CourseTrainer::PUNISH_ONLY, PAPER_PUNISH_ONLY)];
+        known.into_iter().find(|(trainer, _)| as_in_paper && *trainer == self.trainer.trainer).map(|(_, reported)| reported)
     }
 }
 
@@ -69,7 +133,7 @@ pub fn run_to_json(run: &Run) -> Value {
         "steps": lessons.map(|lesson| lesson.steps),
         "test_right": tests.map(|test| test.right),
         "test_probability": tests.map(|test| rounded(test.probability)),
-        "translations": translations(REPORTED.map(|(token, word)| rounded(run.lexicon.translation(token, word)))),
+        "translations": translations(run.reported.map(rounded)),
         "feedback": feedback(run.results.feedback()),
     })
 }

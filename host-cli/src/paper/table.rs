@@ -1,8 +1,12 @@
 //! Results as tables.
 
 use super::experiment::Run;
+use super::lexicon::Lexicon;
 use super::summary::{REPORTED, Summary};
+use super::sweep::Setting;
 use crate::cli::PaperOptions;
+use crate::evaluate::report::wilson;
+use crate::messages::counted;
 use goodbot_course::{LESSONS, TESTS};
 use std::io::{self, Write};
 
@@ -10,22 +14,22 @@ use std::io::{self, Write};
 const WORDS: usize = 4;
 
 /// One run: which commands were understood, and what was learned.
-pub fn one_run(out: &mut impl Write, run: &Run, letters: u8) -> io::Result<()> {
+pub fn one_run(out: &mut impl Write, run: &Run, lexicon: &Lexicon) -> io::Result<()> {
     writeln!(out, "\nLessons                                      on hearing  steps  good  bad  ended")?;
     for (exercise, lesson) in LESSONS.iter().zip(&run.results.lessons) {
         let (feedback, understood) = (lesson.feedback, if lesson.understood { "understood" } else { "-" });
         let (steps, ending) = (lesson.steps, lesson.ending.name());
         writeln!(out, "  {:<42} {understood:<10} {steps:>6} {:>5} {:>4}  {ending}", exercise.command, feedback.reward, feedback.punish)?;
     }
-    writeln!(out, "\nTests                                        result      probability of what was meant")?;
+    writeln!(out, "\nTests                                        result      probability of what was expected")?;
     for (exercise, test) in TESTS.iter().zip(&run.results.tests) {
         writeln!(out, "  {:<42} {:<10} {:>6.3}", exercise.command, if test.right { "right" } else { "wrong" }, test.probability)?;
     }
     let right = run.results.tests.iter().filter(|test| test.right).count();
     writeln!(out, "  {right} of {} right", TESTS.len())?;
-    writeln!(out, "\nThe words learned for each machine token, with their probabilities{}", forms(letters))?;
-    for (token, row) in &run.lexicon.rows {
-        let words: Vec<String> = run.lexicon.best(row, WORDS).iter().map(|(word, t)| format!("{word:<7} {t:.2}")).collect();
+    writeln!(out, "\nThe words learned for each machine token, with their probabilities")?;
+    for (token, row) in &lexicon.rows {
+        let words: Vec<String> = lexicon.best(row, WORDS).iter().map(|(word, t)| format!("{word:<7} {t:.2}")).collect();
         writeln!(out, "  {token:<14} {}", words.join("   "))?;
     }
     Ok(())
@@ -36,24 +40,84 @@ pub fn forms(letters: u8) -> String {
     if letters == 0 { String::new() } else { format!("; a word is known by its first {letters} letters") }
 }
 
-/// Many runs: shares of right answers.
+/// A share with its 95 % interval.
+fn share(right: usize, all: usize) -> String {
+    let (low, high) = wilson(right, all);
+    format!("{:>6.1} %  ({:.1} to {:.1})", 100.0 * right as f64 / all.max(1) as f64, 100.0 * low, 100.0 * high)
+}
+
+/// Many runs: shares of right answers, with what the paper reports of its one agent.
 pub fn many_runs(out: &mut impl Write, options: &PaperOptions, summary: &Summary) -> io::Result<()> {
-    let (name, homes) = (&options.trainer.name, options.homes().name());
+    let (homes, model) = (options.homes().name(), options.model.name());
     let last = options.seed.wrapping_add(u64::from(options.runs) - 1);
-    writeln!(out, "{} agents, seeds {} to {last}, trainer {name}, {homes} homes\n", summary.runs, options.seed)?;
-    writeln!(out, "Lessons: understood on hearing")?;
-    for (exercise, share) in LESSONS.iter().zip(summary.train_right) {
-        writeln!(out, "  {:<42} {:>6.1} %", exercise.command, share * 100.0)?;
+    writeln!(out, "{}, seeds {} to {last}, {homes} homes, model {model}", counted(summary.runs, "agent"), options.seed)?;
+    writeln!(out, "trainer {}{}; the agent believes {}\n", options.trainer.name, options.trainer.withheld(), options.believed().name)?;
+    let paper = options.reported_by_paper();
+    writeln!(out, "Lessons: understood on hearing                share, 95 % interval")?;
+    for (number, (exercise, right)) in LESSONS.iter().zip(summary.train_right).enumerate() {
+        let paper = paper.and_then(|paper| paper.lessons).and_then(|lessons| lessons.get(number).copied());
+        let paper = paper.map_or("", |right| if right { "  paper: needed no correction" } else { "  paper: was corrected" });
+        writeln!(out, "  {:<42} {}{paper}", exercise.command, share(right, summary.runs))?;
     }
     writeln!(out, "\nTests: right")?;
-    for (exercise, share) in TESTS.iter().zip(summary.test_right) {
-        writeln!(out, "  {:<42} {:>6.1} %", exercise.command, share * 100.0)?;
+    for (exercise, right) in TESTS.iter().zip(summary.test_right) {
+        writeln!(out, "  {:<42} {}", exercise.command, share(right, summary.runs))?;
     }
-    writeln!(out, "  {:<42} {:>6.1} %", "all five", summary.test_all_right * 100.0)?;
-    writeln!(out, "\nLearned, mean over all agents")?;
-    for ((token, word), value) in REPORTED.iter().zip(summary.translations) {
-        writeln!(out, "  t({word} given {token}) = {value:.2}")?;
+    let reported = paper.map_or_else(String::new, |paper| format!("  paper: {} of {} right", paper.tests, TESTS.len()));
+    writeln!(out, "  {:<42} {}{reported}", "all five", share(summary.test_all_right, summary.runs))?;
+    writeln!(out, "\nLearned, mean over all agents with 95 % interval")?;
+    for (number, ((token, word), mean)) in REPORTED.iter().zip(summary.translations).enumerate() {
+        let paper = paper.and_then(|paper| paper.translations).and_then(|all| all.get(number).copied());
+        let paper = paper.map_or_else(String::new, |value| format!("  paper: {value:.2}"));
+        let name = format!("t({word} given {token})");
+        writeln!(out, "  {name:<42} {:>6.2}    ({:.2} to {:.2}){paper}", mean.mean, mean.mean - mean.half, mean.mean + mean.half)?;
     }
     let feedback = summary.feedback;
     writeln!(out, "\nFeedback: {} \"good bot\", {} \"bad bot\", {} times nothing", feedback.reward, feedback.punish, feedback.neutral)
+}
+
+/// Sweeps: a line for each setting.
+pub fn sweep(out: &mut impl Write, options: &PaperOptions, rows: &[(Setting, Summary)]) -> io::Result<()> {
+    let (homes, model) = (options.homes().name(), options.model.name());
+    writeln!(out, "{} for each setting, {homes} homes, model {model}\n", counted(options.runs as usize, "agent"))?;
+    let names: Vec<String> = options.sweep.iter().map(|sweep| format!("{:>17}", sweep.name)).collect();
+    writeln!(out, "{}  all five tests right, 95 % interval", names.join(" "))?;
+    for (setting, summary) in rows {
+        let values: Vec<String> = setting.values.iter().map(|value| format!("{value:>17}")).collect();
+        writeln!(out, "{}  {}", values.join(" "), share(summary.test_all_right, summary.runs))?;
+    }
+    Ok(())
+}
+
+/// A line of comma-separated values for each setting.
+pub fn csv(out: &mut impl Write, options: &PaperOptions, rows: &[(Setting, Summary)]) -> io::Result<()> {
+    let mut names: Vec<String> = options.sweep.iter().map(|sweep| sweep.name.clone()).collect();
+    let fixed = ["trainer", "believes", "layouts", "model", "seed", "runs", "all_right", "all_right_low", "all_right_high"];
+    names.extend(fixed.map(str::to_owned));
+    names.extend((1..=LESSONS.len()).map(|number| format!("lesson_{number}")));
+    names.extend((1..=TESTS.len()).map(|number| format!("test_{number}")));
+    names.extend(REPORTED.iter().map(|(token, word)| format!("t_{word}_given_{token}")));
+    names.extend(["rewards", "punishments", "silences"].map(str::to_owned));
+    writeln!(out, "{}", names.join(","))?;
+    for (setting, summary) in rows {
+        let of = &setting.options;
+        let share = |right: usize| right as f64 / summary.runs.max(1) as f64;
+        let (low, high) = wilson(summary.test_all_right, summary.runs);
+        let mut cells: Vec<String> = setting.values.iter().map(f32::to_string).collect();
+        cells.extend([
+            format!("\"{}\"", of.trainer.name),
+            format!("\"{}\"", of.believed().name),
+            of.homes().name().to_owned(),
+            of.model.name().to_owned(),
+            of.seed.to_string(),
+            summary.runs.to_string(),
+        ]);
+        let shares = [share(summary.test_all_right), low, high].into_iter();
+        let shares = shares.chain(summary.train_right.map(share)).chain(summary.test_right.map(share));
+        cells.extend(shares.chain(summary.translations.map(|it| it.mean)).map(|number| format!("{number:.6}")));
+        let said = summary.feedback;
+        cells.extend([said.reward, said.punish, said.neutral].map(|count| count.to_string()));
+        writeln!(out, "{}", cells.join(","))?;
+    }
+    Ok(())
 }

@@ -1,6 +1,7 @@
-//! A trainer as it is typed.
+//! A trainer as it is typed: what it does, and what the agent thinks that it does.
 
 use goodbot::feedback::Strategy;
+use goodbot_course::CourseTrainer;
 use std::str::FromStr;
 
 /// A trainer: a name, or three probabilities.
@@ -9,11 +10,20 @@ pub struct TrainerChoice {
     /// As it stands in output.
     pub name: String,
     /// How it gives feedback.
+    pub trainer: CourseTrainer,
+}
+
+/// What the agent thinks of its trainer: a name, or three probabilities.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BelievedChoice {
+    /// As it stands in output.
+    pub name: String,
+    /// The strategy.
     pub strategy: Strategy,
 }
 
-const NAMED: [(&str, Strategy); 3] =
-    [("balanced", Strategy::BALANCED), ("punish-only", Strategy::PUNISH_ONLY), ("reward-only", Strategy::REWARD_ONLY)];
+const NAMED: [(&str, CourseTrainer); 3] =
+    [("balanced", CourseTrainer::BALANCED), ("punish-only", CourseTrainer::PUNISH_ONLY), ("reward-only", CourseTrainer::REWARD_ONLY)];
 
 const HELP: &str = "give balanced, punish-only, reward-only, or three probabilities MU_PLUS,MU_MINUS,EPSILON such as 0.7,0.7,0.1";
 
@@ -21,21 +31,58 @@ impl FromStr for TrainerChoice {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        if let Some((name, strategy)) = NAMED.iter().find(|(name, _)| *name == text) {
-            return Ok(Self { name: (*name).to_owned(), strategy: *strategy });
+        if let Some((name, trainer)) = NAMED.iter().find(|(name, _)| *name == text) {
+            return Ok(Self { name: (*name).to_owned(), trainer: *trainer });
         }
-        let parts: Vec<&str> = text.split(',').map(str::trim).collect();
-        let [mu_plus, mu_minus, epsilon] = parts.as_slice() else {
-            return Err(match parts.len() {
-                1 => format!("no trainer has this name; {HELP}"),
-                count => format!("{count} numbers where three are needed; {HELP}"),
-            });
-        };
-        let number = |what: &str, text: &str| text.parse::<f32>().map_err(|_| format!("{what} is {text:?}, which is no number; {HELP}"));
-        let strategy = Strategy::new(number("MU_PLUS", mu_plus)?, number("MU_MINUS", mu_minus)?, number("EPSILON", epsilon)?)
-            .map_err(|error| format!("{error}; {HELP}"))?;
-        Ok(Self { name: format!("{},{},{}", strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon()), strategy })
+        let strategy = numbers(text)?;
+        Ok(Self { name: name(strategy), trainer: CourseTrainer::of(strategy) })
     }
+}
+
+impl FromStr for BelievedChoice {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if let Some((name, trainer)) = NAMED.iter().find(|(name, _)| *name == text) {
+            return Ok(Self { name: (*name).to_owned(), strategy: trainer.strategy });
+        }
+        let strategy = numbers(text)?;
+        Ok(Self { name: name(strategy), strategy })
+    }
+}
+
+impl TrainerChoice {
+    /// What it never does, as the rest of a sentence.
+    pub fn withheld(&self) -> &'static str {
+        match (self.trainer.rewards, self.trainer.punishes) {
+            (false, _) => " (never rewards)",
+            (_, false) => " (never punishes)",
+            _ => "",
+        }
+    }
+
+    /// What the agent thinks of it where nothing else is said: the paper's numbers, which are the trainer's own.
+    pub fn believed(&self) -> BelievedChoice {
+        BelievedChoice { name: self.name.clone(), strategy: self.trainer.strategy }
+    }
+}
+
+/// A strategy by its three numbers.
+pub fn name(strategy: Strategy) -> String {
+    format!("{},{},{}", strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon())
+}
+
+fn numbers(text: &str) -> Result<Strategy, String> {
+    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
+    let [mu_plus, mu_minus, epsilon] = parts.as_slice() else {
+        return Err(match parts.len() {
+            1 => format!("no trainer has this name; {HELP}"),
+            count => format!("{count} numbers where three are needed; {HELP}"),
+        });
+    };
+    let number = |what: &str, text: &str| text.parse::<f32>().map_err(|_| format!("{what} is {text:?}, which is no number; {HELP}"));
+    Strategy::new(number("MU_PLUS", mu_plus)?, number("MU_MINUS", mu_minus)?, number("EPSILON", epsilon)?)
+        .map_err(|error| format!("{error}; {HELP}"))
 }
 
 #[cfg(test)]
@@ -43,8 +90,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn three_numbers_make_a_trainer_and_name_it() {
+    fn three_numbers_make_a_trainer_who_withholds_nothing_and_name_it() {
         let trainer: TrainerChoice = "0.70, 0.05,0.1".parse().unwrap();
-        assert_eq!(trainer, TrainerChoice { name: "0.7,0.05,0.1".to_owned(), strategy: Strategy::PUNISH_ONLY });
+        assert_eq!(trainer, TrainerChoice { name: "0.7,0.05,0.1".to_owned(), trainer: CourseTrainer::of(Strategy::PUNISH_ONLY) });
+    }
+
+    #[test]
+    fn the_agent_expects_a_reward_of_the_trainer_who_never_gives_one_as_in_the_paper() {
+        let trainer: TrainerChoice = "punish-only".parse().unwrap();
+        assert!(!trainer.trainer.rewards);
+        assert_eq!(trainer.believed().strategy, Strategy::new(0.7, 0.05, 0.1).unwrap());
     }
 }

@@ -1,11 +1,14 @@
 //! The agent that goes through recorded sessions, one after the other.
 
+use crate::lessons::evidence;
 use crate::load::session::{Session, load};
 use crate::load::{Fault, home};
 use goodbot::feedback::Feedback;
-use goodbot::session::Options;
+use goodbot::memory::AgentHeap;
+use goodbot::memory::HomeMemory;
+use goodbot::session::{Evidence, Options};
 use goodbot::task::LiftedTask;
-use goodbot::{Agent, AgentError, Capacities, HeapMemory};
+use goodbot::{Agent, AgentError, Capacities};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession};
@@ -26,7 +29,7 @@ const CAPACITIES: Capacities = Capacities {
 
 /// An agent and what it went through.
 pub struct History {
-    agent: Agent<'static>,
+    agent: Agent<AgentHeap>,
     lifted: Vec<LiftedTask>,
     strategies: Vec<String>,
     last: Last,
@@ -64,9 +67,7 @@ pub struct Outcome {
 impl History {
     /// An agent that has learned nothing yet. `lifted` are the tasks that commands may mean.
     pub fn new(lifted: &[LiftedTask], options: Options) -> Result<Self, goodbot::AgentError> {
-        // One for the whole run of the program.
-        let memory = Box::leak(Box::new(HeapMemory::new(&CAPACITIES)));
-        let agent = Agent::new(memory.split().agent, lifted, options)?;
+        let agent = Agent::new(AgentHeap::new(&CAPACITIES), lifted, options)?;
         Ok(Self { agent, lifted: lifted.to_vec(), strategies: vec![BALANCED.to_owned()], last: Last::Nothing })
     }
 
@@ -91,9 +92,13 @@ impl History {
     fn try_replay(&mut self, file: &str, recorded: &RecordedSession) -> Result<Outcome, Vec<Fault>> {
         let header = &recorded.header;
         let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
+        if header.kind == Kind::Labelled {
+            let message = "a labelled session has no steps to go through; learn from it with goodbot learn";
+            return Err(vec![Fault::on_line(file, recorded.header_line, message).in_field("kind")]);
+        }
         self.check_continues(file, recorded)?;
         let mut memory = home::memory();
-        let session = load(file, recorded, &self.lifted, memory.split().home)?;
+        let session = load(file, recorded, &self.lifted, &mut memory)?;
         self.begin(recorded, &session).map_err(at(recorded.header_line))?;
         let id = header.id.clone().unwrap_or_else(|| format!("{file}:{}", recorded.header_line));
         let mut outcome = Outcome {
@@ -118,16 +123,22 @@ impl History {
                         Feedback::Punish => punish,
                         Feedback::Neutral => neutral,
                     } += 1;
-                    self.agent.feedback(step.action, step.feedback)
+                    self.agent.acted(&session.home, &step.before, step.action).map_err(at(step.line))?;
+                    self.agent.feedback(step.feedback)
                 }
-                Kind::Demonstration => self.agent.demonstration(step.action),
+                Kind::Demonstration => self.agent.demonstrated(&session.home, &step.before, step.action),
+                // Has no steps, and was refused.
+                Kind::Labelled => Ok(Evidence::Used),
             };
             let mut remark = |message: &str| outcome.remarks.push(Fault::on_line(file, step.line, message));
-            if !counted.map_err(at(step.line))? {
-                remark("this is impossible whatever the task and the strategy, and was ignored");
+            if let Some(message) = evidence::remark(counted.map_err(at(step.line))?) {
+                remark(message);
             }
-            if !self.agent.search().unknown().is_empty() {
-                remark("the search was bounded: for some tasks the optimal actions are unknown, and the step says nothing of these");
+            let plan = self.agent.planned();
+            if !plan.unknown().union(plan.approximate()).is_empty() {
+                remark(
+                    "the search was bounded: for some tasks the optimal actions are not known exactly, and the step says nothing of these",
+                );
             }
             if step.bump && header.kind == Kind::Demonstration {
                 remark("the demonstration goes against a wall or a block that is held, and nothing moves");
@@ -135,7 +146,7 @@ impl History {
             outcome.beliefs.push(self.belief(&outcome.id, count, &session));
         }
         if recorded.learn {
-            self.agent.finish(&session.home).map_err(at(recorded.end_line))?;
+            let _ = self.agent.finish(&session.home).map_err(at(recorded.end_line))?;
             self.agent.learn_fully();
         } else {
             self.agent.forget();
@@ -155,7 +166,7 @@ impl History {
         Err(vec![Fault::on_line(file, recorded.header_line, message).in_field("continues")])
     }
 
-    fn begin(&mut self, recorded: &RecordedSession, session: &Session<'_>) -> Result<(), AgentError> {
+    fn begin(&mut self, recorded: &RecordedSession, session: &Session<impl HomeMemory>) -> Result<(), AgentError> {
         let header = &recorded.header;
         if let (Some(strategies), Some(records)) = (&session.strategies, &header.strategies) {
             self.agent.set_strategies(strategies)?;
@@ -170,7 +181,7 @@ impl History {
         }
     }
 
-    fn belief(&self, id: &str, step: u64, session: &Session<'_>) -> PosteriorLine<f32> {
+    fn belief(&self, id: &str, step: u64, session: &Session<impl HomeMemory>) -> PosteriorLine<f32> {
         let belief = self.agent.belief();
         let tasks = session.tasks.iter().enumerate().map(|(position, (_, name))| (name.clone(), belief.probability(position)));
         let strategies = self.strategies.iter().enumerate().map(|(position, name)| (name.clone(), belief.strategy_probability(position)));

@@ -7,6 +7,7 @@ mod history;
 mod report;
 
 use crate::cli::WeightsChoice;
+use crate::lessons::MOST_FAULTS;
 use crate::load::fault::tell;
 use crate::load::kinds::TaskKinds;
 use crate::load::{Fault, input};
@@ -24,7 +25,9 @@ use std::process::ExitCode;
 ///
 /// The robot begins knowing no word. Each session gives it the command, the steps as they were
 /// taken and the trainer's feedback; where the session says so, it then learns. Several files are
-/// one history, in the order in which they are named.
+/// one history, in the order in which they are named. After each session all words are learned
+/// anew from all sessions so far, as in the paper: the time grows with the square of their number
+/// (`goodbot learn` learns once, from all of them).
 #[derive(Debug, Args)]
 #[command(
     after_help = "Exit codes: 0 all sessions were replayed, 2 a file is at fault (nothing after the fault is replayed, unless --keep-going is given).
@@ -38,8 +41,8 @@ pub struct ReplayArgs {
     /// Print each belief as a line of JSON: before the first step, and after each
     #[arg(long)]
     json: bool,
-    /// The model's settings; beliefs of other programs are compared under the paper's
-    #[arg(long, value_enum, default_value = "paper")]
+    /// The model of language and learning; beliefs of other programs are compared under the paper's
+    #[arg(long, short = 'm', value_enum, default_value = "paper")]
     model: Model,
     /// How machine commands are weighted when a session is learned from
     #[arg(long, value_enum, default_value_t = WeightsChoice::Paper)]
@@ -96,7 +99,7 @@ impl Replay {
     fn new(args: &ReplayArgs) -> Result<Self, Failure> {
         let style = ProgressStyle::with_template("{spinner} {pos} sessions, {elapsed}")?;
         Ok(Self {
-            history: History::new(&args.kinds.lifted()?, args.options())?,
+            history: History::new(&args.kinds.lifted().map_err(|failure| failure.to_string())?, args.options())?,
             totals: Totals::default(),
             progress: ProgressBar::new_spinner().with_style(style),
             output: BufWriter::new(io::stdout()),
@@ -105,7 +108,7 @@ impl Replay {
 
     fn files(&mut self, args: &ReplayArgs) -> Result<ExitCode, Failure> {
         for file in &args.files {
-            let opened = match input::open(file) {
+            let opened = match input::log(file) {
                 Ok(opened) => opened,
                 Err(fault) => {
                     self.tell(&[fault]);
@@ -126,8 +129,11 @@ impl Replay {
                     Err(faults) => {
                         self.tell(&faults);
                         self.totals.skipped += 1;
-                        if !args.keep_going {
+                        if !args.keep_going || self.totals.skipped > MOST_FAULTS {
                             self.output.flush()?;
+                            if args.keep_going {
+                                eprintln!("error: more than {MOST_FAULTS} sessions are at fault; check that this is a session log");
+                            }
                             return Ok(ExitCode::from(2));
                         }
                     }

@@ -2,6 +2,7 @@
 
 use super::history::Outcome;
 use crate::load::fault::quoted;
+use crate::messages::counted;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::Kind;
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
@@ -46,20 +47,15 @@ impl fmt::Display for Outcome {
         }
         if let Some(intended) = &self.intended {
             let atoms: Vec<String> = intended.iter().map(ToString::to_string).collect();
-            let known = self.beliefs.iter().flat_map(|belief| &belief.tasks).any(|(task, _)| task.holds_exactly(intended));
-            let right = match (known, is_right(self.beliefs.last(), intended)) {
-                (false, _) => "  (not among the tasks considered)",
-                (true, true) => "  (right)",
-                (true, false) => "",
-            };
-            writeln!(f, "  intended  {}{right}", atoms.join(" & "))?;
+            let right = if is_right(self.beliefs.last(), intended) { "  (right)" } else { "" };
+            writeln!(f, "  expected  {}{right}", atoms.join(" & "))?;
         }
         let steps = self.beliefs.len().saturating_sub(1);
         let [reward, punish, neutral] = self.feedback;
-        write!(f, "  {steps} steps")?;
+        write!(f, "  {}", counted(steps, "step"))?;
         match self.kind {
             Kind::Feedback => write!(f, ": {reward} rewarded, {punish} punished, {neutral} in silence")?,
-            Kind::Demonstration => f.write_str(" shown")?,
+            Kind::Demonstration | Kind::Labelled => f.write_str(" shown")?,
         }
         writeln!(f, "; {}", if self.learned { "learned from" } else { "not learned from" })
     }
@@ -104,7 +100,9 @@ impl fmt::Display for Totals {
         }
         writeln!(f, "steps                {}", self.steps)?;
         if reward + punish + neutral > 0 {
-            writeln!(f, "feedback             {reward} rewards, {punish} punishments, {neutral} silences")?;
+            let [reward, punish, neutral] =
+                [(reward, "reward"), (punish, "punishment"), (neutral, "silence")].map(|(n, it)| counted(n, it));
+            writeln!(f, "feedback             {reward}, {punish}, {neutral}")?;
         }
         if self.intended > 0 {
             writeln!(f, "right on hearing     {} of {} whose intended task is known", self.right_before, self.intended)?;

@@ -96,12 +96,13 @@ impl Classroom {
         self.enter_tour()
     }
 
-    /// Ends the session and begins to learn from it: [`learn`](Self::learn) until that is done.
-    pub fn finish(&mut self) -> Result<(), Refusal> {
+    /// Ends the session and begins to learn from it: [`learn`](Self::learn) until that is done. Gives how many older sessions gave way
+    /// because memory was full.
+    pub fn finish(&mut self) -> Result<usize, Refusal> {
         let before = self.trainer.save()?;
-        let record = self.trainer.finish()?;
+        let (record, finished) = self.trainer.finish()?;
         self.learning = Some((record, before));
-        Ok(())
+        Ok(finished.gave_way.count())
     }
 
     /// Goes on learning. Gives whether it is done; what was learned is then kept, and the tour goes on.

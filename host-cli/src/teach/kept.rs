@@ -5,7 +5,7 @@
 
 use crate::load::Fault;
 use crate::outcome::Failure;
-use crate::whole_file::{read_whole, write_whole};
+use crate::whole_file::{read_model, write_whole};
 use etcetera::BaseStrategy;
 use goodbot_formats::session::{RecordedSession, SessionReader};
 use std::fs::{File, OpenOptions, TryLockError};
@@ -113,7 +113,7 @@ impl Kept {
         }
         let mut past = Past::default();
         if places.model.exists() {
-            past.model = Some(read_whole(&places.model)?);
+            past.model = Some(read_model(&places.model)?);
         }
         let log = open_log(&places.log)?;
         let name = places.log.display().to_string();
@@ -162,7 +162,7 @@ impl Kept {
     pub fn take_back(&mut self) -> Result<Option<Option<Vec<u8>>>, Failure> {
         let Places { model: model_path, log: log_path } = &self.places;
         let Some(last) = self.written.last() else { return Ok(None) };
-        let mut log = read_whole(log_path)?;
+        let mut log = std::fs::read(log_path).map_err(|error| cannot(log_path, "read", error))?;
         let start = usize::try_from(last.start).unwrap_or(usize::MAX);
         let range = start..start.saturating_add(last.text.len());
         if log.get(range.clone()) != Some(last.text.as_bytes()) {

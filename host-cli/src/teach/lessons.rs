@@ -108,12 +108,11 @@ impl Tour {
 }
 
 fn random_homes(seed: u64) -> Homes {
-    Homes::random(&mut generator(seed), &mut homes::memory().split().home)
+    Homes::random(&mut generator(seed), &mut homes::memory())
 }
 
 fn environment(layout: &Layout) -> Option<EnvironmentFile> {
-    let mut memory = homes::memory();
-    let (home, state) = layout.build(memory.split().home).ok()?;
+    let (home, state) = layout.build(homes::memory()).ok()?;
     Some(scene(&home, &state).environment)
 }
 

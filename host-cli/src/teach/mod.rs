@@ -21,13 +21,13 @@ mod scene;
 mod screen;
 mod session;
 mod terminal;
-mod text_map;
 mod trainer;
 mod visit;
 
-use crate::load::{Fault, input};
+use crate::load::{home as homes, input};
+use crate::messages::{counted, is_colored};
 use crate::outcome::Failure;
-use crate::whole_file::{new_file, write_whole};
+use crate::output::Output;
 use clap::{Args, ValueHint};
 use classroom::Classroom;
 use goodbot_formats::environment::EnvironmentFile;
@@ -72,7 +72,7 @@ pub struct TeachOptions {
     #[arg(long, conflicts_with = "home")]
     random: bool,
     /// Seed of everything that is drawn: the same seed and the same words give the same visit [default: 1]
-    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", value_parser = crate::numbers::seed, allow_negative_numbers = true)]
     seed: Option<u64>,
     /// How fast the robot goes
     #[arg(long, value_enum, default_value_t)]
@@ -90,16 +90,19 @@ pub struct TeachOptions {
     #[arg(long)]
     lines: bool,
     /// Write a picture of the tour's fifth lesson under way, taught by a simulated trainer, and leave
-    #[arg(long, value_name = "FILE.svg", conflicts_with_all = ["home", "random", "lines", "robot", "model"], value_hint = ValueHint::FilePath, value_parser = new_file)]
+    #[arg(long, value_name = "FILE.svg", conflicts_with_all = ["home", "random", "lines", "robot", "model"], value_hint = ValueHint::FilePath)]
     picture: Option<PathBuf>,
+    /// Replace a file that is no picture of goodbot's
+    #[arg(long, requires = "picture")]
+    force: bool,
 }
 
 /// Runs the command.
 pub fn run(options: &TeachOptions) -> Result<(), Failure> {
     let seed = options.seed.unwrap_or(1);
     if let Some(file) = &options.picture {
-        let svg = picture_of_a_lesson(options, seed)?;
-        return write_whole(file, svg.as_bytes()).map_err(|error| Failure::Input(format!("{} cannot be written: {error}", file.display())));
+        let output = Output::picture(file, std::iter::empty(), options.force)?;
+        return output.write(picture_of_a_lesson(options, seed)?.as_bytes());
     }
     let dumb = std::env::var("TERM").is_ok_and(|terminal| terminal == "dumb");
     let lines = options.lines || dumb || !stdin().is_terminal() || !stdout().is_terminal();
@@ -110,13 +113,13 @@ pub fn run(options: &TeachOptions) -> Result<(), Failure> {
     let spoken = protocol::speak(&mut classroom, seed, stdin().lock(), stdout().lock())?;
     match spoken.refused {
         0 => Ok(()),
-        refused => Err(Failure::Input(format!("{} refused; see the lines of type error", plain_names::count(refused, "request")))),
+        refused => Err(Failure::Input(format!("{} refused; see the lines of type error", counted(refused, "request")))),
     }
 }
 
 /// A visit in the terminal.
 fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
-    let palette = Palette::of(|name| std::env::var(name).ok());
+    let palette = if is_colored() { Palette::of(|name| std::env::var(name).ok()) } else { Palette::None };
     let mut visit = Visit::new(classroom, pace, seed);
     let shown = terminal::show(&mut visit, palette);
     // What was being learned is learned to its end, and a session under way is written down.
@@ -124,7 +127,7 @@ fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
     let learned = visit.classroom.trainer.lessons_learned();
     if let Some(kept) = visit.classroom.kept().filter(|_| learned > 0) {
         // Where the window was closed nobody reads this.
-        let told = plain_names::count(learned, "session");
+        let told = counted(learned, "session");
         let _ = writeln!(stdout(), "It has learned from {told}: {}", kept.places().model.display());
     }
     written.map_err(|refusal| Failure::Result(refusal.0))?;
@@ -186,11 +189,5 @@ fn home(options: &TeachOptions) -> Result<EnvironmentFile, Failure> {
     if file == "-" {
         return Err(Failure::Input("standard input is where requests come from; name a file for the home".to_owned()));
     }
-    let fault = |fault: Fault| Failure::Input(fault.to_string());
-    let text = String::from_utf8(input::bytes(file).map_err(fault)?).map_err(|_| Failure::Input(format!("{file}: is no text in UTF-8")))?;
-    if text_map::is_drawing(&text) {
-        text_map::parse(&text).map_err(|error| Failure::Input(format!("{file}: {error}")))
-    } else {
-        EnvironmentFile::parse(&text).map_err(|error| fault(Fault::from_format(file, error)))
-    }
+    homes::read(file).map_err(|fault| Failure::Input(fault.to_string()))
 }

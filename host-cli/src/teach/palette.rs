@@ -5,7 +5,7 @@ use ratatui::style::{Color, Modifier, Style};
 /// How many colours the terminal has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Palette {
-    /// None: `NO_COLOR` is set, or the terminal knows none.
+    /// None: they are not wanted, or the terminal knows none.
     None,
     /// The sixteen that every terminal has.
     Sixteen,
@@ -27,13 +27,14 @@ const SHADES: [(&str, u8, u8, Color); 9] = [
 ];
 
 impl Palette {
-    /// The terminal's, by what the environment says of it.
+    /// The terminal's, by what the environment says of it, where colours are wanted.
     pub fn of(variable: impl Fn(&str) -> Option<String>) -> Self {
-        let set = |name| variable(name).is_some_and(|value| !value.is_empty());
         let term = variable("TERM").unwrap_or_default();
         match () {
-            () if set("NO_COLOR") || term == "dumb" => Self::None,
-            () if term.contains("256") || term.contains("direct") || set("COLORTERM") => Self::Many,
+            () if term == "dumb" => Self::None,
+            () if term.contains("256") || term.contains("direct") || variable("COLORTERM").is_some_and(|value| !value.is_empty()) => {
+                Self::Many
+            }
             () => Self::Sixteen,
         }
     }
@@ -127,8 +128,8 @@ mod tests {
     fn the_environment_says_how_many_colours_there_are() {
         assert_eq!(of(&[("TERM", "xterm")]), Palette::Sixteen);
         assert_eq!(of(&[("TERM", "xterm-256color")]), Palette::Many);
-        assert_eq!(of(&[("TERM", "xterm-256color"), ("NO_COLOR", "1")]), Palette::None);
-        assert_eq!(of(&[("TERM", "xterm-256color"), ("NO_COLOR", "")]), Palette::Many);
+        assert_eq!(of(&[("TERM", "xterm"), ("COLORTERM", "truecolor")]), Palette::Many);
+        assert_eq!(of(&[("TERM", "dumb")]), Palette::None);
     }
 
     #[test]

@@ -1,11 +1,12 @@
 //! Tasks, objects and ideas as a person calls them.
 
 use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, ROOM, SHAPE};
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Domain, ObjectId};
 use goodbot::task::{GroundedTask, LiftedTask};
 
 /// A task as a person says it: `take the yellow bag to the blue room`.
-pub fn task_words(home: &Home<'_>, lifted: &LiftedTask, task: &GroundedTask) -> String {
+pub fn task_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
     let parts = task.propositions(lifted).map(|part| {
         let [subject, room, _] = part.arguments;
         let room = object_words(home, room);
@@ -19,8 +20,8 @@ pub fn task_words(home: &Home<'_>, lifted: &LiftedTask, task: &GroundedTask) -> 
 }
 
 /// An object by its looks; where another looks alike, by its name too.
-fn object_words(home: &Home<'_>, id: ObjectId) -> String {
-    let objects = home.objects();
+fn object_words(home: &Home<impl HomeMemory>, id: ObjectId) -> String {
+    let objects = home.world().objects;
     let looks = |id: ObjectId| (objects.get(id).map(|object| object.class), objects.value(id, COLOR), objects.value(id, SHAPE));
     let (class, color, shape) = looks(id);
     let kind = if class == Some(ROOM) { "room" } else { shape };
@@ -58,11 +59,6 @@ pub fn percent(probability: f32) -> String {
         nearly if nearly > 99.0 => ">99 %".to_owned(),
         other => format!("{other:.0} %"),
     }
-}
-
-/// A count of things: `1 session`, `2 sessions`.
-pub fn count(number: usize, what: &str) -> String {
-    if number == 1 { format!("1 {what}") } else { format!("{number} {what}s") }
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use goodbot::home::map::Map;
 use goodbot::home::{BLOCK, COLOR, Cell, DOOR, Home, HomeState, ROOM, SHAPE};
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Domain, ObjectId};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 
@@ -62,13 +63,13 @@ impl Scene {
 }
 
 /// The home as it is in a state.
-pub fn scene(home: &Home<'_>, state: &HomeState) -> Scene {
+pub fn scene(home: &Home<impl HomeMemory>, state: &HomeState) -> Scene {
     let map = Map::new(home, state);
     let bounds = map.bounds();
     let ground =
         (bounds.bottom..=bounds.top).rev().map(|y| (bounds.left..=bounds.right).map(|x| ground(home, &map, Cell::new(x, y))).collect());
     Scene {
-        environment: EnvironmentFile::new(home.objects().iter().map(|(id, _)| record(home, state, id)).collect()),
+        environment: EnvironmentFile::new(home.world().objects.iter().map(|(id, _)| record(home, state, id)).collect()),
         ground: ground.collect(),
         map: map.to_string(),
         west: bounds.left,
@@ -76,19 +77,19 @@ pub fn scene(home: &Home<'_>, state: &HomeState) -> Scene {
     }
 }
 
-fn ground(home: &Home<'_>, map: &Map<'_, '_>, cell: Cell) -> Ground {
+fn ground(home: &Home<impl HomeMemory>, map: &Map<'_, impl HomeMemory>, cell: Cell) -> Ground {
     match map.character(cell) {
         '#' => return Ground::Wall,
         ' ' => return Ground::Nothing,
         _ => {}
     }
-    let objects = home.objects();
+    let objects = home.world().objects;
     let room = objects.of_class(ROOM).find(|&room| home.area(room).holds_strictly(cell));
     room.map_or(Ground::Door, |room| Ground::Floor(objects.value(room, COLOR).to_owned()))
 }
 
-fn record(home: &Home<'_>, state: &HomeState, id: ObjectId) -> ObjectRecord {
-    let objects = home.objects();
+fn record(home: &Home<impl HomeMemory>, state: &HomeState, id: ObjectId) -> ObjectRecord {
+    let objects = home.world().objects;
     let (name, color, area) = (objects.name(id).to_owned(), objects.value(id, COLOR).to_owned(), home.area(id));
     match objects.get(id).map(|object| object.class) {
         Some(ROOM) => ObjectRecord::Room { name, left: area.left, bottom: area.bottom, right: area.right, top: area.top, color },

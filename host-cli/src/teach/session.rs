@@ -2,21 +2,11 @@
 
 use goodbot::feedback::Feedback;
 use goodbot::home::HomeState;
+use goodbot::planning::Judgement;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, SessionHeader, StepRecord};
 use goodbot_formats::task_text::GroundAtomText;
 use std::collections::VecDeque;
-
-/// Whether an action was right for a task.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// It was one of the best.
-    Right,
-    /// It was not.
-    Wrong,
-    /// The plan for the task is not known.
-    Unknown,
-}
 
 /// A step that was judged.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,7 +16,7 @@ pub struct Step {
     /// What the trainer said to it.
     pub feedback: Feedback,
     /// For each task, by position, whether the action was right.
-    pub verdicts: Vec<Verdict>,
+    pub judgements: Vec<Judgement>,
 }
 
 /// What came of a word to a step.
@@ -38,8 +28,8 @@ pub enum Judged {
     AsBefore,
     /// It is impossible whatever the task is, and was ignored.
     Impossible,
-    /// Something else had been said: the session is walked again up to here.
-    WalkingAgain,
+    /// It says nothing, because no task's plan is known exactly there.
+    SaysNothing,
 }
 
 /// A session under way.
@@ -80,6 +70,13 @@ impl Session {
         self.done.push(step);
     }
 
+    /// The last word to the last step counts.
+    pub fn judged_anew(&mut self, feedback: Feedback) {
+        if let Some(last) = self.done.last_mut() {
+            last.feedback = feedback;
+        }
+    }
+
     /// Begins anew with these steps, which are to be walked again.
     pub fn walk_again(&mut self, steps: Vec<Step>) {
         self.done.clear();
@@ -99,6 +96,8 @@ impl Session {
                 actions: None,
                 continues: false,
                 prior: None,
+                avoiding: None,
+                through: None,
                 strategies: None,
             },
             header_line: 1,

@@ -1,7 +1,6 @@
 //! The program as its users run it, and the lines that they feed it.
 
 use std::io::Write;
-use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 /// What a run of the program gave.
@@ -76,15 +75,4 @@ pub const END: &str = r#"{"type":"end","learn":true}"#;
 /// A log of these lines.
 pub fn log<const N: usize>(lines: [&str; N]) -> Vec<u8> {
     (lines.join("\n") + "\n").into_bytes()
-}
-
-/// The folder of external data beside the project, `None` (with a printed line) where it is absent.
-#[allow(dead_code, reason = "each test file uses what it needs")]
-pub fn external(file: &str) -> Option<PathBuf> {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared").join(file);
-    if path.exists() {
-        return Some(path);
-    }
-    println!("skipped: the external data file {file} is not beside the project");
-    None
 }

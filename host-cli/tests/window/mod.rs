@@ -10,9 +10,27 @@ use std::time::{Duration, Instant};
 /// How long to wait for anything.
 const PATIENCE: Duration = Duration::from_secs(60);
 
+/// A running program. It ends with the test, however that ends.
+struct Program(Box<dyn Child + Send + Sync>);
+
+impl Program {
+    fn ended(&mut self) -> Option<ExitStatus> {
+        self.0.try_wait().expect("a program")
+    }
+}
+
+impl Drop for Program {
+    fn drop(&mut self) {
+        if let Ok(None) = self.0.try_wait() {
+            let _ = self.0.kill();
+            let _ = self.0.wait();
+        }
+    }
+}
+
 /// A window with a program in it.
 pub struct Window {
-    child: Box<dyn Child + Send + Sync>,
+    child: Program,
     master: Box<dyn MasterPty + Send>,
     keys: Box<dyn Write + Send>,
     seen: Arc<Mutex<Seen>>,
@@ -34,7 +52,7 @@ impl Window {
     pub fn open(program: CommandBuilder, columns: u16, rows: u16) -> Self {
         let size = PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 };
         let pty = native_pty_system().openpty(size).expect("a pseudo-terminal");
-        let child = pty.slave.spawn_command(program).expect("the program starts");
+        let child = Program(pty.slave.spawn_command(program).expect("the program starts"));
         let keys = pty.master.take_writer().expect("a keyboard");
         let mut output = pty.master.try_clone_reader().expect("a screen");
         let seen = Arc::new(Mutex::new(Seen { screen: vt100::Parser::new(cells(rows), cells(columns), 0), bytes: Vec::new() }));
@@ -106,7 +124,7 @@ impl Window {
 
     /// The program's number.
     pub fn number(&self) -> u32 {
-        self.child.process_id().expect("a program")
+        self.child.0.process_id().expect("a program")
     }
 
     /// Sends the program a signal, by its name.
@@ -119,13 +137,10 @@ impl Window {
     pub fn end(&mut self) -> ExitStatus {
         let begun = Instant::now();
         loop {
-            if let Some(status) = self.child.try_wait().expect("a program") {
+            if let Some(status) = self.child.ended() {
                 return status;
             }
-            if begun.elapsed() > PATIENCE {
-                let _ = self.child.kill();
-                panic!("the program does not end; the screen is\n{}", self.text());
-            }
+            assert!(begun.elapsed() < PATIENCE, "the program does not end; the screen is\n{}", self.text());
             std::thread::sleep(Duration::from_millis(20));
         }
     }
@@ -138,11 +153,8 @@ impl Window {
         master.resize(PtySize { rows: 30, cols: 90, pixel_width: 0, pixel_height: 0 }).expect("the window changes");
         drop((master, keys));
         let begun = Instant::now();
-        while child.try_wait().expect("a program").is_none() {
-            if begun.elapsed() > PATIENCE {
-                let _ = child.kill();
-                panic!("the program goes on without its window");
-            }
+        while child.ended().is_none() {
+            assert!(begun.elapsed() < PATIENCE, "the program goes on without its window");
             std::thread::sleep(Duration::from_millis(20));
         }
     }

@@ -5,7 +5,8 @@ use crate::random_homes::{Size, random_home};
 use goodbot::feedback::Feedback;
 use goodbot::home::{Moves, paper_tasks};
 use goodbot::language::Settings;
-use goodbot::oomdp::{Action, Domain, apply};
+use goodbot::memory::AgentMemory;
+use goodbot::oomdp::Action;
 use goodbot::planning::Progress;
 use goodbot::session::Weights;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
@@ -34,16 +35,19 @@ pub fn budgets(input: &[u8]) {
     let options = options(&mut choices);
     let mut memories = [HeapMemory::new(&capacities), HeapMemory::new(&capacities)];
     let tasks = paper_tasks().expect("the paper's tasks");
-    let [mut parts, mut whole] = memories.each_mut().map(|memory| Agent::new(memory.split().agent, &tasks, options).expect("fits"));
+    let [mut parts, mut whole] = memories.each_mut().map(|memory| Agent::new(&mut memory.agent, &tasks, options).expect("fits"));
     let budget = 1 + u32::from(choices.byte());
     for _ in 0..2 {
         let mut memory = HeapMemory::new(&Capacities { states: 0, ..capacities });
         let size =
             Size { columns: 2, rows: 1 + choices.below(2) as i32, side: 1 + choices.below(2) as i32, blocks: choices.below(2) as i32 };
         let moves = choices.one_of(&[Moves::Push, Moves::PushAndPull]);
-        let (home, mut state) = random_home(&mut Pcg32::new(u64::from(choices.byte()), 1), size, moves, memory.split().home);
+        let (home, mut state) = random_home(&mut Pcg32::new(u64::from(choices.byte()), 1), size, moves, &mut memory.home);
         let words: Vec<&str> = (0..1 + choices.below(6)).map(|_| choices.one_of(&WORDS)).collect();
-        let heard = parts.hear(&home, &state, &words.join(" "));
+        let heard = parts.begin_hearing(&home, &state, &words.join(" ")).and_then(|()| {
+            while parts.hear_on(&home, budget)? == Progress::Working {}
+            Ok(())
+        });
         assert_eq!(heard, whole.hear(&home, &state, &words.join(" ")));
         if heard.is_err() {
             continue;
@@ -52,15 +56,24 @@ pub fn budgets(input: &[u8]) {
             while parts.plan(&home, &state, budget).expect("a session is under way") == Progress::Working {}
             whole.plan_fully(&home, &state).expect("a session is under way");
             let seed = u64::from(choices.byte());
-            let decision = parts.decide(Some(&mut Pcg32::new(seed, 1))).expect("the plan is done");
-            assert_eq!(decision, whole.decide(Some(&mut Pcg32::new(seed, 1))).expect("the plan is done"));
+            let decision = parts.decide_by(&home, &state, &mut Pcg32::new(seed, 1)).expect("the plan is done");
+            assert_eq!(decision, whole.decide_by(&home, &state, &mut Pcg32::new(seed, 1)).expect("the plan is done"));
             let feedback = choices.one_of(&[Feedback::Reward, Feedback::Punish, Feedback::Neutral]);
             let action = choices.one_of(&[decision.action, Action(0), Action(1), Action(2), Action(3), Action::NOOP]);
-            assert_eq!(parts.feedback(action, feedback), whole.feedback(action, feedback));
+            let next = parts.acted(&home, &state, action);
+            assert_eq!(next, whole.acted(&home, &state, action));
+            assert_eq!(parts.feedback(feedback), whole.feedback(feedback));
             assert_same_beliefs(&parts, &whole);
-            state = apply(&home, &state, action).filter(|next| home.number(next) < home.state_count()).unwrap_or(state);
+            state = next.unwrap_or(state);
         }
-        assert_eq!(parts.finish(&home), whole.finish(&home));
+        let finished = parts.begin_finishing(&home).and_then(|()| {
+            loop {
+                if let Some(finished) = parts.finish_on(&home, budget)? {
+                    return Ok(finished);
+                }
+            }
+        });
+        assert_eq!(finished, whole.finish(&home));
         while parts.learn(budget) == Progress::Working {}
         whole.learn_fully();
         assert_same_parameters(&parts, &whole);
@@ -68,26 +81,26 @@ pub fn budgets(input: &[u8]) {
     }
 }
 
-fn assert_same_beliefs(one: &Agent<'_>, other: &Agent<'_>) {
+fn assert_same_beliefs(one: &Agent<impl AgentMemory>, other: &Agent<impl AgentMemory>) {
     assert_eq!(one.tasks(), other.tasks());
     for task in 0..one.tasks().len() {
         assert_eq!(one.belief().probability(task).to_bits(), other.belief().probability(task).to_bits());
-        assert_eq!(one.search().optimal(task), other.search().optimal(task));
+        assert_eq!(one.planned().optimal(task), other.planned().optimal(task));
     }
 }
 
-fn assert_same_parameters(one: &Agent<'_>, other: &Agent<'_>) {
+fn assert_same_parameters(one: &Agent<impl AgentMemory>, other: &Agent<impl AgentMemory>) {
     let (one, other) = (one.language(), other.language());
     for (token, _) in one.tokens().iter() {
         for (word, _) in one.words().iter() {
-            let bits = |model: &goodbot::language::LanguageModel<'_>| model.tables().translation(word, Some(token)).to_bits();
+            let bits = |model: goodbot::language::LanguageRef<'_>| model.tables().translation(word, Some(token)).to_bits();
             assert_eq!(bits(one), bits(other));
         }
     }
     for lengths in one.tables().length_pairs() {
         let (machine, english) = (usize::from(lengths.machine), usize::from(lengths.english));
         for (i, j) in (0..english).flat_map(|i| (0..=machine).map(move |j| (i, j))) {
-            let bits = |model: &goodbot::language::LanguageModel<'_>| model.tables().alignment(j, i, machine, english).to_bits();
+            let bits = |model: goodbot::language::LanguageRef<'_>| model.tables().alignment(j, i, machine, english).to_bits();
             assert_eq!(bits(one), bits(other));
         }
     }

@@ -4,8 +4,9 @@ use super::{Bytes, assert_sound};
 use crate::random_homes::{Size, random_home};
 use crate::school;
 use goodbot::feedback::{Feedback, Strategy};
-use goodbot::home::{Home, HomeState, Moves, paper_tasks};
-use goodbot::oomdp::{Action, apply};
+use goodbot::home::{Moves, paper_tasks};
+use goodbot::memory::HomeHeap;
+use goodbot::oomdp::Action;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use rand_pcg::Pcg32;
 
@@ -19,14 +20,12 @@ const ROBOT: Capacities = Capacities { states: 700, ..Capacities::SMALL };
 pub fn calls(input: &[u8]) {
     let mut choices = Bytes::new(input);
     let mut memory = HeapMemory::new(&ROBOT);
-    let mut homes: Vec<HeapMemory> = (0..2).map(|_| HeapMemory::new(&Capacities { states: 0, ..ROBOT })).collect();
     let lessons = school::lessons();
-    let world = |(memory, blocks): (_, i32)| -> (Home<'_>, HomeState) {
-        let memory: &mut HeapMemory = memory;
-        random_home(&mut Pcg32::new(1, 1), Size { columns: 2, rows: 2, side: 2, blocks }, Moves::PushAndPull, memory.split().home)
+    let world = |blocks| {
+        random_home(&mut Pcg32::new(1, 1), Size { columns: 2, rows: 2, side: 2, blocks }, Moves::PushAndPull, HomeHeap::new(&ROBOT))
     };
-    let mut worlds: Vec<_> = homes.iter_mut().zip([0, 1]).map(world).collect();
-    let mut agent = Agent::new(memory.split().agent, &paper_tasks().expect("the paper's tasks"), Options::PAPER).expect("two tasks fit");
+    let mut worlds = [0, 1].map(world);
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().expect("the paper's tasks"), Options::PAPER).expect("two tasks fit");
     let mut kept = vec![0; 4_096];
     let mut length = agent.save(&mut kept).expect("an empty model is small");
     let mut random = Pcg32::new(1, 1);
@@ -43,15 +42,22 @@ pub fn calls(input: &[u8]) {
             4 => drop(agent.plan(home, state, u32::from(choices.byte()))),
             5 => drop(agent.plan_fully(home, state)),
             6 => {
-                if let Ok(decision) = agent.decide(Some(&mut random)) {
-                    *state = apply(home, state, decision.action).expect("an action that was decided on can be done");
+                if let Ok(decision) = agent.decide_by(home, state, &mut random) {
+                    *state = agent.acted(home, state, decision.action).expect("an action that was decided on can be done");
                 }
             }
             7 | 8 => {
                 let feedback = choices.one_of(&[Feedback::Reward, Feedback::Punish, Feedback::Neutral]);
-                let _ = agent.feedback(Action(choices.byte()), feedback);
+                // An action of the bytes' choice, or the last one that was done.
+                let action = Action(choices.byte());
+                if action.0 < 64
+                    && let Ok(next) = agent.acted(home, state, action)
+                {
+                    *state = next;
+                }
+                let _ = agent.feedback(feedback);
             }
-            9 => drop(agent.demonstration(Action(choices.byte()))),
+            9 => drop(agent.demonstrated(home, state, Action(choices.byte()))),
             10 => drop(agent.finish(home)),
             11 => drop(agent.learn(u32::from(choices.byte()) * 64)),
             12 => match choices.below(6) {

@@ -1,7 +1,8 @@
 //! Environments: any bytes.
 
 use super::assert_sound;
-use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeMemory, HomeState, Moves, paper_tasks};
+use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves, paper_tasks};
+use goodbot::memory::HomeMemory;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 
@@ -15,19 +16,18 @@ pub fn environment(input: &[u8]) {
     assert_eq!(EnvironmentFile::parse(&file.to_json_line()), Ok(file.clone()));
     for moves in [Moves::Push, Moves::PushAndPull] {
         let mut memory = HeapMemory::new(&CAPACITIES);
-        let parts = memory.split();
-        let Some((home, state)) = home(&file, moves, parts.home) else { continue };
-        let mut agent = Agent::new(parts.agent, &paper_tasks().expect("the paper's tasks"), Options::PAPER).expect("two tasks fit");
+        let Some((home, state)) = home(&file, moves, &mut memory.home) else { continue };
+        let mut agent = Agent::new(&mut memory.agent, &paper_tasks().expect("the paper's tasks"), Options::PAPER).expect("two tasks fit");
         if agent.hear(&home, &state, "go to the red room").is_ok() {
             agent.plan_fully(&home, &state).expect("a session is under way");
-            agent.decide::<rand_pcg::Pcg32>(None).expect("the plan is done");
+            agent.decide(&home, &state).expect("the plan is done");
             assert_sound(&agent);
         }
     }
 }
 
 /// The home of an environment.
-fn home<'m>(file: &EnvironmentFile, moves: Moves, memory: HomeMemory<'m>) -> Option<(Home<'m>, HomeState)> {
+fn home<M: HomeMemory>(file: &EnvironmentFile, moves: Moves, memory: M) -> Option<(Home<M>, HomeState)> {
     let mut builder = HomeBuilder::new(memory);
     for object in &file.objects {
         match object {

@@ -21,6 +21,7 @@ pub use session::session;
 pub use tokenizer::tokenizer;
 
 use goodbot::Agent;
+use goodbot::memory::AgentMemory;
 
 /// A fuzz target: its name, which is that of its corpus too, and what it does.
 pub type Target = (&'static str, fn(&[u8]));
@@ -37,7 +38,7 @@ pub const TARGETS: [Target; 7] = [
 ];
 
 /// Every belief and parameter of an agent that can be looked at is a probability, and the posterior sums to 1.
-fn assert_sound(agent: &Agent<'_>) {
+fn assert_sound(agent: &Agent<impl AgentMemory>) {
     let probability = |what: &str, value: f32| assert!((0.0..=1.0).contains(&value), "{what} is {value}");
     let belief = agent.belief();
     let sum: f32 = (0..belief.tasks()).map(|task| belief.probability(task)).sum();

@@ -2,6 +2,7 @@
 
 use super::assert_sound;
 use goodbot::home::paper_tasks;
+use goodbot::memory::AgentMemory;
 use goodbot::snapshot::Contents;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 
@@ -16,7 +17,7 @@ pub fn model(input: &[u8]) {
 
 fn restore(bytes: &[u8]) {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let mut agent = Agent::new(memory.split().agent, &paper_tasks().expect("the paper's tasks"), Options::PAPER).expect("two tasks fit");
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().expect("the paper's tasks"), Options::PAPER).expect("two tasks fit");
     let before = saved(&agent);
     if agent.restore(bytes).is_err() {
         assert_eq!(saved(&agent), before, "a refused model changes nothing");
@@ -34,7 +35,7 @@ fn restore(bytes: &[u8]) {
     assert_eq!(saved(&agent), first);
 }
 
-fn saved(agent: &Agent<'_>) -> Vec<u8> {
+fn saved(agent: &Agent<impl AgentMemory>) -> Vec<u8> {
     let mut buffer = vec![0; agent.saved_bytes().expect("the model can be saved")];
     agent.save(&mut buffer).expect("the model can be saved");
     buffer

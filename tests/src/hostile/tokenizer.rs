@@ -24,7 +24,7 @@ pub fn tokenizer(input: &[u8]) {
     // Lower case of lower case may differ only where Unicode says so; the number of words never does.
     assert_eq!(words(&found.join(" ")).map(|again| again.len()), Ok(found.len()));
     let mut memory = HeapMemory::new(&Capacities::SMALL);
-    let mut model = LanguageModel::new(memory.split().agent.language, Settings::PAPER).expect("settings to train with");
+    let mut model = LanguageModel::new(&mut memory.agent, Settings::PAPER).expect("settings to train with");
     assert_eq!(model.hear(&text).map(|sentence| sentence.len()), Ok(found.len()));
     assert!(model.words().len() <= Capacities::SMALL.words);
 }

@@ -8,7 +8,8 @@ use anyhow::{Result, bail};
 use super::{header, library};
 use crate::firmware::board::{Board, emulate};
 use crate::firmware::image::panics;
-use crate::toolchain::{self, Target, need_program};
+use crate::programs::{ARM_GCC, GCC};
+use crate::toolchain::{self, Target};
 use crate::{process, project};
 
 /// The examples in `capi/examples`.
@@ -22,11 +23,10 @@ fn capi(file: &str) -> PathBuf {
 
 /// Builds every example with the host's compiler, with both sanitizers, and runs it.
 pub fn on_host() -> Result<()> {
-    need_program("gcc", &["gcc", "libc6-dev"], "to build the C examples")?;
     let library = library::build(None)?;
     for example in EXAMPLES {
         let binary = library.with_file_name(example);
-        let mut gcc = Command::new("gcc");
+        let mut gcc = GCC.command()?;
         gcc.args(WARNINGS).args(["-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-I"]);
         gcc.arg(capi("include")).arg(capi("examples").join(format!("{example}.c"))).arg(&library).arg("-o").arg(&binary);
         process::run(&mut gcc)?;
@@ -37,25 +37,27 @@ pub fn on_host() -> Result<()> {
 
 /// Builds every example for the Cortex-M4F and runs it in the emulator.
 pub fn on_board() -> Result<()> {
-    need_program("arm-none-eabi-gcc", &["gcc-arm-none-eabi", "libnewlib-arm-none-eabi"], "to build the C examples for a controller")?;
     let target = Target::Thumbv7emHf;
     let library = library::build(Some(target))?;
     let built = toolchain::artifacts(target, "release");
     for example in EXAMPLES {
         let binary = built.join(format!("{example}.elf"));
-        process::run(&mut cross_gcc(example, &library, &binary))?;
-        let (code, said) = emulate(Board::An386, &binary)?;
-        print!("{said}");
-        if code != 0 {
-            bail!("the example {example} ended with {code} on the board");
-        }
+        process::run(&mut cross_gcc(example, &library, &binary)?)?;
         must_not_panic(&binary)?;
     }
     // Not every function is in an example.
     let binary = built.join("every-function.elf");
-    let mut gcc = cross_gcc(EXAMPLES[0], &library, &binary);
+    let mut gcc = cross_gcc(EXAMPLES[0], &library, &binary)?;
     process::run(gcc.args(header::functions()?.iter().map(|function| format!("-Wl,--undefined={function}"))))?;
-    must_not_panic(&binary)
+    must_not_panic(&binary)?;
+    for example in EXAMPLES {
+        let (code, said) = emulate(Board::An386, &built.join(format!("{example}.elf")))?;
+        print!("{said}");
+        if code != 0 {
+            bail!("the example {example} ended with {code} on the board");
+        }
+    }
+    Ok(())
 }
 
 fn must_not_panic(binary: &Path) -> Result<()> {
@@ -66,12 +68,12 @@ fn must_not_panic(binary: &Path) -> Result<()> {
     Ok(())
 }
 
-fn cross_gcc(example: &str, library: &Path, binary: &Path) -> Command {
-    let mut gcc = Command::new("arm-none-eabi-gcc");
+fn cross_gcc(example: &str, library: &Path, binary: &Path) -> Result<Command> {
+    let mut gcc = ARM_GCC.command()?;
     gcc.args(WARNINGS).args(["-mthumb", "-mcpu=cortex-m4", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16", "-ffp-contract=off", "-O2"]);
     gcc.args(["-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections", "--specs=rdimon.specs", "-nostartfiles", "-I"]);
     gcc.arg(capi("include")).arg("-T").arg(capi("examples/board/link.ld"));
     gcc.arg(capi("examples").join(format!("{example}.c"))).arg(capi("examples/board/start.c"));
     gcc.arg(library).arg("-o").arg(binary);
-    gcc
+    Ok(gcc)
 }

@@ -1,13 +1,13 @@
 //! The boards and how the emulator is told of them.
 
 use std::path::Path;
-use std::process::Command;
 use std::time::Duration;
 
 use anyhow::Result;
 
 use crate::process;
-use crate::toolchain::{Target, need_program};
+use crate::programs::QEMU;
+use crate::toolchain::Target;
 
 /// What no run should come near; a binary for another processor would hang.
 const LIMIT: Duration = Duration::from_secs(180);
@@ -73,8 +73,7 @@ impl Preset {
 
 /// Runs a binary in the emulator, each instruction 64 ns of the board's time; gives its exit code and what it prints.
 pub fn emulate(board: Board, binary: &Path) -> Result<(i32, String)> {
-    need_program("qemu-system-arm", &["qemu-system-arm"], "to run the firmware")?;
-    let mut qemu = Command::new("qemu-system-arm");
+    let mut qemu = QEMU.command()?;
     qemu.args(["-M", board.name(), "-display", "none", "-monitor", "none", "-serial", "none"]);
     qemu.args(["-icount", "shift=6,sleep=off", "-chardev", "stdio,id=out"]);
     qemu.args(["-semihosting-config", "enable=on,target=native,chardev=out", "-kernel"]).arg(binary);

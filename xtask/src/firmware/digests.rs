@@ -1,10 +1,9 @@
 //! The drill on this machine and in WebAssembly: the same run as on the boards.
 
-use std::process::Command;
-
 use anyhow::{Context, Result};
 
-use crate::toolchain::{self, Target, need_program};
+use crate::programs::NODE;
+use crate::toolchain::{self, Target};
 use crate::{process, project};
 
 const PACKAGE: &str = "goodbot-drill";
@@ -21,7 +20,6 @@ pub fn host() -> Result<u64> {
 
 /// The digest that a WebAssembly engine gives.
 pub fn wasm() -> Result<u64> {
-    need_program("node", &["nodejs"], "to run WebAssembly")?;
     let mut cargo = toolchain::cross_cargo_as(Target::Wasm32, "rustc")?;
     cargo.args(["--quiet", "--release", "--locked", "--package", PACKAGE, "--lib", "--crate-type", "cdylib", "--manifest-path"]);
     process::run(cargo.arg(project::root().join("firmware/Cargo.toml")))?;
@@ -29,6 +27,6 @@ pub fn wasm() -> Result<u64> {
     let script = "const bytes = require('fs').readFileSync(process.argv[1]); \
                   WebAssembly.instantiate(bytes, {}).then(({ instance }) => \
                   console.log(instance.exports.goodbot_drill_digest() >>> 0));";
-    let said = process::capture(Command::new("node").args(["--eval", script]).arg(module))?;
+    let said = process::capture(NODE.command()?.args(["--eval", script]).arg(module))?;
     said.trim().parse().with_context(|| format!("node printed no digest but `{}`", said.trim()))
 }

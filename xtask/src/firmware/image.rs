@@ -1,12 +1,12 @@
 //! One linked firmware: what it takes of the flash, and what it is made of.
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use anyhow::{Context, Result};
 
 use super::board::{Board, Preset};
-use crate::toolchain::{self, need_program};
+use crate::programs::{ARM_NM, ARM_SIZE, Program};
+use crate::toolchain;
 use crate::{process, project};
 
 /// What the linker puts into the flash.
@@ -21,6 +21,8 @@ const PANIC: [&str; 8] = ["panic", "unwind", "unwrap_failed", "expect_failed", "
 /// The binaries of one firmware, and where they are kept.
 #[derive(Clone, Debug)]
 pub struct Image {
+    pub board: Board,
+    pub preset: Preset,
     folder: PathBuf,
 }
 
@@ -43,7 +45,12 @@ impl Image {
         for binary in BINARIES {
             std::fs::copy(built.join(binary), folder.join(binary)).with_context(|| format!("{binary} was not built"))?;
         }
-        Ok(Self { folder })
+        Ok(Self { board, preset, folder })
+    }
+
+    /// Its name in tables.
+    pub fn name(&self) -> String {
+        format!("{} {}", self.board.name(), self.preset.name())
     }
 
     /// One of its binaries.
@@ -53,21 +60,19 @@ impl Image {
 
     /// Bytes of flash that a binary takes.
     pub fn flash(&self, name: &str) -> Result<u64> {
-        let listed = binutils("size", &["-A"], &self.binary(name))?;
+        let listed = binutils(&ARM_SIZE, &["-A"], &self.binary(name))?;
         Ok(sections(&listed).filter(|(section, _)| IN_FLASH.contains(section)).map(|(_, bytes)| bytes).sum())
     }
 }
 
 /// The symbols of a binary that are there to panic. The linker keeps only what is called.
 pub fn panics(binary: &Path) -> Result<Vec<String>> {
-    let listed = binutils("nm", &["--demangle"], binary)?;
+    let listed = binutils(&ARM_NM, &["--demangle"], binary)?;
     Ok(listed.lines().filter(|line| is_panic(line)).map(str::to_owned).collect())
 }
 
-fn binutils(tool: &str, arguments: &[&str], binary: &Path) -> Result<String> {
-    let program = format!("arm-none-eabi-{tool}");
-    need_program(&program, &["binutils-arm-none-eabi"], "to look into the firmware")?;
-    process::capture(Command::new(program).args(arguments).arg(binary))
+fn binutils(program: &Program, arguments: &[&str], binary: &Path) -> Result<String> {
+    process::capture(program.command()?.args(arguments).arg(binary))
 }
 
 /// The sections that `size -A` lists, with their bytes.

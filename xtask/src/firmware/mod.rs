@@ -10,4 +10,4 @@ pub mod digests;
 pub mod image;
 pub mod trial;
 
-pub use trial::{Trial, trials};
+pub use trial::{Trial, images, trials};

@@ -2,10 +2,11 @@
 
 use std::sync::OnceLock;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 
 use super::board::{Board, Preset, emulate};
 use super::image::Image;
+use crate::programs::QEMU;
 
 /// The firmware that is measured.
 const ROWS: [(Board, Preset); 5] = [
@@ -46,10 +47,6 @@ impl Report {
 /// One firmware, built and run.
 #[derive(Clone, Debug)]
 pub struct Trial {
-    /// The board.
-    pub board: Board,
-    /// The preset.
-    pub preset: Preset,
     /// What was linked.
     pub image: Image,
     /// What the course cost.
@@ -59,13 +56,8 @@ pub struct Trial {
 }
 
 impl Trial {
-    /// Its name in tables.
-    pub fn name(&self) -> String {
-        format!("{} {}", self.board.name(), self.preset.name())
-    }
-
-    fn run(board: Board, preset: Preset) -> Result<Self> {
-        let image = Image::build(board, preset)?;
+    fn run(image: &Image) -> Result<Self> {
+        let board = image.board;
         let report = |binary: &str| {
             let (code, said) = emulate(board, &image.binary(binary))?;
             if code != 0 {
@@ -79,21 +71,37 @@ impl Trial {
             bail!("no fault stops a stack that runs over on {}: `overflow` ended with {code} and said:\n{said}", board.name());
         }
         let (course, tick) = (report("course")?, report("tick")?);
-        Ok(Self { board, preset, image, course, tick })
+        eprintln!("{}: {} of {} tests", image.name(), course.number("passed")?, course.number("tests")?);
+        Ok(Self { image: image.clone(), course, tick })
     }
 }
 
-/// All of them. A binary that does not end with 0 is an error.
+/// All firmware, built.
+pub fn images() -> Result<&'static [Image]> {
+    static DONE: OnceLock<Vec<Image>> = OnceLock::new();
+    if let Some(done) = DONE.get() {
+        return Ok(done);
+    }
+    let built: Result<Vec<_>> = ROWS.into_iter().map(|(board, preset)| Image::build(board, preset)).collect();
+    let built = built?;
+    Ok(DONE.get_or_init(|| built))
+}
+
+/// All firmware, built and run, two at a time. A binary that does not end with 0 is an error.
 pub fn trials() -> Result<&'static [Trial]> {
     static DONE: OnceLock<Vec<Trial>> = OnceLock::new();
     if let Some(done) = DONE.get() {
         return Ok(done);
     }
+    QEMU.path()?;
     let mut trials = Vec::new();
-    for (board, preset) in ROWS {
-        let trial = Trial::run(board, preset)?;
-        eprintln!("{}: {} of {} tests", trial.name(), trial.course.number("passed")?, trial.course.number("tests")?);
-        trials.push(trial);
+    for pair in images()?.chunks(2) {
+        let ran: Vec<Result<Trial>> = std::thread::scope(|scope| {
+            let threads: Vec<_> = pair.iter().map(|image| scope.spawn(|| Trial::run(image))).collect();
+            let failed = |_| Err(anyhow!("a run in the emulator could not be followed"));
+            threads.into_iter().map(|thread| thread.join().unwrap_or_else(failed)).collect()
+        });
+        trials.extend(ran.into_iter().collect::<Result<Vec<_>>>()?);
     }
     Ok(DONE.get_or_init(|| trials))
 }

@@ -39,6 +39,7 @@ impl Footprint {
     pub fn measure(trials: &[Trial]) -> Result<Self> {
         let mut rows = BTreeMap::new();
         for trial in trials {
+            let (board, preset) = (trial.image.board, trial.image.preset);
             let mut row = BTreeMap::from([("flash".to_owned(), trial.image.flash("course")?)]);
             for name in ["statics", "stack", "hear", "act", "hear-plan-act", "finish", "round"] {
                 row.insert(name.to_owned(), trial.course.number(name)?);
@@ -49,7 +50,7 @@ impl Footprint {
             for (name, lesson) in ENVIRONMENTS {
                 row.insert(name.to_owned(), *plans.get(lesson).context("a lesson's plan is missing")?);
             }
-            rows.insert(format!("{} ({}), {}", trial.board.name(), trial.board.processor(), trial.preset.name()), row);
+            rows.insert(format!("{} ({}), {}", board.name(), board.processor(), preset.name()), row);
         }
         Ok(Self { rows })
     }

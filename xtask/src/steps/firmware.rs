@@ -2,9 +2,9 @@
 
 use anyhow::{Result, bail};
 
-use super::{Step, Tally};
+use super::{Run, Step};
 use crate::firmware::image::{BINARIES, panics};
-use crate::firmware::{digests, trials};
+use crate::firmware::{digests, images, trials};
 use crate::footprint;
 
 /// What the course may take on the Cortex-M4F with the small preset: RAM with the stack, flash, and the instructions to hear a command and to
@@ -20,85 +20,78 @@ const PART_OF_TICK: u64 = 4;
 const NEXT: &str = "run the binary that failed: `cargo xtask footprint` shows what each costs; the firmware is in firmware/";
 
 /// The course, all tests of it, on every board; and its bounds.
-pub const COURSE: Step = Step {
-    name: "firmware",
-    about: "the paper's course passes on emulated Cortex-M4F, M3 and M0, in its bounds",
-    fast: false,
-    run: course,
-    next: NEXT,
-};
+pub const COURSE: Step = Step::new("firmware", "the paper's course passes on emulated Cortex-M4F, M3 and M0, in its bounds", course, NEXT);
 
 /// Budgets hold.
-pub const TICK: Step =
-    Step { name: "tick", about: "a control loop with a fixed tick misses none while the robot learns", fast: false, run: tick, next: NEXT };
+pub const TICK: Step = Step::new("tick", "a control loop with a fixed tick misses none while the robot learns", tick, NEXT);
 
 /// Equal digests.
-pub const SAME_BITS: Step = Step {
-    name: "same-bits",
-    about: "this machine, WebAssembly and every board come to the same posteriors, bit for bit",
-    fast: false,
-    run: same_bits,
-    next: "look for what is not + - * / on f32, or depends on the width of usize",
-};
+pub const SAME_BITS: Step = Step::new(
+    "same-bits",
+    "this machine, WebAssembly and every board come to the same posteriors, bit for bit",
+    same_bits,
+    "look for what is not + - * / on f32, or depends on the width of usize",
+);
 
 /// No panic machinery.
-pub const NO_PANIC: Step = Step {
-    name: "no-panic",
-    about: "the linked firmware has nothing in it that panics",
-    fast: false,
-    run: no_panic,
-    next: "`arm-none-eabi-objdump -dC` on the binary shows who calls the symbols that are listed",
-};
+pub const NO_PANIC: Step = Step::new(
+    "no-panic",
+    "the linked firmware has nothing in it that panics",
+    no_panic,
+    "`arm-none-eabi-objdump -dC` on the binary shows who calls the symbols that are listed",
+);
 
 /// The table is as checked in.
-pub const FOOTPRINT: Step = Step {
-    name: "footprint",
-    about: "nothing costs more than docs/footprint.md says",
-    fast: false,
-    run: |_| footprint::check(),
-    next: "make it cheaper, or renew the table on purpose: `cargo xtask footprint`",
-};
+pub const FOOTPRINT: Step = Step::new(
+    "footprint",
+    "nothing costs more than docs/footprint.md says",
+    |_| footprint::check(),
+    "make it cheaper, or renew the table on purpose: `cargo xtask footprint`",
+);
 
-fn course(_: &mut Tally) -> Result<()> {
+fn course(_: &mut Run) -> Result<()> {
     for trial in trials()? {
         let (ram, flash) = (footprint::ram(trial)?, trial.image.flash("course")?);
         let to_act = trial.course.number("hear")? + trial.course.number("act")?;
-        println!("{}: {ram} bytes of RAM, {flash} of flash, {to_act} instructions to hear a command and choose an action", trial.name());
-        let bounds = match trial.name().as_str() {
+        println!(
+            "{}: {ram} bytes of RAM, {flash} of flash, {to_act} instructions to hear a command and choose an action",
+            trial.image.name()
+        );
+        let bounds = match trial.image.name().as_str() {
             "mps2-an386 small" => [("RAM", ram, MOST_RAM), ("flash", flash, MOST_FLASH), ("instructions to act", to_act, MOST_TO_ACT)],
             "microbit tiny" => [("RAM", ram, MICROBIT_RAM), ("flash", flash, MOST_FLASH), ("instructions to act", to_act, MOST_TO_ACT)],
             _ => continue,
         };
         for (what, found, most) in bounds {
             if found > most {
-                bail!("{}: {what}: {found}, and {most} are the most", trial.name());
+                bail!("{}: {what}: {found}, and {most} are the most", trial.image.name());
             }
         }
     }
     Ok(())
 }
 
-fn tick(_: &mut Tally) -> Result<()> {
+fn tick(_: &mut Run) -> Result<()> {
     for trial in trials()? {
         let number = |name| trial.tick.number(name);
         let (plan, learn, tick) = (number("plan")?, number("learn")?, number("tick")?);
-        println!("{}: a tick of {tick} instructions, {plan} for the longest part of planning, {learn} of learning", trial.name());
+        println!("{}: a tick of {tick} instructions, {plan} for the longest part of planning, {learn} of learning", trial.image.name());
         if number("missed")? > 0 {
-            bail!("{}: {} ticks were missed", trial.name(), number("missed")?);
+            bail!("{}: {} ticks were missed", trial.image.name(), number("missed")?);
         }
         if plan.max(learn) > tick / PART_OF_TICK {
-            bail!("{}: one call took more than one {PART_OF_TICK}th of a tick", trial.name());
+            bail!("{}: one call took more than one {PART_OF_TICK}th of a tick", trial.image.name());
         }
     }
     Ok(())
 }
 
-fn same_bits(_: &mut Tally) -> Result<()> {
+fn same_bits(_: &mut Run) -> Result<()> {
     let host = digests::host()?;
     let mut all = vec![("this machine".to_owned(), host), ("WebAssembly".to_owned(), digests::wasm()?)];
     for trial in trials()? {
-        all.push((trial.name(), trial.course.number("digest")?));
-        all.push((format!("{}, in parts", trial.name()), trial.tick.number("digest")?));
+        all.push((trial.image.name(), trial.course.number("digest")?));
+        all.push((format!("{}, in parts", trial.image.name()), trial.tick.number("digest")?));
     }
     for (place, digest) in &all {
         println!("{digest:08x} {place}");
@@ -109,12 +102,12 @@ fn same_bits(_: &mut Tally) -> Result<()> {
     }
 }
 
-fn no_panic(_: &mut Tally) -> Result<()> {
+fn no_panic(_: &mut Run) -> Result<()> {
     let mut found = 0_usize;
-    for trial in trials()? {
+    for image in images()? {
         for binary in BINARIES {
-            for symbol in panics(&trial.image.binary(binary))? {
-                println!("{}: {binary}: {symbol}", trial.name());
+            for symbol in panics(&image.binary(binary))? {
+                println!("{}: {binary}: {symbol}", image.name());
                 found += 1;
             }
         }
@@ -122,6 +115,6 @@ fn no_panic(_: &mut Tally) -> Result<()> {
     if found > 0 {
         bail!("{found} symbols are there to panic");
     }
-    println!("no symbol of {} binaries is there to panic", trials()?.len() * BINARIES.len());
+    println!("no symbol of {} binaries is there to panic", images()?.len() * BINARIES.len());
     Ok(())
 }

@@ -1,22 +1,18 @@
 //! The steps of `cargo xtask test`, one kind a file.
 //!
-//! A new step is a file here with a [`Step`] in it and a line in [`ALL`].
+//! A new step is a [`Step`] in a file here and a line in [`ALL`].
 
 mod capi;
-mod clippy;
-mod cross;
-mod docs;
 mod firmware;
-mod format;
-mod guide;
 mod page;
-mod style;
 mod tests;
+mod text;
+
+use std::process::Command;
 
 use anyhow::Result;
 
 use crate::process;
-use crate::project;
 
 /// One thing that `cargo xtask test` checks.
 pub struct Step {
@@ -26,35 +22,64 @@ pub struct Step {
     pub about: &'static str,
     /// Whether it is quick enough for `--fast`.
     pub fast: bool,
-    /// Does it; an error is the step's failure.
-    pub run: fn(&mut Tally) -> Result<()>,
+    /// Does it; an error is the step's failure, or says by a [`Missing`](crate::programs::Missing) that it cannot be done here.
+    pub run: fn(&mut Run) -> Result<()>,
     /// What to do when it has failed.
     pub next: &'static str,
 }
 
+impl Step {
+    const fn new(name: &'static str, about: &'static str, run: fn(&mut Run) -> Result<()>, next: &'static str) -> Self {
+        Self { name, about, fast: false, run, next }
+    }
+
+    const fn fast(self) -> Self {
+        Self { fast: true, ..self }
+    }
+}
+
 /// All steps, in the order they run: what fails soonest comes first.
 pub const ALL: &[Step] = &[
-    format::STEP,
-    style::STEP,
-    clippy::STEP,
-    tests::CORE,
-    tests::CORE_WITH_STD,
-    tests::WORKSPACE,
-    docs::STEP,
-    cross::SETUP,
-    cross::MICROCONTROLLER,
-    cross::BROWSER,
+    text::FORMAT,
+    text::STYLE,
+    text::CLIPPY,
+    tests::STEP,
+    text::DOCS,
     page::STEP,
     capi::HEADER,
     capi::HOST,
     capi::BOARD,
-    guide::STEP,
+    capi::GUIDE,
     firmware::COURSE,
     firmware::TICK,
     firmware::SAME_BITS,
     firmware::NO_PANIC,
     firmware::FOOTPRINT,
 ];
+
+/// The crates that are checked and tested together. The page's builder has none but its own dependencies, which take minutes; making the page
+/// tests it.
+const WORKSPACE: [&str; 3] = ["--workspace", "--exclude", "goodbot-page"];
+
+/// The steps that were chosen, and what they have counted so far.
+#[derive(Default)]
+pub struct Run {
+    /// Whether to leave out what takes long.
+    pub fast: bool,
+    pub chosen: Vec<&'static Step>,
+    pub tally: Tally,
+}
+
+impl Run {
+    fn includes(&self, step: &Step) -> bool {
+        self.chosen.iter().any(|chosen| chosen.name == step.name)
+    }
+
+    /// Runs a program, and counts the tests that it says it ran.
+    fn count(&mut self, command: &mut Command) -> Result<()> {
+        process::run_with_lines(command, |line| self.tally.read(line))
+    }
+}
 
 /// How many tests ran, over all steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -65,22 +90,24 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Adds what a line of `cargo test`'s output says, if it is such a line.
+    /// Adds what a line says, if it is one that sums up: of cargo's, of nextest's or of node's.
     fn read(&mut self, line: &str) {
-        let Some(result) = line.strip_prefix("test result: ") else {
-            return;
-        };
-        let words: Vec<&str> = result.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
-        let count = |what| words.windows(2).find(|pair| pair[1] == what).and_then(|pair| pair[0].parse::<u64>().ok()).unwrap_or(0);
-        self.passed += count("passed");
-        self.failed += count("failed");
-        self.skipped += count("ignored");
+        let words: Vec<&str> = line.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
+        let before = |what| words.windows(2).find(|pair| pair[1] == what).and_then(|pair| pair[0].parse::<u64>().ok()).unwrap_or(0);
+        if line.starts_with("test result: ") || line.trim_start().starts_with("Summary [") {
+            self.passed += before("passed");
+            self.failed += before("failed") + before("timed");
+            self.skipped += before("ignored") + before("skipped");
+        } else if let (Some("ℹ" | "#"), [what, number]) = (line.split(' ').next(), words.as_slice()) {
+            let number = number.parse().unwrap_or(0);
+            match *what {
+                "pass" => self.passed += number,
+                "fail" | "cancelled" => self.failed += number,
+                "skipped" | "todo" => self.skipped += number,
+                _ => {}
+            }
+        }
     }
-}
-
-/// Runs the host's cargo with these arguments.
-fn cargo(arguments: &[&str]) -> Result<()> {
-    process::run(project::cargo().args(arguments))
 }
 
 #[cfg(test)]
@@ -89,12 +116,20 @@ mod unit_tests {
 
     #[test]
     fn results_of_tests_are_added_up() {
+        let lines = [
+            "running 4 tests",
+            "    test result: FAILED. 0 passed; 1 failed; as nextest shows it once more",
+            "test result: ok. 4 passed; 0 failed; 1 ignored; 0 measured; 0 filtered out",
+            "test result: FAILED. 2 passed; 3 failed; 0 ignored; finished in 0.00s",
+            "     Summary [   1.234s] 12 tests run: 10 passed (1 slow), 1 failed, 1 timed out, 5 skipped",
+            "ℹ tests 7",
+            "ℹ pass 6",
+            "ℹ fail 0",
+            "ℹ skipped 1",
+        ];
         let mut tally = Tally::default();
-        tally.read("running 4 tests");
-        tally.read("test result: ok. 4 passed; 0 failed; 1 ignored; 0 measured; 0 filtered out");
-        tally.read("test result: FAILED. 2 passed; 3 failed; 0 ignored; finished in 0.00s");
-        let expected = Tally { passed: 6, failed: 3, skipped: 1 };
-        assert_eq!(tally, expected);
+        lines.into_iter().for_each(|line| tally.read(line));
+        assert_eq!(tally, Tally { passed: 22, failed: 5, skipped: 7 });
     }
 
     #[test]

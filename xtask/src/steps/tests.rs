@@ -1,36 +1,33 @@
 //! The tests that run on the host.
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 
-use super::{Step, Tally};
+use super::page::{self, EXPORT};
+use super::{Run, Step, WORKSPACE};
 use crate::{process, project};
 
-const NEXT: &str = "run the failed test alone, by the command above with the test's name after it";
+pub const STEP: Step =
+    Step::new("tests", "the tests of all crates", all, "run the failed test alone: `cargo test --workspace`, and the test's name after it")
+        .fast();
 
-/// The core alone, as a microcontroller has it.
-pub const CORE: Step = Step {
-    name: "core",
-    about: "the core's tests, without features",
-    fast: true,
-    run: |tally| test(tally, &["-p", "goodbot"]),
-    next: NEXT,
-};
-
-/// The core as a host has it.
-pub const CORE_WITH_STD: Step = Step {
-    name: "core-std",
-    about: "the core's tests, with std",
-    fast: true,
-    run: |tally| test(tally, &["-p", "goodbot", "--features", "std"]),
-    next: NEXT,
-};
-
-/// Everything.
-pub const WORKSPACE: Step =
-    Step { name: "workspace", about: "the tests of all crates", fast: true, run: |tally| test(tally, &["--workspace"]), next: NEXT };
-
-fn test(tally: &mut Tally, arguments: &[&str]) -> Result<()> {
-    let mut command = project::cargo();
-    command.arg("test").args(arguments);
-    process::run_with_lines(&mut command, |line| tally.read(line))
+/// By cargo-nextest where it is, which runs the tests of several files at once and knows which take long, else by cargo.
+fn all(run: &mut Run) -> Result<()> {
+    let has_nextest = process::capture(project::cargo().args(["nextest", "--version"])).is_ok();
+    let ways: &[&[&str]] = match (has_nextest, run.fast) {
+        (true, true) => &[&["nextest", "run", "--no-fail-fast", "--profile", "fast"]],
+        (true, false) => &[&["nextest", "run", "--no-fail-fast"], &["test", "--doc"]],
+        (false, _) => &[&["test"]],
+    };
+    for way in ways {
+        let mut command = project::cargo();
+        command.args(*way).args(WORKSPACE);
+        if run.includes(&page::STEP) {
+            command.env(EXPORT, "later");
+        }
+        run.count(&mut command)?;
+    }
+    if run.tally.passed == 0 {
+        bail!("no test ran");
+    }
+    Ok(())
 }

@@ -1,98 +1,108 @@
-//! Targets by Debian's toolchain: its cargo builds the standard library from
-//! the sources that Debian has packaged, with Debian's linker.
+//! Targets by Debian's toolchain: its cargo builds the standard library from the sources that Debian has packaged, with Debian's linker.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::OnceLock;
 
 use anyhow::{Context, Result};
 
-use super::{Target, apt_install, debian};
+use super::Target;
+use crate::programs::debian::{Launch, Tree};
+use crate::programs::missing;
 use crate::{process, project};
 
-const RUST: [&str; 3] = ["rustc-web", "cargo-web", "rust-web-src"];
-const WHY: &str = "to build for microcontrollers and the browser";
+const PACKAGES: [&str; 3] = ["rustc-web", "cargo-web", "rust-web-src"];
+pub const WHY: &str = "to build for microcontrollers and the browser";
+/// The standard library's sources.
+const SOURCES: &str = "usr/lib/rustlib/src/rust/library/Cargo.lock";
 
-const CARGO: &str = "/usr/bin/cargo";
-const RUSTC: &str = "/usr/bin/rustc";
-const RUSTDOC: &str = "/usr/bin/rustdoc";
-
-/// Installs what is missing of the toolchain.
-pub fn setup() -> Result<()> {
-    apt_install(&RUST, WHY)?;
-    // Which linker fits is known only when the compiler is there.
-    apt_install(&[&linker_package()?], WHY)
+/// The toolchain's parts.
+#[derive(Debug)]
+struct Toolchain {
+    cargo: PathBuf,
+    rustc: PathBuf,
+    /// The folder of the linkers.
+    linkers: PathBuf,
 }
 
-/// Whether nothing of the toolchain is missing.
-pub fn is_installed() -> bool {
-    debian::are_installed(&RUST) && linker_package().is_ok_and(|linker| debian::are_installed(&[&linker]))
+/// The toolchain: the system's, or fetched.
+fn toolchain() -> Result<&'static Toolchain> {
+    static FOUND: OnceLock<Toolchain> = OnceLock::new();
+    if let Some(found) = FOUND.get() {
+        return Ok(found);
+    }
+    let found = match installed() {
+        Some(toolchain) => toolchain,
+        None => fetch().map_err(|error| missing("a Rust toolchain for other targets", WHY, &error))?,
+    };
+    Ok(FOUND.get_or_init(|| found))
+}
+
+/// Whether it has been fetched.
+pub fn is_fetched() -> bool {
+    Tree::is_fetched(&PACKAGES)
+}
+
+fn installed() -> Option<Toolchain> {
+    let root = Path::new("/");
+    let [cargo, rustc] = ["cargo", "rustc"].map(|name| root.join("usr/bin").join(name));
+    let linkers = linkers(root, &rustc).ok()?;
+    (cargo.is_file() && root.join(SOURCES).is_file() && linkers.join("wasm-ld").is_file()).then_some(Toolchain { cargo, rustc, linkers })
+}
+
+fn fetch() -> Result<Toolchain> {
+    // The linker is that of the LLVM that the compiler was built with.
+    let tree = Tree::fetch(&PACKAGES, WHY, |needed| {
+        let llvm = needed.iter().find_map(|name| name.strip_prefix("libllvm"))?;
+        Some(format!("lld-{llvm}"))
+    })
+    .context("install Rust by rustup, and the targets by `rustup target add`")?;
+    let launcher = |name: &str, file: &'static str| tree.launcher(name, &Launch::plain(file));
+    let rustc = launcher("rustc", "usr/bin/rustc")?;
+    let linkers = linkers(tree.path(), &rustc)?;
+    Ok(Toolchain { cargo: launcher("cargo", "usr/bin/cargo")?, rustc, linkers })
 }
 
 /// The compiler's name and version.
 pub fn describe() -> Result<String> {
-    let version = process::capture(rustc().arg("--version"))?;
+    let version = process::capture(command(&toolchain()?.rustc).arg("--version"))?;
     Ok(format!("Debian's {}", version.trim()))
 }
 
-/// Debian's cargo, told to build the standard library as well; the
-/// subcommand is the next argument.
+/// Debian's cargo, told to build the standard library as well; the subcommand is the next argument.
 pub fn cargo(target: Target) -> Result<Command> {
+    let Toolchain { cargo, rustc, linkers } = toolchain()?;
     let crates = if target.has_std() { "std,panic_abort" } else { "core,alloc" };
-    let mut command = Command::new(CARGO);
-    command
-        .arg(format!("-Zbuild-std={crates}"))
-        .current_dir(project::root())
-        // Without this, cargo takes -Z options only if it is a nightly one.
-        .env("RUSTC_BOOTSTRAP", "1")
-        .env("RUSTC", RUSTC)
-        .env("RUSTDOC", RUSTDOC);
-    let linker = target.cargo_variable("LINKER");
-    if std::env::var_os(&linker).is_none() {
-        command.env(linker, linker_path(target)?);
+    let mut command = command(cargo);
+    // Without the first variable, cargo takes -Z options only if it is a nightly one.
+    command.arg(format!("-Zbuild-std={crates}")).env("RUSTC_BOOTSTRAP", "1").env("RUSTC", rustc);
+    let variable = target.cargo_variable("LINKER");
+    if std::env::var_os(&variable).is_none() {
+        command.env(variable, linkers.join(if target == Target::Wasm32 { "wasm-ld" } else { "ld.lld" }));
     }
-    forget_host_toolchain(&mut command);
     Ok(command)
 }
 
-fn rustc() -> Command {
-    let mut command = Command::new(RUSTC);
-    forget_host_toolchain(&mut command);
-    command
-}
-
-/// Takes away the variables by which the cargo that runs this program names
-/// its own parts: mixed with Debian's they would fail.
-fn forget_host_toolchain(command: &mut Command) {
-    project::forget_own_package(command);
+/// A program of the toolchain, without the variables by which the cargo that runs this program names its own parts.
+fn command(program: &Path) -> Command {
+    let mut command = Command::new(program);
+    command.current_dir(project::root());
+    project::forget_own_package(&mut command);
     for name in ["CARGO", "RUSTUP_TOOLCHAIN", "LD_LIBRARY_PATH"] {
         command.env_remove(name);
     }
+    command
 }
 
-fn linker_package() -> Result<String> {
-    Ok(format!("lld-{}", llvm()?))
-}
-
-fn linker_path(target: Target) -> Result<PathBuf> {
-    let name = match target {
-        Target::Wasm32 => "wasm-ld",
-        Target::Thumbv6m | Target::Thumbv7m | Target::Thumbv7emHf => "ld.lld",
-    };
-    Ok(PathBuf::from(format!("/usr/lib/llvm-{}/bin/{name}", llvm()?)))
-}
-
-/// The LLVM release that the compiler was built with.
-fn llvm() -> Result<u32> {
-    let about = process::capture(rustc().arg("-vV"))?;
-    llvm_release(&about).with_context(|| format!("`{RUSTC} -vV` names no LLVM version"))
+fn linkers(root: &Path, rustc: &Path) -> Result<PathBuf> {
+    let about = process::capture(command(rustc).arg("-vV"))?;
+    let llvm = llvm_release(&about).context("`rustc -vV` names no LLVM version")?;
+    Ok(root.join(format!("usr/lib/llvm-{llvm}/bin")))
 }
 
 fn llvm_release(about: &str) -> Option<u32> {
-    about
-        .lines()
-        .find_map(|line| line.strip_prefix("LLVM version: "))
-        .and_then(|version| version.split('.').next())
-        .and_then(|release| release.trim().parse().ok())
+    let version = about.lines().find_map(|line| line.strip_prefix("LLVM version: "))?;
+    version.split('.').next()?.trim().parse().ok()
 }
 
 #[cfg(test)]

@@ -1,16 +1,11 @@
-//! What is needed to build for the targets other than the host, and other
-//! tools that this project's commands use.
+//! What is needed to build for the targets other than the host.
 //!
-//! There are two ways to build for those [`Target`]s. rustup can add a target's
-//! ready-made standard library to the host's toolchain. Where that cannot be
-//! had, Debian's compiler comes with the standard library's sources, and cargo
-//! builds the library together with the project. The variable
-//! `CROSS_TOOLCHAIN_MODE` chooses: `rustup`, `build-std`, or `auto`, which
-//! tries rustup first and is what holds if it is not set.
+//! There are two ways to build for those [`Target`]s. rustup can add a target's ready-made standard library to the host's toolchain. Where
+//! that cannot be had, Debian's compiler comes with the standard library's sources, and cargo builds the library together with the project.
+//! The variable `CROSS_TOOLCHAIN_MODE` chooses: `rustup`, `build-std`, or `auto`, which tries rustup first and is what holds if it is not
+//! set.
 
 mod build_std;
-mod debian;
-mod npm;
 mod rustup;
 mod target;
 
@@ -18,53 +13,36 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::sync::OnceLock;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 
-// Some of these are for commands that are not written yet.
-#[allow(unused_imports)]
-pub use debian::{apt_install, need_program};
-#[allow(unused_imports)]
-pub use npm::npm_ci;
 pub use target::Target;
 
+use crate::programs::missing;
 use crate::project;
 
 const MODE: &str = "CROSS_TOOLCHAIN_MODE";
 
 /// How the targets other than the host are built for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
+enum Way {
     /// The host's toolchain, with standard libraries that rustup added.
     Rustup,
     /// Debian's toolchain, which builds the standard library from its sources.
     BuildStd,
 }
 
-impl Way {
-    const fn name(self) -> &'static str {
-        match self {
-            Self::Rustup => "rustup",
-            Self::BuildStd => "build-std",
-        }
-    }
-}
-
 /// Makes sure that all targets can be built for, and says how.
 pub fn setup() -> Result<()> {
-    let way = way()?;
-    let by = match way {
+    let by = match way()? {
         Way::Rustup => "standard libraries from rustup".to_owned(),
-        Way::BuildStd => format!("standard library built by {}", build_std::describe()?),
+        Way::BuildStd => format!("the standard library built by {}", build_std::describe()?),
     };
-    say(&format!("ready ({}): {by}, for", way.name()));
-    for target in Target::ALL {
-        say(&format!("  {}", target.triple()));
-    }
+    println!("{}: {by}", Target::ALL.map(Target::triple).join(", "));
     Ok(())
 }
 
-/// `cargo build --target …`, ready to be given its other arguments. Sets the
-/// target up if that has not been done. What is built is in [`artifacts`].
+/// `cargo build --target …`, ready to be given its other arguments. Sets the target up if that has not been done. What is built is in
+/// [`artifacts`].
 pub fn cross_cargo(target: Target) -> Result<Command> {
     cross_cargo_as(target, "build")
 }
@@ -75,82 +53,46 @@ pub fn cross_cargo_as(target: Target, subcommand: &str) -> Result<Command> {
         Way::Rustup => project::cargo(),
         Way::BuildStd => build_std::cargo(target)?,
     };
-    command.args([subcommand, "--target", target.triple(), "--target-dir"]).arg(cross_dir());
+    command.args([subcommand, "--target", target.triple(), "--target-dir"]).arg(folder());
     Ok(command)
 }
 
-/// Where [`cross_cargo`] leaves what it builds with a profile (`release`, `debug`).
-#[allow(dead_code)]
+/// Where [`cross_cargo`] leaves what it builds with a profile.
 pub fn artifacts(target: Target, profile: &str) -> PathBuf {
-    cross_dir().join(target.triple()).join(profile)
+    folder().join(target.triple()).join(profile)
+}
+
+/// Its own folder, so that the two kinds of build do not undo each other's work.
+fn folder() -> PathBuf {
+    project::target_dir().join("cross")
 }
 
 /// The way that is set up. The first call sets it up.
-pub fn way() -> Result<Way> {
+fn way() -> Result<Way> {
     static CHOSEN: OnceLock<Way> = OnceLock::new();
     if let Some(way) = CHOSEN.get() {
         return Ok(*way);
     }
-    let way = choose()?;
-    Ok(*CHOSEN.get_or_init(|| way))
-}
-
-fn choose() -> Result<Way> {
     let mode = std::env::var(MODE).unwrap_or_default();
-    match mode.as_str() {
+    let way = match mode.as_str() {
         "rustup" => {
-            rustup::setup()?;
-            Ok(Way::Rustup)
+            rustup::setup().map_err(|error| missing("standard libraries for other targets", build_std::WHY, &error))?;
+            Way::Rustup
         }
-        "build-std" => {
-            build_std::setup()?;
-            Ok(Way::BuildStd)
-        }
-        "" | "auto" => choose_by_trying(),
+        "" | "auto" if rustup::has_all() => Way::Rustup,
+        // rustup was asked once, and had none.
+        "" | "auto" if !build_std::is_fetched() => match rustup::setup() {
+            Ok(()) => Way::Rustup,
+            Err(error) => {
+                eprintln!("{error:#}");
+                Way::BuildStd
+            }
+        },
+        "" | "auto" | "build-std" => Way::BuildStd,
         other => bail!("{MODE} is auto, rustup or build-std, not `{other}`"),
-    }
-}
-
-/// Takes rustup's libraries if they are there, else what the last setup ended
-/// in (so that it asks nothing again), else what can be had.
-fn choose_by_trying() -> Result<Way> {
-    if rustup::has_all() {
-        return Ok(Way::Rustup);
-    }
-    if remembered() == Some(Way::BuildStd) && build_std::is_installed() {
-        return Ok(Way::BuildStd);
-    }
-    let Err(no_rustup) = rustup::setup() else {
-        return remember(Way::Rustup);
     };
-    say(&format!("{no_rustup:#}"));
-    build_std::setup().with_context(|| format!("there is no way to build for other targets: {no_rustup:#}"))?;
-    remember(Way::BuildStd)
-}
-
-fn remembered() -> Option<Way> {
-    let name = std::fs::read_to_string(note()).ok()?;
-    [Way::Rustup, Way::BuildStd].into_iter().find(|way| way.name() == name.trim())
-}
-
-fn remember(way: Way) -> Result<Way> {
-    let note = note();
-    std::fs::create_dir_all(cross_dir())
-        .and_then(|()| std::fs::write(&note, format!("{}\n", way.name())))
-        .with_context(|| format!("{} cannot be written", note.display()))?;
-    Ok(way)
-}
-
-fn note() -> PathBuf {
-    cross_dir().join("way")
-}
-
-/// Its own folder, so that the two kinds of build do not undo each other's work.
-fn cross_dir() -> PathBuf {
-    project::target_dir().join("cross")
-}
-
-/// Tells the user what is being done.
-fn say(text: &str) {
-    eprintln!("toolchain: {text}");
+    if way == Way::BuildStd {
+        build_std::describe()?;
+    }
+    Ok(*CHOSEN.get_or_init(|| way))
 }

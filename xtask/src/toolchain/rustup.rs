@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
 
-use super::{Target, say};
+use super::Target;
 use crate::{process, project};
 
 /// How many seconds rustup is given, if not [`DEFAULT_SECONDS`].
@@ -22,10 +22,14 @@ pub fn setup() -> Result<()> {
         return Ok(());
     }
     let limit = Duration::from_secs(seconds()?);
-    say(&format!("rustup adds {} (it is given {} s)", missing.join(", "), limit.as_secs()));
+    eprintln!("rustup adds {} (it is given {} s)", missing.join(", "), limit.as_secs());
     let mut add = rustup();
     add.args(["target", "add"]).args(&missing);
-    process::run_within(&mut add, limit).context("rustup could not add the targets")
+    let (code, _) = process::capture_within(&mut add, limit).context("rustup could not add the targets")?;
+    if code != 0 {
+        bail!("rustup could not add the targets");
+    }
+    Ok(())
 }
 
 /// Whether no target is missing.

@@ -5,9 +5,9 @@ mod lines;
 use crate::teach::classroom::Classroom;
 use crate::teach::lessons::random_home;
 use crate::teach::session::Judged;
-use crate::teach::text_map;
 use crate::teach::trainer::{Meaning, Refusal};
 use goodbot::feedback::Feedback;
+use goodbot::planning::OptimalSet;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use lines::Lines;
 use serde_json::{Map, Value, json};
@@ -101,6 +101,16 @@ fn write(output: &mut impl Write, answers: &[Value]) -> io::Result<()> {
 
 fn error(message: &str, instead: &str) -> Value {
     json!({"type": "error", "message": message, "do": instead})
+}
+
+const fn plan_word(plan: OptimalSet) -> &'static str {
+    match plan {
+        OptimalSet::Toward(_) => "toward",
+        OptimalSet::Approximate(_) => "approximate",
+        OptimalSet::Goal => "goal",
+        OptimalSet::DeadEnd(_) => "dead end",
+        OptimalSet::Unknown => "unknown",
+    }
 }
 
 struct Speaker<'a> {
@@ -218,7 +228,7 @@ impl Speaker<'_> {
         let acted = trainer.act()?.clone();
         let task = meanings.iter().find(|meaning| meaning.position == acted.task);
         let mut answer = json!({
-            "type": "acted", "action": acted.action, "confidence": number(acted.confidence), "plan": acted.plan,
+            "type": "acted", "action": acted.action, "confidence": number(acted.confidence), "plan": plan_word(acted.plan),
             "task": task.map(|task| &task.name), "words": task.map(|task| &task.words),
         });
         self.add_cells(&mut answer);
@@ -232,8 +242,7 @@ impl Speaker<'_> {
             return Err(Misunderstood { message: "there is no step to judge yet".to_owned(), instead: "send step first" });
         };
         let judged = trainer.judge(feedback)?;
-        trainer.plan_again()?;
-        let mut answer = json!({"type": "judged", "action": action, "feedback": feedback.name(), "counted": judged != Judged::Impossible});
+        let mut answer = json!({"type": "judged", "action": action, "feedback": feedback.name(), "counted": matches!(judged, Judged::Counted | Judged::AsBefore)});
         self.add_tasks(&mut answer);
         Ok(vec![answer])
     }
@@ -260,9 +269,9 @@ impl Speaker<'_> {
 
     fn finish(&mut self) -> Answers {
         let steps = self.classroom.session().map_or(0, |session| session.steps().len());
-        self.classroom.finish()?;
+        let gave_way = self.classroom.finish()?;
         while !self.classroom.learn(u32::MAX)? {}
-        Ok(self.over(true, steps))
+        Ok(self.over(true, steps, gave_way))
     }
 
     fn forget(&mut self) -> Answers {
@@ -270,11 +279,12 @@ impl Speaker<'_> {
         if !self.classroom.forget()? {
             return Err(Misunderstood { message: "no session is under way".to_owned(), instead: "send a command first" });
         }
-        Ok(self.over(false, steps))
+        Ok(self.over(false, steps, 0))
     }
 
-    fn over(&self, learned: bool, steps: usize) -> Vec<Value> {
-        let over = json!({"type": "finished", "learned": learned, "steps": steps, "sessions": self.classroom.trainer.lessons_learned()});
+    fn over(&self, learned: bool, steps: usize, gave_way: usize) -> Vec<Value> {
+        let sessions = self.classroom.trainer.lessons_learned();
+        let over = json!({"type": "finished", "learned": learned, "steps": steps, "sessions": sessions, "gave_way": gave_way});
         std::iter::once(over).chain(self.lesson().filter(|_| learned)).collect()
     }
 
@@ -296,8 +306,6 @@ impl Speaker<'_> {
             let seed = if seed.trim().is_empty() { Ok(self.seed) } else { seed.trim().parse::<u64>() };
             random_home(seed.map_err(|_| refuse("the seed is no whole number".to_owned()))?)
                 .ok_or_else(|| refuse("no home could be drawn".to_owned()))?
-        } else if text_map::is_drawing(text) {
-            return Err(refuse("this is no environment in JSON".to_owned()));
         } else {
             EnvironmentFile::parse(text).map_err(|error| refuse(error.to_string()))?
         };

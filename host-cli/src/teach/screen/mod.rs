@@ -8,8 +8,8 @@ mod thoughts;
 
 use super::keys::Focus;
 use super::palette::Palette;
-use super::plain_names::count;
 use super::visit::{Phase, Visit};
+use crate::messages::counted;
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Position, Rect};
 use ratatui::style::{Modifier, Style};
@@ -60,7 +60,7 @@ fn draw_title(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette
         None if visit.classroom.tour.is_some() => "The tour is over".to_owned(),
         None => "Free play".to_owned(),
     };
-    let learned = count(visit.classroom.trainer.lessons_learned(), "session");
+    let learned = counted(visit.classroom.trainer.lessons_learned(), "session");
     let left = format!(" goodbot · {place}");
     let right = format!("learned from {learned} · speed: {} ", visit.pace.name());
     let gap = usize::from(area.width).saturating_sub(left.chars().count() + right.chars().count());

@@ -1,11 +1,11 @@
 //! The screen, looked at.
 
 use super::*;
+use crate::load::home;
 use crate::teach::classroom::Classroom;
 use crate::teach::keys::Intent;
 use crate::teach::lessons::{Tour, first_home};
 use crate::teach::pace::Pace;
-use crate::teach::text_map;
 use crate::teach::trainer::Trainer;
 use goodbot_formats::environment::EnvironmentFile;
 use ratatui::Terminal;
@@ -71,7 +71,7 @@ fn every_size_can_be_drawn_on() {
 fn a_home_larger_than_the_screen_is_seen_around_the_robot() {
     let wide = |inside: String| format!("#{inside}#\n");
     let rows = [wide("#".repeat(150)), wide("r".repeat(150)), wide("r".repeat(140) + "@" + &"r".repeat(9)), wide("#".repeat(150))].concat();
-    let screen = text(&drawn(&visit(&text_map::parse(&rows).unwrap(), false), 80, 24, Palette::Many));
+    let screen = text(&drawn(&visit(&home::parse("rows", &rows).unwrap(), false), 80, 24, Palette::Many));
     assert!(screen.contains("rr@rr"), "{screen}");
 }
 

@@ -2,11 +2,12 @@
 
 use super::super::palette::Palette;
 use super::super::plain_names::percent;
-use super::super::session::{Step, Verdict};
+use super::super::session::Step;
 use super::super::trainer::{Idea, Meaning};
 use super::super::visit::Visit;
 use super::framed;
 use goodbot::feedback::Feedback;
+use goodbot::planning::Judgement;
 use ratatui::Frame;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
@@ -48,7 +49,7 @@ pub fn draw_beliefs(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: P
     let words = longest.min(width.saturating_sub(number + 7 + LEAST_BAR));
     let marks = visit.done().len().min(MARKS);
     let rest = width.saturating_sub(number + words + 7);
-    let marks = if rest >= LEAST_BAR + marks + 1 { marks } else { 0 };
+    let marks = if rest > LEAST_BAR + marks { marks } else { 0 };
     let bar_width = rest.saturating_sub(if marks > 0 { marks + 1 } else { 0 }).min(24);
     for (rank, meaning) in meanings.iter().take(shown).enumerate() {
         lines.push(belief(rank, meaning, [number, words, bar_width, marks], visit.done(), palette));
@@ -78,9 +79,9 @@ fn belief<'a>(rank: usize, meaning: &Meaning, [number, words, bar_width, marks]:
 
 /// What a step said of a task: for it, against it, or nothing.
 fn mark<'a>(step: &Step, task: usize, palette: Palette) -> Span<'a> {
-    match (step.feedback, step.verdicts.get(task)) {
-        (Feedback::Reward, Some(Verdict::Right)) | (Feedback::Punish, Some(Verdict::Wrong)) => Span::styled("▲", palette.good()),
-        (Feedback::Reward, Some(Verdict::Wrong)) | (Feedback::Punish, Some(Verdict::Right)) => Span::styled("▼", palette.bad()),
+    match (step.feedback, step.judgements.get(task)) {
+        (Feedback::Reward, Some(Judgement::Correct)) | (Feedback::Punish, Some(Judgement::Incorrect)) => Span::styled("▲", palette.good()),
+        (Feedback::Reward, Some(Judgement::Incorrect)) | (Feedback::Punish, Some(Judgement::Correct)) => Span::styled("▼", palette.bad()),
         _ => Span::styled("·", palette.quiet()),
     }
 }

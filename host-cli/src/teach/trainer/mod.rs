@@ -3,8 +3,8 @@
 //! [`Trainer::hear`], then over and over [`Trainer::plan`] until it is done, [`Trainer::act`], [`Trainer::judge`], [`Trainer::go_on`]; at the
 //! end [`Trainer::finish`] and [`Trainer::learn`] until it is done, or [`Trainer::forget`].
 //!
-//! What the trainer says counts at once, and of several words to one step the last one counts. To take a word or a step back, the session
-//! is walked again up to there: the same actions and the same feedback give the same belief.
+//! What the trainer says counts at once, and of several words to one step the last one counts. To take a step back, the session is walked
+//! again up to there: the same actions and the same feedback give the same belief.
 //!
 //! - [`mind`]: the robot's mind and its home in memory; [`thoughts`]: what the robot thinks.
 
@@ -15,18 +15,20 @@ pub use thoughts::{Idea, Meaning, WordSupport};
 
 use crate::lessons::restored::room_for;
 use crate::teach::scene::{Scene, scene};
-use crate::teach::session::{Judged, Session, Step, Verdict};
+use crate::teach::session::{Judged, Session, Step};
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
 use goodbot::home::{Home, HomeState};
-use goodbot::oomdp::{Action, action_name, action_named, apply};
-use goodbot::planning::{OptimalSet, Progress};
+use goodbot::memory::{AgentHeap, HomeHeap};
+use goodbot::oomdp::{action_name, action_named};
+use goodbot::planning::{Judgement, OptimalSet, Progress};
+use goodbot::session::{Evidence, Finished};
 use goodbot::snapshot::Contents;
 use goodbot::{Agent, Capacities};
 use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::RecordedSession;
-use mind::{Mind, Rooms, build, new_mind};
+use mind::{build, new_mind};
 use rand_pcg::Pcg32;
 use std::fmt;
 
@@ -57,34 +59,25 @@ pub struct Acted {
     pub task: usize,
     /// How probable it is that the action is right: the tasks for which it is optimal, together.
     pub confidence: f32,
-    /// What the plan says for the task that it followed: `toward`, `goal`, `dead end` or `unknown`.
-    pub plan: &'static str,
+    /// What the plan says for the task that it followed.
+    pub plan: OptimalSet,
     /// What was said to it.
     pub judged: Option<Feedback>,
-    /// The action for the core.
-    action_id: Action,
+    /// How the action is judged for each task, by position.
+    judgements: Vec<Judgement>,
     /// Where everything was before it.
-    before: Option<HomeState>,
+    before: HomeState,
 }
 
 /// One robot, one home, and the session under way.
 pub struct Trainer {
-    mind: Mind,
-    rooms: Rooms,
+    mind: Agent<AgentHeap>,
+    rooms: Home<HomeHeap>,
     start: HomeState,
     state: HomeState,
     session: Option<Session>,
     acted: Option<Acted>,
     random: Pcg32,
-}
-
-const fn plan_word(plan: &OptimalSet) -> &'static str {
-    match plan {
-        OptimalSet::Toward(_) => "toward",
-        OptimalSet::Goal => "goal",
-        OptimalSet::DeadEnd(_) => "dead end",
-        OptimalSet::Unknown => "unknown",
-    }
 }
 
 impl Trainer {
@@ -99,7 +92,8 @@ impl Trainer {
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
         let contents = Contents::read(bytes).map_err(refused)?;
         let mut mind = new_mind(&room_for(&contents))?;
-        mind.with_dependent_mut(|_, agent| agent.restore(bytes).map(|()| agent.learn_fully())).map_err(refused)?;
+        mind.restore(bytes).map_err(refused)?;
+        mind.learn_fully();
         self.forget();
         self.mind = mind;
         Ok(())
@@ -114,9 +108,8 @@ impl Trainer {
 
     /// What the robot has learned, as the bytes of a model file. It must not be learning.
     pub fn save(&self) -> Result<Vec<u8>, Refusal> {
-        let agent = self.agent();
-        let mut bytes = vec![0; agent.saved_bytes().map_err(refused)?];
-        let length = agent.save(&mut bytes).map_err(refused)?;
+        let mut bytes = vec![0; self.mind.saved_bytes().map_err(refused)?];
+        let length = self.mind.save(&mut bytes).map_err(refused)?;
         bytes.truncate(length);
         Ok(bytes)
     }
@@ -135,17 +128,9 @@ impl Trainer {
         self.state = self.start;
     }
 
-    fn agent(&self) -> &Agent<'_> {
-        self.mind.borrow_dependent()
-    }
-
-    fn home(&self) -> &Home<'_> {
-        self.rooms.borrow_dependent()
-    }
-
     /// The home as it is now.
     pub fn scene(&self) -> Scene {
-        scene(self.home(), &self.state)
+        scene(&self.rooms, &self.state)
     }
 
     /// The session under way.
@@ -160,7 +145,7 @@ impl Trainer {
 
     /// How many sessions the robot has learned from.
     pub fn lessons_learned(&self) -> usize {
-        self.agent().language().bitext().sessions()
+        self.mind.language().bitext().sessions()
     }
 
     /// Hears a command where everything is now. A session under way ends unlearned. `intention` is what the trainer means, where that is
@@ -168,9 +153,8 @@ impl Trainer {
     pub fn hear(&mut self, command: &str, id: Option<String>, intention: Option<&Intention>) -> Result<(), Refusal> {
         self.forget();
         let environment = self.scene().environment;
-        let Self { mind, rooms, state, .. } = self;
-        mind.with_dependent_mut(|_, agent| agent.hear(rooms.borrow_dependent(), state, command)).map_err(refused)?;
-        let intended = intention.and_then(|intention| intention.find(self.agent(), self.home()));
+        self.mind.hear(&self.rooms, &self.state, command).map_err(refused)?;
+        let intended = intention.and_then(|intention| intention.find(&self.mind, &self.rooms));
         self.session = Some(Session::new(id, command, environment, intended, self.state));
         Ok(())
     }
@@ -178,9 +162,7 @@ impl Trainer {
     /// Goes on planning for where everything is now, with at most about `budget` looks. Gives whether the robot can act.
     pub fn plan(&mut self, budget: u32) -> Result<bool, Refusal> {
         let session = self.session.as_mut().ok_or_else(no_session)?;
-        let Self { mind, rooms, state, .. } = self;
-        let progress = mind.with_dependent_mut(|_, agent| agent.plan(rooms.borrow_dependent(), state, budget)).map_err(refused)?;
-        if progress == Progress::Working {
+        if self.mind.plan(&self.rooms, &self.state, budget).map_err(refused)? == Progress::Working {
             return Ok(false);
         }
         let Some(step) = session.again.pop_front() else { return Ok(true) };
@@ -218,71 +200,61 @@ impl Trainer {
         if self.acted.is_some() {
             return Err(Refusal("the last step is not over yet".to_owned()));
         }
-        let Self { mind, random, .. } = self;
-        let decision = mind.with_dependent_mut(|_, agent| agent.decide(Some(random))).map_err(refused)?;
-        let name = action_name(self.home(), decision.action).to_owned();
+        let decision = self.mind.decide_by(&self.rooms, &self.state, &mut self.random).map_err(refused)?;
+        let name = action_name(&self.rooms, decision.action).to_owned();
         self.perform(&name)?;
         self.acted.as_mut().map_or_else(
             || Err(no_session()),
             |acted| {
                 acted.task = decision.task;
-                acted.plan = plan_word(&decision.plan);
+                acted.plan = decision.plan;
                 Ok(&*acted)
             },
         )
     }
 
-    /// Does the action of this name, for the most likely task.
+    /// Does the action of this name, for the most likely task. The plan must be done.
     fn perform(&mut self, name: &str) -> Result<(), Refusal> {
-        let action = action_named(self.home(), name).ok_or_else(|| Refusal(format!("{name} is no action here")))?;
-        let agent = self.agent();
-        let task = agent.most_likely::<Pcg32>(None).ok_or_else(no_session)?;
-        let agrees = |position: usize| {
-            let right = agent.search().optimal(position).actions().is_some_and(|actions| actions.contains(action));
-            if right { agent.belief().probability(position) } else { 0.0 }
+        let action = action_named(&self.rooms, name).ok_or_else(|| Refusal(format!("{name} is no action here")))?;
+        let next = self.mind.acted(&self.rooms, &self.state, action).map_err(refused)?;
+        let (plan, belief) = (self.mind.planned(), self.mind.belief());
+        let task = self.mind.most_likely().ok_or_else(no_session)?;
+        let tasks = 0..self.mind.tasks().len();
+        let agrees = |&task: &usize| {
+            let plan = plan.optimal(task);
+            plan.exact().or(plan.onward()).is_some_and(|actions| actions.contains(action))
         };
-        let acted = Acted {
+        let confidence = tasks.clone().filter(agrees).map(|task| belief.probability(task)).sum::<f32>();
+        self.acted = Some(Acted {
             action: name.to_owned(),
             task,
-            confidence: (0..agent.tasks().len()).map(agrees).sum::<f32>().clamp(0.0, 1.0),
-            plan: plan_word(&agent.search().optimal(task)),
+            confidence: confidence.clamp(0.0, 1.0),
+            plan: plan.optimal(task),
             judged: None,
-            action_id: action,
-            before: Some(self.state),
-        };
-        self.state = apply(self.home(), &self.state, action).unwrap_or(self.state);
-        self.acted = Some(acted);
+            judgements: tasks.map(|task| plan.judge(task, action)).collect(),
+            before: self.state,
+        });
+        self.state = next;
         Ok(())
     }
 
-    /// Takes in what the trainer says to the last step. Where something was said to it before, that is taken back: [`plan`](Self::plan)
-    /// until it is done.
+    /// Takes in what the trainer says to the last step. It replaces what was said to it before.
     pub fn judge(&mut self, feedback: Feedback) -> Result<Judged, Refusal> {
         let nothing_done = || Refusal("there is no step to judge yet; let the robot go first".to_owned());
         let (Some(acted), Some(session)) = (self.acted.as_mut(), self.session.as_mut()) else { return Err(nothing_done()) };
         if acted.judged == Some(feedback) {
             return Ok(Judged::AsBefore);
         }
-        if acted.judged.is_some() {
-            let mut steps = session.steps();
-            if let Some(last) = steps.last_mut() {
-                last.feedback = feedback;
-            }
-            self.walk_again(steps)?;
-            return Ok(Judged::WalkingAgain);
+        let evidence = self.mind.feedback(feedback).map_err(refused)?;
+        match acted.judged.replace(feedback) {
+            None => session.judged(Step { action: acted.action.clone(), feedback, judgements: acted.judgements.clone() }),
+            Some(_) => session.judged_anew(feedback),
         }
-        let action = acted.action_id;
-        let agent = self.mind.borrow_dependent();
-        let verdict = |position: usize| match agent.search().optimal(position).actions() {
-            Some(actions) if actions.contains(action) => Verdict::Right,
-            Some(_) => Verdict::Wrong,
-            None => Verdict::Unknown,
-        };
-        let verdicts = (0..agent.tasks().len()).map(verdict).collect();
-        let counted = self.mind.with_dependent_mut(|_, agent| agent.feedback(action, feedback)).map_err(refused)?;
-        acted.judged = Some(feedback);
-        session.judged(Step { action: acted.action.clone(), feedback, verdicts });
-        Ok(if counted { Judged::Counted } else { Judged::Impossible })
+        Ok(match evidence {
+            Evidence::Used => Judged::Counted,
+            Evidence::SaysNothing => Judged::SaysNothing,
+            Evidence::Impossible => Judged::Impossible,
+        })
     }
 
     /// The last step is over: where nothing was said to it, that was silence.
@@ -297,7 +269,7 @@ impl Trainer {
     /// Takes back the last step, and what was said to it. [`plan`](Self::plan) until that is done. Gives `false` where there is none.
     pub fn take_back(&mut self) -> Result<bool, Refusal> {
         let session = self.session.as_mut().ok_or_else(no_session)?;
-        if let Some(Acted { judged: None, before: Some(before), .. }) = self.acted {
+        if let Some(Acted { judged: None, before, .. }) = self.acted {
             self.state = before;
             self.acted = None;
             return Ok(true);
@@ -315,36 +287,34 @@ impl Trainer {
         let session = session.as_mut().ok_or_else(no_session)?;
         (*state, *acted) = (session.begun, None);
         session.walk_again(steps);
-        mind.with_dependent_mut(|_, agent| agent.hear(rooms.borrow_dependent(), state, &session.command)).map_err(refused)
+        mind.hear(rooms, state, &session.command).map_err(refused)
     }
 
     /// What a simulated trainer who means the intended task says to the last step; `None` where nothing is intended or done.
     pub fn simulated_word(&mut self) -> Option<Feedback> {
         let intended = self.session.as_ref()?.intended?;
-        let action = self.acted.as_ref()?.action_id;
-        let right = self.agent().search().optimal(intended).actions().is_some_and(|actions| actions.contains(action));
+        let right = self.acted.as_ref()?.judgements.get(intended) == Some(&Judgement::Correct);
         Some(SimulatedTrainer { strategy: Strategy::BALANCED }.feedback(right, &mut self.random))
     }
 
     /// What the plan says for the intended task, as [`Acted::plan`] does.
-    pub fn intended_plan(&self) -> Option<&'static str> {
-        Some(plan_word(&self.agent().search().optimal(self.session.as_ref()?.intended?)))
+    pub fn intended_plan(&self) -> Option<OptimalSet> {
+        Some(self.mind.planned().optimal(self.session.as_ref()?.intended?))
     }
 
-    /// Ends the session and begins to learn from it. Gives its record. A step to which nothing was said is left out.
-    pub fn finish(&mut self) -> Result<RecordedSession, Refusal> {
+    /// Ends the session and begins to learn from it. Gives its record, and which older sessions gave way because memory was full. A step
+    /// to which nothing was said is left out.
+    pub fn finish(&mut self) -> Result<(RecordedSession, Finished), Refusal> {
         self.plan_again()?;
         let record = self.record(true)?;
-        let Self { mind, rooms, .. } = self;
-        let ended = mind.with_dependent_mut(|_, agent| agent.finish(rooms.borrow_dependent()));
+        let finished = self.mind.finish(&self.rooms);
         (self.session, self.acted) = (None, None);
-        ended.map_err(refused)?;
-        Ok(record)
+        Ok((record, finished.map_err(refused)?))
     }
 
     /// Goes on learning, with at most about `budget` table cells of work. Gives whether it is done.
     pub fn learn(&mut self, budget: u32) -> bool {
-        self.mind.with_dependent_mut(|_, agent| agent.learn(budget)) == Progress::Done
+        self.mind.learn(budget) == Progress::Done
     }
 
     /// Ends the session, if one is under way, without learning from it. Gives its record where anything was judged.
@@ -352,7 +322,7 @@ impl Trainer {
         let record = self.record(false).ok().filter(|record| !record.steps.is_empty());
         self.acted = None;
         if self.session.take().is_some() {
-            self.mind.with_dependent_mut(|_, agent| agent.forget());
+            self.mind.forget();
         }
         record
     }

@@ -47,13 +47,13 @@ pub struct Idea {
 
 impl Trainer {
     pub(super) fn name_of(&self, position: usize) -> Option<GroundTaskText> {
-        let task = self.agent().tasks().get(position)?;
-        task_name(self.home(), self.agent().lifted().get(usize::from(task.lifted))?, task).ok()
+        let task = self.mind.tasks().get(position)?;
+        task_name(&self.rooms, self.mind.lifted().get(usize::from(task.lifted))?, task).ok()
     }
 
     /// The tasks that the command may mean, the likeliest first. None where no command was heard.
     pub fn meanings(&self) -> Vec<Meaning> {
-        let agent = self.agent();
+        let agent = &self.mind;
         let tasks = if self.session.is_some() { agent.tasks() } else { &[] };
         let named = |(position, task): (usize, &GroundedTask)| {
             let lifted = agent.lifted().get(usize::from(task.lifted))?;
@@ -61,7 +61,7 @@ impl Trainer {
             Some(Meaning {
                 position,
                 name,
-                words: task_words(self.home(), lifted, task),
+                words: task_words(&self.rooms, lifted, task),
                 probability: agent.belief().probability(position),
             })
         };
@@ -74,7 +74,7 @@ impl Trainer {
     /// over the task's machine commands.
     pub fn word_support(&self) -> Result<Vec<WordSupport>, Refusal> {
         let session = self.session.as_ref().ok_or_else(no_session)?;
-        let (agent, home) = (self.agent(), self.home());
+        let (agent, home) = (&self.mind, &self.rooms);
         let (language, sentence) = (agent.language(), agent.sentence());
         let learned = |word: &Option<Symbol>| word.filter(|word| word.index() < language.tables().words());
         let mut rows = vec![Vec::new(); sentence.len()];
@@ -109,7 +109,7 @@ impl Trainer {
     /// What the robot calls things, as it was last learned: for each idea the words that it expects. Only beginnings of words may be known:
     /// see [`word_letters`](Self::word_letters).
     pub fn ideas(&self) -> Vec<Idea> {
-        let language = self.agent().language();
+        let language = self.mind.language();
         let tables = language.tables();
         let idea = |(token, text): (Symbol, &str)| {
             let words = language.words().iter().take(tables.words());
@@ -123,6 +123,6 @@ impl Trainer {
 
     /// How many letters of a word the robot keeps; all of them where it is 0.
     pub fn word_letters(&self) -> usize {
-        usize::from(self.agent().options().language.word_letters)
+        usize::from(self.mind.options().language.word_letters)
     }
 }

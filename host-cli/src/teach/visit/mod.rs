@@ -3,11 +3,12 @@
 mod telling;
 mod time;
 
+use crate::messages::counted;
 use crate::teach::classroom::{Classroom, Tested};
 use crate::teach::keys::{Focus, Intent};
 use crate::teach::lessons::{Stop, Tour, random_home};
 use crate::teach::pace::Pace;
-use crate::teach::plain_names::{count, percent};
+use crate::teach::plain_names::percent;
 use crate::teach::prompt::Prompt;
 use crate::teach::session::{Judged, Step};
 use crate::teach::trainer::{Acted, Refusal, WordSupport};
@@ -71,6 +72,8 @@ pub struct Visit {
     rests: u8,
     word_at: Option<Duration>,
     homes: u64,
+    /// How many older sessions gave way to the one that is being learned.
+    gave_way: usize,
 }
 
 impl Visit {
@@ -91,6 +94,7 @@ impl Visit {
             tested: None,
             stepping: false,
             rests: 0,
+            gave_way: 0,
             word_at: None,
             homes: seed,
         };
@@ -98,7 +102,7 @@ impl Visit {
         visit.idle(if learned == 0 {
             String::new()
         } else {
-            format!("Here it is again. It has learned from {}.", count(learned, "session"))
+            format!("Here it is again. It has learned from {}.", counted(learned, "session"))
         });
         visit
     }
@@ -292,7 +296,7 @@ impl Visit {
         let waits = self.wait(acted).is_none();
         match self.classroom.trainer.judge(feedback)? {
             Judged::Impossible => self.message = "Whatever was meant, this cannot be; it was not counted.".to_owned(),
-            Judged::WalkingAgain => self.phase = Phase::Planning,
+            Judged::SaysNothing => self.message = "Its plan here is not exact, so your word tells it nothing.".to_owned(),
             Judged::Counted | Judged::AsBefore => self.message.clear(),
         }
         if let (true, Phase::Waiting(_)) = (waits, self.phase) {
@@ -313,9 +317,9 @@ impl Visit {
     fn wait(&self, acted: &Acted) -> Option<Duration> {
         let longest = Duration::from_millis(2_600);
         match () {
-            () if self.tested.is_some() && acted.plan != "toward" => Some(RESULT_STANDS),
+            () if self.tested.is_some() && acted.plan.onward().is_none() => Some(RESULT_STANDS),
             () if self.tested.is_some() || self.auto => Some(self.pace.wait(acted.confidence).unwrap_or(longest)),
-            () if acted.plan != "toward" => None,
+            () if acted.plan.onward().is_none() => None,
             () => self.pace.wait(acted.confidence),
         }
     }
@@ -333,7 +337,7 @@ impl Visit {
             }
         } else if self.classroom.unlearn()? {
             self.support.clear();
-            let learned = count(self.classroom.trainer.lessons_learned(), "session");
+            let learned = counted(self.classroom.trainer.lessons_learned(), "session");
             self.idle(format!("The last session is forgotten. It knows what it learned from {learned}."));
         } else {
             self.message = "Nothing was learned since you came; there is nothing to take back.".to_owned();
@@ -354,7 +358,7 @@ impl Visit {
     }
 
     fn finish(&mut self) -> Result<(), Refusal> {
-        self.classroom.finish()?;
+        self.gave_way = self.classroom.finish()?;
         (self.phase, self.message) = (Phase::Learning, "It learns …".to_owned());
         Ok(())
     }

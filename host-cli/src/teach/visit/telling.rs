@@ -4,6 +4,7 @@ use super::{Phase, Visit};
 use crate::teach::plain_names::{action_words, percent};
 use crate::teach::trainer::Meaning;
 use goodbot::feedback::Feedback;
+use goodbot::planning::OptimalSet;
 
 impl Visit {
     /// What the robot did last, and what was said to that.
@@ -17,12 +18,13 @@ impl Visit {
             (_, Some(acted)) => {
                 let sure = percent(acted.confidence);
                 let why = match acted.plan {
-                    "goal" => {
+                    OptimalSet::Goal => {
                         likeliest().map_or_else(String::new, |Meaning { words, .. }| format!("It thinks that it is done: \"{words}\"."))
                     }
-                    "dead end" => "It cannot do what it thinks is meant any more, so it stays.".to_owned(),
-                    "unknown" => "This home is too large for its plan, so it stays.".to_owned(),
-                    _ => format!("It {}, and is {sure} sure that this is right.", action_words(&acted.action)),
+                    OptimalSet::DeadEnd(_) => "It cannot do what it thinks is meant any more, so it stays.".to_owned(),
+                    OptimalSet::Unknown => "This home is too large for its plan, so it stays.".to_owned(),
+                    OptimalSet::Approximate(_) => format!("It {}: not the shortest way, perhaps.", action_words(&acted.action)),
+                    OptimalSet::Toward(_) => format!("It {}, and is {sure} sure that this is right.", action_words(&acted.action)),
                 };
                 let who = if self.auto { "The simulated trainer" } else { "You" };
                 let said = match acted.judged {

@@ -1,8 +1,9 @@
 //! What happens by itself as time goes by.
 
 use super::{LEARN_BUDGET, PLAN_BUDGET, Phase, Visit, sentence};
-use crate::teach::plain_names::count;
+use crate::messages::counted;
 use crate::teach::trainer::Refusal;
+use goodbot::planning::OptimalSet;
 use goodbot_course::lesson::{MOST_STEPS, RESTS};
 use std::time::Duration;
 
@@ -22,8 +23,12 @@ impl Visit {
         match self.phase {
             Phase::Planning if self.classroom.trainer.plan(PLAN_BUDGET)? => self.act(now),
             Phase::Learning if self.classroom.learn(LEARN_BUDGET)? => {
-                let learned = count(self.classroom.trainer.lessons_learned(), "session");
-                self.idle(format!("Learned. It knows what {learned} taught it; u takes the last one back."));
+                let learned = counted(self.classroom.trainer.lessons_learned(), "session");
+                let gave_way = match self.gave_way {
+                    0 => "u takes the last one back".to_owned(),
+                    some => format!("memory was full, and {} gave way", counted(some, "older one")),
+                };
+                self.idle(format!("Learned. It knows what {learned} taught it; {gave_way}."));
                 Ok(())
             }
             Phase::Waiting(until) if !self.paused => self.wait_over(until, now),
@@ -57,15 +62,14 @@ impl Visit {
         if until.is_none_or(|until| until > now) {
             return Ok(());
         }
-        let acted = self.acted().map_or("", |acted| acted.plan);
-        if self.tested.is_some() && !acted.is_empty() && acted != "toward" {
+        if self.tested.is_some() && self.acted().is_some_and(|acted| acted.plan.onward().is_none()) {
             return self.pass_test();
         }
         let intended = self.classroom.trainer.intended_plan();
         self.go_on()?;
         let long = self.done().len() >= usize::from(MOST_STEPS);
-        let there = intended == Some("goal") && self.rests >= RESTS;
-        if self.auto && (there || long || intended == Some("dead end")) {
+        let there = intended == Some(OptimalSet::Goal) && self.rests >= RESTS;
+        if self.auto && (there || long || matches!(intended, Some(OptimalSet::DeadEnd(_)))) {
             return self.finish();
         }
         Ok(())

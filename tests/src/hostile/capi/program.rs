@@ -64,11 +64,17 @@ impl Program {
                 15 | 16 => decide(robot, choices),
                 17 | 18 => {
                     let feedback = choices.one_of(&[GOODBOT_REWARD, GOODBOT_PUNISH, GOODBOT_NEUTRAL, 2, i32::MIN]);
-                    goodbot_feedback(robot, action(choices), feedback);
+                    let mut evidence = GOODBOT_EVIDENCE_IMPOSSIBLE + 1;
+                    if goodbot_feedback(robot, feedback, &raw mut evidence) == GoodbotStatus::Ok {
+                        assert!(evidence <= GOODBOT_EVIDENCE_IMPOSSIBLE);
+                    }
                 }
-                19 => drop(goodbot_demonstration(robot, action(choices))),
+                19 => {
+                    let mut evidence = 0;
+                    goodbot_demonstration(robot, action(choices), &raw mut evidence);
+                }
                 20 => drop(goodbot_done(robot, action(choices))),
-                21 => drop(goodbot_finish(robot)),
+                21 => drop(goodbot_finish(robot, null_mut())),
                 22 => drop(goodbot_learn(robot, u32::from(choices.byte()) * 64)),
                 23 => while goodbot_learn(robot, 100_000) == GoodbotStatus::Working {},
                 24 => session(robot, choices),
@@ -205,7 +211,10 @@ impl Program {
                     assert!(!CStr::from_ptr(text).to_bytes().is_empty());
                 }
                 2 => assert_ne!(goodbot_hear(robot, null()), GoodbotStatus::Ok),
-                3 => assert_ne!(goodbot_decide(robot, null_mut(), null_mut()), GoodbotStatus::Ok),
+                3 => {
+                    assert_ne!(goodbot_decide(robot, null_mut(), null_mut()), GoodbotStatus::Ok);
+                    assert_ne!(goodbot_feedback(robot, GOODBOT_REWARD, null_mut()), GoodbotStatus::Ok);
+                }
                 4 => assert_ne!(goodbot_task_count(robot, null_mut()), GoodbotStatus::Ok),
                 5 => assert_ne!(goodbot_most_likely(robot, null_mut()), GoodbotStatus::Ok),
                 6 => assert_ne!(goodbot_saved_size(robot, null_mut()), GoodbotStatus::Ok),
@@ -336,9 +345,9 @@ unsafe fn decide(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
     let wanted = if choices.below(2) == 0 { null_mut() } else { &raw mut plan };
     // SAFETY: the caller's promise.
     if unsafe { goodbot_decide(robot, &raw mut action, wanted) } == GoodbotStatus::Ok {
-        assert!(plan <= GOODBOT_PLAN_UNKNOWN && action <= GOODBOT_NOOP);
+        assert!(plan <= GOODBOT_PLAN_APPROXIMATE && action <= GOODBOT_NOOP);
         // SAFETY: as above.
-        unsafe { goodbot_done(robot, action) };
+        assert_eq!(unsafe { goodbot_done(robot, action) }, GoodbotStatus::Ok, "an action that was decided on can be done");
     }
 }
 
@@ -353,9 +362,10 @@ unsafe fn session(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
         for _ in 0..choices.below(5) {
             plan_fully(robot);
             decide(robot, choices);
-            goodbot_feedback(robot, action(choices), choices.one_of(&[GOODBOT_REWARD, GOODBOT_PUNISH, GOODBOT_NEUTRAL]));
+            let mut evidence = 0;
+            goodbot_feedback(robot, choices.one_of(&[GOODBOT_REWARD, GOODBOT_PUNISH, GOODBOT_NEUTRAL]), &raw mut evidence);
         }
-        goodbot_finish(robot);
+        goodbot_finish(robot, null_mut());
     }
 }
 

@@ -1,0 +1,85 @@
+//! A robot that is nothing but tables: which state each action leads to from each state, and where each proposition holds. The C library's
+//! robots of the caller's own are of this kind.
+
+use goodbot::oomdp::{
+    Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, ObjectError, ObjectId, ObjectSet, ObjectTables,
+    Objects, OneByOne, Proposition, PropositionId, Schema, World,
+};
+use goodbot::task::{LiftedTask, TaskTextError};
+
+/// All that a lift is. States are positions in `next`.
+pub struct TableRobot<'m> {
+    objects: Objects<'m>,
+    /// For each state and action, the state it leads to, or `CANNOT`.
+    next: &'static [[u8; 2]],
+    /// The propositions that hold, with their state.
+    holds: &'static [(u8, PropositionId, ObjectId)],
+}
+
+const CANNOT: u8 = u8::MAX;
+const FLOOR: ClassId = ClassId(1);
+
+const SCHEMA: Schema<'static> = Schema {
+    classes: &[Class { name: "lift" }, Class { name: "floor" }],
+    attributes: &[Attribute { name: "use", carriers: &[Carrier { class: FLOOR, prefix: "floorIs" }] }],
+    propositions: &[Proposition { name: "liftAtFloor", parameters: &[ClassId(0), FLOOR] }],
+};
+
+const ACTIONS: [ActionKind<'static>; 2] = [ActionKind { name: "up", cost: 1 }, ActionKind { name: "down", cost: 1 }];
+
+/// Up and down from each of four floors.
+const NEXT: [[u8; 2]; 4] = [[1, CANNOT], [2, 0], [3, 1], [CANNOT, 2]];
+
+const AT: PropositionId = PropositionId(0);
+const HOLDS: [(u8, PropositionId, ObjectId); 4] = [(0, AT, ObjectId(1)), (1, AT, ObjectId(2)), (2, AT, ObjectId(3)), (3, AT, ObjectId(4))];
+
+impl<'m> TableRobot<'m> {
+    /// A lift in a house of four floors.
+    pub fn lift(memory: ObjectTables<'m>) -> Result<Self, ObjectError> {
+        let mut objects = ObjectSet::new(memory);
+        objects.add(ClassId(0), "lift", &[])?;
+        for (name, what) in [("floor0", "garage"), ("floor1", "shop"), ("floor2", "office"), ("floor3", "roof")] {
+            objects.add(FLOOR, name, &[what])?;
+        }
+        Ok(Self { objects: objects.into_objects(), next: &NEXT, holds: &HOLDS })
+    }
+
+    pub fn tasks() -> Result<[LiftedTask; 1], TaskTextError> {
+        Ok([LiftedTask::parse("liftAtFloor(?l, ?f)", &SCHEMA)?])
+    }
+}
+
+impl Domain for TableRobot<'_> {
+    type State = u8;
+    type Search = OneByOne;
+
+    fn world(&self) -> World<'_> {
+        World { schema: SCHEMA, objects: self.objects }
+    }
+
+    fn actions(&self) -> &[ActionKind<'_>] {
+        &ACTIONS
+    }
+
+    fn step(&self, state: &u8, action: Action) -> Option<u8> {
+        let next = *self.next.get(usize::from(*state))?.get(usize::from(action.0))?;
+        (next != CANNOT).then_some(next)
+    }
+
+    fn holds(&self, proposition: &GroundProposition, state: &u8) -> bool {
+        let [_, floor, _] = proposition.arguments;
+        self.holds.contains(&(*state, proposition.proposition, floor))
+    }
+
+    fn state_count(&self) -> u64 {
+        self.next.len() as u64
+    }
+
+    fn number(&self, state: &u8) -> u64 {
+        u64::from(*state)
+    }
+
+    fn numbered(&self, number: u64) -> u8 {
+        number as u8
+    }
+}

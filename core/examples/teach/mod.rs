@@ -1,0 +1,68 @@
+//! A trainer for any robot: teaches commands by reward and punishment, and lets the robot obey.
+
+use goodbot::feedback::Feedback;
+use goodbot::memory::AgentMemory;
+use goodbot::oomdp::{Action, Domain, action_name};
+use goodbot::planning::{Judgement, OptimalSet};
+use goodbot::{Agent, AgentError};
+
+/// What a command means: a propositional function and the names of its objects.
+pub type Meaning<'a> = (&'a str, &'a [&'a str]);
+
+/// The position of the task that is meant.
+fn intended<D: Domain>(agent: &Agent<impl AgentMemory>, domain: &D, (proposition, objects): Meaning<'_>) -> Option<usize> {
+    let world = domain.world();
+    agent.tasks().iter().position(|task| {
+        let mut parts = agent.lifted().get(usize::from(task.lifted)).into_iter().flat_map(|lifted| task.propositions(lifted));
+        parts.all(|part| {
+            let names = part.arguments.map(|object| world.objects.name(object));
+            world.schema.proposition_name(part.proposition) == proposition && names.starts_with(objects)
+        })
+    })
+}
+
+/// Gives a command and judges what the robot does, until it has rested three times where the task is done. Then it learns.
+pub fn teach<D: Domain>(
+    agent: &mut Agent<impl AgentMemory>,
+    domain: &D,
+    start: &D::State,
+    command: &str,
+    meaning: Meaning<'_>,
+) -> Result<(), AgentError> {
+    agent.hear(domain, start, command)?;
+    let intended = intended(agent, domain, meaning).ok_or(AgentError::NoTask)?;
+    let (mut state, mut rests) = (*start, 0);
+    while rests < 3 {
+        agent.plan_fully(domain, &state)?;
+        let decision = agent.decide(domain, &state)?;
+        let plan = agent.planned();
+        let right = plan.judge(intended, decision.action) == Judgement::Correct;
+        rests = if right && plan.optimal(intended) == OptimalSet::Goal { rests + 1 } else { 0 };
+        state = agent.acted(domain, &state, decision.action)?;
+        let _ = agent.feedback(if right { Feedback::Reward } else { Feedback::Punish })?;
+    }
+    let _ = agent.finish(domain)?;
+    agent.learn_fully();
+    Ok(())
+}
+
+/// Gives a command and lets the robot do what it takes it to mean. Returns its actions, and the state at the end.
+pub fn obey<D: Domain>(
+    agent: &mut Agent<impl AgentMemory>,
+    domain: &D,
+    start: &D::State,
+    command: &str,
+) -> Result<(Vec<String>, D::State), AgentError> {
+    agent.hear(domain, start, command)?;
+    let (mut state, mut actions) = (*start, vec![]);
+    loop {
+        agent.plan_fully(domain, &state)?;
+        let decision = agent.decide(domain, &state)?;
+        if decision.action == Action::NOOP {
+            agent.forget();
+            return Ok((actions, state));
+        }
+        actions.push(action_name(domain, decision.action).to_owned());
+        state = agent.acted(domain, &state, decision.action)?;
+    }
+}

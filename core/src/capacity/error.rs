@@ -1,0 +1,39 @@
+//! A table was full.
+
+use super::Capacity;
+use core::fmt;
+
+/// A table was full: which one, how much it holds, and how much was asked of it (at least).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct CapacityError {
+    /// What was full.
+    pub capacity: Capacity,
+    /// How much it holds.
+    pub limit: u32,
+    /// How much was asked of it. Where the total was not counted to its end, the first number beyond the limit.
+    pub given: u32,
+}
+
+impl CapacityError {
+    /// The error for a table of `limit` entries that was asked for `given`.
+    pub const fn new(capacity: Capacity, limit: usize, given: usize) -> Self {
+        Self { capacity, limit: clamp(limit), given: clamp(given) }
+    }
+
+    /// The error for the next entry after `limit`.
+    pub const fn full(capacity: Capacity, limit: usize) -> Self {
+        Self::new(capacity, limit, limit.saturating_add(1))
+    }
+}
+
+const fn clamp(count: usize) -> u32 {
+    if count > u32::MAX as usize { u32::MAX } else { count as u32 }
+}
+
+impl fmt::Display for CapacityError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "no room: {} is {}, and {} or more were given; raise it", self.capacity.field(), self.limit, self.given)
+    }
+}
+
+impl core::error::Error for CapacityError {}

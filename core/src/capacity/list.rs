@@ -1,0 +1,292 @@
+//! The one list of capacities. The struct, the presets, the enum and every comparison are made from it.
+
+use super::error::CapacityError;
+use core::fmt;
+use core::str::FromStr;
+
+/// Hands every capacity to another macro: its documentation, the field's name, the name of its [`Capacity`], and its value in the presets
+/// `TINY`, `SMALL` and `STANDARD`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! for_each_capacity {
+    ($($then:ident)::+!($($head:tt)*)) => {
+        $($then)::+! {
+            $($head)*
+            /// Objects of one environment: agent, rooms, doors and blocks together. At most 255; a home takes 32.
+            objects: Objects = 11, 12, 32;
+            /// Distinct names and attribute values of one environment.
+            names: Names = 18, 24, 96;
+            /// Bytes that the names and attribute values of one environment take together.
+            name_bytes: NameBytesTogether = 96, 160, 1_024;
+            /// Cells of a home that are not wall.
+            cells: Cells = 41, 64, 1_024;
+            /// Grounded tasks of one session. At most 64, one bit each in a [`TaskSet`](crate::task::TaskSet).
+            tasks: Tasks = 10, 12, 64;
+            /// Trainer strategies told apart at once. At most 8.
+            strategies: Strategies = 1, 3, 4;
+            /// Joint beliefs: tasks times strategies.
+            beliefs: Beliefs = 10, 36, 256;
+            /// Distinct machine commands that one session's tasks and constraints can express.
+            candidates: Candidates = 36, 48, 1_024;
+            /// Machine tokens of all candidates together.
+            candidate_tokens: CandidateTokens = 240, 320, 16_384;
+            /// Distinct ground propositions that one session's tasks are made of.
+            ground_propositions: GroundPropositions = 10, 12, 64;
+            /// Entries of the table that finds the tasks satisfied by a state: cells times movable pieces, the robot included.
+            goal_entries: GoalEntries = 0, 192, 8_192;
+            /// States that one search can hold that expands them one by one, where actions cost 1 each and are at most 8: see
+            /// [`Capacities::search_words`](crate::Capacities::search_words), and [`states_needed`](crate::planning::states_needed) for other
+            /// robots. Rows of states take less.
+            states: States = 1_472, 2_560, 1_048_576;
+            /// States that one search can hold where the state space is larger than `states` and visited states are hashed: it bounds how far
+            /// away goals are found exactly there, and the time of a plan. With 0, a home is searched nearby in the memory of `states`, and a
+            /// robot without a floor of cells is refused.
+            hashed_states: HashedStates = 0, 0, 32_768;
+            /// Distinct English words. At most 65,534.
+            words: Words = 14, 32, 1_024;
+            /// Bytes that those words take together.
+            word_bytes: WordBytes = 60, 192, 10_240;
+            /// Distinct machine tokens. At most 65,534.
+            tokens: Tokens = 18, 28, 256;
+            /// Bytes that those tokens take together.
+            token_bytes: TokenBytes = 190, 320, 4_096;
+            /// Distinct machine commands in the training data.
+            commands: Commands = 56, 64, 2_048;
+            /// Machine tokens of those commands together.
+            command_tokens: CommandTokens = 380, 448, 24_576;
+            /// Sessions learned from.
+            sessions: Sessions = 8, 16, 512;
+            /// English words of those sessions' commands together.
+            sentence_words: SentenceWords = 56, 160, 16_384;
+            /// Weighted pairs of an English command and a machine command in the training data.
+            pairs: Pairs = 112, 128, 32_768;
+            /// Cells of the translation table: (machine tokens + 1) times English words.
+            translations: Translations = 266, 640, 263_168;
+            /// Cells of all alignment tables together: (l + 1) times n for each pair of lengths.
+            alignments: Alignments = 340, 512, 262_144;
+            /// Distinct pairs of a machine command's and an English command's length.
+            length_pairs: LengthPairs = 8, 16, 1_024;
+        }
+    };
+}
+
+macro_rules! capacities {
+    ($($(#[doc = $doc:literal])* $field:ident: $Variant:ident = $tiny:literal, $small:literal, $standard:literal;)*) => {
+        /// How large each table is. The unit of every field is entries of that table, unless the field says bytes.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub struct Capacities {
+            $($(#[doc = $doc])* pub $field: usize,)*
+        }
+
+        impl Capacities {
+            /// For the smallest controllers, in little more than 16 KiB of RAM with everything else: homes of up to 41 cells with a block
+            /// that moves, one trainer strategy, and the paper's whole course.
+            pub const TINY: Self = Self { $($field: $tiny,)* };
+
+            /// For controllers: homes of one 41-cell floor with a block that moves, and the paper's whole course.
+            pub const SMALL: Self = Self { $($field: $small,)* };
+
+            /// For hosts and browsers: about seven megabytes, most of them for a million search states.
+            pub const STANDARD: Self = Self { $($field: $standard,)* };
+
+            /// No room for anything: where only some tables are wanted, the others are taken from here.
+            pub const NONE: Self = Self { $($field: 0,)* };
+
+            /// How large one table is; 0 for a capacity that is a constant.
+            pub const fn get(&self, capacity: Capacity) -> usize {
+                match capacity {
+                    $(Capacity::$Variant => self.$field,)*
+                    _ => 0,
+                }
+            }
+
+            /// Sets how large one table is; nothing for a capacity that is a constant.
+            pub const fn set(&mut self, capacity: Capacity, entries: usize) {
+                match capacity {
+                    $(Capacity::$Variant => self.$field = entries,)*
+                    _ => {}
+                }
+            }
+        }
+
+        constants! {
+            $([$(#[doc = $doc])*] $Variant "Capacities" $field;)*
+        }
+
+        impl Capacity {
+            /// The fields of [`Capacities`], in order: the number of each is its position here.
+            pub const ALL: [Self; [$(stringify!($field)),*].len()] = [$(Self::$Variant,)*];
+        }
+    };
+}
+
+/// The enum, with the limits that are constants behind the fields.
+macro_rules! constants {
+    ($([$(#[doc = $doc:literal])*] $Variant:ident $of:literal $field:ident;)*) => {
+        /// What was full: a field of [`Capacities`], or a constant of [`capacity`](crate::capacity).
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
+        #[repr(u8)]
+        pub enum Capacity {
+            $($(#[doc = $doc])* $Variant,)*
+            /// Words of one English command.
+            WordsPerCommand,
+            /// Machine tokens of one machine command.
+            TokensPerCommand,
+            /// Bytes of one word, name or machine token.
+            NameBytes,
+            /// Arguments of one propositional function.
+            Arguments,
+            /// Attributes that a domain's objects can carry.
+            Attributes,
+            /// Propositions of one task's conjunction.
+            PropositionsPerTask,
+            /// Variables of one lifted task.
+            VariablesPerTask,
+            /// Attribute propositions that the objects bound by one task have together.
+            FactsPerTask,
+            /// Lifted tasks of one session.
+            LiftedTasks,
+            /// Blocks that can be moved about in one home.
+            Blocks,
+        }
+
+        impl Capacity {
+            /// The field of [`Capacities`], or the constant, to raise.
+            pub const fn field(self) -> &'static str {
+                match self {
+                    $(Self::$Variant => concat!($of, "::", stringify!($field)),)*
+                    Self::WordsPerCommand => "capacity::WORDS_PER_COMMAND",
+                    Self::TokensPerCommand => "capacity::TOKENS_PER_COMMAND",
+                    Self::NameBytes => "capacity::NAME_BYTES",
+                    Self::Arguments => "capacity::ARGUMENTS",
+                    Self::Attributes => "capacity::ATTRIBUTES",
+                    Self::PropositionsPerTask => "capacity::PROPOSITIONS_PER_TASK",
+                    Self::VariablesPerTask => "capacity::VARIABLES_PER_TASK",
+                    Self::FactsPerTask => "capacity::FACTS_PER_TASK",
+                    Self::LiftedTasks => "capacity::LIFTED_TASKS",
+                    Self::Blocks => "capacity::BLOCKS",
+                }
+            }
+        }
+    };
+}
+
+for_each_capacity! { capacities!() }
+
+impl Capacities {
+    /// The larger of both, table by table.
+    #[must_use]
+    pub const fn at_least(self, other: Self) -> Self {
+        self.each(other, true)
+    }
+
+    /// The smaller of both, table by table.
+    #[must_use]
+    pub const fn at_most(self, other: Self) -> Self {
+        self.each(other, false)
+    }
+
+    /// Both together, table by table.
+    #[must_use]
+    pub const fn plus(mut self, other: Self) -> Self {
+        let mut rest: &[Capacity] = &Capacity::ALL;
+        while let [capacity, after @ ..] = rest {
+            self.set(*capacity, self.get(*capacity).saturating_add(other.get(*capacity)));
+            rest = after;
+        }
+        self
+    }
+
+    const fn each(mut self, other: Self, larger: bool) -> Self {
+        let mut rest: &[Capacity] = &Capacity::ALL;
+        while let [capacity, after @ ..] = rest {
+            if (other.get(*capacity) > self.get(*capacity)) == larger {
+                self.set(*capacity, other.get(*capacity));
+            }
+            rest = after;
+        }
+        self
+    }
+
+    /// Whether tables as full as `self` fit tables as large as `rooms`.
+    ///
+    /// ```
+    /// use goodbot::{Capacities, capacity::Capacity};
+    /// let needs = Capacities { words: 40, ..Capacities::NONE };
+    /// let error = needs.fits_in(&Capacities::SMALL).unwrap_err();
+    /// assert_eq!((error.capacity, error.limit, error.given), (Capacity::Words, 32, 40));
+    /// ```
+    ///
+    /// # Errors
+    /// A [`CapacityError`] for the first table that is too small.
+    pub fn fits_in(&self, rooms: &Self) -> Result<(), CapacityError> {
+        Capacity::ALL.iter().try_for_each(|&capacity| {
+            let (limit, given) = (rooms.get(capacity), self.get(capacity));
+            if given > limit { Err(CapacityError::new(capacity, limit, given)) } else { Ok(()) }
+        })
+    }
+
+    /// u64s of the search: for each 64 states eight words of first actions, and three bit sets with a bit for each of their words.
+    pub const fn search_words(&self) -> usize {
+        let groups = self.states.div_ceil(64);
+        groups.saturating_mul(11).saturating_add(groups.div_ceil(64).saturating_mul(3))
+    }
+
+    /// u64s that planning and training have in turn: as many as the search takes, or the expected counts of all table cells, two to each.
+    pub const fn workspace_words(&self) -> usize {
+        let (search, counts) = (self.search_words(), self.translations.saturating_add(self.alignments).div_ceil(2));
+        if search > counts { search } else { counts }
+    }
+}
+
+impl Capacity {
+    /// The name of the field or constant, without its path.
+    ///
+    /// ```
+    /// use goodbot::capacity::Capacity;
+    /// assert_eq!(Capacity::NameBytesTogether.name(), "name_bytes");
+    /// assert_eq!("name_bytes".parse(), Ok(Capacity::NameBytesTogether));
+    /// ```
+    pub const fn name(self) -> &'static str {
+        let mut path = self.field().as_bytes();
+        let mut name = self.field();
+        while let [byte, rest @ ..] = path {
+            if *byte == b':' {
+                // Cut behind ASCII characters.
+                name = match core::str::from_utf8(rest) {
+                    Ok(rest) => rest,
+                    Err(_) => name,
+                };
+            }
+            path = rest;
+        }
+        name
+    }
+}
+
+impl fmt::Display for Capacity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// There is no capacity of this name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UnknownCapacity;
+
+impl fmt::Display for UnknownCapacity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("there is no capacity of this name; the fields of Capacities are the names")
+    }
+}
+
+impl core::error::Error for UnknownCapacity {}
+
+impl FromStr for Capacity {
+    type Err = UnknownCapacity;
+
+    fn from_str(name: &str) -> Result<Self, UnknownCapacity> {
+        Self::ALL.into_iter().find(|capacity| capacity.name() == name).ok_or(UnknownCapacity)
+    }
+}

@@ -1,0 +1,43 @@
+//! Every capacity, in one place.
+//!
+//! The core allocates nothing: each table lives in memory that the caller owns, and a [`Capacities`] says how large each one is. Three
+//! presets stand ready: [`Capacities::TINY`] and [`Capacities::SMALL`] for controllers, [`Capacities::STANDARD`] for hosts and browsers. A
+//! controller that needs something else replaces what it needs:
+//!
+//! ```
+//! use goodbot::Capacities;
+//! goodbot::memory! {
+//!     /// Room for a robot that hears many different words.
+//!     struct WordyMemory = Capacities { words: 96, word_bytes: 640, translations: 4_000, ..Capacities::SMALL };
+//! }
+//! assert_eq!(WordyMemory::CAPACITIES.words, 96);
+//! ```
+//!
+//! A table that is full is reported by a [`CapacityError`], which names the field to raise.
+
+mod error;
+mod list;
+
+pub use error::CapacityError;
+pub use list::{Capacities, Capacity, UnknownCapacity};
+
+/// Words of one English command; more are refused with [`Capacity::WordsPerCommand`].
+pub const WORDS_PER_COMMAND: usize = 64;
+/// Machine tokens of one machine command.
+pub const TOKENS_PER_COMMAND: usize = 32;
+/// Bytes of one word, name or machine token.
+pub const NAME_BYTES: usize = 48;
+/// Arguments of one propositional function.
+pub const ARGUMENTS: usize = 3;
+/// Attributes that a domain's objects can carry.
+pub const ATTRIBUTES: usize = 4;
+/// Propositions of one task's conjunction.
+pub const PROPOSITIONS_PER_TASK: usize = 4;
+/// Variables of one lifted task.
+pub const VARIABLES_PER_TASK: usize = 6;
+/// Attribute propositions that the objects bound by one task have together.
+pub const FACTS_PER_TASK: usize = 8;
+/// Lifted tasks of one session.
+pub const LIFTED_TASKS: usize = 8;
+/// Blocks that can be moved about in one home.
+pub const BLOCKS: usize = 8;

@@ -1,0 +1,103 @@
+//! Robots that walk on a floor of cells and move pieces there.
+
+use super::{Action, Domain, GroundProposition};
+
+/// A cell, by its position in [`Floor::cells`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct CellId(pub u16);
+
+impl CellId {
+    /// No cell: a wall, or the outside.
+    pub const NONE: Self = Self(u16::MAX);
+
+    /// The position among the floor's cells.
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A cell of a floor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FloorCell {
+    /// To the east.
+    pub x: i16,
+    /// To the north.
+    pub y: i16,
+    /// The cells to the north, south, east and west: those at distance 1, or [`CellId::NONE`] where there is none.
+    pub neighbours: [CellId; 4],
+    /// The region that the cell belongs to, such as a room or a door, below 32. Where memory is too small for the whole floor, plans are
+    /// made within a few regions. A floor without regions has 0 everywhere.
+    pub region: u8,
+}
+
+impl FloorCell {
+    /// What unused memory holds: zeros, so that a static needs no room in flash.
+    pub const UNUSED: Self = Self { x: 0, y: 0, neighbours: [CellId(0); 4], region: 0 };
+}
+
+/// All cells where a robot or a piece can be.
+#[derive(Clone, Copy, Debug)]
+pub struct Floor<'a> {
+    /// The cells, row by row from the south, each row from the west.
+    pub cells: &'a [FloorCell],
+    /// The actions that go to the north, south, east and west.
+    pub directions: [Action; 4],
+}
+
+impl Floor<'_> {
+    /// The cell next to `cell` in a direction (0 to 3), or [`CellId::NONE`].
+    #[inline]
+    pub fn neighbour(&self, cell: CellId, direction: usize) -> CellId {
+        self.cells.get(cell.index()).and_then(|cell| cell.neighbours.get(direction)).copied().unwrap_or(CellId::NONE)
+    }
+
+    /// All cells, in order.
+    pub(crate) fn ids(&self) -> impl Iterator<Item = CellId> + use<> {
+        (0..self.cells.len().min(CellId::NONE.index())).map(|position| CellId(position as u16))
+    }
+}
+
+/// Something on the floor that changes its cell: 0 is the robot, the others are what it moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Piece(pub u8);
+
+impl Piece {
+    /// The robot itself.
+    pub const ROBOT: Self = Self(0);
+
+    /// The piece as a set, one bit each.
+    #[inline]
+    pub(crate) fn bit(self) -> u32 {
+        1_u32.checked_shl(u32::from(self.0)).unwrap_or(0)
+    }
+}
+
+/// Optional structure that makes planning fast: a robot on a floor of cells that moves other pieces.
+///
+/// These rules must hold; [`BitRows`](super::BitRows) relies on them:
+/// - the state is where the pieces are, and nothing else;
+/// - every action costs 1;
+/// - a direction of the floor takes the robot to the neighbour cell where no piece is, and changes nothing where there is no cell;
+/// - toward a cell with a piece, a direction does what [`step`](Domain::step) says;
+/// - any other action changes nothing unless a piece is beside the robot;
+/// - one action moves a piece by at most one cell.
+pub trait PushGrid: Domain {
+    /// The floor.
+    fn floor(&self) -> Floor<'_>;
+
+    /// How many pieces there are, the robot included; at most 32.
+    fn pieces(&self) -> usize;
+
+    /// The cell of a piece.
+    fn cell(&self, state: &Self::State, piece: Piece) -> CellId;
+
+    /// The state with one piece on another cell, which need not be a state that can be reached.
+    fn put(&self, state: &Self::State, piece: Piece, cell: CellId) -> Self::State;
+
+    /// The only piece whose cell decides whether the proposition holds, or `None` where several matter.
+    fn piece_of(&self, proposition: &GroundProposition) -> Option<Piece>;
+
+    /// Whether the robot can move a piece to a cell without a free cell behind the piece, as by pulling. A robot that only pushes cannot
+    /// get a piece out of a corner, and its planner need not search to know that.
+    fn can_pull(&self) -> bool;
+}

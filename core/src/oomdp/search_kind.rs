@@ -1,0 +1,113 @@
+//! Which search plans for a domain. The choice is a type, so that it costs nothing at run time.
+
+use super::{Action, ActionKind, CellId, Domain, Floor, GroundProposition, Piece, PushGrid, World};
+use core::convert::Infallible;
+use core::marker::PhantomData;
+
+mod sealed {
+    pub trait Sealed {}
+}
+
+/// Chooses the search of a domain: [`OneByOne`] or [`BitRows`]. No other type can implement it.
+pub trait SearchKind<D: Domain + ?Sized>: sealed::Sealed {
+    /// The domain as a floor with pieces.
+    #[doc(hidden)]
+    type Grid: PushGrid<State = D::State> + ?Sized;
+
+    /// The domain as a floor with pieces, if it is one.
+    #[doc(hidden)]
+    fn grid(domain: &D) -> Option<&Self::Grid>;
+}
+
+/// States are expanded one by one. This serves every domain.
+#[derive(Clone, Copy, Debug)]
+pub enum OneByOne {}
+
+/// The states that differ only in the robot's cell are expanded together, as rows of bits. For domains that implement [`PushGrid`].
+#[derive(Clone, Copy, Debug)]
+pub enum BitRows {}
+
+impl sealed::Sealed for OneByOne {}
+impl sealed::Sealed for BitRows {}
+
+impl<D: Domain + ?Sized> SearchKind<D> for OneByOne {
+    type Grid = NoGrid<D::State>;
+
+    #[inline]
+    fn grid(_domain: &D) -> Option<&Self::Grid> {
+        None
+    }
+}
+
+impl<D: PushGrid + ?Sized> SearchKind<D> for BitRows {
+    type Grid = D;
+
+    #[inline]
+    fn grid(domain: &D) -> Option<&D> {
+        Some(domain)
+    }
+}
+
+/// A grid that does not exist: the compiler leaves out what is written for it.
+#[doc(hidden)]
+#[derive(Debug)]
+pub struct NoGrid<S>(Infallible, PhantomData<S>);
+
+impl<S: Copy + PartialEq> Domain for NoGrid<S> {
+    type State = S;
+    type Search = OneByOne;
+
+    fn world(&self) -> World<'_> {
+        match self.0 {}
+    }
+
+    fn actions(&self) -> &[ActionKind<'_>] {
+        match self.0 {}
+    }
+
+    fn step(&self, _state: &S, _action: Action) -> Option<S> {
+        match self.0 {}
+    }
+
+    fn holds(&self, _proposition: &GroundProposition, _state: &S) -> bool {
+        match self.0 {}
+    }
+
+    fn state_count(&self) -> u64 {
+        match self.0 {}
+    }
+
+    fn number(&self, _state: &S) -> u64 {
+        match self.0 {}
+    }
+
+    fn numbered(&self, _number: u64) -> S {
+        match self.0 {}
+    }
+}
+
+impl<S: Copy + PartialEq> PushGrid for NoGrid<S> {
+    fn floor(&self) -> Floor<'_> {
+        match self.0 {}
+    }
+
+    fn pieces(&self) -> usize {
+        match self.0 {}
+    }
+
+    fn cell(&self, _state: &S, _piece: Piece) -> CellId {
+        match self.0 {}
+    }
+
+    fn put(&self, _state: &S, _piece: Piece, _cell: CellId) -> S {
+        match self.0 {}
+    }
+
+    fn piece_of(&self, _proposition: &GroundProposition) -> Option<Piece> {
+        match self.0 {}
+    }
+
+    fn can_pull(&self) -> bool {
+        match self.0 {}
+    }
+}

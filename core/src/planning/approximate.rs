@@ -1,0 +1,89 @@
+//! Approximate plans, for what the exact search left open.
+//!
+//! 1. *Frozen pieces.* Pieces that do not matter to a task are taken to stay where they are. Tasks that ask for the same pieces share a
+//!    search in the small space of the robot and those pieces. Where that finds no way, a piece may be in it: each other piece in turn may
+//!    then move too.
+//! 2. *Windows of regions.* Where the memory is too small for the robot and one piece on the whole floor, a search moves the two within a
+//!    window of regions (see `window`).
+//!
+//! Such a plan can miss a shorter way, or a dead end. It is good to act on, and no evidence.
+
+mod trail;
+mod window;
+
+use self::window::Errand;
+use super::bitboard::{RowSearch, Subgoal, View};
+use super::goals::Goals;
+use crate::oomdp::{Piece, PushGrid};
+use crate::task::TaskSet;
+
+/// Which searches are left to try.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Approximation {
+    /// The tasks not tried yet in this pass.
+    waiting: TaskSet,
+    /// The tasks whose own pieces do not fit the memory on the whole floor.
+    too_large: TaskSet,
+    /// 0: each task's own pieces; then each piece in turn may move too; then windows of regions.
+    pass: usize,
+    /// The search in a window that is under way, if another way to do the same is left.
+    retry: Option<Subgoal>,
+}
+
+impl Approximation {
+    /// Begins for the tasks left open.
+    pub(super) fn new(unknown: TaskSet) -> Self {
+        Self { waiting: unknown, ..Self::default() }
+    }
+
+    /// The next search and its tasks, where `unknown` are still open; `None` where all is tried. `marks` holds zeros, before and
+    /// afterwards.
+    #[inline(never)]
+    pub(super) fn next<G: PushGrid + ?Sized>(
+        &mut self,
+        grid: &G,
+        goals: &Goals<'_>,
+        state: &G::State,
+        unknown: TaskSet,
+        marks: &mut [u64],
+    ) -> Option<(TaskSet, RowSearch)> {
+        let pieces = grid.pieces();
+        if let Some(failed) = self.retry.take().filter(|failed| unknown.contains(failed.task)) {
+            let search = Errand { grid, goals, state, task: failed.task }.one_step(marks, failed.piece);
+            if let Some(search) = search {
+                return Some((TaskSet::of(failed.task), search));
+            }
+        }
+        loop {
+            let Some(first) = self.waiting.iter().next() else {
+                if unknown.is_empty() || self.pass >= pieces {
+                    return None;
+                }
+                self.pass = self.pass.saturating_add(1);
+                self.waiting = if self.pass < pieces { unknown } else { unknown.common(self.too_large) };
+                continue;
+            };
+            if self.pass >= pieces {
+                self.waiting = self.waiting.without(TaskSet::of(first));
+                let search = Errand { grid, goals, state, task: first }.begin(marks);
+                if let Some((search, subgoal)) = search {
+                    self.retry = Some(subgoal).filter(|subgoal| subgoal.piece != Piece::ROBOT);
+                    return Some((TaskSet::of(first), search));
+                }
+                continue;
+            }
+            let own = goals.pieces_of(first);
+            let alike = |&task: &usize| goals.pieces_of(task) == own;
+            let group = self.waiting.iter().filter(alike).fold(TaskSet::EMPTY, TaskSet::with);
+            self.waiting = self.waiting.without(group);
+            let extra = if self.pass == 0 { 0 } else { Piece(self.pass as u8).bit() };
+            let Some(own) = own.filter(|own| own & extra == 0) else { continue };
+            let view = View { moving: own | extra | Piece::ROBOT.bit(), ..View::WHOLE };
+            match RowSearch::layout(grid, goals, group, view, marks.len()) {
+                Some(search) => return Some((group, search)),
+                None if self.pass == 0 => self.too_large = self.too_large.union(group),
+                None => {}
+            }
+        }
+    }
+}

@@ -1,0 +1,447 @@
+//! The exact search that expands rows of states at once, for robots on a floor of cells (see [`PushGrid`]).
+//!
+//! The states that differ only in the robot's cell make up a row: one bit a cell, line after line of the floor. There are as many rows as
+//! there are ways to place the other pieces. All states of a row at one distance are expanded together: the robot's moves reach the bits
+//! shifted by one cell each way, without the cells that are wall, occupied, or nearer. Only where the robot moves a piece beside it does it
+//! leave the row, one bit at a time.
+//!
+//! A row has one plane of bits for each action, the states to which a shortest way begins with it, and two for the frontier: the distance
+//! under way and the next. A robot with four actions takes six bits for each cell of the floor.
+//!
+//! The approximate plans use the same search in a smaller [`View`] of the floor.
+
+mod expand;
+
+use super::bits::{entry, entry_words, set_entry};
+use super::goals::Goals;
+use super::one_by_one::StateSearch;
+use crate::oomdp::{Action, ActionSet, CellId, Divider, Floor, FloorCell, Piece, PushGrid, own_actions};
+use crate::task::TaskSet;
+
+/// A part of the way to a task's goal: one piece goes to a cell.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Subgoal {
+    pub(super) task: usize,
+    pub(super) piece: Piece,
+    /// The cell, or `None` for any cell that the task asks for.
+    pub(super) to: Option<CellId>,
+}
+
+/// Which part of the state space is searched. In all but the whole view, pieces that are not among `moving` stay where they are, as
+/// walls, and so do the cells outside the window.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct View {
+    /// The pieces that can change their cells, one bit each; the robot's is set.
+    pub(super) moving: u32,
+    /// The regions in which they stay, one bit each.
+    pub(super) window: u32,
+    /// What is looked for, instead of the tasks' goals.
+    pub(super) subgoal: Option<Subgoal>,
+}
+
+impl View {
+    /// All regions.
+    pub(super) const ALL: u32 = u32::MAX;
+    /// The whole floor, with all pieces.
+    pub(super) const WHOLE: Self = Self { moving: u32::MAX, window: Self::ALL, subgoal: None };
+
+    #[inline]
+    fn moves(&self, piece: Piece) -> bool {
+        self.moving & piece.bit() != 0
+    }
+
+    /// The moving pieces but the robot, one bit each.
+    fn pieces<G: PushGrid + ?Sized>(&self, grid: &G) -> u32 {
+        (1..grid.pieces()).map(|piece| Piece(piece as u8).bit()).fold(0, |pieces, piece| pieces | piece) & self.moving
+    }
+
+    #[inline]
+    fn has(&self, cell: &FloorCell) -> bool {
+        self.window == Self::ALL || self.window & region(cell) != 0
+    }
+
+    /// The tasks that a piece on this cell does not rule out.
+    #[inline]
+    fn allowed<G: PushGrid + ?Sized>(&self, goals: &Goals<'_>, grid: &G, state: &G::State, piece: Piece, cell: CellId) -> TaskSet {
+        match self.subgoal {
+            None => goals.allowed(grid, state, piece, cell),
+            Some(subgoal) if subgoal.piece != piece => TaskSet::of(subgoal.task),
+            Some(Subgoal { task, to: None, .. }) => goals.allowed(grid, state, piece, cell).common(TaskSet::of(task)),
+            Some(Subgoal { task, to: Some(to), .. }) => {
+                if to == cell {
+                    TaskSet::of(task)
+                } else {
+                    TaskSet::EMPTY
+                }
+            }
+        }
+    }
+}
+
+/// The region of a cell, as a set.
+pub(super) const fn region(cell: &FloorCell) -> u32 {
+    match 1_u32.checked_shl(cell.region as u32) {
+        Some(region) => region,
+        None => 1 << 31,
+    }
+}
+
+/// The smallest box around the cells of a view, laid out as bits.
+#[derive(Clone, Copy, Debug)]
+struct Bits {
+    left: i16,
+    bottom: i16,
+    /// Bits from a cell to its northern neighbour: one more than the box is wide, so that nothing moves from the end of a line to the
+    /// beginning of another.
+    width: usize,
+    len: usize,
+    /// Cells of the view.
+    cells: usize,
+}
+
+impl Bits {
+    fn new(floor: &Floor<'_>, view: &View) -> Option<Self> {
+        let mut cells = floor.cells.iter().filter(|cell| view.has(cell));
+        let first = cells.next()?;
+        let start = (first.x, first.x, first.y, 1_usize);
+        let (left, right, top, count) =
+            cells.fold(start, |(left, right, _, count), cell| (left.min(cell.x), right.max(cell.x), cell.y, count.saturating_add(1)));
+        let span = |from: i16, to: i16| usize::from(to.wrapping_sub(from).cast_unsigned()).saturating_add(1);
+        let width = span(left, right).saturating_add(1);
+        let len = width.saturating_mul(span(first.y, top)).saturating_sub(1);
+        // With a single line, north and south lead nowhere; their shifts are then at most one word.
+        Some(Self { left, bottom: first.y, width: if len <= width { 1 } else { width }, len, cells: count })
+    }
+
+    #[inline]
+    fn of(&self, cell: &FloorCell) -> usize {
+        let (right, up) = (cell.x.wrapping_sub(self.left), cell.y.wrapping_sub(self.bottom));
+        usize::from(up.cast_unsigned()).wrapping_mul(self.width).wrapping_add(usize::from(right.cast_unsigned()))
+    }
+
+    /// By how many bits a direction leads on.
+    #[inline]
+    fn shift(&self, direction: usize) -> isize {
+        let width = isize::try_from(self.width).unwrap_or(0);
+        match direction {
+            0 => width,
+            1 => width.wrapping_neg(),
+            2 => 1,
+            _ => -1,
+        }
+    }
+}
+
+/// How the marks are laid out, and where the search stands.
+///
+/// First, for a window, the cells by their rank in it; then planes over the floor: its cells, those of them that are free, and for each
+/// task that asks for the robot's cell, the cells where it may hold; then four bit sets over the rows; then the rows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RowSearch {
+    view: View,
+    /// The moving pieces but the robot, one bit each.
+    pieces: u32,
+    bits: Bits,
+    /// Words of a plane.
+    words: usize,
+    actions: usize,
+    by_cells: Divider,
+    directions: [Action; 4],
+    /// Actions that are no direction.
+    others: ActionSet,
+    /// The tasks that ask for the robot's cell, and those of them that ask nothing else.
+    of_robot: TaskSet,
+    only_robot: TaskSet,
+    /// Words of a row, and of a bit set over the rows.
+    stride: usize,
+    set: usize,
+    /// Where the planes over the floor, the bit sets and the rows begin.
+    floor_at: usize,
+    sets_at: usize,
+    rows_at: usize,
+    /// The planes of the distance under way and of the next.
+    here: usize,
+    next: usize,
+    /// The word of the frontier's bit set that is scanned.
+    cursor: usize,
+    /// Whether any row has a state at the next distance.
+    ahead: bool,
+}
+
+/// From so many cells of the box to one of the view on, states are sooner expanded one by one.
+const SPARSE: usize = 16;
+/// The bit sets over the rows: two of the frontier, the rows that were ever reached, and the candidate rows.
+const SETS: usize = 4;
+const TOUCHED: usize = 2;
+/// The rows in which a task may still hold that asks for the cell of another piece than the robot.
+const CANDIDATES: usize = 3;
+/// Planes over the floor before those of the tasks: its cells, and those that are free.
+const CELLS: usize = 0;
+const FREE: usize = 1;
+
+/// One state, by its row and its bit.
+#[derive(Clone, Copy, Debug)]
+struct Spot {
+    row: usize,
+    bit: usize,
+}
+
+impl RowSearch {
+    /// How a search for these tasks is laid out in so many words; `None` where it does not fit, where an action does not cost 1 or a task
+    /// asks for more than single pieces' cells, or where states are sooner expanded one by one.
+    #[inline(never)]
+    pub(super) fn layout<G: PushGrid + ?Sized>(grid: &G, goals: &Goals<'_>, tasks: TaskSet, view: View, words: usize) -> Option<Self> {
+        let floor = grid.floor();
+        if !goals.table.of_several().common(tasks).is_empty() || grid.actions().iter().any(|kind| kind.cost != 1) {
+            return None;
+        }
+        let bits = Bits::new(&floor, &view)?;
+        let is_whole = view.window == View::ALL;
+        if is_whole && bits.len / SPARSE > bits.cells && StateSearch::fits(grid, words) {
+            return None;
+        }
+        let pieces = view.pieces(grid);
+        let rows = bits.cells.checked_pow(pieces.count_ones())?;
+        let (of_robot, of_others) = match view.subgoal {
+            None => (goals.table.of_robot().common(tasks), goals.table.of_others()),
+            Some(Subgoal { piece: Piece::ROBOT, .. }) => (tasks, TaskSet::EMPTY),
+            Some(_) => (TaskSet::EMPTY, tasks),
+        };
+        let actions = own_actions(grid).count();
+        let plane = bits.len.div_ceil(64);
+        let stride = plane.checked_mul(actions.saturating_add(2))?;
+        let set = rows.div_ceil(64);
+        let floor_at = if is_whole { 0 } else { entry_words(bits.cells) };
+        let sets_at = plane.checked_mul(2_usize.wrapping_add(of_robot.0.count_ones() as usize))?.checked_add(floor_at)?;
+        let rows_at = set.checked_mul(SETS)?.checked_add(sets_at)?;
+        if rows.checked_mul(stride)?.checked_add(rows_at)? > words {
+            return None;
+        }
+        let is_direction = |action: &Action| floor.directions.contains(action);
+        Some(Self {
+            view,
+            pieces,
+            bits,
+            words: plane,
+            actions,
+            by_cells: Divider::new(bits.cells),
+            directions: floor.directions,
+            others: own_actions(grid).filter(|action| !is_direction(action)).fold(ActionSet::EMPTY, ActionSet::with),
+            of_robot,
+            only_robot: of_robot.without(of_others),
+            stride,
+            set,
+            floor_at,
+            sets_at,
+            rows_at,
+            here: actions,
+            next: actions.wrapping_add(1),
+            cursor: 0,
+            ahead: false,
+        })
+    }
+
+    #[inline]
+    const fn set_at(&self, set: usize) -> usize {
+        self.sets_at.wrapping_add(set.wrapping_mul(self.set))
+    }
+
+    /// The bit set of the rows that have a state in one of the frontier's planes.
+    #[inline]
+    const fn frontier_at(&self, plane: usize) -> usize {
+        self.set_at(plane.wrapping_sub(self.actions))
+    }
+
+    #[inline]
+    const fn floor_plane_at(&self, plane: usize) -> usize {
+        self.floor_at.wrapping_add(plane.wrapping_mul(self.words))
+    }
+
+    /// The plane of the cells where a task may hold that asks for the robot's cell.
+    #[inline]
+    fn plane_of(&self, task: usize) -> usize {
+        let before = self.of_robot.common(TaskSet::first(task));
+        2_usize.wrapping_add(before.0.count_ones() as usize)
+    }
+
+    #[inline]
+    const fn row_at(&self, row: usize) -> usize {
+        self.rows_at.wrapping_add(row.wrapping_mul(self.stride))
+    }
+
+    /// Lays out the marks, which hold zeros, and opens the successors of `state`.
+    #[inline(never)]
+    pub(super) fn begin<G: PushGrid + ?Sized>(
+        &mut self,
+        grid: &G,
+        goals: &Goals<'_>,
+        state: &G::State,
+        marks: &mut [u64],
+        applicable: ActionSet,
+    ) {
+        let floor = grid.floor();
+        let frozen = |cell: CellId| {
+            let mut pieces = (1..grid.pieces()).map(|piece| Piece(piece as u8));
+            self.view.moving != View::WHOLE.moving && pieces.any(|piece| !self.view.moves(piece) && grid.cell(state, piece) == cell)
+        };
+        let mut rank = 0;
+        for (id, cell) in floor.ids().zip(floor.cells).filter(|(_, cell)| self.view.has(cell)) {
+            if self.floor_at > 0 {
+                set_entry(marks, rank, id.0);
+            }
+            rank = rank.wrapping_add(1);
+            let bit = self.bits.of(cell);
+            let mut mark = |plane: usize| set_bit(marks, self.floor_plane_at(plane), bit);
+            mark(CELLS);
+            if !frozen(id) {
+                mark(FREE);
+            }
+            let here = self.view.allowed(goals, grid, state, Piece::ROBOT, id);
+            here.common(self.of_robot).iter().for_each(|task| mark(self.plane_of(task)));
+        }
+        let candidates = self.set_at(CANDIDATES);
+        marks.get_mut(candidates..candidates.wrapping_add(self.set)).unwrap_or(&mut []).fill(u64::MAX);
+        if let Some(start) = self.spot(grid, state, state, marks) {
+            // Reached by any action, it is not reached again.
+            self.reach(marks, start, ActionSet::of(Action(0)));
+            let plane = self.row_at(start.row).wrapping_add(self.next.wrapping_mul(self.words));
+            if let Some(open) = marks.get_mut(plane.wrapping_add(start.bit / 64)) {
+                *open = 0;
+            }
+        }
+        for action in applicable.iter().filter(|&action| action != Action::NOOP) {
+            let next = grid.step(state, action).filter(|next| next != state);
+            if let Some(next) = next.and_then(|next| self.spot(grid, state, &next, marks)) {
+                self.reach(marks, next, ActionSet::of(action));
+            }
+        }
+    }
+
+    /// The rank of a cell among those of the view.
+    #[inline]
+    fn rank(&self, floor: &Floor<'_>, cell: CellId, marks: &[u64]) -> Option<usize> {
+        if self.floor_at == 0 {
+            return Some(cell.index());
+        }
+        floor.cells.get(cell.index()).filter(|cell| self.view.has(cell)).map(|cell| self.rank_of_bit(marks, self.bits.of(cell)))
+    }
+
+    /// There are as many cells before a bit as the rank of its cell.
+    #[inline]
+    fn rank_of_bit(&self, marks: &[u64], bit: usize) -> usize {
+        let cells = marks.get(self.floor_at..self.floor_at.wrapping_add(self.words)).unwrap_or(&[]);
+        let before: u32 = cells.iter().take(bit / 64).map(|word| word.count_ones()).sum();
+        let within = cells.get(bit / 64).map_or(0, |word| (word & ((1 << (bit % 64)) - 1)).count_ones());
+        before.wrapping_add(within) as usize
+    }
+
+    #[inline]
+    fn cell(&self, rank: usize, marks: &[u64]) -> CellId {
+        CellId(if self.floor_at == 0 { rank as u16 } else { entry(marks, rank) })
+    }
+
+    /// Where a state lies; `None` where a piece has moved that must not, or has left the window.
+    #[inline]
+    fn spot<G: PushGrid + ?Sized>(&self, grid: &G, now: &G::State, state: &G::State, marks: &[u64]) -> Option<Spot> {
+        let floor = grid.floor();
+        let (mut row, mut weight) = (0_usize, 1_usize);
+        for piece in self.pieces() {
+            row = row.wrapping_add(self.rank(&floor, grid.cell(state, piece), marks)?.wrapping_mul(weight));
+            weight = weight.wrapping_mul(self.bits.cells);
+        }
+        if self.view.moving != View::WHOLE.moving {
+            let mut frozen = (1..grid.pieces()).map(|piece| Piece(piece as u8)).filter(|&piece| !self.view.moves(piece));
+            if frozen.any(|piece| grid.cell(state, piece) != grid.cell(now, piece)) {
+                return None;
+            }
+        }
+        let robot = floor.cells.get(grid.cell(state, Piece::ROBOT).index()).filter(|cell| self.view.has(cell))?;
+        Some(Spot { row, bit: self.bits.of(robot) })
+    }
+
+    /// A state of a row, with the robot on any cell, and the bits that other moving pieces occupy in the row's first word.
+    #[inline]
+    fn state_of_row<G: PushGrid + ?Sized>(&self, grid: &G, now: &G::State, row: usize, marks: &[u64]) -> (G::State, u64) {
+        let (mut state, mut rest, mut occupied, cells) = (*now, row as u64, 0, grid.floor().cells);
+        let last = self.pieces.checked_ilog2().unwrap_or(0);
+        for piece in self.pieces() {
+            // The last digit is what is left.
+            let (more, rank) = if u32::from(piece.0) == last { (0, rest) } else { self.by_cells.split(rest) };
+            let cell = self.cell(rank as usize, marks);
+            let bit = cells.get(cell.index()).map_or(64, |cell| self.bits.of(cell));
+            occupied |= if bit < 64 { 1 << bit } else { 0 };
+            state = grid.put(&state, piece, cell);
+            rest = more;
+        }
+        (state, occupied)
+    }
+
+    /// Reaches one state at the next distance, by a way that begins with one of these first actions.
+    fn reach(&mut self, marks: &mut [u64], to: Spot, first: ActionSet) {
+        let (start, word, bit) = (self.row_at(to.row), to.bit / 64, 1_u64 << (to.bit % 64));
+        let Some(planes) = marks.get_mut(start..start.wrapping_add(self.stride)) else { return };
+        let (mut known, mut at) = (0, word);
+        for _ in 0..self.actions {
+            known |= planes.get(at).copied().unwrap_or(0);
+            at = at.wrapping_add(self.words);
+        }
+        let Some(open) = planes.get_mut(self.next.wrapping_mul(self.words).wrapping_add(word)) else { return };
+        if known & !*open & bit != 0 {
+            return;
+        }
+        *open |= bit;
+        at = word;
+        for action in 0..self.actions {
+            if let Some(plane) = planes.get_mut(at) {
+                *plane |= if first.0 >> action & 1 == 1 { bit } else { 0 };
+            }
+            at = at.wrapping_add(self.words);
+        }
+        self.open(marks, to.row);
+        set_bit(marks, self.set_at(TOUCHED), to.row);
+    }
+
+    /// The moving pieces but the robot.
+    #[inline]
+    fn pieces(&self) -> impl Iterator<Item = Piece> + use<> {
+        let mut rest = self.pieces;
+        core::iter::from_fn(move || {
+            let next = rest.trailing_zeros();
+            rest &= rest.wrapping_sub(1);
+            (next < 32).then_some(Piece(next as u8))
+        })
+    }
+
+    /// Takes note that a row has a state at the next distance.
+    #[inline]
+    fn open(&mut self, marks: &mut [u64], row: usize) {
+        set_bit(marks, self.frontier_at(self.next), row);
+        self.ahead = true;
+    }
+
+    /// Goes on to the next distance. Returns whether there is one.
+    pub(super) fn next_level(&mut self) -> bool {
+        (self.here, self.next, self.cursor) = (self.next, self.here, 0);
+        core::mem::take(&mut self.ahead)
+    }
+
+    /// Leaves zeros in the marks.
+    pub(super) fn clear(&self, marks: &mut [u64]) {
+        for word in 0..self.set {
+            let mut touched = marks.get(self.set_at(TOUCHED).wrapping_add(word)).copied().unwrap_or(0);
+            while touched != 0 {
+                let start = self.row_at(word.wrapping_mul(64).wrapping_add(touched.trailing_zeros() as usize));
+                touched &= touched.wrapping_sub(1);
+                marks.get_mut(start..start.wrapping_add(self.stride)).unwrap_or(&mut []).fill(0);
+            }
+        }
+        marks.get_mut(..self.rows_at).unwrap_or(&mut []).fill(0);
+    }
+}
+
+#[inline]
+fn set_bit(marks: &mut [u64], set_at: usize, bit: usize) {
+    if let Some(word) = marks.get_mut(set_at.wrapping_add(bit / 64)) {
+        *word |= 1 << (bit % 64);
+    }
+}

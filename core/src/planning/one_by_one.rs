@@ -1,0 +1,225 @@
+//! The exact search that expands states one by one. It serves every domain.
+//!
+//! Each state that is reached carries the set of first actions with which some shortest way to it begins. The first goal state that the
+//! search meets for a task gives the task's distance, and the first actions of all its goal states at that distance are its optimal set:
+//! every action a with cost(s,a) + dist(step(s,a)) = dist(s).
+//!
+//! With costs of 1 and at most 8 actions this takes 11 bits a state. Where the states do not fit, the search keeps those that it meets in
+//! a hash table of state numbers. Once that is full, tasks that have no goal nearer than the first state without room stay *unknown*.
+
+mod frontier;
+
+use self::frontier::{Arrival, Frontier};
+use super::goals::Goals;
+use super::plan::Results;
+use crate::capacity::{Capacity, CapacityError};
+use crate::oomdp::domain::MOST_COST;
+use crate::oomdp::{Action, ActionSet, Domain, SearchKind, cost, own_actions};
+
+const EMPTY: u64 = u64::MAX;
+
+/// Where a search state by state stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StateSearch {
+    frontier: Frontier,
+    /// States that fit.
+    slots: usize,
+    hashing: bool,
+    /// Words at the end of the marks that serve as hash table, where there is no other memory for one.
+    own_table: usize,
+    /// How many states are open.
+    ahead: usize,
+    /// The distance of the first state that found no room.
+    horizon: u32,
+}
+
+impl StateSearch {
+    /// How many states fit where they are not hashed.
+    pub(super) fn room<D: Domain + ?Sized>(domain: &D, marks: usize) -> usize {
+        Frontier::room(marks, ring(domain), bytes(domain), 0)
+    }
+
+    /// Whether all states fit.
+    pub(super) fn fits<D: Domain + ?Sized>(domain: &D, marks: usize) -> bool {
+        domain.state_count() <= Self::room(domain, marks) as u64
+    }
+
+    /// Lays out the marks, which hold zeros, and opens the successors of `state`.
+    #[inline(never)]
+    pub(super) fn begin<D: Domain + ?Sized>(
+        domain: &D,
+        state: &D::State,
+        marks: &mut [u64],
+        hashed: &mut [u64],
+        applicable: ActionSet,
+    ) -> Self {
+        let hashing = !Self::fits(domain, marks.len());
+        let (slots, own_table) = if !hashing {
+            (usize::try_from(domain.state_count()).unwrap_or(0), 0)
+        } else if hashed.is_empty() {
+            let slots = Frontier::room(marks.len(), ring(domain), bytes(domain), 64);
+            (slots, slots)
+        } else {
+            (Self::room(domain, marks.len()).min(hashed.len()), 0)
+        };
+        let frontier = Frontier::new(slots, ring(domain), bytes(domain));
+        let mut search = Self { frontier, slots, hashing, own_table, ahead: 0, horizon: u32::MAX };
+        let (marks, table) = search.split(marks, hashed);
+        if hashing {
+            table.iter_mut().take(slots).for_each(|number| *number = EMPTY);
+        }
+        match search.slot(table, domain.number(state)) {
+            Some(slot) => {
+                search.frontier.finish(marks, slot);
+                for action in applicable.iter().filter(|&action| action != Action::NOOP) {
+                    search.follow(marks, table, domain, state, action, ActionSet::of(action), 0);
+                }
+            }
+            // Not even the state itself has room: nothing can be said.
+            None => search.horizon = 0,
+        }
+        search
+    }
+
+    /// The marks without the hash table, and the hash table.
+    #[inline]
+    fn split<'t>(&self, marks: &'t mut [u64], hashed: &'t mut [u64]) -> (&'t mut [u64], &'t mut [u64]) {
+        let at = marks.len().saturating_sub(self.own_table);
+        let (marks, own) = marks.split_at_mut_checked(at).unwrap_or_default();
+        (marks, if own.is_empty() { hashed } else { own })
+    }
+
+    /// Leaves zeros in the marks.
+    pub(super) fn clear(&self, marks: &mut [u64]) {
+        let (marks, table) = self.split(marks, &mut []);
+        self.frontier.clear(marks);
+        table.fill(0);
+    }
+
+    /// Whether every state found room.
+    pub(super) fn is_complete(&self) -> bool {
+        self.horizon == u32::MAX
+    }
+
+    /// Goes on to the next distance. Returns whether there is one: from the first state without room on, a goal may be missing, and so may
+    /// a way to one.
+    pub(super) fn next_level(&mut self, level: u32) -> bool {
+        self.frontier.next_level();
+        self.ahead > 0 && level < self.horizon
+    }
+
+    #[inline]
+    fn slot(&self, table: &mut [u64], number: u64) -> Option<usize> {
+        if !self.hashing {
+            return usize::try_from(number).ok().filter(|&slot| slot < self.slots);
+        }
+        // Multiplicative hashing with linear probing; where a probe runs long, the table is as good as full.
+        let spread = number.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        let mut slot = ((spread >> 32).wrapping_mul(self.slots as u64) >> 32) as usize;
+        for _ in 0..64 {
+            let entry = table.get_mut(..self.slots)?.get_mut(slot)?;
+            if *entry == EMPTY {
+                *entry = number;
+                return Some(slot);
+            }
+            if *entry == number {
+                return Some(slot);
+            }
+            slot = slot.wrapping_add(1);
+            if slot >= self.slots {
+                slot = 0;
+            }
+        }
+        None
+    }
+
+    #[inline]
+    #[expect(clippy::too_many_arguments, reason = "what is borrowed apart")]
+    fn follow<D: Domain + ?Sized>(
+        &mut self,
+        marks: &mut [u64],
+        table: &mut [u64],
+        domain: &D,
+        state: &D::State,
+        action: Action,
+        first: ActionSet,
+        level: u32,
+    ) {
+        let Some(next) = domain.step(state, action).filter(|next| next != state) else { return };
+        let cost = cost(domain, action);
+        let Some(slot) = self.slot(table, domain.number(&next)) else {
+            self.horizon = self.horizon.min(level.saturating_add(u32::from(cost)));
+            return;
+        };
+        match self.frontier.meet(marks, slot, usize::from(cost)) {
+            Arrival::Longer => {}
+            Arrival::Equal => {
+                let both = self.frontier.first_actions(marks, slot).union(first);
+                self.frontier.set_first_actions(marks, slot, both);
+            }
+            arrival => {
+                self.ahead = self.ahead.saturating_add(usize::from(arrival == Arrival::First));
+                self.frontier.set_first_actions(marks, slot, first);
+            }
+        }
+    }
+
+    /// Expands one state of the distance under way. Returns how many expansions that took, or `None` where no state is left.
+    #[inline]
+    pub(super) fn expand<D: Domain + ?Sized>(
+        &mut self,
+        marks: &mut [u64],
+        hashed: &mut [u64],
+        results: &mut Results<'_>,
+        domain: &D,
+        goals: &Goals<'_>,
+    ) -> Option<u32> {
+        let (marks, table) = self.split(marks, hashed);
+        let slot = self.frontier.take(marks)?;
+        self.ahead = self.ahead.saturating_sub(1);
+        let number = if self.hashing { table.get(slot).copied().unwrap_or(0) } else { slot as u64 };
+        let state = domain.numbered(number);
+        let first = self.frontier.first_actions(marks, slot);
+        for task in goals.satisfied(domain, &state, results.found.sought).iter() {
+            results.meet(task, first);
+        }
+        for action in own_actions(domain) {
+            self.follow(marks, table, domain, &state, action, first, results.found.level);
+        }
+        Some(1)
+    }
+}
+
+/// Distances that are open at the same time: the highest cost of an action, and one.
+fn ring<D: Domain + ?Sized>(domain: &D) -> usize {
+    let highest = domain.actions().iter().map(|kind| kind.cost).max().unwrap_or(1).clamp(1, MOST_COST);
+    usize::from(highest).saturating_add(1)
+}
+
+/// Bytes of a state's first actions.
+fn bytes<D: Domain + ?Sized>(domain: &D) -> usize {
+    if domain.actions().len() > 8 { 2 } else { 1 }
+}
+
+/// The least [`Capacities::states`](crate::Capacities::states) with which every state of a domain has room, so that plans are exact. It is
+/// the number of states where actions cost 1 and are at most 8, and more otherwise. `None` where the states cannot be counted.
+pub fn states_needed<D: Domain + ?Sized>(domain: &D) -> Option<usize> {
+    let count = usize::try_from(domain.state_count()).ok().filter(|&count| count < usize::MAX / 1_024)?;
+    let words = Frontier::new(count, ring(domain), bytes(domain)).words();
+    let usual = |groups: usize| Frontier::new(groups.saturating_mul(64), 2, 1).words();
+    let mut groups = words / usual(1).max(1);
+    while usual(groups) < words {
+        groups = groups.saturating_add(1);
+    }
+    // Whole groups: a smaller number asks for as many words.
+    Some(if usual(count.div_ceil(64)) == words { count } else { groups.saturating_mul(64) })
+}
+
+/// Refuses a domain whose states do not fit, unless it has a hash table or can be planned for approximately.
+pub(super) fn check<D: Domain + ?Sized>(domain: &D, marks: usize, hashed: usize) -> Result<(), CapacityError> {
+    if hashed > 0 || D::Search::grid(domain).is_some() || StateSearch::fits(domain, marks) {
+        return Ok(());
+    }
+    let given = states_needed(domain).unwrap_or(usize::MAX);
+    Err(CapacityError::new(Capacity::States, Frontier::room(marks, 2, 1, 0), given))
+}

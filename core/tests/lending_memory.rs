@@ -1,0 +1,136 @@
+//! Whoever owns the tables lends them: homes and agents come and go in the same memory, and every refusal says what it knows.
+
+use goodbot::capacity::Capacity;
+use goodbot::feedback::Feedback;
+use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
+use goodbot::memory::{AgentArrays, AgentMemory, HomeMemory};
+use goodbot::oomdp::Action;
+use goodbot::planning::Progress;
+use goodbot::{Agent, AgentError, Capacities, Options};
+
+goodbot::memory! { struct Memory = Capacities::SMALL; }
+
+fn rooms<M: HomeMemory>(memory: M, color: &str) -> (Home<M>, HomeState) {
+    let mut builder = HomeBuilder::new(memory);
+    builder.room("room0", Area::new(0, 0, 8, 4), color).unwrap();
+    builder.room("room1", Area::new(0, 4, 8, 8), "green").unwrap();
+    builder.door("door0", Area::new(2, 4, 2, 4)).unwrap();
+    builder.agent("agent0", Cell::new(4, 2)).unwrap();
+    builder.build(Moves::Push).unwrap()
+}
+
+fn agent<M: AgentMemory>(memory: M) -> Agent<M> {
+    Agent::new(memory, &home::paper_tasks().unwrap(), Options::PAPER).unwrap()
+}
+
+#[test]
+fn one_home_after_another_lives_in_the_same_memory() {
+    let mut memory = Memory::new();
+    let mut agent = agent(&mut memory.agent);
+    for color in ["red", "blue"] {
+        let (home, state) = rooms(&mut memory.home, color);
+        agent.hear(&home, &state, "go to the green room").unwrap();
+        assert_eq!(home.objects().value(goodbot::oomdp::ObjectId(0), home::COLOR), color);
+    }
+    let (home, _) = rooms(memory.home, "red");
+    let (home, _) = rooms(home.into_memory(), "tan");
+    assert_eq!(home.objects().value(goodbot::oomdp::ObjectId(0), home::COLOR), "tan");
+}
+
+#[test]
+fn a_home_that_cannot_be_built_gives_its_memory_back() {
+    let builder = HomeBuilder::new(Memory::new().home);
+    let Err((_, memory)) = builder.try_build(Moves::Push) else { panic!("there is no agent") };
+    rooms(memory, "red");
+}
+
+#[test]
+fn an_agent_is_read_while_it_is_borrowed() {
+    let mut memory = Memory::new();
+    let (home, state) = rooms(&mut memory.home, "red");
+    let mut agent = agent(memory.agent);
+    agent.hear(&home, &state, "go to the green room").unwrap();
+    let (words, belief) = (agent.language().words(), agent.belief());
+    let text = words.iter().map(|(_, word)| word).collect::<Vec<_>>().join(" ");
+    assert_eq!((text.as_str(), belief.tasks()), ("go to the green room", agent.tasks().len()));
+}
+
+#[test]
+fn an_agent_is_shown_in_one_line() {
+    let shown = format!("{:?}", agent(Memory::new().agent));
+    assert!(shown.len() < 400, "{shown}");
+}
+
+#[test]
+fn a_memory_without_room_for_a_strategy_is_refused_by_name() {
+    goodbot::memory! { struct Nobody = Capacities { strategies: 0, ..Capacities::SMALL }; }
+    let error = Agent::new(Nobody::new().agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap_err();
+    let AgentError::Capacity(error) = error else { panic!("{error}") };
+    assert_eq!((error.capacity, error.limit, error.given), (Capacity::Strategies, 0, 1));
+}
+
+/// Hears and finishes in calls of this budget. Returns how many calls that took, and the bits of what was believed and learned.
+fn in_parts(budget: u32) -> (usize, Vec<u32>) {
+    let mut memory = Memory::new();
+    let (home, state) = rooms(&mut memory.home, "red");
+    let mut agent: Agent<AgentArrays<Memory>> = agent(memory.agent);
+    let (mut calls, mut bits) = (0, Vec::new());
+    for command in ["go to the green room", "please go to the green room now"] {
+        agent.begin_hearing(&home, &state, command).unwrap();
+        while agent.hear_on(&home, budget).unwrap() == Progress::Working {
+            assert_eq!(agent.plan(&home, &state, 1), Err(AgentError::StillHearing));
+            calls += 1;
+        }
+        agent.plan_fully(&home, &state).unwrap();
+        agent.acted(&home, &state, Action(0)).unwrap();
+        let _ = agent.feedback(Feedback::Reward).unwrap();
+        bits.extend((0..agent.tasks().len()).map(|task| agent.belief().probability(task).to_bits()));
+        agent.begin_finishing(&home).unwrap();
+        while agent.finish_on(&home, budget).unwrap().is_none() {
+            assert_eq!(agent.plan(&home, &state, 1), Err(AgentError::StillFinishing));
+            calls += 1;
+        }
+        agent.learn_fully();
+    }
+    bits.extend(agent.language().bitext().pairs().iter().map(|pair| pair.weight.to_bits()));
+    (calls, bits)
+}
+
+#[test]
+fn hearing_and_finishing_in_parts_gives_the_same_bits_whatever_the_budget() {
+    let (calls, whole) = in_parts(u32::MAX);
+    assert_eq!(calls, 0);
+    for budget in [1, 7, 20] {
+        let (calls, bits) = in_parts(budget);
+        assert!(calls > 1, "{calls} calls of budget {budget}");
+        assert_eq!(bits, whole);
+    }
+}
+
+#[test]
+fn finishing_says_which_sessions_gave_way_and_usage_how_full_the_tables_are() {
+    goodbot::memory! { struct Two = Capacities { sessions: 2, ..Capacities::SMALL }; }
+    let mut memory = Two::new();
+    let (home, state) = rooms(&mut memory.home, "red");
+    let mut agent = agent(memory.agent);
+    let mut gave_way = Vec::new();
+    for _ in 0..3 {
+        agent.hear(&home, &state, "go to the green room").unwrap();
+        gave_way.push(agent.finish(&home).unwrap().gave_way.positions().to_vec());
+        agent.learn_fully();
+    }
+    assert_eq!(gave_way, [vec![], vec![], vec![0]]);
+    assert_eq!((agent.usage().sessions, agent.most_used().sessions, agent.capacities().sessions), (2, 2, 2));
+    assert_eq!(agent.most_used().fits_in(&agent.capacities().at_least(agent.usage())), Ok(()));
+}
+
+#[test]
+fn who_leaves_an_environment_has_no_task_of_it_any_more() {
+    let mut memory = Memory::new();
+    let (home, state) = rooms(&mut memory.home, "red");
+    let mut agent = agent(memory.agent);
+    agent.hear(&home, &state, "go to the green room").unwrap();
+    agent.leave();
+    assert!(agent.tasks().is_empty() && agent.most_likely().is_none());
+    assert_eq!(agent.hear_again(&home, &state), Err(AgentError::NoSession));
+}

@@ -1,0 +1,62 @@
+//! What a simulated trainer does, which need not be what the agent thinks that trainers do.
+
+use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
+use rand_core::Rng;
+
+/// Someone who judges actions and knows which are right.
+pub trait Trainer {
+    /// The feedback to an action that is correct, or is not, for the intended task.
+    fn feedback<R: Rng + ?Sized>(&self, correct: bool, random: &mut R) -> Feedback;
+}
+
+impl Trainer for SimulatedTrainer {
+    fn feedback<R: Rng + ?Sized>(&self, correct: bool, random: &mut R) -> Feedback {
+        SimulatedTrainer::feedback(self, correct, random)
+    }
+}
+
+/// A trainer who follows a strategy but may never reward, or never punish: in place of what is withheld stands silence.
+///
+/// The paper's second trainer "was only allowed to punish" (section 5), while its agent took a correct action to be rewarded three times out
+/// of ten.
+///
+/// ```
+/// use goodbot::feedback::Feedback;
+/// use goodbot_course::{CourseTrainer, Trainer, generator};
+/// let mut random = generator(1);
+/// let said = (0..1_000).map(|_| CourseTrainer::PUNISH_ONLY.feedback(true, &mut random));
+/// assert!(said.into_iter().all(|feedback| feedback != Feedback::Reward));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CourseTrainer {
+    /// How often it is silent, and mistakes a correct action for an incorrect one.
+    pub strategy: Strategy,
+    /// Whether it ever rewards.
+    pub rewards: bool,
+    /// Whether it ever punishes.
+    pub punishes: bool,
+}
+
+impl CourseTrainer {
+    /// The paper's first trainer: silent seven times out of ten, one error in ten.
+    pub const BALANCED: Self = Self::of(Strategy::BALANCED);
+    /// The paper's second trainer: punishes nearly every action that it takes for incorrect, and never rewards.
+    pub const PUNISH_ONLY: Self = Self { rewards: false, ..Self::of(Strategy::PUNISH_ONLY) };
+    /// The mirror image: rewards nearly every action that it takes for correct, and never punishes.
+    pub const REWARD_ONLY: Self = Self { punishes: false, ..Self::of(Strategy::REWARD_ONLY) };
+
+    /// A trainer who withholds nothing.
+    pub const fn of(strategy: Strategy) -> Self {
+        Self { strategy, rewards: true, punishes: true }
+    }
+}
+
+impl Trainer for CourseTrainer {
+    fn feedback<R: Rng + ?Sized>(&self, correct: bool, random: &mut R) -> Feedback {
+        match (SimulatedTrainer { strategy: self.strategy }).feedback(correct, random) {
+            Feedback::Reward if !self.rewards => Feedback::Neutral,
+            Feedback::Punish if !self.punishes => Feedback::Neutral,
+            feedback => feedback,
+        }
+    }
+}

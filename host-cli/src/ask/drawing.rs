@@ -1,0 +1,38 @@
+//! The home of a question, drawn as text; in colour where that is wanted, which then stands beside the letters.
+
+use crate::messages::is_colored;
+use goodbot::home::map::Map;
+use goodbot::memory::HomeMemory;
+use std::io::{self, Write};
+
+/// Draws a home.
+///
+/// # Errors
+/// What the output says.
+pub fn draw(out: &mut impl Write, map: &Map<'_, impl HomeMemory>) -> io::Result<()> {
+    for line in map.to_string().lines() {
+        write!(out, "  ")?;
+        for character in line.chars() {
+            match code(character).filter(|_| is_colored()) {
+                Some(code) => write!(out, "\u{1b}[{code}m{character}\u{1b}[0m")?,
+                None => write!(out, "{character}")?,
+            }
+        }
+        writeln!(out)?;
+    }
+    Ok(())
+}
+
+/// The terminal's colour for a letter of the drawing.
+fn code(character: char) -> Option<u8> {
+    Some(match character {
+        'r' => 31,
+        'g' => 32,
+        'b' => 34,
+        'y' | 'o' => 33,
+        'p' => 35,
+        't' => 36,
+        '@' => 1,
+        _ => return None,
+    })
+}

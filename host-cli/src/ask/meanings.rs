@@ -1,0 +1,143 @@
+//! What a command may mean here, with what is done already.
+//!
+//! The agent leaves out tasks that hold already: there is nothing to do for them. But a person may well have meant one, and then the agent is
+//! sure of another. So each of these is asked for from where it does not hold yet, by moving one thing elsewhere.
+
+use crate::load::task_name::{in_words, task_name};
+use goodbot::capacity::VARIABLES_PER_TASK;
+use goodbot::home::{Home, HomeState};
+use goodbot::memory::AgentMemory;
+use goodbot::memory::HomeMemory;
+use goodbot::oomdp::{Domain, ObjectId};
+use goodbot::probability::{Scaled, total};
+use goodbot::task::{GroundedTask, LiftedTask};
+use goodbot::{Agent, AgentError};
+
+/// What a command may mean.
+#[derive(Clone, Debug)]
+pub struct Meaning {
+    /// The task, as in files.
+    pub name: String,
+    /// The task in words.
+    pub words: String,
+    /// How probable it is.
+    pub probability: f32,
+    /// Whether it is done already.
+    pub done: bool,
+}
+
+/// All that the command may mean, the most probable first. A word that was never heard says nothing, and makes every meaning less sure: so
+/// much of the belief as there are such words among all stays what it was before any word. Afterwards the agent has heard the command in
+/// `start`, if there is anything to do there.
+///
+/// # Errors
+/// An [`AgentError`] but that there is nothing to do.
+pub fn meanings(
+    agent: &mut Agent<impl AgentMemory>,
+    home: &Home<impl HomeMemory>,
+    start: &HomeState,
+    command: &str,
+) -> Result<Vec<Meaning>, AgentError> {
+    let lifted: Vec<LiftedTask> = agent.lifted().to_vec();
+    let done = done(home, start, &lifted);
+    let mut explained: Vec<(GroundedTask, Scaled, bool)> = Vec::new();
+    for task in done {
+        if let Some(elsewhere) = undone(home, start, &lifted, &task) {
+            agent.hear(home, &elsewhere, command)?;
+            explained.extend(likelihoods(agent).into_iter().filter(|(it, _)| is_same(it, &task)).map(|(_, weight)| (task, weight, true)));
+        }
+    }
+    match agent.hear(home, start, command) {
+        Ok(()) => explained.extend(likelihoods(agent).into_iter().map(|(task, weight)| (task, weight, false))),
+        Err(AgentError::NoTask) if !explained.is_empty() => {}
+        Err(error) => return Err(error),
+    }
+    let unheard = unheard_share(agent);
+    let groups = (0..lifted.len()).filter(|&kind| explained.iter().any(|(task, ..)| usize::from(task.lifted) == kind)).count();
+    let prior = |task: &GroundedTask| {
+        let alike = explained.iter().filter(|(other, ..)| other.lifted == task.lifted).count();
+        1.0 / (groups.max(1) * alike.max(1)) as f32
+    };
+    let whole = total(explained.iter().map(|(task, weight, _)| weight.scaled_by(prior(task))));
+    let mut meanings = Vec::new();
+    for (task, weight, done) in &explained {
+        let Some(kind) = lifted.get(usize::from(task.lifted)) else { continue };
+        let said = if whole.is_zero() { prior(task) } else { weight.scaled_by(prior(task)).over(whole) };
+        meanings.push(Meaning {
+            name: task_name(home, kind, task).map(|name| name.to_string()).unwrap_or_default(),
+            words: in_words(home, kind, task),
+            probability: (1.0 - unheard) * said + unheard * prior(task),
+            done: *done,
+        });
+    }
+    meanings.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+    Ok(meanings)
+}
+
+/// The share of the command's words that were never heard in training.
+fn unheard_share(agent: &Agent<impl AgentMemory>) -> f32 {
+    let (sentence, known) = (agent.sentence(), agent.language().tables().words());
+    let unheard = sentence.iter().filter(|word| word.is_none_or(|word| word.index() >= known)).count();
+    if known == 0 { 0.0 } else { unheard as f32 / sentence.len().max(1) as f32 }
+}
+
+/// How well each task of the agent's session explains the words.
+fn likelihoods(agent: &Agent<impl AgentMemory>) -> Vec<(GroundedTask, Scaled)> {
+    let of = |(position, task): (usize, &GroundedTask)| (*task, agent.belief().weight(position).scaled_by(1.0 / task.prior));
+    agent.tasks().iter().enumerate().map(of).collect()
+}
+
+fn is_same(a: &GroundedTask, b: &GroundedTask) -> bool {
+    a.lifted == b.lifted && a.bindings == b.bindings
+}
+
+/// The tasks that hold in a state.
+fn done(home: &Home<impl HomeMemory>, state: &HomeState, lifted: &[LiftedTask]) -> Vec<GroundedTask> {
+    let mut found = Vec::new();
+    for (position, kind) in lifted.iter().enumerate() {
+        let task = GroundedTask { lifted: position as u8, bindings: [ObjectId(0); VARIABLES_PER_TASK], prior: 1.0 };
+        bind(home, state, kind, task, 0, &mut found);
+    }
+    found
+}
+
+/// Binds the variables from `variable` on. What cannot hold any more is given up.
+fn bind(
+    home: &Home<impl HomeMemory>,
+    state: &HomeState,
+    kind: &LiftedTask,
+    task: GroundedTask,
+    variable: usize,
+    found: &mut Vec<GroundedTask>,
+) {
+    let bound = |variables: &[u8]| variables.iter().all(|&it| usize::from(it) < variable);
+    for (part, grounded) in kind.propositions().iter().zip(task.propositions(kind)) {
+        let parameters = home.world().schema.parameters(part.proposition).len();
+        if part.variables.get(..parameters).is_some_and(bound) && !home.holds(&grounded, state) {
+            return;
+        }
+    }
+    let Some(&class) = kind.variables().get(variable) else {
+        found.push(task);
+        return;
+    };
+    for object in home.world().objects.of_class(class) {
+        if task.bindings.get(..variable).is_some_and(|taken| taken.contains(&object)) {
+            continue;
+        }
+        let mut task = task;
+        if let Some(slot) = task.bindings.get_mut(variable) {
+            *slot = object;
+        }
+        bind(home, state, kind, task, variable + 1, found);
+    }
+}
+
+/// A state in which the task does not hold, with one thing elsewhere.
+fn undone(home: &Home<impl HomeMemory>, start: &HomeState, lifted: &[LiftedTask], task: &GroundedTask) -> Option<HomeState> {
+    let kind = lifted.get(usize::from(task.lifted))?;
+    let bound = task.bindings.iter().take(kind.variables().len());
+    let things = bound.filter(|&&object| object == home.agent() || home.blocks().contains(&object));
+    let states = things.flat_map(|&thing| home.places().iter().filter_map(move |place| home.placed(start, &[(thing, place.cell())])));
+    states.into_iter().find(|state| task.propositions(kind).any(|part| !home.holds(&part, state)))
+}

@@ -1,0 +1,111 @@
+//! What is allowed and hardly meant: it is warned of, and no fault.
+
+use crate::load::home;
+use goodbot::home::{Cell, Home, HomeState, Moves};
+use goodbot::memory::HomeMemory;
+use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+use goodbot_formats::session::SessionHeader;
+use std::collections::BTreeSet;
+
+/// A doubt: the object's position in the environment, where it is one of them, and what is doubtful.
+pub type Doubt = (Option<usize>, String);
+
+/// What is doubtful in a home without fault.
+pub fn of_home(environment: &EnvironmentFile) -> Vec<Doubt> {
+    let mut doubts = unnamed(environment);
+    doubts.extend(overlaps(environment));
+    let mut memory = home::memory();
+    if let Ok((home, start)) = home::build(environment, Moves::Push, &mut memory) {
+        doubts.extend(ways(environment, &home, &start));
+    }
+    doubts
+}
+
+/// Colours and shapes that no word can name.
+fn unnamed(environment: &EnvironmentFile) -> Vec<Doubt> {
+    let mut doubts = Vec::new();
+    for (position, object) in environment.objects.iter().enumerate() {
+        let (color, shape) = match object {
+            ObjectRecord::Room { color, .. } => (color.as_str(), "-"),
+            ObjectRecord::Block { color, shape, .. } => (color.as_str(), shape.as_str()),
+            ObjectRecord::Door { .. } | ObjectRecord::Agent { .. } => continue,
+        };
+        for (what, text) in [("color", color), ("shape", shape)] {
+            if text.trim().is_empty() {
+                doubts.push((Some(position), format!("its {what} is empty, so no word can name it; give it one")));
+            }
+        }
+    }
+    doubts
+}
+
+/// Rooms that share more than their walls.
+fn overlaps(environment: &EnvironmentFile) -> Vec<Doubt> {
+    let rooms: Vec<(usize, &str, [i32; 4])> = environment
+        .objects
+        .iter()
+        .enumerate()
+        .filter_map(|(position, object)| match object {
+            ObjectRecord::Room { name, left, bottom, right, top, .. } => Some((position, name.as_str(), [*left, *bottom, *right, *top])),
+            _ => None,
+        })
+        .collect();
+    let mut doubts = Vec::new();
+    for (number, (position, _, [left, bottom, right, top])) in rooms.iter().enumerate() {
+        for (_, other, [l, b, r, t]) in rooms.iter().take(number) {
+            if left.max(l) < right.min(r) && bottom.max(b) < top.min(t) {
+                doubts.push((Some(*position), format!("it overlaps {other}, so that a thing can be in both; let rooms share walls alone")));
+            }
+        }
+    }
+    doubts
+}
+
+/// Rooms that the agent cannot come to, and doors that lead nowhere.
+fn ways(environment: &EnvironmentFile, home: &Home<impl HomeMemory>, start: &HomeState) -> Vec<Doubt> {
+    let free: BTreeSet<(i32, i32)> = home.places().iter().map(|place| (place.cell().x, place.cell().y)).collect();
+    let around = |(x, y): (i32, i32)| [(x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)].into_iter().filter(|cell| free.contains(cell));
+    let Cell { x, y } = home.agent_cell(start);
+    let (mut reached, mut open) = (BTreeSet::from([(x, y)]), vec![(x, y)]);
+    while let Some(cell) = open.pop() {
+        for next in around(cell) {
+            if reached.insert(next) {
+                open.push(next);
+            }
+        }
+    }
+    let mut doubts = Vec::new();
+    for (position, object) in environment.objects.iter().enumerate() {
+        match object {
+            ObjectRecord::Room { left, bottom, right, top, .. } => {
+                let inside = |&&(x, y): &&(i32, i32)| (left + 1..*right).contains(&x) && (bottom + 1..*top).contains(&y);
+                if !reached.iter().any(|cell| inside(&cell)) {
+                    doubts.push((Some(position), "no way leads there from where the agent stands; add a door".to_owned()));
+                }
+            }
+            ObjectRecord::Door { left, bottom, right, top, .. } => {
+                let own = |&(x, y): &(i32, i32)| (*left..=*right).contains(&x) && (*bottom..=*top).contains(&y);
+                let beyond: BTreeSet<(i32, i32)> = free.iter().filter(|cell| own(cell)).flat_map(|&cell| around(cell)).collect();
+                if beyond.iter().filter(|cell| !own(cell)).count() < 2 {
+                    doubts.push((Some(position), "the door leads nowhere; put it into a wall between two rooms".to_owned()));
+                }
+            }
+            ObjectRecord::Agent { .. } | ObjectRecord::Block { .. } => {}
+        }
+    }
+    doubts
+}
+
+/// What is doubtful in a session line: its field, and why.
+pub fn of_header(header: &SessionHeader) -> Vec<(&'static str, String)> {
+    let sum = |values: &mut dyn Iterator<Item = f64>| values.sum::<f64>();
+    let sums = [
+        ("prior", header.prior.as_ref().map(|prior| sum(&mut prior.iter().map(|(_, value)| *value)))),
+        ("strategies", header.strategies.as_ref().map(|records| sum(&mut records.iter().map(|record| record.prior)))),
+    ];
+    let odd = |(field, sum): (&'static str, Option<f64>)| {
+        let sum = sum.filter(|sum| (sum - 1.0).abs() > 1e-6)?;
+        Some((field, format!("the probabilities sum to {sum:.6} and not to 1; they are divided by their sum")))
+    };
+    sums.into_iter().filter_map(odd).collect()
+}

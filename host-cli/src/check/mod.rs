@@ -1,0 +1,251 @@
+//! `goodbot check`: every fault of an environment, a session log or recorded beliefs, with its line and field, and what is doubtful.
+//!
+//! - [`doubts`]: what is allowed and hardly meant.
+
+mod doubts;
+
+use crate::load::content::Content;
+use crate::load::kinds::TaskKinds;
+use crate::load::{Fault, home, input, map, session};
+use crate::messages::counted;
+use clap::Args;
+use goodbot::task::LiftedTask;
+use goodbot_formats::Problem;
+use goodbot_formats::environment::{self, EnvironmentFile};
+use goodbot_formats::posterior::PosteriorLine;
+use goodbot_formats::session::{Kind, RecordedSession, SessionReader};
+use serde_json::json;
+use std::collections::HashMap;
+use std::io::{BufRead, Write};
+use std::process::ExitCode;
+
+/// The most faults that are told of one file.
+const MOST_FAULTS: usize = 100;
+
+/// Check homes, session logs and beliefs: name every fault, and what is doubtful
+///
+/// What a file is is seen from what is in it. Of a home it is asked whether it makes sense; of a
+/// session log also whether each step can be done where it is done, and whether the tasks it names
+/// are possible there.
+#[derive(Debug, Args)]
+#[command(after_help = "Warned of, and no fault: rooms that overlap or that no way leads to, doors that lead nowhere, colours and shapes \
+that are empty, ids that stand twice, probabilities that do not sum to 1, steps of a demonstration that move nothing.
+
+Exit codes: 0 no fault, 2 at least one.
+
+Example: goodbot check home.json lessons.jsonl")]
+pub struct CheckArgs {
+    /// Homes (JSON or drawn as text), session logs and beliefs (JSON Lines); - is standard input
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<String>,
+    #[command(flatten)]
+    kinds: TaskKinds,
+    /// Print a line of JSON for each fault and each warning, and one for each file
+    #[arg(long)]
+    json: bool,
+}
+
+/// What was found in a file.
+#[derive(Debug, Default)]
+struct Findings {
+    /// What the file is.
+    what: String,
+    faults: Vec<Fault>,
+    warnings: Vec<Fault>,
+}
+
+/// Runs the command.
+pub fn run(args: &CheckArgs) -> ExitCode {
+    let lifted = match args.kinds.lifted() {
+        Ok(lifted) => lifted,
+        Err(error) => {
+            eprintln!("error: {error}");
+            return ExitCode::from(2);
+        }
+    };
+    let mut sound = true;
+    for file in &args.files {
+        let found = check(file, &lifted).unwrap_or_else(|fault| Findings { faults: vec![fault], ..Findings::default() });
+        sound &= found.faults.is_empty();
+        // The exit code says the same, should no one read the output to its end.
+        let _ = if args.json { tell_json(input::name(file), &found) } else { tell(input::name(file), &found) };
+    }
+    ExitCode::from(if sound { 0 } else { 2 })
+}
+
+fn tell(file: &str, found: &Findings) -> std::io::Result<()> {
+    let mut messages = std::io::stderr().lock();
+    for fault in &found.faults {
+        writeln!(messages, "{fault}")?;
+    }
+    for warning in &found.warnings {
+        let doubtful = Fault { message: format!("warning: {}", warning.message), ..warning.clone() };
+        writeln!(messages, "{doubtful}")?;
+    }
+    if !found.faults.is_empty() {
+        return Ok(());
+    }
+    let warnings = if found.warnings.is_empty() { String::new() } else { format!(", {}", counted(found.warnings.len(), "warning")) };
+    writeln!(std::io::stdout(), "{file}: {}, no fault{warnings}", found.what)
+}
+
+fn tell_json(file: &str, found: &Findings) -> std::io::Result<()> {
+    let mut out = std::io::stdout().lock();
+    for (kind, finding) in found.faults.iter().map(|it| ("fault", it)).chain(found.warnings.iter().map(|it| ("warning", it))) {
+        let line = json!({"type": kind, "file": finding.file, "line": finding.line, "field": finding.field, "message": finding.message});
+        writeln!(out, "{line}")?;
+    }
+    let line = json!({"type": "file", "file": file, "content": found.what, "faults": found.faults.len(), "warnings": found.warnings.len()});
+    writeln!(out, "{line}")
+}
+
+/// What a file is, and what was found in it.
+///
+/// # Errors
+/// Why it cannot be read.
+fn check(file: &str, lifted: &[LiftedTask]) -> Result<Findings, Fault> {
+    let name = input::name(file);
+    let mut opened = input::open(file)?;
+    let unreadable = |error: std::io::Error| Fault::new(name, format!("cannot be read ({error}); check its name and that you may read it"));
+    let content = Content::of(opened.fill_buf().map_err(unreadable)?);
+    if content == Content::Log {
+        return Ok(check_log(name, opened, lifted));
+    }
+    if matches!(content, Content::Model | Content::Picture) {
+        let message = format!("this is {}; check looks at homes, session logs and beliefs", content.name());
+        return Err(Fault::new(name, message));
+    }
+    let bytes = input::rest(name, opened)?;
+    let text = match String::from_utf8(bytes) {
+        Ok(text) => text,
+        Err(error) => {
+            let valid = error.utf8_error().valid_up_to();
+            let line = 1 + error.as_bytes().iter().take(valid).filter(|&&byte| byte == b'\n').count();
+            return Err(Fault::on_line(name, line, Problem::NotUtf8));
+        }
+    };
+    Ok(match content {
+        Content::Beliefs => check_beliefs(name, &text),
+        Content::Map => check_map(name, &text),
+        _ => check_environment(name, &text),
+    })
+}
+
+fn check_beliefs(file: &str, text: &str) -> Findings {
+    let lines = text.lines().zip(1..).filter(|(line, _)| !line.trim().is_empty());
+    let faults = lines.clone().filter_map(|(line, number)| PosteriorLine::parse(line, number).err());
+    let faults = faults.take(MOST_FAULTS).map(|error| Fault::from_format(file, error)).collect();
+    Findings { what: counted(lines.count(), "belief"), faults, warnings: vec![] }
+}
+
+fn check_map(file: &str, text: &str) -> Findings {
+    let mut found = Findings { what: "a home, drawn as text".to_owned(), ..Findings::default() };
+    match map::parse(text) {
+        Ok(environment) => look_at(file, &environment, |_| None, &mut found),
+        Err(wrong) => found.faults.push(Fault::on_line(file, wrong.line, wrong.message)),
+    }
+    found
+}
+
+fn check_environment(file: &str, text: &str) -> Findings {
+    let mut found = Findings { what: "an environment".to_owned(), ..Findings::default() };
+    match EnvironmentFile::parse(text) {
+        Ok(environment) => {
+            let line = |object: Option<usize>| object.map_or(Some(1), |object| environment::object_line(text, object));
+            look_at(file, &environment, line, &mut found);
+        }
+        Err(error) => found.faults.push(Fault::from_format(file, error)),
+    }
+    found
+}
+
+/// The faults of a home, or what is doubtful in it where it has none. `line` gives the line of an object, or of the whole.
+fn look_at(file: &str, environment: &EnvironmentFile, line: impl Fn(Option<usize>) -> Option<usize>, found: &mut Findings) {
+    let fault = |flaw: home::Flaw| Fault { line: line(flaw.object), ..Fault::new(file, flaw.message(environment)) }.in_field(flaw.field());
+    found.faults.extend(home::flaws(environment).into_iter().map(fault));
+    if found.faults.is_empty() {
+        let warning = |(object, message): doubts::Doubt| warned(file, environment, line(object), "", object, &message);
+        found.warnings.extend(doubts::of_home(environment).into_iter().map(warning));
+    }
+}
+
+/// A doubt about an object of a home.
+fn warned(file: &str, environment: &EnvironmentFile, line: Option<usize>, way: &str, object: Option<usize>, message: &str) -> Fault {
+    let named = object.and_then(|object| environment.objects.get(object)).map_or("", |object| object.name());
+    let field = object.map_or_else(|| format!("{way}objects"), |object| format!("{way}objects[{object}]"));
+    Fault { line, ..Fault::new(file, format!("{named}: {message}")) }.in_field(field)
+}
+
+fn check_log(file: &str, log: impl BufRead, lifted: &[LiftedTask]) -> Findings {
+    let mut found = Findings::default();
+    let (mut sessions, mut steps) = (0_usize, 0_usize);
+    let mut ids: HashMap<String, usize> = HashMap::new();
+    // Most sessions of a log are in a home that was there before.
+    let mut homes: Vec<EnvironmentFile> = Vec::new();
+    for recorded in SessionReader::new(log) {
+        match recorded {
+            Ok(recorded) => {
+                sessions += 1;
+                steps += recorded.steps.len();
+                let faults = check_session(file, &recorded, lifted, &mut found.warnings);
+                if faults.is_empty() {
+                    found.warnings.extend(doubtful(file, &recorded, &mut ids, &mut homes));
+                }
+                found.faults.extend(faults);
+            }
+            Err(error) => found.faults.push(Fault::from_format(file, error)),
+        }
+        if found.faults.len() >= MOST_FAULTS {
+            found.faults.truncate(MOST_FAULTS);
+            found
+                .faults
+                .push(Fault::new(file, format!("has {MOST_FAULTS} faults or more, and the rest was not looked at; mend these first")));
+            break;
+        }
+    }
+    found.warnings.truncate(MOST_FAULTS);
+    found.what = format!("{} of {}", counted(sessions, "session"), counted(steps, "step"));
+    found
+}
+
+fn check_session(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask], warnings: &mut Vec<Fault>) -> Vec<Fault> {
+    let mut memory = home::memory();
+    let session = match session::load(file, recorded, lifted, &mut memory) {
+        Ok(session) => session,
+        Err(faults) => return faults,
+    };
+    if recorded.header.kind == Kind::Demonstration {
+        for step in session.steps.iter().filter(|step| step.bump) {
+            let cell = session.home.agent_cell(&step.before);
+            let message = format!(
+                "the demonstration goes against a wall or a block that is held: the agent stays at {}, {}; remove the step, or correct the \
+                 steps before it",
+                cell.x, cell.y
+            );
+            warnings.push(Fault::on_line(file, step.line, message).in_field("action"));
+        }
+    }
+    vec![]
+}
+
+/// What is doubtful in a session without fault.
+fn doubtful(file: &str, recorded: &RecordedSession, ids: &mut HashMap<String, usize>, homes: &mut Vec<EnvironmentFile>) -> Vec<Fault> {
+    const MOST_HOMES: usize = 1_000;
+    let header = &recorded.header;
+    let at = |field: &str, message: String| Fault::on_line(file, recorded.header_line, message).in_field(field);
+    let mut warnings: Vec<Fault> = doubts::of_header(header).into_iter().map(|(field, message)| at(field, message)).collect();
+    if let Some(id) = header.id.as_ref().filter(|_| !header.continues) {
+        if let Some(line) = ids.get(id) {
+            warnings.push(at("id", format!("stands on line {line} already; give each session an id of its own")));
+        } else {
+            ids.insert(id.clone(), recorded.header_line);
+        }
+    }
+    if !homes.contains(&header.environment) && homes.len() < MOST_HOMES {
+        let doubts = doubts::of_home(&header.environment).into_iter();
+        let line = Some(recorded.header_line);
+        warnings.extend(doubts.map(|(object, message)| warned(file, &header.environment, line, "environment.", object, &message)));
+        homes.push(header.environment.clone());
+    }
+    warnings
+}

@@ -1,0 +1,56 @@
+//! What a file is, seen from how it begins.
+
+/// What a file can be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Content {
+    /// A home, as JSON.
+    Environment,
+    /// A home, drawn as text.
+    Map,
+    /// A session log.
+    Log,
+    /// Recorded beliefs.
+    Beliefs,
+    /// A model that `goodbot learn` wrote.
+    Model,
+    /// A picture.
+    Picture,
+}
+
+impl Content {
+    /// What a file is that begins like this.
+    pub fn of(bytes: &[u8]) -> Self {
+        if bytes.starts_with(b"goodbot\0") {
+            return Self::Model;
+        }
+        let text = String::from_utf8_lossy(bytes);
+        let text = text.trim_start_matches('\u{feff}');
+        if text.trim_start().starts_with("<svg") {
+            return Self::Picture;
+        }
+        if super::map::is_map(text) {
+            return Self::Map;
+        }
+        let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or("");
+        match serde_json::from_str::<serde_json::Value>(first) {
+            Ok(line) if line.get("objects").is_some() => Self::Environment,
+            Ok(line) if line.get("type").is_some() => Self::Log,
+            Ok(line) if line.get("session").is_some() && line.get("step").is_some() => Self::Beliefs,
+            Ok(_) => Self::Environment,
+            // A session line may be broken itself, or be longer than what was looked at.
+            Err(_) if first.contains("\"type\"") && first.contains("\"session\"") => Self::Log,
+            Err(_) => Self::Environment,
+        }
+    }
+
+    /// With its article.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Environment | Self::Map => "a home",
+            Self::Log => "a session log",
+            Self::Beliefs => "a file of beliefs",
+            Self::Model => "a model",
+            Self::Picture => "a picture",
+        }
+    }
+}

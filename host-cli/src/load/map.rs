@@ -1,0 +1,179 @@
+//! A home from a drawing: what [`goodbot::home::map::Map`] draws, with a legend.
+
+use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The most characters of a line, and lines, of a drawing.
+const MOST: usize = 200;
+
+/// What the letters of rooms mean where the legend does not say.
+const COLORS: [(char, &str); 7] =
+    [('r', "red"), ('g', "green"), ('b', "blue"), ('y', "yellow"), ('p', "purple"), ('o', "orange"), ('t', "tan")];
+
+/// What is wrong with a drawing, and on which line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Misdrawn {
+    /// The line, from 1.
+    pub line: usize,
+    /// What is wrong, and what to do.
+    pub message: String,
+}
+
+/// Whether a text looks like a drawing.
+pub fn is_map(text: &str) -> bool {
+    let mut lines = text.trim_start_matches('\u{feff}').lines().filter(|line| !line.trim().is_empty());
+    lines.next().is_some_and(|first| first.contains('#') && first.chars().all(|c| "#+ ".contains(c)))
+}
+
+/// A drawing taken apart.
+struct Drawing {
+    /// What stands where: x to the east, y to the north.
+    cells: BTreeMap<(i32, i32), char>,
+    legend: BTreeMap<char, (usize, String)>,
+    rows: i32,
+    first: usize,
+}
+
+impl Drawing {
+    fn line(&self, (_, y): (i32, i32)) -> usize {
+        self.first + usize::try_from(self.rows - 1 - y).unwrap_or(0)
+    }
+
+    fn wrong<T>(&self, cell: (i32, i32), message: String) -> Result<T, Misdrawn> {
+        Err(Misdrawn { line: self.line(cell), message })
+    }
+}
+
+/// The home of a drawing.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn parse(text: &str) -> Result<EnvironmentFile, Misdrawn> {
+    let drawing = taken_apart(text)?;
+    let mut objects = rooms(&drawing)?;
+    let (mut doors, mut blocks, mut agents) = (Vec::new(), Vec::new(), Vec::new());
+    for (&(x, y), &character) in &drawing.cells {
+        if character == '+' {
+            doors.push(ObjectRecord::Door { name: format!("door{}", doors.len()), left: x, bottom: y, right: x, top: y });
+        } else if character == '@' {
+            agents.push(ObjectRecord::Agent { name: format!("agent{}", agents.len()), x, y });
+        } else if character.is_uppercase() {
+            let meaning = drawing.legend.get(&character).map(|(_, meaning)| meaning.split_whitespace().collect::<Vec<_>>());
+            let Some([color, shape]) = meaning.as_deref() else {
+                let message = format!("what block {character} is is not said; add a line such as \"{character}: yellow chair\"");
+                return drawing.wrong((x, y), message);
+            };
+            let (color, shape) = ((*color).to_owned(), (*shape).to_owned());
+            blocks.push(ObjectRecord::Block { name: format!("block{}", blocks.len()), x, y, color, shape });
+        }
+    }
+    objects.extend(doors.into_iter().chain(agents).chain(blocks));
+    Ok(EnvironmentFile::new(objects))
+}
+
+fn taken_apart(text: &str) -> Result<Drawing, Misdrawn> {
+    let (mut rows, mut legend, mut first) = (Vec::new(), BTreeMap::new(), 0);
+    for (line, number) in text.trim_start_matches('\u{feff}').lines().zip(1..).filter(|(line, _)| !line.trim().is_empty()) {
+        let line = line.trim_end();
+        let mut letters = line.chars();
+        let named = letters.next().zip(letters.as_str().split_once(':')).filter(|(_, (blank, _))| blank.trim().is_empty());
+        if let Some((letter, (_, meaning))) = named {
+            legend.insert(letter, (number, meaning.trim().to_owned()));
+            continue;
+        }
+        if line.chars().count() > MOST || rows.len() == MOST {
+            return Err(Misdrawn { line: number, message: format!("the drawing has more than {MOST} lines or columns; make it smaller") });
+        }
+        if rows.is_empty() {
+            first = number;
+        }
+        rows.push(line);
+    }
+    let height = rows.len() as i32;
+    let mut cells = BTreeMap::new();
+    for (row, y) in rows.iter().zip((0..height).rev()) {
+        for (character, x) in row.chars().zip(0..).filter(|(character, _)| !character.is_whitespace()) {
+            if !(character.is_alphabetic() || "#+@.".contains(character)) {
+                let message =
+                    format!("{character:?} means nothing here; write # for a wall, + for a door, @ for the robot, letters for the rest");
+                return Err(Misdrawn { line: first + usize::try_from(height - 1 - y).unwrap_or(0), message });
+            }
+            cells.insert((x, y), character);
+        }
+    }
+    Ok(Drawing { cells, legend, rows: height, first })
+}
+
+/// The rooms: each a full rectangle of one small letter, with the robot and blocks in it.
+fn rooms(drawing: &Drawing) -> Result<Vec<ObjectRecord>, Misdrawn> {
+    let inside = |cell: &(i32, i32)| drawing.cells.get(cell).copied().filter(|&c| c == '@' || c.is_alphabetic());
+    let mut seen: BTreeSet<(i32, i32)> = BTreeSet::new();
+    let mut rooms = Vec::new();
+    for &start in drawing.cells.keys() {
+        let Some(letter) = inside(&start).filter(|c| c.is_lowercase()) else { continue };
+        if seen.contains(&start) {
+            continue;
+        }
+        let mut room = BTreeSet::from([start]);
+        let mut open = vec![start];
+        while let Some((x, y)) = open.pop() {
+            for next in [(x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)] {
+                let Some(found) = inside(&next) else { continue };
+                if found.is_lowercase() && found != letter {
+                    return drawing.wrong(next, format!("rooms {letter} and {found} touch; put a wall (#) between them"));
+                }
+                if room.insert(next) {
+                    open.push(next);
+                }
+            }
+        }
+        let (xs, ys) = (|| room.iter().map(|cell| cell.0), || room.iter().map(|cell| cell.1));
+        let [left, right] = [xs().min(), xs().max()].map(|x| x.unwrap_or(0));
+        let [bottom, top] = [ys().min(), ys().max()].map(|y| y.unwrap_or(0));
+        if i64::from(right - left + 1) * i64::from(top - bottom + 1) != room.len() as i64 {
+            return drawing.wrong(start, format!("room {letter} is no rectangle; fill it with {letter}, and wall it round"));
+        }
+        let named = drawing.legend.get(&letter).map(|(_, meaning)| meaning.clone());
+        let Some(color) = named.or_else(|| COLORS.iter().find(|(known, _)| *known == letter).map(|(_, color)| (*color).to_owned())) else {
+            return drawing.wrong(start, format!("which colour {letter} is is not said; add a line such as \"{letter}: teal\""));
+        };
+        let name = format!("room{}", rooms.len());
+        rooms.push(ObjectRecord::Room { name, left: left - 1, bottom: bottom - 1, right: right + 1, top: top + 1, color });
+        seen.extend(room);
+    }
+    Ok(rooms)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_drawing_is_the_home_that_it_shows() {
+        let drawn = parse("#####\n#rrr#\n##+##\n#g@C#\n#####\nC: blue chair\ng: teal\n").unwrap();
+        let text = drawn.to_json_line();
+        for part in [
+            r#""name":"room0","left":0,"bottom":0,"right":4,"top":2,"color":"teal""#,
+            r#""name":"room1","left":0,"bottom":2,"right":4,"top":4,"color":"red""#,
+            r#""left":2,"bottom":2,"right":2,"top":2"#,
+            r#""name":"agent0","x":2,"y":1"#,
+            r#""x":3,"y":1,"color":"blue","shape":"chair""#,
+        ] {
+            assert!(text.contains(part), "{part} in {text}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_read_from_a_drawing_is_told_with_its_line() {
+        for (drawing, line, message) in [
+            ("#####\n#rCr#\n#####", 2, "C: yellow chair"),
+            ("####\n#rg#\n####", 2, "touch"),
+            ("####\n#zz#\n####", 2, "which colour z is"),
+            ("#####\n#rr##\n#rrr#\n#####", 3, "no rectangle"),
+            ("####\n#r!#\n####", 2, "means nothing"),
+        ] {
+            let wrong = parse(drawing).unwrap_err();
+            assert!(wrong.line == line && wrong.message.contains(message), "{wrong:?}");
+        }
+    }
+}

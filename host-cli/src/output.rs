@@ -1,0 +1,162 @@
+//! Files that are written because someone asked for them: never over what was read, and never over what is not ours unless it is said.
+
+use crate::outcome::Failure;
+use crate::whole_file::write_whole;
+use std::fs::File;
+use std::io::{self, BufWriter, Read, Write};
+use std::path::{Path, PathBuf};
+
+/// What marks a picture as drawn here.
+const MARK: &str = "<!-- drawn by goodbot -->";
+/// With what a model begins.
+const MODEL: &[u8] = b"goodbot\0";
+/// How far into a file the mark is looked for.
+const HEAD: u64 = 4_096;
+
+/// Standard output, as it is typed.
+const STANDARD_OUTPUT: &str = "-";
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Picture,
+    Model,
+}
+
+/// Where something is to be written.
+#[derive(Debug)]
+pub struct Output {
+    path: PathBuf,
+    kind: Kind,
+}
+
+/// Whether this path means standard output.
+pub fn is_standard(path: &Path) -> bool {
+    path.as_os_str() == STANDARD_OUTPUT
+}
+
+impl Output {
+    /// A picture at this path. `inputs` are the files that are read.
+    ///
+    /// # Errors
+    /// Why it cannot or must not be written: better known before the work than after it.
+    pub fn picture<'a>(path: &Path, inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
+        Self::new(path, Kind::Picture, inputs, force)
+    }
+
+    /// A model at this path. `inputs` are the files that are read.
+    ///
+    /// # Errors
+    /// As [`picture`](Self::picture).
+    pub fn model<'a>(path: &Path, inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
+        Self::new(path, Kind::Model, inputs, force)
+    }
+
+    fn new<'a>(path: &Path, kind: Kind, mut inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
+        let output = Self { path: path.to_owned(), kind };
+        if is_standard(path) {
+            return Ok(output);
+        }
+        let refused = |message: String| Err(Failure::Input(format!("{}: {message}", path.display())));
+        if path.is_dir() || path.file_name().is_none() {
+            return refused("is a folder; name a file in it".to_owned());
+        }
+        if inputs.any(|input| input != STANDARD_OUTPUT && are_one(Path::new(input), path)) {
+            return refused("is read here, and would be replaced; write to another file".to_owned());
+        }
+        if path.exists() && !path.is_file() {
+            return Ok(output);
+        }
+        if !force && !output.may_be_replaced() {
+            let what = if kind == Kind::Model { "model" } else { "picture" };
+            return refused(format!("is there already and is no {what} of goodbot's; name another file, or replace it with --force"));
+        }
+        // A link's folder is that of the file it leads to.
+        let real = std::fs::canonicalize(path);
+        let folder = real.as_deref().unwrap_or(path).parent().filter(|folder| !folder.as_os_str().is_empty());
+        match tempfile::tempfile_in(folder.unwrap_or(Path::new("."))) {
+            Ok(_) => Ok(output),
+            Err(error) => refused(format!("no file can be written there ({error}); check that the folder is there and may be written to")),
+        }
+    }
+
+    /// Whether nothing of someone else's is lost: there is no file, an empty one, or one of ours.
+    fn may_be_replaced(&self) -> bool {
+        let Ok(file) = File::open(&self.path) else { return !self.path.exists() };
+        let mut head = Vec::new();
+        if file.take(HEAD).read_to_end(&mut head).is_err() {
+            return false;
+        }
+        head.is_empty()
+            || match self.kind {
+                Kind::Model => head.starts_with(MODEL),
+                Kind::Picture => String::from_utf8_lossy(&head).contains(MARK),
+            }
+    }
+
+    /// Whether it goes to standard output.
+    pub fn is_standard(&self) -> bool {
+        is_standard(&self.path)
+    }
+
+    /// Its name in messages.
+    pub fn name(&self) -> String {
+        if self.is_standard() { "standard output".to_owned() } else { self.path.display().to_string() }
+    }
+
+    /// Writes it, whole or not at all.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] names the file, [`Failure::Output`] is of standard output.
+    pub fn write(&self, bytes: &[u8]) -> Result<(), Failure> {
+        let marked;
+        let bytes = match self.kind {
+            Kind::Model => bytes,
+            Kind::Picture => {
+                marked = with_mark(bytes);
+                &marked
+            }
+        };
+        if self.is_standard() {
+            let mut out = io::stdout().lock();
+            out.write_all(bytes)?;
+            return Ok(out.flush()?);
+        }
+        write_whole(&self.path, bytes).map_err(|error| Failure::Input(format!("{} cannot be written: {error}", self.path.display())))
+    }
+}
+
+/// Where the text goes: standard output, or standard error where something else goes to standard output.
+///
+/// # Errors
+/// [`Failure::Input`] where two things would go to standard output.
+pub fn text(outputs: &[Option<&Output>]) -> Result<BufWriter<Box<dyn Write>>, Failure> {
+    let standard = outputs.iter().flatten().filter(|output| output.is_standard()).count();
+    match standard {
+        0 => Ok(BufWriter::new(Box::new(io::stdout()))),
+        1 => Ok(BufWriter::new(Box::new(io::stderr()))),
+        _ => Err(Failure::Input("two things cannot both go to standard output (-); name a file for one of them".to_owned())),
+    }
+}
+
+/// A picture with the mark behind its first tag.
+fn with_mark(svg: &[u8]) -> Vec<u8> {
+    let end = svg.iter().position(|&byte| byte == b'>').map_or(0, |at| at + 1);
+    [&svg[..end], b"\n", MARK.as_bytes(), &svg[end..]].concat()
+}
+
+/// Whether two names lead to one file, through links of both kinds.
+fn are_one(a: &Path, b: &Path) -> bool {
+    let (Ok(a_real), Ok(b_real)) = (std::fs::canonicalize(a), std::fs::canonicalize(b)) else { return false };
+    if a_real == b_real {
+        return true;
+    }
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        let number = |path: &Path| std::fs::metadata(path).ok().map(|it| (it.dev(), it.ino()));
+        if let (Some(a), Some(b)) = (number(&a_real), number(&b_real)) {
+            return a == b;
+        }
+    }
+    false
+}

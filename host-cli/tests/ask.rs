@@ -1,0 +1,207 @@
+//! `goodbot ask`: what it answers, how sure it is, and why.
+
+#[allow(dead_code, reason = "other tests need more of it")]
+mod program;
+
+use program::{Run, goodbot};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+fn example(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/examples").join(name);
+    path.to_str().expect("a name").to_owned()
+}
+
+struct Asked {
+    folder: tempfile::TempDir,
+}
+
+impl Asked {
+    fn new() -> Self {
+        let it = Self { folder: tempfile::tempdir().expect("a folder") };
+        assert_eq!(goodbot(&["learn", &example("sessions.jsonl"), "--out", it.model().to_str().unwrap()], b"").code, 0);
+        it
+    }
+
+    fn model(&self) -> PathBuf {
+        self.folder.path().join("words.goodbot")
+    }
+
+    fn ask(&self, arguments: &[&str], input: &str) -> Run {
+        goodbot(&[&["ask", "--with", self.model().to_str().unwrap()], arguments].concat(), input.as_bytes())
+    }
+
+    fn home(&self, command: &str) -> (Value, String) {
+        let words: Vec<&str> = command.split(' ').collect();
+        let home = example("home.json");
+        let json = self.ask(&[&["--environment", &home, "--json"], &words[..]].concat(), "");
+        assert_eq!(json.code, 0, "{}", json.messages);
+        let text = self.ask(&[&["--environment", &home], &words[..]].concat(), "").output;
+        (serde_json::from_str(&json.output).expect("a line of JSON"), text)
+    }
+}
+
+#[test]
+fn what_is_done_already_is_said_with_its_probability() {
+    // The robot stands in the red room.
+    let (answer, text) = Asked::new().home("go to the red room");
+    let first = &answer["meanings"][0];
+    assert_eq!((&first["task"], &first["done"]), (&"agentInRoom(agent0,room0)".into(), &true.into()));
+    assert!(first["probability"].as_f64().unwrap() > 0.5, "{answer}");
+    assert_eq!(answer["verdict"], "done");
+    assert!(text.contains("answer: already done here: go to the red room"), "{text}");
+    let sum: f64 = answer["meanings"].as_array().unwrap().iter().map(|it| it["probability"].as_f64().unwrap()).sum();
+    assert!((sum - 1.0).abs() < 1e-4);
+}
+
+#[test]
+fn a_word_never_heard_makes_the_answer_less_sure_and_is_named() {
+    let asked = Asked::new();
+    let sure = |command: &str| asked.home(command).0["meanings"][0]["probability"].as_f64().unwrap();
+    assert!(sure("take the yellow bag to the blue zzz") < sure("take the yellow bag to the blue"));
+    let (_, text) = asked.home("fetch the yellow bag");
+    assert!(text.contains("never heard: \"fetch\""), "{text}");
+}
+
+#[test]
+fn below_the_threshold_the_answer_is_unsure_and_names_the_best_two() {
+    let asked = Asked::new();
+    let (answer, text) = asked.home("zzz yyy xxx");
+    assert_eq!(answer["verdict"], "unsure");
+    let line = text.lines().find(|line| line.starts_with("answer: unsure: ")).expect("an answer");
+    assert!(line.contains(", or "), "{line}");
+    let home = example("home.json");
+    let certain = asked.ask(&["--environment", &home, "--threshold", "0", "zzz"], "").output;
+    assert!(!certain.contains("unsure"), "{certain}");
+    assert_eq!(asked.ask(&["--environment", &home, "--threshold", "2", "zzz"], "").code, 2);
+}
+
+#[test]
+fn words_after_ask_need_no_quotes() {
+    let asked = Asked::new();
+    let home = example("home.json");
+    let with = asked.ask(&["-e", &home, "--json", "take the yellow bag to the blue room"], "").output;
+    let without = asked.ask(&["-e", &home, "--json", "take", "the", "yellow", "bag", "to", "the", "blue", "room"], "").output;
+    assert_eq!(with, without);
+}
+
+#[test]
+fn several_commands_come_from_standard_input_each_on_its_line() {
+    let run = Asked::new().ask(&["--environment", &example("home.json"), "--json", "-"], "go to the blue room\n\ntake the bag away\n");
+    let commands: Vec<Value> = run.output.lines().map(|line| serde_json::from_str::<Value>(line).unwrap()["command"].clone()).collect();
+    assert_eq!(commands, ["go to the blue room", "take the bag away"]);
+}
+
+#[test]
+fn a_session_of_a_log_is_asked_in_its_own_home_and_compared_with_what_was_meant() {
+    let asked = Asked::new();
+    let log = example("sessions.jsonl");
+    let all = asked.ask(&["--log", &log, "--json"], "");
+    assert_eq!(all.output.lines().count(), 4, "{}", all.messages);
+    let first: Value = serde_json::from_str(all.output.lines().next().unwrap()).unwrap();
+    let id = first["session"].as_str().expect("an id");
+    let one = asked.ask(&["--log", &log, "--session", id], "").output;
+    assert!(one.contains(&format!("{id}: ")) && one.contains("expected: "), "{one}");
+    let none = asked.ask(&["--log", &log, "--session", "nobody"], "");
+    assert!(none.code == 2 && none.messages.contains("has no session \"nobody\""), "{}", none.messages);
+}
+
+#[test]
+fn the_home_is_drawn_and_colours_stand_beside_letters() {
+    let asked = Asked::new();
+    let home = example("home.json");
+    let plain = asked.ask(&["-e", &home, "go"], "").output;
+    assert!(plain.contains("#r@rr#bbbb#") && !plain.contains('\u{1b}'), "{plain}");
+    let coloured = asked.ask(&["--color", "always", "-e", &home, "go"], "").output;
+    assert!(coloured.contains("\u{1b}[34mb\u{1b}[0m"), "{coloured}");
+    assert!(asked.ask(&["-e", &home, "--json", "--color", "always", "go"], "").output.starts_with('{'));
+}
+
+#[test]
+fn it_says_why_word_by_word_for_the_answer_and_for_what_was_expected() {
+    let asked = Asked::new();
+    let home = example("home.json");
+    let why = asked.ask(&["-e", &home, "--why", "take the yellow bag to the blue room"], "").output;
+    let blue = why.lines().find(|line| line.trim_start().starts_with("blue ")).expect("a line for blue");
+    assert!(blue.contains("roomIsBlue"), "{why}");
+    let expected = asked.ask(&["-e", &home, "--expected", "agentInRoom(agent0,room1)", "take the yellow bag to the blue room"], "").output;
+    let take = expected.lines().find(|line| line.trim_start().starts_with("take ")).expect("a line for take");
+    assert!(take.contains("times"), "{expected}");
+    let wrong = asked.ask(&["-e", &home, "--expected", "agentInRoom(agent0,room9)", "go"], "");
+    assert!(wrong.code == 2 && wrong.messages.contains("tasks are "), "{}", wrong.messages);
+}
+
+#[test]
+fn a_home_may_be_drawn_as_text() {
+    let asked = Asked::new();
+    let drawing = goodbot(&["example", "map"], b"").output;
+    let run = asked.ask(&["-e", "-", "go", "to", "the", "green", "room"], &drawing);
+    assert_eq!(run.code, 0, "{}", run.messages);
+    for line in drawing.lines().take(9) {
+        assert!(run.output.contains(line), "{line} in {}", run.output);
+    }
+}
+
+#[test]
+fn a_file_of_the_wrong_kind_is_named_by_its_kind() {
+    let asked = Asked::new();
+    let (home, log, model) = (example("home.json"), example("sessions.jsonl"), asked.model());
+    let model = model.to_str().unwrap();
+    for (arguments, message) in [
+        (&["evaluate", home.as_str()][..], "this is a home, not a session log"),
+        (&["replay", home.as_str()], "this is a home, not a session log"),
+        (&["evaluate", model], "this is a model, not a session log"),
+        (&["ask", "--with", model, "-e", log.as_str(), "go"], "this is a session log, not a home"),
+        (&["ask", "--with", home.as_str(), "-e", home.as_str(), "go"], "this is a home, not a model"),
+        (&["inspect", log.as_str()], "this is a session log, not a model"),
+        (&["merge", log.as_str(), model, "--out", "-"], "this is a session log, not a model"),
+    ] {
+        let run = goodbot(arguments, b"");
+        assert_eq!(run.code, 2, "{arguments:?}");
+        assert!(run.messages.contains(message), "{arguments:?}: {}", run.messages);
+    }
+}
+
+#[test]
+fn errors_are_in_plain_words_and_near_misses_are_suggested() {
+    for (arguments, message) in [
+        (&["train"][..], "did you mean goodbot learn?"),
+        (&["test"], "did you mean goodbot evaluate?"),
+        (&["evalute"], "evaluate"),
+        (&["paper", "--rusn", "3"], "--runs"),
+        (&["paper", "--runs", "x"], "give a whole number from 1 to 100000"),
+        (&["paper", "--runs", "0"], "give a whole number from 1 to 100000"),
+        (&["paper", "--seed", "-1"], "give a whole number from 0 to"),
+    ] {
+        let run = goodbot(arguments, b"");
+        assert_eq!(run.code, 2, "{arguments:?}");
+        assert!(run.messages.contains(message), "{arguments:?}: {}", run.messages);
+        assert!(!run.messages.contains("invalid digit"), "{}", run.messages);
+    }
+    let asked = Asked::new();
+    let long = asked.ask(&["-e", &example("home.json"), &"go ".repeat(65)], "");
+    assert!(long.code == 2 && long.messages.contains("64 are the most; shorten it"), "{}", long.messages);
+    assert!(!long.messages.contains("capacity") && !long.messages.contains("Capacities"), "{}", long.messages);
+}
+
+#[test]
+fn examples_are_sound_and_the_manual_has_every_command() {
+    for what in ["home", "map", "log"] {
+        let text = goodbot(&["example", what], b"").output;
+        assert_eq!(goodbot(&["check", "-"], text.as_bytes()).code, 0, "{what}");
+    }
+    let manual = goodbot(&["man"], b"").output;
+    assert!(manual.contains(".TH goodbot 1"), "{manual}");
+    for command in ["PAPER", "LEARN", "ASK", "INSPECT", "EVALUATE", "REPLAY", "CHECK", "MERGE"] {
+        assert!(manual.contains(&format!("GOODBOT {command}")), "{command}");
+    }
+}
+
+#[test]
+fn quiet_leaves_remarks_out_and_failures_in() {
+    let log = goodbot(&["example", "log"], b"").output;
+    let twice = log.clone() + &log;
+    assert!(goodbot(&["evaluate", "-"], twice.as_bytes()).messages.contains("copies"));
+    assert_eq!(goodbot(&["evaluate", "-", "--quiet"], twice.as_bytes()).messages, "");
+    assert!(!goodbot(&["--quiet", "inspect", "nothing"], b"").messages.is_empty());
+}

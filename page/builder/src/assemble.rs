@@ -1,0 +1,125 @@
+//! One HTML file out of its parts.
+
+use std::io::Write;
+use std::path::Path;
+use std::process::Command;
+
+use anyhow::{Context, Result, bail};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use lzma_rust2::{LzmaOptions, LzmaWriter};
+
+use super::Parts;
+
+/// The page's scripts, in the order in which they stand in the file.
+const SCRIPTS: [&str; 15] = [
+    "unpack.js",
+    "state.js",
+    "storage.js",
+    "words.js",
+    "plan.js",
+    "robot.js",
+    "session.js",
+    "thoughts.js",
+    "tour.js",
+    "logs.js",
+    "build.js",
+    "textmap.js",
+    "settings.js",
+    "speech.js",
+    "main.js",
+];
+
+/// The page, and the parts that stand in it.
+pub struct Page {
+    /// All of it.
+    pub html: String,
+    /// The module, packed, as text.
+    pub module: String,
+    /// The page's scripts with the glue, made small.
+    pub script: String,
+    /// How it looks.
+    pub style: String,
+}
+
+/// Puts style, scripts, glue and module into `index.html`.
+///
+/// `folder` is the page's, `scratch` one for files on the way.
+pub fn assemble(folder: &Path, scratch: &Path, parts: &Parts, node: &Path) -> Result<Page> {
+    let read = |name: &str| std::fs::read_to_string(folder.join(name)).with_context(|| format!("page/{name} cannot be read"));
+    let mut script = format!("(function () {{\n\"use strict\";\n{}", parts.glue);
+    for name in SCRIPTS {
+        script.push('\n');
+        script.push_str(&read(&format!("src/{name}"))?);
+    }
+    script.push_str("})();\n");
+    let script = escaped(&minified(&folder.join("tests"), scratch, &script, node)?);
+    let style = without_comments(&read("style.css")?);
+    let module = STANDARD.encode(packed(&parts.wasm)?);
+    let mut html = read("index.html")?;
+    for (mark, text) in
+        [("/*SIZE*/", &parts.wasm.len().to_string()), ("/*STYLE*/", &style), ("/*SCRIPT*/", &script), ("<!--MODULE-->", &module)]
+    {
+        if html.matches(mark).count() != 1 {
+            bail!("page/index.html must have {mark} once");
+        }
+        html = html.replacen(mark, text, 1);
+    }
+    Ok(Page { html: without_comments(&html), module, script, style })
+}
+
+/// A script made small by terser, which npm installs beside the page's tests.
+fn minified(tests: &Path, scratch: &Path, script: &str, node: &Path) -> Result<String> {
+    let (whole, small) = (scratch.join("page.js"), scratch.join("page.min.js"));
+    std::fs::write(&whole, script).with_context(|| format!("{} cannot be written", whole.display()))?;
+    let mut terser = Command::new(node);
+    terser.arg(tests.join("node_modules/terser/bin/terser")).arg(&whole);
+    let status = terser.args(["--compress", "passes=2", "--mangle", "--output"]).arg(&small).status();
+    if !status.with_context(|| format!("{} cannot be started", node.display()))?.success() {
+        bail!("terser cannot make {} small", whole.display());
+    }
+    std::fs::read_to_string(&small).with_context(|| format!("{} was not written", small.display()))
+}
+
+/// A text's lines without those that hold nothing but a comment, and without indentation.
+fn without_comments(script: &str) -> String {
+    let mut in_comment = false;
+    let mut kept = String::with_capacity(script.len());
+    for line in script.lines().map(str::trim) {
+        let opens = line.starts_with("/*");
+        if !opens && !in_comment && !line.is_empty() && !line.starts_with("//") {
+            kept.push_str(line);
+            kept.push('\n');
+        }
+        in_comment = (in_comment || opens) && !line.ends_with("*/");
+    }
+    kept
+}
+
+/// A script that the HTML parser does not end too soon.
+fn escaped(script: &str) -> String {
+    script.replace("</script", "<\\/script").replace("<!--", "<\\!--")
+}
+
+/// An LZMA stream as `page/src/unpack.js` reads it.
+pub fn packed(bytes: &[u8]) -> Result<Vec<u8>> {
+    let options = LzmaOptions { lc: 3, lp: 0, pb: 0, ..LzmaOptions::with_preset(9) };
+    let mut writer = LzmaWriter::new_no_header(Vec::new(), &options, false)?;
+    writer.write_all(bytes)?;
+    Ok(writer.finish()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_script_cannot_end_its_element() {
+        assert_eq!(escaped("a = '</script>'"), "a = '<\\/script>'");
+    }
+
+    #[test]
+    fn lines_of_comment_are_left_out_and_others_kept() {
+        assert_eq!(without_comments("// a\n  let b = 1; // c\n\n/**\n * d\n */\n/* e */\n}\n"), "let b = 1; // c\n}\n");
+    }
+}

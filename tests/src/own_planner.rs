@@ -1,0 +1,57 @@
+//! A planner with memory of its own.
+
+use goodbot::Capacities;
+use goodbot::memory::{AgentHeap, AgentMemory, AgentTables};
+use goodbot::oomdp::Domain;
+use goodbot::planning::{Plan, PlanTables, Planner, Progress};
+use goodbot::task::{GroundedTask, LiftedTask, TaskSet};
+
+/// A planner with memory of its own.
+#[derive(Debug)]
+pub struct OwnPlanner {
+    memory: AgentHeap,
+    planner: Planner,
+    tasks: usize,
+}
+
+impl OwnPlanner {
+    /// A planner for these tasks. Fails where they have no room.
+    pub fn new<D: Domain>(capacities: &Capacities, domain: &D, lifted: &[LiftedTask], tasks: &[GroundedTask], state: &D::State) -> Self {
+        let mut own = Self { memory: AgentHeap::new(capacities), planner: Planner::new(), tasks: tasks.len() };
+        own.with_tables(|planner, tables| planner.set_tasks(tables, domain, lifted, tasks, state)).expect("room for the goals");
+        own
+    }
+
+    fn with_tables<T>(&mut self, run: impl FnOnce(&mut Planner, &mut PlanTables<'_>) -> T) -> T {
+        let AgentTables { session, workspace, .. } = self.memory.lend();
+        run(&mut self.planner, &mut PlanTables::new(session.goals, session.plan, workspace))
+    }
+
+    /// All its tasks.
+    pub fn all(&self) -> TaskSet {
+        TaskSet::first(self.tasks)
+    }
+
+    /// Begins to plan at `state`.
+    pub fn begin<D: Domain>(&mut self, domain: &D, state: &D::State, wanted: TaskSet) {
+        self.with_tables(|planner, tables| planner.begin(tables, domain, state, wanted, TaskSet::EMPTY));
+    }
+
+    /// Goes on.
+    pub fn advance<D: Domain>(&mut self, domain: &D, state: &D::State, budget: u32) -> Progress {
+        self.with_tables(|planner, tables| planner.advance(tables, domain, state, budget))
+    }
+
+    /// Plans at `state` to the end, in calls of this budget.
+    pub fn plan_for<D: Domain>(&mut self, domain: &D, state: &D::State, wanted: TaskSet, budget: u32) -> Plan<'_> {
+        self.begin(domain, state, wanted);
+        while self.advance(domain, state, budget) == Progress::Working {}
+        self.plan()
+    }
+
+    /// What is known.
+    pub fn plan(&self) -> Plan<'_> {
+        let plan = self.memory.read().session.plan;
+        self.planner.plan(plan.optimal, plan.distances)
+    }
+}
