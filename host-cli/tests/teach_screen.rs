@@ -94,7 +94,7 @@ fn it_ends_when_its_window_is_closed_and_the_session_is_written_down() {
         let folder = TempDir::new().unwrap();
         let mut command = teach(&folder, &["--speed", "step"], &[]);
         command.set_controlling_tty(signalled);
-        let mut window = Window::open(command, 80, 24);
+        let mut window = Window::open(command, 90, 30);
         window.see("Tell it what to do");
         window.press("go to the red room\r");
         window.see("sure that this is right");

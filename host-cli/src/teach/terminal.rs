@@ -15,7 +15,7 @@ use crossterm::terminal::{EnterAlternateScreen, LeaveAlternateScreen, disable_ra
 use ratatui::Terminal;
 use ratatui::backend::CrosstermBackend;
 use ratatui::layout::Rect;
-use std::io::{self, IsTerminal, Stdout, stdin, stdout};
+use std::io::{self, Stdout, stdout};
 use std::mem::ManuallyDrop;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
@@ -171,10 +171,6 @@ pub fn show(visit: &mut Visit, palette: Palette) -> io::Result<()> {
     let events = listen();
     let begun = Instant::now();
     while !visit.left {
-        // Not every program whose window is closed is sent a signal, and one that draws nothing new writes nothing that could fail.
-        if !stdin().is_terminal() || !stdout().is_terminal() {
-            return Err(io::ErrorKind::BrokenPipe.into());
-        }
         visit.tick(begun.elapsed());
         stage.terminal.draw(|frame| screen::draw(frame, visit, palette))?;
         if signals.leave() {

@@ -149,8 +149,9 @@ impl Window {
     pub fn close(self) {
         let Self { mut child, master, keys, closed, .. } = self;
         closed.store(true, Ordering::Relaxed);
-        // The program draws once more, and the one who looks on goes.
-        master.resize(PtySize { rows: 30, cols: 90, pixel_width: 0, pixel_height: 0 }).expect("the window changes");
+        // The program draws once more, and the one who looks on goes. A terminal that cannot be asked any more is taken to have this size:
+        // nothing changes then, and nothing is drawn.
+        master.resize(PtySize { rows: 24, cols: 80, pixel_width: 0, pixel_height: 0 }).expect("the window changes");
         drop((master, keys));
         let begun = Instant::now();
         while child.ended().is_none() {
