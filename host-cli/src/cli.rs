@@ -11,6 +11,7 @@ use crate::model::Model;
 use crate::paper::sweep::Sweep;
 use crate::paper::trainer::{BelievedChoice, TrainerChoice};
 use crate::replay::ReplayArgs;
+use crate::teach::TeachOptions;
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use std::path::PathBuf;
 
@@ -74,6 +75,8 @@ pub enum Command {
     /// Run the paper's experiment: seven lessons with a simulated trainer, then five tests
     #[command(after_help = PAPER_EXAMPLES)]
     Paper(PaperOptions),
+    /// Train the robot yourself: tell it what to do, and say good or bad while it tries
+    Teach(TeachOptions),
     /// Learn from recorded sessions, and write a model
     Learn(LearnOptions),
     /// Ask a model what a command means in an environment

@@ -24,6 +24,7 @@ mod output;
 mod paper;
 mod refusal;
 mod replay;
+mod teach;
 mod whole_file;
 
 use clap::{CommandFactory, Parser};
@@ -47,6 +48,7 @@ fn main() -> ExitCode {
     });
     let done = match cli.command.unwrap_or(Command::Paper(cli.paper)) {
         Command::Paper(options) => paper::run(&options),
+        Command::Teach(options) => teach::run(&options),
         Command::Learn(options) => learn::run(&options),
         Command::Ask(options) => ask::run(&options),
         Command::Inspect(options) => inspect::run(&options),

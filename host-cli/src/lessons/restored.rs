@@ -19,13 +19,17 @@ pub fn agent(file: &Path, lifted: &[LiftedTask]) -> Result<Agent<AgentHeap>, Fai
     let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
     let bytes = read_model(file)?;
     let contents = Contents::read(&bytes).map_err(|error| fault(&error))?;
+    let mut agent = Agent::new(AgentHeap::new(&room_for(&contents)), lifted, Options::DEFAULT).map_err(|error| fault(&error))?;
+    agent.restore(&bytes).map_err(|error| fault(&error))?;
+    agent.learn_fully();
+    Ok(agent)
+}
+
+/// Room for what a model file holds, and for more.
+pub fn room_for(contents: &Contents<'_>) -> Capacities {
     let mut most = Capacities::STANDARD;
     for capacity in SAVED {
         most.set(capacity, MOST_OF_A_FIELD);
     }
-    let memory = AgentHeap::new(&Capacities::STANDARD.at_least(contents.sizes.at_most(most)));
-    let mut agent = Agent::new(memory, lifted, Options::DEFAULT).map_err(|error| fault(&error))?;
-    agent.restore(&bytes).map_err(|error| fault(&error))?;
-    agent.learn_fully();
-    Ok(agent)
+    Capacities::STANDARD.at_least(contents.sizes.at_most(most))
 }

@@ -1,0 +1,180 @@
+//! A robot, what is kept of it, and the tour: what one visit is about, whether it is seen on a screen or told in lines.
+
+use super::full_words::FullWords;
+use super::kept::{Kept, Past};
+use super::lessons::{Tour, is_lesson};
+use super::session::Session;
+use super::trainer::{Meaning, Refusal, Trainer};
+use goodbot_formats::environment::EnvironmentFile;
+use goodbot_formats::session::RecordedSession;
+
+/// A robot, what is kept of it, and the tour.
+pub struct Classroom {
+    /// The robot in its home.
+    pub trainer: Trainer,
+    /// The tour, if it is one.
+    pub tour: Option<Tour>,
+    /// The words that were said.
+    pub words: FullWords,
+    kept: Option<Kept>,
+    /// What the robot knew before each session of a visit of which nothing is kept.
+    before: Vec<Vec<u8>>,
+    learning: Option<(RecordedSession, Vec<u8>)>,
+    /// The names of the sessions that were learned from in this visit.
+    learned: Vec<Option<String>>,
+    sessions: usize,
+}
+
+/// What the robot takes the command of a test to mean.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tested {
+    /// The likeliest task.
+    pub heard: Meaning,
+    /// Whether that is what was meant.
+    pub right: bool,
+}
+
+impl Classroom {
+    /// A robot as its files have it. Where a tour is given, it stands in the tour's home.
+    pub fn new(mut trainer: Trainer, kept: Option<(Kept, Past)>, tour: Option<Tour>) -> Result<Self, Refusal> {
+        let mut words = FullWords::new(trainer.word_letters());
+        let mut sessions = 0;
+        let kept = match kept {
+            None => None,
+            Some((kept, past)) => {
+                if let Some(model) = &past.model {
+                    let name = kept.places().model.display();
+                    trainer.restore(model).map_err(|refusal| Refusal(format!("{name}: {refusal}; name another file with --model")))?;
+                }
+                words = FullWords::new(trainer.word_letters());
+                past.commands.iter().for_each(|command| words.hear(command));
+                sessions = past.sessions;
+                Some(kept)
+            }
+        };
+        let mut classroom = Self { trainer, tour, words, kept, before: Vec::new(), learning: None, learned: Vec::new(), sessions };
+        classroom.enter_tour()?;
+        Ok(classroom)
+    }
+
+    fn enter_tour(&mut self) -> Result<(), Refusal> {
+        self.tour.as_ref().and_then(Tour::home).map_or(Ok(()), |home| self.trainer.enter(&home))
+    }
+
+    /// Where the robot is kept.
+    pub fn kept(&self) -> Option<&Kept> {
+        self.kept.as_ref()
+    }
+
+    /// Says a command. In the tour everything is put back before, and what is meant is known.
+    pub fn say(&mut self, command: &str) -> Result<(), Refusal> {
+        self.forget()?;
+        let stop = self.tour.as_ref().and_then(Tour::stop);
+        if stop.is_some() {
+            self.trainer.put_back();
+        }
+        let id = stop.map_or_else(|| Some(format!("said-{}", self.sessions + 1)), |stop| stop.id());
+        self.trainer.hear(command, id, stop.map(|stop| &stop.exercise.intention))?;
+        self.words.hear(command);
+        Ok(())
+    }
+
+    /// The result of a test whose command has just been heard.
+    pub fn tested(&self) -> Option<Tested> {
+        self.tour.as_ref().and_then(Tour::stop).filter(|stop| stop.test)?;
+        let heard = self.trainer.meanings().into_iter().next()?;
+        let right = self.trainer.session()?.intended == Some(heard.position);
+        Some(Tested { heard, right })
+    }
+
+    /// A test is over: on to the next.
+    pub fn pass_test(&mut self, right: bool) -> Result<(), Refusal> {
+        self.trainer.forget();
+        if let Some(tour) = &mut self.tour {
+            tour.pass(right);
+        }
+        self.enter_tour()
+    }
+
+    /// Ends the session and begins to learn from it: [`learn`](Self::learn) until that is done. Gives how many older sessions gave way
+    /// because memory was full.
+    pub fn finish(&mut self) -> Result<usize, Refusal> {
+        let before = self.trainer.save()?;
+        let (record, finished) = self.trainer.finish()?;
+        self.learning = Some((record, before));
+        Ok(finished.gave_way.count())
+    }
+
+    /// Goes on learning. Gives whether it is done; what was learned is then kept, and the tour goes on.
+    pub fn learn(&mut self, budget: u32) -> Result<bool, Refusal> {
+        if !self.trainer.learn(budget) {
+            return Ok(false);
+        }
+        let Some((record, before)) = self.learning.take() else { return Ok(true) };
+        self.sessions += 1;
+        self.learned.push(record.header.id.clone());
+        let kept = match &mut self.kept {
+            Some(kept) => {
+                let model = self.trainer.save()?;
+                kept.keep(&record, Some(model)).map_err(|failure| Refusal(failure.to_string()))
+            }
+            None => {
+                self.before.push(before);
+                Ok(())
+            }
+        };
+        if let Some(tour) = self.tour.as_mut().filter(|tour| tour.stop().is_some_and(|stop| stop.id() == record.header.id)) {
+            tour.pass(true);
+        }
+        self.enter_tour()?;
+        kept.map(|()| true)
+    }
+
+    /// Ends the session under way without learning from it; it is written to the log all the same. Gives whether there was one.
+    pub fn forget(&mut self) -> Result<bool, Refusal> {
+        let under_way = self.trainer.session().is_some();
+        let testing = self.tour.as_ref().and_then(Tour::stop).is_some_and(|stop| stop.test);
+        if let (Some(record), Some(kept), false) = (self.trainer.forget(), &mut self.kept, testing) {
+            self.sessions += 1;
+            kept.keep(&record, None).map_err(|failure| Refusal(failure.to_string()))?;
+        }
+        Ok(under_way)
+    }
+
+    /// The visit is over: what was being learned is learned to its end, and a session under way is written down.
+    pub fn leave(&mut self) -> Result<(), Refusal> {
+        while !self.learn(u32::MAX)? {}
+        self.forget().map(|_| ())
+    }
+
+    /// Takes back what the last session of this visit taught. Gives `false` where there is none.
+    pub fn unlearn(&mut self) -> Result<bool, Refusal> {
+        self.forget()?;
+        let before = match &mut self.kept {
+            Some(kept) => kept.take_back().map_err(|failure| Refusal(failure.to_string()))?,
+            None => self.before.pop().map(Some),
+        };
+        let Some(before) = before else { return Ok(false) };
+        match before {
+            Some(model) => self.trainer.restore(&model)?,
+            None => self.trainer.start_anew()?,
+        }
+        let was = self.learned.pop().flatten();
+        if let Some(tour) = self.tour.as_mut().filter(|_| was.is_some_and(|id| is_lesson(&id))) {
+            tour.back();
+        }
+        self.enter_tour()?;
+        Ok(true)
+    }
+
+    /// Moves the robot to another home. A session under way ends unlearned.
+    pub fn enter(&mut self, home: &EnvironmentFile) -> Result<(), Refusal> {
+        self.forget()?;
+        self.trainer.enter(home)
+    }
+
+    /// The session under way.
+    pub fn session(&self) -> Option<&Session> {
+        self.trainer.session()
+    }
+}

@@ -1,0 +1,244 @@
+//! What is kept where: what the robot learned, as a model file, and the sessions, as a log.
+//!
+//! Both are written as soon as a session is over, so that nothing is left to lose. The log is appended to, the model replaced as a whole. A
+//! file that is something else is never written to. While a robot is being taught its log is locked, so that two do not teach it at once.
+
+use crate::load::Fault;
+use crate::outcome::Failure;
+use crate::whole_file::{read_model, write_whole};
+use etcetera::BaseStrategy;
+use goodbot_formats::session::{RecordedSession, SessionReader};
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::{BufReader, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+/// Where a robot's files are.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Places {
+    /// The model.
+    pub model: PathBuf,
+    /// The sessions.
+    pub log: PathBuf,
+}
+
+impl Places {
+    /// In the platform's folder for a program's data, by the robot's name.
+    ///
+    /// # Errors
+    /// A [`Failure`] where the platform has no such folder, or the name is none for a file.
+    pub fn of_robot(name: &str) -> Result<Self, Failure> {
+        let plain = |letter: char| letter.is_alphanumeric() || matches!(letter, '-' | '_');
+        if name.is_empty() || name.len() > 64 || !name.chars().all(plain) {
+            return Err(Failure::Input(format!("{name:?} is no name for a robot; use letters, digits, - and _, at most 64")));
+        }
+        let folders = etcetera::base_strategy::choose_native_strategy()
+            .map_err(|_| Failure::Input("there is no home folder to keep the robot in; name a file with --model".to_owned()))?;
+        let folder = folders.data_dir().join("goodbot");
+        std::fs::create_dir_all(&folder)
+            .map_err(|error| Failure::Input(format!("{} cannot be made ({error}); name another file with --model", folder.display())))?;
+        Ok(Self { model: folder.join(format!("{name}.goodbot")), log: folder.join(format!("{name}.jsonl")) })
+    }
+
+    /// A model file, and its log beside it unless that is named too.
+    pub fn beside(model: &Path, log: Option<&Path>) -> Self {
+        Self { model: model.to_owned(), log: log.map_or_else(|| model.with_extension("jsonl"), Path::to_owned) }
+    }
+}
+
+/// What a robot's files held when they were opened.
+#[derive(Debug, Default)]
+pub struct Past {
+    /// The model; `None` for a robot that has learned nothing.
+    pub model: Option<Vec<u8>>,
+    /// The commands of the log.
+    pub commands: Vec<String>,
+    /// The names of the sessions that were learned from.
+    pub learned: Vec<String>,
+    /// How many sessions the log has.
+    pub sessions: usize,
+}
+
+/// A session that was written, and can be taken out again.
+#[derive(Debug)]
+struct Written {
+    start: u64,
+    text: String,
+    /// The model of before.
+    model: Option<Vec<u8>>,
+}
+
+/// A robot's files.
+#[derive(Debug)]
+pub struct Kept {
+    places: Places,
+    log: File,
+    model: Option<Vec<u8>>,
+    written: Vec<Written>,
+}
+
+/// A log in which nothing was written is not left behind.
+impl Drop for Kept {
+    fn drop(&mut self) {
+        if self.log.metadata().is_ok_and(|log| log.is_file() && log.len() == 0) {
+            let _ = std::fs::remove_file(&self.places.log);
+        }
+    }
+}
+
+fn cannot(path: &Path, what: &str, error: impl std::fmt::Display) -> Failure {
+    Failure::Input(format!("{}: cannot be {what} ({error}); name other files with --model and --log", path.display()))
+}
+
+/// The log, to append to, and nobody else's while it is open.
+fn open_log(path: &Path) -> Result<File, Failure> {
+    let log = OpenOptions::new().read(true).append(true).create(true).open(path).map_err(|error| cannot(path, "written to", error))?;
+    match log.try_lock() {
+        Err(TryLockError::WouldBlock) => Err(Failure::Input(format!(
+            "{}: this robot is being taught in another window; leave that one first, or teach another robot with --robot NAME",
+            path.display()
+        ))),
+        // Some file systems cannot lock; then nobody is kept out.
+        Ok(()) | Err(TryLockError::Error(_)) => Ok(log),
+    }
+}
+
+impl Kept {
+    /// Opens a robot's files; the log is made where it is missing.
+    ///
+    /// # Errors
+    /// A [`Failure`] where one of them is something else, or cannot be written to.
+    pub fn open(places: Places) -> Result<(Self, Past), Failure> {
+        if places.model == places.log {
+            return Err(Failure::Input(format!("{}: is both the model and the log; name two files", places.log.display())));
+        }
+        let mut past = Past::default();
+        if places.model.exists() {
+            past.model = Some(read_model(&places.model)?);
+        }
+        let log = open_log(&places.log)?;
+        let name = places.log.display().to_string();
+        for session in SessionReader::new(BufReader::new(&log)) {
+            let session = session.map_err(|error| {
+                Failure::Input(format!(
+                    "{}\nthis log is not written to; mend it, or name another with --log",
+                    Fault::from_format(&name, error)
+                ))
+            })?;
+            past.sessions += 1;
+            past.learned.extend(session.header.id.filter(|_| session.learn));
+            past.commands.push(session.header.command);
+        }
+        Ok((Self { places, log, model: past.model.clone(), written: Vec::new() }, past))
+    }
+
+    /// Where the files are.
+    pub fn places(&self) -> &Places {
+        &self.places
+    }
+
+    /// Writes a session to the log and, where it was learned from, what the robot knows now.
+    ///
+    /// # Errors
+    /// A [`Failure`] that names the file.
+    pub fn keep(&mut self, session: &RecordedSession, model: Option<Vec<u8>>) -> Result<(), Failure> {
+        let Places { model: model_path, log: log_path } = &self.places;
+        let mut text = session.to_lines().map_err(|error| cannot(log_path, "written to", error))?.join("\n");
+        text.push('\n');
+        let start = self.log.seek(SeekFrom::End(0)).map_err(|error| cannot(log_path, "written to", error))?;
+        let appended = self.log.write_all(text.as_bytes()).and_then(|()| self.log.sync_data());
+        appended.map_err(|error| cannot(log_path, "written to", error))?;
+        if let Some(model) = model {
+            write_whole(model_path, &model).map_err(|error| cannot(model_path, "written to", error))?;
+            self.written.push(Written { start, text, model: self.model.replace(model) });
+        }
+        Ok(())
+    }
+
+    /// Takes the last session that was learned from, since the files were opened, out of both files. Gives the model of before, `None`
+    /// inside for a robot that had learned nothing; `None` outside where there is nothing to take back.
+    ///
+    /// # Errors
+    /// A [`Failure`] that names the file; what was written then stays.
+    pub fn take_back(&mut self) -> Result<Option<Option<Vec<u8>>>, Failure> {
+        let Places { model: model_path, log: log_path } = &self.places;
+        let Some(last) = self.written.last() else { return Ok(None) };
+        let mut log = std::fs::read(log_path).map_err(|error| cannot(log_path, "read", error))?;
+        let start = usize::try_from(last.start).unwrap_or(usize::MAX);
+        let range = start..start.saturating_add(last.text.len());
+        if log.get(range.clone()) != Some(last.text.as_bytes()) {
+            return Err(Failure::Input(format!("{}: another program has changed it, so nothing is taken out", log_path.display())));
+        }
+        log.drain(range);
+        match &last.model {
+            Some(model) => write_whole(model_path, model).map_err(|error| cannot(model_path, "written to", error))?,
+            None => std::fs::remove_file(model_path).map_err(|error| cannot(model_path, "removed", error))?,
+        }
+        write_whole(log_path, &log).map_err(|error| cannot(log_path, "written to", error))?;
+        self.log = open_log(log_path)?;
+        let before = self.written.pop().and_then(|written| written.model);
+        self.model.clone_from(&before);
+        Ok(Some(before))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SESSION: &str = concat!(
+        r#"{"type":"session","version":1,"id":"said-1","kind":"feedback","environment":{"version":1,"objects":[{"class":"agent","name":"agent0","x":4,"y":2}]},"command":"go"}"#,
+        "\n",
+        r#"{"type":"step","action":"north","feedback":"reward"}"#,
+        "\n",
+        r#"{"type":"end","learn":true}"#,
+        "\n"
+    );
+
+    fn session() -> RecordedSession {
+        SessionReader::new(SESSION.as_bytes()).next().unwrap().unwrap()
+    }
+
+    fn places(folder: &tempfile::TempDir) -> Places {
+        Places::beside(&folder.path().join("robot.goodbot"), None)
+    }
+
+    #[test]
+    fn what_is_kept_is_there_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let (mut kept, past) = Kept::open(places(&folder)).unwrap();
+        assert_eq!((past.sessions, past.model), (0, None));
+        kept.keep(&session(), Some(b"model".to_vec())).unwrap();
+        drop(kept);
+        let (_, past) = Kept::open(places(&folder)).unwrap();
+        assert_eq!((past.sessions, past.model.as_deref()), (1, Some(&b"model"[..])));
+        assert_eq!((past.commands, past.learned), (vec!["go".to_owned()], vec!["said-1".to_owned()]));
+    }
+
+    #[test]
+    fn the_last_session_that_was_learned_from_is_taken_out_and_no_other() {
+        let folder = tempfile::tempdir().unwrap();
+        let (mut kept, _) = Kept::open(places(&folder)).unwrap();
+        let unlearned = RecordedSession { learn: false, ..session() };
+        kept.keep(&session(), Some(b"first".to_vec())).unwrap();
+        kept.keep(&session(), Some(b"second".to_vec())).unwrap();
+        kept.keep(&unlearned, None).unwrap();
+        assert_eq!(kept.take_back().unwrap(), Some(Some(b"first".to_vec())));
+        assert_eq!(std::fs::read_to_string(&kept.places.log).unwrap(), SESSION.to_owned() + &SESSION.replace("true", "false"));
+        assert_eq!(std::fs::read(&kept.places.model).unwrap(), b"first");
+        assert_eq!(kept.take_back().unwrap(), Some(None));
+        assert!(!kept.places.model.exists());
+        assert_eq!(kept.take_back().unwrap(), None);
+    }
+
+    #[test]
+    fn a_robot_is_taught_in_one_place_at_a_time_and_no_foreign_file_is_written_to() {
+        let folder = tempfile::tempdir().unwrap();
+        let (kept, _) = Kept::open(places(&folder)).unwrap();
+        assert!(Kept::open(places(&folder)).unwrap_err().to_string().contains("in another window"));
+        drop(kept);
+        std::fs::write(folder.path().join("robot.jsonl"), "my diary\n").unwrap();
+        assert!(Kept::open(places(&folder)).unwrap_err().to_string().contains("this log is not written to"));
+        assert_eq!(std::fs::read_to_string(folder.path().join("robot.jsonl")).unwrap(), "my diary\n");
+        assert!(Places::of_robot("../up").unwrap_err().to_string().contains("is no name"));
+    }
+}

@@ -1,0 +1,199 @@
+//! What a key means.
+
+use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+
+/// Where keys go.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Focus {
+    /// Letters make up a command.
+    #[default]
+    Command,
+    /// Letters are keys.
+    Keys,
+    /// A page lies over everything.
+    Page,
+}
+
+/// What the person wants.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Intent {
+    /// Leave the program.
+    Leave,
+    /// Stop the program for a while, as ctrl-Z does.
+    Suspend,
+    /// Draw everything anew.
+    Redraw,
+    /// Write a letter.
+    Write(char),
+    /// Change or move in what is written.
+    Edit(Edit),
+    /// Say what is written.
+    Say,
+    /// Write a command.
+    ToCommand,
+    /// Use keys.
+    ToKeys,
+    /// "Good bot."
+    Good,
+    /// "Bad bot."
+    Bad,
+    /// Nothing; go on.
+    Silence,
+    /// Wait, or go on.
+    Pause,
+    /// One step.
+    Step,
+    /// End the session and learn from it.
+    Finish,
+    /// End the session and do not learn from it.
+    Drop,
+    /// Take back the last step, or between sessions the last session.
+    Undo,
+    /// Explain.
+    Explain,
+    /// Show the words.
+    Words,
+    /// Another speed.
+    Pace,
+    /// Let a simulated trainer judge.
+    Auto,
+    /// Another home.
+    AnotherHome,
+    /// Put everything back.
+    PutBack,
+    /// Move in a page by so many lines.
+    Scroll(i16),
+}
+
+/// A change of what is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Edit {
+    /// Erase the letter before.
+    Back,
+    /// Erase the letter here.
+    Delete,
+    /// Erase the word before.
+    Word,
+    /// Erase everything.
+    All,
+    /// Move one letter.
+    Left,
+    /// Move one letter.
+    Right,
+    /// Move to the beginning.
+    Home,
+    /// Move to the end.
+    End,
+    /// The command said before.
+    Older,
+    /// The command said after.
+    Newer,
+}
+
+/// What a key means. `empty` tells whether no command is written.
+pub fn intent(key: KeyEvent, focus: Focus, empty: bool) -> Option<Intent> {
+    if key.kind == KeyEventKind::Release {
+        return None;
+    }
+    if key.modifiers.contains(KeyModifiers::CONTROL) {
+        return with_control(key.code, focus, empty);
+    }
+    match (focus, key.code) {
+        (_, KeyCode::F(1)) => Some(Intent::Explain),
+        (Focus::Command, code) => in_command(code, empty),
+        (Focus::Keys, code) => as_key(code),
+        (Focus::Page, code) => in_page(code),
+    }
+}
+
+fn with_control(code: KeyCode, focus: Focus, empty: bool) -> Option<Intent> {
+    Some(match code {
+        KeyCode::Char('c') => Intent::Leave,
+        KeyCode::Char('d') if empty || focus != Focus::Command => Intent::Leave,
+        KeyCode::Char('z') => Intent::Suspend,
+        KeyCode::Char('l') => Intent::Redraw,
+        KeyCode::Char('w') => Intent::Edit(Edit::Word),
+        KeyCode::Char('u') => Intent::Edit(Edit::All),
+        KeyCode::Char('a') => Intent::Edit(Edit::Home),
+        KeyCode::Char('e') => Intent::Edit(Edit::End),
+        _ => return None,
+    })
+}
+
+fn in_command(code: KeyCode, empty: bool) -> Option<Intent> {
+    Some(match code {
+        KeyCode::Char('?') if empty => Intent::Explain,
+        KeyCode::Char(letter) => Intent::Write(letter),
+        KeyCode::Enter => Intent::Say,
+        KeyCode::Esc | KeyCode::Tab => Intent::ToKeys,
+        KeyCode::Backspace => Intent::Edit(Edit::Back),
+        KeyCode::Delete => Intent::Edit(Edit::Delete),
+        KeyCode::Left => Intent::Edit(Edit::Left),
+        KeyCode::Right => Intent::Edit(Edit::Right),
+        KeyCode::Home => Intent::Edit(Edit::Home),
+        KeyCode::End => Intent::Edit(Edit::End),
+        KeyCode::Up => Intent::Edit(Edit::Older),
+        KeyCode::Down => Intent::Edit(Edit::Newer),
+        _ => return None,
+    })
+}
+
+fn as_key(code: KeyCode) -> Option<Intent> {
+    let code = if let KeyCode::Char(letter) = code { KeyCode::Char(letter.to_ascii_lowercase()) } else { code };
+    Some(match code {
+        KeyCode::Char('g') | KeyCode::Right | KeyCode::Up => Intent::Good,
+        KeyCode::Char('b') | KeyCode::Left => Intent::Bad,
+        KeyCode::Char(' ') | KeyCode::Down => Intent::Silence,
+        KeyCode::Char('p') => Intent::Pause,
+        KeyCode::Char('n') => Intent::Step,
+        KeyCode::Char('f') => Intent::Finish,
+        KeyCode::Char('d') => Intent::Drop,
+        KeyCode::Char('u') => Intent::Undo,
+        KeyCode::Char('?') => Intent::Explain,
+        KeyCode::Char('w') => Intent::Words,
+        KeyCode::Char('s') => Intent::Pace,
+        KeyCode::Char('a') => Intent::Auto,
+        KeyCode::Char('h') => Intent::AnotherHome,
+        KeyCode::Char('r') => Intent::PutBack,
+        KeyCode::Char('q') => Intent::Leave,
+        KeyCode::Enter | KeyCode::Tab | KeyCode::Esc => Intent::ToCommand,
+        _ => return None,
+    })
+}
+
+fn in_page(code: KeyCode) -> Option<Intent> {
+    Some(match code {
+        KeyCode::Up => Intent::Scroll(-1),
+        KeyCode::Down => Intent::Scroll(1),
+        KeyCode::PageUp => Intent::Scroll(-10),
+        KeyCode::PageDown => Intent::Scroll(10),
+        _ => Intent::ToKeys,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pressed(code: KeyCode, focus: Focus, empty: bool) -> Option<Intent> {
+        intent(KeyEvent::new(code, KeyModifiers::NONE), focus, empty)
+    }
+
+    #[test]
+    fn a_letter_is_written_into_a_command_and_else_is_a_key() {
+        assert_eq!(pressed(KeyCode::Char('g'), Focus::Command, true), Some(Intent::Write('g')));
+        assert_eq!(pressed(KeyCode::Char('g'), Focus::Keys, true), Some(Intent::Good));
+        assert_eq!(pressed(KeyCode::Right, Focus::Command, true), Some(Intent::Edit(Edit::Right)));
+        assert_eq!(pressed(KeyCode::Right, Focus::Keys, true), Some(Intent::Good));
+        assert_eq!(pressed(KeyCode::Char('?'), Focus::Command, true), Some(Intent::Explain));
+        assert_eq!(pressed(KeyCode::Char('?'), Focus::Command, false), Some(Intent::Write('?')));
+    }
+
+    #[test]
+    fn control_c_leaves_from_everywhere() {
+        for focus in [Focus::Command, Focus::Keys, Focus::Page] {
+            let key = KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL);
+            assert_eq!(intent(key, focus, false), Some(Intent::Leave));
+        }
+    }
+}

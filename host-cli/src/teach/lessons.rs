@@ -1,0 +1,150 @@
+//! The tour: the paper's seven lessons and five tests, one after the other; and homes to teach in.
+
+use super::scene::scene;
+use crate::load::home as homes;
+use goodbot_course::{Exercise, HomeName, Homes, LESSONS, Layout, TESTS, generator};
+use goodbot_formats::environment::EnvironmentFile;
+use rand_core::Rng;
+
+/// What to look out for in each lesson.
+const HINTS: [&str; LESSONS.len()] = [
+    "It knows no word yet, so it just tries something. Say good when it goes the right way, bad when it does not.",
+    "Another room of the same house. Does it already know what \"go to the\" means?",
+    "New colours. It needs your word again, but not for long.",
+    "By now \"go to the\" should be clear.",
+    "Something new: there is a chair, and it can be pushed.",
+    "A bag this time. The robot pushes; it cannot pull.",
+    "The last lesson. It may well need no correction at all.",
+];
+const TEST_HINT: &str = "A test: it has never heard this command, and hears no good and no bad now. Does it understand?";
+
+/// The beginning of a lesson's name in logs: `lesson-3`.
+const LESSON_ID: &str = "lesson-";
+
+/// A lesson or a test.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stop {
+    /// Which lesson or which test, from 1.
+    pub number: usize,
+    /// How many of its kind there are.
+    pub of: usize,
+    /// Whether it is a test.
+    pub test: bool,
+    /// The command and its meaning.
+    pub exercise: &'static Exercise,
+}
+
+impl Stop {
+    /// What to look out for.
+    pub fn hint(&self) -> &'static str {
+        if self.test { TEST_HINT } else { HINTS.get(self.number - 1).copied().unwrap_or("") }
+    }
+
+    /// `Lesson 3 of 7`.
+    pub fn title(&self) -> String {
+        format!("{} {} of {}", if self.test { "Test" } else { "Lesson" }, self.number, self.of)
+    }
+
+    /// A lesson's name in logs.
+    pub fn id(&self) -> Option<String> {
+        (!self.test).then(|| format!("{LESSON_ID}{}", self.number))
+    }
+}
+
+/// Whether a session of this name was a lesson of the tour.
+pub fn is_lesson(id: &str) -> bool {
+    id.starts_with(LESSON_ID)
+}
+
+/// Where the tour stands.
+#[derive(Clone, Debug)]
+pub struct Tour {
+    homes: Homes,
+    at: usize,
+    right: Vec<bool>,
+}
+
+impl Tour {
+    /// The tour in the homes as drawn, or in homes at random; it goes on after the lessons of these names.
+    pub fn new<'a>(seed: Option<u64>, learned: impl Iterator<Item = &'a str>) -> Self {
+        let homes = seed.map_or(Homes::FIXED, random_homes);
+        let number = |id: &str| id.strip_prefix(LESSON_ID)?.parse::<usize>().ok();
+        let at = learned.filter_map(number).max().unwrap_or(0).min(LESSONS.len());
+        Self { homes, at, right: Vec::new() }
+    }
+
+    /// The lesson or test where it stands; `None` at its end.
+    pub fn stop(&self) -> Option<Stop> {
+        let stop = |number, of, test| move |exercise| Stop { number, of, test, exercise };
+        match self.at.checked_sub(LESSONS.len()) {
+            None => LESSONS.get(self.at).map(stop(self.at + 1, LESSONS.len(), false)),
+            Some(test) => TESTS.get(test).map(stop(test + 1, TESTS.len(), true)),
+        }
+    }
+
+    /// The home of where it stands; at its end, the home of the tests.
+    pub fn home(&self) -> Option<EnvironmentFile> {
+        environment(self.homes.layout(self.stop().map_or(HomeName::Test, |stop| stop.exercise.home)))
+    }
+
+    /// Goes on, after a lesson or after a test that was understood or not.
+    pub fn pass(&mut self, right: bool) {
+        if self.stop().is_some_and(|stop| stop.test) {
+            self.right.push(right);
+        }
+        self.at += 1;
+    }
+
+    /// Goes back to the last lesson.
+    pub fn back(&mut self) {
+        self.right.clear();
+        self.at = self.at.min(LESSONS.len()).saturating_sub(1);
+    }
+
+    /// How many tests were understood.
+    pub fn score(&self) -> String {
+        format!("{} of {} tests understood", self.right.iter().filter(|&&right| right).count(), TESTS.len())
+    }
+}
+
+fn random_homes(seed: u64) -> Homes {
+    Homes::random(&mut generator(seed), &mut homes::memory())
+}
+
+fn environment(layout: &Layout) -> Option<EnvironmentFile> {
+    let (home, state) = layout.build(homes::memory()).ok()?;
+    Some(scene(&home, &state).environment)
+}
+
+/// The home to begin with where none is named: four rooms, a chair and a bag.
+pub fn first_home() -> Option<EnvironmentFile> {
+    environment(&Homes::FIXED.test)
+}
+
+/// A home at random, with something to push.
+pub fn random_home(seed: u64) -> Option<EnvironmentFile> {
+    let homes = random_homes(seed);
+    let [_, _, _, with_blocks @ ..] = &homes.lessons;
+    let choice = generator(seed).next_u32() as usize % (with_blocks.len() + 1);
+    environment(with_blocks.get(choice).unwrap_or(&homes.test))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_tour_goes_on_where_it_was_left() {
+        let at = |ids: &[&str]| Tour::new(None, ids.iter().copied()).stop().unwrap().title();
+        assert_eq!(at(&[]), "Lesson 1 of 7");
+        assert_eq!(at(&["lesson-1", "said", "lesson-2"]), "Lesson 3 of 7");
+        assert_eq!(at(&["lesson-7"]), "Test 1 of 5");
+        assert_eq!(at(&["lesson-99999"]), "Test 1 of 5");
+    }
+
+    #[test]
+    fn homes_at_random_are_the_same_for_the_same_seed() {
+        assert_eq!(random_home(4), random_home(4));
+        assert_ne!(random_home(4), random_home(5));
+    }
+}

@@ -1,0 +1,193 @@
+//! `goodbot teach`: train the robot, on a screen or in lines.
+//!
+//! - [`trainer`]: one robot, its home and the session under way; all that is asked of the core ([`scene`], [`session`]);
+//! - [`kept`]: what is kept where; [`lessons`]: the tour; [`classroom`]: these together;
+//! - [`protocol`]: lines in, JSON out;
+//! - [`visit`]: what keys do and what happens by itself; [`keys`], [`prompt`], [`pace`]; drawn by [`screen`] in the colours of [`palette`],
+//!   on a [`terminal`] or as a [`picture`].
+
+mod classroom;
+mod full_words;
+mod kept;
+mod keys;
+mod lessons;
+mod pace;
+mod palette;
+mod picture;
+mod plain_names;
+mod prompt;
+mod protocol;
+mod scene;
+mod screen;
+mod session;
+mod terminal;
+mod trainer;
+mod visit;
+
+use crate::load::{home as homes, input};
+use crate::messages::{counted, is_colored};
+use crate::outcome::Failure;
+use crate::output::Output;
+use clap::{Args, ValueHint};
+use classroom::Classroom;
+use goodbot_formats::environment::EnvironmentFile;
+use kept::{Kept, Places};
+use keys::Intent;
+use lessons::Tour;
+use pace::Pace;
+use palette::Palette;
+use std::io::{IsTerminal, Write, stdin, stdout};
+use std::path::PathBuf;
+use std::time::Duration;
+use trainer::Trainer;
+use visit::{Phase, Visit};
+
+/// The robot's name where none is given, and that of the tour.
+const ROBOT: &str = "robot";
+const TOUR_ROBOT: &str = "tour";
+
+/// The options of `goodbot teach`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+What is learned is kept as soon as a session is over, by the robot's name in the platform's folder for data, or in the files of
+--model and --log. In lines, nothing is kept unless --model or --robot is given, so that a script does the same everywhere.
+
+Without a terminal, or with --lines, each line of standard input is a request, such as command go to the red room, step, good,
+bad, silence, finish; the answers are lines of JSON. Send help for all requests. docs/teach.md describes them.
+
+Examples:
+  goodbot teach                        teach your robot in a home of four rooms
+  goodbot teach --tour                 the paper's seven lessons and five tests
+  goodbot teach home.json              a home of your own; a drawing does too
+  goodbot teach --random --seed 7      a home at random
+  printf 'command go to the red room\\nstep\\ngood\\nfinish\\n' | goodbot teach --seed 1")]
+pub struct TeachOptions {
+    /// A home: an environment (JSON), or a drawing [default: four rooms, a chair and a bag]
+    #[arg(value_name = "HOME", value_hint = ValueHint::FilePath)]
+    home: Option<String>,
+    /// The paper's lessons and tests, one after the other; with --seed in homes at random
+    #[arg(long, conflicts_with_all = ["home", "random"])]
+    tour: bool,
+    /// A home at random
+    #[arg(long, conflicts_with = "home")]
+    random: bool,
+    /// Seed of everything that is drawn: the same seed and the same words give the same visit [default: 1]
+    #[arg(long, value_name = "S", value_parser = crate::numbers::seed, allow_negative_numbers = true)]
+    seed: Option<u64>,
+    /// How fast the robot goes
+    #[arg(long, value_enum, default_value_t)]
+    speed: Pace,
+    /// Which of your robots: it is kept by this name [default: robot, or tour for the tour]
+    #[arg(long, value_name = "NAME", conflicts_with = "model")]
+    robot: Option<String>,
+    /// The model file in which the robot is kept
+    #[arg(long, value_name = "MODEL", value_hint = ValueHint::FilePath)]
+    model: Option<PathBuf>,
+    /// The log to which its sessions are added [default: beside the model, ending in .jsonl]
+    #[arg(long, value_name = "FILE", requires = "model", value_hint = ValueHint::FilePath)]
+    log: Option<PathBuf>,
+    /// Read requests as lines, also in a terminal
+    #[arg(long)]
+    lines: bool,
+    /// Write a picture of the tour's fifth lesson under way, taught by a simulated trainer, and leave
+    #[arg(long, value_name = "FILE.svg", conflicts_with_all = ["home", "random", "lines", "robot", "model"], value_hint = ValueHint::FilePath)]
+    picture: Option<PathBuf>,
+    /// Replace a file that is no picture of goodbot's
+    #[arg(long, requires = "picture")]
+    force: bool,
+}
+
+/// Runs the command.
+pub fn run(options: &TeachOptions) -> Result<(), Failure> {
+    let seed = options.seed.unwrap_or(1);
+    if let Some(file) = &options.picture {
+        let output = Output::picture(file, std::iter::empty(), options.force)?;
+        return output.write(picture_of_a_lesson(options, seed)?.as_bytes());
+    }
+    let dumb = std::env::var("TERM").is_ok_and(|terminal| terminal == "dumb");
+    let lines = options.lines || dumb || !stdin().is_terminal() || !stdout().is_terminal();
+    let mut classroom = open(options, lines)?;
+    if !lines {
+        return visit(classroom, options.speed, seed);
+    }
+    let spoken = protocol::speak(&mut classroom, seed, stdin().lock(), stdout().lock())?;
+    match spoken.refused {
+        0 => Ok(()),
+        refused => Err(Failure::Input(format!("{} refused; see the lines of type error", counted(refused, "request")))),
+    }
+}
+
+/// A visit in the terminal.
+fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
+    let palette = if is_colored() { Palette::of(|name| std::env::var(name).ok()) } else { Palette::None };
+    let mut visit = Visit::new(classroom, pace, seed);
+    let shown = terminal::show(&mut visit, palette);
+    // What was being learned is learned to its end, and a session under way is written down.
+    let written = visit.classroom.leave();
+    let learned = visit.classroom.trainer.lessons_learned();
+    if let Some(kept) = visit.classroom.kept().filter(|_| learned > 0) {
+        // Where the window was closed nobody reads this.
+        let told = counted(learned, "session");
+        let _ = writeln!(stdout(), "It has learned from {told}: {}", kept.places().model.display());
+    }
+    written.map_err(|refusal| Failure::Result(refusal.0))?;
+    match shown {
+        Err(error) if stdout().is_terminal() && stdin().is_terminal() => Err(Failure::Output(error)),
+        _ => Ok(()),
+    }
+}
+
+/// The fifth lesson of the tour after a few steps.
+fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Failure> {
+    const SIZE: (u16, u16) = (80, 24);
+    const LESSON: usize = 5;
+    const STEPS: usize = 3;
+    let refuse = |refusal: trainer::Refusal| Failure::Input(refusal.0);
+    let trainer = Trainer::new(&home(options)?, seed).map_err(refuse)?;
+    let tour = Tour::new(options.seed.filter(|_| options.tour), std::iter::empty());
+    let mut visit = Visit::new(Classroom::new(trainer, None, Some(tour)).map_err(refuse)?, Pace::Normal, seed);
+    let mut now = Duration::ZERO;
+    loop {
+        let lesson = visit.stop().map_or(LESSON, |stop| stop.number);
+        match visit.phase() {
+            Phase::Idle => {
+                visit.take(Intent::Say, now);
+                visit.take(Intent::Auto, now);
+            }
+            Phase::Waiting(_) if lesson == LESSON && visit.done().len() >= STEPS => return Ok(picture::svg(&visit, SIZE.0, SIZE.1)),
+            _ => {}
+        }
+        now += Duration::from_millis(100);
+        visit.tick(now);
+    }
+}
+
+/// The robot with its files, in its home.
+fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
+    let refuse = |refusal: trainer::Refusal| Failure::Input(refusal.0);
+    let home = home(options)?;
+    let name = options.home.as_deref().map(input::name);
+    let trainer = Trainer::new(&home, options.seed.unwrap_or(1))
+        .map_err(|refusal| name.map_or_else(|| Failure::Input(refusal.to_string()), |name| Failure::Input(format!("{name}: {refusal}"))))?;
+    let places = match (&options.model, &options.robot) {
+        (Some(model), _) => Some(Places::beside(model, options.log.as_deref())),
+        (None, Some(robot)) => Some(Places::of_robot(robot)?),
+        (None, None) if lines => None,
+        (None, None) => Some(Places::of_robot(if options.tour { TOUR_ROBOT } else { ROBOT })?),
+    };
+    let kept = places.map(Kept::open).transpose()?;
+    let learned = kept.iter().flat_map(|(_, past)| past.learned.iter().map(String::as_str));
+    let tour = options.tour.then(|| Tour::new(options.seed, learned));
+    Classroom::new(trainer, kept, tour).map_err(refuse)
+}
+
+fn home(options: &TeachOptions) -> Result<EnvironmentFile, Failure> {
+    let none = || Failure::Input("no home could be drawn; name a file with one".to_owned());
+    let Some(file) = &options.home else {
+        return if options.random { lessons::random_home(options.seed.unwrap_or(1)) } else { lessons::first_home() }.ok_or_else(none);
+    };
+    if file == "-" {
+        return Err(Failure::Input("standard input is where requests come from; name a file for the home".to_owned()));
+    }
+    homes::read(file).map_err(|fault| Failure::Input(fault.to_string()))
+}

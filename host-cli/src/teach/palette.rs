@@ -1,0 +1,144 @@
+//! Colours. Nothing is told by a colour alone: beside each stands a letter or a word.
+
+use ratatui::style::{Color, Modifier, Style};
+
+/// How many colours the terminal has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Palette {
+    /// None: they are not wanted, or the terminal knows none.
+    None,
+    /// The sixteen that every terminal has.
+    Sixteen,
+    /// 256.
+    Many,
+}
+
+/// A colour's name, its shade on a floor and its shade on a thing among 256, and the nearest of the sixteen.
+const SHADES: [(&str, u8, u8, Color); 9] = [
+    ("red", 52, 203, Color::Red),
+    ("green", 22, 114, Color::Green),
+    ("blue", 18, 75, Color::Blue),
+    ("yellow", 58, 227, Color::Yellow),
+    ("purple", 54, 141, Color::Magenta),
+    ("orange", 94, 215, Color::LightRed),
+    ("teal", 23, 80, Color::Cyan),
+    ("magenta", 89, 212, Color::LightMagenta),
+    ("tan", 95, 180, Color::LightYellow),
+];
+
+impl Palette {
+    /// The terminal's, by what the environment says of it, where colours are wanted.
+    pub fn of(variable: impl Fn(&str) -> Option<String>) -> Self {
+        let term = variable("TERM").unwrap_or_default();
+        match () {
+            () if term == "dumb" => Self::None,
+            () if term.contains("256") || term.contains("direct") || variable("COLORTERM").is_some_and(|value| !value.is_empty()) => {
+                Self::Many
+            }
+            () => Self::Sixteen,
+        }
+    }
+
+    fn shades(name: &str) -> Option<(u8, u8, Color)> {
+        SHADES.iter().find(|(known, ..)| *known == name).map(|&(_, floor, thing, nearest)| (floor, thing, nearest))
+    }
+
+    /// The floor of a room of this colour.
+    pub fn floor(self, name: &str) -> Style {
+        match (self, Self::shades(name)) {
+            (Self::Many, Some((floor, thing, _))) => Style::new().bg(Color::Indexed(floor)).fg(Color::Indexed(thing)),
+            (Self::Sixteen, Some((_, _, nearest))) => Style::new().fg(nearest),
+            _ => Style::new(),
+        }
+    }
+
+    /// A block of this colour.
+    pub fn block(self, name: &str) -> Style {
+        match (self, Self::shades(name)) {
+            (Self::Many, Some((_, thing, _))) => Style::new().bg(Color::Indexed(thing)).fg(Color::Indexed(16)).add_modifier(Modifier::BOLD),
+            (Self::Sixteen, Some((_, _, nearest))) => Style::new().bg(nearest).fg(Color::Black).add_modifier(Modifier::BOLD),
+            _ => Style::new().add_modifier(Modifier::BOLD | Modifier::UNDERLINED),
+        }
+    }
+
+    /// The robot.
+    pub fn robot(self) -> Style {
+        match self {
+            Self::Many => Style::new().bg(Color::Indexed(231)).fg(Color::Indexed(16)).add_modifier(Modifier::BOLD),
+            Self::Sixteen => Style::new().bg(Color::White).fg(Color::Black).add_modifier(Modifier::BOLD),
+            Self::None => Style::new().add_modifier(Modifier::REVERSED | Modifier::BOLD),
+        }
+    }
+
+    /// A wall.
+    pub fn wall(self) -> Style {
+        self.ink(Color::Indexed(244), Color::Gray)
+    }
+
+    /// What is beside the point.
+    pub fn quiet(self) -> Style {
+        match self {
+            Self::Many => Style::new().fg(Color::Indexed(246)),
+            Self::Sixteen => Style::new(),
+            Self::None => Style::new().add_modifier(Modifier::DIM),
+        }
+    }
+
+    /// What to look at first.
+    pub fn strong(self) -> Style {
+        self.ink(Color::Indexed(222), Color::Yellow).add_modifier(Modifier::BOLD)
+    }
+
+    /// What spoke for something, or a good word.
+    pub fn good(self) -> Style {
+        self.ink(Color::Indexed(114), Color::Green)
+    }
+
+    /// What spoke against something, or a bad word.
+    pub fn bad(self) -> Style {
+        self.ink(Color::Indexed(210), Color::Red)
+    }
+
+    /// The line above everything.
+    pub fn title(self) -> Style {
+        match self {
+            Self::Many => Style::new().bg(Color::Indexed(237)).fg(Color::Indexed(255)),
+            Self::Sixteen | Self::None => Style::new().add_modifier(Modifier::REVERSED),
+        }
+    }
+
+    fn ink(self, many: Color, sixteen: Color) -> Style {
+        match self {
+            Self::Many => Style::new().fg(many),
+            Self::Sixteen => Style::new().fg(sixteen),
+            Self::None => Style::new(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(set: &[(&str, &str)]) -> Palette {
+        Palette::of(|name| set.iter().find(|(known, _)| *known == name).map(|(_, value)| (*value).to_owned()))
+    }
+
+    #[test]
+    fn the_environment_says_how_many_colours_there_are() {
+        assert_eq!(of(&[("TERM", "xterm")]), Palette::Sixteen);
+        assert_eq!(of(&[("TERM", "xterm-256color")]), Palette::Many);
+        assert_eq!(of(&[("TERM", "xterm"), ("COLORTERM", "truecolor")]), Palette::Many);
+        assert_eq!(of(&[("TERM", "dumb")]), Palette::None);
+    }
+
+    #[test]
+    fn without_colours_no_style_has_one() {
+        let plain = Palette::None;
+        for style in
+            [plain.floor("red"), plain.block("red"), plain.robot(), plain.wall(), plain.quiet(), plain.strong(), plain.good(), plain.bad()]
+        {
+            assert_eq!((style.fg, style.bg), (None, None));
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! A picture of the screen, as SVG: for the README, and for those who want to show theirs.
+
+use super::palette::Palette;
+use super::screen;
+use super::visit::Visit;
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+use ratatui::buffer::{Buffer, Cell};
+use ratatui::style::{Color, Modifier};
+use std::fmt::Write;
+
+/// A column and a row, in units of the picture.
+const CELL: (usize, usize) = (9, 18);
+const MARGIN: usize = 12;
+const PAPER: &str = "#16161c";
+const INK: &str = "#dcdce4";
+
+/// The screen of a visit at this size, as SVG.
+pub fn svg(visit: &Visit, columns: u16, rows: u16) -> String {
+    let Ok(mut terminal) = Terminal::new(TestBackend::new(columns, rows));
+    let Ok(_) = terminal.draw(|frame| screen::draw(frame, visit, Palette::Many));
+    of_buffer(terminal.backend().buffer())
+}
+
+fn of_buffer(buffer: &Buffer) -> String {
+    let (columns, rows) = (usize::from(buffer.area.width), usize::from(buffer.area.height));
+    let (width, height) = (columns * CELL.0 + 2 * MARGIN, rows * CELL.1 + 2 * MARGIN);
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" font-family=\"DejaVu Sans Mono, Menlo, Consolas, monospace\" \
+         font-size=\"15\">\n<rect width=\"{width}\" height=\"{height}\" rx=\"8\" fill=\"{PAPER}\"/>\n"
+    );
+    for row in 0..rows {
+        let cells = buffer.content.iter().skip(row * columns).take(columns);
+        let mut runs: Vec<(usize, Look, String)> = Vec::new();
+        for (column, cell) in cells.enumerate() {
+            let look = Look::of(cell);
+            match runs.last_mut() {
+                Some((_, last, text)) if *last == look => text.push_str(cell.symbol()),
+                _ => runs.push((column, look, cell.symbol().to_owned())),
+            }
+        }
+        runs.iter().for_each(|(column, look, text)| draw(&mut svg, *column, row, look, text));
+    }
+    svg.push_str("</svg>\n");
+    svg
+}
+
+#[derive(PartialEq)]
+struct Look {
+    ink: String,
+    paper: Option<String>,
+    bold: bool,
+    line: bool,
+}
+
+impl Look {
+    fn of(cell: &Cell) -> Self {
+        let (mut ink, mut paper) = (hex(cell.fg), hex(cell.bg));
+        if cell.modifier.contains(Modifier::REVERSED) {
+            (ink, paper) = (Some(paper.unwrap_or_else(|| PAPER.to_owned())), Some(ink.unwrap_or_else(|| INK.to_owned())));
+        }
+        let (bold, line) = (cell.modifier.contains(Modifier::BOLD), cell.modifier.contains(Modifier::UNDERLINED));
+        Self { ink: ink.unwrap_or_else(|| INK.to_owned()), paper, bold, line }
+    }
+}
+
+fn draw(svg: &mut String, column: usize, row: usize, look: &Look, text: &str) {
+    let (x, y) = (MARGIN + column * CELL.0, MARGIN + row * CELL.1);
+    let length = text.chars().count();
+    if let Some(paper) = &look.paper {
+        let _ = writeln!(svg, "<rect x=\"{x}\" y=\"{y}\" width=\"{}\" height=\"{}\" fill=\"{paper}\"/>", length * CELL.0, CELL.1);
+    }
+    let mut word = String::new();
+    for (at, letter) in text.chars().chain([' ']).enumerate() {
+        let left = x + at * CELL.0;
+        // Blocks as areas and lines as lines: letters would leave gaps between them.
+        let eighths = ['▏', '▎', '▍', '▌', '▋', '▊', '▉', '█'].iter().position(|block| *block == letter);
+        if let Some(eighths) = eighths {
+            let width = (CELL.0 * (eighths + 1)) as f32 / 8.0 + 0.3;
+            let _ = writeln!(svg, "<rect x=\"{left}\" y=\"{y}\" width=\"{width}\" height=\"{}.3\" fill=\"{}\"/>", CELL.1, look.ink);
+        }
+        if letter == '─' {
+            let _ =
+                writeln!(svg, "<rect x=\"{left}\" y=\"{}\" width=\"{}.3\" height=\"1\" fill=\"{}\"/>", y + CELL.1 / 2, CELL.0, look.ink);
+        }
+        if letter != ' ' && letter != '─' && eighths.is_none() {
+            word.push(letter);
+            continue;
+        }
+        // Each word at its own place: not every program that shows pictures keeps blanks.
+        let length = word.chars().count();
+        if length > 0 {
+            let _ = writeln!(
+                svg,
+                "<text x=\"{}\" y=\"{}\" textLength=\"{}\" fill=\"{}\"{}{}>{}</text>",
+                left - length * CELL.0,
+                y + 14,
+                length * CELL.0,
+                look.ink,
+                if look.bold { " font-weight=\"bold\"" } else { "" },
+                if look.line { " text-decoration=\"underline\"" } else { "" },
+                word.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;"),
+            );
+            word.clear();
+        }
+    }
+}
+
+/// A colour of the palette; `None` for the terminal's own.
+fn hex(color: Color) -> Option<String> {
+    let Color::Indexed(index) = color else { return None };
+    let [red, green, blue] = match index {
+        16..=231 => {
+            let level = |part: u8| if part == 0 { 0 } else { 55 + part * 40 };
+            let cube = index - 16;
+            [level(cube / 36), level(cube / 6 % 6), level(cube % 6)]
+        }
+        232.. => [8 + (index - 232) * 10; 3],
+        _ => return None,
+    };
+    Some(format!("#{red:02x}{green:02x}{blue:02x}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_are_those_of_the_256() {
+        assert_eq!([16, 231, 203, 244].map(|index| hex(Color::Indexed(index)).unwrap()), ["#000000", "#ffffff", "#ff5f5f", "#808080"]);
+        assert_eq!(hex(Color::Reset), None);
+    }
+}

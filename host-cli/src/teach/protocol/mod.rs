@@ -1,0 +1,395 @@
+//! Teaching without a terminal: one request a line comes in, one JSON object a line goes out. docs/teach.md describes both.
+
+mod lines;
+
+use crate::teach::classroom::Classroom;
+use crate::teach::lessons::random_home;
+use crate::teach::session::Judged;
+use crate::teach::trainer::{Meaning, Refusal};
+use goodbot::feedback::Feedback;
+use goodbot::planning::OptimalSet;
+use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+use lines::Lines;
+use serde_json::{Map, Value, json};
+use std::io::{self, BufRead, Write};
+
+/// The version of what is written here.
+const PROTOCOL: u32 = 1;
+
+/// How it ended.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Spoken {
+    /// How many lines were refused.
+    pub refused: usize,
+}
+
+/// Why a line was refused, and what to send instead.
+struct Misunderstood {
+    message: String,
+    instead: &'static str,
+}
+
+impl From<Refusal> for Misunderstood {
+    fn from(refusal: Refusal) -> Self {
+        Self { message: refusal.0, instead: "send help for all requests" }
+    }
+}
+
+type Answers = Result<Vec<Value>, Misunderstood>;
+
+const REQUESTS: &[(&str, &str)] = &[
+    ("command WORDS", "say a command; in the tour the lesson's own where no words are given"),
+    ("step", "let the robot take its next step"),
+    ("good", "reward the last step"),
+    ("bad", "punish the last step"),
+    ("silence", "say nothing to the last step"),
+    ("auto", "let a simulated trainer judge the last step; in lessons of the tour"),
+    ("back", "take back the last step and what was said to it"),
+    ("finish", "end the session and learn from it"),
+    ("forget", "end the session and do not learn from it"),
+    ("undo", "take back what the last session taught"),
+    ("home JSON", "move to another home, one environment on one line; or: home random SEED"),
+    ("reset", "put everything back to where it was"),
+    ("state", "tell where everything is and what the robot believes"),
+    ("words", "tell what the robot calls things"),
+    ("help", "tell these requests"),
+    ("quit", "leave"),
+];
+
+fn is_request(word: &str) -> bool {
+    REQUESTS.iter().any(|(request, _)| request.split(' ').next() == Some(word))
+}
+
+/// Reads requests to the end of the input, and answers each.
+///
+/// # Errors
+/// Where the input cannot be read or the output not be written.
+pub fn speak(classroom: &mut Classroom, seed: u64, input: impl BufRead, mut output: impl Write) -> io::Result<Spoken> {
+    let mut speaker = Speaker { classroom, seed };
+    let mut spoken = Spoken::default();
+    write(&mut output, &[speaker.ready()])?;
+    let mut lines = Lines { input };
+    while let Some(line) = lines.next()? {
+        let line = match line {
+            Ok(line) if line.trim().is_empty() => continue,
+            Ok(line) => line,
+            Err(message) => {
+                spoken.refused += 1;
+                write(&mut output, &[error(message, "send a shorter line of text in UTF-8")])?;
+                continue;
+            }
+        };
+        if line.trim() == "quit" {
+            break;
+        }
+        match speaker.answer(line.trim()) {
+            Ok(answers) => write(&mut output, &answers)?,
+            Err(Misunderstood { message, instead }) => {
+                spoken.refused += 1;
+                write(&mut output, &[error(&message, instead)])?;
+            }
+        }
+    }
+    write(&mut output, &[speaker.farewell()])?;
+    Ok(spoken)
+}
+
+fn write(output: &mut impl Write, answers: &[Value]) -> io::Result<()> {
+    answers.iter().try_for_each(|answer| writeln!(output, "{answer}"))?;
+    output.flush()
+}
+
+fn error(message: &str, instead: &str) -> Value {
+    json!({"type": "error", "message": message, "do": instead})
+}
+
+const fn plan_word(plan: OptimalSet) -> &'static str {
+    match plan {
+        OptimalSet::Toward(_) => "toward",
+        OptimalSet::Approximate(_) => "approximate",
+        OptimalSet::Goal => "goal",
+        OptimalSet::DeadEnd(_) => "dead end",
+        OptimalSet::Unknown => "unknown",
+    }
+}
+
+struct Speaker<'a> {
+    classroom: &'a mut Classroom,
+    seed: u64,
+}
+
+impl Speaker<'_> {
+    fn answer(&mut self, line: &str) -> Answers {
+        let (request, rest) = line.split_once(char::is_whitespace).map_or((line, ""), |(request, rest)| (request, rest.trim()));
+        match request {
+            "command" => self.command(rest),
+            "home" => self.home(rest),
+            _ if !rest.is_empty() => Err(Misunderstood {
+                message: if is_request(request) {
+                    format!("{request:?} stands alone on its line")
+                } else {
+                    format!("{request:?} is no request")
+                },
+                instead: "send command before the words of a command, such as: command go to the red room",
+            }),
+            "step" => self.step(),
+            "good" => self.judge(Feedback::Reward),
+            "bad" => self.judge(Feedback::Punish),
+            "silence" => self.judge(Feedback::Neutral),
+            "auto" => self.auto(),
+            "back" => self.back(),
+            "finish" => self.finish(),
+            "forget" => self.forget(),
+            "undo" => self.undo(),
+            "reset" => {
+                self.classroom.forget()?;
+                self.classroom.trainer.put_back();
+                Ok(vec![self.place("home")])
+            }
+            "state" => Ok(vec![self.state()]),
+            "words" => Ok(vec![self.words()]),
+            "help" => {
+                let requests: Map<String, Value> = REQUESTS.iter().map(|(request, what)| ((*request).to_owned(), json!(what))).collect();
+                Ok(vec![json!({"type": "help", "requests": requests})])
+            }
+            _ => Err(Misunderstood { message: format!("{request:?} is no request"), instead: "send help for all requests" }),
+        }
+    }
+
+    fn ready(&self) -> Value {
+        let mut ready =
+            json!({"type": "ready", "protocol": PROTOCOL, "seed": self.seed, "sessions": self.classroom.trainer.lessons_learned()});
+        self.add_place(&mut ready);
+        self.add_lesson(&mut ready);
+        ready
+    }
+
+    fn farewell(&mut self) -> Value {
+        // A session under way is written down, and what cannot be written is told.
+        let failure = self.classroom.leave().err();
+        let places = self.classroom.kept().map(|kept| kept.places());
+        let mut bye = json!({
+            "type": "bye", "sessions": self.classroom.trainer.lessons_learned(),
+            "model": places.map(|places| places.model.display().to_string()),
+            "log": places.map(|places| places.log.display().to_string()),
+        });
+        if let (Some(failure), Value::Object(fields)) = (failure, &mut bye) {
+            fields.insert("error".to_owned(), json!(failure.0));
+        }
+        bye
+    }
+
+    fn command(&mut self, words: &str) -> Answers {
+        let stop = self.classroom.tour.as_ref().and_then(|tour| tour.stop());
+        let said = match stop {
+            Some(stop) if words.is_empty() => stop.exercise.command,
+            _ => words,
+        };
+        if said.is_empty() {
+            return Err(Misunderstood {
+                message: "the command has no word".to_owned(),
+                instead: "send what the robot shall do, such as: command go to the red room",
+            });
+        }
+        self.classroom.say(said)?;
+        let words: Vec<Value> = self.support()?;
+        let mut heard = json!({"type": "heard", "command": said, "words": words});
+        self.add_tasks(&mut heard);
+        let Some(tested) = self.classroom.tested() else { return Ok(vec![heard]) };
+        let result = json!({"type": "tested", "right": tested.right, "task": tested.heard.name, "words": tested.heard.words});
+        self.classroom.pass_test(tested.right)?;
+        let mut answers = vec![heard, result];
+        answers.extend(self.lesson());
+        Ok(answers)
+    }
+
+    fn support(&self) -> Result<Vec<Value>, Refusal> {
+        let meanings = self.classroom.trainer.meanings();
+        let of = |position: usize| meanings.iter().find(|meaning| meaning.position == position).map(|meaning| meaning.name.clone());
+        let word = |word: crate::teach::trainer::WordSupport| {
+            let shares: Map<String, Value> =
+                word.shares.iter().enumerate().filter_map(|(position, &share)| Some((of(position)?, number(share)))).collect();
+            json!({"word": word.word, "known": word.known, "speaks_for": shares})
+        };
+        Ok(self.classroom.trainer.word_support()?.into_iter().map(word).collect())
+    }
+
+    fn step(&mut self) -> Answers {
+        if self.classroom.session().is_none() {
+            return Err(Misunderstood {
+                message: "no session is under way".to_owned(),
+                instead: "send a command first, such as: command go to the red room",
+            });
+        }
+        let trainer = &mut self.classroom.trainer;
+        trainer.go_on()?;
+        trainer.plan_fully()?;
+        let meanings = trainer.meanings();
+        let acted = trainer.act()?.clone();
+        let task = meanings.iter().find(|meaning| meaning.position == acted.task);
+        let mut answer = json!({
+            "type": "acted", "action": acted.action, "confidence": number(acted.confidence), "plan": plan_word(acted.plan),
+            "task": task.map(|task| &task.name), "words": task.map(|task| &task.words),
+        });
+        self.add_cells(&mut answer);
+        self.add_tasks(&mut answer);
+        Ok(vec![answer])
+    }
+
+    fn judge(&mut self, feedback: Feedback) -> Answers {
+        let trainer = &mut self.classroom.trainer;
+        let Some(action) = trainer.acted().map(|acted| acted.action.clone()) else {
+            return Err(Misunderstood { message: "there is no step to judge yet".to_owned(), instead: "send step first" });
+        };
+        let judged = trainer.judge(feedback)?;
+        let mut answer = json!({"type": "judged", "action": action, "feedback": feedback.name(), "counted": matches!(judged, Judged::Counted | Judged::AsBefore)});
+        self.add_tasks(&mut answer);
+        Ok(vec![answer])
+    }
+
+    fn auto(&mut self) -> Answers {
+        let feedback = self.classroom.trainer.simulated_word().ok_or(Misunderstood {
+            message: "a simulated trainer judges only steps in lessons of the tour, where it knows what is meant".to_owned(),
+            instead: "send good, bad or silence; or start with --tour, then send command and step",
+        })?;
+        self.judge(feedback)
+    }
+
+    fn back(&mut self) -> Answers {
+        let trainer = &mut self.classroom.trainer;
+        if !trainer.take_back()? {
+            return Err(Misunderstood { message: "no step was taken yet".to_owned(), instead: "send step" });
+        }
+        trainer.plan_again()?;
+        let mut answer = json!({"type": "back"});
+        self.add_cells(&mut answer);
+        self.add_tasks(&mut answer);
+        Ok(vec![answer])
+    }
+
+    fn finish(&mut self) -> Answers {
+        let steps = self.classroom.session().map_or(0, |session| session.steps().len());
+        let gave_way = self.classroom.finish()?;
+        while !self.classroom.learn(u32::MAX)? {}
+        Ok(self.over(true, steps, gave_way))
+    }
+
+    fn forget(&mut self) -> Answers {
+        let steps = self.classroom.session().map_or(0, |session| session.steps().len());
+        if !self.classroom.forget()? {
+            return Err(Misunderstood { message: "no session is under way".to_owned(), instead: "send a command first" });
+        }
+        Ok(self.over(false, steps, 0))
+    }
+
+    fn over(&self, learned: bool, steps: usize, gave_way: usize) -> Vec<Value> {
+        let sessions = self.classroom.trainer.lessons_learned();
+        let over = json!({"type": "finished", "learned": learned, "steps": steps, "sessions": sessions, "gave_way": gave_way});
+        std::iter::once(over).chain(self.lesson().filter(|_| learned)).collect()
+    }
+
+    fn undo(&mut self) -> Answers {
+        if !self.classroom.unlearn()? {
+            return Err(Misunderstood {
+                message: "nothing was learned since the start".to_owned(),
+                instead: "send a command, step, good and finish first",
+            });
+        }
+        let undone = json!({"type": "undone", "sessions": self.classroom.trainer.lessons_learned()});
+        Ok(std::iter::once(undone).chain(self.lesson()).collect())
+    }
+
+    fn home(&mut self, text: &str) -> Answers {
+        let instead = "send home and one environment as JSON on the same line, or: home random 7";
+        let refuse = |message: String| Misunderstood { message, instead };
+        let home = if let Some(seed) = text.strip_prefix("random") {
+            let seed = if seed.trim().is_empty() { Ok(self.seed) } else { seed.trim().parse::<u64>() };
+            random_home(seed.map_err(|_| refuse("the seed is no whole number".to_owned()))?)
+                .ok_or_else(|| refuse("no home could be drawn".to_owned()))?
+        } else {
+            EnvironmentFile::parse(text).map_err(|error| refuse(error.to_string()))?
+        };
+        self.classroom.enter(&home).map_err(|refusal| refuse(refusal.0))?;
+        Ok(vec![self.place("home")])
+    }
+
+    fn state(&self) -> Value {
+        let mut state = json!({
+            "type": "state", "command": self.classroom.session().map(|session| &session.command),
+            "sessions": self.classroom.trainer.lessons_learned(),
+        });
+        self.add_place(&mut state);
+        self.add_cells(&mut state);
+        self.add_tasks(&mut state);
+        self.add_lesson(&mut state);
+        state
+    }
+
+    fn words(&self) -> Value {
+        let idea = |idea: crate::teach::trainer::Idea| {
+            let called = idea.called.iter().map(|(word, share)| (self.classroom.words.of(word), number(*share)));
+            json!({"token": idea.token, "words": idea.words, "called": called.collect::<Map<String, Value>>()})
+        };
+        json!({"type": "words", "ideas": self.classroom.trainer.ideas().into_iter().map(idea).collect::<Vec<_>>()})
+    }
+
+    /// The lesson or test where the tour stands, as a line of its own; nothing outside of it.
+    fn lesson(&self) -> impl Iterator<Item = Value> + use<> {
+        let mut lesson = json!({"type": "lesson"});
+        self.add_lesson(&mut lesson);
+        self.classroom.tour.is_some().then_some(lesson).into_iter()
+    }
+
+    fn add_lesson(&self, answer: &mut Value) {
+        let (Some(tour), Value::Object(fields)) = (&self.classroom.tour, answer) else { return };
+        let lesson = match tour.stop() {
+            Some(stop) => {
+                json!({"number": stop.number, "of": stop.of, "test": stop.test, "command": stop.exercise.command, "over": false})
+            }
+            None => json!({"over": true, "score": tour.score()}),
+        };
+        fields.insert("lesson".to_owned(), lesson);
+    }
+
+    fn place(&self, kind: &str) -> Value {
+        let mut place = json!({"type": kind});
+        self.add_place(&mut place);
+        place
+    }
+
+    fn add_place(&self, answer: &mut Value) {
+        let scene = self.classroom.trainer.scene();
+        if let Value::Object(fields) = answer {
+            let home = serde_json::from_str::<Value>(&scene.environment.to_json_line()).unwrap_or(Value::Null);
+            fields.insert("home".to_owned(), home);
+            fields.insert("map".to_owned(), json!(scene.map.lines().collect::<Vec<_>>()));
+        }
+    }
+
+    /// Where the robot and the blocks are.
+    fn add_cells(&self, answer: &mut Value) {
+        let scene = self.classroom.trainer.scene();
+        let cell = |object: &ObjectRecord| match object {
+            ObjectRecord::Agent { name, x, y } | ObjectRecord::Block { name, x, y, .. } => Some((name.clone(), json!([x, y]))),
+            ObjectRecord::Room { .. } | ObjectRecord::Door { .. } => None,
+        };
+        if let Value::Object(fields) = answer {
+            let cells: Map<String, Value> = scene.environment.objects.iter().filter_map(cell).collect();
+            fields.insert("cells".to_owned(), Value::Object(cells));
+        }
+    }
+
+    /// The tasks, the likeliest first.
+    fn add_tasks(&self, answer: &mut Value) {
+        let task = |meaning: Meaning| json!({"task": meaning.name, "words": meaning.words, "probability": number(meaning.probability)});
+        if let Value::Object(fields) = answer {
+            let tasks: Vec<Value> = self.classroom.trainer.meanings().into_iter().map(task).collect();
+            fields.insert("tasks".to_owned(), Value::Array(tasks));
+        }
+    }
+}
+
+/// The shortest number that is read as the same probability again.
+fn number(probability: f32) -> Value {
+    probability.to_string().parse::<f64>().map_or(Value::Null, |number| json!(number))
+}

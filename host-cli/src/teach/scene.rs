@@ -1,0 +1,106 @@
+//! The home as it is now, for those who look on.
+
+use goodbot::home::map::Map;
+use goodbot::home::{BLOCK, COLOR, Cell, DOOR, Home, HomeState, ROOM, SHAPE};
+use goodbot::memory::HomeMemory;
+use goodbot::oomdp::{Domain, ObjectId};
+use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+
+/// What is at one cell, beneath what stands there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Ground {
+    /// Outside of every room.
+    Nothing,
+    /// A wall.
+    Wall,
+    /// A gap in the walls.
+    Door,
+    /// The floor of a room of this colour.
+    Floor(String),
+}
+
+/// The home as it is now.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Its objects where they are now, in their order.
+    pub environment: EnvironmentFile,
+    /// Its cells, row by row; the first row is the northernmost.
+    pub ground: Vec<Vec<Ground>>,
+    /// The home as text: `#` is wall.
+    pub map: String,
+    west: i32,
+    north: i32,
+}
+
+impl Scene {
+    /// The robot's column and row in [`ground`](Self::ground).
+    pub fn robot(&self) -> (usize, usize) {
+        let robot = |object: &ObjectRecord| if let ObjectRecord::Agent { x, y, .. } = object { Some((*x, *y)) } else { None };
+        self.environment.objects.iter().find_map(robot).map_or((0, 0), |(x, y)| self.at(x, y))
+    }
+
+    /// The blocks: column, row, colour and shape.
+    pub fn blocks(&self) -> impl Iterator<Item = (usize, usize, &str, &str)> {
+        self.environment.objects.iter().filter_map(|object| {
+            let ObjectRecord::Block { x, y, color, shape, .. } = object else { return None };
+            let (column, row) = self.at(*x, *y);
+            Some((column, row, color.as_str(), shape.as_str()))
+        })
+    }
+
+    /// The colours of the rooms, in their order.
+    pub fn room_colors(&self) -> impl Iterator<Item = &str> {
+        self.environment
+            .objects
+            .iter()
+            .filter_map(|object| if let ObjectRecord::Room { color, .. } = object { Some(color.as_str()) } else { None })
+    }
+
+    fn at(&self, x: i32, y: i32) -> (usize, usize) {
+        let offset = |far: i64| usize::try_from(far).unwrap_or(0);
+        (offset(i64::from(x) - i64::from(self.west)), offset(i64::from(self.north) - i64::from(y)))
+    }
+}
+
+/// The home as it is in a state.
+pub fn scene(home: &Home<impl HomeMemory>, state: &HomeState) -> Scene {
+    let map = Map::new(home, state);
+    let bounds = map.bounds();
+    let ground =
+        (bounds.bottom..=bounds.top).rev().map(|y| (bounds.left..=bounds.right).map(|x| ground(home, &map, Cell::new(x, y))).collect());
+    Scene {
+        environment: EnvironmentFile::new(home.world().objects.iter().map(|(id, _)| record(home, state, id)).collect()),
+        ground: ground.collect(),
+        map: map.to_string(),
+        west: bounds.left,
+        north: bounds.top,
+    }
+}
+
+fn ground(home: &Home<impl HomeMemory>, map: &Map<'_, impl HomeMemory>, cell: Cell) -> Ground {
+    match map.character(cell) {
+        '#' => return Ground::Wall,
+        ' ' => return Ground::Nothing,
+        _ => {}
+    }
+    let objects = home.world().objects;
+    let room = objects.of_class(ROOM).find(|&room| home.area(room).holds_strictly(cell));
+    room.map_or(Ground::Door, |room| Ground::Floor(objects.value(room, COLOR).to_owned()))
+}
+
+fn record(home: &Home<impl HomeMemory>, state: &HomeState, id: ObjectId) -> ObjectRecord {
+    let objects = home.world().objects;
+    let (name, color, area) = (objects.name(id).to_owned(), objects.value(id, COLOR).to_owned(), home.area(id));
+    match objects.get(id).map(|object| object.class) {
+        Some(ROOM) => ObjectRecord::Room { name, left: area.left, bottom: area.bottom, right: area.right, top: area.top, color },
+        Some(DOOR) => ObjectRecord::Door { name, left: area.left, bottom: area.bottom, right: area.right, top: area.top },
+        Some(BLOCK) => {
+            let cell = home.block_cell(state, id).unwrap_or_else(|| home.agent_cell(state));
+            ObjectRecord::Block { name, x: cell.x, y: cell.y, color, shape: objects.value(id, SHAPE).to_owned() }
+        }
+        _ => {
+            let cell = home.agent_cell(state);
+            ObjectRecord::Agent { name, x: cell.x, y: cell.y }
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! The screen: the home, what the robot thinks, which word spoke for what, and the keys.
+//!
+//! - [`plan`]: the home; [`thoughts`]: beliefs, words; [`page`]: pages that lie over everything.
+
+mod page;
+mod plan;
+mod thoughts;
+
+use super::keys::Focus;
+use super::palette::Palette;
+use super::visit::{Phase, Visit};
+use crate::messages::counted;
+use ratatui::Frame;
+use ratatui::layout::{Constraint, Layout, Position, Rect};
+use ratatui::style::{Modifier, Style};
+use ratatui::text::{Line, Span};
+use ratatui::widgets::{Block, Borders, Paragraph, Wrap};
+
+/// The smallest screen on which anything can be seen.
+const LEAST: (u16, u16) = (24, 8);
+/// From this size on, thoughts stand beside the home.
+const BESIDE: u16 = 60;
+
+/// Draws everything.
+pub fn draw(frame: &mut Frame<'_>, visit: &Visit, palette: Palette) {
+    let area = frame.area();
+    if area.width < LEAST.0 || area.height < LEAST.1 {
+        frame.render_widget(Paragraph::new("Please make the window larger.").wrap(Wrap { trim: true }), area);
+        return;
+    }
+    let [title, middle, message, prompt, keys] = Layout::vertical([
+        Constraint::Length(1),
+        Constraint::Min(3),
+        Constraint::Length(if area.width < 100 { 3 } else { 2 }),
+        Constraint::Length(1),
+        Constraint::Length(1),
+    ])
+    .areas(area);
+    draw_title(frame, title, visit, palette);
+    draw_middle(frame, middle, visit, palette);
+    draw_message(frame, message, visit, palette);
+    draw_prompt(frame, prompt, visit, palette);
+    draw_keys(frame, keys, visit, palette);
+    if let Some((shown, first)) = visit.page {
+        page::draw(frame, area, visit, shown, first, palette);
+    }
+}
+
+/// What is to be told, and what the robot did.
+fn draw_message(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
+    let told = Line::styled(visit.told(), palette.quiet());
+    let message = Line::styled(visit.message.as_str(), palette.strong());
+    let lines: Vec<Line<'_>> = [told, message].into_iter().filter(|line| line.width() > 0).collect();
+    frame.render_widget(Paragraph::new(lines).wrap(Wrap { trim: true }), area);
+}
+
+fn draw_title(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
+    let place = match visit.stop() {
+        Some(stop) => stop.title(),
+        None if visit.classroom.tour.is_some() => "The tour is over".to_owned(),
+        None => "Free play".to_owned(),
+    };
+    let learned = counted(visit.classroom.trainer.lessons_learned(), "session");
+    let left = format!(" goodbot · {place}");
+    let right = format!("learned from {learned} · speed: {} ", visit.pace.name());
+    let gap = usize::from(area.width).saturating_sub(left.chars().count() + right.chars().count());
+    let line = if gap > 0 { format!("{left}{}{right}", " ".repeat(gap)) } else { left };
+    frame.render_widget(Paragraph::new(line).style(palette.title()), area);
+}
+
+fn draw_middle(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
+    let scene = visit.classroom.trainer.scene();
+    let (columns, rows) = plan::wanted(&scene);
+    if area.width < BESIDE {
+        let [home, rest] = Layout::vertical([Constraint::Max(rows + 1), Constraint::Fill(1)]).areas(area);
+        draw_home(frame, home, &scene, visit, palette);
+        thoughts::draw_beliefs(frame, rest, visit, palette);
+        return;
+    }
+    let words = thoughts::wanted(visit);
+    let [above, below] = Layout::vertical([Constraint::Fill(1), Constraint::Length(words.min(area.height.saturating_sub(8)))]).areas(area);
+    let most = area.width / 2;
+    let [home, rest] = Layout::horizontal([Constraint::Length(columns.min(most)), Constraint::Fill(1)]).spacing(2).areas(above);
+    draw_home(frame, home, &scene, visit, palette);
+    thoughts::draw_beliefs(frame, rest, visit, palette);
+    thoughts::draw_words(frame, below, visit, palette);
+}
+
+fn draw_home(frame: &mut Frame<'_>, area: Rect, scene: &super::scene::Scene, visit: &Visit, palette: Palette) {
+    let block = framed("Home", palette);
+    let inner = block.inner(area);
+    frame.render_widget(block, area);
+    let moved = visit.acted().map_or("", |acted| acted.action.as_str());
+    plan::draw(frame, inner, scene, moved, palette);
+}
+
+/// A line with a heading above what belongs together.
+fn framed(heading: &str, palette: Palette) -> Block<'_> {
+    Block::new()
+        .borders(Borders::TOP)
+        .border_style(palette.quiet())
+        .title(Span::styled(format!("{heading} "), Style::new().add_modifier(Modifier::BOLD)))
+}
+
+fn draw_prompt(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
+    let writing = visit.focus() == Focus::Command;
+    let session = visit.classroom.session();
+    let text = match session {
+        Some(session) => session.command.clone(),
+        None => visit.prompt.text(),
+    };
+    let lead = if session.is_some() { "Command: " } else { "Tell it: " };
+    // Where the command is longer than the line, its end is what is being written.
+    let room = usize::from(area.width).saturating_sub(lead.len() + 1);
+    let before = if session.is_some() { text.chars().count() } else { visit.prompt.before().chars().count() };
+    let skipped = if session.is_some() { 0 } else { before.saturating_sub(room) };
+    let shown: String = text.chars().skip(skipped).take(room).collect();
+    let hint = if !writing && session.is_none() { palette.quiet() } else { Style::new().add_modifier(Modifier::BOLD) };
+    frame.render_widget(Paragraph::new(Line::from(vec![Span::raw(lead), Span::styled(shown, hint)])), area);
+    if writing {
+        let column = u16::try_from(lead.len() + before - skipped).unwrap_or(u16::MAX);
+        frame.set_cursor_position(Position::new(area.x.saturating_add(column), area.y));
+    }
+}
+
+/// The keys that can be pressed now, the most important ones first: what does not fit is in the explanation.
+fn keys(visit: &Visit) -> Vec<(&'static str, &'static str)> {
+    match (visit.focus(), visit.phase()) {
+        (Focus::Page, _) => vec![("any key", "back"), ("↑ ↓", "move")],
+        (Focus::Command, _) => vec![("enter", "say it"), ("?", "explain"), ("esc", "keys"), ("ctrl-c", "leave")],
+        (Focus::Keys, Phase::Idle) => {
+            let mut keys = vec![("enter", "write"), ("u", "undo"), ("w", "words"), ("r", "put back")];
+            keys.extend((visit.stop().is_none()).then_some(("h", "home")));
+            keys.extend([("s", "speed"), ("?", "explain"), ("q", "leave")]);
+            keys
+        }
+        (Focus::Keys, Phase::Learning) => vec![("q", "leave")],
+        (Focus::Keys, _) if visit.tested().is_some() => vec![("enter", "next"), ("s", "speed"), ("?", "explain"), ("q", "leave")],
+        (Focus::Keys, _) => {
+            let mut keys =
+                vec![("g", "good"), ("b", "bad"), ("f", "finish"), ("p", if visit.paused { "go on" } else { "pause" }), ("n", "step")];
+            keys.extend([("u", "undo"), ("d", "drop")]);
+            keys.extend(visit.stop().map(|_| ("a", "auto")));
+            keys.extend([("?", "explain"), ("q", "leave")]);
+            keys
+        }
+    }
+}
+
+fn draw_keys(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
+    let mut spans = Vec::new();
+    for (key, what) in keys(visit) {
+        spans.push(Span::styled(key, Style::new().add_modifier(Modifier::REVERSED)));
+        spans.push(Span::styled(format!(" {what} "), palette.quiet()));
+    }
+    frame.render_widget(Paragraph::new(Line::from(spans)), area);
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,63 @@
+//! Pages that lie over everything: the explanation, and all words.
+
+use super::super::palette::Palette;
+use super::super::visit::{Page, Visit};
+use super::framed;
+use super::thoughts::all_ideas;
+use ratatui::Frame;
+use ratatui::layout::Rect;
+use ratatui::style::{Modifier, Style};
+use ratatui::text::{Line, Span};
+use ratatui::widgets::{Clear, Paragraph, Wrap};
+
+const KEYS: [(&str, &str); 14] = [
+    ("g → ↑", "good: its last step was right"),
+    ("b ←", "bad: its last step was wrong"),
+    ("space ↓", "neither; go on"),
+    ("p", "pause, and go on"),
+    ("n", "one step; in a test: the next one"),
+    ("f", "finish, and learn from this session"),
+    ("d", "drop: finish, and do not learn from it"),
+    ("u", "undo: take back the last step; between sessions, what the last one taught"),
+    ("a", "auto: a simulated trainer judges (in lessons of the tour)"),
+    ("s", "speed: step by step, slow, normal, fast, at once, by confidence"),
+    ("w", "words: what it calls things"),
+    ("h, r", "between sessions: another home; put everything back"),
+    ("enter, esc", "write a command; stop writing"),
+    ("q, ctrl-c", "leave; all that was learned is kept"),
+];
+
+/// Draws a page from its given line on.
+pub fn draw(frame: &mut Frame<'_>, area: Rect, visit: &Visit, page: Page, first: u16, palette: Palette) {
+    let (heading, lines) = match page {
+        Page::Explanation => ("Explanation (any key: back)", explanation(visit, palette)),
+        Page::Words => ("What it calls things (any key: back)", all_ideas(visit, palette)),
+    };
+    let block = framed(heading, palette);
+    let inner = block.inner(area);
+    let rows = lines.iter().map(|line| line.width().div_ceil(usize::from(inner.width.max(1))).max(1)).sum::<usize>();
+    let last = u16::try_from(rows).unwrap_or(u16::MAX).saturating_sub(inner.height);
+    frame.render_widget(Clear, area);
+    frame.render_widget(Paragraph::new(lines).block(block).wrap(Wrap { trim: false }).scroll((first.min(last), 0)), area);
+}
+
+fn explanation<'a>(visit: &Visit, palette: Palette) -> Vec<Line<'a>> {
+    let mut lines = vec![Line::raw(
+        "You say what to do; the robot guesses which of all tasks that are possible here you mean, goes for the likeliest, and changes its mind \
+         as you say good or bad. A word of yours counts for each guess by whether the step was right for it: ▲ for it, ▼ against it. Silence \
+         tells it little. When you finish, it learns what your words mean.",
+    )];
+    if let Some(best) = visit.classroom.trainer.meanings().first() {
+        lines.push(Line::styled(format!("Now: {} Its best guess is \"{}\".", visit.told(), best.words), palette.strong()));
+    }
+    for (key, what) in KEYS {
+        lines.push(Line::from(vec![Span::styled(format!("{key:>11}  "), Style::new().add_modifier(Modifier::BOLD)), Span::raw(what)]));
+    }
+    if let Some(kept) = visit.classroom.kept() {
+        lines.push(Line::styled(
+            format!("Kept in {}, sessions in {}.", kept.places().model.display(), kept.places().log.display()),
+            palette.quiet(),
+        ));
+    }
+    lines
+}

@@ -1,0 +1,109 @@
+//! The screen, looked at.
+
+use super::*;
+use crate::load::home;
+use crate::teach::classroom::Classroom;
+use crate::teach::keys::Intent;
+use crate::teach::lessons::{Tour, first_home};
+use crate::teach::pace::Pace;
+use crate::teach::trainer::Trainer;
+use goodbot_formats::environment::EnvironmentFile;
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+use ratatui::style::Color;
+use std::time::Duration;
+
+fn visit(home: &EnvironmentFile, tour: bool) -> Visit {
+    let trainer = Trainer::new(home, 1).unwrap();
+    let tour = tour.then(|| Tour::new(None, std::iter::empty()));
+    Visit::new(Classroom::new(trainer, None, tour).unwrap(), Pace::Normal, 1)
+}
+
+fn drawn(visit: &Visit, columns: u16, rows: u16, palette: Palette) -> TestBackend {
+    let mut terminal = Terminal::new(TestBackend::new(columns, rows)).unwrap();
+    terminal.draw(|frame| draw(frame, visit, palette)).unwrap();
+    terminal.backend().clone()
+}
+
+fn text(backend: &TestBackend) -> String {
+    let buffer = backend.buffer();
+    let rows = buffer.content.chunks(usize::from(buffer.area.width));
+    rows.map(|row| row.iter().map(|cell| cell.symbol()).collect::<String>().trim_end().to_owned() + "\n").collect()
+}
+
+/// A visit in its first lesson, after one step that was called good.
+fn first_lesson() -> Visit {
+    let mut visit = visit(&first_home().unwrap(), true);
+    visit.take(Intent::Say, Duration::ZERO);
+    while visit.acted().is_none() {
+        visit.tick(Duration::ZERO);
+    }
+    visit.take(Intent::Good, Duration::ZERO);
+    visit
+}
+
+#[test]
+fn a_lesson_under_way_at_80_by_24() {
+    let screen = text(&drawn(&first_lesson(), 80, 24, Palette::Many));
+    assert_eq!(screen, include_str!("first_lesson.txt"), "{screen}");
+}
+
+#[test]
+fn nothing_is_told_by_a_colour_alone() {
+    let visit = first_lesson();
+    let (plain, colored) = (drawn(&visit, 80, 24, Palette::None), drawn(&visit, 80, 24, Palette::Many));
+    assert_eq!(text(&plain), text(&colored));
+    assert!(plain.buffer().content.iter().all(|cell| (cell.fg, cell.bg) == (Color::Reset, Color::Reset)));
+}
+
+#[test]
+fn every_size_can_be_drawn_on() {
+    let mut visit = first_lesson();
+    for page in [None, Some((crate::teach::visit::Page::Explanation, 3)), Some((crate::teach::visit::Page::Words, u16::MAX))] {
+        visit.page = page;
+        for (columns, rows) in (1..=100).zip(1..=100).chain([(200, 50), (80, 8), (24, 60), (1, 200), (300, 1)]) {
+            drawn(&visit, columns, rows, Palette::Sixteen);
+        }
+    }
+}
+
+#[test]
+fn a_home_larger_than_the_screen_is_seen_around_the_robot() {
+    let wide = |inside: String| format!("#{inside}#\n");
+    let rows = [wide("#".repeat(150)), wide("r".repeat(150)), wide("r".repeat(140) + "@" + &"r".repeat(9)), wide("#".repeat(150))].concat();
+    let screen = text(&drawn(&visit(&home::parse("rows", &rows).unwrap(), false), 80, 24, Palette::Many));
+    assert!(screen.contains("rr@rr"), "{screen}");
+}
+
+#[test]
+fn the_explanation_names_every_key() {
+    let mut visit = first_lesson();
+    visit.take(Intent::Explain, Duration::ZERO);
+    let screen = text(&drawn(&visit, 80, 30, Palette::None));
+    for key in ["good", "bad", "pause", "one step", "finish", "drop", "undo", "auto", "speed", "words", "another home", "write", "leave"] {
+        assert!(screen.contains(key), "{key} in {screen}");
+    }
+}
+
+#[test]
+fn words_that_spoke_for_a_guess_are_marked() {
+    let mut visit = visit(&first_home().unwrap(), true);
+    // A simulated trainer teaches two lessons; in the third, "blue" is new.
+    let mut now = Duration::ZERO;
+    while visit.stop().is_some_and(|stop| stop.number < 3) {
+        if visit.phase() == Phase::Idle {
+            visit.take(Intent::Say, now);
+            visit.take(Intent::Auto, now);
+        }
+        now += Duration::from_millis(200);
+        visit.tick(now);
+    }
+    visit.take(Intent::Say, now);
+    let screen = text(&drawn(&visit, 80, 24, Palette::None));
+    assert!(screen.contains("blue") && screen.contains("new"), "{screen}");
+    visit.take(Intent::Drop, now);
+    visit.prompt.set("go to the red room");
+    visit.take(Intent::Say, now);
+    let screen = text(&drawn(&visit, 80, 24, Palette::None));
+    assert!(screen.contains('*'), "{screen}");
+}

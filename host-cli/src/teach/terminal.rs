@@ -1,0 +1,243 @@
+//! The terminal: taken over, and given back as it was, whatever happens.
+
+#[cfg(all(test, unix))]
+#[path = "../../tests/window/mod.rs"]
+mod window;
+
+use super::keys::{Focus, Intent, intent};
+use super::palette::Palette;
+use super::screen;
+use super::visit::Visit;
+use crossterm::cursor::{Hide, Show};
+use crossterm::event::{self, DisableBracketedPaste, EnableBracketedPaste, Event};
+use crossterm::execute;
+use crossterm::terminal::{EnterAlternateScreen, LeaveAlternateScreen, disable_raw_mode, enable_raw_mode};
+use ratatui::Terminal;
+use ratatui::backend::CrosstermBackend;
+use ratatui::layout::Rect;
+use std::io::{self, Stdout, stdout};
+use std::mem::ManuallyDrop;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::time::{Duration, Instant};
+
+/// How long signals may wait at most.
+const SIGNALS_WAIT: Duration = Duration::from_millis(100);
+
+/// A terminal that was taken over; it is given back when this is dropped.
+struct Stage {
+    /// Not dropped: that would show the cursor once more, and panic where the window was closed.
+    terminal: ManuallyDrop<Terminal<CrosstermBackend<Stdout>>>,
+}
+
+impl Stage {
+    fn enter() -> io::Result<Self> {
+        take_over()?;
+        Ok(Self { terminal: ManuallyDrop::new(Terminal::new(CrosstermBackend::new(stdout()))?) })
+    }
+
+    /// Draws everything anew the next time. To clear would ask the terminal where its cursor is, and not every terminal answers.
+    fn redraw(&mut self) -> io::Result<()> {
+        let size = self.terminal.size()?;
+        self.terminal.resize(Rect::new(0, 0, size.width, size.height))
+    }
+}
+
+impl Drop for Stage {
+    fn drop(&mut self) {
+        give_back();
+    }
+}
+
+fn take_over() -> io::Result<()> {
+    enable_raw_mode()?;
+    execute!(stdout(), EnterAlternateScreen, Hide, EnableBracketedPaste)
+}
+
+/// What cannot be given back is gone.
+fn give_back() {
+    let _ = execute!(stdout(), DisableBracketedPaste, LeaveAlternateScreen, Show);
+    let _ = disable_raw_mode();
+}
+
+/// A panic is told on the terminal as it was found. Where panics abort, nothing else gives it back.
+fn give_back_in_a_panic() {
+    let told = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        give_back();
+        told(panic);
+    }));
+}
+
+/// What other programs and the system ask of this one.
+#[cfg(unix)]
+mod signals {
+    use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
+    use std::io;
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicBool, Ordering};
+
+    #[derive(Default)]
+    pub struct Signals {
+        leave: Arc<AtomicBool>,
+        stop: Arc<AtomicBool>,
+        go_on: Arc<AtomicBool>,
+    }
+
+    impl Signals {
+        pub fn listen() -> io::Result<Self> {
+            let signals = Self::default();
+            for signal in [SIGHUP, SIGINT, SIGQUIT, SIGTERM] {
+                signal_hook::flag::register(signal, Arc::clone(&signals.leave))?;
+            }
+            signal_hook::flag::register(SIGTSTP, Arc::clone(&signals.stop))?;
+            signal_hook::flag::register(SIGCONT, Arc::clone(&signals.go_on))?;
+            Ok(signals)
+        }
+
+        pub fn leave(&self) -> bool {
+            self.leave.load(Ordering::Relaxed)
+        }
+
+        pub fn stop(&self) -> bool {
+            self.stop.swap(false, Ordering::Relaxed)
+        }
+
+        pub fn go_on(&self) -> bool {
+            self.go_on.swap(false, Ordering::Relaxed)
+        }
+
+        /// Stops this program until it is told to go on.
+        pub fn suspend(&self) -> io::Result<()> {
+            signal_hook::low_level::emulate_default_handler(SIGTSTP)?;
+            self.go_on.store(false, Ordering::Relaxed);
+            Ok(())
+        }
+    }
+}
+
+/// Elsewhere there are none.
+#[cfg(not(unix))]
+mod signals {
+    use std::io;
+
+    pub struct Signals;
+
+    impl Signals {
+        pub fn listen() -> io::Result<Self> {
+            Ok(Self)
+        }
+
+        pub fn leave(&self) -> bool {
+            false
+        }
+
+        pub fn stop(&self) -> bool {
+            false
+        }
+
+        pub fn go_on(&self) -> bool {
+            false
+        }
+
+        pub fn suspend(&self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+}
+
+/// Keys and changes of size, from a thread of their own: where the window was closed, reading may never come back.
+fn listen() -> Receiver<io::Result<Event>> {
+    let (sender, receiver) = channel();
+    std::thread::spawn(move || {
+        loop {
+            let event = event::read();
+            let ended = event.is_err();
+            if sender.send(event).is_err() || ended {
+                break;
+            }
+        }
+    });
+    receiver
+}
+
+/// Shows a visit until it is over.
+///
+/// # Errors
+/// Where the terminal cannot be read or drawn on, as when its window is closed.
+pub fn show(visit: &mut Visit, palette: Palette) -> io::Result<()> {
+    give_back_in_a_panic();
+    let signals = signals::Signals::listen()?;
+    let mut stage = Stage::enter()?;
+    let events = listen();
+    let begun = Instant::now();
+    while !visit.left {
+        visit.tick(begun.elapsed());
+        stage.terminal.draw(|frame| screen::draw(frame, visit, palette))?;
+        if signals.leave() {
+            visit.take(Intent::Leave, begun.elapsed());
+            continue;
+        }
+        if signals.stop() {
+            suspend(&mut stage, &signals)?;
+        }
+        if signals.go_on() {
+            take_over()?;
+            stage.redraw()?;
+        }
+        let now = begun.elapsed();
+        let wait = visit.next().map_or(SIGNALS_WAIT, |next| next.saturating_sub(now).min(SIGNALS_WAIT));
+        let event = match events.recv_timeout(wait) {
+            Ok(event) => event?,
+            Err(RecvTimeoutError::Timeout) => continue,
+            Err(RecvTimeoutError::Disconnected) => return Ok(()),
+        };
+        match event {
+            Event::Key(key) => match intent(key, visit.focus(), visit.prompt.is_empty()) {
+                Some(Intent::Suspend) => suspend(&mut stage, &signals)?,
+                Some(Intent::Redraw) => stage.redraw()?,
+                Some(intent) => visit.take(intent, begun.elapsed()),
+                None => {}
+            },
+            Event::Paste(text) if visit.focus() == Focus::Command => visit.paste(&text),
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+fn suspend(stage: &mut Stage, signals: &signals::Signals) -> io::Result<()> {
+    give_back();
+    signals.suspend()?;
+    take_over()?;
+    stage.redraw()
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use portable_pty::CommandBuilder;
+    use window::Window;
+
+    /// Set where this test runs in a window of its own, to panic there.
+    const IN_A_WINDOW: &str = "GOODBOT_TEST_IN_A_WINDOW";
+
+    #[test]
+    fn a_panic_gives_the_terminal_back() {
+        if std::env::var_os(IN_A_WINDOW).is_some() {
+            give_back_in_a_panic();
+            // As where panics abort.
+            std::mem::forget(Stage::enter().unwrap());
+            panic!("a fault of this test");
+        }
+        let mut itself = CommandBuilder::new(std::env::current_exe().unwrap());
+        itself.args(["--exact", "teach::terminal::tests::a_panic_gives_the_terminal_back", "--nocapture"]);
+        itself.env(IN_A_WINDOW, "1");
+        itself.env("RUST_BACKTRACE", "0");
+        let mut window = Window::open(itself, 80, 24);
+        assert!(!window.end().success());
+        let wrote = |text: &str| String::from_utf8_lossy(&window.bytes()).contains(text);
+        window.wait("the panic's message", |_| wrote("a fault of this test"));
+        assert!(wrote("[?1049h"));
+        assert!(window.is_as_found());
+    }
+}

@@ -1,0 +1,19 @@
+//! The robot's mind and its home, each made anew when it is replaced during a visit.
+
+use super::{Refusal, refused};
+use crate::load::home as homes;
+use goodbot::home::{self, Home, HomeState, Moves};
+use goodbot::memory::{AgentHeap, HomeHeap};
+use goodbot::{Agent, Capacities, Options};
+use goodbot_formats::environment::EnvironmentFile;
+
+/// A mind that has learned nothing yet.
+pub fn new_mind(capacities: &Capacities) -> Result<Agent<AgentHeap>, Refusal> {
+    let lifted = home::paper_tasks().map_err(refused)?;
+    Agent::new(AgentHeap::new(capacities), &lifted, Options::DEFAULT).map_err(refused)
+}
+
+/// The home of an environment, and where everything is in it.
+pub fn build(file: &EnvironmentFile) -> Result<(Home<HomeHeap>, HomeState), Refusal> {
+    homes::build(file, Moves::Push, homes::memory()).map_err(|flaw| Refusal(flaw.message(file)))
+}

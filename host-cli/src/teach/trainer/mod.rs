@@ -1,0 +1,335 @@
+//! One robot, one home, and the session under way. All that this command asks of the core is asked here.
+//!
+//! [`Trainer::hear`], then over and over [`Trainer::plan`] until it is done, [`Trainer::act`], [`Trainer::judge`], [`Trainer::go_on`]; at the
+//! end [`Trainer::finish`] and [`Trainer::learn`] until it is done, or [`Trainer::forget`].
+//!
+//! What the trainer says counts at once, and of several words to one step the last one counts. To take a step back, the session is walked
+//! again up to there: the same actions and the same feedback give the same belief.
+//!
+//! - [`mind`]: the robot's mind and its home in memory; [`thoughts`]: what the robot thinks.
+
+mod mind;
+mod thoughts;
+
+pub use thoughts::{Idea, Meaning, WordSupport};
+
+use crate::lessons::restored::room_for;
+use crate::teach::scene::{Scene, scene};
+use crate::teach::session::{Judged, Session, Step};
+use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
+use goodbot::home::{Home, HomeState};
+use goodbot::memory::{AgentHeap, HomeHeap};
+use goodbot::oomdp::{action_name, action_named};
+use goodbot::planning::{Judgement, OptimalSet, Progress};
+use goodbot::session::{Evidence, Finished};
+use goodbot::snapshot::Contents;
+use goodbot::{Agent, Capacities};
+use goodbot_course::exercise::Intention;
+use goodbot_course::generator;
+use goodbot_formats::environment::EnvironmentFile;
+use goodbot_formats::session::RecordedSession;
+use mind::{build, new_mind};
+use rand_pcg::Pcg32;
+use std::fmt;
+
+/// Why something was refused, in words for the trainer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refusal(pub String);
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+fn refused(error: impl fmt::Display) -> Refusal {
+    Refusal(error.to_string())
+}
+
+fn no_session() -> Refusal {
+    Refusal("no session is under way; give a command first".to_owned())
+}
+
+/// What the robot did last.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Acted {
+    /// The action's name.
+    pub action: String,
+    /// The position of the task that it followed.
+    pub task: usize,
+    /// How probable it is that the action is right: the tasks for which it is optimal, together.
+    pub confidence: f32,
+    /// What the plan says for the task that it followed.
+    pub plan: OptimalSet,
+    /// What was said to it.
+    pub judged: Option<Feedback>,
+    /// How the action is judged for each task, by position.
+    judgements: Vec<Judgement>,
+    /// Where everything was before it.
+    before: HomeState,
+}
+
+/// One robot, one home, and the session under way.
+pub struct Trainer {
+    mind: Agent<AgentHeap>,
+    rooms: Home<HomeHeap>,
+    start: HomeState,
+    state: HomeState,
+    session: Option<Session>,
+    acted: Option<Acted>,
+    random: Pcg32,
+}
+
+impl Trainer {
+    /// A robot that has learned nothing yet, in a home. `seed` decides its draws among what is equally good.
+    pub fn new(file: &EnvironmentFile, seed: u64) -> Result<Self, Refusal> {
+        let (rooms, start) = build(file)?;
+        let mind = new_mind(&Capacities::STANDARD)?;
+        Ok(Self { mind, rooms, start, state: start, session: None, acted: None, random: generator(seed) })
+    }
+
+    /// Replaces what the robot has learned by a model file. A session under way ends unlearned.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
+        let contents = Contents::read(bytes).map_err(refused)?;
+        let mut mind = new_mind(&room_for(&contents))?;
+        mind.restore(bytes).map_err(refused)?;
+        mind.learn_fully();
+        self.forget();
+        self.mind = mind;
+        Ok(())
+    }
+
+    /// A new robot, which has learned nothing, in the same home. A session under way ends unlearned.
+    pub fn start_anew(&mut self) -> Result<(), Refusal> {
+        self.forget();
+        self.mind = new_mind(&Capacities::STANDARD)?;
+        Ok(())
+    }
+
+    /// What the robot has learned, as the bytes of a model file. It must not be learning.
+    pub fn save(&self) -> Result<Vec<u8>, Refusal> {
+        let mut bytes = vec![0; self.mind.saved_bytes().map_err(refused)?];
+        let length = self.mind.save(&mut bytes).map_err(refused)?;
+        bytes.truncate(length);
+        Ok(bytes)
+    }
+
+    /// Moves the robot to another home. A session under way ends unlearned.
+    pub fn enter(&mut self, file: &EnvironmentFile) -> Result<(), Refusal> {
+        let (rooms, start) = build(file)?;
+        self.forget();
+        (self.rooms, self.start, self.state) = (rooms, start, start);
+        Ok(())
+    }
+
+    /// Puts everything back to where it was when the home was entered. A session under way ends unlearned.
+    pub fn put_back(&mut self) {
+        self.forget();
+        self.state = self.start;
+    }
+
+    /// The home as it is now.
+    pub fn scene(&self) -> Scene {
+        scene(&self.rooms, &self.state)
+    }
+
+    /// The session under way.
+    pub fn session(&self) -> Option<&Session> {
+        self.session.as_ref()
+    }
+
+    /// What the robot did last, if it has not gone on since.
+    pub fn acted(&self) -> Option<&Acted> {
+        self.acted.as_ref()
+    }
+
+    /// How many sessions the robot has learned from.
+    pub fn lessons_learned(&self) -> usize {
+        self.mind.language().bitext().sessions()
+    }
+
+    /// Hears a command where everything is now. A session under way ends unlearned. `intention` is what the trainer means, where that is
+    /// known: it is written down, and never learned from.
+    pub fn hear(&mut self, command: &str, id: Option<String>, intention: Option<&Intention>) -> Result<(), Refusal> {
+        self.forget();
+        let environment = self.scene().environment;
+        self.mind.hear(&self.rooms, &self.state, command).map_err(refused)?;
+        let intended = intention.and_then(|intention| intention.find(&self.mind, &self.rooms));
+        self.session = Some(Session::new(id, command, environment, intended, self.state));
+        Ok(())
+    }
+
+    /// Goes on planning for where everything is now, with at most about `budget` looks. Gives whether the robot can act.
+    pub fn plan(&mut self, budget: u32) -> Result<bool, Refusal> {
+        let session = self.session.as_mut().ok_or_else(no_session)?;
+        if self.mind.plan(&self.rooms, &self.state, budget).map_err(refused)? == Progress::Working {
+            return Ok(false);
+        }
+        let Some(step) = session.again.pop_front() else { return Ok(true) };
+        let (action, feedback, last) = (step.action, step.feedback, session.again.is_empty());
+        self.perform(&action)?;
+        self.judge(feedback)?;
+        if last {
+            return Ok(true);
+        }
+        self.acted = None;
+        Ok(false)
+    }
+
+    /// Plans to the end.
+    pub fn plan_fully(&mut self) -> Result<(), Refusal> {
+        while !self.plan(u32::MAX)? {}
+        Ok(())
+    }
+
+    /// Where something was taken back, walks the session again to the end.
+    pub fn plan_again(&mut self) -> Result<(), Refusal> {
+        while self.is_walking_again() {
+            self.plan(u32::MAX)?;
+        }
+        Ok(())
+    }
+
+    /// Whether a session is being walked again, after something was taken back.
+    pub fn is_walking_again(&self) -> bool {
+        self.session.as_ref().is_some_and(|session| !session.again.is_empty())
+    }
+
+    /// Decides on an action and does it. The plan must be done, and what was done before must be over: [`go_on`](Self::go_on).
+    pub fn act(&mut self) -> Result<&Acted, Refusal> {
+        if self.acted.is_some() {
+            return Err(Refusal("the last step is not over yet".to_owned()));
+        }
+        let decision = self.mind.decide_by(&self.rooms, &self.state, &mut self.random).map_err(refused)?;
+        let name = action_name(&self.rooms, decision.action).to_owned();
+        self.perform(&name)?;
+        self.acted.as_mut().map_or_else(
+            || Err(no_session()),
+            |acted| {
+                acted.task = decision.task;
+                acted.plan = decision.plan;
+                Ok(&*acted)
+            },
+        )
+    }
+
+    /// Does the action of this name, for the most likely task. The plan must be done.
+    fn perform(&mut self, name: &str) -> Result<(), Refusal> {
+        let action = action_named(&self.rooms, name).ok_or_else(|| Refusal(format!("{name} is no action here")))?;
+        let next = self.mind.acted(&self.rooms, &self.state, action).map_err(refused)?;
+        let (plan, belief) = (self.mind.planned(), self.mind.belief());
+        let task = self.mind.most_likely().ok_or_else(no_session)?;
+        let tasks = 0..self.mind.tasks().len();
+        let agrees = |&task: &usize| {
+            let plan = plan.optimal(task);
+            plan.exact().or(plan.onward()).is_some_and(|actions| actions.contains(action))
+        };
+        let confidence = tasks.clone().filter(agrees).map(|task| belief.probability(task)).sum::<f32>();
+        self.acted = Some(Acted {
+            action: name.to_owned(),
+            task,
+            confidence: confidence.clamp(0.0, 1.0),
+            plan: plan.optimal(task),
+            judged: None,
+            judgements: tasks.map(|task| plan.judge(task, action)).collect(),
+            before: self.state,
+        });
+        self.state = next;
+        Ok(())
+    }
+
+    /// Takes in what the trainer says to the last step. It replaces what was said to it before.
+    pub fn judge(&mut self, feedback: Feedback) -> Result<Judged, Refusal> {
+        let nothing_done = || Refusal("there is no step to judge yet; let the robot go first".to_owned());
+        let (Some(acted), Some(session)) = (self.acted.as_mut(), self.session.as_mut()) else { return Err(nothing_done()) };
+        if acted.judged == Some(feedback) {
+            return Ok(Judged::AsBefore);
+        }
+        let evidence = self.mind.feedback(feedback).map_err(refused)?;
+        match acted.judged.replace(feedback) {
+            None => session.judged(Step { action: acted.action.clone(), feedback, judgements: acted.judgements.clone() }),
+            Some(_) => session.judged_anew(feedback),
+        }
+        Ok(match evidence {
+            Evidence::Used => Judged::Counted,
+            Evidence::SaysNothing => Judged::SaysNothing,
+            Evidence::Impossible => Judged::Impossible,
+        })
+    }
+
+    /// The last step is over: where nothing was said to it, that was silence.
+    pub fn go_on(&mut self) -> Result<(), Refusal> {
+        if self.acted.as_ref().is_some_and(|acted| acted.judged.is_none()) {
+            self.judge(Feedback::Neutral)?;
+        }
+        self.acted = None;
+        Ok(())
+    }
+
+    /// Takes back the last step, and what was said to it. [`plan`](Self::plan) until that is done. Gives `false` where there is none.
+    pub fn take_back(&mut self) -> Result<bool, Refusal> {
+        let session = self.session.as_mut().ok_or_else(no_session)?;
+        if let Some(Acted { judged: None, before, .. }) = self.acted {
+            self.state = before;
+            self.acted = None;
+            return Ok(true);
+        }
+        let mut steps = session.steps();
+        if steps.pop().is_none() {
+            return Ok(false);
+        }
+        self.walk_again(steps)?;
+        Ok(true)
+    }
+
+    fn walk_again(&mut self, steps: Vec<Step>) -> Result<(), Refusal> {
+        let Self { mind, rooms, session, state, acted, .. } = self;
+        let session = session.as_mut().ok_or_else(no_session)?;
+        (*state, *acted) = (session.begun, None);
+        session.walk_again(steps);
+        mind.hear(rooms, state, &session.command).map_err(refused)
+    }
+
+    /// What a simulated trainer who means the intended task says to the last step; `None` where nothing is intended or done.
+    pub fn simulated_word(&mut self) -> Option<Feedback> {
+        let intended = self.session.as_ref()?.intended?;
+        let right = self.acted.as_ref()?.judgements.get(intended) == Some(&Judgement::Correct);
+        Some(SimulatedTrainer { strategy: Strategy::BALANCED }.feedback(right, &mut self.random))
+    }
+
+    /// What the plan says for the intended task, as [`Acted::plan`] does.
+    pub fn intended_plan(&self) -> Option<OptimalSet> {
+        Some(self.mind.planned().optimal(self.session.as_ref()?.intended?))
+    }
+
+    /// Ends the session and begins to learn from it. Gives its record, and which older sessions gave way because memory was full. A step
+    /// to which nothing was said is left out.
+    pub fn finish(&mut self) -> Result<(RecordedSession, Finished), Refusal> {
+        self.plan_again()?;
+        let record = self.record(true)?;
+        let finished = self.mind.finish(&self.rooms);
+        (self.session, self.acted) = (None, None);
+        Ok((record, finished.map_err(refused)?))
+    }
+
+    /// Goes on learning, with at most about `budget` table cells of work. Gives whether it is done.
+    pub fn learn(&mut self, budget: u32) -> bool {
+        self.mind.learn(budget) == Progress::Done
+    }
+
+    /// Ends the session, if one is under way, without learning from it. Gives its record where anything was judged.
+    pub fn forget(&mut self) -> Option<RecordedSession> {
+        let record = self.record(false).ok().filter(|record| !record.steps.is_empty());
+        self.acted = None;
+        if self.session.take().is_some() {
+            self.mind.forget();
+        }
+        record
+    }
+
+    fn record(&self, learn: bool) -> Result<RecordedSession, Refusal> {
+        let session = self.session.as_ref().ok_or_else(no_session)?;
+        let intended = session.intended.and_then(|position| self.name_of(position)).map(|name| name.atoms().to_vec());
+        Ok(session.record(intended, learn))
+    }
+}

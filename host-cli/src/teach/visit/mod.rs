@@ -1,0 +1,378 @@
+//! A visit on the screen: what keys do, and what happens by itself as time goes by. Nothing here knows a terminal or a clock.
+
+mod telling;
+mod time;
+
+use crate::messages::counted;
+use crate::teach::classroom::{Classroom, Tested};
+use crate::teach::keys::{Focus, Intent};
+use crate::teach::lessons::{Stop, Tour, random_home};
+use crate::teach::pace::Pace;
+use crate::teach::plain_names::percent;
+use crate::teach::prompt::Prompt;
+use crate::teach::session::{Judged, Step};
+use crate::teach::trainer::{Acted, Refusal, WordSupport};
+use goodbot::feedback::Feedback;
+use std::time::Duration;
+
+/// How much of the work is done between two looks at the keyboard.
+const PLAN_BUDGET: u32 = 20_000;
+const LEARN_BUDGET: u32 = 60_000;
+/// How long another word can still replace the one that was said, where the robot waits for one.
+const SECOND_THOUGHTS: Duration = Duration::from_millis(450);
+/// How long the result of a test stands.
+const RESULT_STANDS: Duration = Duration::from_millis(1_500);
+
+/// What goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Phase {
+    /// Nothing: a command is awaited.
+    Idle,
+    /// The robot makes its plan.
+    Planning,
+    /// The robot waits for a word; it goes on then, where that is not `None`.
+    Waiting(Option<Duration>),
+    /// The robot learns.
+    Learning,
+}
+
+/// A page that lies over everything.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Page {
+    /// What is seen, and the keys.
+    Explanation,
+    /// What the robot calls things.
+    Words,
+}
+
+/// A visit.
+pub struct Visit {
+    /// The robot, its files and the tour.
+    pub classroom: Classroom,
+    /// The command that is being written.
+    pub prompt: Prompt,
+    /// How fast the robot goes.
+    pub pace: Pace,
+    /// The page that lies over everything, and its first line.
+    pub page: Option<(Page, u16)>,
+    /// What is to be told.
+    pub message: String,
+    /// Which word spoke for what, in the last command.
+    pub support: Vec<WordSupport>,
+    /// Whether the robot waits until it is told to go on.
+    pub paused: bool,
+    /// Whether a simulated trainer judges.
+    pub auto: bool,
+    /// Whether the visit is over.
+    pub left: bool,
+    phase: Phase,
+    typing: bool,
+    tested: Option<Tested>,
+    stepping: bool,
+    rests: u8,
+    word_at: Option<Duration>,
+    homes: u64,
+    /// How many older sessions gave way to the one that is being learned.
+    gave_way: usize,
+}
+
+impl Visit {
+    /// A visit begins.
+    pub fn new(classroom: Classroom, pace: Pace, seed: u64) -> Self {
+        let mut visit = Self {
+            classroom,
+            prompt: Prompt::default(),
+            pace,
+            page: None,
+            message: String::new(),
+            support: Vec::new(),
+            paused: false,
+            auto: false,
+            left: false,
+            phase: Phase::Idle,
+            typing: true,
+            tested: None,
+            stepping: false,
+            rests: 0,
+            gave_way: 0,
+            word_at: None,
+            homes: seed,
+        };
+        let learned = visit.classroom.trainer.lessons_learned();
+        visit.idle(if learned == 0 {
+            String::new()
+        } else {
+            format!("Here it is again. It has learned from {}.", counted(learned, "session"))
+        });
+        visit
+    }
+
+    /// What goes on.
+    pub const fn phase(&self) -> Phase {
+        self.phase
+    }
+
+    /// Where keys go.
+    pub fn focus(&self) -> Focus {
+        match self.page {
+            Some(_) => Focus::Page,
+            None if self.typing && self.phase == Phase::Idle => Focus::Command,
+            None => Focus::Keys,
+        }
+    }
+
+    /// The lesson or test where the tour stands.
+    pub fn stop(&self) -> Option<Stop> {
+        self.classroom.tour.as_ref().and_then(Tour::stop)
+    }
+
+    /// The result of the test under way.
+    pub const fn tested(&self) -> Option<&Tested> {
+        self.tested.as_ref()
+    }
+
+    /// The robot's last step.
+    pub fn acted(&self) -> Option<&Acted> {
+        self.classroom.trainer.acted()
+    }
+
+    /// The steps of the session that were judged.
+    pub fn done(&self) -> &[Step] {
+        self.classroom.session().map_or(&[], |session| session.done())
+    }
+
+    /// When something happens by itself; now where there is work.
+    pub fn next(&self) -> Option<Duration> {
+        match self.phase {
+            Phase::Planning | Phase::Learning => Some(Duration::ZERO),
+            Phase::Waiting(until) if !self.paused => [until, self.word_at].into_iter().flatten().min(),
+            Phase::Idle | Phase::Waiting(_) => None,
+        }
+    }
+
+    fn idle(&mut self, message: String) {
+        (self.phase, self.typing, self.paused, self.auto) = (Phase::Idle, true, false, false);
+        (self.tested, self.stepping, self.rests, self.word_at) = (None, false, 0, None);
+        self.message = message;
+        self.prompt.set(self.stop().map_or("", |stop| stop.exercise.command));
+        if self.classroom.tour.is_some() && self.stop().is_none() {
+            let score = self.classroom.tour.as_ref().map_or_else(String::new, Tour::score);
+            self.message =
+                format!("{} The tour is over: {score}. Say what you like now; esc, then q leaves.", self.message).trim().to_owned();
+        }
+    }
+
+    /// Takes in a text that was pasted.
+    pub fn paste(&mut self, text: &str) {
+        if self.focus() == Focus::Command {
+            text.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).for_each(|letter| self.prompt.write(letter));
+        }
+    }
+
+    /// Does what the person wants, at a time since the visit began.
+    pub fn take(&mut self, intent: Intent, now: Duration) {
+        if let Err(refusal) = self.obey(intent, now) {
+            self.message = sentence(&refusal.0);
+        }
+    }
+
+    fn obey(&mut self, intent: Intent, now: Duration) -> Result<(), Refusal> {
+        let in_session = self.classroom.session().is_some();
+        match intent {
+            Intent::Leave => self.left = true,
+            Intent::Explain => self.page = Some((Page::Explanation, 0)),
+            Intent::Words => self.page = Some((Page::Words, 0)),
+            Intent::Scroll(lines) => {
+                self.page = self.page.map(|(page, first)| (page, first.saturating_add_signed(lines)));
+            }
+            Intent::ToKeys if self.page.is_some() => self.page = None,
+            Intent::ToKeys => self.typing = false,
+            Intent::ToCommand if self.tested.is_some() => self.pass_test()?,
+            Intent::ToCommand => {
+                self.typing = true;
+                if in_session {
+                    self.message = "First end this session: f finishes and learns, d finishes without learning.".to_owned();
+                }
+            }
+            Intent::Write(letter) => self.prompt.write(letter),
+            Intent::Edit(edit) if self.focus() == Focus::Command => self.prompt.edit(edit),
+            Intent::Say => self.say()?,
+            Intent::Pace => {
+                self.pace = self.pace.next();
+                self.message = format!("Speed: {}.", self.pace.name());
+                if let (Phase::Waiting(_), Some(acted)) = (self.phase, self.acted()) {
+                    let wait = self.wait(acted);
+                    self.phase = Phase::Waiting(wait.map(|wait| now + wait));
+                }
+            }
+            Intent::Undo => self.undo()?,
+            Intent::AnotherHome | Intent::PutBack if in_session || self.phase == Phase::Learning => {
+                self.message = "First end this session: f finishes and learns, d finishes without learning.".to_owned();
+            }
+            Intent::AnotherHome if self.stop().is_some() => self.message = "In the tour the homes are given.".to_owned(),
+            Intent::AnotherHome => {
+                self.homes = self.homes.wrapping_add(1);
+                let home = random_home(self.homes).ok_or_else(|| Refusal("no home could be drawn".to_owned()))?;
+                self.classroom.enter(&home)?;
+                self.message = "Another home.".to_owned();
+            }
+            Intent::PutBack => {
+                self.classroom.trainer.put_back();
+                self.message = "Everything is back where it was.".to_owned();
+            }
+            Intent::Good => self.judge(Feedback::Reward, now)?,
+            Intent::Bad => self.judge(Feedback::Punish, now)?,
+            Intent::Silence => self.silence(now)?,
+            _ if !in_session => self.message = "Nothing is under way; press enter and say what to do.".to_owned(),
+            Intent::Pause => {
+                self.paused = !self.paused;
+                self.message = if self.paused { "Paused: n takes one step, p goes on." } else { "" }.to_owned();
+                if let (false, Phase::Waiting(_)) = (self.paused, self.phase) {
+                    self.phase = Phase::Waiting(Some(now));
+                }
+            }
+            Intent::Step if self.tested.is_some() => self.pass_test()?,
+            Intent::Step => {
+                self.paused = self.pace != Pace::Step;
+                self.go_on()?;
+                self.stepping = true;
+            }
+            Intent::Finish if self.tested.is_some() => self.message = "A test is not learned from; enter goes on.".to_owned(),
+            Intent::Finish => self.finish()?,
+            Intent::Drop => {
+                self.classroom.forget()?;
+                self.idle("Finished without learning: it knows what it knew before.".to_owned());
+            }
+            Intent::Auto if self.stop().is_none_or(|stop| stop.test) => {
+                self.message = "A simulated trainer judges only in lessons of the tour, where it knows what is meant.".to_owned();
+            }
+            Intent::Auto => {
+                self.auto = !self.auto;
+                self.paused = false;
+                self.message = if self.auto { "A simulated trainer judges; a stops it." } else { "You judge again." }.to_owned();
+                if let (true, Phase::Waiting(_)) = (self.auto, self.phase) {
+                    self.word_at = Some(now);
+                    self.phase = Phase::Waiting(Some(now + SECOND_THOUGHTS));
+                }
+            }
+            Intent::Suspend | Intent::Redraw | Intent::Edit(_) => {}
+        }
+        Ok(())
+    }
+
+    fn say(&mut self) -> Result<(), Refusal> {
+        let command = self.prompt.text().trim().to_owned();
+        if command.is_empty() {
+            self.message = "Write what it shall do, such as: go to the red room".to_owned();
+            return Ok(());
+        }
+        self.classroom.say(&command)?;
+        self.support = self.classroom.trainer.word_support()?;
+        self.prompt.said();
+        (self.phase, self.message, self.rests) = (Phase::Planning, String::new(), 0);
+        self.tested = self.classroom.tested();
+        if let Some(Tested { heard, right }) = &self.tested {
+            let verdict = if *right { "Right!" } else { "That is not what was meant." };
+            self.message = format!("It takes this for \"{}\", {}. {verdict}", heard.words, percent(heard.probability));
+        }
+        Ok(())
+    }
+
+    /// What the trainer says to the last step, if it can be judged.
+    fn judge(&mut self, feedback: Feedback, now: Duration) -> Result<(), Refusal> {
+        if self.tested.is_some() {
+            self.message = "This is a test: it hears no good and no bad. Enter goes on.".to_owned();
+            return Ok(());
+        }
+        let Some(acted) = self.acted() else {
+            self.message = if self.phase == Phase::Planning {
+                "It is making its plan; judge its next step."
+            } else {
+                "There is no step to judge yet."
+            }
+            .to_owned();
+            return Ok(());
+        };
+        let waits = self.wait(acted).is_none();
+        match self.classroom.trainer.judge(feedback)? {
+            Judged::Impossible => self.message = "Whatever was meant, this cannot be; it was not counted.".to_owned(),
+            Judged::SaysNothing => self.message = "Its plan here is not exact, so your word tells it nothing.".to_owned(),
+            Judged::Counted | Judged::AsBefore => self.message.clear(),
+        }
+        if let (true, Phase::Waiting(_)) = (waits, self.phase) {
+            self.phase = Phase::Waiting(Some(now + SECOND_THOUGHTS));
+        }
+        Ok(())
+    }
+
+    fn silence(&mut self, now: Duration) -> Result<(), Refusal> {
+        self.judge(Feedback::Neutral, now)?;
+        if let (Phase::Waiting(_), None) = (self.phase, &self.tested) {
+            self.phase = Phase::Waiting(Some(now));
+        }
+        Ok(())
+    }
+
+    /// How long the robot waits after a step. At its goal it waits for a word.
+    fn wait(&self, acted: &Acted) -> Option<Duration> {
+        let longest = Duration::from_millis(2_600);
+        match () {
+            () if self.tested.is_some() && acted.plan.onward().is_none() => Some(RESULT_STANDS),
+            () if self.tested.is_some() || self.auto => Some(self.pace.wait(acted.confidence).unwrap_or(longest)),
+            () if acted.plan.onward().is_none() => None,
+            () => self.pace.wait(acted.confidence),
+        }
+    }
+
+    fn undo(&mut self) -> Result<(), Refusal> {
+        if self.phase == Phase::Learning || self.tested.is_some() {
+            self.message = "Wait until this is over.".to_owned();
+        } else if self.classroom.session().is_some() {
+            (self.paused, self.auto, self.word_at) = (true, false, None);
+            let taken = self.classroom.trainer.take_back()?;
+            self.message =
+                if taken { "One step back. n takes the next step, p goes on." } else { "There is no step to take back." }.to_owned();
+            if taken {
+                (self.phase, self.stepping) = (Phase::Planning, false);
+            }
+        } else if self.classroom.unlearn()? {
+            self.support.clear();
+            let learned = counted(self.classroom.trainer.lessons_learned(), "session");
+            self.idle(format!("The last session is forgotten. It knows what it learned from {learned}."));
+        } else {
+            self.message = "Nothing was learned since you came; there is nothing to take back.".to_owned();
+        }
+        Ok(())
+    }
+
+    fn go_on(&mut self) -> Result<(), Refusal> {
+        let rested = self.acted().map(|acted| acted.action == "noop");
+        self.classroom.trainer.go_on()?;
+        match rested {
+            Some(true) => self.rests = self.rests.saturating_add(1),
+            Some(false) => self.rests = 0,
+            None => {}
+        }
+        self.phase = Phase::Planning;
+        Ok(())
+    }
+
+    fn finish(&mut self) -> Result<(), Refusal> {
+        self.gave_way = self.classroom.finish()?;
+        (self.phase, self.message) = (Phase::Learning, "It learns …".to_owned());
+        Ok(())
+    }
+
+    fn pass_test(&mut self) -> Result<(), Refusal> {
+        let Some(Tested { heard, right }) = self.tested.take() else { return Ok(()) };
+        self.classroom.pass_test(right)?;
+        let verdict = if right { "Right: it understood" } else { "Wrong: it took it for" };
+        self.idle(format!("{verdict} \"{}\".", heard.words));
+        Ok(())
+    }
+}
+
+fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| format!("{}{}.", first.to_uppercase(), letters.as_str()))
+}

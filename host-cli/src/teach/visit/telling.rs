@@ -1,0 +1,40 @@
+//! What the robot did, in words.
+
+use super::{Phase, Visit};
+use crate::teach::plain_names::{action_words, percent};
+use crate::teach::trainer::Meaning;
+use goodbot::feedback::Feedback;
+use goodbot::planning::OptimalSet;
+
+impl Visit {
+    /// What the robot did last, and what was said to that.
+    pub fn told(&self) -> String {
+        let likeliest = || self.classroom.trainer.meanings().into_iter().next();
+        match (self.phase, self.acted()) {
+            (Phase::Idle, _) => self.stop().map_or_else(String::new, |stop| stop.hint().to_owned()),
+            (Phase::Learning, _) => String::new(),
+            (_, None) if self.phase == Phase::Planning => "It is making its plan …".to_owned(),
+            (_, None) => "It waits.".to_owned(),
+            (_, Some(acted)) => {
+                let sure = percent(acted.confidence);
+                let why = match acted.plan {
+                    OptimalSet::Goal => {
+                        likeliest().map_or_else(String::new, |Meaning { words, .. }| format!("It thinks that it is done: \"{words}\"."))
+                    }
+                    OptimalSet::DeadEnd(_) => "It cannot do what it thinks is meant any more, so it stays.".to_owned(),
+                    OptimalSet::Unknown => "This home is too large for its plan, so it stays.".to_owned(),
+                    OptimalSet::Approximate(_) => format!("It {}: not the shortest way, perhaps.", action_words(&acted.action)),
+                    OptimalSet::Toward(_) => format!("It {}, and is {sure} sure that this is right.", action_words(&acted.action)),
+                };
+                let who = if self.auto { "The simulated trainer" } else { "You" };
+                let said = match acted.judged {
+                    Some(Feedback::Reward) => format!(" {who} said: good."),
+                    Some(Feedback::Punish) => format!(" {who} said: bad."),
+                    _ if self.tested.is_none() && self.wait(acted).is_none() => " Good or bad?".to_owned(),
+                    _ => String::new(),
+                };
+                format!("{why}{said}")
+            }
+        }
+    }
+}

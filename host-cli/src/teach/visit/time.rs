@@ -1,0 +1,77 @@
+//! What happens by itself as time goes by.
+
+use super::{LEARN_BUDGET, PLAN_BUDGET, Phase, Visit, sentence};
+use crate::messages::counted;
+use crate::teach::trainer::Refusal;
+use goodbot::planning::OptimalSet;
+use goodbot_course::lesson::{MOST_STEPS, RESTS};
+use std::time::Duration;
+
+impl Visit {
+    /// Lets happen what happens by itself, up to a time since the visit began.
+    pub fn tick(&mut self, now: Duration) {
+        if let Err(refusal) = self.advance(now) {
+            // What cannot go on is over; what was learned before is kept.
+            if self.phase != Phase::Idle {
+                let _ = self.classroom.forget();
+                self.idle(sentence(&refusal.0));
+            }
+        }
+    }
+
+    fn advance(&mut self, now: Duration) -> Result<(), Refusal> {
+        match self.phase {
+            Phase::Planning if self.classroom.trainer.plan(PLAN_BUDGET)? => self.act(now),
+            Phase::Learning if self.classroom.learn(LEARN_BUDGET)? => {
+                let learned = counted(self.classroom.trainer.lessons_learned(), "session");
+                let gave_way = match self.gave_way {
+                    0 => "u takes the last one back".to_owned(),
+                    some => format!("memory was full, and {} gave way", counted(some, "older one")),
+                };
+                self.idle(format!("Learned. It knows what {learned} taught it; {gave_way}."));
+                Ok(())
+            }
+            Phase::Waiting(until) if !self.paused => self.wait_over(until, now),
+            _ => Ok(()),
+        }
+    }
+
+    fn act(&mut self, now: Duration) -> Result<(), Refusal> {
+        if self.acted().is_none() {
+            if self.paused && !self.stepping {
+                self.phase = Phase::Waiting(None);
+                return Ok(());
+            }
+            self.classroom.trainer.act()?;
+        }
+        self.stepping = false;
+        let wait = self.acted().and_then(|acted| self.wait(acted));
+        self.word_at = wait.filter(|_| self.auto).map(|wait| now + wait / 2);
+        self.phase = Phase::Waiting(wait.map(|wait| now + wait));
+        Ok(())
+    }
+
+    fn wait_over(&mut self, until: Option<Duration>, now: Duration) -> Result<(), Refusal> {
+        if self.word_at.is_some_and(|at| at <= now) {
+            self.word_at = None;
+            if let Some(word) = self.classroom.trainer.simulated_word() {
+                self.classroom.trainer.judge(word)?;
+            }
+            return Ok(());
+        }
+        if until.is_none_or(|until| until > now) {
+            return Ok(());
+        }
+        if self.tested.is_some() && self.acted().is_some_and(|acted| acted.plan.onward().is_none()) {
+            return self.pass_test();
+        }
+        let intended = self.classroom.trainer.intended_plan();
+        self.go_on()?;
+        let long = self.done().len() >= usize::from(MOST_STEPS);
+        let there = intended == Some(OptimalSet::Goal) && self.rests >= RESTS;
+        if self.auto && (there || long || matches!(intended, Some(OptimalSet::DeadEnd(_)))) {
+            return self.finish();
+        }
+        Ok(())
+    }
+}
