@@ -4,11 +4,11 @@
 
 use crate::lessons::{MachineCommand, evidence, training};
 use goodbot::language::tokenizer::for_each_word;
-use goodbot::language::{LanguageRef, Meaning, Model};
+use goodbot::language::{Meaning, Model};
 use goodbot::memory::AgentMemory;
 use goodbot::oomdp::{Domain, Schema};
 use goodbot::symbols::Symbol;
-use goodbot::task::{Marker, Role, RoleKind};
+use goodbot::task::{Role, RoleKind};
 use goodbot::{Agent, AgentError};
 
 /// How a word was explained.
@@ -77,7 +77,7 @@ fn words_by_roles<D: Domain>(
     })?;
     let (language, sentence) = (agent.language(), agent.sentence());
     let mut probabilities = vec![0.0; sentence.len()];
-    language.word_by_word(sentence, &known(language, description), |position, probability| {
+    language.word_by_word(sentence, &evidence::description_symbols(language, description), |position, probability| {
         if let Some(slot) = probabilities.get_mut(position) {
             *slot = probability;
         }
@@ -99,16 +99,6 @@ fn words_by_roles<D: Domain>(
         }
     };
     Ok(sentence.iter().zip(meanings).enumerate().map(word).collect())
-}
-
-/// The symbols of a description. A value that the model does not know is as good as any other that it does not know.
-fn known(language: LanguageRef<'_>, description: &MachineCommand) -> Vec<Symbol> {
-    const UNKNOWN: Symbol = Symbol(i16::MAX as u16);
-    let symbol = |token: &String| match token.parse::<Marker>() {
-        Ok(marker) => marker.symbol(),
-        Err(_) => language.tokens().find(token).unwrap_or(UNKNOWN),
-    };
-    description.iter().map(symbol).collect()
 }
 
 /// A role in words.

@@ -6,7 +6,7 @@ use crate::load::session::{Session, load};
 use crate::load::{Fault, home};
 use goodbot::capacity::TOKENS_PER_COMMAND;
 use goodbot::home::HomeState;
-use goodbot::language::Model;
+use goodbot::language::{LanguageRef, Model};
 use goodbot::memory::AgentHeap;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain, ObjectId, apply};
@@ -228,4 +228,14 @@ pub fn label<D: Domain>(domain: &D, lifted: &LiftedTask, bindings: &[ObjectId]) 
         }
     }
     parts.join(" ")
+}
+
+/// The symbols of a description. A value that the model does not know is as good as any other that it does not know.
+pub fn description_symbols(language: LanguageRef<'_>, description: &MachineCommand) -> Vec<Symbol> {
+    const UNKNOWN: Symbol = Symbol(i16::MAX as u16);
+    let symbol = |token: &String| match token.parse::<Marker>() {
+        Ok(marker) => marker.symbol(),
+        Err(_) => language.tokens().find(token).unwrap_or(UNKNOWN),
+    };
+    description.iter().map(symbol).collect()
 }

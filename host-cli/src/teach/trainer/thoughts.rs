@@ -4,6 +4,7 @@ use super::{Refusal, Trainer, no_session, refused};
 use crate::lessons::evidence;
 use crate::load::task_name::task_name;
 use crate::teach::plain_names::{task_words, token_words};
+use goodbot::language::Model;
 use goodbot::language::tokenizer::for_each_word;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
@@ -78,9 +79,19 @@ impl Trainer {
         let (language, sentence) = (agent.language(), agent.sentence());
         let learned = |word: &Option<Symbol>| word.filter(|word| word.index() < language.tables().words());
         let mut rows = vec![Vec::new(); sentence.len()];
+        let Some(start) = agent.started_from(home) else { return Err(no_session()) };
         for task in agent.tasks() {
-            let Some(lifted) = agent.lifted().get(usize::from(task.lifted)) else { continue };
-            let commands = evidence::commands(home, lifted, task, agent.options()).map_err(refused)?;
+            let commands = evidence::commands(home, agent.lifted(), task, &start, agent.options()).map_err(refused)?;
+            if agent.options().language.model == Model::Roles {
+                let description = commands.first().map(|command| evidence::description_symbols(language, command)).unwrap_or_default();
+                rows.iter_mut().for_each(|row| row.push(Scaled::ZERO));
+                language.word_by_word(sentence, &description, |position, probability| {
+                    if let Some(slot) = rows.get_mut(position).and_then(|row| row.last_mut()) {
+                        *slot = Scaled::new(probability);
+                    }
+                });
+                continue;
+            }
             let find = |command: &Vec<String>| command.iter().map(|token| language.tokens().find(token)).collect::<Option<Vec<_>>>();
             let commands: Vec<Vec<Symbol>> = commands.iter().filter_map(find).collect();
             for (at, row) in rows.iter_mut().enumerate() {
