@@ -33,7 +33,7 @@ fn a_session_is_heard_walked_judged_and_learned_from() {
     assert_eq!(answers[0]["protocol"], 1);
     assert_eq!(answers[3]["feedback"], "reward");
     assert_eq!(answers[6], json!({"type": "finished", "learned": true, "steps": 2, "sessions": 1, "gave_way": 0}));
-    assert!(answers[7]["ideas"].as_array().unwrap().iter().any(|idea| idea["words"] == "room is red"));
+    assert!(answers[7]["ideas"].as_array().unwrap().iter().any(|idea| idea["words"] == "color red"));
 }
 
 #[test]

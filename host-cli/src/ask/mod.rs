@@ -290,8 +290,7 @@ fn plan<D: Domain>(
 
 impl Answer {
     fn tied(&self) -> usize {
-        // Sums in another order differ in their last bits.
-        let likeliest = self.tasks.get(self.best).map_or(0.0, |(_, share)| *share - 1e-5);
+        let likeliest = self.tasks.get(self.best).map_or(0.0, |(_, share)| *share);
         self.tasks.iter().filter(|&&(_, share)| share >= likeliest).count()
     }
 

@@ -83,7 +83,7 @@ fn words_by_roles<D: Domain>(
         }
     });
     let (said, schema) = (said(command), domain.world().schema);
-    let word = |(position, (word, meaning)): (usize, (&Option<Symbol>, Option<(Meaning, f32)>))| {
+    let word = |position: usize, word: Option<Symbol>, meaning: Option<(Meaning, f32)>| {
         let heard = word.filter(|word| word.index() < language.tables().words());
         let token = match meaning.filter(|_| heard.is_some()) {
             None => "never heard".to_owned(),
@@ -98,7 +98,7 @@ fn words_by_roles<D: Domain>(
             probability: heard.and_then(|_| probabilities.get(position).copied()),
         }
     };
-    Ok(sentence.iter().zip(meanings).enumerate().map(word).collect())
+    Ok(sentence.iter().zip(meanings).enumerate().map(|(position, (&said, meaning))| word(position, said, meaning)).collect())
 }
 
 /// A role in words.
