@@ -18,7 +18,8 @@
    - Memory is yours, aligned to 8. It must stay where it is and hold nothing else; nothing has to be given back.
    - Texts are UTF-8 and end with 0. They are copied, but for those that a goodbot_table points to.
    - Nothing is global: robots do not know of each other. One robot is one thread's at a time.
-   - goodbot_plan and goodbot_learn do as much as their budget says and no more; the others are short, as docs/footprint.md counts. */
+   - goodbot_plan, goodbot_learn, goodbot_hear_on and goodbot_finish_on do as much as their budget says and no more. goodbot_hear and
+     goodbot_finish do all at once; the others are short, as docs/footprint.md counts. */
 
 #ifndef GOODBOT_H
 #define GOODBOT_H
@@ -32,6 +33,9 @@
 // The version of this interface. It rises when a program that was compiled with an older header would go wrong.
 #define GOODBOT_API_VERSION 1
 
+// How many capacities there are.
+#define GOODBOT_CAPACITIES 25
+
 // The preset for controllers.
 #define GOODBOT_SMALL 0
 
@@ -39,16 +43,16 @@
 #define GOODBOT_TINY 1
 
 // Bytes that the small preset takes where a pointer has four bytes.
-#define GOODBOT_SMALL_BYTES_32 21760
+#define GOODBOT_SMALL_BYTES_32 20480
 
 // Bytes that the small preset takes where a pointer has eight bytes.
-#define GOODBOT_SMALL_BYTES_64 22272
+#define GOODBOT_SMALL_BYTES_64 20992
 
 // Bytes that the tiny preset takes where a pointer has four bytes.
-#define GOODBOT_TINY_BYTES_32 13568
+#define GOODBOT_TINY_BYTES_32 12288
 
 // Bytes that the tiny preset takes where a pointer has eight bytes.
-#define GOODBOT_TINY_BYTES_64 14080
+#define GOODBOT_TINY_BYTES_64 12800
 
 // Bytes that a robot of the caller's own takes beyond that.
 #define GOODBOT_TABLE_BYTES 1344
@@ -161,63 +165,73 @@ typedef enum goodbot_status {
   GOODBOT_STATUS_OTHER = 21,
   // No action was done that could be judged: call `goodbot_done` for each.
   GOODBOT_STATUS_NOTHING_DONE = 22,
+  // The command is not heard to its end: call `goodbot_hear_on` until it is.
+  GOODBOT_STATUS_STILL_HEARING = 23,
+  // The session is not finished: call `goodbot_finish_on` until it is.
+  GOODBOT_STATUS_STILL_FINISHING = 24,
 } goodbot_status;
+
+// The tables, by their positions in `goodbot_capacities`.
+typedef enum goodbot_capacity {
+  // Objects of one environment: agent, rooms, doors and blocks together. At most 255; a home takes 32.
+  GOODBOT_CAPACITY_OBJECTS,
+  // Distinct names and attribute values of one environment.
+  GOODBOT_CAPACITY_NAMES,
+  // Bytes that the names and attribute values of one environment take together.
+  GOODBOT_CAPACITY_NAME_BYTES,
+  // Cells of a home that are not wall.
+  GOODBOT_CAPACITY_CELLS,
+  // Grounded tasks of one session. At most 64, one bit each in a task set.
+  GOODBOT_CAPACITY_TASKS,
+  // Trainer strategies told apart at once. At most 8.
+  GOODBOT_CAPACITY_STRATEGIES,
+  // Joint beliefs: tasks times strategies.
+  GOODBOT_CAPACITY_BELIEFS,
+  // Distinct machine commands that one session's tasks and constraints can express.
+  GOODBOT_CAPACITY_CANDIDATES,
+  // Machine tokens of all candidates together.
+  GOODBOT_CAPACITY_CANDIDATE_TOKENS,
+  // Distinct ground propositions that one session's tasks are made of.
+  GOODBOT_CAPACITY_GROUND_PROPOSITIONS,
+  // Entries of the table that finds the tasks satisfied by a state: cells times movable pieces, the robot included.
+  GOODBOT_CAPACITY_GOAL_ENTRIES,
+  // States that one search can hold that looks at them one by one, where actions cost 1 each.
+  GOODBOT_CAPACITY_STATES,
+  // States that one search can hold where the state space is larger than `STATES` and visited states are hashed. 0 turns it off.
+  GOODBOT_CAPACITY_HASHED_STATES,
+  // Distinct English words. At most 65,534.
+  GOODBOT_CAPACITY_WORDS,
+  // Bytes that those words take together.
+  GOODBOT_CAPACITY_WORD_BYTES,
+  // Distinct machine tokens. At most 65,534.
+  GOODBOT_CAPACITY_TOKENS,
+  // Bytes that those tokens take together.
+  GOODBOT_CAPACITY_TOKEN_BYTES,
+  // Distinct machine commands in the training data.
+  GOODBOT_CAPACITY_COMMANDS,
+  // Machine tokens of those commands together.
+  GOODBOT_CAPACITY_COMMAND_TOKENS,
+  // Sessions learned from.
+  GOODBOT_CAPACITY_SESSIONS,
+  // English words of those sessions' commands together.
+  GOODBOT_CAPACITY_SENTENCE_WORDS,
+  // Weighted pairs of an English command and a machine command in the training data.
+  GOODBOT_CAPACITY_PAIRS,
+  // Cells of the translation table: (machine tokens + 1) times English words.
+  GOODBOT_CAPACITY_TRANSLATIONS,
+  // Cells of all alignment tables together: (l + 1) times n for each pair of lengths.
+  GOODBOT_CAPACITY_ALIGNMENTS,
+  // Distinct pairs of a machine command's and an English command's length.
+  GOODBOT_CAPACITY_LENGTH_PAIRS,
+} goodbot_capacity;
 
 // A robot. Its memory is the caller's and must not be moved, copied over or freed while it is used.
 typedef struct goodbot goodbot;
 
-// How large each table is. Begin with a preset and raise what is full.
+// How large each table is, one number for each `goodbot_capacity`. Begin with a preset and raise what is full.
 typedef struct goodbot_capacities {
-  // Objects of one environment: agent, rooms, doors and blocks together. At most 255.
-  uint32_t objects;
-  // Distinct names and attribute values of one environment.
-  uint32_t names;
-  // Bytes that the names and attribute values of one environment take together.
-  uint32_t name_bytes;
-  // Cells of a home that are not wall.
-  uint32_t cells;
-  // Grounded tasks of one session. At most 64, one bit each in a task set.
-  uint32_t tasks;
-  // Trainer strategies told apart at once. At most 8.
-  uint32_t strategies;
-  // Joint beliefs: tasks times strategies.
-  uint32_t beliefs;
-  // Distinct machine commands that one session's tasks and constraints can express.
-  uint32_t candidates;
-  // Machine tokens of all candidates together.
-  uint32_t candidate_tokens;
-  // Distinct ground propositions that one session's tasks are made of.
-  uint32_t ground_propositions;
-  // Entries of the table that finds the tasks satisfied by a state: the values of all state variables together.
-  uint32_t goal_entries;
-  // States that one search can hold, where actions cost 1 each.
-  uint32_t states;
-  // States that one search can hold where the state space is larger than `states` and visited states are hashed. 0 turns it off.
-  uint32_t hashed_states;
-  // Distinct English words. At most 65,534.
-  uint32_t words;
-  // Bytes that those words take together.
-  uint32_t word_bytes;
-  // Distinct machine tokens. At most 65,534.
-  uint32_t tokens;
-  // Bytes that those tokens take together.
-  uint32_t token_bytes;
-  // Distinct machine commands in the training data.
-  uint32_t commands;
-  // Machine tokens of those commands together.
-  uint32_t command_tokens;
-  // Sessions learned from.
-  uint32_t sessions;
-  // English words of those sessions' commands together.
-  uint32_t sentence_words;
-  // Weighted pairs of an English command and a machine command in the training data.
-  uint32_t pairs;
-  // Cells of the translation table: (machine tokens + 1) times English words.
-  uint32_t translations;
-  // Cells of all alignment tables together: (l + 1) times n for each pair of lengths.
-  uint32_t alignments;
-  // Distinct pairs of a machine command's and an English command's length.
-  uint32_t length_pairs;
+  // Entries of each table.
+  uint32_t entries[GOODBOT_CAPACITIES];
 } goodbot_capacities;
 
 // Which class carries an attribute, and what stands before the capitalised value: `roomIs` makes `roomIsRed`.
@@ -488,6 +502,20 @@ enum goodbot_status goodbot_trainer(struct goodbot *robot,
 // `robot` is null or a handle, `command` null or a C string in UTF-8.
 enum goodbot_status goodbot_hear(struct goodbot *robot, const char *command);
 
+// Begins to hear a command as `goodbot_hear` does, but in parts: call `goodbot_hear_on` until it is done.
+//
+// The caller sees to it:
+// `robot` is null or a handle, `command` null or a C string in UTF-8.
+enum goodbot_status goodbot_begin_hearing(struct goodbot *robot,
+                                          const char *command);
+
+// Goes on hearing the command, at most about `budget` table cells of work. `WORKING` means: call again.
+//
+// The caller sees to it:
+// `robot` is null or a handle.
+enum goodbot_status goodbot_hear_on(struct goodbot *robot,
+                                    uint32_t budget);
+
 // Plans for the state in which things are now, at most about `budget` node expansions. `WORKING` means: call again.
 //
 // The caller sees to it:
@@ -530,11 +558,28 @@ enum goodbot_status goodbot_demonstration(struct goodbot *robot,
 enum goodbot_status goodbot_done(struct goodbot *robot,
                                  uint8_t action);
 
-// Ends the session and begins to learn from it: call `goodbot_learn` until it is done.
+// Ends the session and begins to learn from it: call `goodbot_learn` until it is done. `gave_way` is null, or is given how many older
+// sessions were forgotten because memory was full.
+//
+// The caller sees to it:
+// `robot` is null or a handle, `gave_way` null or room for a number.
+enum goodbot_status goodbot_finish(struct goodbot *robot,
+                                   uint32_t *gave_way);
+
+// Begins to end the session as `goodbot_finish` does, but in parts: call `goodbot_finish_on` until it is done.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-enum goodbot_status goodbot_finish(struct goodbot *robot);
+enum goodbot_status goodbot_begin_finishing(struct goodbot *robot);
+
+// Goes on ending the session, at most about `budget` table cells of work. `WORKING` means: call again. Once it is done, `gave_way` is
+// given what `goodbot_finish` gives it.
+//
+// The caller sees to it:
+// `robot` is null or a handle, `gave_way` null or room for a number.
+enum goodbot_status goodbot_finish_on(struct goodbot *robot,
+                                      uint32_t budget,
+                                      uint32_t *gave_way);
 
 // Ends the session without learning from it.
 //
