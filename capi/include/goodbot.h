@@ -43,16 +43,16 @@
 #define GOODBOT_TINY 1
 
 // Bytes that the small preset takes where a pointer has four bytes.
-#define GOODBOT_SMALL_BYTES_32 20480
+#define GOODBOT_SMALL_BYTES_32 21760
 
 // Bytes that the small preset takes where a pointer has eight bytes.
-#define GOODBOT_SMALL_BYTES_64 20992
+#define GOODBOT_SMALL_BYTES_64 22272
 
 // Bytes that the tiny preset takes where a pointer has four bytes.
-#define GOODBOT_TINY_BYTES_32 12288
+#define GOODBOT_TINY_BYTES_32 13568
 
 // Bytes that the tiny preset takes where a pointer has eight bytes.
-#define GOODBOT_TINY_BYTES_64 12800
+#define GOODBOT_TINY_BYTES_64 14080
 
 // Bytes that a robot of the caller's own takes beyond that.
 #define GOODBOT_TABLE_BYTES 1344
@@ -172,7 +172,11 @@ typedef enum goodbot_status {
 } goodbot_status;
 
 // The tables, by their positions in `goodbot_capacities`.
-typedef enum goodbot_capacity {
+enum goodbot_capacity
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint8_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
   // Objects of one environment: agent, rooms, doors and blocks together. At most 255; a home takes 32.
   GOODBOT_CAPACITY_OBJECTS,
   // Distinct names and attribute values of one environment.
@@ -223,7 +227,14 @@ typedef enum goodbot_capacity {
   GOODBOT_CAPACITY_ALIGNMENTS,
   // Distinct pairs of a machine command's and an English command's length.
   GOODBOT_CAPACITY_LENGTH_PAIRS,
-} goodbot_capacity;
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum goodbot_capacity goodbot_capacity;
+#else
+typedef uint8_t goodbot_capacity;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
 
 // A robot. Its memory is the caller's and must not be moved, copied over or freed while it is used.
 typedef struct goodbot goodbot;
