@@ -28,7 +28,11 @@ fn work(name: impl Into<String>, prepare: impl Fn() -> Box<dyn FnMut()> + 'stati
 
 /// All of them, the quick ones first.
 pub fn all() -> Vec<Work> {
-    let mut works = vec![work("hear a command", hear), work("feedback to one action", feedback)];
+    let mut works = vec![
+        work("hear a command", || hear(Options::DEFAULT)),
+        work("hear a command, Model 2", || hear(Options::PAPER)),
+        work("feedback to one action", feedback),
+    ];
     works.push(work("the course", || Box::new(course)));
     for name in [HomeName::A, HomeName::B, HomeName::C, HomeName::D, HomeName::E, HomeName::F] {
         works.push(work(format!("plan, the course's environment {name:?}"), move || plan_of_course(name)));
@@ -46,10 +50,10 @@ pub fn all() -> Vec<Work> {
 }
 
 /// An agent that has learned 16 sessions, and its home.
-fn learned() -> (Agent<AgentHeap>, home::Home<HomeHeap>, home::HomeState) {
+fn learned(options: Options) -> (Agent<AgentHeap>, home::Home<HomeHeap>, home::HomeState) {
     let parts = HeapMemory::new(&LARGE);
     let (home, start) = random_home(&mut Pcg32::new(3, 3), size(3, 2), Moves::Push, parts.home);
-    let mut agent = Agent::new(parts.agent, &home::paper_tasks().expect("the tasks"), Options::PAPER).expect("an agent");
+    let mut agent = Agent::new(parts.agent, &home::paper_tasks().expect("the tasks"), options).expect("an agent");
     for (english, _) in sessions(16) {
         agent.hear(&home, &start, &english.join(" ")).expect("a command");
         let _ = agent.finish(&home).expect("room for the session");
@@ -58,13 +62,13 @@ fn learned() -> (Agent<AgentHeap>, home::Home<HomeHeap>, home::HomeState) {
     (agent, home, start)
 }
 
-fn hear() -> Box<dyn FnMut()> {
-    let (mut agent, home, start) = learned();
+fn hear(options: Options) -> Box<dyn FnMut()> {
+    let (mut agent, home, start) = learned(options);
     Box::new(move || agent.hear(&home, &start, "take the red chair to the blue room").expect("a command"))
 }
 
 fn feedback() -> Box<dyn FnMut()> {
-    let (mut agent, home, start) = learned();
+    let (mut agent, home, start) = learned(Options::DEFAULT);
     agent.hear(&home, &start, "take the red chair to the blue room").expect("a command");
     agent.plan_fully(&home, &start).expect("a plan");
     Box::new(move || {

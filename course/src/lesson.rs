@@ -127,7 +127,19 @@ impl<S: Copy + PartialEq> Lesson<S> {
     where
         D: Domain<State = S> + ?Sized,
     {
-        let intended = exercise.pose(agent, domain, start)?.ok_or(CourseError::NotPosed)?;
+        agent.hear(domain, start, exercise.command)?;
+        Self::heard(agent, domain, start, exercise)
+    }
+
+    /// A lesson whose command the agent has heard already, in parts.
+    ///
+    /// # Errors
+    /// [`CourseError::NotPosed`] where the intended task is not possible in `start`.
+    pub fn heard<D>(agent: &Agent<impl AgentMemory>, domain: &D, start: &S, exercise: &Exercise) -> Result<Self, CourseError>
+    where
+        D: Domain<State = S> + ?Sized,
+    {
+        let intended = exercise.intention.find(agent, domain).ok_or(CourseError::NotPosed)?;
         Ok(Self { state: *start, intended, understood: None, rests: 0, steps: 0, feedback: FeedbackCounts::default() })
     }
 

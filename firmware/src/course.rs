@@ -13,9 +13,11 @@ use goodbot_drill::{Budget, LESSONS, SEED, Watch, Work, run};
 
 static mut MEMORY: memory::RobotMemory = memory::RobotMemory::new();
 
-/// The dearest of each kind of work, in instructions.
+/// The dearest of each kind of work, all its calls together, in instructions.
 struct Counter {
     began: u64,
+    /// The work that ended last, and what all its calls in a row have taken.
+    last: (Option<Work>, u32),
     most: [u32; Work::ALL.len()],
     /// Hearing a command, planning and acting for the first time, for each lesson.
     first: [u32; LESSONS],
@@ -35,8 +37,10 @@ impl Watch for Counter {
     fn end(&mut self, work: Work, number: usize) {
         let spent = board::instructions().wrapping_sub(self.began) as u32;
         self.all = self.all.wrapping_add(spent);
+        let before = if self.last.0 == Some(work) { self.last.1 } else { 0 };
+        self.last = (Some(work), before.wrapping_add(spent));
         if let Some(most) = self.most.get_mut(work as usize) {
-            *most = spent.max(*most);
+            *most = self.last.1.max(*most);
         }
         if work == Work::Learn {
             self.round = self.round.wrapping_add(spent);
@@ -67,6 +71,7 @@ fn main() -> ! {
     let memory = unsafe { &mut *(&raw mut MEMORY) };
     let mut counter = Counter {
         began: 0,
+        last: (None, 0),
         most: [0; Work::ALL.len()],
         first: [0; LESSONS],
         plans: [0; LESSONS],

@@ -19,7 +19,7 @@ static mut MEMORY: memory::RobotMemory = memory::RobotMemory::new();
 /// Instructions of one tick: 10 ms of a processor that does 100 million a second.
 const TICK: u32 = 1_000_000;
 /// What one turn of the loop may do.
-const BUDGET: Budget = Budget { plan: 50, learn: 100 };
+const BUDGET: Budget = Budget { hear: 1, plan: 50, finish: 1, learn: 100 };
 
 /// The loop: after each call it sleeps until the next tick.
 struct Loop {

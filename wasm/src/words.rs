@@ -11,7 +11,7 @@ use goodbot::language::Model;
 use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::symbols::{Symbol, Symbols};
 use goodbot::task::Expression;
-use goodbot::task::description::describe;
+use goodbot::task::description::{Scene, describe};
 use goodbot::task::machine_command::Tokens;
 use goodbot::task::role::is_marker;
 
@@ -33,7 +33,7 @@ pub fn support(agent: &Agent<impl AgentMemory>, home: &Home<impl HomeMemory>) ->
         for task in 0..agent.tasks().len() {
             description.clear();
             if let Some((task, start)) = agent.tasks().get(task).zip(agent.started_from(home)) {
-                describe(home, agent.lifted(), task, &start, &mut own, &mut description)?;
+                describe(home, agent.lifted(), task, &mut Scene::new(start), &mut own, &mut description)?;
             }
             // A value that the model does not know is as good as any other that it does not.
             for token in description.iter_mut().filter(|token| !is_marker(**token)) {

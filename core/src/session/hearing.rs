@@ -11,7 +11,7 @@ use crate::oomdp::{Domain, digest};
 use crate::planning::Progress;
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
-use crate::task::description::{describe, form_token, intern_forms};
+use crate::task::description::{Scene, describe, form_token, intern_forms};
 use crate::task::machine_command::{Tokens, intern_heads};
 use crate::task::{Expression, GroundedTask, LiftedTask, ground};
 use heapless::Vec;
@@ -168,6 +168,7 @@ impl<M: AgentMemory> Agent<M> {
     /// Goes on giving each task its Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c). Fills the candidates.
     fn understand_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Progress, AgentError> {
         let mut left = budget.max(1);
+        let mut scene = self.scene(domain);
         while let Work::Hearing(mut position, mut any) = self.work {
             if position.task >= self.task_count {
                 self.weigh_kinds(domain)?;
@@ -185,13 +186,14 @@ impl<M: AgentMemory> Agent<M> {
             if left == 0 {
                 return Ok(Progress::Working);
             }
-            let done = self.for_each_candidate(domain, &mut position, &mut left, |candidates, language, sentence, tokens, _| {
-                let found = match candidates.read().find(tokens) {
-                    Some(found) => found,
-                    None => candidates.add(tokens, language.likelihood(sentence, tokens))?,
-                };
-                Ok(candidates.read().entries().get(found).map_or(Scaled::ZERO, |entry| entry.likelihood))
-            })?;
+            let done =
+                self.for_each_candidate(domain, &mut scene, &mut position, &mut left, |candidates, language, sentence, tokens, _| {
+                    let found = match candidates.read().find(tokens) {
+                        Some(found) => found,
+                        None => candidates.add(tokens, language.likelihood(sentence, tokens))?,
+                    };
+                    Ok(candidates.read().entries().get(found).map_or(Scaled::ZERO, |entry| entry.likelihood))
+                })?;
             if done {
                 let prior = position.sum.scaled_by(self.task(position.task).prior);
                 if !prior.is_zero() {
@@ -230,8 +232,14 @@ impl<M: AgentMemory> Agent<M> {
             return Ok(());
         }
         let mut description = Tokens::new();
-        describe(domain, &self.lifted, task, &domain.numbered(start), language.tokens_mut(), &mut description)?;
+        let mut scene = Scene::new(domain.numbered(start));
+        describe(domain, &self.lifted, task, &mut scene, language.tokens_mut(), &mut description)?;
         Ok(language.explain(&self.sentence, &description, tell)?)
+    }
+
+    /// What the descriptions of the session's tasks need to know of the state that it started from.
+    pub(super) fn scene<D: Domain + ?Sized>(&self, domain: &D) -> Option<Scene<D::State>> {
+        self.start.map(|start| Scene::new(domain.numbered(start)))
     }
 
     /// The state that the session started from, `None` where none is under way in this domain.
@@ -269,6 +277,7 @@ impl<M: AgentMemory> Agent<M> {
     pub(super) fn for_each_candidate<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
+        scene: &mut Option<Scene<D::State>>,
         position: &mut Position,
         left: &mut u32,
         mut each: impl FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError>,
@@ -278,10 +287,10 @@ impl<M: AgentMemory> Agent<M> {
         let Some(task) = session.tasks.get(position.task) else { return Ok(true) };
         let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { return Ok(true) };
         if language.read().settings().model == Model::Roles {
-            let Some(start) = self.start else { return Ok(true) };
+            let Some(scene) = scene else { return Ok(true) };
             let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
             let mut description = Tokens::new();
-            describe(domain, &self.lifted, task, &domain.numbered(start), language.tokens_mut(), &mut description)?;
+            describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?;
             let value = each(&mut candidates, language.read(), &self.sentence, &description, 1.0)?;
             position.sum = position.sum.plus(value);
             let cells = description.len().saturating_mul(self.sentence.len().max(1)).saturating_mul(4);

@@ -246,6 +246,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     fn weigh_on<D: Domain + ?Sized>(&mut self, domain: &D, left: &mut u32) -> Result<Progress, AgentError> {
+        let mut scene = self.scene(domain);
         while let Work::Weighing(mut position, weights) = self.work {
             if position.task >= self.task_count {
                 let unexplained = weights == Weights::Paper && self.candidates().entries().iter().all(|entry| entry.weight.is_zero());
@@ -265,7 +266,7 @@ impl<M: AgentMemory> Agent<M> {
                 Weights::Evidence => self.belief().evidence(position.task).scaled_by(prior),
             };
             let mut part = None;
-            let done = self.for_each_candidate(domain, &mut position, left, |candidates, _, _, tokens, share| {
+            let done = self.for_each_candidate(domain, &mut scene, &mut position, left, |candidates, _, _, tokens, share| {
                 // Equal for all constraints of the task.
                 let evidence = *part.get_or_insert_with(|| evidence.scaled_by(share));
                 if let Some(entry) = candidates.read().find(tokens).and_then(|found| candidates.entry_mut(found)) {

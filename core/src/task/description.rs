@@ -14,7 +14,7 @@
 use super::machine_command::{Tokens, attribute_token};
 use super::role::{Marker, Role, RoleKind, is_marker};
 use super::{GroundedTask, LiftedTask};
-use crate::capacity::{ARGUMENTS, Capacity, CapacityError, NAME_BYTES};
+use crate::capacity::{ARGUMENTS, ATTRIBUTES, Capacity, CapacityError, NAME_BYTES};
 use crate::oomdp::{ClassId, Domain, GroundProposition, ObjectId, PropositionId, Schema, World};
 use crate::symbols::{Symbol, Symbols};
 use heapless::String;
@@ -102,8 +102,59 @@ pub(crate) fn intern_forms(
     Ok(())
 }
 
+/// What is the same for the descriptions of all tasks of one session: the state that it starts from, and the values' tokens as far as they
+/// were needed.
+#[derive(Clone, Debug)]
+pub struct Scene<S> {
+    state: S,
+    /// For each of the first objects and each attribute one more than the value's token, 0 for one that was not needed yet.
+    tokens: [[u16; ATTRIBUTES]; REMEMBERED],
+}
+
+/// Of so many objects the tokens are remembered; those of others are looked up each time.
+const REMEMBERED: usize = 16;
+/// Stands for a value that has no token: it is empty, or found no room.
+const NO_TOKEN: u16 = u16::MAX;
+
+impl<S> Scene<S> {
+    /// The scene of a session that starts from a state.
+    pub const fn new(state: S) -> Self {
+        Self { state, tokens: [[0; ATTRIBUTES]; REMEMBERED] }
+    }
+
+    /// The token of an object's value of an attribute, `None` where it has none.
+    fn token(
+        &mut self,
+        world: &World<'_>,
+        object: ObjectId,
+        attribute: usize,
+        tokens: &mut Symbols<'_>,
+    ) -> Result<Option<Symbol>, CapacityError> {
+        let mut slot = self.tokens.get_mut(object.index()).and_then(|tokens| tokens.get_mut(attribute));
+        match slot.as_deref().copied().unwrap_or(0) {
+            0 => {}
+            NO_TOKEN => return Ok(None),
+            known => return Ok(Some(Symbol(known.saturating_sub(1)))),
+        }
+        let name = world.schema.attributes.get(attribute).map_or("", |attribute| attribute.name);
+        let value = world.objects.value(object, attribute);
+        let token = match value.is_empty() {
+            true => None,
+            false => match tokens.intern(&attribute_token(name, value)?) {
+                Ok(token) => Some(token).filter(|&token| !is_marker(token)),
+                Err(error) if matches!(error.capacity, Capacity::Tokens | Capacity::TokenBytes) => None,
+                Err(error) => return Err(error),
+            },
+        };
+        if let Some(slot) = &mut slot {
+            **slot = token.map_or(NO_TOKEN, |token| token.0.saturating_add(1));
+        }
+        Ok(token)
+    }
+}
+
 /// Writes the description of a task, one of those that ground a task of `all`, in place of what `description` held. Its tokens are
-/// interned in `tokens`.
+/// interned in `tokens`, which must not forget any while the scene is in use.
 ///
 /// # Errors
 /// A [`CapacityError`] where `tokens` has no room for the lifted task's own token.
@@ -111,62 +162,113 @@ pub fn describe<D: Domain + ?Sized>(
     domain: &D,
     all: &[LiftedTask],
     task: &GroundedTask,
-    state: &D::State,
+    scene: &mut Scene<D::State>,
     tokens: &mut Symbols<'_>,
     description: &mut Tokens,
 ) -> Result<(), CapacityError> {
     description.clear();
     let Some(lifted) = all.get(usize::from(task.lifted)) else { return Ok(()) };
-    let scene = Scene { domain, world: domain.world(), state, all, lifted, task };
-    let form = form_token(&scene.world.schema, lifted, tokens)?;
+    let form = form_token(&domain.world().schema, lifted, tokens)?;
     let _ = description.push(form);
+    let mut description = Description { domain, world: domain.world(), scene, all, lifted, task, tokens, description };
+    let mut with_role = Chosen::NONE;
     for &kind in &[RoleKind::Subject, RoleKind::Goal, RoleKind::Start] {
-        for (proposition, argument) in scene.arguments(kind) {
-            let role = Role::of_argument(kind, proposition, argument);
-            scene.write(role, |object| scene.has_role(kind, proposition, argument, object), tokens, description)?;
+        for proposition in description.propositions(kind) {
+            let last = description.world.schema.parameters(proposition).len().min(ARGUMENTS).saturating_sub(1);
+            for argument in (0..=last).filter(|&argument| (argument == last) != (kind == RoleKind::Subject)) {
+                let chosen = match kind {
+                    RoleKind::Start => description.starts(proposition),
+                    _ => description.bound_as(proposition, argument),
+                };
+                with_role = with_role.union(&chosen);
+                description.write(Role::of_argument(kind, proposition, argument), &chosen)?;
+            }
         }
     }
-    for class in (0..scene.world.schema.classes.len()).map(|class| ClassId(class as u8)) {
-        let kind = if scene.is_place(class) { RoleKind::OtherPlace } else { RoleKind::Other };
-        let other = |object| scene.class(object) == Some(class) && !scene.has_any_role(object);
-        scene.write(Role::of_class(kind, class), other, tokens, description)?;
+    for class in (0..description.world.schema.classes.len()).map(|class| ClassId(class as u8)) {
+        let kind = if description.is_place(class) { RoleKind::OtherPlace } else { RoleKind::Other };
+        let others = description.of_class(class).filter(|&object| !with_role.contains(object) && !description.is_bound(object));
+        let others = others.collect();
+        description.write(Role::of_class(kind, class), &others)?;
     }
     Ok(())
 }
 
-/// A task in its scene.
-struct Scene<'a, D: Domain + ?Sized> {
+/// A choice among the objects, one bit each.
+#[derive(Clone, Copy)]
+struct Chosen([u32; 8]);
+
+impl Chosen {
+    const NONE: Self = Self([0; 8]);
+
+    fn contains(&self, object: ObjectId) -> bool {
+        self.0.get(object.index() / 32).is_some_and(|word| word & (1 << (object.0 % 32)) != 0)
+    }
+
+    fn union(mut self, other: &Self) -> Self {
+        self.0.iter_mut().zip(other.0).for_each(|(word, other)| *word |= other);
+        self
+    }
+
+    fn iter(&self) -> impl Iterator<Item = ObjectId> {
+        self.0.iter().zip(0_u8..).flat_map(|(&word, position)| {
+            let mut rest = word;
+            core::iter::from_fn(move || {
+                let bit = rest.trailing_zeros();
+                rest &= rest.wrapping_sub(1);
+                (bit < 32).then_some(ObjectId(position.wrapping_mul(32).wrapping_add(bit as u8)))
+            })
+        })
+    }
+}
+
+impl FromIterator<ObjectId> for Chosen {
+    fn from_iter<I: IntoIterator<Item = ObjectId>>(objects: I) -> Self {
+        let mut chosen = Self::NONE;
+        for object in objects {
+            if let Some(word) = chosen.0.get_mut(object.index() / 32) {
+                *word |= 1 << (object.0 % 32);
+            }
+        }
+        chosen
+    }
+}
+
+/// The description of a task in its scene, as it is written.
+struct Description<'a, 't, D: Domain + ?Sized> {
     domain: &'a D,
     world: World<'a>,
-    state: &'a D::State,
+    scene: &'a mut Scene<D::State>,
     all: &'a [LiftedTask],
     lifted: &'a LiftedTask,
     task: &'a GroundedTask,
+    tokens: &'a mut Symbols<'t>,
+    description: &'a mut Tokens,
 }
 
-impl<D: Domain + ?Sized> Scene<'_, D> {
+impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
     fn class(&self, object: ObjectId) -> Option<ClassId> {
         self.world.objects.get(object).map(|object| object.class)
     }
 
-    fn objects(&self) -> impl Iterator<Item = ObjectId> + use<D> {
-        (0..self.world.objects.len()).map(|object| ObjectId(object as u8))
+    fn of_class(&self, class: ClassId) -> impl Iterator<Item = ObjectId> {
+        (0..self.world.objects.len()).map(|object| ObjectId(object as u8)).filter(move |&object| self.class(object) == Some(class))
     }
 
-    /// The propositions and arguments that roles of a kind are about: those of the task for goals and subjects, those of all tasks here for
-    /// where things are at the start. Each once, in order.
-    fn arguments(&self, kind: RoleKind) -> impl Iterator<Item = (PropositionId, usize)> {
-        let of = move |proposition: PropositionId| match kind {
-            RoleKind::Start => self.all.iter().any(|lifted| lifted.propositions().iter().any(|part| part.proposition == proposition)),
-            _ => self.lifted.propositions().iter().any(|part| part.proposition == proposition),
+    fn holds(&self, proposition: PropositionId, arguments: [ObjectId; ARGUMENTS]) -> bool {
+        self.domain.holds(&GroundProposition { proposition, arguments }, &self.scene.state)
+    }
+
+    /// The propositions that roles of a kind are about, each once, in order: those of the task for goals and subjects, those of all tasks
+    /// here for where things are at the start.
+    fn propositions(&self, kind: RoleKind) -> impl Iterator<Item = PropositionId> + use<'a, D> {
+        let (all, lifted) = (self.all, self.lifted);
+        let has = |lifted: &LiftedTask, proposition| lifted.propositions().iter().any(|part| part.proposition == proposition);
+        let of = move |&proposition: &PropositionId| match kind {
+            RoleKind::Start => all.iter().any(|lifted| has(lifted, proposition)),
+            _ => has(lifted, proposition),
         };
-        let count = self.world.schema.propositions.len();
-        (0..count).map(|position| PropositionId(position as u8)).filter(move |&proposition| of(proposition)).flat_map(move |proposition| {
-            let last = self.world.schema.parameters(proposition).len().min(ARGUMENTS).saturating_sub(1);
-            (0..=last)
-                .filter(move |&argument| (argument == last) != (kind == RoleKind::Subject))
-                .map(move |argument| (proposition, argument))
-        })
+        (0..self.world.schema.propositions.len()).map(|position| PropositionId(position as u8)).filter(of)
     }
 
     /// Whether the class is that of the last argument of a proposition that tasks here are made of.
@@ -180,109 +282,75 @@ impl<D: Domain + ?Sized> Scene<'_, D> {
         self.task.bindings.iter().take(self.lifted.variables().len()).any(|&bound| bound == object)
     }
 
-    /// Whether the object is what the task is about: it is bound, or it is of a class that no words can tell apart, like the robot.
-    fn is_subject(&self, object: ObjectId) -> bool {
-        let carries = |class| self.world.schema.attributes.iter().any(|attribute| attribute.carriers.iter().any(|it| it.class == class));
-        self.is_bound(object) || self.class(object).is_some_and(|class| !carries(class))
+    /// What the task binds as an argument of a proposition.
+    fn bound_as(&self, proposition: PropositionId, argument: usize) -> Chosen {
+        let parts = self.task.propositions(self.lifted).filter(|part| part.proposition == proposition);
+        parts.filter_map(|part| part.arguments.get(argument).copied()).filter(|&object| self.is_bound(object)).collect()
     }
 
-    /// Whether the proposition holds at the start with this object as its last argument, and others that `with` accepts before it.
-    fn holds_at(&self, proposition: PropositionId, object: ObjectId, with: impl Fn(ObjectId) -> bool + Copy) -> bool {
-        let classes = self.world.schema.parameters(proposition);
-        if classes.last().copied() != self.class(object) {
-            return false;
-        }
-        let ground = |arguments: [ObjectId; ARGUMENTS]| self.domain.holds(&GroundProposition { proposition, arguments }, self.state);
-        let of = move |class: ClassId| self.objects().filter(move |&it| self.class(it) == Some(class) && it != object && with(it));
+    /// What the task is about, of a class: what is bound, or everything of a class that no words can tell apart, like the robot.
+    fn subjects(&self, class: ClassId) -> impl Iterator<Item = ObjectId> {
+        let carries = self.world.schema.attributes.iter().any(|attribute| attribute.carriers.iter().any(|it| it.class == class));
+        self.of_class(class).filter(move |&object| !carries || self.is_bound(object))
+    }
+
+    /// The objects that a proposition holds of at the start as its last argument, with what the task is about before them.
+    fn starts(&self, proposition: PropositionId) -> Chosen {
         let none = ObjectId(0);
-        match *classes {
-            [_] => ground([object, none, none]),
-            [first, _] => of(first).any(|first| ground([first, object, none])),
-            [first, second, _] => of(first).any(|first| of(second).any(|second| second != first && ground([first, second, object]))),
-            _ => false,
+        match *self.world.schema.parameters(proposition) {
+            [class] => self.of_class(class).filter(|&object| self.holds(proposition, [object, none, none])).collect(),
+            [first, class] => {
+                let of = |object| self.subjects(first).any(|first| first != object && self.holds(proposition, [first, object, none]));
+                self.of_class(class).filter(|&object| of(object)).collect()
+            }
+            [first, second, class] => {
+                let of_two = |first, object| {
+                    let mut seconds = self.subjects(second).filter(|&second| second != first && second != object);
+                    seconds.any(|second| self.holds(proposition, [first, second, object]))
+                };
+                let of = |object| self.subjects(first).any(|first| first != object && of_two(first, object));
+                self.of_class(class).filter(|&object| of(object)).collect()
+            }
+            _ => Chosen::NONE,
         }
     }
 
-    /// What is at a place at the start, beside what the task binds, and has a value of an attribute.
-    fn guests(&self, place: ObjectId, attribute: usize) -> impl Iterator<Item = ObjectId> {
-        let has_value = move |guest: &ObjectId| self.world.objects.get(*guest).is_some_and(|it| it.value(attribute).is_some());
-        let parts = move || self.all.iter().flat_map(|lifted| lifted.propositions());
-        let is_there = move |guest: &ObjectId| {
-            let arguments = [*guest, place, ObjectId(0)];
-            parts().any(|part| match *self.world.schema.parameters(part.proposition) {
-                [first, second] if self.class(*guest) == Some(first) && self.class(place) == Some(second) => {
-                    self.domain.holds(&GroundProposition { proposition: part.proposition, arguments }, self.state)
-                }
-                _ => false,
-            })
-        };
-        self.objects().filter(has_value).filter(|&guest| !self.is_bound(guest)).filter(is_there)
-    }
-
-    fn has_role(&self, kind: RoleKind, proposition: PropositionId, argument: usize, object: ObjectId) -> bool {
-        match kind {
-            RoleKind::Start => self.holds_at(proposition, object, |it| self.is_subject(it)),
-            _ => self
-                .task
-                .propositions(self.lifted)
-                .any(|part| part.proposition == proposition && part.arguments.get(argument) == Some(&object) && self.is_bound(object)),
+    /// What is at these places at the start, beside what the task binds.
+    fn guests(&self, places: &Chosen) -> Chosen {
+        let mut guests = Chosen::NONE;
+        for proposition in self.propositions(RoleKind::Start) {
+            let [first, second] = *self.world.schema.parameters(proposition) else { continue };
+            for place in places.iter().filter(|&place| self.class(place) == Some(second)) {
+                let others = self.of_class(first).filter(|&guest| !self.is_bound(guest));
+                let there = others.filter(|&guest| self.holds(proposition, [guest, place, ObjectId(0)]));
+                guests = guests.union(&there.collect());
+            }
         }
-    }
-
-    fn has_any_role(&self, object: ObjectId) -> bool {
-        self.is_bound(object)
-            || self.arguments(RoleKind::Start).any(|(proposition, argument)| self.has_role(RoleKind::Start, proposition, argument, object))
+        guests
     }
 
     /// Writes the groups of a role: for each attribute the values of its objects and, for goals, those of what is there at the start.
-    fn write(
-        &self,
-        role: Role,
-        of_role: impl Fn(ObjectId) -> bool,
-        tokens: &mut Symbols<'_>,
-        description: &mut Tokens,
-    ) -> Result<(), CapacityError> {
+    fn write(&mut self, role: Role, objects: &Chosen) -> Result<(), CapacityError> {
+        let guests = if role.kind() == RoleKind::Goal { self.guests(objects) } else { Chosen::NONE };
         for attribute in 0..self.world.schema.attributes.len() {
-            let marker = Marker { role, sort: (attribute << 1) as u8 };
-            self.write_group(marker, attribute, self.objects().filter(|&object| of_role(object)), tokens, description)?;
-            if role.kind() == RoleKind::Goal {
-                let marker = Marker { role, sort: marker.sort | 1 };
-                let places = self.objects().filter(|&place| of_role(place));
-                let guests = places.flat_map(|place| self.guests(place, attribute));
-                self.write_group(marker, attribute, guests, tokens, description)?;
-            }
+            let sort = (attribute << 1) as u8;
+            self.write_group(Marker { role, sort }, attribute, objects)?;
+            self.write_group(Marker { role, sort: sort | 1 }, attribute, &guests)?;
         }
         Ok(())
     }
 
-    fn write_group(
-        &self,
-        marker: Marker,
-        attribute: usize,
-        objects: impl Iterator<Item = ObjectId>,
-        tokens: &mut Symbols<'_>,
-        description: &mut Tokens,
-    ) -> Result<(), CapacityError> {
-        let first = description.len().saturating_add(1);
-        let name = self.world.schema.attributes.get(attribute).map_or("", |attribute| attribute.name);
-        for object in objects {
-            let value = self.world.objects.value(object, attribute);
-            if value.is_empty() {
-                continue;
-            }
-            let token = match tokens.intern(&attribute_token(name, value)?) {
-                Ok(token) if !is_marker(token) => token,
-                Ok(_) => continue,
-                Err(error) if matches!(error.capacity, Capacity::Tokens | Capacity::TokenBytes) => continue,
-                Err(error) => return Err(error),
-            };
-            if description.len() < first && description.push(marker.symbol()).is_err() {
+    fn write_group(&mut self, marker: Marker, attribute: usize, objects: &Chosen) -> Result<(), CapacityError> {
+        let first = self.description.len().saturating_add(1);
+        for object in objects.iter() {
+            let Some(token) = self.scene.token(&self.world, object, attribute, self.tokens)? else { continue };
+            if self.description.len() < first && self.description.push(marker.symbol()).is_err() {
                 return Ok(());
             }
-            insert(description, first, token);
+            insert(self.description, first, token);
         }
-        if description.len() == first {
-            description.pop();
+        if self.description.len() == first {
+            self.description.pop();
         }
         Ok(())
     }

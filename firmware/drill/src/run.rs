@@ -1,10 +1,10 @@
 //! The run: lessons, then tests.
 
 use crate::digest::Digest;
-use goodbot::memory::HomeMemory;
-use goodbot::memory::{AgentMemory};
 use goodbot::feedback::{SimulatedTrainer, Strategy};
 use goodbot::home;
+use goodbot::memory::{AgentMemory, HomeMemory};
+use goodbot::oomdp::Domain;
 use goodbot::planning::Progress;
 use goodbot::{Agent, Options};
 use goodbot_course::exercise::{self, Exercise, TESTS};
@@ -22,13 +22,13 @@ pub const SEED: u64 = 1;
 pub enum Work {
     /// Building the home.
     Build,
-    /// Hearing a command.
+    /// Hearing a command: one call.
     Hear,
     /// Planning for all tasks from one state: one call.
     Plan,
     /// One action with its feedback: choosing it, and learning from what the trainer says.
     Act,
-    /// Weighing the session's machine commands.
+    /// Ending a session, so that it joins the training data: one call.
     Finish,
     /// Learning: one call.
     Learn,
@@ -63,15 +63,19 @@ impl Watch for () {}
 /// How much work one call may do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Budget {
+    /// Table cells of hearing a command.
+    pub hear: u32,
     /// States of the search.
     pub plan: u32,
+    /// Table cells of ending a session.
+    pub finish: u32,
     /// Table cells of the training.
     pub learn: u32,
 }
 
 impl Budget {
-    /// Plans in one call. Learning goes in the smallest parts, so that every round's end is seen.
-    pub const ROUNDS: Self = Self { plan: u32::MAX, learn: 1 };
+    /// Everything in one call, but for learning, which goes in the smallest parts, so that every round's end is seen.
+    pub const ROUNDS: Self = Self { hear: u32::MAX, plan: u32::MAX, finish: u32::MAX, learn: 1 };
 }
 
 /// How the run ended.
@@ -112,9 +116,7 @@ pub fn run(
         watch.begin();
         let (home, start) = Homes::FIXED.test.build(&mut rooms)?;
         watch.end(Work::Build, number);
-        watch.begin();
-        agent.hear(&home, &start, test.command)?;
-        watch.end(Work::Hear, number);
+        hear(agent, &home, &start, (number, test), budget, watch)?;
         take(agent, &mut outcome.digest);
         let understood = test.intention.find(agent, &home) == agent.most_likely_by(&mut random);
         outcome.passed = outcome.passed.wrapping_add(u32::from(understood));
@@ -138,9 +140,8 @@ fn train<R: rand_core::Rng>(
     watch.begin();
     let (home, start) = layout.build(rooms)?;
     watch.end(Work::Build, number);
-    watch.begin();
-    let mut lesson = Lesson::begin(agent, &home, &start, exercise)?;
-    watch.end(Work::Hear, number);
+    hear(agent, &home, &start, (number, exercise), budget, watch)?;
+    let mut lesson = Lesson::heard(agent, &home, &start, exercise)?;
     take(agent, &mut outcome.digest);
     loop {
         loop {
@@ -161,8 +162,16 @@ fn train<R: rand_core::Rng>(
         take(agent, &mut outcome.digest);
     }
     watch.begin();
-    let _ = agent.finish(&home)?;
+    agent.begin_finishing(&home)?;
     watch.end(Work::Finish, number);
+    loop {
+        watch.begin();
+        let finished = agent.finish_on(&home, budget.finish)?;
+        watch.end(Work::Finish, number);
+        if finished.is_some() {
+            break;
+        }
+    }
     loop {
         let round = agent.language().training().round();
         watch.begin();
@@ -176,6 +185,27 @@ fn train<R: rand_core::Rng>(
         }
     }
     Ok(())
+}
+
+fn hear<D: Domain>(
+    agent: &mut Agent<impl AgentMemory>,
+    domain: &D,
+    start: &D::State,
+    (number, exercise): (usize, &Exercise),
+    budget: Budget,
+    watch: &mut impl Watch,
+) -> Result<(), CourseError> {
+    watch.begin();
+    agent.begin_hearing(domain, start, exercise.command)?;
+    watch.end(Work::Hear, number);
+    loop {
+        watch.begin();
+        let progress = agent.hear_on(domain, budget.hear)?;
+        watch.end(Work::Hear, number);
+        if progress == Progress::Done {
+            return Ok(());
+        }
+    }
 }
 
 fn take(agent: &Agent<impl AgentMemory>, digest: &mut Digest) {

@@ -13,7 +13,7 @@ use goodbot::oomdp::{Action, Domain, ObjectId, apply};
 use goodbot::probability::total;
 use goodbot::session::Evidence;
 use goodbot::symbols::{Symbol, Symbols, SymbolsRef};
-use goodbot::task::description::describe;
+use goodbot::task::description::{Scene, describe};
 use goodbot::task::machine_command::Tokens;
 use goodbot::task::{Expression, LiftedTask, Marker};
 use goodbot::{Agent, AgentError, Capacities, Options};
@@ -203,7 +203,7 @@ pub fn commands<D: Domain>(
         Symbols::new(&mut bytes, &mut ends, &mut count, goodbot::capacity::Capacity::Tokens, goodbot::capacity::Capacity::TokenBytes);
     if options.language.model == Model::Roles {
         let mut description = Tokens::new();
-        describe(domain, all, task, start, &mut tokens, &mut description)?;
+        describe(domain, all, task, &mut Scene::new(*start), &mut tokens, &mut description)?;
         return Ok(vec![description.iter().map(|&token| token_text(tokens.read(), token)).collect()]);
     }
     let Some(lifted) = all.get(usize::from(task.lifted)) else { return Ok(vec![]) };

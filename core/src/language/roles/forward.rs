@@ -27,6 +27,8 @@ pub(super) struct Present {
     /// Its row, which it has if training has seen it.
     pub known: Option<usize>,
     pub kind: RoleKind,
+    /// Where its probability stands in a row of p0: by its row where training has seen the lifted task, by its position otherwise.
+    column: usize,
 }
 
 /// One group of values.
@@ -47,6 +49,8 @@ pub(super) struct Reader<'t, 'd> {
     alignments: &'t [f32],
     pub form: Option<usize>,
     form_row: &'t [f32],
+    /// For each memory its row of p0, and the probability of the end; nothing where training has not seen the lifted task.
+    moves: Vec<(&'t [f32], f32), { MOST_ROLES + 1 }>,
     pub present: Vec<Present, MOST_ROLES>,
     pub groups: Vec<GroupShare<'d>, MOST_GROUPS>,
     /// Where training has not seen the lifted task: what is probable before anything is learned.
@@ -72,12 +76,23 @@ impl<'t, 'd> Reader<'t, 'd> {
             alignments,
             form: known_form,
             form_row,
+            moves: Vec::new(),
             present: Vec::new(),
             groups: Vec::new(),
             prior: [0.0; MOST_ROLES + 2],
         };
         reader.take_groups(description);
-        reader.prior = prior(layout, reader.present.iter().map(|present| present.kind));
+        match known_form {
+            Some(form) => {
+                let ends = get(alignments, layout.end(form));
+                let known = reader.present.iter().map(|present| present.known.map_or(0, |role| role.saturating_add(1)));
+                for row in core::iter::once(0).chain(known) {
+                    // As many as there are memories.
+                    let _ = reader.moves.push((get(alignments, layout.p0(form, row)), cell(ends, row)));
+                }
+            }
+            None => reader.prior = prior(layout, reader.present.iter().map(|present| present.kind)),
+        }
         reader
     }
 
@@ -93,7 +108,8 @@ impl<'t, 'd> Reader<'t, 'd> {
             let present = match self.present.iter().position(|present| present.role == role) {
                 Some(present) => present,
                 None => {
-                    if self.present.push(Present { role, known, kind: role.kind() }).is_err() {
+                    let column = known.filter(|_| self.form.is_some()).unwrap_or(self.present.len()).saturating_add(2);
+                    if self.present.push(Present { role, known, kind: role.kind(), column }).is_err() {
                         continue;
                     }
                     self.present.len().saturating_sub(1)
@@ -126,10 +142,7 @@ impl<'t, 'd> Reader<'t, 'd> {
 
     /// The probability of the end of the command.
     pub fn end(&self, memory: usize) -> f32 {
-        match self.form.zip(self.memory(memory)) {
-            Some((form, row)) => cell(get(self.alignments, self.layout.end(form)), row),
-            None => END,
-        }
+        self.moves.get(memory).map_or(END, |&(_, end)| end)
     }
 
     /// How probable a new word is for a token.
@@ -187,23 +200,17 @@ impl<'t, 'd> Reader<'t, 'd> {
 
     /// How a memory moves on after a word with this lift.
     pub fn step(&self, memory: usize, lift: &[f32]) -> Step {
-        let row = match self.form.zip(self.memory(memory)) {
-            Some((form, row)) => get(self.alignments, self.layout.p0(form, row)),
-            None => &self.prior,
-        };
+        let (row, end) = self.moves.get(memory).map_or((&self.prior[..], END), |&moves| moves);
         let mut moves: Moves = [0.0; MOST_ROLES + 2];
-        let mut sum = 0.0;
-        let known = self.form.is_some();
-        let kinds = [0, 1].into_iter().map(|kind| (kind, kind));
-        let of_roles = self.present.iter().enumerate().map(|(position, present)| {
-            let column = present.known.filter(|_| known).unwrap_or(position).saturating_add(2);
-            (column, present.kind.index().saturating_add(2))
-        });
-        for (slot, (column, kind)) in moves.iter_mut().zip(kinds.chain(of_roles)) {
-            *slot = cell(row, column) * cell(lift, kind);
+        let [background, task, roles @ ..] = &mut moves;
+        *background = cell(row, 0) * cell(lift, 0);
+        *task = cell(row, 1) * cell(lift, 1);
+        let mut sum = *background + *task;
+        for (slot, present) in roles.iter_mut().zip(&self.present) {
+            *slot = cell(row, present.column) * cell(lift, present.kind.index().saturating_add(2));
             sum += *slot;
         }
-        let scale = if sum > 0.0 { (1.0 - self.end(memory)) / sum } else { 0.0 };
+        let scale = if sum > 0.0 { (1.0 - end) / sum } else { 0.0 };
         Step { scale, moves }
     }
 
@@ -214,20 +221,15 @@ impl<'t, 'd> Reader<'t, 'd> {
         let mut emissions: Roles = [0.0; MOST_ROLES];
         self.emissions(word, &mut emissions);
         let mut into: Roles = [0.0; MOST_ROLES];
-        for slot in after.iter_mut().take(self.memories()) {
+        for (memory, (slot, &mass)) in after.iter_mut().zip(before).take(self.memories()).enumerate() {
             *slot = 0.0;
-        }
-        for memory in 0..self.memories() {
-            let mass = cell(before, memory);
             if mass <= 0.0 {
                 continue;
             }
             let step = self.step(memory, lift);
             let scale = step.scale * mass;
             let [first, second, roles @ ..] = &step.moves;
-            if let Some(slot) = after.get_mut(memory) {
-                *slot += scale * (first * background + second * task);
-            }
+            *slot = scale * (first * background + second * task);
             for (slot, part) in into.iter_mut().zip(roles).take(self.present.len()) {
                 *slot += scale * part;
             }

@@ -39,6 +39,17 @@ pub struct Layout {
     role_count: u8,
     longest: u8,
     sessions: f32,
+    starts: Starts,
+}
+
+/// Where the parts of `alignments` begin, kept because every step of every word asks for it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Starts {
+    kinds: usize,
+    p0: usize,
+    end: usize,
+    lambda: usize,
+    novelty: usize,
 }
 
 impl Layout {
@@ -52,6 +63,7 @@ impl Layout {
         role_count: 0,
         longest: 0,
         sessions: 0.0,
+        starts: Starts { kinds: 0, p0: 0, end: 0, lambda: 0, novelty: 0 },
     };
 
     /// The parameters for training data of so many words and machine tokens.
@@ -63,7 +75,7 @@ impl Layout {
         for session in 0..bitext.sessions() as u16 {
             layout.longest = layout.longest.max(bitext.sentence(session).len() as u8);
         }
-        layout
+        layout.settled()
     }
 
     /// Makes room for what a description speaks of.
@@ -83,6 +95,20 @@ impl Layout {
                 self.role_count = self.role_count.saturating_add(1);
             }
         }
+        *self = self.settled();
+    }
+
+    /// The same parameters, with where their parts begin.
+    const fn settled(mut self) -> Self {
+        let (forms, roles) = (self.form_count as usize, self.role_count as usize);
+        let (memories, moves) = (roles.saturating_add(1), roles.saturating_add(2));
+        let kinds = row(self.words, self.words, KINDS).end;
+        let p0 = row(kinds, forms, self.words.saturating_add(1)).start;
+        let end = row(p0, forms.saturating_mul(memories), moves).start;
+        let lambda = row(end, forms, memories).start;
+        let novelty = row(lambda, roles, VALUE_SORTS).start;
+        self.starts = Starts { kinds, p0, end, lambda, novelty };
+        self
     }
 
     /// Makes room for a command of so many words.
@@ -92,7 +118,7 @@ impl Layout {
 
     /// The same parameters for so many words and machine tokens.
     pub(crate) const fn with(self, words: usize, tokens: usize) -> Self {
-        Self { words, tokens, ..self }
+        Self { words, tokens, ..self }.settled()
     }
 
     /// How many machine tokens.
@@ -130,12 +156,12 @@ impl Layout {
         self.roles().iter().position(|&known| known == role)
     }
 
-    pub(super) fn memories(&self) -> usize {
-        self.roles().len().saturating_add(1)
+    pub(super) const fn memories(&self) -> usize {
+        (self.role_count as usize).saturating_add(1)
     }
 
-    pub(super) fn moves(&self) -> usize {
-        self.roles().len().saturating_add(2)
+    pub(super) const fn moves(&self) -> usize {
+        (self.role_count as usize).saturating_add(2)
     }
 
     /// The row of a token in `translations`; the background's is 0.
@@ -152,30 +178,25 @@ impl Layout {
         row(self.words, word, KINDS)
     }
 
-    fn kinds_start(&self) -> usize {
-        self.lift(self.words).end
-    }
-
     pub(super) fn kind_of_task(&self, form: usize) -> Range<usize> {
-        row(self.kinds_start(), form, self.words.saturating_add(1))
+        row(self.starts.kinds, form, self.words.saturating_add(1))
     }
 
     pub(super) fn p0(&self, form: usize, memory: usize) -> Range<usize> {
-        let start = self.kind_of_task(self.forms().len()).start;
-        row(start, form.saturating_mul(self.memories()).saturating_add(memory), self.moves())
+        row(self.starts.p0, form.saturating_mul(self.memories()).saturating_add(memory), self.moves())
     }
 
     pub(super) fn end(&self, form: usize) -> Range<usize> {
-        row(self.p0(self.forms().len(), 0).start, form, self.memories())
+        row(self.starts.end, form, self.memories())
     }
 
     pub(super) fn lambda(&self, role: usize) -> Range<usize> {
-        row(self.end(self.forms().len()).start, role, VALUE_SORTS)
+        row(self.starts.lambda, role, VALUE_SORTS)
     }
 
     /// How much of a row's words would be new, in a command to come: 1 for a token that was never named.
     pub(super) fn novelty(&self, row: usize) -> usize {
-        self.lambda(self.roles().len()).start.saturating_add(row)
+        self.starts.novelty.saturating_add(row)
     }
 
     /// Where the trellis begins: before it are the parameters.
@@ -195,7 +216,7 @@ impl Layout {
     }
 }
 
-fn row(start: usize, position: usize, width: usize) -> Range<usize> {
+const fn row(start: usize, position: usize, width: usize) -> Range<usize> {
     let from = start.saturating_add(position.saturating_mul(width));
     from..from.saturating_add(width)
 }
