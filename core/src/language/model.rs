@@ -131,7 +131,7 @@ impl LanguageState {
             words: SymbolsRef::new(tables.word_bytes, tables.word_ends, self.words),
             tokens: SymbolsRef::new(tables.token_bytes, tables.token_ends, self.tokens),
             bitext: BitextRef::new(tables.bitext, self.data),
-            tables: TablesRef::new(tables.parameters, counts, self.trained),
+            tables: TablesRef::new(tables.parameters, counts, &self.trained),
             training: self.training,
             learned_words: self.learned_words,
             learned_tokens: self.learned_tokens,

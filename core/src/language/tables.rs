@@ -104,7 +104,7 @@ pub struct Tables<'t> {
 #[derive(Clone, Copy, Debug)]
 pub struct TablesRef<'t> {
     memory: ParameterTablesRef<'t>,
-    trained: Trained,
+    trained: &'t Trained,
 }
 
 impl<'t> Tables<'t> {
@@ -118,7 +118,7 @@ impl<'t> Tables<'t> {
 
     /// The parameters, to be read.
     pub const fn read(&self) -> TablesRef<'_> {
-        TablesRef { memory: self.memory.read(), trained: *self.trained }
+        TablesRef { memory: self.memory.read(), trained: self.trained }
     }
 
     /// The parameters, and the counts of each: t and its counts, then a and its counts.
@@ -183,7 +183,7 @@ impl<'t> TablesRef<'t> {
     }
 
     /// The role model's parameters.
-    pub(super) const fn layout(&self) -> &Layout {
+    pub(super) const fn layout(self) -> &'t Layout {
         &self.trained.layout
     }
 
@@ -193,7 +193,7 @@ impl<'t> TablesRef<'t> {
     }
 
     /// The parameters that `trained` says are there, with room for the counts of so many `cells`.
-    pub(crate) fn new(mut memory: ParameterTablesRef<'t>, counts: usize, trained: Trained) -> Self {
+    pub(crate) fn new(mut memory: ParameterTablesRef<'t>, counts: usize, trained: &'t Trained) -> Self {
         let cells = counts.saturating_mul(2);
         memory.translations = memory.translations.get(..cells).unwrap_or(memory.translations);
         memory.alignments = memory.alignments.get(..cells.saturating_sub(memory.translations.len())).unwrap_or(memory.alignments);

@@ -24,6 +24,8 @@ use heapless::String;
 pub struct Group<'d> {
     /// The role and the sort.
     pub marker: Marker,
+    /// Where its values begin in the description.
+    pub first: usize,
     /// The values, at least one.
     pub values: &'d [Symbol],
 }
@@ -42,7 +44,8 @@ pub fn groups(description: &[Symbol]) -> impl Iterator<Item = Group<'_>> + Clone
         let count = after.iter().position(|&symbol| is_marker(symbol)).unwrap_or(after.len());
         let (values, others) = after.split_at_checked(count)?;
         rest = others;
-        Some(Group { marker, values })
+        let first = description.len().saturating_sub(after.len());
+        Some(Group { marker, first, values })
     })
     .filter(|group| !group.values.is_empty())
 }
@@ -57,6 +60,7 @@ pub fn has_value(description: &[Symbol], value: Symbol) -> bool {
 ///
 /// # Errors
 /// A [`CapacityError`] where `tokens` has no room.
+#[inline(never)]
 pub(crate) fn form_token(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut Symbols<'_>) -> Result<Symbol, CapacityError> {
     let mut text: String<NAME_BYTES> = String::new();
     // What is too long is told apart by a digest of the rest.

@@ -28,7 +28,8 @@ pub(crate) fn explain(
     description: &[Symbol],
     mut tell: impl FnMut(usize, Meaning, f32),
 ) {
-    let reader = Reader::new(layout, translations, parameters, description);
+    let mut reader = Reader::new(layout, translations, parameters, description);
+    reader.take_groups();
     if fill(&reader, sentence, trellis).is_none() {
         return;
     }
@@ -44,9 +45,9 @@ pub(crate) fn explain(
             tell(position, Meaning::Task, core::mem::take(&mut of_task));
             let Some(word) = sentence.get(position) else { return };
             for group in &reader.groups {
-                let part = |all: &[f32]| super::layout::cell(all, group.present);
-                let Some(present) = reader.present.get(group.present).filter(|_| part(emissions) > 0.0) else { continue };
-                for &value in group.values {
+                let part = |all: &[f32]| super::layout::cell(all, group.present());
+                let Some(present) = reader.present.get(group.present()).filter(|_| part(emissions) > 0.0) else { continue };
+                for &value in reader.values(group) {
                     let share = part(roles) * group.share * reader.value(value, word.index()) / part(emissions);
                     tell(position, Meaning::Value(present.role, value), share);
                 }

@@ -13,6 +13,14 @@ const MOST_GROUPS: usize = 24;
 const BACKGROUND: f32 = 0.5;
 pub(super) const END: f32 = 0.1;
 
+/// Memories less probable than this, of 1 for all together, are dropped: most of the work is on them, and they change next to nothing.
+const LEAST_MASS: f32 = 1.0 / 1024.0;
+
+/// A memory's mass as a share of all, 0 where it is dropped.
+pub(super) fn kept(share: f32) -> f32 {
+    if share < LEAST_MASS { 0.0 } else { share }
+}
+
 /// One number for each memory: none, or the role that was named last.
 pub(super) type Memories = [f32; MOST_ROLES + 1];
 /// One number for each role.
@@ -24,40 +32,56 @@ pub(super) type Moves = [f32; MOST_ROLES + 2];
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Present {
     pub role: Role,
-    /// Its row, which it has if training has seen it.
-    pub known: Option<usize>,
-    pub kind: RoleKind,
     /// Where its probability stands in a row of p0: by its row where training has seen the lifted task, by its position otherwise.
-    column: usize,
+    column: u8,
+}
+
+impl Present {
+    pub fn kind(self) -> RoleKind {
+        self.role.kind()
+    }
 }
 
 /// One group of values.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct GroupShare<'d> {
+pub(super) struct GroupShare {
     /// The role, by its position among those present.
-    pub present: usize,
-    pub sort: usize,
+    present: u8,
+    sort: u8,
+    /// Where its values stand in the description, and how many there are.
+    first: u8,
+    count: u8,
     /// What the group has of its role, spread evenly over its values.
     pub share: f32,
-    pub values: &'d [Symbol],
 }
 
-/// A description, ready to explain words.
+impl GroupShare {
+    pub fn present(self) -> usize {
+        usize::from(self.present)
+    }
+
+    pub fn sort(self) -> usize {
+        usize::from(self.sort)
+    }
+}
+
+/// A description, ready to explain words. It is kept small, for the stack of a microcontroller.
 pub(super) struct Reader<'t, 'd> {
     layout: &'t Layout,
     translations: &'t [f32],
     alignments: &'t [f32],
+    description: &'d [Symbol],
     pub form: Option<usize>,
     form_row: &'t [f32],
-    /// For each memory its row of p0, and the probability of the end; nothing where training has not seen the lifted task.
-    moves: Vec<(&'t [f32], f32), { MOST_ROLES + 1 }>,
-    pub present: Vec<Present, MOST_ROLES>,
-    pub groups: Vec<GroupShare<'d>, MOST_GROUPS>,
-    /// Where training has not seen the lifted task: what is probable before anything is learned.
-    prior: Moves,
+    /// p0 of the lifted task, one row a memory, and the probabilities of the end; nothing where training has not seen the lifted task.
+    p0: &'t [f32],
+    ends: &'t [f32],
+    pub present: Vec<Present, MOST_ROLES, u8>,
+    pub groups: Vec<GroupShare, MOST_GROUPS, u8>,
 }
 
 /// How one memory moves on.
+#[derive(Clone, Copy)]
 pub(super) struct Step {
     /// (1 - end) / (the sum of all moves).
     pub scale: f32,
@@ -66,39 +90,31 @@ pub(super) struct Step {
 }
 
 impl<'t, 'd> Reader<'t, 'd> {
+    /// A reader that [`take_groups`](Self::take_groups) makes ready, where it stays: as the result of a function it would stand on the
+    /// stack twice.
+    #[inline(always)]
     pub fn new(layout: &'t Layout, translations: &'t [f32], alignments: &'t [f32], description: &'d [Symbol]) -> Self {
-        let form = form(description);
-        let known_form = form.and_then(|token| layout.form(token));
-        let form_row = known_form.and(form).map_or(get(translations, layout.row(None)), |token| get(translations, layout.row(Some(token))));
-        let mut reader = Self {
+        let token = form(description);
+        let form = token.and_then(|token| layout.form(token));
+        Self {
             layout,
             translations,
             alignments,
-            form: known_form,
-            form_row,
-            moves: Vec::new(),
+            description,
+            form,
+            form_row: get(translations, layout.row(token.filter(|_| form.is_some()))),
+            p0: form.map_or(&[], |form| get(alignments, layout.all_p0(form))),
+            ends: form.map_or(&[], |form| get(alignments, layout.end(form))),
             present: Vec::new(),
             groups: Vec::new(),
-            prior: [0.0; MOST_ROLES + 2],
-        };
-        reader.take_groups(description);
-        match known_form {
-            Some(form) => {
-                let ends = get(alignments, layout.end(form));
-                let known = reader.present.iter().map(|present| present.known.map_or(0, |role| role.saturating_add(1)));
-                for row in core::iter::once(0).chain(known) {
-                    // As many as there are memories.
-                    let _ = reader.moves.push((get(alignments, layout.p0(form, row)), cell(ends, row)));
-                }
-            }
-            None => reader.prior = prior(layout, reader.present.iter().map(|present| present.kind)),
         }
-        reader
     }
 
-    fn take_groups(&mut self, description: &'d [Symbol]) {
+    /// Takes the roles and values from the description.
+    #[inline(never)]
+    pub fn take_groups(&mut self) {
         let mut whole: Roles = [0.0; MOST_ROLES];
-        for group in groups(description) {
+        for group in groups(self.description) {
             let role = group.marker.role;
             let known = self.layout.role(role);
             // A role that no training has seen says nothing of a lifted task that training knows.
@@ -109,30 +125,43 @@ impl<'t, 'd> Reader<'t, 'd> {
                 Some(present) => present,
                 None => {
                     let column = known.filter(|_| self.form.is_some()).unwrap_or(self.present.len()).saturating_add(2);
-                    if self.present.push(Present { role, known, kind: role.kind(), column }).is_err() {
+                    if self.present.push(Present { role, column: column as u8 }).is_err() {
                         continue;
                     }
                     self.present.len().saturating_sub(1)
                 }
             };
-            let sort = usize::from(group.marker.sort);
-            let lambda = known.map_or(1.0, |role| cell(get(self.alignments, self.layout.lambda(role)), sort));
+            let sort = group.marker.sort;
+            let share = known.map_or(1.0, |role| cell(get(self.alignments, self.layout.lambda(role)), usize::from(sort)));
             if let Some(whole) = whole.get_mut(present) {
-                *whole += lambda;
+                *whole += share;
             }
-            let _ = self.groups.push(GroupShare { present, sort, share: lambda, values: group.values });
+            let (first, count) = (group.first as u8, group.values.len() as u8);
+            let _ = self.groups.push(GroupShare { present: present as u8, sort, first, count, share });
         }
         for group in &mut self.groups {
-            let whole = cell(&whole, group.present);
-            group.share = if whole > 0.0 { group.share / (whole * group.values.len() as f32) } else { 0.0 };
+            let whole = cell(&whole, group.present());
+            group.share = if whole > 0.0 { group.share / (whole * f32::from(group.count)) } else { 0.0 };
         }
+    }
+
+    /// The values of a group.
+    pub fn values(&self, group: &GroupShare) -> &'d [Symbol] {
+        let first = usize::from(group.first);
+        self.description.get(first..first.saturating_add(usize::from(group.count))).unwrap_or(&[])
+    }
+
+    /// The row of a role of those present, which it has if training has seen the lifted task.
+    pub fn known(&self, present: usize) -> Option<usize> {
+        let column = self.present.get(present).filter(|_| self.form.is_some())?.column;
+        usize::from(column).checked_sub(2)
     }
 
     /// The row of a memory: 0 for none, otherwise the role present at the position before.
     pub fn memory(&self, memory: usize) -> Option<usize> {
         match memory.checked_sub(1) {
             None => Some(0),
-            Some(present) => self.present.get(present).and_then(|present| present.known).map(|role| role.saturating_add(1)),
+            Some(present) => self.known(present).map(|role| role.saturating_add(1)),
         }
     }
 
@@ -142,7 +171,10 @@ impl<'t, 'd> Reader<'t, 'd> {
 
     /// The probability of the end of the command.
     pub fn end(&self, memory: usize) -> f32 {
-        self.moves.get(memory).map_or(END, |&(_, end)| end)
+        match self.memory(memory) {
+            Some(row) if self.form.is_some() => cell(self.ends, row),
+            _ => END,
+        }
     }
 
     /// How probable a new word is for a token.
@@ -183,31 +215,59 @@ impl<'t, 'd> Reader<'t, 'd> {
             *slot = 0.0;
         }
         for group in &self.groups {
-            let sum: f32 = group.values.iter().map(|&value| self.value(value, word)).sum();
-            if let Some(slot) = emissions.get_mut(group.present) {
+            let sum: f32 = self.values(group).iter().map(|&value| self.value(value, word)).sum();
+            if let Some(slot) = emissions.get_mut(group.present()) {
                 *slot += group.share * sum;
             }
         }
     }
 
+    /// What p0 is multiplied by after a word, for background, a word of the task, and each role present.
+    pub fn lifts(&self, previous: Option<usize>) -> Moves {
+        let lift = self.lift(previous);
+        let mut lifts: Moves = [0.0; MOST_ROLES + 2];
+        let [background, task, roles @ ..] = &mut lifts;
+        (*background, *task) = (cell(lift, 0), cell(lift, 1));
+        for (slot, present) in roles.iter_mut().zip(&self.present) {
+            *slot = cell(lift, present.kind().index().saturating_add(2));
+        }
+        lifts
+    }
+
     /// The lift after a word, at the beginning for none, and 1 after a word that is not known.
-    pub fn lift(&self, previous: Option<usize>) -> &'t [f32] {
+    fn lift(&self, previous: Option<usize>) -> &'t [f32] {
         match previous {
             Some(word) if word >= self.layout.words() => &[1.0; KINDS],
             word => get(self.alignments, self.layout.lift(word.unwrap_or(self.layout.words()))),
         }
     }
 
-    /// How a memory moves on after a word with this lift.
-    pub fn step(&self, memory: usize, lift: &[f32]) -> Step {
-        let (row, end) = self.moves.get(memory).map_or((&self.prior[..], END), |&moves| moves);
+    /// How every memory moves on with these lifts, where training has not seen the lifted task.
+    #[inline(never)]
+    pub fn untrained_step(&self, lifts: &Moves) -> Option<Step> {
+        if self.form.is_some() {
+            return None;
+        }
+        let prior = prior(self.layout, self.present.iter().map(|present| present.kind()));
+        Some(self.step_by(&prior, END, lifts))
+    }
+
+    /// How a memory moves on with these lifts, where training has seen the lifted task.
+    pub fn step(&self, memory: usize, lifts: &Moves) -> Step {
+        let width = self.layout.moves();
+        let start = self.memory(memory).unwrap_or(0).saturating_mul(width);
+        self.step_by(get(self.p0, start..start.saturating_add(width)), self.end(memory), lifts)
+    }
+
+    #[inline(always)]
+    fn step_by(&self, row: &[f32], end: f32, lifts: &Moves) -> Step {
         let mut moves: Moves = [0.0; MOST_ROLES + 2];
-        let [background, task, roles @ ..] = &mut moves;
-        *background = cell(row, 0) * cell(lift, 0);
-        *task = cell(row, 1) * cell(lift, 1);
+        let ([background, task, roles @ ..], [of_background, of_task, of_roles @ ..]) = (&mut moves, lifts);
+        *background = cell(row, 0) * of_background;
+        *task = cell(row, 1) * of_task;
         let mut sum = *background + *task;
-        for (slot, present) in roles.iter_mut().zip(&self.present) {
-            *slot = cell(row, present.column) * cell(lift, present.kind.index().saturating_add(2));
+        for ((slot, lift), present) in roles.iter_mut().zip(of_roles).zip(&self.present) {
+            *slot = cell(row, usize::from(present.column)) * lift;
             sum += *slot;
         }
         let scale = if sum > 0.0 { (1.0 - end) / sum } else { 0.0 };
@@ -216,17 +276,18 @@ impl<'t, 'd> Reader<'t, 'd> {
 
     /// Explains one word: from how probable each memory is before it to after it. Returns the sum of the latter.
     pub fn advance(&self, word: usize, previous: Option<usize>, before: &Memories, after: &mut Memories) -> f32 {
-        let lift = self.lift(previous);
+        let lifts = self.lifts(previous);
         let (background, task) = self.background_and_task(word);
         let mut emissions: Roles = [0.0; MOST_ROLES];
         self.emissions(word, &mut emissions);
+        let untrained = self.untrained_step(&lifts);
         let mut into: Roles = [0.0; MOST_ROLES];
         for (memory, (slot, &mass)) in after.iter_mut().zip(before).take(self.memories()).enumerate() {
             *slot = 0.0;
             if mass <= 0.0 {
                 continue;
             }
-            let step = self.step(memory, lift);
+            let step = untrained.unwrap_or_else(|| self.step(memory, &lifts));
             let scale = step.scale * mass;
             let [first, second, roles @ ..] = &step.moves;
             *slot = scale * (first * background + second * task);
@@ -260,6 +321,7 @@ pub(crate) fn heard(layout: &Layout, sentence: &[Option<Symbol>]) -> impl Iterat
 }
 
 /// Pr(e|t); 1 for an untrained model. `tell` is told the position of each word, and the probability of it after those before.
+#[inline(never)]
 pub fn likelihood(
     layout: &Layout,
     translations: &[f32],
@@ -271,7 +333,8 @@ pub fn likelihood(
     if layout.words() == 0 {
         return Scaled::ONE;
     }
-    let reader = Reader::new(layout, translations, alignments, description);
+    let mut reader = Reader::new(layout, translations, alignments, description);
+    reader.take_groups();
     let mut before: Memories = [0.0; MOST_ROLES + 1];
     let mut after: Memories = [0.0; MOST_ROLES + 1];
     if let Some(first) = before.first_mut() {
@@ -287,7 +350,7 @@ pub fn likelihood(
         product = product.scaled_by(sum);
         let scale = 1.0 / sum;
         for (slot, mass) in before.iter_mut().zip(&after).take(reader.memories()) {
-            *slot = mass * scale;
+            *slot = kept(mass * scale);
         }
         previous = Some(word);
     }

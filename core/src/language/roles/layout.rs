@@ -186,6 +186,11 @@ impl Layout {
         row(self.starts.p0, form.saturating_mul(self.memories()).saturating_add(memory), self.moves())
     }
 
+    /// All rows of p0 of a lifted task.
+    pub(super) fn all_p0(&self, form: usize) -> Range<usize> {
+        self.p0(form, 0).start..self.p0(form.saturating_add(1), 0).start
+    }
+
     pub(super) fn end(&self, form: usize) -> Range<usize> {
         row(self.starts.end, form, self.memories())
     }

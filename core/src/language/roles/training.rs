@@ -15,7 +15,7 @@
 //! `lift` multiplies `p0` and is set from the same counts, so a round may lose likelihood where a plain EM would not. How
 //! much was not measured. After the rounds the [kind of task](super::kind) is trained.
 
-use super::forward::{END, Memories, Reader, Roles, prior};
+use super::forward::{END, Memories, Reader, Roles, kept, prior};
 use super::layout::{KINDS, Layout, MOST_ROLES, cell, get, get_mut};
 use super::{kind, start};
 use crate::language::bitext::{BitextRef, Pair};
@@ -176,9 +176,11 @@ impl Work<'_, '_> {
     fn expect(&mut self, pair: &Pair) {
         let (sentence, description) = (self.bitext.sentence(pair.session), self.bitext.command(pair.command));
         let Some((parameters, trellis)) = self.a.values.split_at_mut_checked(self.layout.trellis()) else { return };
-        let reader = Reader::new(self.layout, self.t.values, parameters, description);
+        let mut reader = Reader::new(self.layout, self.t.values, parameters, description);
+        reader.take_groups();
+        let reader = &reader;
         let Some(form) = reader.form else { return };
-        if fill(&reader, sentence, trellis).is_none() {
+        if fill(reader, sentence, trellis).is_none() {
             return;
         }
         let (layout, weight) = (self.layout, pair.weight);
@@ -188,7 +190,7 @@ impl Work<'_, '_> {
                 *slot += part;
             }
         };
-        backward(&reader, sentence, trellis, |event| match event {
+        backward(reader, sentence, trellis, |event| match event {
             Event::Stop { memory, share } => {
                 if let Some(row) = reader.memory(memory) {
                     add(get_mut(a, layout.end(form)), row, weight * share);
@@ -205,8 +207,8 @@ impl Work<'_, '_> {
                 let moves = get_mut(a, layout.p0(form, row));
                 add(moves, 0, weight * background);
                 add(moves, 1, weight * task);
-                for (present, &share) in reader.present.iter().zip(roles) {
-                    if let Some(role) = present.known {
+                for (present, &share) in (0..reader.present.len()).zip(roles) {
+                    if let Some(role) = reader.known(present) {
                         add(moves, role.saturating_add(2), weight * share);
                     }
                 }
@@ -214,25 +216,25 @@ impl Work<'_, '_> {
                 add(lift, 0, weight * background);
                 add(lift, 1, weight * task);
                 for (present, &share) in reader.present.iter().zip(roles) {
-                    add(lift, present.kind.index().saturating_add(2), weight * share);
+                    add(lift, present.kind().index().saturating_add(2), weight * share);
                 }
             }
             Event::Values { position, emissions, roles } => {
                 let Some(&word) = sentence.get(position) else { return };
                 for group in &reader.groups {
-                    let (share, emission) = (cell(roles, group.present), cell(emissions, group.present));
+                    let (share, emission) = (cell(roles, group.present()), cell(emissions, group.present()));
                     if share <= 0.0 || emission <= 0.0 {
                         continue;
                     }
                     let scale = weight * share * group.share / emission;
                     let mut sum = 0.0;
-                    for &value in group.values {
+                    for &value in reader.values(group) {
                         let part = scale * reader.value(value, word.index());
                         add(get_mut(t, layout.row(Some(value))), word.index(), part);
                         sum += part;
                     }
-                    if let Some(role) = reader.present.get(group.present).and_then(|present| present.known) {
-                        add(get_mut(a, layout.lambda(role)), group.sort, sum);
+                    if let Some(role) = reader.known(group.present()) {
+                        add(get_mut(a, layout.lambda(role)), group.sort(), sum);
                     }
                 }
             }
@@ -351,7 +353,7 @@ pub(super) fn fill(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [
         }
         put(rows.next()?, &before, sum)?;
         for (slot, mass) in before.iter_mut().zip(&after).take(reader.memories()) {
-            *slot = mass / sum;
+            *slot = kept(mass / sum);
         }
         previous = Some(word.index());
     }
@@ -382,7 +384,8 @@ pub(super) fn backward(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &[
     }
     for (position, word) in sentence.iter().enumerate().rev() {
         let previous = position.checked_sub(1).and_then(|before| sentence.get(before)).map(|word| word.index());
-        let lift = reader.lift(previous);
+        let lifts = reader.lifts(previous);
+        let untrained = reader.untrained_step(&lifts);
         let (background, task) = reader.background_and_task(word.index());
         let mut emissions: Roles = [0.0; MOST_ROLES];
         reader.emissions(word.index(), &mut emissions);
@@ -395,7 +398,7 @@ pub(super) fn backward(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &[
             if mass <= 0.0 {
                 continue;
             }
-            let step = reader.step(memory, lift);
+            let step = untrained.unwrap_or_else(|| reader.step(memory, &lifts));
             let scale = step.scale / sum;
             let here = cell(&after, memory);
             let [first, second, moves @ ..] = &step.moves;
