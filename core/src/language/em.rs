@@ -90,7 +90,7 @@ impl Training {
                 Phase::Roles(part) => {
                     let (t, a) = tables.parts();
                     let mut work = Work { layout: &layout, tokens, bitext, t, a };
-                    let (cells, next) = work.advance(part, &mut self.round, settings.rounds);
+                    let (cells, next) = work.advance(part, &mut self.round, settings.rounds, usize::try_from(left).unwrap_or(usize::MAX));
                     (cells, if next == Part::Done { Phase::Done } else { Phase::Roles(next) })
                 }
                 Phase::Expect(pair) => match bitext.pairs().get(pair) {

@@ -272,12 +272,49 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Goes on with the machine commands of a task: adds Pr(c|s,l,t), which is the last argument of `each`, times what `each` returns for
-    /// the machine command to the position's sum. Returns whether all of the task's are done.
-    #[inline(never)]
+    /// the machine command to the position's sum. Returns whether all of the task's are done. For the role model, the task's description
+    /// is its only machine command.
     pub(super) fn for_each_candidate<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
         scene: &mut Option<Scene<D::State>>,
+        position: &mut Position,
+        left: &mut u32,
+        each: impl FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError>,
+    ) -> Result<bool, AgentError> {
+        match (self.options.language.model, scene) {
+            (Model::Roles, Some(scene)) => self.with_description(domain, scene, position, left, each).map(|()| true),
+            (Model::Roles, None) => Ok(true),
+            (Model::Model2, _) => self.for_each_constraint(domain, position, left, each),
+        }
+    }
+
+    #[inline(never)]
+    fn with_description<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        scene: &mut Scene<D::State>,
+        position: &mut Position,
+        left: &mut u32,
+        mut each: impl FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError>,
+    ) -> Result<(), AgentError> {
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let Some(task) = session.tasks.get(position.task) else { return Ok(()) };
+        let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
+        let mut description = Tokens::new();
+        describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?;
+        let value = each(&mut candidates, language.read(), &self.sentence, &description, 1.0)?;
+        position.sum = position.sum.plus(value);
+        let cells = description.len().saturating_mul(self.sentence.len().max(1)).saturating_mul(4);
+        *left = left.saturating_sub(cells as u32);
+        Ok(())
+    }
+
+    #[inline(never)]
+    fn for_each_constraint<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
         position: &mut Position,
         left: &mut u32,
         mut each: impl FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError>,
@@ -286,17 +323,6 @@ impl<M: AgentMemory> Agent<M> {
         let mut language = self.language.with(language, workspace);
         let Some(task) = session.tasks.get(position.task) else { return Ok(true) };
         let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { return Ok(true) };
-        if language.read().settings().model == Model::Roles {
-            let Some(scene) = scene else { return Ok(true) };
-            let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
-            let mut description = Tokens::new();
-            describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?;
-            let value = each(&mut candidates, language.read(), &self.sentence, &description, 1.0)?;
-            position.sum = position.sum.plus(value);
-            let cells = description.len().saturating_mul(self.sentence.len().max(1)).saturating_mul(4);
-            *left = left.saturating_sub(cells as u32);
-            return Ok(true);
-        }
         let order = language.read().settings().order;
         // Left where it was made, and the tokens too: taken out of their results, they would stand on the stack twice.
         let expression = Expression::new(domain, lifted, task, order, language.tokens_mut());

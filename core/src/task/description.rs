@@ -184,7 +184,7 @@ pub fn describe<D: Domain + ?Sized>(
                     RoleKind::Start => description.starts(proposition),
                     _ => description.bound_as(proposition, argument),
                 };
-                with_role = with_role.union(&chosen);
+                with_role.insert_all(&chosen);
                 description.write(Role::of_argument(kind, proposition, argument), &chosen)?;
             }
         }
@@ -200,28 +200,45 @@ pub fn describe<D: Domain + ?Sized>(
 
 /// A choice among the objects, one bit each.
 #[derive(Clone, Copy)]
-struct Chosen([u32; 8]);
+struct Chosen {
+    words: [u32; 8],
+    /// Words from here on have no bit.
+    end: u8,
+}
 
 impl Chosen {
-    const NONE: Self = Self([0; 8]);
+    const NONE: Self = Self { words: [0; 8], end: 0 };
 
-    fn contains(&self, object: ObjectId) -> bool {
-        self.0.get(object.index() / 32).is_some_and(|word| word & (1 << (object.0 % 32)) != 0)
+    fn insert(&mut self, object: ObjectId) {
+        let position = object.0 / 32;
+        if let Some(word) = self.words.get_mut(usize::from(position)) {
+            *word |= 1 << (object.0 % 32);
+            self.end = self.end.max(position.saturating_add(1));
+        }
     }
 
-    fn union(mut self, other: &Self) -> Self {
-        self.0.iter_mut().zip(other.0).for_each(|(word, other)| *word |= other);
-        self
+    fn contains(&self, object: ObjectId) -> bool {
+        self.words.get(object.index() / 32).is_some_and(|word| word & (1 << (object.0 % 32)) != 0)
+    }
+
+    fn insert_all(&mut self, others: &Self) {
+        others.iter().for_each(|object| self.insert(object));
     }
 
     fn iter(&self) -> impl Iterator<Item = ObjectId> {
-        self.0.iter().zip(0_u8..).flat_map(|(&word, position)| {
-            let mut rest = word;
-            core::iter::from_fn(move || {
-                let bit = rest.trailing_zeros();
-                rest &= rest.wrapping_sub(1);
-                (bit < 32).then_some(ObjectId(position.wrapping_mul(32).wrapping_add(bit as u8)))
-            })
+        let mut position = 0;
+        let mut rest = self.words.first().copied().unwrap_or(0);
+        core::iter::from_fn(move || {
+            while rest == 0 {
+                position = u8::saturating_add(position, 1);
+                if position >= self.end {
+                    return None;
+                }
+                rest = self.words.get(usize::from(position)).copied().unwrap_or(0);
+            }
+            let bit = rest.trailing_zeros();
+            rest &= rest.wrapping_sub(1);
+            Some(ObjectId(position.wrapping_mul(32).wrapping_add(bit as u8)))
         })
     }
 }
@@ -229,11 +246,7 @@ impl Chosen {
 impl FromIterator<ObjectId> for Chosen {
     fn from_iter<I: IntoIterator<Item = ObjectId>>(objects: I) -> Self {
         let mut chosen = Self::NONE;
-        for object in objects {
-            if let Some(word) = chosen.0.get_mut(object.index() / 32) {
-                *word |= 1 << (object.0 % 32);
-            }
-        }
+        objects.into_iter().for_each(|object| chosen.insert(object));
         chosen
     }
 }
@@ -327,7 +340,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
             for place in places.iter().filter(|&place| self.class(place) == Some(second)) {
                 let others = self.of_class(first).filter(|&guest| !self.is_bound(guest));
                 let there = others.filter(|&guest| self.holds(proposition, [guest, place, ObjectId(0)]));
-                guests = guests.union(&there.collect());
+                there.for_each(|guest| guests.insert(guest));
             }
         }
         guests
@@ -335,11 +348,16 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
 
     /// Writes the groups of a role: for each attribute the values of its objects and, for goals, those of what is there at the start.
     fn write(&mut self, role: Role, objects: &Chosen) -> Result<(), CapacityError> {
+        if objects.end == 0 {
+            return Ok(());
+        }
         let guests = if role.kind() == RoleKind::Goal { self.guests(objects) } else { Chosen::NONE };
         for attribute in 0..self.world.schema.attributes.len() {
             let sort = (attribute << 1) as u8;
             self.write_group(Marker { role, sort }, attribute, objects)?;
-            self.write_group(Marker { role, sort: sort | 1 }, attribute, &guests)?;
+            if guests.end > 0 {
+                self.write_group(Marker { role, sort: sort | 1 }, attribute, &guests)?;
+            }
         }
         Ok(())
     }

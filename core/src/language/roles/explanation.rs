@@ -2,7 +2,7 @@
 
 use super::forward::Reader;
 use super::layout::Layout;
-use super::training::{Event, backward, fill};
+use super::training::{Event, read};
 use crate::symbols::Symbol;
 use crate::task::role::{Role, RoleKind};
 
@@ -18,7 +18,7 @@ pub enum Meaning {
 }
 
 /// Tells for each word, the last first, how probable each of its meanings is: the word's position, the meaning, and its share of 1. Word V of
-/// `sentence` is one that is not known; `trellis` has room for one row of memories more than words.
+/// `sentence` is one that is not known; `trellis` has room for two rows of memories more than words.
 pub(crate) fn explain(
     layout: &Layout,
     translations: &[f32],
@@ -30,11 +30,8 @@ pub(crate) fn explain(
 ) {
     let mut reader = Reader::new(layout, translations, parameters, description);
     reader.take_groups();
-    if fill(&reader, sentence, trellis).is_none() {
-        return;
-    }
     let (mut of_background, mut of_task) = (0.0, 0.0);
-    backward(&reader, sentence, trellis, |event| match event {
+    let _ = read(&reader, sentence, trellis, |event| match event {
         Event::Stop { .. } => {}
         Event::Word { background, task, .. } => {
             of_background += background;

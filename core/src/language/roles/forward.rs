@@ -165,6 +165,10 @@ impl<'t, 'd> Reader<'t, 'd> {
         }
     }
 
+    pub fn layout(&self) -> &'t Layout {
+        self.layout
+    }
+
     pub fn memories(&self) -> usize {
         self.present.len().saturating_add(1)
     }

@@ -12,7 +12,7 @@
 //! | end | lifted tasks | memories |
 //! | lambda | roles | sorts of values |
 //! | novelty | background, and each machine token | 1 |
-//! | trellis | the longest command and one more | memories and a scale |
+//! | trellis | the longest command and two more | memories and a scale |
 
 use crate::capacity::LIFTED_TASKS;
 use crate::language::bitext::BitextRef;
@@ -211,7 +211,7 @@ impl Layout {
 
     /// Cells of `alignments` that are taken.
     pub(crate) fn cells(&self) -> usize {
-        let rows = usize::from(self.longest).saturating_add(1);
+        let rows = usize::from(self.longest).saturating_add(2);
         if self.words == 0 { 0 } else { self.trellis().saturating_add(rows.saturating_mul(self.memories().saturating_add(1))) }
     }
 

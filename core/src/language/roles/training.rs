@@ -38,8 +38,8 @@ pub(crate) enum Part {
     Count(usize),
     /// The rows' beginning, from this one on; the background's is the last.
     Begin(usize),
-    /// Expected counts, from this pair on.
-    Expect(usize),
+    /// Expected counts, from this pair on, and from this step of it: forward through its words, then backward.
+    Expect(usize, u8),
     /// The rows, from this one on.
     Rows(usize),
     /// The lifts, from this word on, with what each kind has of all counts.
@@ -90,8 +90,8 @@ impl Work<'_, '_> {
         prior(self.layout, self.layout.roles().iter().map(|role| role.kind()))
     }
 
-    /// One part: about how many table cells of work it was, and where the training stands after it.
-    pub fn advance(&mut self, part: Part, round: &mut u32, rounds: u32) -> (usize, Part) {
+    /// One part, of at most about `left` table cells of work where it can be cut: how many it was, and where the training stands after it.
+    pub fn advance(&mut self, part: Part, round: &mut u32, rounds: u32, left: usize) -> (usize, Part) {
         let layout = self.layout;
         let pairs = self.bitext.pairs();
         let rows = self.tokens.saturating_add(1);
@@ -118,13 +118,12 @@ impl Work<'_, '_> {
                 for row in 0..rows {
                     get_mut(self.t.counts, layout.row(row.checked_sub(1).map(|token| Symbol(token as u16)))).fill(0.0);
                 }
-                (rows.saturating_mul(layout.words()), if rounds > 0 { Part::Expect(0) } else { Part::Kinds(0, 0) })
+                (rows.saturating_mul(layout.words()), if rounds > 0 { Part::Expect(0, 0) } else { Part::Kinds(0, 0) })
             }
-            Part::Expect(position) => match pairs.get(position) {
+            Part::Expect(position, step) => match pairs.get(position) {
                 Some(pair) => {
-                    self.expect(pair);
-                    let roles = layout.moves();
-                    (self.cells(pair).saturating_mul(roles), Part::Expect(position.saturating_add(1)))
+                    let (cells, next) = self.expect(pair, usize::from(step), left);
+                    (cells, next.map_or(Part::Expect(position.saturating_add(1), 0), |next| Part::Expect(position, next as u8)))
                 }
                 None => (0, Part::Rows(0)),
             },
@@ -150,7 +149,7 @@ impl Work<'_, '_> {
                     *value = core::mem::take(count) + OF_LAMBDA;
                 }
                 *round = round.saturating_add(1);
-                (layout.roles().len().saturating_mul(VALUE_SORTS), if *round < rounds { Part::Expect(0) } else { Part::Kinds(0, 0) })
+                (layout.roles().len().saturating_mul(VALUE_SORTS), if *round < rounds { Part::Expect(0, 0) } else { Part::Kinds(0, 0) })
             }
             Part::Kinds(batch, _) if batch >= kind::BATCHES || layout.forms().len() < 2 => (0, Part::Done),
             Part::Kinds(batch, session) if session < self.bitext.sessions() => {
@@ -172,73 +171,41 @@ impl Work<'_, '_> {
         self.bitext.command(pair.command).len().saturating_mul(self.bitext.sentence(pair.session).len())
     }
 
-    /// The expected counts of one pair.
-    fn expect(&mut self, pair: &Pair) {
+    /// The expected counts of one pair, from a step on, with at most about `left` table cells of work and at least one word: how many it was,
+    /// and the next step, `None` where the pair is done. Between steps, the trellis and what stands behind it are kept.
+    #[inline(never)]
+    fn expect(&mut self, pair: &Pair, mut step: usize, left: usize) -> (usize, Option<usize>) {
         let (sentence, description) = (self.bitext.sentence(pair.session), self.bitext.command(pair.command));
-        let Some((parameters, trellis)) = self.a.values.split_at_mut_checked(self.layout.trellis()) else { return };
+        let Some((parameters, trellis)) = self.a.values.split_at_mut_checked(self.layout.trellis()) else { return (0, None) };
         let mut reader = Reader::new(self.layout, self.t.values, parameters, description);
         reader.take_groups();
-        let reader = &reader;
-        let Some(form) = reader.form else { return };
-        if fill(reader, sentence, trellis).is_none() {
-            return;
+        let cells_of_word = description.len().saturating_mul(self.layout.moves());
+        let mut counts = Counts { reader: &reader, sentence, weight: pair.weight, t: &mut *self.t.counts, a: &mut *self.a.counts };
+        if reader.form.is_none() {
+            return (0, None);
         }
-        let (layout, weight) = (self.layout, pair.weight);
-        let (t, a) = (&mut *self.t.counts, &mut *self.a.counts);
-        let add = |cells: &mut [f32], position: usize, part: f32| {
-            if let Some(slot) = cells.get_mut(position) {
-                *slot += part;
-            }
-        };
-        backward(reader, sentence, trellis, |event| match event {
-            Event::Stop { memory, share } => {
-                if let Some(row) = reader.memory(memory) {
-                    add(get_mut(a, layout.end(form)), row, weight * share);
+        let mut cells = cells_of_word;
+        loop {
+            if step < sentence.len() {
+                if forward_word(&reader, sentence, step, trellis).is_none() {
+                    return (cells, None);
+                }
+            } else {
+                if step == sentence.len() && begin_backward(&reader, sentence, trellis, |event| counts.add(event)).is_none() {
+                    return (cells, None);
+                }
+                let Some(position) = sentence.len().saturating_mul(2).saturating_sub(step).checked_sub(1) else { return (cells, None) };
+                backward_word(&reader, sentence, position, trellis, |event| counts.add(event));
+                if position == 0 {
+                    return (cells, None);
                 }
             }
-            Event::Word { position, memory, background, task, roles } => {
-                let Some(&word) = sentence.get(position) else { return };
-                let previous = position.checked_sub(1).and_then(|before| sentence.get(before)).map_or(layout.words(), |word| word.index());
-                add(get_mut(t, layout.row(None)), word.index(), weight * background);
-                if let Some(&token) = layout.forms().get(form) {
-                    add(get_mut(t, layout.row(Some(token))), word.index(), weight * task);
-                }
-                let Some(row) = reader.memory(memory) else { return };
-                let moves = get_mut(a, layout.p0(form, row));
-                add(moves, 0, weight * background);
-                add(moves, 1, weight * task);
-                for (present, &share) in (0..reader.present.len()).zip(roles) {
-                    if let Some(role) = reader.known(present) {
-                        add(moves, role.saturating_add(2), weight * share);
-                    }
-                }
-                let lift = get_mut(a, layout.lift(previous));
-                add(lift, 0, weight * background);
-                add(lift, 1, weight * task);
-                for (present, &share) in reader.present.iter().zip(roles) {
-                    add(lift, present.kind().index().saturating_add(2), weight * share);
-                }
+            step = step.saturating_add(1);
+            if cells >= left {
+                return (cells, Some(step));
             }
-            Event::Values { position, emissions, roles } => {
-                let Some(&word) = sentence.get(position) else { return };
-                for group in &reader.groups {
-                    let (share, emission) = (cell(roles, group.present()), cell(emissions, group.present()));
-                    if share <= 0.0 || emission <= 0.0 {
-                        continue;
-                    }
-                    let scale = weight * share * group.share / emission;
-                    let mut sum = 0.0;
-                    for &value in reader.values(group) {
-                        let part = scale * reader.value(value, word.index());
-                        add(get_mut(t, layout.row(Some(value))), word.index(), part);
-                        sum += part;
-                    }
-                    if let Some(role) = reader.known(group.present()) {
-                        add(get_mut(a, layout.lambda(role)), group.sort(), sum);
-                    }
-                }
-            }
-        });
+            cells = cells.saturating_add(cells_of_word);
+        }
     }
 
     fn set_row(&mut self, row: usize) {
@@ -337,86 +304,174 @@ pub(super) enum Event<'e> {
     },
 }
 
-/// Fills the trellis: for each word before which it stands, how probable each memory is, and behind them what they were divided by. Returns
-/// nothing where the command is impossible or the trellis too short.
-pub(super) fn fill(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f32]) -> Option<()> {
-    let width = reader.memories().saturating_add(1);
-    let mut before: Memories = [0.0; MOST_ROLES + 1];
-    let mut after: Memories = [0.0; MOST_ROLES + 1];
-    *before.first_mut()? = 1.0;
-    let mut rows = trellis.chunks_mut(width);
-    let mut previous = None;
-    for &word in sentence {
-        let sum = reader.advance(word.index(), previous, &before, &mut after);
-        if sum <= 0.0 {
-            return None;
-        }
-        put(rows.next()?, &before, sum)?;
-        for (slot, mass) in before.iter_mut().zip(&after).take(reader.memories()) {
-            *slot = kept(mass / sum);
-        }
-        previous = Some(word.index());
-    }
-    put(rows.next()?, &before, 1.0)
+/// Where the expected counts of one pair go.
+struct Counts<'r, 't> {
+    reader: &'r Reader<'t, 't>,
+    sentence: &'r [Symbol],
+    weight: f32,
+    t: &'r mut [f32],
+    a: &'r mut [f32],
 }
 
-fn put(row: &mut [f32], memories: &Memories, sum: f32) -> Option<()> {
+impl Counts<'_, '_> {
+    fn add(&mut self, event: Event<'_>) {
+        let (reader, sentence, weight) = (self.reader, self.sentence, self.weight);
+        let layout = reader.layout();
+        let Some(form) = reader.form else { return };
+        let add = |cells: &mut [f32], position: usize, part: f32| {
+            if let Some(slot) = cells.get_mut(position) {
+                *slot += part;
+            }
+        };
+        match event {
+            Event::Stop { memory, share } => {
+                if let Some(row) = reader.memory(memory) {
+                    add(get_mut(self.a, layout.end(form)), row, weight * share);
+                }
+            }
+            Event::Word { position, memory, background, task, roles } => {
+                let Some(&word) = sentence.get(position) else { return };
+                let previous = position.checked_sub(1).and_then(|before| sentence.get(before)).map_or(layout.words(), |word| word.index());
+                add(get_mut(self.t, layout.row(None)), word.index(), weight * background);
+                if let Some(&token) = layout.forms().get(form) {
+                    add(get_mut(self.t, layout.row(Some(token))), word.index(), weight * task);
+                }
+                let Some(row) = reader.memory(memory) else { return };
+                let moves = get_mut(self.a, layout.p0(form, row));
+                add(moves, 0, weight * background);
+                add(moves, 1, weight * task);
+                for (present, &share) in (0..reader.present.len()).zip(roles) {
+                    if let Some(role) = reader.known(present) {
+                        add(moves, role.saturating_add(2), weight * share);
+                    }
+                }
+                let lift = get_mut(self.a, layout.lift(previous));
+                add(lift, 0, weight * background);
+                add(lift, 1, weight * task);
+                for (present, &share) in reader.present.iter().zip(roles) {
+                    add(lift, present.kind().index().saturating_add(2), weight * share);
+                }
+            }
+            Event::Values { position, emissions, roles } => {
+                let Some(&word) = sentence.get(position) else { return };
+                for group in &reader.groups {
+                    let (share, emission) = (cell(roles, group.present()), cell(emissions, group.present()));
+                    if share <= 0.0 || emission <= 0.0 {
+                        continue;
+                    }
+                    let scale = weight * share * group.share / emission;
+                    let mut sum = 0.0;
+                    for &value in reader.values(group) {
+                        let part = scale * reader.value(value, word.index());
+                        add(get_mut(self.t, layout.row(Some(value))), word.index(), part);
+                        sum += part;
+                    }
+                    if let Some(role) = reader.known(group.present()) {
+                        add(get_mut(self.a, layout.lambda(role)), group.sort(), sum);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// One row of a trellis.
+fn row_of(reader: &Reader<'_, '_>, position: usize) -> core::ops::Range<usize> {
+    let width = reader.memories().saturating_add(1);
+    let start = position.saturating_mul(width);
+    start..start.saturating_add(width)
+}
+
+/// Fills the trellis for one word: how probable each memory is after it, and before it, behind the memories, what they were divided by.
+/// Returns nothing where the command is impossible or the trellis too short.
+fn forward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, trellis: &mut [f32]) -> Option<()> {
+    let mut before: Memories = [0.0; MOST_ROLES + 1];
+    let mut after: Memories = [0.0; MOST_ROLES + 1];
+    let row = get_mut(trellis, row_of(reader, position));
     let (last, masses) = row.split_last_mut()?;
-    masses.iter_mut().zip(memories).for_each(|(slot, mass)| *slot = *mass);
+    if position == 0 {
+        masses.fill(0.0);
+        *masses.first_mut()? = 1.0;
+    }
+    before.iter_mut().zip(&*masses).for_each(|(slot, mass)| *slot = *mass);
+    let previous = position.checked_sub(1).and_then(|before| sentence.get(before)).map(|word| word.index());
+    let sum = reader.advance(sentence.get(position)?.index(), previous, &before, &mut after);
     *last = sum;
+    if sum <= 0.0 {
+        return None;
+    }
+    let (last, masses) = get_mut(trellis, row_of(reader, position.saturating_add(1))).split_last_mut()?;
+    masses.iter_mut().zip(&after).for_each(|(slot, mass)| *slot = kept(mass / sum));
+    *last = 1.0;
     Some(())
 }
 
-/// Goes back through a filled trellis, and tells what is known of each word, the last first.
-pub(super) fn backward(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &[f32], mut tell: impl FnMut(Event<'_>)) {
-    let memories = reader.memories();
-    let width = memories.saturating_add(1);
-    let row = |position: usize| get(trellis, position.saturating_mul(width)..position.saturating_add(1).saturating_mul(width));
-    let last = row(sentence.len());
-    let whole: f32 = (0..memories).map(|memory| cell(last, memory) * reader.end(memory)).sum();
+/// Begins to go back through a filled trellis: tells how the command ends, and writes behind it how probable the rest is for each memory.
+fn begin_backward(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f32], mut tell: impl FnMut(Event<'_>)) -> Option<()> {
+    let (filled, behind) = trellis.split_at_mut_checked(row_of(reader, sentence.len()).end)?;
+    let last = get(filled, row_of(reader, sentence.len()));
+    let whole: f32 = (0..reader.memories()).map(|memory| cell(last, memory) * reader.end(memory)).sum();
     if whole <= 0.0 {
-        return;
+        return None;
     }
-    let mut after: Memories = [0.0; MOST_ROLES + 1];
-    for (memory, slot) in after.iter_mut().enumerate().take(memories) {
+    for (memory, slot) in behind.get_mut(..reader.memories())?.iter_mut().enumerate() {
         *slot = reader.end(memory) / whole;
         tell(Event::Stop { memory, share: cell(last, memory) * *slot });
     }
-    for (position, word) in sentence.iter().enumerate().rev() {
-        let previous = position.checked_sub(1).and_then(|before| sentence.get(before)).map(|word| word.index());
-        let lifts = reader.lifts(previous);
-        let untrained = reader.untrained_step(&lifts);
-        let (background, task) = reader.background_and_task(word.index());
-        let mut emissions: Roles = [0.0; MOST_ROLES];
-        reader.emissions(word.index(), &mut emissions);
-        let before = row(position);
-        let sum = cell(before, memories);
-        let mut next: Memories = [0.0; MOST_ROLES + 1];
-        let mut all: Roles = [0.0; MOST_ROLES];
-        for (memory, slot) in next.iter_mut().enumerate().take(memories) {
-            let mass = cell(before, memory);
-            if mass <= 0.0 {
-                continue;
-            }
-            let step = untrained.unwrap_or_else(|| reader.step(memory, &lifts));
-            let scale = step.scale / sum;
-            let here = cell(&after, memory);
-            let [first, second, moves @ ..] = &step.moves;
-            let (of_background, of_task) = (scale * first * background * here, scale * second * task * here);
-            let mut roles: Roles = [0.0; MOST_ROLES];
-            let mut total = of_background + of_task;
-            for ((((part, all), step), emission), there) in
-                roles.iter_mut().zip(&mut all).zip(moves).zip(&emissions).zip(after.iter().skip(1)).take(reader.present.len())
-            {
-                let share = scale * step * emission * there;
-                total += share;
-                *part = mass * share;
-                *all += *part;
-            }
-            *slot = total;
-            tell(Event::Word { position, memory, background: mass * of_background, task: mass * of_task, roles: &roles });
+    Some(())
+}
+
+/// Goes back by one word, and tells what is known of it.
+fn backward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, trellis: &mut [f32], mut tell: impl FnMut(Event<'_>)) {
+    let memories = reader.memories();
+    let Some((filled, behind)) = trellis.split_at_mut_checked(row_of(reader, sentence.len()).end) else { return };
+    let (Some(after), Some(word)) = (behind.get_mut(..memories), sentence.get(position)) else { return };
+    let previous = position.checked_sub(1).and_then(|before| sentence.get(before)).map(|word| word.index());
+    let lifts = reader.lifts(previous);
+    let untrained = reader.untrained_step(&lifts);
+    let (background, task) = reader.background_and_task(word.index());
+    let mut emissions: Roles = [0.0; MOST_ROLES];
+    reader.emissions(word.index(), &mut emissions);
+    let before = get(filled, row_of(reader, position));
+    let sum = cell(before, memories);
+    let mut next: Memories = [0.0; MOST_ROLES + 1];
+    let mut all: Roles = [0.0; MOST_ROLES];
+    for (memory, slot) in next.iter_mut().enumerate().take(memories) {
+        let mass = cell(before, memory);
+        if mass <= 0.0 {
+            continue;
         }
-        tell(Event::Values { position, emissions: &emissions, roles: &all });
-        after = next;
+        let step = untrained.unwrap_or_else(|| reader.step(memory, &lifts));
+        let scale = step.scale / sum;
+        let here = cell(after, memory);
+        let [first, second, moves @ ..] = &step.moves;
+        let (of_background, of_task) = (scale * first * background * here, scale * second * task * here);
+        let mut roles: Roles = [0.0; MOST_ROLES];
+        let mut total = of_background + of_task;
+        for ((((part, all), step), emission), there) in
+            roles.iter_mut().zip(&mut all).zip(moves).zip(&emissions).zip(after.iter().skip(1)).take(reader.present.len())
+        {
+            let share = scale * step * emission * there;
+            total += share;
+            *part = mass * share;
+            *all += *part;
+        }
+        *slot = total;
+        tell(Event::Word { position, memory, background: mass * of_background, task: mass * of_task, roles: &roles });
     }
+    tell(Event::Values { position, emissions: &emissions, roles: &all });
+    after.iter_mut().zip(&next).for_each(|(slot, next)| *slot = *next);
+}
+
+/// Goes forward through a command and back again, and tells what is known of each word, the last first. Returns nothing where the command is
+/// impossible or the trellis too short.
+pub(super) fn read(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f32], mut tell: impl FnMut(Event<'_>)) -> Option<()> {
+    for position in 0..sentence.len() {
+        forward_word(reader, sentence, position, trellis)?;
+    }
+    begin_backward(reader, sentence, trellis, &mut tell)?;
+    for position in (0..sentence.len()).rev() {
+        backward_word(reader, sentence, position, trellis, &mut tell);
+    }
+    Some(())
 }
