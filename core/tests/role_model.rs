@@ -137,40 +137,73 @@ fn the_order_of_the_objects_says_nothing() {
     }
 }
 
+/// How probable commands are where a room of a colour is the goal, after training on commands, goals and weights.
+fn trained<T>(rounds: u32, data: &[(&str, &str, f32)], ask: impl FnOnce(&mut dyn FnMut(&str, &str) -> f32) -> T) -> T {
+    use goodbot::language::{LanguageModel, LanguageMut, Settings};
+    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let mut model = LanguageModel::new(&mut memory.agent, Settings { rounds, ..Settings::DEFAULT }).unwrap();
+    let mut language = model.lend();
+    let goal = goodbot::task::Marker { role: goodbot::task::Role::of_argument(RoleKind::Goal, goodbot::home::AGENT_IN_ROOM, 1), sort: 0 };
+    let described = |language: &mut LanguageMut<'_>, value: &str| {
+        [language.tokens_mut().intern("agentInRoom").unwrap(), goal.symbol(), language.tokens_mut().intern(value).unwrap()]
+    };
+    for &(command, value, weight) in data {
+        let (words, description) = (language.hear(command).unwrap(), described(&mut language, value));
+        language.add_session(&words, [(&description[..], weight)].into_iter()).unwrap();
+    }
+    language.begin_training();
+    while language.train(7) == Progress::Working {}
+    ask(&mut |command, value| {
+        let (words, description) = (language.hear(command).unwrap(), described(&mut language, value));
+        language.read().likelihood(&words, &description).value()
+    })
+}
+
 #[test]
 fn the_order_of_the_sessions_says_nothing_beyond_rounding() {
-    use goodbot::language::{LanguageModel, Settings};
-    let mut answers = Vec::new();
-    for backwards in [false, true] {
-        let mut memory = HeapMemory::new(&Capacities::SMALL);
-        let mut model = LanguageModel::new(&mut memory.agent, Settings::DEFAULT).unwrap();
-        let mut language = model.lend();
-        let goal =
-            goodbot::task::Marker { role: goodbot::task::Role::of_argument(RoleKind::Goal, goodbot::home::AGENT_IN_ROOM, 1), sort: 0 };
-        let mut data = vec![("go to red", "colorRed", 1.0), ("walk to green", "colorGreen", 1.0), ("run to the red room", "colorRed", 1.0)];
-        if backwards {
-            data.reverse();
-        }
-        for (command, value, weight) in data {
-            let words = language.hear(command).unwrap();
-            let tokens =
-                [language.tokens_mut().intern("agentInRoom").unwrap(), goal.symbol(), language.tokens_mut().intern(value).unwrap()];
-            language.add_session(&words, [(&tokens[..], weight)].into_iter()).unwrap();
-        }
-        language.begin_training();
-        while language.train(7) == Progress::Working {}
-        let words = language.hear("go to the green room").unwrap();
-        let mut likelihood = |value| {
-            let tokens =
-                [language.tokens_mut().intern("agentInRoom").unwrap(), goal.symbol(), language.tokens_mut().intern(value).unwrap()];
-            language.read().likelihood(&words, &tokens).value()
-        };
-        answers.push([likelihood("colorRed"), likelihood("colorGreen")]);
-    }
-    for (one, other) in answers[0].iter().zip(&answers[1]) {
+    let mut data = [("go to red", "colorRed", 1.0), ("walk to green", "colorGreen", 1.0), ("run to the red room", "colorRed", 1.0)];
+    let answers =
+        |data: &[_]| trained(8, data, |likelihood| ["colorRed", "colorGreen"].map(|value| likelihood("go to the green room", value)));
+    let forwards = answers(&data);
+    data.reverse();
+    for (one, other) in forwards.iter().zip(answers(&data)) {
         assert!((one / other - 1.0).abs() < 1e-4, "{one} {other}");
     }
-    assert!(answers[0][1] > answers[0][0]);
+    assert!(forwards[1] > forwards[0]);
+}
+
+#[test]
+fn a_weight_that_is_no_number_from_0_on_counts_as_0_and_spoils_nothing() {
+    let with = |weight| {
+        let data = [("go to red", "colorRed", 1.0), ("go to green", "colorGreen", 1.0), ("go to red", "colorGreen", weight)];
+        trained(8, &data, |likelihood| ["colorRed", "colorGreen"].map(|value| likelihood("go to red", value)))
+    };
+    let nothing = with(0.0);
+    assert!(nothing[0] > 2.0 * nothing[1], "{nothing:?}");
+    for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -1.0] {
+        assert_eq!(with(bad).map(f32::to_bits), nothing.map(f32::to_bits), "{bad}");
+    }
+}
+
+#[test]
+fn a_round_of_training_loses_next_to_no_likelihood() {
+    let data = [
+        ("go to the red room", "colorRed", 1.0),
+        ("walk into the green room please", "colorGreen", 1.0),
+        ("please go to blue", "colorBlue", 1.0),
+        ("move to the room that is red", "colorRed", 0.7),
+        ("the green one", "colorGreen", 0.6),
+        ("to the blue room now", "colorBlue", 1.0),
+    ];
+    let after = |rounds| {
+        trained(rounds, &data, |likelihood| {
+            data.iter().map(|&(command, value, weight)| f64::from(weight) * f64::from(likelihood(command, value)).ln()).sum::<f64>()
+        })
+    };
+    let course: Vec<f64> = (0..12).map(after).collect();
+    // Pseudo-counts and the lift make a round approximate.
+    assert!(course.windows(2).all(|pair| pair[1] > pair[0] - 0.001 * pair[0].abs()), "{course:?}");
+    assert!(course[8] > course[0] + 1.0, "{course:?}");
 }
 
 #[test]
@@ -232,6 +265,7 @@ fn long_and_unheard_commands_get_a_sensible_answer() {
     let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
     taught(&mut agent);
     let long = "go to the red room and ".repeat(10);
+    assert_eq!(long.split_whitespace().count(), 60);
     let all = posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], &long);
     let best = all.iter().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
     assert_eq!(best.0, "agent0 room2");

@@ -4,7 +4,7 @@ use super::bitext::{Bitext, BitextRef, BitextTables, BitextTablesRef, Extent};
 use super::em::Training;
 use super::likelihood::{length_likelihood, likelihood};
 use super::roles::{self, Layout, Meaning};
-use super::settings::{Model, SettingError, Settings};
+use super::settings::{Model, SettingError, Settings, is_weight};
 use super::spelling::variant;
 use super::tables::{ParameterTables, ParameterTablesRef, Tables, TablesRef, Trained};
 use super::tokenizer::{Sentence, for_each_piece, for_each_word, word_form};
@@ -375,8 +375,9 @@ impl<'t> LanguageMut<'t> {
         })
     }
 
-    /// Adds one session to the training data: its English command with each of `pairs`, a machine command and its weight. A training must
-    /// follow: [`begin_training`](Self::begin_training).
+    /// Adds one session to the training data: its English command with each of `pairs`, a machine command and its weight. A weight that is
+    /// no number from 0 to 1,000,000 counts as 0, so that it spoils nothing else. A training must follow:
+    /// [`begin_training`](Self::begin_training).
     ///
     /// # Errors
     /// A [`CapacityError`]; the model is then as before.
@@ -520,7 +521,7 @@ impl<'t> LanguageMut<'t> {
         self.tables.fits(self.tokens.len(), self.words.len())?;
         self.bitext.add_session(&words)?;
         for (command, weight) in pairs {
-            self.bitext.add_pair(command, weight)?;
+            self.bitext.add_pair(command, if is_weight(weight) { weight } else { 0.0 })?;
             self.want(command, words.len())?;
         }
         Ok(())
