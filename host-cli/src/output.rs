@@ -145,7 +145,7 @@ fn with_mark(svg: &[u8]) -> Vec<u8> {
 }
 
 /// Whether two names lead to one file, through links of both kinds.
-fn are_one(a: &Path, b: &Path) -> bool {
+pub fn are_one(a: &Path, b: &Path) -> bool {
     let (Ok(a_real), Ok(b_real)) = (std::fs::canonicalize(a), std::fs::canonicalize(b)) else { return false };
     if a_real == b_real {
         return true;

@@ -207,6 +207,19 @@ fn json_and_text_tell_of_the_same_experiment() {
 }
 
 #[test]
+fn what_cannot_be_counted_is_said_and_not_counted_as_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (log, model) = (path("log.jsonl"), path("model"));
+    fs::write(&log, three_workers()).unwrap();
+    let copies = goodbot(&["evaluate", &log, "--test", &log], b"").output;
+    assert!(copies.contains("without copies     nothing is left to ask"), "{copies}");
+    assert_eq!(goodbot(&["learn", &log, "--out", &model], b"").code, 0);
+    let asked = goodbot(&["evaluate", "--with", &model, "--test", &log], b"").output;
+    assert!(asked.contains("trained on         nothing here: the model was there"), "{asked}");
+}
+
+#[test]
 fn absurd_numbers_and_options_without_effect_are_refused() {
     for arguments in [
         &["--k-fold", "1"][..],
@@ -221,8 +234,8 @@ fn absurd_numbers_and_options_without_effect_are_refused() {
         &["--seed", "5"],
         &["--leave-one-out", "--k-fold", "3"],
         &["--leave-environment-out", "--k-fold", "3"],
-        &["--ablation", "--model", "paper"],
-        &["--with", "none", "--model", "paper"],
+        &["--ablation", "--learner", "paper"],
+        &["--with", "none", "--learner", "paper"],
     ] {
         let run = goodbot(&[&["evaluate", "-"], arguments].concat(), three_workers().as_bytes());
         assert_eq!(run.code, 2, "{arguments:?}");

@@ -37,6 +37,15 @@ fn a_session_is_heard_walked_judged_and_learned_from() {
 }
 
 #[test]
+fn words_are_shown_in_full() {
+    let (_, answers) = teach(&[], "command take the yellow chair\nstep\ngood\nfinish\nwords\n");
+    let called = answers.iter().find(|answer| answer["type"] == "words").unwrap()["ideas"][0]["called"].as_object().unwrap().clone();
+    let mut words: Vec<&str> = called.keys().map(String::as_str).collect();
+    words.sort_unstable();
+    assert_eq!(words, ["chair", "take", "the", "yellow"]);
+}
+
+#[test]
 fn the_same_seed_and_the_same_lines_give_the_same_answers() {
     let lines = "command go to the red room\nstep\ngood\nstep\nbad\nstep\nfinish\nhome random\ncommand go\nstep\nstep\n";
     let of = |seed| teach(&["--seed", seed, "--random"], lines).0.output;

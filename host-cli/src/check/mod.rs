@@ -148,7 +148,7 @@ fn check_map(file: &str, text: &str) -> Findings {
 }
 
 fn check_environment(file: &str, text: &str) -> Findings {
-    let mut found = Findings { what: "an environment".to_owned(), ..Findings::default() };
+    let mut found = Findings { what: "a home".to_owned(), ..Findings::default() };
     match EnvironmentFile::parse(text) {
         Ok(environment) => {
             let line = |object: Option<usize>| object.map_or(Some(1), |object| environment::object_line(text, object));
