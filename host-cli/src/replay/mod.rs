@@ -84,7 +84,8 @@ pub fn run(args: &ReplayArgs) -> ExitCode {
                 Some(_) => 1,
                 None => 2,
             };
-            eprintln!("error: {error}");
+            let what = if code == 1 { "cannot write to standard output: " } else { "" };
+            eprintln!("error: {what}{error}");
             ExitCode::from(code)
         }
     }
