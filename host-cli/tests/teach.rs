@@ -185,3 +185,15 @@ fn it_ends_quietly_when_nobody_reads() {
     let (code, messages) = program::goodbot_unheard(&["teach"], b"help\nstate\n");
     assert_eq!((code, messages.as_str()), (0, ""));
 }
+
+#[test]
+fn what_was_learned_from_a_log_and_what_was_taught_have_the_same_settings() {
+    let folder = TempDir::new().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (taught, learned, both) = (path("taught.goodbot"), path("learned.goodbot"), path("both.goodbot"));
+    assert_eq!(goodbot(&["teach", "--model", &taught], b"command go to the red room\nstep\ngood\nfinish\n").code, 0);
+    let log = goodbot(&["example", "log"], b"").output;
+    assert_eq!(goodbot(&["learn", "-", "--out", &learned], log.as_bytes()).code, 0);
+    let merged = goodbot(&["merge", &learned, &taught, "--out", &both], b"");
+    assert_eq!((merged.code, merged.messages.as_str()), (0, ""));
+}

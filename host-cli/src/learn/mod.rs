@@ -63,9 +63,9 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
         .map_err(|error| Failure::Input(refusal::in_words(&error)))?;
     let mut buffer = vec![0; most_bytes(&capacities)];
     let length = model.save(&mut buffer).map_err(|error| fault(&error))?;
-    // The robot's whole mind: the same training data, with its trainer strategies and the vocabulary of its tasks.
+    // The robot's whole mind: the same training data, with its options, its trainer strategies and the vocabulary of its tasks.
     let mut agent = Agent::new(AgentHeap::new(&capacities), &lifted, options.learner.options()).map_err(|error| fault(&error))?;
-    agent.restore(buffer.get(..length).unwrap_or(&[])).map_err(|error| fault(&error))?;
+    let _ = agent.join(buffer.get(..length).unwrap_or(&[])).map_err(|error| fault(&error))?;
     let length = agent.save(&mut buffer).map_err(|error| fault(&error))?;
     target.write(buffer.get(..length).unwrap_or(&[]))?;
     let (words, tokens, pairs) = (model.tables().words(), model.tables().tokens(), model.bitext().pairs().len());
