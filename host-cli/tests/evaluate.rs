@@ -217,6 +217,8 @@ fn what_cannot_be_counted_is_said_and_not_counted_as_nothing() {
     assert_eq!(goodbot(&["learn", &log, "--out", &model], b"").code, 0);
     let asked = goodbot(&["evaluate", "--with", &model, "--test", &log], b"").output;
     assert!(asked.contains("trained on         nothing here: the model was there"), "{asked}");
+    let idle = goodbot(&["evaluate", "--with", &model, "--test", &log, "--seed", "3"], b"");
+    assert!(idle.code == 2 && idle.messages.contains("--seed has no effect here"), "{}", idle.messages);
 }
 
 #[test]
@@ -231,6 +233,7 @@ fn absurd_numbers_and_options_without_effect_are_refused() {
         &["--novel-environments", "0"],
         &["--novel-environments", "100000"],
         &["--runs", "5"],
+        &["--force"],
         &["--seed", "5"],
         &["--leave-one-out", "--k-fold", "3"],
         &["--leave-environment-out", "--k-fold", "3"],

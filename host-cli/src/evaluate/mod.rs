@@ -149,6 +149,11 @@ Examples:
 /// [`Failure`].
 pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
     let lifted = options.kinds.lifted()?;
+    if options.force && options.plot.is_none() && options.curve.is_none() {
+        return Err(Failure::Input(
+            "--force has no effect here: nothing is written. It is for --plot and --curve; leave it out".to_owned(),
+        ));
+    }
     let inputs = || options.files.iter().chain(&options.test).map(String::as_str).chain(options.with.iter().filter_map(|it| it.to_str()));
     let output = |path: &Option<PathBuf>| path.as_deref().map(|path| Output::picture(path, inputs(), options.force)).transpose();
     let (plot, curve) = (output(&options.plot)?, output(&options.curve)?);
@@ -209,6 +214,7 @@ fn with_model(
     plot: Option<&Output>,
     out: &mut impl Write,
 ) -> Result<(), Failure> {
+    options.refuse_idle_seed(0)?;
     let agent = restored::agent(file, lifted)?;
     let files: Vec<String> = options.files.iter().chain(&options.test).cloned().collect();
     if files.is_empty() {
@@ -342,8 +348,8 @@ impl EvaluateOptions {
 
     /// A seed that nothing is drawn with is a mistake.
     fn refuse_idle_seed(&self, sessions: usize) -> Result<(), Failure> {
-        let draws =
-            self.novel_environments.is_some() || self.curve.is_some() || (self.test.is_empty() && self.split(sessions).parts.is_some());
+        let in_parts = self.with.is_none() && self.test.is_empty() && self.split(sessions).parts.is_some();
+        let draws = self.novel_environments.is_some() || self.curve.is_some() || in_parts;
         if self.seed.is_some() && !draws {
             let message = "--seed has no effect here: nothing is drawn. It is for --k-fold, --novel-environments and --curve; leave it out";
             return Err(Failure::Input(message.to_owned()));

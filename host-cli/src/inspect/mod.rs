@@ -31,7 +31,7 @@ pub struct InspectOptions {
     #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
     plot: Option<PathBuf>,
     /// Replace a file that is no picture of goodbot's
-    #[arg(long)]
+    #[arg(long, requires = "plot")]
     force: bool,
     /// Print a line of JSON for each token and each word
     #[arg(long)]

@@ -75,7 +75,7 @@ pub struct TeachOptions {
     #[arg(long, short = 's', value_name = "S", value_parser = crate::numbers::seed, allow_negative_numbers = true)]
     seed: Option<u64>,
     /// How fast the robot goes
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_enum, default_value_t, conflicts_with = "lines")]
     speed: Pace,
     /// Which of your robots: it is kept by this name [default: robot, or tour for the tour]
     #[arg(long, value_name = "NAME", conflicts_with = "model")]
@@ -90,7 +90,7 @@ pub struct TeachOptions {
     #[arg(long)]
     lines: bool,
     /// Write a picture of the tour's fifth lesson under way, taught by a simulated trainer, and leave
-    #[arg(long, value_name = "FILE.svg", conflicts_with_all = ["home", "random", "lines", "robot", "model"], value_hint = ValueHint::FilePath)]
+    #[arg(long, value_name = "FILE.svg", conflicts_with_all = ["home", "random", "lines", "robot", "model", "speed"], value_hint = ValueHint::FilePath)]
     picture: Option<PathBuf>,
     /// Replace a file that is no picture of goodbot's
     #[arg(long, requires = "picture")]
