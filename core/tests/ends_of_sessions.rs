@@ -106,3 +106,72 @@ fn a_command_of_a_length_never_heard_is_learned_from_too() {
     let whole: f32 = added.iter().map(|pair| pair.weight).sum();
     assert!((whole - 1.0).abs() < 1e-5, "the session's weights add up to {whole}");
 }
+
+/// Every word's probability for every machine token.
+fn learned(agent: &Agent<&mut AgentArrays<Memory>>) -> Vec<(String, String, u32)> {
+    let (language, mut all) = (agent.language(), vec![]);
+    for (token, of) in language.tokens().iter().take(language.tables().tokens()) {
+        for (word, said) in language.words().iter().take(language.tables().words()) {
+            all.push((of.to_owned(), said.to_owned(), language.tables().translation(word, Some(token)).to_bits()));
+        }
+    }
+    all
+}
+
+#[test]
+fn what_is_learned_later_is_learned_alike_and_words_mean_the_same_until_then() {
+    const COMMANDS: [&str; 4] = ["go to the red room", "walk into the green one", "enter red now", "to green please"];
+    for language in [Settings::PAPER, Settings::DEFAULT] {
+        // Their weights do not come from words, and so are the same whenever the words are learned.
+        let options = Options { weights: goodbot::session::Weights::Evidence, language, ..Options::PAPER };
+        let tables = |later: bool| {
+            let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
+            let (home, start) = rooms(&mut rooms_memory.home);
+            let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), options).unwrap();
+            agent.hear(&home, &start, "go to the red room").unwrap();
+            let _ = agent.finish(&home).unwrap();
+            agent.learn_fully();
+            let first = learned(&agent);
+            for command in COMMANDS {
+                agent.hear(&home, &start, command).unwrap();
+                agent.plan_fully(&home, &start).unwrap();
+                agent.acted(&home, &start, Action(0)).unwrap();
+                let _ = agent.feedback(Feedback::Reward).unwrap();
+                if later {
+                    agent.finish_for_later(&home).unwrap();
+                    assert_eq!(agent.finish_for_later(&home), Err(AgentError::NoSession));
+                    assert_eq!(learned(&agent), first);
+                } else {
+                    let _ = agent.finish(&home).unwrap();
+                    agent.learn_fully();
+                }
+            }
+            assert_eq!(agent.language().bitext().sessions(), 5);
+            agent.begin_learning();
+            assert_eq!(agent.hear(&home, &start, "go"), Err(AgentError::StillLearning));
+            agent.learn_fully();
+            assert!(learned(&agent).len() > first.len());
+            learned(&agent)
+        };
+        assert_eq!(tables(true), tables(false));
+    }
+}
+
+#[test]
+fn a_session_that_finds_no_room_for_later_goes_on_and_finishing_makes_room() {
+    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
+    let (home, start) = rooms(&mut rooms_memory.home);
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let refused = loop {
+        agent.hear(&home, &start, "go to the red room").unwrap();
+        if let Err(error) = agent.finish_for_later(&home) {
+            break error;
+        }
+    };
+    assert!(matches!(refused, AgentError::Capacity(_)), "{refused}");
+    let full = agent.language().bitext().sessions();
+    assert!(full > 1);
+    assert!(agent.finish(&home).unwrap().gave_way.count() > 0);
+    agent.learn_fully();
+    assert_eq!(agent.language().bitext().sessions(), full);
+}

@@ -6,8 +6,8 @@ use crate::evaluate::EvaluateOptions;
 use crate::example::Example;
 use crate::inspect::InspectOptions;
 use crate::learn::LearnOptions;
+use crate::learner::Learner;
 use crate::merge::MergeArgs;
-use crate::model::Model;
 use crate::paper::sweep::Sweep;
 use crate::paper::trainer::{BelievedChoice, TrainerChoice};
 use crate::replay::ReplayArgs;
@@ -150,9 +150,9 @@ pub struct PaperOptions {
     /// How machine commands are weighted when the agent learns
     #[arg(long, value_enum, default_value_t = WeightsChoice::Paper)]
     pub weights: WeightsChoice,
-    /// The model of language and learning
-    #[arg(long, short = 'm', value_enum, default_value_t)]
-    pub model: Model,
+    /// What learns: the default, or as in the paper
+    #[arg(long, value_enum, value_name = "NAME", default_value_t)]
+    pub learner: Learner,
     /// Take a number of the trainer through a range, such as mu-plus=0.1..0.9:0.2; several times for all combinations
     #[arg(long, value_name = "NUMBER=FROM..TO:STEP", conflicts_with = "plot")]
     pub sweep: Vec<Sweep>,

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 /// What people type for a command that has another name.
 const OTHER_NAMES: [(&[&str], &str); 6] = [
-    (&["train", "fit", "teach"], "learn"),
+    (&["train", "fit"], "learn, or goodbot teach"),
     (&["test", "eval", "score", "validate"], "evaluate"),
     (&["show", "words", "dump", "view", "plot"], "inspect"),
     (&["say", "command", "query", "predict", "tell"], "ask"),
@@ -15,16 +15,40 @@ const OTHER_NAMES: [(&[&str], &str); 6] = [
 
 /// Tells what is wrong, and gives the exit code.
 pub fn tell(error: &clap::Error) -> ExitCode {
-    let meant = |typed: &str| OTHER_NAMES.iter().find(|(names, _)| names.contains(&typed)).map(|(_, command)| *command);
-    let typed = match error.get(ContextKind::InvalidSubcommand).or_else(|| error.get(ContextKind::InvalidArg)) {
-        Some(ContextValue::String(typed)) if matches!(error.kind(), ErrorKind::InvalidSubcommand | ErrorKind::UnknownArgument) => typed,
-        _ => "",
-    };
-    if let Some(command) = meant(typed) {
-        eprintln!("error: there is no command {typed:?}; did you mean goodbot {command}?\n\nFor more information, try 'goodbot --help'.");
-        return ExitCode::from(2);
+    match in_words(error) {
+        Some(message) => eprintln!("error: {message}\n\nFor more information, try 'goodbot --help'."),
+        // A reader who leaves is no fault, and help is none either.
+        None => drop(error.print()),
     }
-    // A reader who leaves is no fault, and help is none either.
-    let _ = error.print();
     ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
+}
+
+/// What is wrong, where it can be told better than by the one who reads the arguments.
+fn in_words(error: &clap::Error) -> Option<String> {
+    let typed = |context: ContextKind| match error.get(context) {
+        Some(ContextValue::String(typed)) => Some(typed.as_str()),
+        _ => None,
+    };
+    let meant = |typed: &str| OTHER_NAMES.iter().find(|(names, _)| names.contains(&typed)).map(|(_, command)| *command);
+    let no_command = |typed: &str, meant: &str| format!("there is no command {typed:?}; did you mean goodbot {meant}?");
+    match error.kind() {
+        ErrorKind::InvalidSubcommand => {
+            let typed = typed(ContextKind::InvalidSubcommand)?;
+            let alike = match error.get(ContextKind::SuggestedSubcommand) {
+                Some(ContextValue::Strings(names)) => names.last().map(String::as_str),
+                _ => None,
+            };
+            Some(match meant(typed).or(alike) {
+                Some(command) => no_command(typed, command),
+                None => format!("there is no command {typed:?}; goodbot --help names all"),
+            })
+        }
+        ErrorKind::UnknownArgument => match typed(ContextKind::InvalidArg)? {
+            "--model" => Some(
+                "--model is the file of a robot that is taught; what learns is said with --learner, a model to ask with --with".to_owned(),
+            ),
+            typed => meant(typed).map(|command| no_command(typed, command)),
+        },
+        _ => None,
+    }
 }

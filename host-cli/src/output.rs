@@ -128,8 +128,14 @@ impl Output {
 /// Where the text goes: standard output, or standard error where something else goes to standard output.
 ///
 /// # Errors
-/// [`Failure::Input`] where two things would go to standard output.
+/// [`Failure::Input`] where two things would go to one place.
 pub fn text(outputs: &[Option<&Output>]) -> Result<BufWriter<Box<dyn Write>>, Failure> {
+    let files: Vec<&Output> = outputs.iter().copied().flatten().filter(|output| !output.is_standard()).collect();
+    if let [one, other] = files.as_slice()
+        && are_one(&one.path, &other.path)
+    {
+        return Err(Failure::Input(format!("{}: two things cannot both be written there; name two files", other.path.display())));
+    }
     let standard = outputs.iter().flatten().filter(|output| output.is_standard()).count();
     match standard {
         0 => Ok(BufWriter::new(Box::new(io::stdout()))),
@@ -144,9 +150,14 @@ fn with_mark(svg: &[u8]) -> Vec<u8> {
     [&svg[..end], b"\n", MARK.as_bytes(), &svg[end..]].concat()
 }
 
-/// Whether two names lead to one file, through links of both kinds.
-fn are_one(a: &Path, b: &Path) -> bool {
-    let (Ok(a_real), Ok(b_real)) = (std::fs::canonicalize(a), std::fs::canonicalize(b)) else { return false };
+/// Whether two names lead to one file, through links of both kinds; also where it is not there yet.
+pub fn are_one(a: &Path, b: &Path) -> bool {
+    let real = |path: &Path| {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let new = || Some(std::fs::canonicalize(folder).ok()?.join(path.file_name()?));
+        std::fs::canonicalize(path).ok().or_else(new)
+    };
+    let (Some(a_real), Some(b_real)) = (real(a), real(b)) else { return false };
     if a_real == b_real {
         return true;
     }

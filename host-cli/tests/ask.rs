@@ -132,6 +132,25 @@ fn it_says_why_word_by_word_for_the_answer_and_for_what_was_expected() {
 }
 
 #[test]
+fn the_columns_of_why_stand_below_each_other() {
+    let asked = Asked::new();
+    let why = asked.ask(&["-e", &example("home.json"), "--why", "take the yellow bag to the blue room"], "").output;
+    let table: Vec<&str> = why.lines().skip_while(|line| !line.starts_with("word ")).collect();
+    let ends: Vec<usize> = table.iter().skip(1).map(|line| line.len()).collect();
+    assert!(table.len() == 9 && ends.iter().all(|end| *end == ends[0]), "{why}");
+}
+
+#[test]
+fn a_plan_says_what_it_is_for_where_that_is_not_the_answer() {
+    let asked = Asked::new();
+    let home = example("home.json");
+    let here = asked.ask(&["-e", &home, "go to the red room"], "").output;
+    assert!(here.contains("answer: already done here: go to the red room"), "{here}");
+    assert!(here.contains("plan to go to the blue room, which is still to do: north"), "{here}");
+    assert!(asked.ask(&["-e", &home, "go to the blue room"], "").output.contains("\nplan: north"));
+}
+
+#[test]
 fn a_home_may_be_drawn_as_text() {
     let asked = Asked::new();
     let drawing = goodbot(&["example", "map"], b"").output;
@@ -165,7 +184,10 @@ fn a_file_of_the_wrong_kind_is_named_by_its_kind() {
 #[test]
 fn errors_are_in_plain_words_and_near_misses_are_suggested() {
     for (arguments, message) in [
-        (&["train"][..], "did you mean goodbot learn?"),
+        (&["train"][..], "did you mean goodbot learn, or goodbot teach?"),
+        (&["teech"], "there is no command \"teech\"; did you mean goodbot teach?"),
+        (&["home.json"], "there is no command \"home.json\"; goodbot --help names all"),
+        (&["learn", "log.jsonl", "--model", "paper"], "what learns is said with --learner"),
         (&["test"], "did you mean goodbot evaluate?"),
         (&["evalute"], "evaluate"),
         (&["paper", "--rusn", "3"], "--runs"),

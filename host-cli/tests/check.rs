@@ -40,7 +40,7 @@ fn block(name: &str, x: i32, y: i32) -> String {
 #[test]
 fn a_sound_environment_and_a_sound_log_have_no_fault() {
     let run = check(&environment(&[AGENT, &block("block0", 2, 2)]));
-    assert_eq!((run.code, run.output.as_str()), (0, "standard input: an environment, no fault\n"));
+    assert_eq!((run.code, run.output.as_str()), (0, "standard input: a home, no fault\n"));
     let run = check(&log([&session(AGENT, "feedback", "go", ""), &step("north", "reward"), END]));
     assert_eq!((run.code, run.output.as_str()), (0, "standard input: 1 session of 1 step, no fault\n"));
 }

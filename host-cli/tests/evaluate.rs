@@ -207,6 +207,21 @@ fn json_and_text_tell_of_the_same_experiment() {
 }
 
 #[test]
+fn what_cannot_be_counted_is_said_and_not_counted_as_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (log, model) = (path("log.jsonl"), path("model"));
+    fs::write(&log, three_workers()).unwrap();
+    let copies = goodbot(&["evaluate", &log, "--test", &log], b"").output;
+    assert!(copies.contains("without copies     nothing is left to ask"), "{copies}");
+    assert_eq!(goodbot(&["learn", &log, "--out", &model], b"").code, 0);
+    let asked = goodbot(&["evaluate", "--with", &model, "--test", &log], b"").output;
+    assert!(asked.contains("trained on         nothing here: the model was there"), "{asked}");
+    let idle = goodbot(&["evaluate", "--with", &model, "--test", &log, "--seed", "3"], b"");
+    assert!(idle.code == 2 && idle.messages.contains("--seed has no effect here"), "{}", idle.messages);
+}
+
+#[test]
 fn absurd_numbers_and_options_without_effect_are_refused() {
     for arguments in [
         &["--k-fold", "1"][..],
@@ -218,11 +233,12 @@ fn absurd_numbers_and_options_without_effect_are_refused() {
         &["--novel-environments", "0"],
         &["--novel-environments", "100000"],
         &["--runs", "5"],
+        &["--force"],
         &["--seed", "5"],
         &["--leave-one-out", "--k-fold", "3"],
         &["--leave-environment-out", "--k-fold", "3"],
-        &["--ablation", "--model", "paper"],
-        &["--with", "none", "--model", "paper"],
+        &["--ablation", "--learner", "paper"],
+        &["--with", "none", "--learner", "paper"],
     ] {
         let run = goodbot(&[&["evaluate", "-"], arguments].concat(), three_workers().as_bytes());
         assert_eq!(run.code, 2, "{arguments:?}");

@@ -58,7 +58,7 @@ fn a_command_that_says_nothing_leaves_the_tasks_tied_in_the_papers_model_and_the
     let folder = tempfile::tempdir().expect("a folder");
     let model = folder.path().join("words.goodbot");
     let model = model.to_str().expect("a name");
-    assert_eq!(goodbot(&["learn", &example("sessions.jsonl"), "--model", "paper", "--out", model], b"").code, 0);
+    assert_eq!(goodbot(&["learn", &example("sessions.jsonl"), "--learner", "paper", "--out", model], b"").code, 0);
     let asked = goodbot(&["ask", "--with", model, "--environment", &example("home.json"), "xyzzy plugh"], b"");
     assert!(asked.output.contains("one of 2 equally likely"), "{}", asked.output);
 }

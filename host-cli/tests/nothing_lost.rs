@@ -170,6 +170,7 @@ fn what_never_ends_is_refused_in_bounded_memory_and_time() {
         "evaluate /dev/zero".to_owned(),
         "replay /dev/zero".to_owned(),
         "replay --keep-going /dev/urandom".to_owned(),
+        "teach --lines < /dev/zero".to_owned(),
         format!("merge /dev/zero {model} --out {}", other.display()),
         format!("ask --with {model} --environment /dev/zero go"),
         format!("ask --with {model} --log /dev/urandom"),
@@ -186,6 +187,28 @@ fn what_never_ends_is_refused_in_bounded_memory_and_time() {
         assert!(messages.len() < 1 << 20, "{arguments} says {} bytes", messages.len());
     }
     assert!(!other.exists());
+}
+
+#[test]
+fn two_pictures_do_not_go_into_one_file() {
+    let place = Place::new();
+    let same = place.folder.path().join(".").join("picture.svg");
+    let run = place.run(&["evaluate", "log.jsonl", "--plot", "picture.svg", "--curve", same.to_str().unwrap()]);
+    assert!(run.code == 2 && run.messages.contains("two things cannot both be written there"), "{}", run.messages);
+    assert!(!same.exists());
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn an_output_that_cannot_be_written_is_an_error() {
+    let place = Place::new();
+    for arguments in ["check", "check --json", "inspect", "replay"] {
+        let file = place.path(if arguments == "inspect" { "model" } else { "log.jsonl" });
+        let command = format!("exec {} {arguments} {} > /dev/full", env!("CARGO_BIN_EXE_goodbot"), file.display());
+        let output = std::process::Command::new("sh").args(["-c", &command]).output().unwrap();
+        let messages = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.code() == Some(1) && messages.contains("cannot write to standard output"), "{arguments}: {messages}");
+    }
 }
 
 #[test]

@@ -147,7 +147,7 @@ fn json_gives_a_line_for_each_run_and_a_summary_in_the_stated_shape() {
         "trainer",
         "believes",
         "layouts",
-        "model",
+        "learner",
         "runs",
         "train_right",
         "train_right_intervals",
@@ -206,7 +206,7 @@ fn a_trainer_who_only_punishes_gets_all_tests_right_in_49_of_50_runs() {
 #[test]
 fn the_weights_of_the_authors_program_tell_go_from_take_more_clearly() {
     let take = |weights| {
-        summary(&["--runs", "40", "--json", "--model", "paper", "--weights", weights])["translations"]["blockInRoom"]["take"]
+        summary(&["--runs", "40", "--json", "--learner", "paper", "--weights", weights])["translations"]["blockInRoom"]["take"]
             .as_f64()
             .unwrap()
     };

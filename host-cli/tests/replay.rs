@@ -90,6 +90,29 @@ fn several_files_are_one_history_of_more_than_five_hundred_sessions() {
     assert_eq!(all.len(), 600);
 }
 
+/// In a long history words are not learned anew after every session, and that is said.
+#[test]
+fn from_the_hundredth_session_on_words_are_learned_anew_when_a_fiftieth_more_have_come() {
+    let home = format!("{AGENT},{BLOCK}");
+    let said = |command: &str| log([&session(&home, "feedback", command, ""), &step("north", "reward"), END]);
+    let long = [said("go there").repeat(100), said("walk there"), said("walk there"), said("walk there")].concat();
+    let with = |arguments: &[&str]| goodbot(&[&["replay"], arguments, &["-"]].concat(), &long);
+    let summary = with(&[]);
+    assert!(summary.output.contains("103, 103 learned from\nwords learned anew   101 times"), "{}", summary.output);
+    let exact = with(&["--every-session"]);
+    assert!(exact.output.contains("103, 103 learned from\nsteps"), "{}", exact.output);
+    assert!(with(&["--json"]).messages.contains("see --every-session"));
+    assert_eq!(with(&["--json", "--quiet"]).messages, "");
+    let sure = |arguments: &[&str]| {
+        let all = beliefs(&with(arguments));
+        let before = |session: usize| probability(&all[2 * session], TO_GREEN);
+        (before(99), before(102))
+    };
+    let (later, at_once) = (sure(&["--json"]), sure(&["--json", "--every-session"]));
+    assert_eq!(later.0, at_once.0);
+    assert!(later.1 != at_once.1 && later.1 > 0.5, "{later:?} {at_once:?}");
+}
+
 #[test]
 fn a_demonstration_is_evidence_for_what_it_leads_to() {
     let home = format!("{AGENT},{BLOCK}");

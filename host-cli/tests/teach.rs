@@ -37,6 +37,15 @@ fn a_session_is_heard_walked_judged_and_learned_from() {
 }
 
 #[test]
+fn words_are_shown_in_full() {
+    let (_, answers) = teach(&[], "command take the yellow chair\nstep\ngood\nfinish\nwords\n");
+    let called = answers.iter().find(|answer| answer["type"] == "words").unwrap()["ideas"][0]["called"].as_object().unwrap().clone();
+    let mut words: Vec<&str> = called.keys().map(String::as_str).collect();
+    words.sort_unstable();
+    assert_eq!(words, ["chair", "take", "the", "yellow"]);
+}
+
+#[test]
 fn the_same_seed_and_the_same_lines_give_the_same_answers() {
     let lines = "command go to the red room\nstep\ngood\nstep\nbad\nstep\nfinish\nhome random\ncommand go\nstep\nstep\n";
     let of = |seed| teach(&["--seed", seed, "--random"], lines).0.output;
@@ -140,6 +149,13 @@ fn files_of_others_are_never_written_to() {
 }
 
 #[test]
+fn options_without_effect_are_refused() {
+    for arguments in [["teach", "--lines", "--speed", "fast"], ["inspect", "model", "--force", "--json"]] {
+        assert_eq!(goodbot(&arguments, b"quit\n").code, 2, "{arguments:?}");
+    }
+}
+
+#[test]
 fn a_home_may_be_drawn() {
     let folder = TempDir::new().unwrap();
     let home = folder.path().join("home.txt");
@@ -175,4 +191,16 @@ fn the_whole_tour_is_taught_in_lines() {
 fn it_ends_quietly_when_nobody_reads() {
     let (code, messages) = program::goodbot_unheard(&["teach"], b"help\nstate\n");
     assert_eq!((code, messages.as_str()), (0, ""));
+}
+
+#[test]
+fn what_was_learned_from_a_log_and_what_was_taught_have_the_same_settings() {
+    let folder = TempDir::new().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (taught, learned, both) = (path("taught.goodbot"), path("learned.goodbot"), path("both.goodbot"));
+    assert_eq!(goodbot(&["teach", "--model", &taught], b"command go to the red room\nstep\ngood\nfinish\n").code, 0);
+    let log = goodbot(&["example", "log"], b"").output;
+    assert_eq!(goodbot(&["learn", "-", "--out", &learned], log.as_bytes()).code, 0);
+    let merged = goodbot(&["merge", &learned, &taught, "--out", &both], b"");
+    assert!(merged.code == 0 && !merged.messages.contains("other settings"), "{}", merged.messages);
 }

@@ -83,7 +83,7 @@ for (const settings of ['default', 'paper']) {
     await watchTour(teacher);
     const log = file('sessions.jsonl', await saved(teacher, '#save-log'));
     const learned = join(folder, 'learned.goodbot');
-    goodbot('learn', '--model', settings, '--out', learned, log);
+    goodbot('learn', '--learner', settings, '--out', learned, log);
     const page = await open(browser);
     await opened(page, 'Settings, keeping, sharing');
     await page.setInputFiles('#load-model', learned);
@@ -151,7 +151,7 @@ test('a log with all that logs may say teaches the page what it teaches the comm
   const here = await believed(page, asked);
   const question = { type: 'session', version: 1, id: 'asked', kind: 'feedback', environment: HOME, command: asked, actions: RECORDED[0].actions };
   const log = file('asked.jsonl', lines([...RECORDED, question, { type: 'end', learn: false }]));
-  const beliefs = goodbot('replay', '--json', '--model', 'default', log).trim().split('\n').map(line => JSON.parse(line));
+  const beliefs = goodbot('replay', '--json', '--learner', 'default', log).trim().split('\n').map(line => JSON.parse(line));
   const answer = beliefs.find(belief => belief.session === 'asked' && belief.step === 0);
   assert.deepEqual(bits(here), bits(answer.tasks));
   assert.notEqual(here['blockInRoom(block0,room1)'], here['agentInRoom(agent0,room1)']);

@@ -1,7 +1,7 @@
 //! The end of a session: each machine command takes its share of the posterior, and the language model learns from it.
 
 use super::agent::{Agent, Position, Work};
-use super::candidates::{Candidate, Candidates};
+use super::candidates::{Candidates, CandidatesRef};
 use super::error::AgentError;
 use super::options::Weights;
 use crate::language::forgetting::Room;
@@ -9,6 +9,7 @@ use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::{Domain, digest};
 use crate::planning::Progress;
 use crate::probability::{Scaled, total};
+use crate::symbols::Symbol;
 
 /// How many of the sessions that gave way are told by their positions.
 const MOST_TOLD: usize = 8;
@@ -50,6 +51,14 @@ impl GaveWay {
         }
         self.count = self.count.saturating_add(1);
     }
+}
+
+/// The machine commands that a session is learned as, with their shares of 1: those of more than `least` of all weight.
+fn shares(candidates: CandidatesRef<'_>, least: f32) -> impl Iterator<Item = (&[Symbol], f32)> + Clone {
+    let whole = total(candidates.entries().iter().map(|entry| entry.weight));
+    let share = move |weight: Scaled| Some(weight.over(whole)).filter(|&share| share > least);
+    let kept: f32 = candidates.entries().iter().filter_map(|entry| share(entry.weight)).sum();
+    candidates.entries().iter().filter_map(move |entry| share(entry.weight).map(|share| (candidates.tokens(entry), share / kept)))
 }
 
 /// What came of the end of a session.
@@ -97,6 +106,35 @@ impl<M: AgentMemory> Agent<M> {
                 return Ok(finished);
             }
         }
+    }
+
+    /// Ends the session as [`finish`](Self::finish) does, but learns nothing from it yet: it joins the training data, and words go on meaning
+    /// what they meant. What comes of the next [`finish`](Self::finish) or of [`begin_learning`](Self::begin_learning) is learned from it too.
+    /// Many sessions in a row then cost one training.
+    ///
+    /// # Errors
+    /// As [`finish`](Self::finish); but no other session gives way: where there is no room, [`AgentError::Capacity`] says so, the session
+    /// goes on, and [`finish`](Self::finish) makes room for it.
+    pub fn finish_for_later<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+        self.check_session(domain)?;
+        if self.language.is_training() {
+            return Err(AgentError::StillLearning);
+        }
+        self.weigh(domain)?;
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let candidates = CandidatesRef::new(session.read().candidates, self.candidates);
+        self.language.with(language, workspace).add_session(&self.sentence, shares(candidates, self.options.least_weight))?;
+        self.ended = true;
+        self.forget_plan();
+        self.take_usage();
+        Ok(())
+    }
+
+    /// Begins to learn from all sessions so far. Call [`learn`](Self::learn) until it is done.
+    pub fn begin_learning(&mut self) {
+        self.forget();
+        self.workspace_to_training();
+        self.language_mut().begin_training();
     }
 
     /// Begins to end the session, as [`finish`](Self::finish) does, but in parts: call [`finish_on`](Self::finish_on) until it is done.
@@ -174,12 +212,8 @@ impl<M: AgentMemory> Agent<M> {
         let mut language = self.language.with(language, workspace);
         let candidates = Candidates::new(session.candidates, &mut self.candidates);
         let candidates = candidates.read();
-        let whole = total(candidates.entries().iter().map(|entry| entry.weight));
-        let share = |weight: Scaled| Some(weight.over(whole)).filter(|&share| share > self.options.least_weight);
-        let kept: f32 = candidates.entries().iter().filter_map(|entry| share(entry.weight)).sum();
-        let weighted = |entry: &Candidate| share(entry.weight).map(|share| (candidates.tokens(entry), share / kept));
-        let pairs = || candidates.entries().iter().filter_map(weighted);
-        match language.add_session_or_make_room(&self.sentence, candidates.all_tokens(), pairs) {
+        let pairs = shares(candidates, self.options.least_weight);
+        match language.add_session_or_make_room(&self.sentence, candidates.all_tokens(), || pairs.clone()) {
             Ok(Room::Found) => Ok(Progress::Done),
             Ok(Room::Made(session)) => {
                 self.gave_way.add(session);

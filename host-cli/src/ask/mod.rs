@@ -294,6 +294,15 @@ impl Answer {
         self.tasks.iter().filter(|&&(_, share)| share >= likeliest).count()
     }
 
+    /// What the plan is for, where it is not for the likeliest meaning because that is done already.
+    fn purpose(&self) -> String {
+        let planned = self.tasks.get(self.best).map(|(name, _)| name);
+        match (self.meanings.first(), self.meanings.iter().find(|meaning| Some(&meaning.name) == planned)) {
+            (Some(first), Some(planned)) if first.done => format!(" to {}, which is still to do", planned.words),
+            _ => String::new(),
+        }
+    }
+
     /// `sure`, `unsure` or `done`.
     fn verdict(&self, threshold: f32) -> &'static str {
         match self.meanings.first() {
@@ -353,11 +362,12 @@ fn print(
     if answer.tied() > 1 {
         writeln!(out, "the plan is for one of {} equally likely", answer.tied())?;
     }
+    let purpose = answer.purpose();
     match &answer.plan {
-        Some((plan, _)) if plan.is_empty() => writeln!(out, "plan: nothing to do")?,
-        Some((plan, true)) => writeln!(out, "plan: {}", plan.join(" "))?,
-        Some((plan, false)) => writeln!(out, "plan: {} (approximate: a shorter way may exist)", plan.join(" "))?,
-        None => writeln!(out, "plan: none was found")?,
+        Some((plan, _)) if plan.is_empty() => writeln!(out, "plan{purpose}: nothing to do")?,
+        Some((plan, true)) => writeln!(out, "plan{purpose}: {}", plan.join(" "))?,
+        Some((plan, false)) => writeln!(out, "plan{purpose}: {} (approximate: a shorter way may exist)", plan.join(" "))?,
+        None => writeln!(out, "plan{purpose}: none was found")?,
     }
     if let Some((task, words, _)) = &answer.expected {
         let right = answer
@@ -386,16 +396,21 @@ fn verdict(out: &mut impl Write, threshold: f32, answer: &Answer) -> std::io::Re
 /// Word by word: what speaks for the answer, and for what was expected.
 fn words(out: &mut impl Write, answer: &Answer) -> std::io::Result<()> {
     let expected = answer.expected.as_ref().map(|(_, _, words)| words.as_slice()).filter(|words| !words.is_empty());
+    let width = |texts: &mut dyn Iterator<Item = &String>| texts.map(|text| text.chars().count()).max().unwrap_or(0).max(14);
+    let said = width(&mut answer.words.iter().map(|word| &word.word));
+    let token = width(&mut answer.words.iter().chain(expected.unwrap_or(&[])).map(|word| &word.token));
     match expected {
-        None => writeln!(out, "\nword             explained by        share of it")?,
-        Some(_) => writeln!(out, "\nword             predicted by        expected by         how much more for the prediction")?,
+        None => writeln!(out, "\n{:said$}    {:token$}  share of it", "word", "explained by")?,
+        Some(_) => {
+            writeln!(out, "\n{:said$}    {:token$}  {:token$}  how much more for the prediction", "word", "predicted by", "expected by")?
+        }
     }
     for (position, word) in answer.words.iter().enumerate() {
         match expected.and_then(|words| words.get(position)) {
-            None => writeln!(out, "  {:14} {:18} {:6.2}", word.word, word.token, word.share)?,
+            None => writeln!(out, "  {:said$}  {:token$}  {:6.2}", word.word, word.token, word.share)?,
             Some(other) => {
                 let times = word.probability.zip(other.probability).map_or_else(String::new, |(a, b)| format!("{:6.2} times", a / b));
-                writeln!(out, "  {:14} {:19} {:19} {times}", word.word, word.token, other.token)?;
+                writeln!(out, "  {:said$}  {:token$}  {:token$}  {times}", word.word, word.token, other.token)?;
             }
         }
     }

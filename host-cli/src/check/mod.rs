@@ -8,6 +8,7 @@ use crate::load::content::Content;
 use crate::load::kinds::TaskKinds;
 use crate::load::{Fault, home, input, map, session};
 use crate::messages::counted;
+use crate::outcome;
 use clap::Args;
 use goodbot::task::LiftedTask;
 use goodbot_formats::Problem;
@@ -67,8 +68,13 @@ pub fn run(args: &CheckArgs) -> ExitCode {
     for file in &args.files {
         let found = check(file, &lifted).unwrap_or_else(|fault| Findings { faults: vec![fault], ..Findings::default() });
         sound &= found.faults.is_empty();
+        let told = if args.json { tell_json(input::name(file), &found) } else { tell(input::name(file), &found) };
         // The exit code says the same, should no one read the output to its end.
-        let _ = if args.json { tell_json(input::name(file), &found) } else { tell(input::name(file), &found) };
+        if let Err(error) = told
+            && error.kind() != std::io::ErrorKind::BrokenPipe
+        {
+            return outcome::exit_code(Err(error.into()));
+        }
     }
     ExitCode::from(if sound { 0 } else { 2 })
 }
@@ -148,7 +154,7 @@ fn check_map(file: &str, text: &str) -> Findings {
 }
 
 fn check_environment(file: &str, text: &str) -> Findings {
-    let mut found = Findings { what: "an environment".to_owned(), ..Findings::default() };
+    let mut found = Findings { what: "a home".to_owned(), ..Findings::default() };
     match EnvironmentFile::parse(text) {
         Ok(environment) => {
             let line = |object: Option<usize>| object.map_or(Some(1), |object| environment::object_line(text, object));

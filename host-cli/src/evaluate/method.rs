@@ -1,4 +1,4 @@
-//! The models that are compared.
+//! The learners that are compared.
 
 use super::folds::no_room;
 use crate::lessons::training;
@@ -15,7 +15,7 @@ use goodbot::memory::AgentHeap;
 use goodbot::task::TokenOrder;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What is trained.
+/// What learns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Method {
     /// What understands people best: the role model

@@ -20,10 +20,10 @@ pub mod report;
 mod split;
 mod wordless;
 
+use crate::learner::Learner;
 use crate::lessons::{self, Lesson, Lessons, restored};
 use crate::load::kinds::TaskKinds;
 use crate::messages::{counted, say};
-use crate::model::Model;
 use crate::outcome::Failure;
 use crate::output::{self, Output};
 use clap::{Args, ValueHint};
@@ -55,7 +55,7 @@ pub struct EvaluateOptions {
     #[arg(long, value_name = "FILE", num_args = 1.., value_hint = ValueHint::FilePath, conflicts_with_all = ["leave_one_out", "k_fold", "group", "leave_environment_out", "leave_task_out"])]
     test: Vec<String>,
     /// Ask a model that `goodbot learn` wrote, and train none
-    #[arg(long, short = 'w', value_name = "MODEL", value_hint = ValueHint::FilePath, conflicts_with_all = ["leave_one_out", "k_fold", "group", "leave_environment_out", "leave_task_out", "model", "ablation", "curve"])]
+    #[arg(long, short = 'w', value_name = "MODEL", value_hint = ValueHint::FilePath, conflicts_with_all = ["leave_one_out", "k_fold", "group", "leave_environment_out", "leave_task_out", "learner", "ablation", "curve"])]
     with: Option<PathBuf>,
     /// For every session, train on all the others (the default up to 500 sessions)
     #[arg(long, conflicts_with_all = ["k_fold", "group", "leave_environment_out", "leave_task_out"])]
@@ -77,11 +77,11 @@ pub struct EvaluateOptions {
     /// Ask each command in N random layouts of its home instead of the one it was given in; N is 1 to 100
     #[arg(long, value_name = "N", value_parser = layouts, allow_negative_numbers = true)]
     novel_environments: Option<usize>,
-    /// The model that is trained
-    #[arg(long, short = 'm', value_enum, default_value_t)]
-    model: Method,
+    /// What learns
+    #[arg(long, value_enum, value_name = "NAME", default_value_t)]
+    learner: Method,
     /// Compare the default with the same without one choice at a time, in a table
-    #[arg(long, conflicts_with_all = ["model", "plot", "curve"])]
+    #[arg(long, conflicts_with_all = ["learner", "plot", "curve"])]
     ablation: bool,
     /// Seed of the parts, layouts and curves [default: 1]
     #[arg(long, short = 's', value_name = "S", value_parser = crate::numbers::seed, allow_negative_numbers = true)]
@@ -139,7 +139,7 @@ Examples:
   goodbot evaluate expert.jsonl --task \"agentInRoom(?a,?r1) & blockInRoom(?o,?r2)\"
   goodbot evaluate feedback.jsonl --group worker
   goodbot evaluate turk-original.jsonl --leave-environment-out
-  goodbot evaluate turk-simplified.jsonl --k-fold 10 --model bag-of-words
+  goodbot evaluate turk-simplified.jsonl --k-fold 10 --learner bag-of-words
   goodbot evaluate turk-simplified.jsonl --curve curve.svg --runs 20
   goodbot evaluate turk-simplified.jsonl --ablation";
 
@@ -149,6 +149,11 @@ Examples:
 /// [`Failure`].
 pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
     let lifted = options.kinds.lifted()?;
+    if options.force && options.plot.is_none() && options.curve.is_none() {
+        return Err(Failure::Input(
+            "--force has no effect here: nothing is written. It is for --plot and --curve; leave it out".to_owned(),
+        ));
+    }
     let inputs = || options.files.iter().chain(&options.test).map(String::as_str).chain(options.with.iter().filter_map(|it| it.to_str()));
     let output = |path: &Option<PathBuf>| path.as_deref().map(|path| Output::picture(path, inputs(), options.force)).transpose();
     let (plot, curve) = (output(&options.plot)?, output(&options.curve)?);
@@ -159,16 +164,16 @@ pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
     if let Some(model) = &options.with {
         return with_model(options, model, &lifted, plot.as_ref(), &mut out);
     }
-    let settings = options.model.settings();
+    let settings = options.learner.settings();
     let sessions = Sessions::read(options, &lifted, settings)?;
-    let (answers, summary) = sessions.answers(options, &lifted, options.model, settings)?;
+    let (answers, summary) = sessions.answers(options, &lifted, options.learner, settings)?;
     sessions.tell_copies(&answers);
     // Pictures come first: a reader who leaves must not cost them.
     reliability(plot.as_ref(), &summary)?;
     report::print(&mut out, &answers, &summary, options.json).or_else(unheard)?;
     if let Some(curve) = &curve {
         let runs = options.runs.unwrap_or(10);
-        let points = curve::points(&sessions.taught.lessons, options.model, settings, runs, options.seed())?;
+        let points = curve::points(&sessions.taught.lessons, options.learner, settings, runs, options.seed())?;
         let svg = curve::draw(&points, runs).map_err(|error| Failure::Result(error.to_string()))?;
         curve.write(svg.as_bytes())?;
         if !options.json {
@@ -209,13 +214,14 @@ fn with_model(
     plot: Option<&Output>,
     out: &mut impl Write,
 ) -> Result<(), Failure> {
+    options.refuse_idle_seed(0)?;
     let agent = restored::agent(file, lifted)?;
     let files: Vec<String> = options.files.iter().chain(&options.test).cloned().collect();
     if files.is_empty() {
         return Err(Failure::Input("there is nothing to ask the model; name a session log with --test".to_owned()));
     }
     let settings = *agent.language().settings();
-    let asked = lessons::read(&files, lifted, Options { language: settings, ..Model::Default.options() }, false, options.keep_going)?;
+    let asked = lessons::read(&files, lifted, Options { language: settings, ..Learner::Default.options() }, false, options.keep_going)?;
     let sessions = Sessions { taught: Lessons::default(), asked: Some(asked) };
     let about = sessions.about()?;
     let experiment = Experiment {
@@ -240,8 +246,8 @@ struct Sessions {
 
 impl Sessions {
     fn read(options: &EvaluateOptions, lifted: &[LiftedTask], settings: Settings) -> Result<Self, Failure> {
-        let agent = Options { language: settings, ..Model::Default.options() };
-        let plans = options.model == Method::Action;
+        let agent = Options { language: settings, ..Learner::Default.options() };
+        let plans = options.learner == Method::Action;
         let taught = lessons::read(&options.files, lifted, agent, plans, options.keep_going)?;
         let asked = match options.test.as_slice() {
             [] => None,
@@ -342,8 +348,8 @@ impl EvaluateOptions {
 
     /// A seed that nothing is drawn with is a mistake.
     fn refuse_idle_seed(&self, sessions: usize) -> Result<(), Failure> {
-        let draws =
-            self.novel_environments.is_some() || self.curve.is_some() || (self.test.is_empty() && self.split(sessions).parts.is_some());
+        let in_parts = self.with.is_none() && self.test.is_empty() && self.split(sessions).parts.is_some();
+        let draws = self.novel_environments.is_some() || self.curve.is_some() || in_parts;
         if self.seed.is_some() && !draws {
             let message = "--seed has no effect here: nothing is drawn. It is for --k-fold, --novel-environments and --curve; leave it out";
             return Err(Failure::Input(message.to_owned()));

@@ -178,14 +178,17 @@ fn totals(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
             .filter(|(count, _)| *count > 0)
             .map(|(count, what)| format!(", {count} {what}"))
             .collect();
-    writeln!(out, "\ntrained on         {}{}", counted(taught, "session"), others.concat())?;
+    let taught = if taught == 0 { "nothing here: the model was there".to_owned() } else { counted(taught, "session") };
+    writeln!(out, "\ntrained on         {taught}{}", others.concat())?;
     writeln!(out, "accuracy           {}", summary.score.text())?;
     writeln!(out, "without words      {}", summary.wordless.text())?;
     writeln!(out, "by chance          {:6.2} %", 100.0 * summary.chance)?;
     let copies = summary.score.asked - summary.without_copies.asked;
     if copies > 0 {
+        let rest = &summary.without_copies;
+        let rest = if rest.asked == 0 { "nothing is left to ask".to_owned() } else { rest.text() };
         let asked = if copies == 1 { "is a copy of a session" } else { "are copies of sessions" };
-        writeln!(out, "without copies     {}  ({copies} asked {asked} trained on)", summary.without_copies.text())?;
+        writeln!(out, "without copies     {rest}  ({copies} asked {asked} trained on)")?;
     }
     if evidence.1 > 0 {
         let share = 100.0 * evidence.0 as f64 / evidence.1 as f64;

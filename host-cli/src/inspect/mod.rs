@@ -1,14 +1,16 @@
 //! `goodbot inspect`: which words a model knows, and what they mean to it.
 
+use crate::learner::letters_kept;
 use crate::lessons::restored;
 use crate::messages::counted;
 use crate::outcome::Failure;
 use crate::output::{self, Output};
 use crate::paper::lexicon::Lexicon;
 use crate::paper::plot;
-use crate::paper::table::forms;
+use crate::teach::full_words::FullWords;
 use clap::{Args, ValueHint};
 use goodbot::home;
+use goodbot::language::Settings;
 use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
@@ -29,7 +31,7 @@ pub struct InspectOptions {
     #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
     plot: Option<PathBuf>,
     /// Replace a file that is no picture of goodbot's
-    #[arg(long)]
+    #[arg(long, requires = "plot")]
     force: bool,
     /// Print a line of JSON for each token and each word
     #[arg(long)]
@@ -46,7 +48,9 @@ pub fn run(options: &InspectOptions) -> Result<(), Failure> {
     let target =
         options.plot.as_deref().map(|plot| Output::picture(plot, options.model.to_str().into_iter(), options.force)).transpose()?;
     let agent = restored::agent(&options.model, &lifted)?;
-    let lexicon = Lexicon::of(agent.language());
+    let mut lexicon = Lexicon::of(agent.language());
+    let full = FullWords::new(letters_kept(agent.language().settings()));
+    lexicon.words.iter_mut().for_each(|word| *word = full.of(word));
     let mut out = output::text(&[target.as_ref()])?;
     // Before anything is printed: a reader who leaves must not cost the picture.
     if let Some(target) = &target {
@@ -54,9 +58,8 @@ pub fn run(options: &InspectOptions) -> Result<(), Failure> {
         target.write(svg.as_bytes())?;
     }
     if !options.json {
-        let letters = agent.language().settings().word_letters;
         let sessions = counted(agent.language().bitext().sessions(), "session");
-        writeln!(out, "{sessions}, {}{}", counted(lexicon.words.len(), "word"), forms(letters))?;
+        writeln!(out, "{sessions}, {}{}", counted(lexicon.words.len(), "word"), alike(agent.language().settings()))?;
         writeln!(out, "\nThe words of each machine token: t(word | token)")?;
     }
     for (token, row) in &lexicon.rows {
@@ -87,6 +90,15 @@ pub fn run(options: &InspectOptions) -> Result<(), Failure> {
         }
     }
     Ok(out.flush()?)
+}
+
+/// Which words count as one.
+fn alike(settings: &Settings) -> String {
+    match (settings.word_letters, letters_kept(settings)) {
+        (0, _) => String::new(),
+        (letters, 0) => format!("; words that begin with the same {letters} letters count as one, the first that was heard"),
+        (letters, _) => format!("; of a word the first {letters} letters are known"),
+    }
 }
 
 /// The most probable words of the tokens alone: a picture of hundreds of words shows none.

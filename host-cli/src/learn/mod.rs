@@ -1,9 +1,9 @@
 //! `goodbot learn`: a model from recorded sessions.
 
+use crate::learner::Learner;
 use crate::lessons::{self, training};
 use crate::load::kinds::TaskKinds;
 use crate::messages::counted;
-use crate::model::Model;
 use crate::outcome::Failure;
 use crate::output::{self, Output};
 use crate::refusal;
@@ -32,9 +32,9 @@ pub struct LearnOptions {
     out: PathBuf,
     #[command(flatten)]
     kinds: TaskKinds,
-    /// The model of language and learning
-    #[arg(long, short = 'm', value_enum, default_value_t)]
-    model: Model,
+    /// What learns: the default, or as in the paper
+    #[arg(long, value_enum, value_name = "NAME", default_value_t)]
+    learner: Learner,
     /// Replace a file that is no model
     #[arg(long)]
     force: bool,
@@ -51,7 +51,7 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let lifted = options.kinds.lifted()?;
     let target = Output::model(&options.out, options.files.iter().map(String::as_str), options.force)?;
     let lessons::Lessons { lessons, skipped, with_way } =
-        lessons::read(&options.files, &lifted, options.model.options(), false, options.keep_going)?;
+        lessons::read(&options.files, &lifted, options.learner.options(), false, options.keep_going)?;
     let learned = lessons.iter().filter(|lesson| lesson.learn).count();
     if learned == 0 {
         return Err(Failure::Input("no session is to be learned from; set \"learn\" to true at the end of one".to_owned()));
@@ -59,13 +59,13 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let fault = |error: &dyn std::fmt::Display| Failure::Input(error.to_string());
     let capacities = training::capacities(&lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD });
     let mut memory = AgentHeap::new(&capacities);
-    let model = training::train(&mut memory, lessons.iter(), options.model.options().language)
+    let model = training::train(&mut memory, lessons.iter(), options.learner.options().language)
         .map_err(|error| Failure::Input(refusal::in_words(&error)))?;
     let mut buffer = vec![0; most_bytes(&capacities)];
     let length = model.save(&mut buffer).map_err(|error| fault(&error))?;
-    // The robot's whole mind: the same training data, with its trainer strategies and the vocabulary of its tasks.
-    let mut agent = Agent::new(AgentHeap::new(&capacities), &lifted, options.model.options()).map_err(|error| fault(&error))?;
-    agent.restore(buffer.get(..length).unwrap_or(&[])).map_err(|error| fault(&error))?;
+    // The robot's whole mind: the same training data, with its options, its trainer strategies and the vocabulary of its tasks.
+    let mut agent = Agent::new(AgentHeap::new(&capacities), &lifted, options.learner.options()).map_err(|error| fault(&error))?;
+    let _ = agent.join(buffer.get(..length).unwrap_or(&[])).map_err(|error| fault(&error))?;
     let length = agent.save(&mut buffer).map_err(|error| fault(&error))?;
     target.write(buffer.get(..length).unwrap_or(&[]))?;
     let (words, tokens, pairs) = (model.tables().words(), model.tables().tokens(), model.bitext().pairs().len());

@@ -1,4 +1,5 @@
-//! A home from a drawing: what [`goodbot::home::map::Map`] draws, with a legend.
+//! A home from a drawing: what [`goodbot::home::map::Map`] draws, with a legend of its letters, or with notes of single things as the
+//! trainer page writes them.
 
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use std::collections::{BTreeMap, BTreeSet};
@@ -25,11 +26,53 @@ pub fn is_map(text: &str) -> bool {
     lines.next().is_some_and(|first| first.contains('#') && first.chars().all(|c| "#+ ".contains(c)))
 }
 
+/// What lines below a drawing say of single things: `room teal 0 0 5 6` of the room in a box, `block blue chair 4 2` of the block in a cell.
+/// Each with its line.
+#[derive(Debug, Default)]
+struct Notes {
+    rooms: BTreeMap<[i32; 4], (usize, String)>,
+    blocks: BTreeMap<[i32; 2], (usize, String)>,
+}
+
+impl Notes {
+    /// Takes a line in. Gives whether it is a note.
+    fn take(&mut self, number: usize, line: &str) -> bool {
+        fn numbers<const N: usize>(texts: &[&str]) -> Option<[i32; N]> {
+            let numbers: Option<Vec<i32>> = texts.iter().map(|text| text.parse().ok()).collect();
+            numbers?.try_into().ok()
+        }
+        let parts: Vec<&str> = line.split_whitespace().collect();
+        match parts.as_slice() {
+            ["room", color, place @ ..] => numbers(place).map(|place| self.rooms.insert(place, (number, (*color).to_owned()))).is_some(),
+            ["block", color, shape, place @ ..] => {
+                numbers(place).map(|cell| self.blocks.insert(cell, (number, format!("{color} {shape}")))).is_some()
+            }
+            _ => false,
+        }
+    }
+
+    /// A note of a room or block that is not drawn.
+    fn idle(&self, objects: &[ObjectRecord]) -> Option<Misdrawn> {
+        let room = |place: &[i32; 4]| {
+            objects
+                .iter()
+                .any(|it| matches!(*it, ObjectRecord::Room { left, bottom, right, top, .. } if [left, bottom, right, top] == *place))
+        };
+        let block = |cell: &[i32; 2]| objects.iter().any(|it| matches!(*it, ObjectRecord::Block { x, y, .. } if [x, y] == *cell));
+        let rooms =
+            self.rooms.iter().filter(|(place, _)| !room(place)).map(|(_, (line, _))| (*line, "no room has this box, its walls included"));
+        let blocks = self.blocks.iter().filter(|(cell, _)| !block(cell)).map(|(_, (line, _))| (*line, "no block stands in this cell"));
+        let (line, what) = rooms.chain(blocks).next()?;
+        Some(Misdrawn { line, message: format!("{what}; mend the numbers, or leave the line out") })
+    }
+}
+
 /// A drawing taken apart.
 struct Drawing {
     /// What stands where: x to the east, y to the north.
     cells: BTreeMap<(i32, i32), char>,
     legend: BTreeMap<char, (usize, String)>,
+    notes: Notes,
     rows: i32,
     first: usize,
 }
@@ -58,7 +101,8 @@ pub fn parse(text: &str) -> Result<EnvironmentFile, Misdrawn> {
         } else if character == '@' {
             agents.push(ObjectRecord::Agent { name: format!("agent{}", agents.len()), x, y });
         } else if character.is_uppercase() {
-            let meaning = drawing.legend.get(&character).map(|(_, meaning)| meaning.split_whitespace().collect::<Vec<_>>());
+            let said = drawing.notes.blocks.get(&[x, y]).or_else(|| drawing.legend.get(&character));
+            let meaning = said.map(|(_, meaning)| meaning.split_whitespace().collect::<Vec<_>>());
             let Some([color, shape]) = meaning.as_deref() else {
                 let message = format!("what block {character} is is not said; add a line such as \"{character}: yellow chair\"");
                 return drawing.wrong((x, y), message);
@@ -68,17 +112,23 @@ pub fn parse(text: &str) -> Result<EnvironmentFile, Misdrawn> {
         }
     }
     objects.extend(doors.into_iter().chain(agents).chain(blocks));
-    Ok(EnvironmentFile::new(objects))
+    match drawing.notes.idle(&objects) {
+        Some(idle) => Err(idle),
+        None => Ok(EnvironmentFile::new(objects)),
+    }
 }
 
 fn taken_apart(text: &str) -> Result<Drawing, Misdrawn> {
-    let (mut rows, mut legend, mut first) = (Vec::new(), BTreeMap::new(), 0);
+    let (mut rows, mut legend, mut notes, mut first) = (Vec::new(), BTreeMap::new(), Notes::default(), 0);
     for (line, number) in text.trim_start_matches('\u{feff}').lines().zip(1..).filter(|(line, _)| !line.trim().is_empty()) {
         let line = line.trim_end();
         let mut letters = line.chars();
         let named = letters.next().zip(letters.as_str().split_once(':')).filter(|(_, (blank, _))| blank.trim().is_empty());
         if let Some((letter, (_, meaning))) = named {
             legend.insert(letter, (number, meaning.trim().to_owned()));
+            continue;
+        }
+        if notes.take(number, line) {
             continue;
         }
         if line.chars().count() > MOST || rows.len() == MOST {
@@ -101,7 +151,7 @@ fn taken_apart(text: &str) -> Result<Drawing, Misdrawn> {
             cells.insert((x, y), character);
         }
     }
-    Ok(Drawing { cells, legend, rows: height, first })
+    Ok(Drawing { cells, legend, notes, rows: height, first })
 }
 
 /// The rooms: each a full rectangle of one small letter, with the robot and blocks in it.
@@ -133,7 +183,8 @@ fn rooms(drawing: &Drawing) -> Result<Vec<ObjectRecord>, Misdrawn> {
         if i64::from(right - left + 1) * i64::from(top - bottom + 1) != room.len() as i64 {
             return drawing.wrong(start, format!("room {letter} is no rectangle; fill it with {letter}, and wall it round"));
         }
-        let named = drawing.legend.get(&letter).map(|(_, meaning)| meaning.clone());
+        let said = drawing.notes.rooms.get(&[left - 1, bottom - 1, right + 1, top + 1]).or_else(|| drawing.legend.get(&letter));
+        let named = said.map(|(_, meaning)| meaning.clone());
         let Some(color) = named.or_else(|| COLORS.iter().find(|(known, _)| *known == letter).map(|(_, color)| (*color).to_owned())) else {
             return drawing.wrong(start, format!("which colour {letter} is is not said; add a line such as \"{letter}: teal\""));
         };
@@ -164,6 +215,14 @@ mod tests {
     }
 
     #[test]
+    fn a_drawing_of_the_trainer_page_is_read_with_its_notes() {
+        let drawing = "#####\n#rrr#\n##+##\n#r@C#\n#####\n";
+        let legend = parse(&format!("{drawing}r: red\nC: blue chair\n")).unwrap().to_json_line();
+        let notes = parse(&format!("{drawing}\nroom teal 0 0 4 2\nroom red 0 2 4 4\nblock blue chair 3 1\n")).unwrap().to_json_line();
+        assert_eq!(notes, legend.replacen("\"color\":\"red\"", "\"color\":\"teal\"", 1));
+    }
+
+    #[test]
     fn what_cannot_be_read_from_a_drawing_is_told_with_its_line() {
         for (drawing, line, message) in [
             ("#####\n#rCr#\n#####", 2, "C: yellow chair"),
@@ -171,6 +230,8 @@ mod tests {
             ("####\n#zz#\n####", 2, "which colour z is"),
             ("#####\n#rr##\n#rrr#\n#####", 3, "no rectangle"),
             ("####\n#r!#\n####", 2, "means nothing"),
+            ("####\n#r@#\n####\nroom red 0 0 3 3", 4, "no room has this box"),
+            ("####\n#r@#\n####\nblock red bag 1 1", 4, "no block stands"),
         ] {
             let wrong = parse(drawing).unwrap_err();
             assert!(wrong.line == line && wrong.message.contains(message), "{wrong:?}");

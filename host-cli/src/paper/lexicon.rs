@@ -25,10 +25,10 @@ impl Lexicon {
 
     /// The same, with each cut word written out as it stands in these commands: `chair` for `chai`. Several that are one to the agent stand
     /// beside each other.
-    pub fn written_out<'c>(mut self, commands: impl Iterator<Item = &'c str> + Clone, letters: u8) -> Self {
+    pub fn written_out<'c>(mut self, commands: impl Iterator<Item = &'c str> + Clone, letters: usize) -> Self {
         if letters > 0 {
             for word in &mut self.words {
-                let whole = |other: &&str| other.chars().take(usize::from(letters)).eq(word.chars());
+                let whole = |other: &&str| other.chars().take(letters).eq(word.chars());
                 let mut known: Vec<&str> = commands.clone().flat_map(str::split_whitespace).filter(whole).collect();
                 known.sort_unstable();
                 known.dedup();

@@ -15,10 +15,11 @@ pub mod plot;
 mod story;
 mod summary;
 pub mod sweep;
-pub mod table;
+mod table;
 pub mod trainer;
 
 use crate::cli::PaperOptions;
+use crate::learner::letters_kept;
 use crate::messages::say;
 use crate::outcome::Failure;
 use crate::output::{self, Output};
@@ -46,7 +47,7 @@ pub fn run(options: &PaperOptions) -> Result<(), Failure> {
 fn one_run(options: &PaperOptions, target: Option<&Output>, out: &mut impl Write) -> Result<(), Failure> {
     let ((run, lexicon), told) = story::tell(options, out)?;
     let commands = LESSONS.iter().chain(&TESTS).map(|exercise| exercise.command);
-    let lexicon = lexicon.written_out(commands, options.model.options().language.word_letters);
+    let lexicon = lexicon.written_out(commands, letters_kept(&options.learner.options().language));
     // Before the rest is told: a reader who leaves must not cost the picture.
     if let Some(target) = target {
         picture(target, plot::learned_words(&lexicon))?;

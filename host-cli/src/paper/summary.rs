@@ -92,7 +92,7 @@ impl Summary {
             "trainer": options.trainer.name,
             "believes": options.believed().name,
             "layouts": options.homes().name(),
-            "model": options.model.name(),
+            "learner": options.learner.name(),
             "runs": self.runs,
             "train_right": self.train_right.map(share),
             "train_right_intervals": self.train_right.map(interval),

@@ -35,11 +35,6 @@ pub fn one_run(out: &mut impl Write, run: &Run, lexicon: &Lexicon) -> io::Result
     Ok(())
 }
 
-/// Why words are cut, where they are: as many letters of a word count, 0 for all.
-pub fn forms(letters: u8) -> String {
-    if letters == 0 { String::new() } else { format!("; a word is known by its first {letters} letters") }
-}
-
 /// A share with its 95 % interval.
 fn share(right: usize, all: usize) -> String {
     let (low, high) = wilson(right, all);
@@ -48,9 +43,9 @@ fn share(right: usize, all: usize) -> String {
 
 /// Many runs: shares of right answers, with what the paper reports of its one agent.
 pub fn many_runs(out: &mut impl Write, options: &PaperOptions, summary: &Summary) -> io::Result<()> {
-    let (homes, model) = (options.homes().name(), options.model.name());
+    let (homes, learner) = (options.homes().name(), options.learner.name());
     let last = options.seed.wrapping_add(u64::from(options.runs) - 1);
-    writeln!(out, "{}, seeds {} to {last}, {homes} homes, model {model}", counted(summary.runs, "agent"), options.seed)?;
+    writeln!(out, "{}, seeds {} to {last}, {homes} homes, learner {learner}", counted(summary.runs, "agent"), options.seed)?;
     writeln!(out, "trainer {}{}; the agent believes {}\n", options.trainer.name, options.trainer.withheld(), options.believed().name)?;
     let paper = options.reported_by_paper();
     writeln!(out, "Lessons: understood on hearing                share, 95 % interval")?;
@@ -78,8 +73,8 @@ pub fn many_runs(out: &mut impl Write, options: &PaperOptions, summary: &Summary
 
 /// Sweeps: a line for each setting.
 pub fn sweep(out: &mut impl Write, options: &PaperOptions, rows: &[(Setting, Summary)]) -> io::Result<()> {
-    let (homes, model) = (options.homes().name(), options.model.name());
-    writeln!(out, "{} for each setting, {homes} homes, model {model}\n", counted(options.runs as usize, "agent"))?;
+    let (homes, learner) = (options.homes().name(), options.learner.name());
+    writeln!(out, "{} for each setting, {homes} homes, learner {learner}\n", counted(options.runs as usize, "agent"))?;
     let names: Vec<String> = options.sweep.iter().map(|sweep| format!("{:>17}", sweep.name)).collect();
     writeln!(out, "{}  all five tests right, 95 % interval", names.join(" "))?;
     for (setting, summary) in rows {
@@ -92,7 +87,7 @@ pub fn sweep(out: &mut impl Write, options: &PaperOptions, rows: &[(Setting, Sum
 /// A line of comma-separated values for each setting.
 pub fn csv(out: &mut impl Write, options: &PaperOptions, rows: &[(Setting, Summary)]) -> io::Result<()> {
     let mut names: Vec<String> = options.sweep.iter().map(|sweep| sweep.name.clone()).collect();
-    let fixed = ["trainer", "believes", "layouts", "model", "seed", "runs", "all_right", "all_right_low", "all_right_high"];
+    let fixed = ["trainer", "believes", "layouts", "learner", "seed", "runs", "all_right", "all_right_low", "all_right_high"];
     names.extend(fixed.map(str::to_owned));
     names.extend((1..=LESSONS.len()).map(|number| format!("lesson_{number}")));
     names.extend((1..=TESTS.len()).map(|number| format!("test_{number}")));
@@ -108,7 +103,7 @@ pub fn csv(out: &mut impl Write, options: &PaperOptions, rows: &[(Setting, Summa
             format!("\"{}\"", of.trainer.name),
             format!("\"{}\"", of.believed().name),
             of.homes().name().to_owned(),
-            of.model.name().to_owned(),
+            of.learner.name().to_owned(),
             of.seed.to_string(),
             summary.runs.to_string(),
         ]);

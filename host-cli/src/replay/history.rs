@@ -4,8 +4,8 @@ use crate::lessons::evidence;
 use crate::load::session::{Session, load};
 use crate::load::{Fault, home};
 use goodbot::feedback::Feedback;
-use goodbot::memory::AgentHeap;
-use goodbot::memory::HomeMemory;
+use goodbot::home::Home;
+use goodbot::memory::{AgentHeap, HomeMemory};
 use goodbot::session::{Evidence, Options};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, AgentError, Capacities};
@@ -27,9 +27,26 @@ const CAPACITIES: Capacities = Capacities {
     ..Capacities::STANDARD
 };
 
+/// All words are learned anew when one in so many sessions has come since they were: under a hundred, after each. A training takes time for
+/// all sessions so far. All of them together then take time for so many times the sessions, and not for the square of their number.
+const PART: usize = 50;
+
+/// When words are learned anew.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Learning {
+    /// When enough sessions have come.
+    InParts,
+    /// After every session: the paper's Algorithm 1.
+    EverySession,
+}
+
 /// An agent and what it went through.
 pub struct History {
     agent: Agent<AgentHeap>,
+    learning: Learning,
+    /// How many sessions were learned from, and how many are to be.
+    learned: usize,
+    kept: usize,
     lifted: Vec<LiftedTask>,
     strategies: Vec<String>,
     last: Last,
@@ -60,15 +77,18 @@ pub struct Outcome {
     pub feedback: [usize; 3],
     /// Whether it was learned from.
     pub learned: bool,
+    /// Whether all words were learned anew after it.
+    pub trained: bool,
     /// What is worth knowing, and no fault.
     pub remarks: Vec<Fault>,
 }
 
 impl History {
     /// An agent that has learned nothing yet. `lifted` are the tasks that commands may mean.
-    pub fn new(lifted: &[LiftedTask], options: Options) -> Result<Self, goodbot::AgentError> {
+    pub fn new(lifted: &[LiftedTask], options: Options, learning: Learning) -> Result<Self, goodbot::AgentError> {
         let agent = Agent::new(AgentHeap::new(&CAPACITIES), lifted, options)?;
-        Ok(Self { agent, lifted: lifted.to_vec(), strategies: vec![BALANCED.to_owned()], last: Last::Nothing })
+        let strategies = vec![BALANCED.to_owned()];
+        Ok(Self { agent, learning, learned: 0, kept: 0, lifted: lifted.to_vec(), strategies, last: Last::Nothing })
     }
 
     /// A session could not be read.
@@ -110,6 +130,7 @@ impl History {
             beliefs: vec![],
             feedback: [0; 3],
             learned: recorded.learn,
+            trained: false,
             remarks: vec![],
         };
         outcome.beliefs.push(self.belief(&outcome.id, 0, &session));
@@ -146,12 +167,25 @@ impl History {
             outcome.beliefs.push(self.belief(&outcome.id, count, &session));
         }
         if recorded.learn {
-            let _ = self.agent.finish(&session.home).map_err(at(recorded.end_line))?;
-            self.agent.learn_fully();
+            outcome.trained = self.learn(&session.home).map_err(at(recorded.end_line))?;
         } else {
             self.agent.forget();
         }
         Ok(outcome)
+    }
+
+    /// Ends a session that is learned from. Gives whether the words were learned anew.
+    fn learn(&mut self, home: &Home<impl HomeMemory>) -> Result<bool, AgentError> {
+        self.kept += 1;
+        let enough = ((self.learned + self.kept) / PART).max(1);
+        // What has no room beside the others makes room for itself, and all is learned anew.
+        if self.learning == Learning::InParts && self.kept < enough && self.agent.finish_for_later(home).is_ok() {
+            return Ok(false);
+        }
+        let _ = self.agent.finish(home)?;
+        self.agent.learn_fully();
+        (self.learned, self.kept) = (self.learned + self.kept, 0);
+        Ok(true)
     }
 
     fn check_continues(&self, file: &str, recorded: &RecordedSession) -> Result<(), Vec<Fault>> {

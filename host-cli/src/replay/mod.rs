@@ -7,15 +7,16 @@ mod history;
 mod report;
 
 use crate::cli::WeightsChoice;
+use crate::learner::Learner;
 use crate::lessons::MOST_FAULTS;
 use crate::load::fault::tell;
 use crate::load::kinds::TaskKinds;
 use crate::load::{Fault, input};
-use crate::model::Model;
+use crate::messages::{counted, is_quiet, say};
 use clap::Args;
 use goodbot::session::{Options, Weights};
 use goodbot_formats::session::SessionReader;
-use history::{History, Outcome};
+use history::{History, Learning, Outcome};
 use indicatif::{ProgressBar, ProgressStyle};
 use report::Totals;
 use std::io::{self, BufWriter, Stdout, Write};
@@ -26,8 +27,9 @@ use std::process::ExitCode;
 /// The robot begins knowing no word. Each session gives it the command, the steps as they were
 /// taken and the trainer's feedback; where the session says so, it then learns. Several files are
 /// one history, in the order in which they are named. After each session all words are learned
-/// anew from all sessions so far, as in the paper: the time grows with the square of their number
-/// (`goodbot learn` learns once, from all of them).
+/// anew from all sessions so far, as in the paper; from the hundredth session on, each time that a
+/// fiftieth more sessions have come, so that the time grows with their number and not with its
+/// square (`goodbot learn` learns once, from all of them).
 #[derive(Debug, Args)]
 #[command(
     after_help = "Exit codes: 0 all sessions were replayed, 2 a file is at fault (nothing after the fault is replayed, unless --keep-going is given).
@@ -41,14 +43,17 @@ pub struct ReplayArgs {
     /// Print each belief as a line of JSON: before the first step, and after each
     #[arg(long)]
     json: bool,
-    /// The model of language and learning; beliefs of other programs are compared under the paper's
-    #[arg(long, short = 'm', value_enum, default_value = "paper")]
-    model: Model,
+    /// What learns: the default, or as in the paper
+    #[arg(long, value_enum, value_name = "NAME", default_value_t)]
+    learner: Learner,
     /// How machine commands are weighted when a session is learned from
     #[arg(long, value_enum, default_value_t = WeightsChoice::Paper)]
     weights: WeightsChoice,
     #[command(flatten)]
     kinds: TaskKinds,
+    /// Learn all words anew after every session, however many they are: the time grows with the square of their number
+    #[arg(long)]
+    every_session: bool,
     /// Pass over sessions that are at fault, and count them
     #[arg(long)]
     keep_going: bool,
@@ -60,7 +65,7 @@ impl ReplayArgs {
             WeightsChoice::Paper => Weights::Paper,
             WeightsChoice::Belief => Weights::Belief,
         };
-        Options { weights, ..self.model.options() }
+        Options { weights, ..self.learner.options() }
     }
 }
 
@@ -79,7 +84,8 @@ pub fn run(args: &ReplayArgs) -> ExitCode {
                 Some(_) => 1,
                 None => 2,
             };
-            eprintln!("error: {error}");
+            let what = if code == 1 { "cannot write to standard output: " } else { "" };
+            eprintln!("error: {what}{error}");
             ExitCode::from(code)
         }
     }
@@ -97,11 +103,13 @@ struct Replay {
 
 impl Replay {
     fn new(args: &ReplayArgs) -> Result<Self, Failure> {
+        let learning = if args.every_session { Learning::EverySession } else { Learning::InParts };
         let style = ProgressStyle::with_template("{spinner} {pos} sessions, {elapsed}")?;
+        let progress = if is_quiet() { ProgressBar::hidden() } else { ProgressBar::new_spinner().with_style(style) };
         Ok(Self {
-            history: History::new(&args.kinds.lifted().map_err(|failure| failure.to_string())?, args.options())?,
+            history: History::new(&args.kinds.lifted().map_err(|failure| failure.to_string())?, args.options(), learning)?,
             totals: Totals::default(),
-            progress: ProgressBar::new_spinner().with_style(style),
+            progress,
             output: BufWriter::new(io::stdout()),
         })
     }
@@ -147,7 +155,10 @@ impl Replay {
         }
         if args.json {
             if self.totals.skipped > 0 {
-                eprintln!("{} sessions at fault were passed over", self.totals.skipped);
+                say!("{} at fault passed over", counted(self.totals.skipped, "session"));
+            }
+            if self.totals.learned_later() {
+                say!("from the hundredth session on, words were learned anew each time that a fiftieth more had come; see --every-session");
             }
         } else {
             write!(self.output, "{}", self.totals)?;

@@ -71,6 +71,7 @@ pub struct Totals {
     steps: usize,
     feedback: [usize; 3],
     learned: usize,
+    trained: usize,
     intended: usize,
     right_before: usize,
     right_after: usize,
@@ -82,6 +83,7 @@ impl Totals {
         self.sessions += 1;
         self.steps += outcome.beliefs.len().saturating_sub(1);
         self.learned += usize::from(outcome.learned);
+        self.trained += usize::from(outcome.trained);
         self.feedback.iter_mut().zip(outcome.feedback).for_each(|(sum, count)| *sum += count);
         if let Some(intended) = &outcome.intended {
             self.intended += 1;
@@ -91,12 +93,23 @@ impl Totals {
     }
 }
 
+impl Totals {
+    /// Whether some session was learned from later than at its end.
+    pub const fn learned_later(&self) -> bool {
+        self.trained < self.learned
+    }
+}
+
 impl fmt::Display for Totals {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [reward, punish, neutral] = self.feedback;
         writeln!(f, "\nsessions             {}, {} learned from", self.sessions, self.learned)?;
         if self.skipped > 0 {
             writeln!(f, "passed over          {} at fault", self.skipped)?;
+        }
+        if self.learned_later() {
+            let times = counted(self.trained, "time");
+            writeln!(f, "words learned anew   {times}, from the hundredth session on when a fiftieth more had come")?;
         }
         writeln!(f, "steps                {}", self.steps)?;
         if reward + punish + neutral > 0 {

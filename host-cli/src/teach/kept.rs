@@ -5,6 +5,7 @@
 
 use crate::load::Fault;
 use crate::outcome::Failure;
+use crate::output::are_one;
 use crate::whole_file::{read_model, write_whole};
 use etcetera::BaseStrategy;
 use goodbot_formats::session::{RecordedSession, SessionReader};
@@ -108,16 +109,18 @@ impl Kept {
     /// # Errors
     /// A [`Failure`] where one of them is something else, or cannot be written to.
     pub fn open(places: Places) -> Result<(Self, Past), Failure> {
-        if places.model == places.log {
-            return Err(Failure::Input(format!("{}: is both the model and the log; name two files", places.log.display())));
-        }
         let mut past = Past::default();
         if places.model.exists() {
             past.model = Some(read_model(&places.model)?);
         }
         let log = open_log(&places.log)?;
-        let name = places.log.display().to_string();
-        for session in SessionReader::new(BufReader::new(&log)) {
+        let kept = Self { places, log, model: past.model.clone(), written: Vec::new() };
+        let name = kept.places.log.display().to_string();
+        // Both are there now, whatever they are called.
+        if are_one(&kept.places.model, &kept.places.log) {
+            return Err(Failure::Input(format!("{name}: is both the model and the log; name two files")));
+        }
+        for session in SessionReader::new(BufReader::new(&kept.log)) {
             let session = session.map_err(|error| {
                 Failure::Input(format!(
                     "{}\nthis log is not written to; mend it, or name another with --log",
@@ -128,7 +131,7 @@ impl Kept {
             past.learned.extend(session.header.id.filter(|_| session.learn));
             past.commands.push(session.header.command);
         }
-        Ok((Self { places, log, model: past.model.clone(), written: Vec::new() }, past))
+        Ok((kept, past))
     }
 
     /// Where the files are.
@@ -228,6 +231,23 @@ mod tests {
         assert_eq!(kept.take_back().unwrap(), Some(None));
         assert!(!kept.places.model.exists());
         assert_eq!(kept.take_back().unwrap(), None);
+    }
+
+    #[test]
+    fn a_model_and_a_log_that_are_one_file_are_refused_whatever_they_are_called() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let mut names = vec![("one", path("one")), ("one", folder.path().join(".").join("one"))];
+        #[cfg(unix)]
+        {
+            std::os::unix::fs::symlink("one", path("link")).unwrap();
+            names.push(("one", path("link")));
+        }
+        for (log, model) in names {
+            let refused = Kept::open(Places::beside(&model, Some(&path(log)))).unwrap_err();
+            assert!(refused.to_string().contains("is both the model and the log"), "{refused}");
+            assert!(!path("one").exists());
+        }
     }
 
     #[test]

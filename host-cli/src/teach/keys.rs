@@ -100,7 +100,7 @@ pub fn intent(key: KeyEvent, focus: Focus, empty: bool) -> Option<Intent> {
     }
     match (focus, key.code) {
         (_, KeyCode::F(1)) => Some(Intent::Explain),
-        (Focus::Command, code) => in_command(code, empty),
+        (Focus::Command, code) => in_command(code),
         (Focus::Keys, code) => as_key(code),
         (Focus::Page, code) => in_page(code),
     }
@@ -120,9 +120,9 @@ fn with_control(code: KeyCode, focus: Focus, empty: bool) -> Option<Intent> {
     })
 }
 
-fn in_command(code: KeyCode, empty: bool) -> Option<Intent> {
+fn in_command(code: KeyCode) -> Option<Intent> {
     Some(match code {
-        KeyCode::Char('?') if empty => Intent::Explain,
+        KeyCode::Char('?') => Intent::Explain,
         KeyCode::Char(letter) => Intent::Write(letter),
         KeyCode::Enter => Intent::Say,
         KeyCode::Esc | KeyCode::Tab => Intent::ToKeys,
@@ -185,8 +185,8 @@ mod tests {
         assert_eq!(pressed(KeyCode::Char('g'), Focus::Keys, true), Some(Intent::Good));
         assert_eq!(pressed(KeyCode::Right, Focus::Command, true), Some(Intent::Edit(Edit::Right)));
         assert_eq!(pressed(KeyCode::Right, Focus::Keys, true), Some(Intent::Good));
-        assert_eq!(pressed(KeyCode::Char('?'), Focus::Command, true), Some(Intent::Explain));
-        assert_eq!(pressed(KeyCode::Char('?'), Focus::Command, false), Some(Intent::Write('?')));
+        // No word has a question mark, and in the tour a command stands there already.
+        assert_eq!(pressed(KeyCode::Char('?'), Focus::Command, false), Some(Intent::Explain));
     }
 
     #[test]

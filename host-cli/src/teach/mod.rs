@@ -7,7 +7,7 @@
 //!   on a [`terminal`] or as a [`picture`].
 
 mod classroom;
-mod full_words;
+pub mod full_words;
 mod kept;
 mod keys;
 mod lessons;
@@ -72,16 +72,16 @@ pub struct TeachOptions {
     #[arg(long, conflicts_with = "home")]
     random: bool,
     /// Seed of everything that is drawn: the same seed and the same words give the same visit [default: 1]
-    #[arg(long, value_name = "S", value_parser = crate::numbers::seed, allow_negative_numbers = true)]
+    #[arg(long, short = 's', value_name = "S", value_parser = crate::numbers::seed, allow_negative_numbers = true)]
     seed: Option<u64>,
     /// How fast the robot goes
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_enum, default_value_t, conflicts_with = "lines")]
     speed: Pace,
     /// Which of your robots: it is kept by this name [default: robot, or tour for the tour]
     #[arg(long, value_name = "NAME", conflicts_with = "model")]
     robot: Option<String>,
     /// The model file in which the robot is kept
-    #[arg(long, value_name = "MODEL", value_hint = ValueHint::FilePath)]
+    #[arg(long, short = 'm', value_name = "MODEL", value_hint = ValueHint::FilePath)]
     model: Option<PathBuf>,
     /// The log to which its sessions are added [default: beside the model, ending in .jsonl]
     #[arg(long, value_name = "FILE", requires = "model", value_hint = ValueHint::FilePath)]
@@ -90,7 +90,7 @@ pub struct TeachOptions {
     #[arg(long)]
     lines: bool,
     /// Write a picture of the tour's fifth lesson under way, taught by a simulated trainer, and leave
-    #[arg(long, value_name = "FILE.svg", conflicts_with_all = ["home", "random", "lines", "robot", "model"], value_hint = ValueHint::FilePath)]
+    #[arg(long, value_name = "FILE.svg", conflicts_with_all = ["home", "random", "lines", "robot", "model", "speed"], value_hint = ValueHint::FilePath)]
     picture: Option<PathBuf>,
     /// Replace a file that is no picture of goodbot's
     #[arg(long, requires = "picture")]

@@ -29,8 +29,13 @@ fn object_words(home: &Home<impl HomeMemory>, id: ObjectId) -> String {
     if alike > 1 { format!("{color} {kind} ({})", objects.name(id)) } else { format!("{color} {kind}") }
 }
 
-/// A machine token in plain words: `roomIsGreen` is `room is green`.
+/// A machine token in plain words: `roomIsGreen` is `room is green`, and a kind of task is what a person would ask for.
 pub fn token_words(token: &str) -> String {
+    match token {
+        "agentInRoom" => return "go to a room".to_owned(),
+        "blockInRoom" => return "take to a room".to_owned(),
+        _ => {}
+    }
     let mut words = String::new();
     for letter in token.chars() {
         if letter.is_uppercase() && !words.is_empty() {
@@ -75,5 +80,6 @@ mod tests {
     fn tokens_are_read_as_words() {
         assert_eq!(token_words("roomIsGreen"), "room is green");
         assert_eq!(token_words("block"), "block");
+        assert_eq!(token_words("blockInRoom"), "take to a room");
     }
 }

@@ -68,7 +68,7 @@ pub fn speak(classroom: &mut Classroom, seed: u64, input: impl BufRead, mut outp
     let mut speaker = Speaker { classroom, seed };
     let mut spoken = Spoken::default();
     write(&mut output, &[speaker.ready()])?;
-    let mut lines = Lines { input };
+    let mut lines = Lines::new(input);
     while let Some(line) = lines.next()? {
         let line = match line {
             Ok(line) if line.trim().is_empty() => continue,

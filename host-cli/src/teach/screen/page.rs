@@ -18,7 +18,7 @@ const KEYS: [(&str, &str); 14] = [
     ("n", "one step; in a test: the next one"),
     ("f", "finish, and learn from this session"),
     ("d", "drop: finish, and do not learn from it"),
-    ("u", "undo: take back the last step; between sessions, what the last one taught"),
+    ("u", "undo the last step; between sessions, what the last one taught"),
     ("a", "auto: a simulated trainer judges (in lessons of the tour)"),
     ("s", "speed: step by step, slow, normal, fast, at once, by confidence"),
     ("w", "words: what it calls things"),

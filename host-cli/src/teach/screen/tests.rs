@@ -86,6 +86,22 @@ fn the_explanation_names_every_key() {
 }
 
 #[test]
+fn a_word_to_its_goal_does_not_change_what_it_thought_was_done() {
+    let mut visit = visit(&first_home().unwrap(), true);
+    let mut now = Duration::ZERO;
+    visit.take(Intent::Say, now);
+    while !visit.told().contains("It thinks that it is done") {
+        now += Duration::from_millis(200);
+        visit.tick(now);
+    }
+    let done = visit.told();
+    let task = done.split('"').nth(1).unwrap().to_owned();
+    visit.take(Intent::Bad, now);
+    assert!(!visit.classroom.trainer.meanings()[0].words.contains(&task));
+    assert!(visit.told().starts_with(&format!("It thinks that it is done: \"{task}\".")), "{}", visit.told());
+}
+
+#[test]
 fn words_that_spoke_for_a_guess_are_marked() {
     let mut visit = visit(&first_home().unwrap(), true);
     // A simulated trainer teaches two lessons; in the third, "blue" is new.

@@ -9,7 +9,8 @@ use goodbot::planning::OptimalSet;
 impl Visit {
     /// What the robot did last, and what was said to that.
     pub fn told(&self) -> String {
-        let likeliest = || self.classroom.trainer.meanings().into_iter().next();
+        // Not the likeliest now: a word to its step may have changed that.
+        let followed = |task| self.classroom.trainer.meanings().into_iter().find(|meaning| meaning.position == task);
         match (self.phase, self.acted()) {
             (Phase::Idle, _) => self.stop().map_or_else(String::new, |stop| stop.hint().to_owned()),
             (Phase::Learning, _) => String::new(),
@@ -18,9 +19,8 @@ impl Visit {
             (_, Some(acted)) => {
                 let sure = percent(acted.confidence);
                 let why = match acted.plan {
-                    OptimalSet::Goal => {
-                        likeliest().map_or_else(String::new, |Meaning { words, .. }| format!("It thinks that it is done: \"{words}\"."))
-                    }
+                    OptimalSet::Goal => followed(acted.task)
+                        .map_or_else(String::new, |Meaning { words, .. }| format!("It thinks that it is done: \"{words}\".")),
                     OptimalSet::DeadEnd(_) => "It cannot do what it thinks is meant any more, so it stays.".to_owned(),
                     OptimalSet::Unknown => "This home is too large for its plan, so it stays.".to_owned(),
                     OptimalSet::Approximate(_) => format!("It {}: not the shortest way, perhaps.", action_words(&acted.action)),

@@ -1,11 +1,12 @@
-//! Settings of the model by name.
+//! How words are understood and learned, by name.
 
 use clap::ValueEnum;
 use goodbot::Options;
+use goodbot::language::{Model, Settings};
 
-/// A model of language and learning.
+/// What learns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Model {
+pub enum Learner {
     /// What understands people best
     #[default]
     Default,
@@ -14,7 +15,7 @@ pub enum Model {
     Paper,
 }
 
-impl Model {
+impl Learner {
     /// Its name in output.
     pub const fn name(self) -> &'static str {
         match self {
@@ -29,5 +30,13 @@ impl Model {
             Self::Default => Options::DEFAULT,
             Self::Paper => Options::PAPER,
         }
+    }
+}
+
+/// How many letters of a word a model keeps, 0 for all. The role model keeps a word as it heard it first, however many letters count.
+pub fn letters_kept(settings: &Settings) -> usize {
+    match settings.model {
+        Model::Model2 => usize::from(settings.word_letters),
+        Model::Roles => 0,
     }
 }
