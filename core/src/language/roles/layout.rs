@@ -1,6 +1,6 @@
 //! Where the parameters stand.
 //!
-//! `translations` has a row of V words for the background, then one for each machine token: for a value T[v], for a lifted task A[l].
+//! `translations` has a row of V words for the background, then one for each machine token: for a value `T[v]`, for a lifted task `A[l]`.
 //! `alignments` has, in this order:
 //!
 //! | part | rows | of |

@@ -10,14 +10,15 @@
 //! ```
 //!
 //! Background and task words leave the memory as it is; a role becomes the memory. Pr(e|t) is the sum over all ways to read the words, the
-//! last memory times end[l,m].
+//! last memory times `end[l,m]`.
 //!
 //! A word that was never heard is as probable for each row of F, A and T as the row is open to new words, 1 / (sum of its counts + 1): a value that
 //! nobody has named yet takes it first.
 //!
 //! - [`layout`]: where the parameters stand in the two tables;
-//! - [`forward`]: Pr(e|t), word by word;
-//! - [`start`]: where training begins, from how often words and values come together;
+//! - [`forward`]: Pr(e|t), word by word. Memories of less than a thousandth of all are dropped after each word: they take most of the work
+//!   and change next to nothing;
+//! - `start`: where training begins, from how often words and values come together;
 //! - [`training`]: expectation maximisation, in parts;
 //! - [`kind`]: which kind of task the words speak of, whatever is in the scene;
 //! - [`explanation`]: what each word was taken for.

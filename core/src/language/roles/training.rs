@@ -1,6 +1,6 @@
 //! Expectation maximisation, in parts.
 //!
-//! After the [start](super::start), in each round every pair of the data gives its weight's worth of expected counts, by the forward and
+//! After the start, in each round every pair of the data gives its weight's worth of expected counts, by the forward and
 //! backward sums over all ways to read the words. With c the expected counts,
 //!
 //! ```text
