@@ -26,6 +26,8 @@ struct Counter {
     acted: bool,
     round: u32,
     longest_round: u32,
+    /// What a training takes after its rounds.
+    longest_kinds: u32,
     all: u32,
 }
 
@@ -62,6 +64,11 @@ impl Watch for Counter {
         self.longest_round = self.longest_round.max(self.round);
         self.round = 0;
     }
+
+    fn trained(&mut self) {
+        self.longest_kinds = self.longest_kinds.max(self.round);
+        self.round = 0;
+    }
 }
 
 #[cortex_m_rt::entry]
@@ -78,6 +85,7 @@ fn main() -> ! {
         acted: false,
         round: 0,
         longest_round: 0,
+        longest_kinds: 0,
         all: 0,
     };
     let outcome = run(&mut memory.home, &mut memory.agent, SEED, Budget::ROUNDS, &mut counter);
@@ -87,6 +95,7 @@ fn main() -> ! {
         report(name, most);
     }
     report("round", counter.longest_round);
+    report("kinds", counter.longest_kinds);
     for &plan in &counter.plans {
         report("first-plan", plan);
     }

@@ -3,6 +3,7 @@
 use super::bitext::{Bitext, BitextRef, BitextTables, BitextTablesRef, Extent};
 use super::em::Training;
 use super::likelihood::{length_likelihood, likelihood};
+use super::roles::forward::{Reading, likelihood_on};
 use super::roles::{self, Layout, Meaning};
 use super::settings::{Model, SettingError, Settings, is_weight};
 use super::spelling::variant;
@@ -462,6 +463,28 @@ impl<'t> LanguageMut<'t> {
         self.tables.read().fits_roles(self.tokens.len(), &wanted)?;
         self.tables.trained.wanted = wanted;
         Ok(())
+    }
+
+    /// Goes on with the role model's Pr(e|t), with at most about `left` table cells of work and at least one word. Returns whether all
+    /// words are read. What it knows meanwhile stands behind the parameters.
+    pub(crate) fn likelihood_on(
+        &mut self,
+        sentence: &[Option<Symbol>],
+        description: &[Symbol],
+        reading: &mut Reading,
+        left: &mut u32,
+    ) -> bool {
+        let layout = &self.tables.trained.layout;
+        if layout.words() == 0 {
+            return true;
+        }
+        let cells_of_word = description.len().saturating_mul(4).max(1) as u32;
+        let most = left.div_ceil(cells_of_word).max(1) as usize;
+        let before = reading.words;
+        let memory = &mut self.tables.memory;
+        let done = likelihood_on(layout, memory.translations, memory.alignments, sentence, description, reading, most);
+        *left = left.saturating_sub(u32::from(reading.words.saturating_sub(before)).max(1).saturating_mul(cells_of_word));
+        done
     }
 
     pub(crate) fn is_model_2(&self) -> bool {

@@ -5,6 +5,7 @@ use super::candidates::{CandidateCount, Candidates};
 use super::error::AgentError;
 use crate::capacity::{CapacityError, LIFTED_TASKS};
 use crate::feedback::Belief;
+use crate::language::roles::forward::Reading;
 use crate::language::{LanguageRef, Meaning, Model};
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::{Domain, digest};
@@ -186,14 +187,16 @@ impl<M: AgentMemory> Agent<M> {
             if left == 0 {
                 return Ok(Progress::Working);
             }
-            let done =
-                self.for_each_candidate(domain, &mut scene, &mut position, &mut left, |candidates, language, sentence, tokens, _| {
+            let done = match (self.options.language.model, &mut scene) {
+                (Model::Roles, Some(scene)) => self.read_on(domain, scene, &mut position, &mut left)?,
+                _ => self.for_each_constraint(domain, &mut position, &mut left, |candidates, language, sentence, tokens, _| {
                     let found = match candidates.read().find(tokens) {
                         Some(found) => found,
                         None => candidates.add(tokens, language.likelihood(sentence, tokens))?,
                     };
                     Ok(candidates.read().entries().get(found).map_or(Scaled::ZERO, |entry| entry.likelihood))
-                })?;
+                })?,
+            };
             if done {
                 let prior = position.sum.scaled_by(self.task(position.task).prior);
                 if !prior.is_zero() {
@@ -223,6 +226,9 @@ impl<M: AgentMemory> Agent<M> {
         }
         if self.language.is_training() {
             return Err(AgentError::StillLearning);
+        }
+        if let Work::Hearing(..) = self.work {
+            return Err(AgentError::StillHearing);
         }
         let start = self.start.ok_or(AgentError::NoSession)?;
         let AgentTables { language, session, workspace } = self.memory.lend();
@@ -287,6 +293,38 @@ impl<M: AgentMemory> Agent<M> {
             (Model::Roles, None) => Ok(true),
             (Model::Model2, _) => self.for_each_constraint(domain, position, left, each),
         }
+    }
+
+    /// Goes on with Pr(e|t) of the role model for the task at the position, which keeps how far it is. Returns whether it is done.
+    #[inline(never)]
+    fn read_on<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        scene: &mut Scene<D::State>,
+        position: &mut Position,
+        left: &mut u32,
+    ) -> Result<bool, AgentError> {
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let Some(task) = session.tasks.get(position.task) else { return Ok(true) };
+        let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
+        let mut description = Tokens::new();
+        describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?;
+        let mut reading = Reading { words: position.constraint, probability: position.sum };
+        if reading.words == 0 {
+            if let Some(entry) = candidates.read().find(&description).and_then(|found| candidates.read().entries().get(found)) {
+                position.sum = entry.likelihood;
+                *left = left.saturating_sub(description.len() as u32);
+                return Ok(true);
+            }
+            reading = Reading::START;
+        }
+        let done = language.likelihood_on(&self.sentence, &description, &mut reading, left);
+        (position.constraint, position.sum) = (reading.words, reading.probability);
+        if done {
+            candidates.add(&description, reading.probability)?;
+        }
+        Ok(done)
     }
 
     #[inline(never)]

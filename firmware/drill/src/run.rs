@@ -56,6 +56,9 @@ pub trait Watch {
 
     /// A round of expectation maximisation is over.
     fn round(&mut self) {}
+
+    /// A training is over: after its rounds, the kind of task was learned.
+    fn trained(&mut self) {}
 }
 
 impl Watch for () {}
@@ -177,11 +180,12 @@ fn train<R: rand_core::Rng>(
         watch.begin();
         let progress = agent.learn(budget.learn);
         watch.end(Work::Learn, number);
-        if progress == Progress::Done || agent.language().training().round() != round {
-            watch.round();
-        }
         if progress == Progress::Done {
+            watch.trained();
             break;
+        }
+        if agent.language().training().round() != round {
+            watch.round();
         }
     }
     Ok(())

@@ -9,7 +9,7 @@ use super::{header, library};
 use crate::firmware::board::{Board, emulate};
 use crate::firmware::image::panics;
 use crate::programs::{ARM_GCC, GCC};
-use crate::toolchain::{self, Target};
+use crate::toolchain::Target;
 use crate::{process, project};
 
 /// The examples in `capi/examples`.
@@ -39,7 +39,7 @@ pub fn on_host() -> Result<()> {
 pub fn on_board() -> Result<()> {
     let target = Target::Thumbv7emHf;
     let library = library::build(Some(target))?;
-    let built = toolchain::artifacts(target, "release");
+    let built = library::artifacts(target);
     for example in EXAMPLES {
         let binary = built.join(format!("{example}.elf"));
         process::run(&mut cross_gcc(example, &library, &binary)?)?;

@@ -8,21 +8,29 @@ use crate::toolchain::{self, Target};
 use crate::{process, project};
 
 /// What makes a static library of the interface.
-const LIBRARY: [&str; 8] = ["--quiet", "--release", "--package", "goodbot-capi", "--features", "alone", "--crate-type", "staticlib"];
+const LIBRARY: [&str; 7] = ["--quiet", "--package", "goodbot-capi", "--features", "alone", "--crate-type", "staticlib"];
 
 /// The library's file, as cargo names it.
 const FILE: &str = "libgoodbot_capi.a";
+
+/// The profile of the library for a microcontroller.
+const FOR_CONTROLLERS: &str = "controller";
+
+/// Where the library for a microcontroller is built.
+pub fn artifacts(target: Target) -> PathBuf {
+    toolchain::artifacts(target, FOR_CONTROLLERS)
+}
 
 /// Builds it, for this machine where there is no target. Gives where it is.
 pub fn build(target: Option<Target>) -> Result<PathBuf> {
     let Some(target) = target else {
         // Beside the workspace's own files: the feature changes what is built.
         let folder = project::target_dir().join("capi");
-        process::run(project::cargo().arg("rustc").args(LIBRARY).arg("--target-dir").arg(&folder))?;
+        process::run(project::cargo().arg("rustc").args(LIBRARY).arg("--release").arg("--target-dir").arg(&folder))?;
         return Ok(folder.join("release").join(FILE));
     };
-    process::run(toolchain::cross_cargo_as(target, "rustc")?.args(LIBRARY))?;
-    Ok(toolchain::artifacts(target, "release").join(FILE))
+    process::run(toolchain::cross_cargo_as(target, "rustc")?.args(LIBRARY).args(["--profile", FOR_CONTROLLERS]))?;
+    Ok(artifacts(target).join(FILE))
 }
 
 /// Builds it and puts it into a folder, with the header.

@@ -15,14 +15,22 @@ const BYTES_MAY_RISE: u64 = 8;
 pub const BYTES: [(&str, &str); 3] = [("flash", "flash"), ("statics", "static RAM"), ("stack", "deepest stack")];
 
 /// What is counted in instructions, in the order of the table.
-pub const INSTRUCTIONS: [(&str, &str); 7] = [
+pub const INSTRUCTIONS: [(&str, &str); 6] = [
     ("hear", "hearing a command"),
     ("act", "one action with feedback"),
     ("hear-plan-act", "from a command to the first action"),
-    ("finish", "weighing a session"),
+    ("finish", "ending a session"),
     ("round", "one EM round"),
-    ("longest-plan-call", "longest planning call of 50 states"),
-    ("longest-learn-call", "longest learning call of 100 cells"),
+    ("kinds", "learning the kind of task"),
+];
+
+/// The longest calls of a control loop, in the order of the table.
+pub const CALLS: [(&str, &str); 5] = [
+    ("longest-hear-call", "`hear_on`, 1 cell"),
+    ("longest-plan-call", "`plan`, 50 expansions"),
+    ("longest-act-call", "an action with feedback"),
+    ("longest-finish-call", "`finish_on`, 1 cell"),
+    ("longest-learn-call", "`learn`, 100 cells"),
 ];
 
 /// The lesson whose first plan is shown for each environment, by position; the first two lessons share one.
@@ -41,11 +49,13 @@ impl Footprint {
         for trial in trials {
             let (board, preset) = (trial.image.board, trial.image.preset);
             let mut row = BTreeMap::from([("flash".to_owned(), trial.image.flash("course")?)]);
-            for name in ["statics", "stack", "hear", "act", "hear-plan-act", "finish", "round"] {
+            for name in ["statics", "stack", "hear", "act", "hear-plan-act", "finish", "round", "kinds"] {
                 row.insert(name.to_owned(), trial.course.number(name)?);
             }
-            row.insert("longest-plan-call".to_owned(), trial.tick.number("plan")?);
-            row.insert("longest-learn-call".to_owned(), trial.tick.number("learn")?);
+            for (name, _) in CALLS {
+                let work = name.trim_start_matches("longest-").trim_end_matches("-call");
+                row.insert(name.to_owned(), trial.tick.number(work)?);
+            }
             let plans = trial.course.all("first-plan");
             for (name, lesson) in ENVIRONMENTS {
                 row.insert(name.to_owned(), *plans.get(lesson).context("a lesson's plan is missing")?);

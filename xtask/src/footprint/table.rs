@@ -1,6 +1,6 @@
 //! The numbers for people.
 
-use super::measures::{BYTES, Footprint, INSTRUCTIONS};
+use super::measures::{BYTES, CALLS, Footprint, INSTRUCTIONS};
 
 const HEAD: &str = "\
 # What it costs
@@ -23,6 +23,14 @@ the tests, which have the most tasks and are not acted on. They are instructions
 
 ";
 
+const LONGEST: &str = "
+## The longest calls
+
+Hearing, planning, ending a session and learning go in parts. These are the most instructions that one call took, with the smallest budgets
+that the firmware's fixed tick uses; beginning to hear a command, and to end a session, counts as a call.
+
+";
+
 const PLANS: &str = "
 ## Plans
 
@@ -35,11 +43,14 @@ that can be pushed: up to 1,681 states. In the tests' home with two blocks, comm
 pub fn markdown(footprint: &Footprint) -> String {
     let bytes = BYTES.map(|(name, title)| (name, title.to_owned()));
     let instructions = INSTRUCTIONS.map(|(name, title)| (name, title.to_owned()));
+    let calls = CALLS.map(|(name, title)| (name, title.to_owned()));
     let plans: Vec<_> = Footprint::plans().map(|name| (name, name.trim_start_matches("plan-").to_uppercase())).collect();
     let mut text = HEAD.to_owned();
     text += &table(footprint, &bytes, Some(("statics", "stack")));
     text += BETWEEN;
     text += &table(footprint, &instructions, None);
+    text += LONGEST;
+    text += &table(footprint, &calls, None);
     text += PLANS;
     text += &table(footprint, &plans, None);
     text

@@ -324,6 +324,63 @@ pub(crate) fn heard(layout: &Layout, sentence: &[Option<Symbol>]) -> impl Iterat
     sentence.iter().map(move |word| word.map_or(words, |word| word.index().min(words)))
 }
 
+/// How far a command was read, where a task was meant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Reading {
+    /// How many words.
+    pub words: u16,
+    /// How probable they are; at the end of the command, Pr(e|t).
+    pub probability: Scaled,
+}
+
+impl Reading {
+    /// Nothing yet.
+    pub const START: Self = Self { words: 0, probability: Scaled::ONE };
+
+    /// Reads on, `most` words at most. Returns whether the command was read to its end. `masses` keeps how probable each memory is from
+    /// one time to the next; `tell` is told the position of each word, and the probability of it after those before.
+    pub(super) fn go_on(
+        &mut self,
+        reader: &Reader<'_, '_>,
+        sentence: &[Option<Symbol>],
+        masses: &mut [f32],
+        most: usize,
+        mut tell: impl FnMut(usize, f32),
+    ) -> bool {
+        let mut before: Memories = [0.0; MOST_ROLES + 1];
+        let mut after: Memories = [0.0; MOST_ROLES + 1];
+        before.iter_mut().zip(&*masses).for_each(|(slot, mass)| *slot = *mass);
+        if self.words == 0 {
+            before = [0.0; MOST_ROLES + 1];
+            before.iter_mut().take(1).for_each(|slot| *slot = 1.0);
+        }
+        let first = usize::from(self.words);
+        let mut previous = first.checked_sub(1).and_then(|previous| heard(reader.layout, sentence).nth(previous));
+        for (position, word) in heard(reader.layout, sentence).enumerate().skip(first).take(most) {
+            let sum = reader.advance(word, previous, &before, &mut after);
+            tell(position, sum);
+            if sum <= 0.0 {
+                self.probability = Scaled::ZERO;
+                return true;
+            }
+            self.probability = self.probability.scaled_by(sum);
+            let scale = 1.0 / sum;
+            for (slot, mass) in before.iter_mut().zip(&after).take(reader.memories()) {
+                *slot = kept(mass * scale);
+            }
+            previous = Some(word);
+            self.words = self.words.saturating_add(1);
+        }
+        if usize::from(self.words) < sentence.len() {
+            masses.iter_mut().zip(&before).for_each(|(slot, mass)| *slot = *mass);
+            return false;
+        }
+        let end: f32 = (0..reader.memories()).map(|memory| cell(&before, memory) * reader.end(memory)).sum();
+        self.probability = self.probability.scaled_by(end);
+        true
+    }
+}
+
 /// Pr(e|t); 1 for an untrained model. `tell` is told the position of each word, and the probability of it after those before.
 #[inline(never)]
 pub fn likelihood(
@@ -332,32 +389,31 @@ pub fn likelihood(
     alignments: &[f32],
     sentence: &[Option<Symbol>],
     description: &[Symbol],
-    mut tell: impl FnMut(usize, f32),
+    tell: impl FnMut(usize, f32),
 ) -> Scaled {
     if layout.words() == 0 {
         return Scaled::ONE;
     }
     let mut reader = Reader::new(layout, translations, alignments, description);
     reader.take_groups();
-    let mut before: Memories = [0.0; MOST_ROLES + 1];
-    let mut after: Memories = [0.0; MOST_ROLES + 1];
-    if let Some(first) = before.first_mut() {
-        *first = 1.0;
-    }
-    let (mut product, mut previous) = (Scaled::ONE, None);
-    for (position, word) in heard(layout, sentence).enumerate() {
-        let sum = reader.advance(word, previous, &before, &mut after);
-        tell(position, sum);
-        if sum <= 0.0 {
-            return Scaled::ZERO;
-        }
-        product = product.scaled_by(sum);
-        let scale = 1.0 / sum;
-        for (slot, mass) in before.iter_mut().zip(&after).take(reader.memories()) {
-            *slot = kept(mass * scale);
-        }
-        previous = Some(word);
-    }
-    let end: f32 = (0..reader.memories()).map(|memory| cell(&before, memory) * reader.end(memory)).sum();
-    product.scaled_by(end)
+    let mut reading = Reading::START;
+    let _ = reading.go_on(&reader, sentence, &mut [], usize::MAX, tell);
+    reading.probability
+}
+
+/// Goes on with Pr(e|t) of a trained model, `most` words at most, as [`Reading::go_on`]. `masses` is behind the parameters.
+#[inline(never)]
+pub(crate) fn likelihood_on(
+    layout: &Layout,
+    translations: &[f32],
+    alignments: &mut [f32],
+    sentence: &[Option<Symbol>],
+    description: &[Symbol],
+    reading: &mut Reading,
+    most: usize,
+) -> bool {
+    let Some((parameters, masses)) = alignments.split_at_mut_checked(layout.trellis()) else { return true };
+    let mut reader = Reader::new(layout, translations, parameters, description);
+    reader.take_groups();
+    reading.go_on(&reader, sentence, masses, most, |_, _| {})
 }
