@@ -416,8 +416,10 @@ fn begin_backward(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f
         return None;
     }
     for (memory, slot) in behind.get_mut(..reader.memories())?.iter_mut().enumerate() {
-        *slot = reader.end(memory) / whole;
-        tell(Event::Stop { memory, share: cell(last, memory) * *slot });
+        let mass = cell(last, memory);
+        // No way leads to a memory that was dropped.
+        *slot = if mass > 0.0 { reader.end(memory) / whole } else { 0.0 };
+        tell(Event::Stop { memory, share: mass * *slot });
     }
     Some(())
 }
