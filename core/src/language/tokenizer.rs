@@ -1,8 +1,12 @@
 //! A command as words: split on blanks, in lower case, stand-alone punctuation dropped.
+//!
+//! Without the feature `unicode`, which costs 15 KB of tables, only ASCII letters become lower case, and every character beyond ASCII counts
+//! as a letter.
 
 use crate::capacity::{Capacity, CapacityError, NAME_BYTES, WORDS_PER_COMMAND};
 use crate::symbols::Symbol;
 use heapless::{String, Vec};
+use letters::{is_alphanumeric, split, to_lower_case};
 
 /// A command as words, `None` for one that the vocabulary does not have.
 pub type Sentence = Vec<Option<Symbol>, WORDS_PER_COMMAND>;
@@ -24,7 +28,7 @@ pub type Word = String<NAME_BYTES>;
 /// A [`CapacityError`] where a word is longer than [`NAME_BYTES`] or there are more than [`WORDS_PER_COMMAND`] words, and whatever `take`
 /// gives.
 pub fn for_each_word(command: &str, mut take: impl FnMut(&str) -> Result<(), CapacityError>) -> Result<(), CapacityError> {
-    let words = || command.split_whitespace().filter(|word| word.chars().any(char::is_alphanumeric));
+    let words = || split(command).filter(|word| word.chars().any(is_alphanumeric));
     let count = words().count();
     if count > WORDS_PER_COMMAND {
         return Err(CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, count));
@@ -47,12 +51,42 @@ pub fn for_each_word(command: &str, mut take: impl FnMut(&str) -> Result<(), Cap
 /// As [`for_each_word`].
 pub fn for_each_piece(command: &str, mut take: impl FnMut(&str) -> Result<(), CapacityError>) -> Result<(), CapacityError> {
     let pieces = || command.split(|letter| !is_of_word(letter)).map(|word| word.trim_matches(is_apostrophe));
-    let words = || pieces().filter(|word| word.chars().any(char::is_alphanumeric));
+    let words = || pieces().filter(|word| word.chars().any(is_alphanumeric));
     let count = words().count();
     if count > WORDS_PER_COMMAND {
         return Err(CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, count));
     }
     words().try_for_each(|word| take(&lower_case(word)?))
+}
+
+#[cfg(feature = "unicode")]
+mod letters {
+    pub fn split(text: &str) -> impl Iterator<Item = &str> {
+        text.split_whitespace()
+    }
+
+    pub fn is_alphanumeric(letter: char) -> bool {
+        letter.is_alphanumeric()
+    }
+
+    pub fn to_lower_case(letter: char) -> impl Iterator<Item = char> {
+        letter.to_lowercase()
+    }
+}
+
+#[cfg(not(feature = "unicode"))]
+mod letters {
+    pub fn split(text: &str) -> impl Iterator<Item = &str> {
+        text.split_ascii_whitespace()
+    }
+
+    pub const fn is_alphanumeric(letter: char) -> bool {
+        letter.is_ascii_alphanumeric() || !letter.is_ascii()
+    }
+
+    pub fn to_lower_case(letter: char) -> impl Iterator<Item = char> {
+        core::iter::once(letter.to_ascii_lowercase())
+    }
 }
 
 const fn is_apostrophe(letter: char) -> bool {
@@ -64,7 +98,7 @@ fn is_of_word(letter: char) -> bool {
     let is_mark = matches!(letter, '\u{300}'..='\u{36f}' | '\u{591}'..='\u{5c7}' | '\u{610}'..='\u{61a}' | '\u{64b}'..='\u{670}')
         || matches!(letter, '\u{900}'..='\u{963}' | '\u{966}'..='\u{ddf}' | '\u{e31}'..='\u{e4e}' | '\u{eb1}'..='\u{ecd}')
         || matches!(letter, '\u{f71}'..='\u{f84}' | '\u{102b}'..='\u{103e}' | '\u{17b4}'..='\u{17d3}' | '\u{200c}' | '\u{200d}');
-    letter.is_alphanumeric() || is_apostrophe(letter) || is_mark
+    is_alphanumeric(letter) || is_apostrophe(letter) || is_mark
 }
 
 /// The beginning of a word, by which its forms are one word: `orange` and `orangey`. All of it where `letters` is 0.
@@ -82,7 +116,7 @@ pub fn word_form(word: &str, letters: usize) -> &str {
 
 fn lower_case(text: &str) -> Result<Word, CapacityError> {
     let mut word = Word::new();
-    for letter in text.chars().flat_map(char::to_lowercase) {
+    for letter in text.chars().flat_map(to_lower_case) {
         word.push(letter).map_err(|_| CapacityError::new(Capacity::NameBytes, NAME_BYTES, text.len().max(NAME_BYTES + 1)))?;
     }
     Ok(word)

@@ -17,6 +17,9 @@ use crate::task::machine_command::{Tokens, intern_heads};
 use crate::task::{Expression, GroundedTask, LiftedTask, ground};
 use heapless::Vec;
 
+/// What is done for each machine command, with its share: one compiled copy of the loop over them serves all.
+type Each<'e> = dyn FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError> + 'e;
+
 impl<M: AgentMemory> Agent<M> {
     /// Hears a command in the state that the session starts from: the tasks possible here get their prior from the language model,
     /// Pr(t|e,s) proportional to the sum over l of Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c).
@@ -189,7 +192,7 @@ impl<M: AgentMemory> Agent<M> {
             }
             let done = match (self.options.language.model, &mut scene) {
                 (Model::Roles, Some(scene)) => self.read_on(domain, scene, &mut position, &mut left)?,
-                _ => self.for_each_constraint(domain, &mut position, &mut left, |candidates, language, sentence, tokens, _| {
+                _ => self.for_each_constraint(domain, &mut position, &mut left, &mut |candidates, language, sentence, tokens, _| {
                     let found = match candidates.read().find(tokens) {
                         Some(found) => found,
                         None => candidates.add(tokens, language.likelihood(sentence, tokens))?,
@@ -286,12 +289,12 @@ impl<M: AgentMemory> Agent<M> {
         scene: &mut Option<Scene<D::State>>,
         position: &mut Position,
         left: &mut u32,
-        each: impl FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError>,
+        mut each: impl FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError>,
     ) -> Result<bool, AgentError> {
         match (self.options.language.model, scene) {
             (Model::Roles, Some(scene)) => self.with_description(domain, scene, position, left, each).map(|()| true),
             (Model::Roles, None) => Ok(true),
-            (Model::Model2, _) => self.for_each_constraint(domain, position, left, each),
+            (Model::Model2, _) => self.for_each_constraint(domain, position, left, &mut each),
         }
     }
 
@@ -355,7 +358,7 @@ impl<M: AgentMemory> Agent<M> {
         domain: &D,
         position: &mut Position,
         left: &mut u32,
-        mut each: impl FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError>,
+        each: &mut Each<'_>,
     ) -> Result<bool, AgentError> {
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
