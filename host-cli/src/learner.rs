@@ -2,7 +2,6 @@
 
 use clap::ValueEnum;
 use goodbot::Options;
-use goodbot::language::{Model, Settings};
 
 /// What learns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -30,13 +29,5 @@ impl Learner {
             Self::Default => Options::DEFAULT,
             Self::Paper => Options::PAPER,
         }
-    }
-}
-
-/// How many letters of a word a model keeps, 0 for all. The role model keeps a word as it heard it first, however many letters count.
-pub fn letters_kept(settings: &Settings) -> usize {
-    match settings.model {
-        Model::Model2 => usize::from(settings.word_letters),
-        Model::Roles => 0,
     }
 }

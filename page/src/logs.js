@@ -29,7 +29,6 @@ function beginRecorded(record, last) {
   world.setEnvironment(JSON.stringify(record.environment));
   if (record.strategies) world.setStrategies(Float32Array.from(record.strategies.flatMap(one => [one.mu_plus, one.mu_minus, one.epsilon, one.prior])));
   world.hear(record.command);
-  rememberWords(record.command);
   if (!record.prior) return;
   const names = parsed(world.belief()).tasks.map(task => task.name);
   const strange = Object.keys(record.prior).find(name => !names.includes(name));

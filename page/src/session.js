@@ -38,7 +38,6 @@ function startSession(command, { intended = null, looking = false } = {}) {
   refresh();
   state.support = attempt(() => parsed(world.support()));
   state.evidence = [];
-  rememberWords(command);
   const task = state.belief.tasks.findIndex(task => task.name === intended);
   state.session = {
     command, intended: task < 0 ? null : task, looking, heard: ranked(), decided: null, feedback: null, rests: 0, steps: 0, paused: false, wake: null, over: false,

@@ -1,5 +1,5 @@
 // The page's state, in one place, and small tools to make elements.
-const KEYS = { model: 'goodbot.model', log: 'goodbot.log', settings: 'goodbot.settings', home: 'goodbot.home', own: 'goodbot.own', tour: 'goodbot.tour', undo: 'goodbot.undo', said: 'goodbot.said' };
+const KEYS = { model: 'goodbot.model', log: 'goodbot.log', settings: 'goodbot.settings', home: 'goodbot.home', own: 'goodbot.own', tour: 'goodbot.tour', undo: 'goodbot.undo' };
 
 const state = {
   // tour, play or build
@@ -15,8 +15,6 @@ const state = {
   evidence: [],
   // The model, the log and the tour before the last session.
   undo: null,
-  // Every word that was said, in full: the core keeps their beginnings.
-  said: [],
   // What is being learned from, where that takes a while.
   progress: '',
   sessions: 0,

@@ -66,7 +66,6 @@ async function restoreAll() {
     const undo = JSON.parse(kept(KEYS.undo));
     if (undo) state.undo = { ...undo, model: fromBase64(undo.model) };
   } catch { /* Then nothing can be undone. */ }
-  state.said = (kept(KEYS.said) || '').split(' ').filter(Boolean);
   try {
     const tour = JSON.parse(kept(KEYS.tour));
     if (tour && Array.isArray(tour.done)) Object.assign(state.tour, { at: tour.at | 0, done: tour.done });

@@ -1,20 +1,39 @@
-// The home as a text map: the core's drawing, and a legend of what the letters cannot say.
+// The home as a text map: the core's drawing, and notes of what the letters cannot say. Cells count from the drawing's south-west corner.
 function toTextMap(scene) {
-  const legend = [...scene.rooms.map(room => 'room ' + room.color + ' ' + [room.left, room.bottom, room.right, room.top].join(' ')),
-    ...scene.blocks.map(block => 'block ' + block.color + ' ' + block.shape + ' ' + block.x + ' ' + block.y)];
-  return scene.map + '\n' + legend.join('\n') + '\n';
+  const { left, bottom } = scene.bounds;
+  const notes = [...scene.rooms.map(room => ['room', room.color, room.left - left, room.bottom - bottom, room.right - left, room.top - bottom]),
+    ...scene.blocks.map(block => ['block', block.color, block.shape, block.x - left, block.y - bottom])];
+  return scene.map + '\n' + notes.map(note => note.join(' ') + '\n').join('');
 }
 
-const LETTERS = { r: 'red', g: 'green', b: 'blue', y: 'yellow', p: 'purple', o: 'orange', t: 'teal', m: 'magenta' };
-const CAPITALS = { C: 'chair', B: 'bag', K: 'backpack', S: 'star', A: 'ball' };
+const LETTERS = {
+  r: 'red', g: 'green', b: 'blue', y: 'yellow', p: 'purple', o: 'orange', t: 'tan', '.': 'red',
+  C: 'yellow chair', B: 'yellow bag', K: 'yellow backpack', S: 'yellow star', A: 'yellow ball',
+};
 
-// A home from a drawing: '#' wall, '+' doorway, '@' the robot, lower-case letters for a room's colour, capitals for a block. Each room is
-// the box around cells that hang together without a door. Throws where the drawing is none.
+// A home from a drawing: '#' wall, '+' doorway, '@' the robot, lower-case letters for a room's colour, capitals for a block. Below stands what
+// letters mean ('b: blue', 'B: yellow bag'), and notes of single things, which count before that. Each room is the box around cells that hang
+// together without a door. Throws where the drawing is none.
 function fromTextMap(text) {
-  const rows = text.split('\n').map(row => row.trimEnd());
-  const legend = rows.filter(row => /^(room|block) /.test(row)).map(row => row.split(/\s+/));
-  const drawing = rows.filter(row => row && !/^(room|block) /.test(row));
+  const drawing = [];
+  const said = { ...LETTERS };
+  const notes = {};
+  for (const row of text.split('\n').map(line => line.trimEnd()).filter(Boolean)) {
+    const letter = row.match(/^(\S)\s*:\s*(.*)/);
+    const note = row.replace(/\s+/g, ' ').match(/^(room|block) (.*?)((?: -?\d+)+)$/);
+    if (letter) said[letter[1]] = letter[2];
+    else if (note) notes[note[1] + note[3]] = note[2];
+    else drawing.push(row);
+  }
   if (!drawing.length) throw new Error('there is no drawing; write # for walls, + for doors, @ for the robot');
+  // What is noted of a thing, or else what its letter means.
+  const meaning = (kind, place, letter, example) => {
+    const key = [kind, ...place].join(' ');
+    const found = notes[key] || said[letter];
+    delete notes[key];
+    if (!found) throw new Error('what ' + letter + ' means is not said; add a line such as “' + letter + ': ' + example + '”');
+    return found;
+  };
   const height = drawing.length;
   const at = (x, y) => (drawing[height - 1 - y] || '')[x] || ' ';
   const objects = [];
@@ -28,15 +47,18 @@ function fromTextMap(text) {
       const letter = at(x, y);
       if (letter === '+') doors.push({ class: 'door', left: x, bottom: y, right: x, top: y });
       if (letter === '@') agent = { class: 'agent', name: 'agent0', x, y };
-      if (/[A-Z]/.test(letter)) blocks.push({ class: 'block', x, y, color: 'yellow', shape: CAPITALS[letter] || 'basket' });
+      if (/[A-Z]/.test(letter)) {
+        const [color, shape] = meaning('block', [x, y], letter, 'yellow chair').split(/\s+/);
+        blocks.push({ class: 'block', x, y, color, shape });
+      }
       if (!isFloor(x, y) || seen.has(x + ',' + y)) continue;
-      const room = { class: 'room', left: x, bottom: y, right: x, top: y, color: '' };
+      let [left, bottom, right, top, floor] = [x, y, x, y, '.'];
       const open = [[x, y]];
       seen.add(x + ',' + y);
       while (open.length) {
         const [cx, cy] = open.pop();
-        Object.assign(room, { left: Math.min(room.left, cx), right: Math.max(room.right, cx), bottom: Math.min(room.bottom, cy), top: Math.max(room.top, cy) });
-        room.color = room.color || LETTERS[at(cx, cy)] || '';
+        [left, bottom, right, top] = [Math.min(left, cx), Math.min(bottom, cy), Math.max(right, cx), Math.max(top, cy)];
+        if (/[a-z]/.test(at(cx, cy))) floor = at(cx, cy);
         for (const [nx, ny] of [[cx + 1, cy], [cx - 1, cy], [cx, cy + 1], [cx, cy - 1]]) {
           if (isFloor(nx, ny) && !seen.has(nx + ',' + ny)) {
             seen.add(nx + ',' + ny);
@@ -44,20 +66,12 @@ function fromTextMap(text) {
           }
         }
       }
-      objects.push({ ...room, left: room.left - 1, bottom: room.bottom - 1, right: room.right + 1, top: room.top + 1, color: room.color || 'red' });
+      const box = [left - 1, bottom - 1, right + 1, top + 1];
+      objects.push({ class: 'room', left: box[0], bottom: box[1], right: box[2], top: box[3], color: meaning('room', box, floor, 'teal') });
     }
   }
-  for (const [kind, color, ...rest] of legend) {
-    if (kind === 'room') {
-      const [left, bottom, right, top] = rest.map(Number);
-      const room = objects.find(each => each.left === left && each.bottom === bottom && each.right === right && each.top === top);
-      if (room) room.color = color;
-    } else {
-      const [shape, x, y] = rest;
-      const block = blocks.find(each => each.x === Number(x) && each.y === Number(y));
-      if (block) Object.assign(block, { color, shape });
-    }
-  }
+  const [idle] = Object.keys(notes);
+  if (idle) throw new Error('no ' + idle.replace(' ', ' is drawn at ') + '; mend the numbers, or leave the line out');
   const named = (list, name) => list.map((each, index) => ({ ...each, name: name + index }));
   return { version: 1, objects: [...named(objects, 'room'), ...named(doors, 'door'), ...named(blocks, 'block'), ...(agent ? [agent] : [])] };
 }

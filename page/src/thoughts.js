@@ -88,7 +88,7 @@ function renderHeat() {
     : 'How many times in a hundred it expects a word (column) for an idea (row), ' + (before ? 'before' : 'after') + ' the last session.';
   if (empty) return;
   const strongest = Math.max(...heat.cells);
-  const words = heat.words.map(word => inFull(word, heat.letters));
+  const words = heat.words.map(word => wordShown(word, heat.letters));
   $('heat').replaceChildren(
     make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, 'idea'), ...words.map(word => make('th', { scope: 'col' }, make('span', {}, word))))),
     make('tbody', {}, ...heat.tokens.map((token, row) => make('tr', {}, make('th', { scope: 'row' }, tokenWords(token)),

@@ -27,22 +27,8 @@ function ranked() {
     .sort((a, b) => b.probability - a.probability || (b.index === followed) - (a.index === followed) || a.index - b.index);
 }
 
-
-// The words of a command, as the core hears them.
-const wordsOf = command => command.toLowerCase().split(/\s+/).filter(word => /[\p{L}\p{N}]/u.test(word));
-
-function rememberWords(command) {
-  const fresh = wordsOf(command).filter(word => !state.said.includes(word));
-  if (!fresh.length) return;
-  state.said = [...new Set([...state.said, ...fresh])].slice(-2000);
-  keep(KEYS.said, state.said.join(' '));
-}
-
-// A word that the robot knows by its first letters, in full: as it was said; with dots where nobody said it here.
-function inFull(word, letters) {
-  if (!letters || [...word].length < letters) return word;
-  return state.said.filter(said => said.startsWith(word)).sort((a, b) => a.length - b.length)[0] || word + '…';
-}
+// A word of which the robot may have kept the first letters only.
+const wordShown = (word, letters) => (letters && [...word].length >= letters ? word + '…' : word);
 
 // What the robot says of itself.
 function speech() {

@@ -98,7 +98,7 @@ for (const settings of ['default', 'paper']) {
     await play(page, 'Test');
     await opened(page, 'Its dictionary');
     const words = await page.locator('#heat thead th').allTextContents();
-    assert.ok(words.includes(settings === 'paper' ? 'chair' : 'chai…'), 'words that nobody said here are shown as far as the model knows them: ' + words);
+    for (const word of ['chair', 'yellow']) assert.ok(words.includes(word), 'words that nobody said here are shown whole too: ' + words);
     await close(teacher);
     await close(page);
   });

@@ -287,7 +287,7 @@ impl World {
             cells: cells.collect(),
             words: words.iter().map(|(_, text)| (*text).to_owned()).collect(),
             tokens: tokens.iter().map(|(_, text)| (*text).to_owned()).collect(),
-            letters: self.agent().options().language.word_letters,
+            letters: self.agent().options().language.letters_kept(),
         }
     }
 }

@@ -136,8 +136,8 @@ pub struct Heat {
     pub tokens: Vec<String>,
     /// Row by row.
     pub cells: Vec<f32>,
-    /// How many letters of a word count; all of them where it is 0.
-    pub letters: u8,
+    /// How many letters of a word are kept; all of them where it is 0.
+    pub letters: usize,
 }
 
 /// Where a task leads.

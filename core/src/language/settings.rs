@@ -73,6 +73,20 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// How many letters of a word a model keeps; 0 for all of them. The role model keeps a word as it heard it first, however many letters
+    /// count.
+    ///
+    /// ```
+    /// use goodbot::language::Settings;
+    /// assert_eq!((Settings::SMOOTHED.letters_kept(), Settings::DEFAULT.letters_kept()), (4, 0));
+    /// ```
+    pub const fn letters_kept(&self) -> usize {
+        match self.model {
+            Model::Model2 => self.word_letters as usize,
+            Model::Roles => 0,
+        }
+    }
+
     /// Whether a model can be trained with them.
     ///
     /// # Errors

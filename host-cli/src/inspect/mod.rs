@@ -1,6 +1,5 @@
 //! `goodbot inspect`: which words a model knows, and what they mean to it.
 
-use crate::learner::letters_kept;
 use crate::lessons::restored;
 use crate::messages::counted;
 use crate::outcome::Failure;
@@ -49,7 +48,7 @@ pub fn run(options: &InspectOptions) -> Result<(), Failure> {
         options.plot.as_deref().map(|plot| Output::picture(plot, options.model.to_str().into_iter(), options.force)).transpose()?;
     let agent = restored::agent(&options.model, &lifted)?;
     let mut lexicon = Lexicon::of(agent.language());
-    let full = FullWords::new(letters_kept(agent.language().settings()));
+    let full = FullWords::new(agent.language().settings().letters_kept());
     lexicon.words.iter_mut().for_each(|word| *word = full.of(word));
     let mut out = output::text(&[target.as_ref()])?;
     // Before anything is printed: a reader who leaves must not cost the picture.
@@ -94,7 +93,7 @@ pub fn run(options: &InspectOptions) -> Result<(), Failure> {
 
 /// Which words count as one.
 fn alike(settings: &Settings) -> String {
-    match (settings.word_letters, letters_kept(settings)) {
+    match (settings.word_letters, settings.letters_kept()) {
         (0, _) => String::new(),
         (letters, 0) => format!("; words that begin with the same {letters} letters count as one, the first that was heard"),
         (letters, _) => format!("; of a word the first {letters} letters are known"),

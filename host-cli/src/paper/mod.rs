@@ -19,7 +19,6 @@ mod table;
 pub mod trainer;
 
 use crate::cli::PaperOptions;
-use crate::learner::letters_kept;
 use crate::messages::say;
 use crate::outcome::Failure;
 use crate::output::{self, Output};
@@ -47,7 +46,7 @@ pub fn run(options: &PaperOptions) -> Result<(), Failure> {
 fn one_run(options: &PaperOptions, target: Option<&Output>, out: &mut impl Write) -> Result<(), Failure> {
     let ((run, lexicon), told) = story::tell(options, out)?;
     let commands = LESSONS.iter().chain(&TESTS).map(|exercise| exercise.command);
-    let lexicon = lexicon.written_out(commands, letters_kept(&options.learner.options().language));
+    let lexicon = lexicon.written_out(commands, options.learner.options().language.letters_kept());
     // Before the rest is told: a reader who leaves must not cost the picture.
     if let Some(target) = target {
         picture(target, plot::learned_words(&lexicon))?;

@@ -1,7 +1,6 @@
 //! What the robot thinks: the tasks, which word speaks for which, and what it calls things.
 
 use super::{Refusal, Trainer, no_session, refused};
-use crate::learner::letters_kept;
 use crate::lessons::evidence;
 use crate::load::task_name::task_name;
 use crate::teach::plain_names::{task_words, token_words};
@@ -135,6 +134,6 @@ impl Trainer {
 
     /// How many letters of a word the robot keeps; all of them where it is 0.
     pub fn word_letters(&self) -> usize {
-        letters_kept(&self.mind.options().language)
+        self.mind.options().language.letters_kept()
     }
 }
