@@ -1,7 +1,7 @@
 //! A command as words: split on blanks, in lower case, stand-alone punctuation dropped.
 //!
-//! Without the feature `unicode`, which costs 4.6 KB in the course for a Cortex-M4F, only ASCII letters become lower case, and every character beyond ASCII counts
-//! as a letter.
+//! Without the feature `unicode`, which costs 4.6 KB in the course for a Cortex-M4F, only ASCII letters become lower case, and every
+//! character beyond ASCII counts as a letter.
 
 use crate::capacity::{Capacity, CapacityError, NAME_BYTES, WORDS_PER_COMMAND};
 use crate::symbols::Symbol;
