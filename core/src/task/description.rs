@@ -385,5 +385,12 @@ fn insert(description: &mut Tokens, first: usize, token: Symbol) {
     if group.get(place) == Some(&token) {
         return;
     }
-    let _ = description.insert(first.saturating_add(place), token);
+    if description.push(token).is_err() {
+        return;
+    }
+    // Those behind move up by one. The list's own insertion can panic.
+    let mut moved = token;
+    for slot in description.iter_mut().skip(first.saturating_add(place)) {
+        core::mem::swap(slot, &mut moved);
+    }
 }
