@@ -28,12 +28,8 @@ function beginRecorded(record, last) {
   world.setPulls((record.actions || []).includes('pull'));
   world.setEnvironment(JSON.stringify(record.environment));
   if (record.strategies) world.setStrategies(Float32Array.from(record.strategies.flatMap(one => [one.mu_plus, one.mu_minus, one.epsilon, one.prior])));
-  world.hear(record.command);
-  if (!record.prior) return;
-  const names = parsed(world.belief()).tasks.map(task => task.name);
-  const strange = Object.keys(record.prior).find(name => !names.includes(name));
-  if (strange) throw new Error('“prior” names ' + strange + ', which is no task of this page');
-  world.setPrior(Float32Array.from(names.map(name => record.prior[name] || 0)));
+  if (record.prior) world.hearWithPrior(record.command, Object.keys(record.prior).join('\n'), Float32Array.from(Object.values(record.prior)));
+  else world.hear(record.command);
 }
 
 // Goes through the lines, and gives those that were learned from, with the sessions that they go on from.

@@ -96,10 +96,10 @@ impl Goodbot {
         self.0.hear_again(command).map_err(thrown)
     }
 
-    /// Gives the command just heard another prior, as a log has it: a number for each task, in the order of the belief's.
-    #[wasm_bindgen(js_name = setPrior)]
-    pub fn set_prior(&mut self, prior: &[f32]) -> Thrown<()> {
-        self.0.set_prior(prior).map_err(thrown)
+    /// Hears a command with a prior, as a log has it: the names of tasks on a line each, and a number for each of them.
+    #[wasm_bindgen(js_name = hearWithPrior)]
+    pub fn hear_with_prior(&mut self, command: &str, tasks: &str, prior: &[f32]) -> Thrown<()> {
+        self.0.hear_with_prior(command, tasks.lines().zip(prior.iter().copied())).map_err(thrown)
     }
 
     /// Does the action of this name as the trainer showed it, and learns from that.

@@ -3,12 +3,15 @@
 //! A log may say more than the page itself does: the tasks' prior, the trainer strategies, a session that goes on from the one before, and
 //! demonstrations.
 
+use std::cell::RefCell;
+
 use goodbot::feedback::Strategy;
 use goodbot::oomdp::{action_named, apply};
-use goodbot::task::GroundedTask;
+use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot_formats::session::{Kind, RecordedSession};
 
 use crate::log::Step;
+use crate::training::task_name;
 use crate::world::{Refusal, World};
 
 impl World {
@@ -26,18 +29,30 @@ impl World {
         self.mind.set_strategies(&strategies).map_err(Refusal::from)
     }
 
-    /// Hears the command under way once more, with a prior for each task in the order of the belief's, instead of what the words say.
+    /// Hears a command with a prior for each task by its name in logs, instead of what the words say; 0 for the tasks that are not named. A
+    /// session under way ends unlearned.
     ///
     /// # Errors
-    /// Where no command was heard, or the numbers are no probabilities.
-    pub fn set_prior(&mut self, prior: &[f32]) -> Result<(), Refusal> {
-        let recording = self.recording.take().ok_or_else(|| Refusal("no session is under way".to_owned()))?;
+    /// As [`hear`](Self::hear); a name that is no task's, and numbers that are no probabilities.
+    pub fn hear_with_prior<'n>(&mut self, command: &str, prior: impl Iterator<Item = (&'n str, f32)> + Clone) -> Result<(), Refusal> {
+        self.forget();
         let Self { mind, rooms, state, .. } = self;
-        let tasks: Vec<GroundedTask> = mind.tasks().to_vec();
-        let of = |task: &GroundedTask| tasks.iter().position(|known| known == task).and_then(|at| prior.get(at).copied()).unwrap_or(0.0);
-        mind.hear_with_prior(rooms, state, &recording.command, |task, _| of(task)).map_err(Refusal::from)?;
-        self.recording = Some(recording);
-        Ok(())
+        let known = RefCell::new(Vec::new());
+        let of = |task: &GroundedTask, lifted: &LiftedTask| {
+            let name = task_name(rooms, lifted, task);
+            let found = prior.clone().find(|(named, _)| *named == name);
+            known.borrow_mut().push(name);
+            found.map_or(0.0, |(_, prior)| prior)
+        };
+        let heard = mind.hear_with_prior(rooms, state, command, of).map_err(Refusal::from);
+        let known = known.into_inner();
+        let strange = prior.map(|(name, _)| name).find(|&name| !known.is_empty() && known.iter().all(|known| known != name));
+        if let Some(name) = strange {
+            self.mind.forget();
+            return Err(Refusal(format!("“prior” names {name}, which is no task of this page")));
+        }
+        heard?;
+        self.record(command, false)
     }
 
     /// Puts everything back, and takes up the last command again: what was believed goes on.
@@ -87,7 +102,13 @@ impl World {
                 let numbers = records.iter().flat_map(|record| [record.mu_plus, record.mu_minus, record.epsilon, record.prior]);
                 self.set_strategies(&numbers.map(|number| number as f32).collect::<Vec<_>>())?;
             }
-            self.hear(&header.command)?;
+            match &header.prior {
+                None => self.hear(&header.command)?,
+                Some(prior) => {
+                    let prior: Vec<(String, f32)> = prior.iter().map(|(task, prior)| (task.to_string(), *prior as f32)).collect();
+                    self.hear_with_prior(&header.command, prior.iter().map(|(task, prior)| (task.as_str(), *prior)))?;
+                }
+            }
         }
         for (_, step) in &session.steps {
             while !self.plan(u32::MAX)? {}

@@ -320,7 +320,7 @@ const fn plan_word(plan: &OptimalSet) -> &'static str {
 }
 
 /// The task as logs write it.
-fn task_name(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
+pub(crate) fn task_name(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
     let parts = task.propositions(lifted).map(|part| {
         let parameters = home.world().schema.parameters(part.proposition).len();
         let names: Vec<&str> = part.arguments.iter().take(parameters).map(|&object| home.objects().name(object)).collect();

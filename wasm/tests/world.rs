@@ -174,12 +174,28 @@ fn a_robot_hears_the_same_command_again_and_goes_on_believing() {
 #[test]
 fn a_recorded_prior_takes_the_place_of_what_the_words_say() {
     let mut world = world("A");
+    world.hear_with_prior("go to the red room", [("agentInRoom(agent0,room1)", 0.5)].into_iter()).unwrap();
+    let probability = |world: &World, name: &str| world.belief().tasks.iter().find(|task| task.name == name).map(|task| task.probability);
+    assert_eq!(probability(&world, "agentInRoom(agent0,room1)"), Some(1.0));
+    assert_eq!(probability(&world, "agentInRoom(agent0,room2)"), Some(0.0));
+    assert!(world.hear_with_prior("go to the red room", [("agentInRoom(agent0,room1)", f32::NAN)].into_iter()).is_err());
+    let strange = world.hear_with_prior("go to the red room", [("agentInRoom(agent0,room9)", 0.5)].into_iter());
+    assert!(strange.unwrap_err().0.contains("room9"));
+    assert!(!world.is_listening());
+}
+
+#[test]
+fn a_recorded_prior_leaves_what_is_believed_of_the_trainer_to_the_last_bit() {
+    let mut world = world("A");
+    world.set_learns_style(true).unwrap();
+    train(&mut world, "go to the red room", "agentInRoom(agent0,room2)");
+    let believed = |world: &World| world.belief().strategies.iter().map(|style| style.probability.to_bits()).collect::<Vec<_>>();
+    let mut other = World::new(7).unwrap();
+    other.restore(&world.save().unwrap()).unwrap();
+    other.set_environment(&world.environment()).unwrap();
+    while !other.learn(1_000) {}
+    world.reset();
     world.hear("go to the red room").unwrap();
-    let count = world.belief().tasks.len();
-    let mut prior = vec![0.0; count];
-    prior[count - 1] = 0.5;
-    world.set_prior(&prior).unwrap();
-    assert_eq!(world.belief().tasks[count - 1].probability, 1.0);
-    world.hear("go to the red room").unwrap();
-    assert!(world.set_prior(&vec![f32::NAN; count]).is_err());
+    other.hear_with_prior("go to the red room", [("agentInRoom(agent0,room1)", 1.0)].into_iter()).unwrap();
+    assert_eq!(believed(&other), believed(&world));
 }
