@@ -258,3 +258,12 @@ fn a_robot_whose_states_do_not_fit_is_refused_by_name_and_number() {
         }
     }
 }
+
+#[test]
+fn a_robot_of_more_states_than_any_memory_is_refused_at_once() {
+    let mut ring_memory = memory(0, 0);
+    let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
+    objects.add(ClassId(0), "goal", &[]).unwrap();
+    let ring = Ring { objects: objects.into_objects(), places: 1 << 52 };
+    assert!(states_needed(&ring).unwrap() > 1 << 52);
+}

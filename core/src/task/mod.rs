@@ -14,6 +14,7 @@ pub mod lifted;
 pub mod machine_command;
 pub mod role;
 
+pub(crate) use grounded::ground_unless;
 pub use grounded::{GroundedTask, ground};
 pub use lifted::{LiftedProposition, LiftedTask, TaskTextError};
 pub use machine_command::{Expression, TokenOrder};

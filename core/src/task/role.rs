@@ -37,6 +37,11 @@ impl RoleKind {
     pub const fn is_of_task(self) -> bool {
         matches!(self, Self::Goal | Self::Subject)
     }
+
+    /// Whether such objects have no part in the task nor in where its objects are.
+    pub(crate) const fn is_of_others(self) -> bool {
+        matches!(self, Self::OtherPlace | Self::Other)
+    }
 }
 
 /// A role: its kind, with the proposition and the argument, or the class, that it is about.
