@@ -3,7 +3,7 @@
 use super::{GroundProposition, Objects, PushGrid, Schema, SearchKind};
 
 /// An action, by its position in [`Domain::actions`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Action(pub u8);
 
 impl Action {
@@ -14,7 +14,7 @@ impl Action {
 }
 
 /// A set of actions, one bit each.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ActionSet(pub u16);
 
 impl ActionSet {
@@ -66,8 +66,14 @@ impl ActionSet {
     }
 }
 
+impl FromIterator<Action> for ActionSet {
+    fn from_iter<I: IntoIterator<Item = Action>>(actions: I) -> Self {
+        actions.into_iter().fold(Self::EMPTY, Self::with)
+    }
+}
+
 /// An action of a domain: its name in logs and its cost, 1 to [`MOST_COST`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ActionKind<'a> {
     /// The name.
     pub name: &'a str,

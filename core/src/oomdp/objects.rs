@@ -7,7 +7,7 @@ use crate::symbols::{Symbol, Symbols, SymbolsRef};
 use core::fmt;
 
 /// An object, by its position among the [`Objects`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ObjectId(pub u8);
 
 impl ObjectId {
@@ -54,6 +54,7 @@ crate::memory::tables! {
 
 /// Why an object could not be added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum ObjectError {
     /// Another object has this name.
     DuplicateName,

@@ -9,7 +9,7 @@ use core::fmt;
 use core::str::FromStr;
 
 /// What an object is to a task.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum RoleKind {
     /// It is, by the goal, the last argument of a proposition: where something is to be.
     Goal,
@@ -45,7 +45,7 @@ impl RoleKind {
 }
 
 /// A role: its kind, with the proposition and the argument, or the class, that it is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Role(u16);
 
 const ARGUMENT_BITS: u32 = 2;
@@ -98,7 +98,7 @@ impl Role {
 pub const VALUE_SORTS: usize = 2 * crate::capacity::ATTRIBUTES;
 
 /// What stands before the values of a role: the role and the sort of the values. A marker is a symbol above all that have a text.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Marker {
     /// Whose values follow.
     pub role: Role,
@@ -140,6 +140,14 @@ impl FromStr for Marker {
 /// A text is no marker.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoMarker;
+
+impl fmt::Display for NoMarker {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a marker is @ and four hexadecimal digits, 8000 or more")
+    }
+}
+
+impl core::error::Error for NoMarker {}
 
 /// Whether a symbol is a marker: it has no text, and keeps its number when others are forgotten.
 pub const fn is_marker(symbol: Symbol) -> bool {
