@@ -42,11 +42,14 @@
 //! | [`feedback`] | trainer strategies and the belief over tasks (SABL, I-SABL) |
 //! | [`language`] | words, IBM Model 2, weighted EM |
 //! | [`session`] | Algorithm 1: the [`Agent`] |
-//! | [`snapshot`] | what is learned, as bytes |
-//! | [`storage`] | those bytes in flash, safe from power cuts |
+//! | [`snapshot`] | what is learned, as bytes (feature `snapshot`) |
+//! | [`storage`] | those bytes in flash, safe from power cuts (feature `storage`) |
 //!
 //! and beside them [`capacity`] and [`mod@memory`] (how large every table is, and who owns it), [`symbols`] (names), [`probability`]
 //! (products that never underflow) and [`random`] (draws).
+//!
+//! # Features
+//! `snapshot` and `storage`, which needs it, are on by default. `alloc` brings [`HeapMemory`], for hosts; `std` brings `alloc`.
 //!
 //! # What it promises
 //! No allocation, no `unsafe`, no panic on any input. Every capacity is a field of [`Capacities`], and an error names the field to raise.
@@ -56,6 +59,7 @@
 #![no_std]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
+#![cfg_attr(not(feature = "snapshot"), allow(dead_code, reason = "model files alone need some of it"))]
 #![deny(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable)]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing))]
 
@@ -67,6 +71,7 @@ extern crate std;
 #[macro_use]
 pub mod memory;
 pub mod capacity;
+mod checksum;
 pub mod feedback;
 pub mod home;
 pub mod language;
@@ -75,7 +80,9 @@ pub mod planning;
 pub mod probability;
 pub mod random;
 pub mod session;
+#[cfg(feature = "snapshot")]
 pub mod snapshot;
+#[cfg(feature = "storage")]
 pub mod storage;
 pub mod symbols;
 pub mod task;

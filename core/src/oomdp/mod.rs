@@ -6,6 +6,7 @@
 //! - `domain`: the [`Domain`] trait, the seam where a robot brings its own states and actions;
 //! - `push_grid`: the optional [`PushGrid`] trait, for robots that move pieces on a floor of cells;
 //! - `search_kind`: which search plans for a domain;
+//! - `vocabulary`: the digest that tells vocabularies apart;
 //! - `divider`: exact division through a reciprocal.
 
 pub(crate) mod divider;
@@ -14,6 +15,7 @@ pub(crate) mod objects;
 pub(crate) mod push_grid;
 pub(crate) mod schema;
 pub(crate) mod search_kind;
+pub(crate) mod vocabulary;
 
 pub use divider::Divider;
 pub use domain::{Action, ActionKind, ActionSet, Domain, MOST_COST, World, action_name, action_named, apply};

@@ -7,8 +7,7 @@
 //!
 //! - `contents`: a model file that was checked, to look into without restoring it;
 //! - `record`: the records that it is made of;
-//! - `error`: why a model could not be saved or restored;
-//! - `vocabulary`: the digest that tells domains apart.
+//! - `error`: why a model could not be saved or restored.
 
 mod agent;
 pub(crate) mod contents;
@@ -16,7 +15,6 @@ pub(crate) mod error;
 mod joining;
 mod language;
 pub(crate) mod record;
-pub(crate) mod vocabulary;
 mod writing;
 
 pub use contents::{Contents, Section};

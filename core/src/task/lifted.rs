@@ -1,8 +1,8 @@
 //! Lifted tasks: conjunctions of propositional functions over typed free variables.
 
 use crate::capacity::{ARGUMENTS, Capacity, CapacityError, PROPOSITIONS_PER_TASK, VARIABLES_PER_TASK};
+use crate::oomdp::vocabulary::digest;
 use crate::oomdp::{ClassId, PropositionId, Schema};
-use crate::snapshot::vocabulary::digest;
 use core::fmt;
 use heapless::Vec;
 
