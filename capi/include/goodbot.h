@@ -245,6 +245,18 @@ typedef struct goodbot_capacities {
   uint32_t entries[GOODBOT_CAPACITIES];
 } goodbot_capacities;
 
+// How much a robot is to be taught before older lessons may give way.
+typedef struct goodbot_lessons {
+  // How many sessions.
+  uint32_t sessions;
+  // The most words of one command, at most 64.
+  uint32_t words;
+  // How many different words the commands have together.
+  uint32_t different_words;
+  // Bytes that those words take together.
+  uint32_t word_bytes;
+} goodbot_lessons;
+
 // Which class carries an attribute, and what stands before the capitalised value: `roomIs` makes `roomIsRed`.
 typedef struct goodbot_carrier {
   // The class, by position.
@@ -370,6 +382,18 @@ size_t goodbot_size(const struct goodbot_capacities *capacities);
 // The caller sees to it:
 // `capacities` is null or points to capacities.
 size_t goodbot_table_size(const struct goodbot_capacities *capacities);
+
+// The least capacities with which a robot like this one, in the world it lives in now, is refused nothing and nothing gives way. Ask a
+// robot in roomy memory, on a host: `FULL` where its own is too small for one session. A session under way ends unlearned.
+//
+// With `STATES`, every plan is exact; a home can do with fewer, and its plans are then approximate where the goal is far. `HASHED_STATES`
+// and `GOAL_ENTRIES` are 0: no robot needs them; the goal entries save time.
+//
+// The caller sees to it:
+// `robot` is null or a handle, `lessons` null or points to lessons, `capacities` is null or points to memory for it.
+enum goodbot_status goodbot_least_capacities(struct goodbot *robot,
+                                             const struct goodbot_lessons *lessons,
+                                             struct goodbot_capacities *capacities);
 
 // Begins the robot's own random choices anew: the same seed, the same choices.
 //

@@ -1,11 +1,13 @@
 //! How large the tables are, and what memory that takes.
 
 use crate::arena::{after, after_agent, after_home};
-use crate::robot::Goodbot;
+use crate::robot::{Goodbot, World, give, with};
 use crate::status::GoodbotStatus;
 use crate::table;
+use crate::training::in_world;
 use goodbot::Capacities;
 use goodbot::capacity::Capacity;
+use goodbot::session::Lessons;
 
 /// How large each table is, one number for each `goodbot_capacity`. Begin with a preset and raise what is full.
 #[repr(C)]
@@ -165,6 +167,49 @@ pub unsafe extern "C" fn goodbot_size(capacities: *const GoodbotCapacities) -> u
 pub unsafe extern "C" fn goodbot_table_size(capacities: *const GoodbotCapacities) -> usize {
     // SAFETY: the caller's promise.
     unsafe { capacities.as_ref() }.map_or(0, |capacities| bytes(&capacities.into(), true))
+}
+
+/// How much a robot is to be taught before older lessons may give way.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GoodbotLessons {
+    /// How many sessions.
+    pub sessions: u32,
+    /// The most words of one command, at most 64.
+    pub words: u32,
+    /// How many different words the commands have together.
+    pub different_words: u32,
+    /// Bytes that those words take together.
+    pub word_bytes: u32,
+}
+
+/// The least capacities with which a robot like this one, in the world it lives in now, is refused nothing and nothing gives way. Ask a
+/// robot in roomy memory, on a host: `FULL` where its own is too small for one session. A session under way ends unlearned.
+///
+/// With `STATES`, every plan is exact; a home can do with fewer, and its plans are then approximate where the goal is far. `HASHED_STATES`
+/// and `GOAL_ENTRIES` are 0: no robot needs them; the goal entries save time.
+///
+/// # Safety
+/// `robot` is null or a handle, `lessons` null or points to lessons, `capacities` is null or points to memory for it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_least_capacities(
+    robot: *mut Goodbot,
+    lessons: *const GoodbotLessons,
+    capacities: *mut GoodbotCapacities,
+) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let Some(&GoodbotLessons { sessions, words, different_words, word_bytes }) = lessons.as_ref() else {
+                return Err(GoodbotStatus::Null.into());
+            };
+            let [sessions, words, different_words, word_bytes] = [sessions, words, different_words, word_bytes].map(|it| it as usize);
+            let lessons = Lessons { sessions, words, different_words, word_bytes };
+            let Goodbot { agent, world, .. } = robot;
+            let least = in_world!(&*world, |domain, state| agent.least_capacities(domain, state, &lessons)?);
+            give(capacities, (&least).into())
+        })
+    }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use goodbot::AgentError;
 use goodbot::capacity::CapacityError;
 use goodbot::home::{HomeError, Problem};
-use goodbot::oomdp::objects::ObjectError;
+use goodbot::oomdp::ObjectError;
 use goodbot::snapshot::{RestoreError, SaveError};
 use goodbot::task::TaskTextError;
 

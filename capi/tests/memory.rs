@@ -8,7 +8,7 @@ use goodbot_capi::capacities::*;
 use goodbot_capi::home::{goodbot_home_begin, goodbot_init_home};
 use goodbot_capi::robot::Goodbot;
 use goodbot_capi::status::GoodbotStatus;
-use robots::{Lift, at_home, hear_and_plan, in_homes, of_table, small};
+use robots::{Lift, at_home, describe, hear_and_plan, in_homes, of_table, small};
 use std::ptr::{null, null_mut};
 
 fn make(memory: *mut u8, bytes: usize, capacities: *const GoodbotCapacities) -> GoodbotStatus {
@@ -110,4 +110,26 @@ fn a_table_robot_needs_what_its_size_says() {
         goodbot_capi::table::init::goodbot_init_table(memory.cast(), owned.bytes - 8, capacities, &raw const table, &raw mut robot)
     };
     assert_eq!(made, GoodbotStatus::Memory);
+}
+
+#[test]
+fn a_robot_in_roomy_memory_tells_the_least_capacities_and_another_lives_in_them() {
+    let lessons = GoodbotLessons { sessions: 4, words: 6, different_words: 12, word_bytes: 60 };
+    let roomy = at_home();
+    let mut least = small();
+    unsafe {
+        assert_eq!(goodbot_least_capacities(roomy.robot, &raw const lessons, &raw mut least), GoodbotStatus::Ok);
+        assert_eq!(goodbot_least_capacities(roomy.robot, null(), &raw mut least), GoodbotStatus::Null);
+        assert_eq!(goodbot_least_capacities(roomy.robot, &raw const lessons, null_mut()), GoodbotStatus::Null);
+        assert_eq!(goodbot_least_capacities(null_mut(), &raw const lessons, &raw mut least), GoodbotStatus::Null);
+    }
+    assert!(unsafe { goodbot_size(&raw const least) } < roomy.bytes);
+    assert_eq!(least.entries[GoodbotCapacity::Sessions as usize], 4);
+    let robot = in_homes(least);
+    assert_eq!(describe(robot.robot), GoodbotStatus::Ok);
+    hear_and_plan(robot.robot, c"go to the green room");
+    least.entries[GoodbotCapacity::Cells as usize] -= 1;
+    assert_eq!(describe(in_homes(least).robot), GoodbotStatus::Full);
+    let nowhere = in_homes(small());
+    assert_eq!(unsafe { goodbot_least_capacities(nowhere.robot, &raw const lessons, &raw mut least) }, GoodbotStatus::NoWorld);
 }

@@ -1,22 +1,8 @@
 //! goodbot: you tell a robot in your own words what to do, say "good bot" or "bad bot" while it tries, and it learns what your words mean.
 //!
-//! It follows *Training an Agent to Ground Commands with Reward and Punishment* (MacGlashan, Littman, Loftin, Peng, Roberts, Taylor). The
-//! modules stand in the order in which data flows through them:
-//!
-//! | module | what it holds |
-//! |---|---|
-//! | [`oomdp`] | object-oriented MDPs: classes, attributes, objects, propositional functions; the [`Domain`](oomdp::Domain) trait |
-//! | [`home`] | the paper's environment: rooms, doors, blocks, an agent |
-//! | [`task`] | lifted and grounded tasks, binding constraints, machine commands |
-//! | [`planning`] | uniform-cost search, for all tasks at once |
-//! | [`feedback`] | trainer strategies and the belief over tasks (SABL, I-SABL) |
-//! | [`language`] | words, IBM Model 2, weighted EM |
-//! | [`session`] | Algorithm 1: the [`Agent`] |
-//! | [`snapshot`] | what is learned, as bytes |
-//! | [`storage`] | those bytes in flash, safe from power cuts |
-//!
-//! and beside them [`capacity`] and [`mod@memory`] (how large every table is, and who owns it), [`symbols`] (names) and [`probability`]
-//! (products that never underflow).
+//! The robot's mind is an [`Agent`]: it hears, plans, decides and learns. It lives in a [`Domain`](oomdp::Domain), which is a
+//! [`Home`](home::Home) or a robot of your own. It follows *Training an Agent to Ground Commands with Reward and Punishment* (MacGlashan,
+//! Littman, Loftin, Peng, Roberts, Taylor).
 //!
 //! # A robot that learns
 //! ```
@@ -44,6 +30,27 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # The modules
+//! In the order in which data flows through them:
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`oomdp`] | object-oriented MDPs: classes, attributes, objects, propositional functions; the seam to your own robot |
+//! | [`home`] | the paper's environment: rooms, doors, blocks, an agent |
+//! | [`task`] | lifted and grounded tasks, binding constraints, machine commands |
+//! | [`planning`] | uniform-cost search, for all tasks at once |
+//! | [`feedback`] | trainer strategies and the belief over tasks (SABL, I-SABL) |
+//! | [`language`] | words, IBM Model 2, weighted EM |
+//! | [`session`] | Algorithm 1: the [`Agent`] |
+//! | [`snapshot`] | what is learned, as bytes (feature `snapshot`) |
+//! | [`storage`] | those bytes in flash, safe from power cuts (feature `storage`) |
+//!
+//! and beside them [`capacity`] and [`mod@memory`] (how large every table is, and who owns it), [`symbols`] (names), [`probability`]
+//! (products that never underflow) and [`random`] (draws).
+//!
+//! # Features
+//! `snapshot` and `storage`, which needs it, are on by default. `alloc` brings [`HeapMemory`], for hosts; `std` brings `alloc`.
+//!
 //! # What it promises
 //! No allocation, no `unsafe`, no panic on any input. Every capacity is a field of [`Capacities`], and an error names the field to raise.
 //! Only `+ - * /` on f32: the same input gives the same bits on x86-64, wasm32 and Cortex-M. Long work goes in parts, with a budget that
@@ -52,6 +59,7 @@
 #![no_std]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
+#![cfg_attr(not(feature = "snapshot"), allow(dead_code, reason = "model files alone need some of it"))]
 #![deny(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable)]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing))]
 
@@ -63,14 +71,18 @@ extern crate std;
 #[macro_use]
 pub mod memory;
 pub mod capacity;
+mod checksum;
 pub mod feedback;
 pub mod home;
 pub mod language;
 pub mod oomdp;
 pub mod planning;
 pub mod probability;
+pub mod random;
 pub mod session;
+#[cfg(feature = "snapshot")]
 pub mod snapshot;
+#[cfg(feature = "storage")]
 pub mod storage;
 pub mod symbols;
 pub mod task;

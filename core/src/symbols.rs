@@ -84,6 +84,11 @@ impl<'t> SymbolsRef<'t> {
         self.bytes.get(self.start(position)..self.start(position.saturating_add(1))).unwrap_or(&[])
     }
 
+    /// The bytes of all texts end to end, and where each ends.
+    pub(crate) fn parts(self) -> (&'t [u8], &'t [u16]) {
+        (self.bytes.get(..self.byte_len()).unwrap_or(&[]), self.ends.get(..self.len).unwrap_or(&[]))
+    }
+
     /// The text of `symbol`; empty for a symbol of another table that this one does not have.
     pub fn text(self, symbol: Symbol) -> &'t str {
         core::str::from_utf8(self.raw(symbol.index())).unwrap_or("")

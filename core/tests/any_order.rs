@@ -2,13 +2,14 @@
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing)]
 
-use goodbot::feedback::{Feedback, Strategy, simulated::below};
+use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::language::Settings;
 use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain};
-use goodbot::session::options::Weights;
+use goodbot::random::below;
+use goodbot::session::Weights;
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use rand_core::{Rng, SeedableRng};

@@ -120,6 +120,28 @@ fn a_plan_serves_no_other_state_and_a_session_no_other_home() {
 }
 
 #[test]
+fn a_session_serves_no_home_of_the_same_objects_in_other_places() {
+    let (mut memory, mut one, mut other) = (memory(2_560, 0), memory(0, 0), memory(0, 0));
+    let (home, start) = rooms(&mut one.home, COLORS, &[]);
+    // The same home, but the two upper rooms have changed places.
+    let mut builder = HomeBuilder::new(&mut other.home);
+    builder.room("room0", Area::new(0, 0, 8, 4), COLORS[0]).unwrap();
+    builder.room("room1", Area::new(4, 4, 8, 8), COLORS[1]).unwrap();
+    builder.room("room2", Area::new(0, 4, 4, 8), COLORS[2]).unwrap();
+    builder.door("door0", Area::new(2, 4, 2, 4)).unwrap();
+    builder.door("door1", Area::new(6, 4, 6, 4)).unwrap();
+    builder.agent("agent0", Cell::new(4, 1)).unwrap();
+    let (mirrored, same_number) = builder.build(Moves::Push).unwrap();
+    assert_eq!((home.number(&start), home.state_count()), (mirrored.number(&same_number), mirrored.state_count()));
+    let mut agent = agent(&mut memory);
+    agent.hear(&home, &start, "go to the red room").unwrap();
+    agent.plan_fully(&home, &start).unwrap();
+    assert_eq!(agent.decide(&mirrored, &same_number), Err(AgentError::OtherDomain));
+    assert_eq!(agent.plan(&mirrored, &same_number, 10), Err(AgentError::OtherDomain));
+    assert!(agent.decide(&home, &start).is_ok());
+}
+
+#[test]
 fn a_word_about_the_last_action_counts_also_while_the_next_plan_is_made() {
     let (mut one, mut other, mut rooms_memory) = (memory(2_560, 0), memory(2_560, 0), memory(0, 0));
     let (home, start) = rooms(&mut rooms_memory.home, COLORS, &[Cell::new(4, 2)]);
@@ -257,4 +279,13 @@ fn a_robot_whose_states_do_not_fit_is_refused_by_name_and_number() {
             assert_eq!(heard, Err(CapacityError::new(Capacity::States, limit, needed).into()));
         }
     }
+}
+
+#[test]
+fn a_robot_of_more_states_than_any_memory_is_refused_at_once() {
+    let mut ring_memory = memory(0, 0);
+    let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
+    objects.add(ClassId(0), "goal", &[]).unwrap();
+    let ring = Ring { objects: objects.into_objects(), places: 1 << 52 };
+    assert!(states_needed(&ring).unwrap() > 1 << 52);
 }

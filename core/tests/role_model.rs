@@ -1,10 +1,11 @@
 //! The role model: what must hold whatever is learned.
 
-use goodbot::feedback::{Feedback, Judgement};
+use goodbot::feedback::Feedback;
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves, paper_tasks};
 use goodbot::language::Meaning;
 use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::oomdp::{Domain, apply};
+use goodbot::planning::Judgement;
 use goodbot::planning::Progress;
 use goodbot::task::RoleKind;
 use goodbot::{Agent, Capacities, HeapMemory, Options};

@@ -1,6 +1,6 @@
 //! The homes of the course: that each can be built, obeyed in, and held by a controller.
 
-use goodbot::home::{Area, Cell, map::Map};
+use goodbot::home::{Area, Cell, Map};
 use goodbot::{Agent, Capacities, HeapMemory, Options, home};
 use goodbot_course::exercise::HomeName;
 use goodbot_course::layout::{BlockPlan, solvable::is_solvable};

@@ -38,9 +38,9 @@ C: yellow chair
 /// [`Failure::Output`].
 pub fn run(what: Example) -> Result<(), Failure> {
     let text = match what {
-        Example::Home => include_str!("../../docs/examples/home.json"),
+        Example::Home => include_str!("example/home.json"),
         Example::Map => MAP,
-        Example::Log => include_str!("../../docs/examples/sessions.jsonl"),
+        Example::Log => include_str!("example/sessions.jsonl"),
     };
     Ok(std::io::stdout().lock().write_all(text.as_bytes())?)
 }

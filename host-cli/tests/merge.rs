@@ -42,7 +42,7 @@ fn sessions(path: &Path) -> Vec<String> {
     let commands: Vec<_> = contents.commands.iter().collect();
     let mut pairs = contents.pairs.iter();
     let text = |positions: &[u16], texts: &[&str]| positions.iter().map(|&at| texts[usize::from(at)]).collect::<Vec<_>>().join(" ");
-    let one = |session: goodbot::snapshot::record::SessionRecord| {
+    let one = |session: goodbot::snapshot::SessionRecord| {
         let pair = pairs.next().unwrap();
         format!("{}: {}", text(&session.words, &words), text(&commands[usize::from(pair.command)], &tokens))
     };

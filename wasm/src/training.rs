@@ -3,13 +3,13 @@
 //! [`World::hear`], then over and over [`World::plan`] until it is done, [`World::act`], [`World::judge`]; at the end [`World::finish`] and
 //! [`World::learn`] until it is done, or [`World::forget`].
 
-use goodbot::feedback::simulated::unit;
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
 use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, HomeState, ROOM, SHAPE};
-use goodbot::language::tokenizer::for_each_word;
+use goodbot::language::for_each_word;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain, ObjectId, action_name, action_named};
 use goodbot::planning::{Judgement, OptimalSet, Progress};
+use goodbot::random::unit;
 use goodbot::session;
 use goodbot::task::{GroundedTask, LiftedTask};
 

@@ -11,9 +11,9 @@ use goodbot::language::Model;
 use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::symbols::{Symbol, Symbols};
 use goodbot::task::Expression;
+use goodbot::task::Tokens;
 use goodbot::task::description::{Scene, describe};
-use goodbot::task::machine_command::Tokens;
-use goodbot::task::role::is_marker;
+use goodbot::task::is_marker;
 
 use crate::view::Support;
 

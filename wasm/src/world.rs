@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use goodbot::home::map::Map;
+use goodbot::home::Map;
 use goodbot::home::{self, Area, BLOCK, COLOR, Cell, DOOR, Home, HomeBuilder, HomeError, HomeState, Moves, ROOM, SHAPE};
 use goodbot::memory::{AgentHeap, HomeHeap, HomeMemory};
 use goodbot::oomdp::{Action, ObjectId};

@@ -8,11 +8,18 @@ mod teach;
 
 use domain::TableRobot;
 use goodbot::memory::HomeMemory;
+use goodbot::session::Lessons;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use teach::{obey, teach};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    // How much memory it takes is found out in roomy memory: three commands of at most four words, seven different ones.
+    let mut roomy = HeapMemory::new(&Capacities::STANDARD);
+    let lift = TableRobot::lift(roomy.home.lend().objects)?;
+    let mut desk = Agent::new(&mut roomy.agent, &TableRobot::tasks()?, Options::PAPER)?;
+    let lessons = Lessons { different_words: 7, word_bytes: 32, ..Lessons::new(3, 4) };
+    let mut memory = HeapMemory::new(&desk.least_capacities(&lift, &2, &lessons)?);
+
     let lift = TableRobot::lift(memory.home.lend().objects)?;
     let mut agent = Agent::new(&mut memory.agent, &TableRobot::tasks()?, Options::PAPER)?;
     for (command, meaning) in [

@@ -6,7 +6,7 @@ mod domain;
 
 use domain::{TurningRobot, TurningState};
 use goodbot::feedback::Feedback;
-use goodbot::home::map::Map;
+use goodbot::home::Map;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeError, HomeState, Moves};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain, action_name};

@@ -230,7 +230,20 @@ impl Capacities {
 
     /// u64s of the search: for each 64 states eight words of first actions, and three bit sets with a bit for each of their words.
     pub const fn search_words(&self) -> usize {
-        let groups = self.states.div_ceil(64);
+        Self::words_of(self.states.div_ceil(64))
+    }
+
+    /// The least states of which the search has so many words: see [`search_words`](Self::search_words).
+    pub(crate) const fn states_of(search_words: usize) -> usize {
+        // At most 707 words for 64 groups, and 3 more.
+        let mut groups = (search_words.saturating_sub(3) / 707).saturating_mul(64);
+        while Self::words_of(groups) < search_words {
+            groups = groups.saturating_add(1);
+        }
+        groups.saturating_mul(64)
+    }
+
+    const fn words_of(groups: usize) -> usize {
         groups.saturating_mul(11).saturating_add(groups.div_ceil(64).saturating_mul(3))
     }
 

@@ -4,9 +4,9 @@
 //! The task's prior, which the language model gives, stands beside it: the posterior is their product, renormalised. Both are
 //! [`Scaled`], so a task that looked hopeless for a thousand steps can still come back.
 
-use super::Judgement;
 use super::strategy::{Feedback, Strategy};
 use crate::capacity::{Capacity, CapacityError};
+use crate::planning::Judgement;
 use crate::probability::{Scaled, total};
 use core::fmt;
 

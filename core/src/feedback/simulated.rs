@@ -1,6 +1,7 @@
 //! A simulated trainer: draws its feedback from a strategy.
 
 use super::strategy::{Feedback, Strategy};
+use crate::random::unit;
 use rand_core::Rng;
 
 /// A trainer who knows the intended task and follows a strategy.
@@ -25,14 +26,4 @@ impl SimulatedTrainer {
             Feedback::Neutral
         }
     }
-}
-
-/// A number in [0, 1), in steps of 2^-24.
-pub fn unit<R: Rng + ?Sized>(random: &mut R) -> f32 {
-    (random.next_u32() >> 8) as f32 * (1.0 / 16_777_216.0)
-}
-
-/// A number below `count`, each about equally often; 0 where `count` is 0.
-pub fn below<R: Rng + ?Sized>(count: usize, random: &mut R) -> usize {
-    ((u64::from(random.next_u32()) * count.min(u32::MAX as usize) as u64) >> 32) as usize
 }

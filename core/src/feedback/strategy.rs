@@ -1,9 +1,10 @@
 //! Trainer strategies: how probable reward, punishment and silence are after a correct and an incorrect action (paper, section 3).
 
 use core::fmt;
+use core::str::FromStr;
 
 /// What the trainer says after an action.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Feedback {
     /// "Good bot."
     Reward,
@@ -25,6 +26,37 @@ impl Feedback {
     }
 }
 
+impl fmt::Display for Feedback {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Feedback {
+    type Err = UnknownFeedback;
+
+    /// ```
+    /// use goodbot::feedback::Feedback;
+    /// assert_eq!(Feedback::Punish.to_string().parse(), Ok(Feedback::Punish));
+    /// assert_eq!("bad bot".parse::<Feedback>().unwrap_err().to_string(), "feedback is reward, punish or neutral");
+    /// ```
+    fn from_str(name: &str) -> Result<Self, UnknownFeedback> {
+        [Self::Reward, Self::Punish, Self::Neutral].into_iter().find(|feedback| feedback.name() == name).ok_or(UnknownFeedback)
+    }
+}
+
+/// There is no feedback of this name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UnknownFeedback;
+
+impl fmt::Display for UnknownFeedback {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("feedback is reward, punish or neutral")
+    }
+}
+
+impl core::error::Error for UnknownFeedback {}
+
 /// A trainer strategy: three probabilities.
 ///
 /// ```
@@ -43,6 +75,7 @@ pub struct Strategy {
 
 /// Which parameter of a strategy is not a probability.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum StrategyError {
     /// mu+ is outside [0, 1] or not a number.
     MuPlus,

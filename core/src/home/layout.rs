@@ -8,7 +8,7 @@ pub use crate::oomdp::FloorCell as Place;
 pub const FARTHEST: i32 = 255;
 
 /// A box of cells, its edge included.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Area {
     /// The smallest x.
     pub left: i32,
@@ -65,7 +65,7 @@ impl StoredArea {
 }
 
 /// One cell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Cell {
     /// To the east.
     pub x: i32,

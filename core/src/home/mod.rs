@@ -1,19 +1,20 @@
 //! The paper's home environment (section 4): rooms with walls and doors, blocks that can be pushed about, one agent.
 //!
-//! - [`layout`]: where the rooms and doors are, and which cells are free;
-//! - [`builder`]: a home from its objects, checked;
-//! - [`moves`]: what north, south, east, west and pull do, and which propositions hold;
-//! - [`map`]: a home drawn as text.
+//! - `layout`: where the rooms and doors are, and which cells are free;
+//! - `builder`: a home from its objects, checked;
+//! - `moves`: what north, south, east, west and pull do, and which propositions hold;
+//! - `map`: a home drawn as text.
 //!
 //! Cells are integer pairs, x to the east, y to the north.
 
-pub mod builder;
-pub mod layout;
-pub mod map;
-pub mod moves;
+pub(crate) mod builder;
+pub(crate) mod layout;
+pub(crate) mod map;
+pub(crate) mod moves;
 
 pub use builder::{HomeBuilder, HomeError, HomeTables, HomeTablesRef, Problem};
-pub use layout::{Area, Cell, Place, StoredArea};
+pub use layout::{Area, Cell, FARTHEST, Place, StoredArea};
+pub use map::Map;
 pub use moves::{Home, HomeState, Moves};
 
 use crate::oomdp::{Attribute, Carrier, Class, ClassId, Proposition, PropositionId, Schema};

@@ -9,7 +9,7 @@ use crate::oomdp::{
 };
 
 /// The actions that a home offers.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Moves {
     /// North, south, east, west; a block in the way is pushed.
     #[default]

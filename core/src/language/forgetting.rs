@@ -28,6 +28,11 @@ use heapless::Vec;
 /// The part of the vocabulary that is kept free: one in so many.
 const FREE_PART: usize = 8;
 
+/// The least room for so many entries where an eighth of it is kept free.
+pub(crate) const fn with_free_part(entries: usize) -> usize {
+    entries.saturating_add(entries.saturating_sub(1) / (FREE_PART - 1))
+}
+
 /// The part of the sessions that may be strange: one in so many, or two.
 const STRANGE_PART: usize = 8;
 const STRANGE: usize = 2;

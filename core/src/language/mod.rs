@@ -1,32 +1,33 @@
 //! The language model (paper, section 3): how words are explained by machine tokens.
 //!
-//! - [`tokenizer`]: a command as words;
-//! - [`bitext`]: the training data, pairs of an English command and a machine command, each with a weight;
-//! - [`spelling`]: which words are variants of one;
-//! - [`tables`]: IBM Model 2's translation and alignment tables;
-//! - [`likelihood`]: Pr(e|m), exactly, without underflow;
+//! - `tokenizer`: a command as words;
+//! - `bitext`: the training data, pairs of an English command and a machine command, each with a weight;
+//! - `spelling`: which words are variants of one;
+//! - `tables`: IBM Model 2's translation and alignment tables;
+//! - `likelihood`: Pr(e|m), exactly, without underflow;
 //! - [`forgetting`]: what gives way when memory is full;
-//! - [`em`]: weighted expectation maximisation, in steps as large as the caller allows;
-//! - [`settings`]: how it is trained;
+//! - `em`: weighted expectation maximisation, in steps as large as the caller allows;
+//! - `settings`: how it is trained;
 //! - [`roles`]: the role model, which is the default;
-//! - [`model`]: all of it together.
+//! - `model`: all of it together.
 
-pub mod bitext;
-pub mod em;
+pub(crate) mod bitext;
+pub(crate) mod em;
 pub mod forgetting;
 pub(crate) mod lengths;
-pub mod likelihood;
-pub mod model;
+pub(crate) mod likelihood;
+pub(crate) mod model;
 pub mod roles;
-pub mod settings;
-pub mod spelling;
-pub mod tables;
-pub mod tokenizer;
+pub(crate) mod settings;
+pub(crate) mod spelling;
+pub(crate) mod tables;
+pub(crate) mod tokenizer;
 
 pub use bitext::{BitextRef, BitextTables, BitextTablesRef, Pair, Span};
 pub use em::Training;
 pub use model::{LanguageModel, LanguageMut, LanguageRef, LanguageTables, LanguageTablesRef};
 pub use roles::Meaning;
-pub use settings::{Model, SettingError, Settings};
+pub use settings::{MOST_ROUNDS, MOST_WEIGHT, Model, SettingError, Settings};
+pub use spelling::is_slip;
 pub use tables::{LengthPair, ParameterTables, ParameterTablesRef, TablesRef};
-pub use tokenizer::Sentence;
+pub use tokenizer::{Sentence, Word, for_each_piece, for_each_word, word_form};

@@ -286,6 +286,11 @@ impl<'t> LanguageRef<'t> {
         self.tables.usage(used);
     }
 
+    /// How many machine tokens there are, and their bytes.
+    pub(crate) fn usage_of_tokens(self) -> (usize, usize) {
+        (self.tokens.len(), self.tokens.byte_len())
+    }
+
     /// The English words of the sessions that were learned from.
     pub(crate) fn learned_words(self) -> impl Iterator<Item = &'t str> {
         (0..self.learned_words).map(move |position| self.words.text(Symbol(position as u16)))

@@ -22,7 +22,7 @@ pub(super) fn variant(words: SymbolsRef<'_>, learned: usize, word: &str, letters
 /// Whether two words, one of them of five letters or more, differ by one slip.
 ///
 /// ```
-/// use goodbot::language::spelling::is_slip;
+/// use goodbot::language::is_slip;
 /// assert!(is_slip("orange", "orage") && is_slip("orange", "ornage") && is_slip("purple", "qurple"));
 /// assert!(!is_slip("take", "tale") && !is_slip("orange", "oarnges") && !is_slip("green", "green"));
 /// ```

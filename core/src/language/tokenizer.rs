@@ -17,7 +17,7 @@ pub type Word = String<NAME_BYTES>;
 /// Gives each word of `command` to `take`.
 ///
 /// ```
-/// use goodbot::language::tokenizer::for_each_word;
+/// use goodbot::language::for_each_word;
 /// let mut words = vec![];
 /// for_each_word("Move to the RED room .", |word| { words.push(word.to_string()); Ok(()) })?;
 /// assert_eq!(words, ["move", "to", "the", "red", "room"]);
@@ -40,7 +40,7 @@ pub fn for_each_word(command: &str, mut take: impl FnMut(&str) -> Result<(), Cap
 /// hyphen joins apart.
 ///
 /// ```
-/// use goodbot::language::tokenizer::for_each_piece;
+/// use goodbot::language::for_each_piece;
 /// let mut words = vec![];
 /// for_each_piece("don't go: the ‘tan-coloured’ room！", |word| { words.push(word.to_string()); Ok(()) })?;
 /// assert_eq!(words, ["don't", "go", "the", "tan", "coloured", "room"]);
@@ -104,7 +104,7 @@ fn is_of_word(letter: char) -> bool {
 /// The beginning of a word, by which its forms are one word: `orange` and `orangey`. All of it where `letters` is 0.
 ///
 /// ```
-/// use goodbot::language::tokenizer::word_form;
+/// use goodbot::language::word_form;
 /// assert_eq!(word_form("rooms", 4), word_form("room", 4));
 /// assert_eq!(word_form("größer", 3), "grö");
 /// assert_eq!(word_form("whole", 0), "whole");

@@ -1,9 +1,9 @@
 //! The seam: what a robot brings of its own.
 
-use super::{GroundProposition, Objects, Schema, SearchKind};
+use super::{GroundProposition, Objects, PushGrid, Schema, SearchKind};
 
 /// An action, by its position in [`Domain::actions`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Action(pub u8);
 
 impl Action {
@@ -14,7 +14,7 @@ impl Action {
 }
 
 /// A set of actions, one bit each.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ActionSet(pub u16);
 
 impl ActionSet {
@@ -66,8 +66,14 @@ impl ActionSet {
     }
 }
 
+impl FromIterator<Action> for ActionSet {
+    fn from_iter<I: IntoIterator<Item = Action>>(actions: I) -> Self {
+        actions.into_iter().fold(Self::EMPTY, Self::with)
+    }
+}
+
 /// An action of a domain: its name in logs and its cost, 1 to [`MOST_COST`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ActionKind<'a> {
     /// The name.
     pub name: &'a str,
@@ -97,6 +103,11 @@ pub struct World<'a> {
 /// 3. say what the actions do ([`step`](Self::step)) and which propositions hold ([`holds`](Self::holds));
 /// 4. set `type Search =` [`OneByOne`](super::OneByOne). A robot that moves pieces on a floor of cells can implement
 ///    [`PushGrid`](super::PushGrid) as well and set [`BitRows`](super::BitRows), which is many times faster.
+///
+/// An agent tells one domain from another, so that no plan serves where it was not made: by their objects and the values of these, their
+/// actions, their number of states and, for a [`PushGrid`](super::PushGrid), the floor. Where two domains differ in nothing but what
+/// [`step`](Self::step) or [`holds`](Self::holds) does, end the session before you change one for the other, with
+/// [`Agent::leave`](crate::Agent::leave), or give one of their objects another name.
 ///
 /// The folder `examples` has four robots: one that turns and drives, an arm, lamps in a house, and a lift made of tables.
 pub trait Domain {
@@ -140,27 +151,35 @@ pub(crate) fn own_actions<D: Domain + ?Sized>(domain: &D) -> impl Iterator<Item 
     (0..domain.actions().len().min(Action::MOST)).map(|position| Action(position as u8))
 }
 
-/// A digest of what a domain is: its objects, its actions and the number of its states. Plans and sessions of one domain are told from
-/// those of another by it.
+/// A digest of what a domain is: its objects, its actions, the number of its states and, for a [`PushGrid`], its floor. Plans and sessions
+/// of one domain are told from those of another by it, at every call: it goes word by word, with one multiplication each.
 pub(crate) fn digest<D: Domain + ?Sized>(domain: &D) -> u32 {
-    // FNV-1a: one multiplication of 32 bits for each byte.
-    let mut digest = 0x811c_9dc5_u32;
-    let mut take = |bytes: &[u8]| bytes.iter().for_each(|&byte| digest = (digest ^ u32::from(byte)).wrapping_mul(0x0100_0193));
-    let objects = domain.world().objects;
-    for (id, object) in objects.iter() {
-        take(&[object.class.0]);
-        take(objects.name(id).as_bytes());
-        (0..crate::capacity::ATTRIBUTES).for_each(|attribute| {
-            take(objects.value(id, attribute).as_bytes());
-            take(&[0]);
-        });
-    }
+    let mut digest = 0_u32;
+    let mut take = |word: u32| digest = (digest.rotate_left(5) ^ word).wrapping_mul(0x9e37_79b1);
+    domain.world().objects.for_each_word(&mut take);
     for kind in domain.actions() {
-        take(kind.name.as_bytes());
-        take(&[0, kind.cost]);
+        for_each_word(kind.name.as_bytes(), &mut take);
+        take(u32::from(kind.cost));
     }
-    take(&domain.state_count().to_le_bytes());
+    let states = domain.state_count();
+    take(states as u32);
+    take((states >> 32) as u32);
+    if let Some(grid) = D::Search::grid(domain) {
+        for cell in grid.floor().cells {
+            // A cell's neighbours are those beside it.
+            take(u32::from(cell.x.cast_unsigned()) << 16 | u32::from(cell.y.cast_unsigned()));
+            take(u32::from(cell.region));
+        }
+        take(grid.floor().directions.iter().fold(grid.pieces() as u32, |word, direction| word << 4 ^ u32::from(direction.0)));
+    }
     digest
+}
+
+/// Takes bytes four at a time.
+pub(super) fn for_each_word(bytes: &[u8], take: &mut impl FnMut(u32)) {
+    for four in bytes.chunks(4) {
+        take(four.iter().fold(0, |word, &byte| word << 8 | u32::from(byte)));
+    }
 }
 
 /// The name of an action of a domain, `noop` included.

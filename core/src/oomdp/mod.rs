@@ -1,22 +1,24 @@
 //! Object-oriented MDPs (paper, section 3): a world is a set of objects of a few classes, each with attributes, and propositional
 //! functions say what holds between them.
 //!
-//! - [`schema`]: the classes, attributes and propositional functions of a domain, by name;
-//! - [`objects`]: the objects of one environment;
-//! - [`domain`]: the [`Domain`] trait, the seam where a robot brings its own states and actions;
-//! - [`push_grid`]: the optional [`PushGrid`] trait, for robots that move pieces on a floor of cells;
-//! - [`search_kind`]: which search plans for a domain;
-//! - [`divider`]: exact division through a reciprocal.
+//! - `schema`: the classes, attributes and propositional functions of a domain, by name;
+//! - `objects`: the objects of one environment;
+//! - `domain`: the [`Domain`] trait, the seam where a robot brings its own states and actions;
+//! - `push_grid`: the optional [`PushGrid`] trait, for robots that move pieces on a floor of cells;
+//! - `search_kind`: which search plans for a domain;
+//! - `vocabulary`: the digest that tells vocabularies apart;
+//! - `divider`: exact division through a reciprocal.
 
-pub mod divider;
-pub mod domain;
-pub mod objects;
-pub mod push_grid;
-pub mod schema;
-pub mod search_kind;
+pub(crate) mod divider;
+pub(crate) mod domain;
+pub(crate) mod objects;
+pub(crate) mod push_grid;
+pub(crate) mod schema;
+pub(crate) mod search_kind;
+pub(crate) mod vocabulary;
 
 pub use divider::Divider;
-pub use domain::{Action, ActionKind, ActionSet, Domain, World, action_name, action_named, apply};
+pub use domain::{Action, ActionKind, ActionSet, Domain, MOST_COST, World, action_name, action_named, apply};
 pub(crate) use domain::{cost, digest, own_actions};
 pub use objects::{Object, ObjectCount, ObjectError, ObjectId, ObjectSet, ObjectTables, ObjectTablesRef, Objects};
 pub use push_grid::{CellId, Floor, FloorCell, Piece, PushGrid};

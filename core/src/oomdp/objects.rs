@@ -1,12 +1,13 @@
 //! The objects of one environment: a set of fixed capacity, in memory that the caller lends.
 
+use super::domain::for_each_word;
 use super::schema::ClassId;
 use crate::capacity::{ATTRIBUTES, Capacities, Capacity, CapacityError};
 use crate::symbols::{Symbol, Symbols, SymbolsRef};
 use core::fmt;
 
 /// An object, by its position among the [`Objects`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ObjectId(pub u8);
 
 impl ObjectId {
@@ -53,6 +54,7 @@ crate::memory::tables! {
 
 /// Why an object could not be added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum ObjectError {
     /// Another object has this name.
     DuplicateName,
@@ -232,6 +234,19 @@ impl<'t> Objects<'t> {
     /// The value of an object's attribute, by the attribute's position in the schema; empty where it has none.
     pub fn value(self, id: ObjectId, attribute: usize) -> &'t str {
         self.get(id).and_then(|object| object.value(attribute)).map_or("", |value| self.names().text(value))
+    }
+
+    /// Hands over all that it is, as words: the objects, and the names that they refer to.
+    pub(super) fn for_each_word(self, take: &mut impl FnMut(u32)) {
+        for (_, object) in self.iter() {
+            take(u32::from(object.class.0) << 16 | u32::from(object.name.0));
+            for pair in object.values.chunks(2) {
+                take(pair.iter().fold(0, |word, &value| word << 16 | u32::from(value)));
+            }
+        }
+        let (bytes, ends) = self.names().parts();
+        for_each_word(bytes, take);
+        ends.iter().for_each(|&end| take(u32::from(end)));
     }
 
     /// How many names and bytes of them there are.

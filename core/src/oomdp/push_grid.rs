@@ -17,7 +17,7 @@ impl CellId {
 }
 
 /// A cell of a floor.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct FloorCell {
     /// To the east.
     pub x: i16,
@@ -58,7 +58,7 @@ impl Floor<'_> {
 }
 
 /// Something on the floor that changes its cell: 0 is the robot, the others are what it moves.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Piece(pub u8);
 
 impl Piece {

@@ -6,11 +6,11 @@ use super::objects::ObjectId;
 use crate::capacity::ARGUMENTS;
 
 /// A class of objects, by its position in [`Schema::classes`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ClassId(pub u8);
 
 /// A propositional function, by its position in [`Schema::propositions`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct PropositionId(pub u8);
 
 /// A class of objects: `room`, `block`.
@@ -86,7 +86,7 @@ impl<'a> Schema<'a> {
 }
 
 /// A propositional function of objects: `blockInRoom(block0, room2)`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct GroundProposition {
     /// The propositional function.
     pub proposition: PropositionId,

@@ -241,6 +241,13 @@ impl RowSearch {
         })
     }
 
+    /// The words that a search of the whole floor for these tasks takes, `None` where it is no search for rows.
+    pub(super) fn words_needed<G: PushGrid + ?Sized>(grid: &G, goals: &Goals<'_>, tasks: TaskSet) -> Option<usize> {
+        let search = Self::layout(grid, goals, tasks, View::WHOLE, usize::MAX)?;
+        let rows = search.bits.cells.checked_pow(search.pieces.count_ones())?;
+        rows.checked_mul(search.stride)?.checked_add(search.rows_at)
+    }
+
     #[inline]
     const fn set_at(&self, set: usize) -> usize {
         self.sets_at.wrapping_add(set.wrapping_mul(self.set))

@@ -114,6 +114,11 @@ impl GoalTable {
         self.tabled_cells = cells;
     }
 
+    /// How many distinct ground propositions the tasks are made of.
+    pub(super) fn parts(&self) -> usize {
+        self.parts
+    }
+
     /// The tasks that ask for the robot's cell.
     pub(super) fn of_robot(&self) -> TaskSet {
         self.of_robot

@@ -9,22 +9,22 @@
 //!            └──────────────────────────────────────────────────────┘
 //! ```
 //!
-//! - [`goals`]: which tasks a state satisfies, at nearly the same cost for one task as for 64;
+//! - `goals`: which tasks a state satisfies, at nearly the same cost for one task as for 64;
 //! - `deadlock`: tasks that one piece alone rules out for ever, told without a search;
 //! - `bitboard`: exact; expands the states that differ only in the robot's cell together, as rows of bits;
 //! - `one_by_one`: exact; serves every domain, and searches nearby through a hash table where the states do not fit the memory;
 //! - `approximate`: searches in smaller state spaces, for what the exact search left open; good to act on, no evidence;
-//! - [`planner`]: the order of all these;
-//! - [`plan`]: what is known afterwards, and how an action is judged by it.
+//! - `planner`: the order of all these;
+//! - `plan`: what is known afterwards, and how an action is judged by it.
 
 mod approximate;
 mod bitboard;
 mod bits;
 mod deadlock;
-pub mod goals;
+pub(crate) mod goals;
 mod one_by_one;
-pub mod plan;
-pub mod planner;
+pub(crate) mod plan;
+pub(crate) mod planner;
 
 pub use goals::{GoalMemory, GoalMemoryRef, GoalPart};
 pub use one_by_one::states_needed;
@@ -32,7 +32,7 @@ pub use plan::{Judgement, OptimalSet, Plan};
 pub use planner::{PlanMemory, PlanMemoryRef, PlanTables, Planner};
 
 /// Whether work that is done in parts has come to its end.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[must_use]
 pub enum Progress {
     /// Call again.

@@ -12,7 +12,7 @@ mod frontier;
 use self::frontier::{Arrival, Frontier};
 use super::goals::Goals;
 use super::plan::Results;
-use crate::capacity::{Capacity, CapacityError};
+use crate::capacity::{Capacities, Capacity, CapacityError};
 use crate::oomdp::domain::MOST_COST;
 use crate::oomdp::{Action, ActionSet, Domain, SearchKind, cost, own_actions};
 
@@ -206,13 +206,9 @@ fn bytes<D: Domain + ?Sized>(domain: &D) -> usize {
 pub fn states_needed<D: Domain + ?Sized>(domain: &D) -> Option<usize> {
     let count = usize::try_from(domain.state_count()).ok().filter(|&count| count < usize::MAX / 1_024)?;
     let words = Frontier::new(count, ring(domain), bytes(domain)).words();
-    let usual = |groups: usize| Frontier::new(groups.saturating_mul(64), 2, 1).words();
-    let mut groups = words / usual(1).max(1);
-    while usual(groups) < words {
-        groups = groups.saturating_add(1);
-    }
+    let usual = Frontier::new(count, 2, 1).words();
     // Whole groups: a smaller number asks for as many words.
-    Some(if usual(count.div_ceil(64)) == words { count } else { groups.saturating_mul(64) })
+    Some(if usual == words { count } else { Capacities::states_of(words) })
 }
 
 /// Refuses a domain whose states do not fit, unless it has a hash table or can be planned for approximately.

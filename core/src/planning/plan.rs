@@ -5,7 +5,7 @@ use crate::planning::goals::Goals;
 use crate::task::TaskSet;
 
 /// How an action relates to a task's optimal set.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Judgement {
     /// The action is in the optimal set.
     Correct,
@@ -16,7 +16,7 @@ pub enum Judgement {
 }
 
 /// What planning tells about one task in one state.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum OptimalSet {
     /// The task holds: only doing nothing is right.
     Goal,

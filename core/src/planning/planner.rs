@@ -13,7 +13,7 @@ use super::deadlock;
 use super::goals::{GoalMemory, GoalPart, GoalTable, Goals};
 use super::one_by_one::{self, StateSearch};
 use super::plan::{Found, Plan, Results};
-use crate::capacity::CapacityError;
+use crate::capacity::{Capacities, Capacity, CapacityError};
 use crate::oomdp::{ActionSet, Domain, PushGrid, SearchKind};
 use crate::task::{GroundedTask, LiftedTask, TaskSet};
 
@@ -142,6 +142,27 @@ impl Planner {
         let mut memory = GoalMemory { parts: tables.goal_parts, entries: tables.goal_entries };
         self.goals = GoalTable::fill(&mut memory, domain, lifted, tasks, state)?;
         Ok(())
+    }
+
+    /// What planning for these tasks takes: the number of distinct ground propositions, and the states with which every plan is exact.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where `goals` has no room for the propositions, or where the states cannot be counted and the domain cannot be
+    /// planned for approximately.
+    pub(crate) fn needs<D: Domain + ?Sized>(
+        goals: &mut GoalMemory<'_>,
+        domain: &D,
+        lifted: &[LiftedTask],
+        tasks: &[GroundedTask],
+        state: &D::State,
+    ) -> Result<(usize, usize), CapacityError> {
+        let table = GoalTable::fill(goals, domain, lifted, tasks, state)?;
+        let parts = table.parts();
+        let seen = Goals { table: &table, parts: goals.parts, entries: goals.entries };
+        let words = D::Search::grid(domain).and_then(|grid| RowSearch::words_needed(grid, &seen, TaskSet::first(tasks.len())));
+        let states = words.map(Capacities::states_of).or_else(|| one_by_one::states_needed(domain));
+        let states = states.or(D::Search::grid(domain).map(|_| 0));
+        Ok((parts, states.ok_or(CapacityError::new(Capacity::States, 0, usize::MAX))?))
     }
 
     /// Ends what is under way, because the marks are lent to something else. They may then hold anything.

@@ -9,7 +9,6 @@ use super::error::AgentError;
 use super::learning::GaveWay;
 use super::options::{Options, SessionTablesRef, Weights};
 use crate::capacity::{Capacities, Capacity, CapacityError, LIFTED_TASKS};
-use crate::feedback::simulated::below;
 use crate::feedback::{Belief, BeliefCount, BeliefRef, Feedback, Strategy};
 use crate::language::model::LanguageState;
 use crate::language::{LanguageMut, LanguageRef, Sentence};
@@ -17,6 +16,7 @@ use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::{Action, ActionSet, Domain, apply, digest};
 use crate::planning::{Judgement, OptimalSet, Plan, PlanTables, Planner, Progress};
 use crate::probability::Scaled;
+use crate::random::below;
 use crate::symbols::Symbol;
 use crate::task::{GroundedTask, LiftedTask, TaskSet};
 use core::fmt;
@@ -27,7 +27,8 @@ use rand_core::Rng;
 pub const NEGLIGIBLE: f32 = 1e-9;
 
 /// What the agent does next, and for which task.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub struct Decision {
     /// The action.
     pub action: Action,
@@ -38,7 +39,7 @@ pub struct Decision {
 }
 
 /// What came of a piece of evidence.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[must_use]
 pub enum Evidence {
     /// The belief has taken it in.

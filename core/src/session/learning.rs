@@ -64,6 +64,7 @@ fn shares(candidates: CandidatesRef<'_>, least: f32) -> impl Iterator<Item = (&[
 /// What came of the end of a session.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[must_use = "other sessions may have given way"]
+#[non_exhaustive]
 pub struct Finished {
     /// The older sessions that gave way because memory was full.
     pub gave_way: GaveWay,

@@ -2,10 +2,11 @@
 
 use super::error::{Part, RestoreError};
 use super::record::{
-    CHECK, CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OLDEST_VERSION, OPTIONS_BYTES, OptionsRecord, PairRecord,
-    SessionRecord, Sizes, StrategyRecord, VERSION,
+    CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OLDEST_VERSION, OPTIONS_BYTES, OptionsRecord, PairRecord, SessionRecord,
+    Sizes, StrategyRecord, VERSION,
 };
 use crate::capacity::{Capacities, NAME_BYTES};
+use crate::checksum::CHECK;
 use crate::language::Model;
 use crate::language::lengths::SeenLengths;
 use crate::language::settings::is_weight;

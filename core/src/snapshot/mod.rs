@@ -5,20 +5,21 @@
 //! parameters themselves are not in the file; the training data are, so that learning goes on as if it had never stopped.
 //! `docs/format.md` says what each byte means.
 //!
-//! - [`contents`]: a model file that was checked, to look into without restoring it;
-//! - [`record`]: the records that it is made of;
-//! - [`error`]: why a model could not be saved or restored;
-//! - [`vocabulary`]: the digest that tells domains apart.
+//! - `contents`: a model file that was checked, to look into without restoring it;
+//! - `record`: the records that it is made of;
+//! - `error`: why a model could not be saved or restored.
 
 mod agent;
-pub mod contents;
-pub mod error;
+pub(crate) mod contents;
+pub(crate) mod error;
 mod joining;
 mod language;
-pub mod record;
-pub mod vocabulary;
+pub(crate) mod record;
 mod writing;
 
-pub use contents::Contents;
-pub use error::{RestoreError, SaveError};
-pub use record::{MAGIC, SAVED, VERSION, most_bytes};
+pub use contents::{Contents, Section};
+pub use error::{Part, RestoreError, SaveError};
+pub use record::{
+    CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OLDEST_VERSION, PairRecord, SAVED, SessionRecord, StrategyRecord,
+    VERSION, most_bytes,
+};

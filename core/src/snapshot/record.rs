@@ -5,6 +5,7 @@
 
 use crate::Capacities;
 use crate::capacity::{Capacity, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
+pub use crate::checksum::CHECK_BYTES;
 use crate::feedback::Strategy;
 use crate::language::{Model, Settings};
 use crate::session::{Options, Weights};
@@ -19,12 +20,8 @@ pub const VERSION: u16 = 2;
 pub const OLDEST_VERSION: u16 = 1;
 /// Bytes of the header: the magic, the version (u16) and the length of the whole file (u32).
 pub const HEADER_BYTES: usize = 14;
-/// Bytes of the CRC-32 at the end.
-pub const CHECK_BYTES: usize = 4;
 /// The shortest file that has a header, a length and a check.
 pub const LEAST_BYTES: usize = HEADER_BYTES + CHECK_BYTES;
-/// The CRC-32 that ends a file (the one of Ethernet, zip and PNG), bit by bit: no table in flash.
-pub(crate) const CHECK: crc::Crc<u32, crc::NoTable> = crc::Crc::<u32, crc::NoTable>::new(&crc::CRC_32_ISO_HDLC);
 
 /// The tables whose sizes a file tells, in its order: those that what is learned lies in.
 pub const SAVED: [Capacity; 13] = [

@@ -2,8 +2,9 @@
 
 use super::error::SaveError;
 use super::record::{
-    CHECK, CHECK_BYTES, HEADER_BYTES, LEAST_BYTES, MAGIC, OPTIONS_BYTES, OptionsRecord, PairRecord, Sizes, StrategyRecord, VERSION,
+    CHECK_BYTES, HEADER_BYTES, LEAST_BYTES, MAGIC, OPTIONS_BYTES, OptionsRecord, PairRecord, Sizes, StrategyRecord, VERSION,
 };
+use crate::checksum::CHECK;
 use crate::feedback::BeliefRef;
 use crate::language::LanguageRef;
 use crate::language::settings::is_weight;

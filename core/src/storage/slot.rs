@@ -1,6 +1,6 @@
 //! The header of a slot: which model is the newer one, how long it is, and whether the header is whole.
 
-use crate::snapshot::record::CHECK;
+use crate::checksum::CHECK;
 
 /// Bytes of a slot's header, before it is rounded up to what the flash writes at once: a mark, the sequence number, the model's length and
 /// a CRC-32 of these three.

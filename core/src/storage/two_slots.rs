@@ -2,8 +2,8 @@
 
 use super::error::StorageError;
 use super::slot::{SLOT_HEADER_BYTES, SlotHeader};
+use crate::checksum::{CHECK, CHECK_BYTES};
 use crate::snapshot::Contents;
-use crate::snapshot::record::{CHECK, CHECK_BYTES};
 use embedded_storage::nor_flash::NorFlash;
 
 /// The most that a flash may read or write at once.

@@ -41,7 +41,16 @@ pub fn ground<D: Domain + ?Sized>(
     state: &D::State,
     tasks: &mut [GroundedTask],
 ) -> Result<usize, CapacityError> {
-    let objects = domain.world().objects;
+    ground_unless(domain.world().objects, lifted, tasks, |task, lifted| task.propositions(lifted).all(|part| domain.holds(&part, state)))
+}
+
+/// Grounds every lifted task, except those of which `holds` says so.
+pub(crate) fn ground_unless(
+    objects: Objects<'_>,
+    lifted: &[LiftedTask],
+    tasks: &mut [GroundedTask],
+    holds: impl Fn(&GroundedTask, &LiftedTask) -> bool,
+) -> Result<usize, CapacityError> {
     let limit = tasks.len().min(TaskSet::MOST);
     let (mut count, mut groups) = (0_usize, 0_usize);
     for (position, task) in lifted.iter().enumerate() {
@@ -52,7 +61,7 @@ pub fn ground<D: Domain + ?Sized>(
         }
         while let Some(bound) = bindings {
             let grounded = GroundedTask { lifted: position as u8, bindings: bound, prior: 0.0 };
-            if !grounded.propositions(task).all(|part| domain.holds(&part, state)) {
+            if !holds(&grounded, task) {
                 match tasks.get_mut(count).filter(|_| count < limit) {
                     Some(slot) => *slot = grounded,
                     None => return Err(CapacityError::full(Capacity::Tasks, limit)),

@@ -1,8 +1,8 @@
 //! Lifted tasks: conjunctions of propositional functions over typed free variables.
 
 use crate::capacity::{ARGUMENTS, Capacity, CapacityError, PROPOSITIONS_PER_TASK, VARIABLES_PER_TASK};
+use crate::oomdp::vocabulary::digest;
 use crate::oomdp::{ClassId, PropositionId, Schema};
-use crate::snapshot::vocabulary::digest;
 use core::fmt;
 use heapless::Vec;
 
@@ -10,7 +10,7 @@ use heapless::Vec;
 pub const NO_VARIABLE: u8 = u8::MAX;
 
 /// A propositional function of a lifted task's variables.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct LiftedProposition {
     /// The propositional function.
     pub proposition: PropositionId,
@@ -19,7 +19,7 @@ pub struct LiftedProposition {
 }
 
 /// A conjunction of propositional functions over typed variables: `blockInRoom(?o, ?r)`. Reward 1 and termination where it holds.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct LiftedTask {
     pub(crate) propositions: Vec<LiftedProposition, PROPOSITIONS_PER_TASK, u8>,
     pub(crate) variables: Vec<ClassId, VARIABLES_PER_TASK, u8>,
@@ -152,7 +152,7 @@ impl LiftedTask {
         &self.propositions
     }
 
-    /// The [`digest`] of the vocabulary that it is written in.
+    /// The digest of the vocabulary that it is written in.
     pub fn vocabulary(&self) -> u32 {
         self.vocabulary
     }

@@ -1,26 +1,28 @@
 //! Tasks (paper, section 3, task model): what the robot could be asked to do here.
 //!
-//! - [`lifted`]: a conjunction of propositional functions over typed variables;
-//! - [`grounded`]: its variables bound to objects;
-//! - [`constraint`]: which attributes of the bound objects a command may mention;
-//! - [`machine_command`]: a task and a constraint as the sentence that a command is translated from;
-//! - [`role`]: what an object is to a task;
+//! - `lifted`: a conjunction of propositional functions over typed variables;
+//! - `grounded`: its variables bound to objects;
+//! - `constraint`: which attributes of the bound objects a command may mention;
+//! - `machine_command`: a task and a constraint as the sentence that a command is translated from;
+//! - `role`: what an object is to a task;
 //! - [`description`]: a task and its scene by roles, which the role model reads.
 
-pub mod constraint;
+pub(crate) mod constraint;
 pub mod description;
-pub mod grounded;
-pub mod lifted;
-pub mod machine_command;
-pub mod role;
+pub(crate) mod grounded;
+pub(crate) mod lifted;
+pub(crate) mod machine_command;
+pub(crate) mod role;
 
+pub use constraint::{Fact, Facts, facts};
+pub(crate) use grounded::ground_unless;
 pub use grounded::{GroundedTask, ground};
-pub use lifted::{LiftedProposition, LiftedTask, TaskTextError};
-pub use machine_command::{Expression, TokenOrder};
-pub use role::{Marker, Role, RoleKind};
+pub use lifted::{LiftedProposition, LiftedTask, NO_VARIABLE, TaskTextError};
+pub use machine_command::{Expression, TokenOrder, Tokens};
+pub use role::{Marker, NoMarker, Role, RoleKind, VALUE_SORTS, is_marker};
 
 /// A set of a session's tasks, one bit each, by position.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct TaskSet(pub u64);
 
 impl TaskSet {
@@ -81,5 +83,11 @@ impl TaskSet {
             rest &= rest.wrapping_sub(1);
             (next < 64).then_some(next as usize)
         })
+    }
+}
+
+impl FromIterator<usize> for TaskSet {
+    fn from_iter<I: IntoIterator<Item = usize>>(tasks: I) -> Self {
+        tasks.into_iter().fold(Self::EMPTY, Self::with)
     }
 }

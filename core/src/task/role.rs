@@ -9,7 +9,7 @@ use core::fmt;
 use core::str::FromStr;
 
 /// What an object is to a task.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum RoleKind {
     /// It is, by the goal, the last argument of a proposition: where something is to be.
     Goal,
@@ -37,10 +37,15 @@ impl RoleKind {
     pub const fn is_of_task(self) -> bool {
         matches!(self, Self::Goal | Self::Subject)
     }
+
+    /// Whether such objects have no part in the task nor in where its objects are.
+    pub(crate) const fn is_of_others(self) -> bool {
+        matches!(self, Self::OtherPlace | Self::Other)
+    }
 }
 
 /// A role: its kind, with the proposition and the argument, or the class, that it is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Role(u16);
 
 const ARGUMENT_BITS: u32 = 2;
@@ -93,7 +98,7 @@ impl Role {
 pub const VALUE_SORTS: usize = 2 * crate::capacity::ATTRIBUTES;
 
 /// What stands before the values of a role: the role and the sort of the values. A marker is a symbol above all that have a text.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Marker {
     /// Whose values follow.
     pub role: Role,
@@ -135,6 +140,14 @@ impl FromStr for Marker {
 /// A text is no marker.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoMarker;
+
+impl fmt::Display for NoMarker {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a marker is @ and four hexadecimal digits, 8000 or more")
+    }
+}
+
+impl core::error::Error for NoMarker {}
 
 /// Whether a symbol is a marker: it has no text, and keeps its number when others are forgotten.
 pub const fn is_marker(symbol: Symbol) -> bool {

@@ -7,9 +7,9 @@
 use super::solvable::is_solvable;
 use super::{BlockPlan, Homes, Layout, ROOMS};
 use crate::exercise::{Exercise, HomeName, LESSONS, TESTS};
-use goodbot::feedback::simulated::below;
 use goodbot::home::{Area, Cell};
 use goodbot::memory::HomeMemory;
+use goodbot::random::below;
 use rand_core::Rng;
 
 /// The colours of rooms.

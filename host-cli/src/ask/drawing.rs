@@ -1,7 +1,7 @@
 //! The home of a question, drawn as text; in colour where that is wanted, which then stands beside the letters.
 
 use crate::messages::is_colored;
-use goodbot::home::map::Map;
+use goodbot::home::Map;
 use goodbot::memory::HomeMemory;
 use std::io::{self, Write};
 

@@ -16,7 +16,7 @@ use crate::load::{Fault, home, input};
 use crate::outcome::Failure;
 use crate::refusal;
 use clap::{Args, ValueHint};
-use goodbot::home::map::Map;
+use goodbot::home::Map;
 use goodbot::home::{Home, HomeState, Moves};
 use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;

@@ -3,7 +3,7 @@
 //! All that is said of single words comes from [`words`]: another language model needs another function here and nothing else.
 
 use crate::lessons::{MachineCommand, evidence, training};
-use goodbot::language::tokenizer::for_each_word;
+use goodbot::language::for_each_word;
 use goodbot::language::{Meaning, Model};
 use goodbot::memory::AgentMemory;
 use goodbot::oomdp::{Domain, Schema};

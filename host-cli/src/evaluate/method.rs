@@ -9,7 +9,7 @@ use clap::ValueEnum;
 use goodbot::Agent;
 use goodbot::capacity::CapacityError;
 use goodbot::home::Moves;
-use goodbot::language::tokenizer::for_each_word;
+use goodbot::language::for_each_word;
 use goodbot::language::{LanguageModel, Settings};
 use goodbot::memory::AgentHeap;
 use goodbot::task::TokenOrder;

@@ -5,7 +5,7 @@ use goodbot::AgentError;
 use goodbot::Capacities;
 use goodbot::capacity::CapacityError;
 use goodbot::language::Model;
-use goodbot::language::tokenizer::for_each_word;
+use goodbot::language::for_each_word;
 use goodbot::language::{LanguageModel, LanguageRef, Settings};
 use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::planning::Progress;

@@ -1,4 +1,4 @@
-//! A home from a drawing: what [`goodbot::home::map::Map`] draws, with a legend of its letters, or with notes of single things as the
+//! A home from a drawing: what [`goodbot::home::Map`] draws, with a legend of its letters, or with notes of single things as the
 //! trainer page writes them.
 
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};

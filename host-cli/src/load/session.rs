@@ -6,7 +6,7 @@ use super::{Fault, home};
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{Home, HomeState, Moves, SCHEMA};
-use goodbot::language::tokenizer::for_each_word;
+use goodbot::language::for_each_word;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain, action_named, apply};
 use goodbot::task::{GroundedTask, LiftedTask, ground};

@@ -7,7 +7,7 @@ use crate::load::task_name::in_words;
 use crate::outcome::Failure;
 use goodbot::Agent;
 use goodbot::feedback::Feedback;
-use goodbot::home::map::Map;
+use goodbot::home::Map;
 use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::action_name;

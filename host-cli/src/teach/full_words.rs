@@ -1,6 +1,6 @@
 //! The words that were said, in full: the robot keeps only the beginning of each.
 
-use goodbot::language::tokenizer::{for_each_word, word_form};
+use goodbot::language::{for_each_word, word_form};
 use std::collections::BTreeMap;
 
 /// The words that were said.

@@ -1,6 +1,6 @@
 //! The home as it is now, for those who look on.
 
-use goodbot::home::map::Map;
+use goodbot::home::Map;
 use goodbot::home::{BLOCK, COLOR, Cell, DOOR, Home, HomeState, ROOM, SHAPE};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Domain, ObjectId};

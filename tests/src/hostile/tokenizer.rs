@@ -1,7 +1,7 @@
 //! Commands: any text.
 
 use goodbot::capacity::{NAME_BYTES, WORDS_PER_COMMAND};
-use goodbot::language::tokenizer::for_each_word;
+use goodbot::language::for_each_word;
 use goodbot::language::{LanguageModel, Settings};
 use goodbot::{Capacities, HeapMemory};
 

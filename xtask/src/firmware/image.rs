@@ -102,6 +102,6 @@ mod tests {
         assert!(is_panic("00007454 t core::panicking::panic_fmt"));
         assert!(is_panic("0000745c t core::slice::index::slice_index_fail"));
         assert!(is_panic("000077b0 t core::slice::copy_from_slice_impl::len_mismatch_fail"));
-        assert!(!is_panic("00005b90 t goodbot::session::agent::Agent::hear"));
+        assert!(!is_panic("00005b90 t goodbot::session::Agent::hear"));
     }
 }

@@ -5,7 +5,7 @@ use crate::lessons::evidence;
 use crate::load::task_name::task_name;
 use crate::teach::plain_names::{task_words, token_words};
 use goodbot::language::Model;
-use goodbot::language::tokenizer::for_each_word;
+use goodbot::language::for_each_word;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
 use goodbot::task::GroundedTask;

@@ -1,7 +1,7 @@
 //! The digest of a domain's vocabulary: robots that speak of the same things can share what they learned.
 
-use super::record::CHECK;
-use crate::oomdp::Schema;
+use super::Schema;
+use crate::checksum::CHECK;
 
 /// A digest of what the domain's machine commands can speak of: its propositional functions with their classes, and its attributes with
 /// their carriers. Never 0, which stands for no domain.

@@ -1,0 +1,265 @@
+//! The least capacities for a domain and a number of lessons.
+
+use super::agent::{Agent, Position};
+use super::candidates::CandidateCount;
+use super::error::AgentError;
+use crate::capacity::{Capacities, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
+use crate::language::Model;
+use crate::language::forgetting::with_free_part;
+use crate::language::roles::Layout;
+use crate::memory::{AgentMemory, AgentTables};
+use crate::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, SearchKind, World};
+use crate::planning::Planner;
+use crate::probability::Scaled;
+use crate::task::description::{Scene, describe, groups};
+use crate::task::ground_unless;
+use crate::task::machine_command::Tokens;
+
+/// How much a robot is to be taught before older lessons may give way.
+///
+/// ```
+/// use goodbot::session::Lessons;
+/// // Twenty commands of at most eight words, in which thirty different words stand, of 180 bytes together.
+/// let lessons = Lessons { different_words: 30, word_bytes: 180, ..Lessons::new(20, 8) };
+/// assert_eq!((lessons.sessions, lessons.words), (20, 8));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Lessons {
+    /// How many sessions.
+    pub sessions: usize,
+    /// The most words of one command, at most [`WORDS_PER_COMMAND`].
+    pub words: usize,
+    /// How many different words the commands have together.
+    pub different_words: usize,
+    /// Bytes that those words take together.
+    pub word_bytes: usize,
+}
+
+impl Lessons {
+    /// So many sessions, each with a command of at most so many words. No word comes twice, and a word has 12 bytes on average; where you
+    /// know better, correct the other fields: they decide on most of the memory.
+    pub const fn new(sessions: usize, words: usize) -> Self {
+        let different_words = sessions.saturating_mul(words);
+        Self { sessions, words, different_words, word_bytes: different_words.saturating_mul(12) }
+    }
+}
+
+/// A domain in which every proposition holds, or none.
+struct Constant<'d, D: ?Sized> {
+    domain: &'d D,
+    holds: bool,
+}
+
+impl<D: Domain + ?Sized> Domain for Constant<'_, D> {
+    type State = ();
+    type Search = OneByOne;
+
+    fn world(&self) -> World<'_> {
+        self.domain.world()
+    }
+
+    fn actions(&self) -> &[ActionKind<'_>] {
+        &[]
+    }
+
+    fn step(&self, (): &(), _action: Action) -> Option<()> {
+        None
+    }
+
+    fn holds(&self, _proposition: &GroundProposition, (): &()) -> bool {
+        self.holds
+    }
+
+    fn state_count(&self) -> u64 {
+        1
+    }
+
+    fn number(&self, (): &()) -> u64 {
+        0
+    }
+
+    fn numbered(&self, _number: u64) {}
+}
+
+/// What the machine commands of all tasks take.
+#[derive(Clone, Copy, Default)]
+struct MachineCommands {
+    /// How many one session can have, and their tokens together.
+    candidates: usize,
+    candidate_tokens: usize,
+    /// How many the training data can have, and their tokens together.
+    commands: usize,
+    command_tokens: usize,
+    alignments: usize,
+    length_pairs: usize,
+}
+
+impl<M: AgentMemory> Agent<M> {
+    /// Returns the least capacities with which this robot, with its tasks, options and strategies, is refused nothing and nothing gives way,
+    /// in sessions that start from any state of the domain. `state` is one of them.
+    ///
+    /// The agent's own memory is the desk for the sum, so ask an agent in roomy memory, on a host. A session under way ends unlearned.
+    ///
+    /// - With `states`, every plan is exact. A [`PushGrid`](crate::oomdp::PushGrid) can do with fewer: its plans are then approximate
+    ///   where the goal is far.
+    /// - `hashed_states` and `goal_entries` are 0: no robot needs them. The goal entries save time: see
+    ///   [`Capacities::goal_entries`].
+    /// - A robot that lives in several domains needs at most the sum of theirs ([`Capacities::plus`]), and at least the largest of each
+    ///   ([`Capacities::at_least`]).
+    ///
+    /// ```
+    /// use goodbot::{Agent, Capacities, HeapMemory, Options, home, session::Lessons};
+    /// # use goodbot::home::{Area, Cell, HomeBuilder, Moves};
+    /// # fn build(memory: &mut goodbot::memory::HomeHeap)
+    /// #     -> Result<(home::Home<&mut goodbot::memory::HomeHeap>, home::HomeState), home::HomeError> {
+    /// #     let mut builder = HomeBuilder::new(memory);
+    /// #     builder.room("room0", Area::new(0, 0, 8, 4), "red")?;
+    /// #     builder.agent("agent0", Cell::new(4, 2))?;
+    /// #     builder.build(Moves::Push)
+    /// # }
+    /// let mut roomy = HeapMemory::new(&Capacities::STANDARD);
+    /// let (home, state) = build(&mut roomy.home)?;
+    /// let mut agent = Agent::new(&mut roomy.agent, &home::paper_tasks()?, Options::PAPER)?;
+    /// let least = agent.least_capacities(&home, &state, &Lessons::new(8, 7))?;
+    /// assert_eq!((least.objects, least.cells, least.sessions), (2, 21, 8));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`AgentError::Capacity`] where the agent's own memory is too small for one session, or where the states cannot be counted: such a
+    /// robot is searched through `hashed_states`, as many as you like.
+    pub fn least_capacities<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        state: &D::State,
+        lessons: &Lessons,
+    ) -> Result<Capacities, AgentError> {
+        self.end_session();
+        self.language_mut().forget_unlearned();
+        let learned = self.language().usage_of_tokens();
+        let result = self.sum_up(domain, state, lessons, learned);
+        self.end_session();
+        self.language_mut().forget_unlearned();
+        result
+    }
+
+    fn sum_up<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        state: &D::State,
+        lessons: &Lessons,
+        (known, known_bytes): (usize, usize),
+    ) -> Result<Capacities, AgentError> {
+        let AgentTables { mut session, .. } = self.memory.lend();
+        let tasks = ground_unless(domain.world().objects, &self.lifted, session.tasks, |_, _| false)?;
+        let grounded = session.tasks.get(..tasks).unwrap_or(&[]);
+        let (ground_propositions, states) = Planner::needs(&mut session.goals, domain, &self.lifted, grounded, state)?;
+        self.task_count = tasks;
+        let words = lessons.words.min(WORDS_PER_COMMAND);
+        let (mut layout, mut longest) = (Layout::NONE, 0);
+        let mut commands = match self.options.language.model {
+            Model::Model2 => self.machine_commands(domain, lessons.sessions, words)?,
+            Model::Roles => {
+                for task in 0..tasks {
+                    longest = longest.max(self.longest_description(domain, task, &mut layout)?);
+                }
+                MachineCommands::default()
+            }
+        };
+        let language = self.language();
+        let (tokens, token_bytes) = language.usage_of_tokens();
+        let (tokens, token_bytes) = (tokens.saturating_sub(known), token_bytes.saturating_sub(known_bytes));
+        if self.options.language.model == Model::Roles {
+            // Where the robot and its things are at the start decides what a task's description says: each session can have its own.
+            layout.see_length(words);
+            let descriptions = lessons.sessions.saturating_mul(tasks);
+            commands = MachineCommands {
+                candidates: tasks,
+                candidate_tokens: tasks.saturating_mul(longest),
+                commands: descriptions,
+                command_tokens: descriptions.saturating_mul(longest),
+                alignments: layout.with(lessons.different_words, tokens).cells(),
+                length_pairs: 0,
+            };
+        }
+        let strategies = self.belief().strategies().len();
+        let mut least = Capacities {
+            cells: D::Search::grid(domain).map_or(0, cells),
+            tasks,
+            strategies,
+            beliefs: tasks.saturating_mul(strategies),
+            candidates: commands.candidates,
+            candidate_tokens: commands.candidate_tokens,
+            ground_propositions,
+            states,
+            words: with_free_part(lessons.different_words),
+            word_bytes: with_free_part(lessons.word_bytes),
+            tokens: with_free_part(tokens),
+            token_bytes: with_free_part(token_bytes),
+            commands: commands.commands,
+            command_tokens: commands.command_tokens,
+            sessions: lessons.sessions,
+            sentence_words: lessons.sessions.saturating_mul(words),
+            pairs: lessons.sessions.saturating_mul(commands.candidates),
+            translations: tokens.saturating_add(1).saturating_mul(lessons.different_words),
+            alignments: commands.alignments,
+            length_pairs: commands.length_pairs,
+            ..Capacities::NONE
+        };
+        domain.world().objects.usage(&mut least);
+        Ok(least)
+    }
+
+    /// Model 2's machine commands are the same whatever the state.
+    fn machine_commands<D: Domain + ?Sized>(&mut self, domain: &D, sessions: usize, words: usize) -> Result<MachineCommands, AgentError> {
+        self.candidates = CandidateCount::NONE;
+        for task in 0..self.task_count {
+            let mut position = Position::of_task(task);
+            while !self.for_each_candidate(domain, &mut None, &mut position, &mut { u32::MAX }, |candidates, _, _, tokens, _| {
+                if candidates.read().find(tokens).is_none() {
+                    candidates.add(tokens, Scaled::ZERO)?;
+                }
+                Ok(Scaled::ZERO)
+            })? {}
+        }
+        // Of the lengths that commands can have, the longest take the most cells.
+        let different = sessions.min(words);
+        let english = (0..different).fold(0_usize, |sum, shorter| sum.saturating_add(words.saturating_sub(shorter)));
+        let candidates = self.candidates();
+        let has_length = |length: usize| candidates.entries().iter().any(|entry| candidates.tokens(entry).len() == length);
+        let (mut alignments, mut length_pairs) = (0_usize, 0_usize);
+        for length in (0..=TOKENS_PER_COMMAND).filter(|&length| has_length(length)) {
+            alignments = alignments.saturating_add(length.saturating_add(1).saturating_mul(english));
+            length_pairs = length_pairs.saturating_add(different);
+        }
+        let (count, tokens) = (candidates.entries().len(), candidates.all_tokens().len());
+        let (commands, command_tokens) = if sessions == 0 { (0, 0) } else { (count, tokens) };
+        Ok(MachineCommands { candidates: count, candidate_tokens: tokens, commands, command_tokens, alignments, length_pairs })
+    }
+
+    /// The most symbols that a task's description can have, whatever holds at the start. Takes note of what descriptions speak of.
+    fn longest_description<D: Domain + ?Sized>(&mut self, domain: &D, task: usize, layout: &mut Layout) -> Result<usize, AgentError> {
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let Some(task) = session.tasks.get(task) else { return Ok(0) };
+        let mut length = 1_usize;
+        for holds in [true, false] {
+            let mut description = Tokens::new();
+            let constant = Constant { domain, holds };
+            describe(&constant, &self.lifted, task, &mut Scene::new(()), language.tokens_mut(), &mut description)?;
+            layout.see(&description);
+            // What has no role of its own is most where nothing holds, and everything else where all does.
+            let counts = |of_others: bool| of_others != holds;
+            let longest = groups(&description).filter(|group| counts(group.marker.role.kind().is_of_others()));
+            length = longest.fold(length, |sum, group| sum.saturating_add(group.values.len()).saturating_add(1));
+            if description.is_full() {
+                length = TOKENS_PER_COMMAND;
+            }
+        }
+        Ok(length.min(TOKENS_PER_COMMAND))
+    }
+}
+
+fn cells<G: crate::oomdp::PushGrid + ?Sized>(grid: &G) -> usize {
+    grid.floor().cells.len()
+}
