@@ -16,6 +16,9 @@ function checkRecord(record) {
   if (action) throw new Error(action + ' is no action here');
 }
 
+// Probabilities in any unit: the largest becomes 1, so that single precision never makes all of them 0.
+const inUnit = numbers => numbers.map(number => number / Math.max(...numbers));
+
 // Begins a session as the log has it; `last` is the one before.
 function beginRecorded(record, last) {
   if (record.continues) {
@@ -27,8 +30,11 @@ function beginRecorded(record, last) {
   }
   world.setPulls((record.actions || []).includes('pull'));
   world.setEnvironment(JSON.stringify(record.environment));
-  if (record.strategies) world.setStrategies(Float32Array.from(record.strategies.flatMap(one => [one.mu_plus, one.mu_minus, one.epsilon, one.prior])));
-  if (record.prior) world.hearWithPrior(record.command, Object.keys(record.prior).join('\n'), Float32Array.from(Object.values(record.prior)));
+  if (record.strategies) {
+    const priors = inUnit(record.strategies.map(one => one.prior));
+    world.setStrategies(Float32Array.from(record.strategies.flatMap((one, at) => [one.mu_plus, one.mu_minus, one.epsilon, priors[at]])));
+  }
+  if (record.prior) world.hearWithPrior(record.command, Object.keys(record.prior).join('\n'), Float32Array.from(inUnit(Object.values(record.prior))));
   else world.hear(record.command);
 }
 

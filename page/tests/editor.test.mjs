@@ -57,6 +57,51 @@ test('a home goes out as a text map and comes back', async () => {
   await close(page);
 });
 
+test('a drawing with a legend is the home that the command line reads in it', async () => {
+  const page = await open(browser);
+  await page.click('[data-mode=build]');
+  const drawing = ['#####', '#rrr#', '##+##', '#g@C#', '#####', 'C: blue chair', 'g: teal', ''].join('\n');
+  const take = async text => {
+    await page.fill('#home-text', text);
+    await page.click('#import');
+  };
+  const objects = async () => JSON.parse(await page.evaluate(() => window.goodbot.environment())).objects;
+  const seen = async () => Object.fromEntries((await objects()).map(({ class: kind, name, ...object }) => [name, Object.values(object).join(' ')]));
+  await take(drawing);
+  await page.getByText('The home is taken over').first().waitFor();
+  const home = { room0: '0 0 4 2 teal', room1: '0 2 4 4 red', door0: '2 2 2 2', block0: '3 1 blue chair', agent0: '2 1' };
+  assert.deepEqual(await seen(), home);
+  await take(drawing + 'room purple 0 2 4 4\nblock tan star 3 1\n');
+  await page.waitForFunction(() => /purple/.test(window.goodbot.environment()));
+  const noted = { ...home, room1: '0 2 4 4 purple', block0: '3 1 tan star' };
+  assert.deepEqual(await seen(), noted, 'a note counts before the legend');
+  for (const [text, said] of [
+    [drawing.replace('g: teal\n', '').replace('#g@C#', '#z@C#'), /what z means is not said; add a line such as “z: teal”/],
+    [drawing + 'room red 0 0 3 3\n', /no room is drawn at 0 0 3 3/],
+  ]) {
+    await take(text);
+    await page.getByText('This text is no home').first().waitFor();
+    assert.match(await page.textContent('#toast'), said);
+    await page.evaluate(() => { document.getElementById('toast').textContent = document.getElementById('live').textContent = ''; });
+  }
+  assert.deepEqual(await seen(), noted, 'what is refused changes nothing');
+  await close(page);
+});
+
+test('a home whose corner is elsewhere comes back from its text map too', async () => {
+  const page = await open(browser);
+  await page.click('[data-mode=build]');
+  await page.fill('#home-text', JSON.stringify({ version: 1, objects: [{ class: 'room', name: 'room0', left: -3, bottom: 5, right: 2, top: 9, color: 'magenta' }, { class: 'block', name: 'block0', x: 0, y: 7, color: 'pink', shape: 'ball' }, { class: 'agent', name: 'agent0', x: -1, y: 6 }] }));
+  await page.click('#import');
+  await page.waitForFunction(() => /magenta/.test(window.goodbot.environment()));
+  await page.click('#export-map');
+  await page.click('#import');
+  await page.waitForFunction(() => /"left":0/.test(window.goodbot.environment()));
+  const objects = JSON.parse(await page.evaluate(() => window.goodbot.environment())).objects;
+  assert.deepEqual(objects.map(({ class: kind, name, ...object }) => Object.values(object).join(' ')), ['0 0 5 4 magenta', '3 2 pink ball', '2 1']);
+  await close(page);
+});
+
 test('things are dragged, rooms resized, and all of it coloured and shaped', async () => {
   const page = await open(browser);
   await play(page, 'D');

@@ -99,13 +99,17 @@ impl World {
             self.set_pulls(header.action_names().any(|name| name == "pull"))?;
             self.set_environment(&header.environment.to_json_line())?;
             if let Some(records) = &header.strategies {
-                let numbers = records.iter().flat_map(|record| [record.mu_plus, record.mu_minus, record.epsilon, record.prior]);
+                let largest = records.iter().map(|record| record.prior).fold(0.0, f64::max);
+                let numbers = records.iter().flat_map(|record| [record.mu_plus, record.mu_minus, record.epsilon, record.prior / largest]);
                 self.set_strategies(&numbers.map(|number| number as f32).collect::<Vec<_>>())?;
             }
             match &header.prior {
                 None => self.hear(&header.command)?,
                 Some(prior) => {
-                    let prior: Vec<(String, f32)> = prior.iter().map(|(task, prior)| (task.to_string(), *prior as f32)).collect();
+                    // In any unit: the largest is 1, so that single precision never makes all of them 0.
+                    let largest = prior.iter().map(|(_, prior)| *prior).fold(0.0, f64::max);
+                    let prior: Vec<(String, f32)> =
+                        prior.iter().map(|(task, prior)| (task.to_string(), (prior / largest) as f32)).collect();
                     self.hear_with_prior(&header.command, prior.iter().map(|(task, prior)| (task.as_str(), *prior)))?;
                 }
             }
