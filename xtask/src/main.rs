@@ -5,6 +5,7 @@ mod capi;
 mod compare;
 mod firmware;
 mod footprint;
+mod fuzz;
 mod guide;
 mod instructions;
 mod page;
@@ -40,6 +41,8 @@ enum Task {
     Test(test::Options),
     /// Measures goodbot beside other programs on the same work; those that cannot be installed are left out.
     Compare,
+    /// Runs the fuzz targets, and says how many inputs each had.
+    Fuzz(fuzz::Options),
     /// Times each benchmark here and in WebAssembly, run by node.
     BenchWasm,
     /// Counts the instructions of each benchmark, by valgrind.
@@ -76,6 +79,7 @@ fn run() -> Result<ExitCode> {
         Task::Page => drop(page::build()?),
         Task::Test(options) => return test::run(&options),
         Task::Compare => compare::run()?,
+        Task::Fuzz(options) => fuzz::run(&options)?,
         Task::BenchWasm => bench_wasm::run()?,
         Task::Instructions { filter } => instructions::run(&filter)?,
         Task::Plot => process::run(project::cargo().args([

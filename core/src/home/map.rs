@@ -11,7 +11,7 @@ use core::fmt;
 /// shape), and in each room the first letter of its colour, in lower case.
 ///
 /// ```
-/// use goodbot::home::{Area, Cell, HomeBuilder, Moves, Map};
+/// use goodbot::home::{Area, Cell, HomeBuilder, Map, Moves};
 /// goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
 /// let mut memory = Memory::new();
 /// let mut builder = HomeBuilder::new(&mut memory.home);

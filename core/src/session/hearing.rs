@@ -6,14 +6,14 @@ use super::error::AgentError;
 use crate::capacity::{CapacityError, LIFTED_TASKS};
 use crate::feedback::Belief;
 use crate::language::roles::forward::Reading;
-use crate::language::{LanguageRef, Meaning, Model};
+use crate::language::{LanguageMut, LanguageRef, Meaning, Model};
 use crate::memory::{AgentMemory, AgentTables};
-use crate::oomdp::{Domain, digest};
+use crate::oomdp::{Domain, Schema, digest};
 use crate::planning::Progress;
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
-use crate::task::description::{Scene, describe, form_token, intern_forms};
-use crate::task::machine_command::{Tokens, intern_heads};
+use crate::task::description::{Scene, describe, form_token};
+use crate::task::machine_command::{Tokens, head};
 use crate::task::{Expression, GroundedTask, LiftedTask, ground};
 use heapless::Vec;
 
@@ -163,8 +163,7 @@ impl<M: AgentMemory> Agent<M> {
         Belief::new(session.belief, &mut self.belief).restart(tasks.iter().map(|task| Scaled::new(task.prior)))?;
         // The tasks' own tokens come first, and what can be said of objects after them, as far as there is room.
         let mut language = self.language.with(language, workspace);
-        let intern = if language.is_model_2() { intern_heads } else { intern_forms };
-        intern(&domain.world().schema, &self.lifted, tasks, language.tokens_mut())?;
+        intern_own_tokens(&mut language, &domain.world().schema, &self.lifted, tasks)?;
         self.work = Work::Hearing(Position::of_task(0), Prior::Zero);
         Ok(())
     }
@@ -381,4 +380,24 @@ impl<M: AgentMemory> Agent<M> {
         }
         Ok(position.constraint >= expression.constraints())
     }
+}
+
+/// Interns the tokens of the lifted tasks that `tasks` ground: those of a machine command's propositions and classes, or of a description.
+#[inline(never)]
+fn intern_own_tokens(
+    language: &mut LanguageMut<'_>,
+    schema: &Schema<'_>,
+    lifted: &[LiftedTask],
+    tasks: &[GroundedTask],
+) -> Result<(), CapacityError> {
+    let is_model_2 = language.is_model_2();
+    for (position, lifted) in lifted.iter().enumerate() {
+        if tasks.iter().any(|task| usize::from(task.lifted) == position) {
+            match is_model_2 {
+                true => head(schema, lifted, language.tokens_mut()).map(drop)?,
+                false => form_token(schema, lifted, language.tokens_mut()).map(drop)?,
+            }
+        }
+    }
+    Ok(())
 }

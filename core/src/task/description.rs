@@ -91,21 +91,6 @@ pub(crate) fn form_token(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut 
     tokens.intern(&text)
 }
 
-/// Interns the tokens of the lifted tasks that `tasks` ground.
-pub(crate) fn intern_forms(
-    schema: &Schema<'_>,
-    lifted: &[LiftedTask],
-    tasks: &[GroundedTask],
-    tokens: &mut Symbols<'_>,
-) -> Result<(), CapacityError> {
-    for (position, lifted) in lifted.iter().enumerate() {
-        if tasks.iter().any(|task| usize::from(task.lifted) == position) {
-            form_token(schema, lifted, tokens)?;
-        }
-    }
-    Ok(())
-}
-
 /// What is the same for the descriptions of all tasks of one session: the state that it starts from, and the values' tokens as far as they
 /// were needed.
 #[derive(Clone, Debug)]

@@ -115,23 +115,8 @@ impl Expression {
     }
 }
 
-/// Interns the tokens of the propositions and classes of all tasks' own in `tokens`.
-pub(crate) fn intern_heads(
-    schema: &Schema<'_>,
-    lifted: &[LiftedTask],
-    tasks: &[GroundedTask],
-    tokens: &mut Symbols<'_>,
-) -> Result<(), CapacityError> {
-    for (position, lifted) in lifted.iter().enumerate() {
-        if tasks.iter().any(|task| usize::from(task.lifted) == position) {
-            head(schema, lifted, tokens)?;
-        }
-    }
-    Ok(())
-}
-
 /// The tokens of a lifted task's propositions and their classes, interned in `tokens`.
-fn head(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut Symbols<'_>) -> Result<Tokens, CapacityError> {
+pub(crate) fn head(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut Symbols<'_>) -> Result<Tokens, CapacityError> {
     let mut head = Tokens::new();
     for part in &lifted.propositions {
         push(&mut head, tokens.intern(schema.proposition_name(part.proposition))?)?;
