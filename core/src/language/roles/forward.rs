@@ -415,5 +415,27 @@ pub(crate) fn likelihood_on(
     let Some((parameters, masses)) = alignments.split_at_mut_checked(layout.trellis()) else { return true };
     let mut reader = Reader::new(layout, translations, parameters, description);
     reader.take_groups();
+    // What could not be kept from one time to the next is not cut.
+    let most = if masses.len() < reader.memories() { usize::MAX } else { most };
     reading.go_on(&reader, sentence, masses, most, |_, _| {})
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::oomdp::PropositionId;
+    use crate::task::role::Marker;
+
+    #[test]
+    fn a_command_read_in_parts_is_as_probable_where_memories_find_no_room_between_them() {
+        let layout = Layout::NONE.with(1, 0);
+        let role = |kind, proposition| Marker { role: Role::of_argument(kind, PropositionId(proposition), 0), sort: 0 }.symbol();
+        let description = [Symbol(0), role(RoleKind::Goal, 0), Symbol(1), role(RoleKind::Start, 1), Symbol(2)];
+        let sentence = [Some(Symbol(0)), None, Some(Symbol(0)), None];
+        let mut alignments = std::vec![0.5; layout.trellis() + 1];
+        let whole = likelihood(&layout, &[0.25], &alignments, &sentence, &description, |_, _| {});
+        let mut reading = Reading::START;
+        while !likelihood_on(&layout, &[0.25], &mut alignments, &sentence, &description, &mut reading, 1) {}
+        assert_eq!(reading.probability, whole);
+    }
 }
