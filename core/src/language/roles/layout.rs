@@ -23,7 +23,7 @@ use core::ops::Range;
 
 /// The most roles that are told apart; those that come later are left out.
 pub const MOST_ROLES: usize = 16;
-/// What a word can be: background, a word of the task, or a kind of role.
+/// What a word can be at most: background, a word of the task, or a kind of role. See [`Layout::kinds`].
 pub const KINDS: usize = 2 + RoleKind::COUNT;
 /// The weight of the context's roles grows with the sessions: half of it is reached with so many.
 const HALF_CONTEXT: f32 = 60.0;
@@ -38,6 +38,8 @@ pub struct Layout {
     roles: [Role; MOST_ROLES],
     role_count: u8,
     longest: u8,
+    /// Whether a role is one of a way.
+    has_ways: bool,
     sessions: f32,
     starts: Starts,
 }
@@ -62,6 +64,7 @@ impl Layout {
         roles: [Role::UNUSED; MOST_ROLES],
         role_count: 0,
         longest: 0,
+        has_ways: false,
         sessions: 0.0,
         starts: Starts { kinds: 0, p0: 0, end: 0, lambda: 0, novelty: 0 },
     };
@@ -88,6 +91,7 @@ impl Layout {
         }
         for group in groups(description) {
             let role = group.marker.role;
+            self.has_ways |= role.kind().index() >= RoleKind::WITHOUT_WAYS;
             if self.role(role).is_none()
                 && let Some(slot) = self.roles.get_mut(usize::from(self.role_count))
             {
@@ -102,7 +106,7 @@ impl Layout {
     const fn settled(mut self) -> Self {
         let (forms, roles) = (self.form_count as usize, self.role_count as usize);
         let (memories, moves) = (roles.saturating_add(1), roles.saturating_add(2));
-        let kinds = row(self.words, self.words, KINDS).end;
+        let kinds = row(self.words, self.words, self.kinds()).end;
         let p0 = row(kinds, forms, self.words.saturating_add(1)).start;
         let end = row(p0, forms.saturating_mul(memories), moves).start;
         let lambda = row(end, forms, memories).start;
@@ -129,6 +133,11 @@ impl Layout {
     /// V: how many words.
     pub const fn words(&self) -> usize {
         self.words
+    }
+
+    /// What a word can be: background, a word of the task, or a kind of role, those of ways only where there are such.
+    pub const fn kinds(&self) -> usize {
+        if self.has_ways { KINDS } else { 2 + RoleKind::WITHOUT_WAYS }
     }
 
     /// How many sessions.
@@ -175,7 +184,7 @@ impl Layout {
 
     /// The lift after a word, `words` for the beginning of a command.
     pub(super) fn lift(&self, word: usize) -> Range<usize> {
-        row(self.words, word, KINDS)
+        row(self.words, word, self.kinds())
     }
 
     pub(super) fn kind_of_task(&self, form: usize) -> Range<usize> {

@@ -132,10 +132,10 @@ impl Work<'_, '_> {
                 self.set_row(row);
                 (layout.words(), Part::Rows(row.saturating_add(1)))
             }
-            Part::Rows(_) => (layout.words().saturating_mul(KINDS), Part::Lifts(0, self.shares())),
+            Part::Rows(_) => (layout.words().saturating_mul(layout.kinds()), Part::Lifts(0, self.shares())),
             Part::Lifts(word, shares) if word <= layout.words() => {
                 self.set_lift(word, &shares);
-                (KINDS, Part::Lifts(word.saturating_add(1), shares))
+                (layout.kinds(), Part::Lifts(word.saturating_add(1), shares))
             }
             Part::Lifts(..) => (0, Part::Moves(0)),
             Part::Moves(form) if form < layout.forms().len() => {
@@ -231,7 +231,7 @@ impl Work<'_, '_> {
                 *share += count;
             }
         }
-        let whole: f32 = shares.iter().sum();
+        let whole: f32 = shares.iter().take(self.layout.kinds()).sum();
         shares.map(|share| share / whole)
     }
 
