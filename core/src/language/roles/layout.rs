@@ -7,6 +7,7 @@
 //! |---|---|---|
 //! | how common each word is | 1 | V |
 //! | lift | V words before, and the beginning | kinds |
+//! | cue, where tasks have ways | V words | kinds of roles |
 //! | kind of task | lifted tasks | V and a constant |
 //! | p0 | lifted tasks times memories | background, task, roles |
 //! | end | lifted tasks | memories |
@@ -25,6 +26,8 @@ use core::ops::Range;
 pub const MOST_ROLES: usize = 16;
 /// What a word can be at most: background, a word of the task, or a kind of role. See [`Layout::kinds`].
 pub const KINDS: usize = 2 + RoleKind::COUNT;
+/// What a cue tells apart: the kinds of roles.
+pub const CUES: usize = 2 * RoleKind::COUNT;
 /// The weight of the context's roles grows with the sessions: half of it is reached with so many.
 const HALF_CONTEXT: f32 = 60.0;
 
@@ -47,6 +50,7 @@ pub struct Layout {
 /// Where the parts of `alignments` begin, kept because every step of every word asks for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Starts {
+    cues: usize,
     kinds: usize,
     p0: usize,
     end: usize,
@@ -66,7 +70,7 @@ impl Layout {
         longest: 0,
         has_ways: false,
         sessions: 0.0,
-        starts: Starts { kinds: 0, p0: 0, end: 0, lambda: 0, novelty: 0 },
+        starts: Starts { cues: 0, kinds: 0, p0: 0, end: 0, lambda: 0, novelty: 0 },
     };
 
     /// The parameters for training data of so many words and machine tokens.
@@ -106,12 +110,13 @@ impl Layout {
     const fn settled(mut self) -> Self {
         let (forms, roles) = (self.form_count as usize, self.role_count as usize);
         let (memories, moves) = (roles.saturating_add(1), roles.saturating_add(2));
-        let kinds = row(self.words, self.words, self.kinds()).end;
+        let cues = row(self.words, self.words, self.kinds()).end;
+        let kinds = if self.has_ways() { row(cues, self.words, CUES).start } else { cues };
         let p0 = row(kinds, forms, self.words.saturating_add(1)).start;
         let end = row(p0, forms.saturating_mul(memories), moves).start;
         let lambda = row(end, forms, memories).start;
         let novelty = row(lambda, roles, VALUE_SORTS).start;
-        self.starts = Starts { kinds, p0, end, lambda, novelty };
+        self.starts = Starts { cues, kinds, p0, end, lambda, novelty };
         self
     }
 
@@ -135,9 +140,14 @@ impl Layout {
         self.words
     }
 
+    /// Whether a role is one of a way.
+    pub const fn has_ways(&self) -> bool {
+        cfg!(feature = "ways") && self.has_ways
+    }
+
     /// What a word can be: background, a word of the task, or a kind of role, those of ways only where there are such.
     pub const fn kinds(&self) -> usize {
-        if self.has_ways { KINDS } else { 2 + RoleKind::WITHOUT_WAYS }
+        if self.has_ways() { KINDS } else { 2 + RoleKind::WITHOUT_WAYS }
     }
 
     /// How many sessions.
@@ -185,6 +195,11 @@ impl Layout {
     /// The lift after a word, `words` for the beginning of a command.
     pub(super) fn lift(&self, word: usize) -> Range<usize> {
         row(self.words, word, self.kinds())
+    }
+
+    /// The cue that a word is, where there are roles of ways.
+    pub(super) fn cue(&self, word: usize) -> Range<usize> {
+        row(self.starts.cues, word, if self.has_ways() { CUES } else { 0 })
     }
 
     pub(super) fn kind_of_task(&self, form: usize) -> Range<usize> {
