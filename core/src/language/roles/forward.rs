@@ -1,6 +1,6 @@
 //! Pr(e|t), word by word.
 
-use super::layout::{KINDS, Layout, MOST_ROLES, cell, get};
+use super::layout::{KINDS, Layout, SHARES_NAMED, MOST_ROLES, cell, get};
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
 use crate::task::description::{form, groups};
@@ -260,6 +260,54 @@ impl<'t, 'd> Reader<'t, 'd> {
         word < self.layout.words() && self.groups.iter().any(|group| self.values(group).iter().any(|&value| self.value(value, word) > most))
     }
 
+    /// The value that a word names, if it names one sooner than anything else.
+    fn value_named(&self, word: usize) -> Option<Symbol> {
+        let (background, task) = self.background_and_task(word);
+        let (mut best, mut most) = (None, background.max(task));
+        for group in self.groups.iter().filter(|group| group.sort & 1 == 0 && word < self.layout.words()) {
+            for &value in self.values(group) {
+                let probability = self.value(value, word);
+                if probability > most {
+                    (best, most) = (Some(value), probability);
+                }
+            }
+        }
+        best
+    }
+
+    /// Tells for each kind of role that the task has where its share stands that the words name, in a row of `naming`.
+    pub fn naming(&self, words: impl Iterator<Item = usize>, mut tell: impl FnMut(usize)) {
+        let mut named: Vec<Symbol, 8, u8> = Vec::new();
+        for value in words.filter_map(|word| self.value_named(word)) {
+            if !named.contains(&value) {
+                let _ = named.push(value);
+            }
+        }
+        for kind in 0..RoleKind::COUNT {
+            let of_kind = self.groups.iter().filter(|group| group.sort & 1 == 0);
+            let of_kind = of_kind.filter(|group| self.present.get(group.present()).is_some_and(|it| it.kind().index() == kind));
+            let (mut all, mut said) = (0_usize, 0_usize);
+            for &value in of_kind.flat_map(|group| self.values(group)) {
+                all = all.saturating_add(1);
+                said = said.saturating_add(usize::from(named.contains(&value)));
+            }
+            if all > 0 {
+                let share = if said == 0 { 0 } else { 1_usize.saturating_add(usize::from(said == all)) };
+                tell(kind.saturating_mul(SHARES_NAMED).saturating_add(share));
+            }
+        }
+    }
+
+    /// How probable it is that of each role so much is named as these words do.
+    fn naming_of(&self, words: impl Iterator<Item = usize>) -> f32 {
+        let mut product = 1.0;
+        if let Some(form) = self.form.filter(|_| self.layout.has_ways()) {
+            let row = get(self.alignments, self.layout.naming(form));
+            self.naming(words, |at| product *= cell(row, at));
+        }
+        product
+    }
+
     /// What p0 is multiplied by after these words, for background, a word of the task, and each role present.
     pub fn lifts(&self, before: &Before) -> Moves {
         let mut lifts = self.lifts_after(before.previous);
@@ -420,7 +468,7 @@ impl Reading {
             return false;
         }
         let end: f32 = (0..reader.memories()).map(|memory| cell(&before, memory) * reader.end(memory)).sum();
-        self.probability = self.probability.scaled_by(end);
+        self.probability = self.probability.scaled_by(end * reader.naming_of(heard(reader.layout, sentence)));
         true
     }
 }

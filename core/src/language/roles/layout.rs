@@ -12,6 +12,7 @@
 //! | p0 | lifted tasks times memories | background, task, roles |
 //! | end | lifted tasks | memories |
 //! | lambda | roles | sorts of values |
+//! | naming, where tasks have ways | lifted tasks | kinds of roles, each: none named, some, all |
 //! | novelty | background, and each machine token | 1 |
 //! | trellis | the longest command and two more | memories and a scale |
 
@@ -28,6 +29,9 @@ pub const MOST_ROLES: usize = 16;
 pub const KINDS: usize = 2 + RoleKind::COUNT;
 /// What a cue tells apart: the kinds of roles.
 pub const CUES: usize = 2 * RoleKind::COUNT;
+/// How much of what has a role can be named: nothing, a part, all.
+pub(super) const SHARES_NAMED: usize = 3;
+const NAMING: usize = RoleKind::COUNT * SHARES_NAMED;
 /// The weight of the context's roles grows with the sessions: half of it is reached with so many.
 const HALF_CONTEXT: f32 = 60.0;
 
@@ -55,6 +59,7 @@ struct Starts {
     p0: usize,
     end: usize,
     lambda: usize,
+    naming: usize,
     novelty: usize,
 }
 
@@ -70,7 +75,7 @@ impl Layout {
         longest: 0,
         has_ways: false,
         sessions: 0.0,
-        starts: Starts { cues: 0, kinds: 0, p0: 0, end: 0, lambda: 0, novelty: 0 },
+        starts: Starts { cues: 0, kinds: 0, p0: 0, end: 0, lambda: 0, naming: 0, novelty: 0 },
     };
 
     /// The parameters for training data of so many words and machine tokens.
@@ -115,8 +120,9 @@ impl Layout {
         let p0 = row(kinds, forms, self.words.saturating_add(1)).start;
         let end = row(p0, forms.saturating_mul(memories), moves).start;
         let lambda = row(end, forms, memories).start;
-        let novelty = row(lambda, roles, VALUE_SORTS).start;
-        self.starts = Starts { cues, kinds, p0, end, lambda, novelty };
+        let naming = row(lambda, roles, VALUE_SORTS).start;
+        let novelty = if self.has_ways() { row(naming, forms, NAMING).start } else { naming };
+        self.starts = Starts { cues, kinds, p0, end, lambda, naming, novelty };
         self
     }
 
@@ -221,6 +227,11 @@ impl Layout {
 
     pub(super) fn lambda(&self, role: usize) -> Range<usize> {
         row(self.starts.lambda, role, VALUE_SORTS)
+    }
+
+    /// How often each kind of role is named, where there are roles of ways.
+    pub(super) fn naming(&self, form: usize) -> Range<usize> {
+        row(self.starts.naming, form, if self.has_ways() { NAMING } else { 0 })
     }
 
     /// How much of a row's words would be new, in a command to come: 1 for a token that was never named.

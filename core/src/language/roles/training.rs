@@ -17,7 +17,7 @@
 //! trained.
 
 use super::forward::{Before, END, Memories, Reader, Roles, kept, prior};
-use super::layout::{KINDS, Layout, MOST_ROLES, cell, get, get_mut};
+use super::layout::{KINDS, Layout, MOST_ROLES, SHARES_NAMED, cell, get, get_mut};
 use super::{kind, start};
 use crate::language::bitext::{BitextRef, Pair};
 use crate::language::tables::Cells;
@@ -31,6 +31,7 @@ const OF_POOL: f32 = 4.0;
 const OF_SHARE: f32 = 8.0;
 const LEAST_SHARE: f32 = 0.001;
 const OF_CUE: f32 = 1.0;
+const OF_NAMING: f32 = 0.5;
 const OF_STOP: f32 = 1.0;
 const OF_MOVES: f32 = 4.0;
 
@@ -88,6 +89,9 @@ impl Work<'_, '_> {
         }
         for role in 0..layout.roles().len() {
             get_mut(self.a.values, layout.lambda(role)).fill(1.0);
+        }
+        for form in 0..layout.forms().len() {
+            get_mut(self.a.values, layout.naming(form)).fill(1.0);
         }
         get_mut(self.a.values, layout.novelty(0)..layout.trellis()).fill(1.0);
     }
@@ -152,7 +156,10 @@ impl Work<'_, '_> {
             }
             Part::Moves(_) => (0, Part::Lambdas),
             Part::Lambdas => {
-                let range = layout.lambda(0).start..layout.novelty(0);
+                for form in 0..layout.forms().len() {
+                    self.set_naming(form);
+                }
+                let range = layout.lambda(0).start..layout.naming(0).start;
                 let (values, counts) = (get_mut(self.a.values, range.clone()), get_mut(self.a.counts, range));
                 for (value, count) in values.iter_mut().zip(counts) {
                     *value = core::mem::take(count) + OF_LAMBDA;
@@ -192,6 +199,14 @@ impl Work<'_, '_> {
         let mut counts = Counts { reader: &reader, sentence, weight: pair.weight, t: &mut *self.t.counts, a: &mut *self.a.counts };
         if reader.form.is_none() {
             return (0, None);
+        }
+        if let Some(form) = reader.form.filter(|_| step == 0 && self.layout.has_ways()) {
+            let row = get_mut(counts.a, self.layout.naming(form));
+            reader.naming(sentence.iter().map(|word| word.index()), |at| {
+                if let Some(slot) = row.get_mut(at) {
+                    *slot += pair.weight;
+                }
+            });
         }
         let mut cells = cells_of_word;
         loop {
@@ -259,6 +274,15 @@ impl Work<'_, '_> {
         let Some((seen, expected)) = counts.split_at_mut_checked(RoleKind::COUNT) else { return };
         for ((value, seen), expected) in values.iter_mut().zip(seen).zip(expected) {
             *value *= square_root((core::mem::take(seen) + OF_CUE) / (core::mem::take(expected) + OF_CUE));
+        }
+    }
+
+    fn set_naming(&mut self, form: usize) {
+        let range = self.layout.naming(form);
+        let (values, counts) = (get_mut(self.a.values, range.clone()), get_mut(self.a.counts, range));
+        for (values, counts) in values.chunks_mut(SHARES_NAMED).zip(counts.chunks_mut(SHARES_NAMED)) {
+            let whole = counts.iter().sum::<f32>() + OF_NAMING * SHARES_NAMED as f32;
+            values.iter_mut().zip(counts).for_each(|(value, count)| *value = (core::mem::take(count) + OF_NAMING) / whole);
         }
     }
 
