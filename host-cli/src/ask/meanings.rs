@@ -9,8 +9,8 @@ use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Domain;
 use goodbot::probability::{Scaled, total};
-use goodbot::task::{GroundedTask, LiftedTask};
-use goodbot::{Agent, AgentError};
+use goodbot::task::{GroundedTask, LiftedTask, ground};
+use goodbot::{Agent, AgentError, Capacities};
 
 /// What a command may mean.
 #[derive(Clone, Debug)]
@@ -139,5 +139,8 @@ fn undone(home: &Home<impl HomeMemory>, start: &HomeState, lifted: &[LiftedTask]
     let bound = task.bindings.iter().take(kind.variables().len());
     let things = bound.filter(|&&object| object == home.agent() || home.blocks().contains(&object));
     let states = things.flat_map(|&thing| home.places().iter().filter_map(move |place| home.placed(start, &[(thing, place.cell())])));
-    states.into_iter().find(|state| task.propositions(kind).any(|part| !home.holds(&part, state)))
+    // From a doorway, ways lead through one room more, and their tasks may find no room.
+    let mut tasks = vec![GroundedTask::UNUSED; Capacities::STANDARD.tasks];
+    let mut fits = |state: &HomeState| ground(home, lifted, state, &mut tasks).is_ok();
+    states.into_iter().find(|state| task.propositions(kind).any(|part| !home.holds(&part, state)) && fits(state))
 }

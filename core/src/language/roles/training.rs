@@ -32,6 +32,8 @@ const OF_SHARE: f32 = 8.0;
 const LEAST_SHARE: f32 = 0.001;
 const OF_CUE: f32 = 1.0;
 const OF_NAMING: f32 = 0.5;
+/// Where tasks have ways, a word must have named a value more often than this to count as naming it.
+const DISCOUNT: f32 = 1.0;
 const OF_STOP: f32 = 1.0;
 const OF_MOVES: f32 = 4.0;
 
@@ -236,6 +238,10 @@ impl Work<'_, '_> {
         let range = self.layout.row(row.checked_sub(1).map(|token| Symbol(token as u16)));
         let (values, counts) = (get_mut(self.t.values, range.clone()), get_mut(self.t.counts, range));
         let common = get(self.a.values, self.layout.common());
+        let of_value = row.checked_sub(1).is_some_and(|token| self.layout.form(Symbol(token as u16)).is_none());
+        if of_value && self.layout.has_ways() {
+            counts.iter_mut().for_each(|count| *count = (*count - DISCOUNT).max(0.0));
+        }
         let whole = counts.iter().sum::<f32>() + OF_COMMON;
         let novelty = OF_COMMON / whole;
         for ((value, count), common) in values.iter_mut().zip(counts).zip(common) {
