@@ -151,6 +151,11 @@ fn a_labelled_session_tells_its_meaning_and_may_tell_a_way() {
     let without = line.replace(r#","intended":["agentInRoom(agent0,room0)"]"#, "");
     assert_eq!(told(&without), r#"line 1: field "intended": is missing; add it"#);
     let shown = line.replace("labelled", "demonstration");
-    let message = r#"line 1: field "through": belongs in a labelled session alone; remove it, or make the session's kind labelled"#;
-    assert_eq!(told(&shown), message);
+    let Record::Session(shown) = Record::parse(&shown, 1).unwrap() else { panic!() };
+    let text = "agentInRoom(agent0,room0) through agentInRoom(agent0,room1) or agentInRoom(agent0,room2) avoiding agentInRoom(agent0,room3)";
+    assert_eq!(shown.meant().unwrap().unwrap().to_string(), text);
+    let nowhere = without.replace("labelled", "demonstration");
+    assert_eq!(told(&nowhere), r#"line 1: field "through": is the way of what was meant, which is not told; remove it, or write intended"#);
+    let torn = line.replace("room3", "room0");
+    assert!(told(&torn).starts_with(r#"line 1: field "avoiding": avoids agentInRoom(agent0,room0), which it asks for as well"#));
 }

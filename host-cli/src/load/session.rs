@@ -104,7 +104,7 @@ pub fn load<M: HomeMemory>(file: &str, recorded: &RecordedSession, lifted: &[Lif
     let Ok((home, start)) = built else { return Err(checker.faults) };
     checker.intended(&home);
     let tasks = checker.tasks(&home, &start, lifted);
-    checker.intended_task(&home, &start, &tasks);
+    checker.intended_task(&home, &start, &tasks, lifted.iter().any(LiftedTask::has_way));
     let prior = header.prior.as_ref().map(|prior| checker.prior(prior, &tasks));
     let strategies = header.strategies.as_ref().map(|strategies| checker.strategies(strategies));
     let steps = checker.walk(&home, &start);
@@ -151,7 +151,13 @@ impl Checker<'_> {
     }
 
     /// Whether what was meant is a task here.
-    fn intended_task(&mut self, home: &Home<impl HomeMemory>, start: &HomeState, tasks: &[(GroundedTask, GroundTaskText)]) {
+    fn intended_task(
+        &mut self,
+        home: &Home<impl HomeMemory>,
+        start: &HomeState,
+        tasks: &[(GroundedTask, GroundTaskText)],
+        considers_ways: bool,
+    ) {
         // What cannot be a task was refused when it was read.
         let Some(Ok(meant)) = self.recorded.header.meant() else { return };
         let way = meant.way();
@@ -180,9 +186,9 @@ impl Checker<'_> {
             self.fault("before[0]", format!("holds {here}, so it says nothing; leave it out"));
         } else if any(&way.avoiding) {
             self.fault("avoiding", format!("holds {here}, so the task is impossible; correct it or the environment"));
-        } else if !tasks.is_empty() && !tasks.iter().any(|(_, name)| name.is_same(&meant)) {
-            let ways = if way.is_empty() { "" } else { " or consider ways with --routes," };
-            self.fault("intended", format!("is no task of the kinds that commands may mean; name its kind with --task,{ways} or correct it"));
+        } else if !tasks.is_empty() && (way.is_empty() || considers_ways) && !tasks.iter().any(|(_, name)| name.is_same(&meant)) {
+            // Where no ways are considered, what was meant with one is left alone.
+            self.fault("intended", "is no task of the kinds that commands may mean; name its kind with --task, or correct it");
         }
     }
 
