@@ -14,6 +14,7 @@
 //! - `bitboard`: exact; expands the states that differ only in the robot's cell together, as rows of bits;
 //! - `one_by_one`: exact; serves every domain, and searches nearby through a hash table where the states do not fit the memory;
 //! - `approximate`: searches in smaller state spaces, for what the exact search left open; good to act on, no evidence;
+//! - `ways`: exact; tasks with a way, state by state in the product of the world and how far the way has come;
 //! - `planner`: the order of all these;
 //! - `plan`: what is known afterwards, and how an action is judged by it.
 
@@ -25,10 +26,12 @@ pub(crate) mod goals;
 mod one_by_one;
 pub(crate) mod plan;
 pub(crate) mod planner;
+mod ways;
 
 pub use goals::{GoalMemory, GoalMemoryRef, GoalPart};
 pub use one_by_one::states_needed;
 pub use plan::{Judgement, OptimalSet, Plan};
+pub use ways::Ways;
 pub use planner::{PlanMemory, PlanMemoryRef, PlanTables, Planner};
 
 /// Whether work that is done in parts has come to its end.

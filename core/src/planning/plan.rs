@@ -95,8 +95,16 @@ impl Found {
     };
 
     /// What can be said of `state` without a search.
-    pub(super) fn at<D: Domain + ?Sized>(domain: &D, goals: &Goals<'_>, state: &D::State, wanted: TaskSet, dead: TaskSet) -> Self {
-        let goal_here = goals.satisfied(domain, state, wanted);
+    /// The tasks in `with_ways` have still a way to go.
+    pub(super) fn at<D: Domain + ?Sized>(
+        domain: &D,
+        goals: &Goals<'_>,
+        state: &D::State,
+        wanted: TaskSet,
+        dead: TaskSet,
+        with_ways: TaskSet,
+    ) -> Self {
+        let goal_here = goals.satisfied(domain, state, wanted.without(with_ways));
         let dead = dead.common(wanted).without(goal_here);
         let applicable = own_actions(domain).filter(|&action| apply(domain, state, action).is_some());
         Self {

@@ -2,7 +2,7 @@
 //!
 //! Each plan goes the same way, for all tasks at once:
 //! 1. what holds here, and what is a deadlock, needs no search;
-//! 2. the exact search: by rows of bits where the domain is a floor with pieces and the rows fit, else state by state. Where the states do
+//! 2. the exact searches, first for all tasks without a way, then for those of each way: by rows of bits where the domain is a floor with pieces and the rows fit, else state by state. Where the states do
 //!    not fit either, it looks as far as its hash table reaches, so that near goals are found exactly all the same;
 //! 3. on a floor with pieces, the tasks that are still open get an approximate plan.
 
@@ -13,6 +13,7 @@ use super::deadlock;
 use super::goals::{GoalMemory, GoalPart, GoalTable, Goals};
 use super::one_by_one::{self, StateSearch};
 use super::plan::{Found, Plan, Results};
+use super::ways::Ways;
 use crate::capacity::{Capacities, Capacity, CapacityError};
 use crate::oomdp::{ActionSet, Domain, PushGrid, SearchKind};
 use crate::task::{GroundedTask, LiftedTask, TaskSet};
@@ -49,6 +50,8 @@ pub struct PlanTables<'t> {
     pub optimal: &'t mut [ActionSet],
     /// The distance of each task.
     pub distances: &'t mut [u32],
+    /// The tasks, where some have ways; see [`with_ways`](Self::with_ways).
+    pub ways: Ways<'t>,
 }
 
 impl<'t> PlanTables<'t> {
@@ -62,7 +65,14 @@ impl<'t> PlanTables<'t> {
             hashed: plan.hashed,
             optimal: plan.optimal,
             distances: plan.distances,
+            ways: Ways::default(),
         }
+    }
+
+    /// The same tables, with the tasks that are planned for and how far their ways have come. Without this, only goals are planned for.
+    #[must_use]
+    pub const fn with_ways(self, ways: Ways<'t>) -> Self {
+        Self { ways, ..self }
     }
 
     /// Borrows the tables apart: the goals, the marks, the hash table, and the results.
@@ -81,6 +91,8 @@ enum Marked {
     Nothing,
     Rows(RowSearch),
     States(StateSearch),
+    /// The search for the tasks that go the way of this one.
+    Way(StateSearch, u8),
 }
 
 impl Marked {
@@ -90,7 +102,7 @@ impl Marked {
             Self::Anything => marks.fill(0),
             Self::Nothing => {}
             Self::Rows(rows) => rows.clear(marks),
-            Self::States(states) => states.clear(marks),
+            Self::States(states) | Self::Way(states, _) => states.clear(marks),
         }
     }
 }
@@ -98,7 +110,8 @@ impl Marked {
 /// What is left to do.
 #[derive(Clone, Copy, Debug)]
 enum Stage {
-    Exact,
+    /// The tasks with ways that still wait for their search, and all those that have ways to go.
+    Exact { waiting: TaskSet, with_ways: TaskSet },
     Approximate(Approximation),
     Done,
 }
@@ -177,15 +190,20 @@ impl Planner {
         tables.optimal.fill(ActionSet::EMPTY);
         tables.distances.fill(u32::MAX);
         let mut found = Found::NOTHING;
+        let ways = tables.ways;
         let (goals, marks, hashed, results) = tables.split(&self.goals, &mut found);
-        *results.found = Found::at(domain, &goals, state, wanted, dead);
+        let waiting = ways.open(wanted);
+        *results.found = Found::at(domain, &goals, state, wanted, dead.union(ways.broken(wanted)), waiting);
         if let Some(grid) = D::Search::grid(domain) {
             let possible = deadlock::possible(grid, &goals, state, results.found.unknown, marks);
             results.found.rule_out(results.found.unknown.without(possible));
         }
-        let open = results.found.unknown;
+        let waiting = waiting.common(results.found.unknown);
+        let open = results.found.unknown.without(waiting);
         results.found.sought = open;
-        self.stage = if open.is_empty() { Stage::Done } else { Stage::Exact };
+        let exact = Stage::Exact { waiting, with_ways: waiting };
+        self.stage = if results.found.unknown.is_empty() { Stage::Done } else { exact };
+        self.marked = Marked::Nothing;
         if !open.is_empty() {
             let rows = D::Search::grid(domain).and_then(|grid| {
                 let mut rows = RowSearch::layout(grid, &goals, open, View::WHOLE, marks.len())?;
@@ -219,11 +237,15 @@ impl Planner {
 
     /// Goes on with the search under way. It is over once it seeks no task.
     fn search<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
+        let ways = tables.ways;
         let (goals, marks, hashed, mut results) = tables.split(&self.goals, &mut self.found);
         while *left > 0 {
             let expansions = match &mut self.marked {
                 Marked::Rows(rows) => D::Search::grid(domain).and_then(|grid| rows.expand(marks, &mut results, grid, &goals, state)),
                 Marked::States(states) => states.expand(marks, hashed, &mut results, domain, &goals),
+                Marked::Way(states, task) => ways
+                    .product(domain, usize::from(*task))
+                    .and_then(|(product, _)| states.expand(marks, hashed, &mut results, &product, &goals)),
                 Marked::Anything | Marked::Nothing => None,
             };
             if let Some(expansions) = expansions {
@@ -237,7 +259,7 @@ impl Planner {
             results.end_level();
             let ahead = match &mut self.marked {
                 Marked::Rows(rows) => rows.next_level(),
-                Marked::States(states) => states.next_level(results.found.level),
+                Marked::States(states) | Marked::Way(states, _) => states.next_level(results.found.level),
                 Marked::Anything | Marked::Nothing => false,
             };
             if !ahead || results.found.sought.is_empty() {
@@ -250,12 +272,32 @@ impl Planner {
     /// The search under way has come to its end: begins the next, if one is left. Returns the work that it took, in expansions.
     #[inline(never)]
     fn next_search<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State) -> u32 {
-        if let Stage::Exact = self.stage {
-            let complete = !matches!(&self.marked, Marked::States(states) if !states.is_complete());
+        if let Stage::Exact { waiting, with_ways } = self.stage {
+            let ways = tables.ways;
+            let complete = !matches!(&self.marked, Marked::States(states) | Marked::Way(states, _) if !states.is_complete());
             if complete {
-                self.found.rule_out(self.found.unknown);
+                let searched = match &self.marked {
+                    Marked::Way(_, task) => ways.group(usize::from(*task), with_ways),
+                    _ => self.found.unknown.without(with_ways),
+                };
+                self.found.rule_out(searched.common(self.found.unknown));
             }
-            self.stage = Stage::Approximate(Approximation::new(self.found.unknown));
+            if let Some((first, (product, way))) = waiting.iter().next().and_then(|first| Some((first, ways.product(domain, first)?))) {
+                let group = ways.group(first, waiting);
+                self.stage = Stage::Exact { waiting: waiting.without(group), with_ways };
+                self.marked.clear(tables.marks);
+                let (_, marks, hashed, results) = tables.split(&self.goals, &mut self.found);
+                (results.found.level, results.found.sought) = (0, group);
+                let states = StateSearch::begin(&product, &(*state, way), marks, hashed, results.found.applicable);
+                self.marked = Marked::Way(states, first as u8);
+                return 1;
+            }
+            self.stage = Stage::Approximate(Approximation::new(self.found.unknown.without(with_ways)));
+            // What is left of those with ways stays unknown.
+            if self.found.unknown.without(with_ways).is_empty() {
+                self.stage = Stage::Done;
+                return 0;
+            }
         }
         let (Stage::Approximate(approximation), Some(grid)) = (&mut self.stage, D::Search::grid(domain)) else {
             self.stage = Stage::Done;
@@ -266,8 +308,10 @@ impl Planner {
             return 0;
         }
         self.marked.clear(tables.marks);
+        let ways = tables.ways;
         let (goals, marks, _, results) = tables.split(&self.goals, &mut self.found);
-        match approximation.next(grid, &goals, state, results.found.unknown, marks) {
+        let open = results.found.unknown.without(ways.open(results.found.unknown));
+        match approximation.next(grid, &goals, state, open, marks) {
             Some((tasks, mut rows)) => {
                 (results.found.level, results.found.sought) = (0, tasks);
                 rows.begin(grid, &goals, state, marks, results.found.applicable);

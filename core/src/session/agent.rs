@@ -14,7 +14,7 @@ use crate::language::model::LanguageState;
 use crate::language::{LanguageMut, LanguageRef, Sentence};
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::{Action, ActionSet, Domain, apply, digest};
-use crate::planning::{Judgement, OptimalSet, Plan, PlanTables, Planner, Progress};
+use crate::planning::{Judgement, OptimalSet, Plan, PlanTables, Planner, Progress, Ways};
 use crate::probability::Scaled;
 use crate::random::below;
 use crate::symbols::Symbol;
@@ -320,7 +320,8 @@ impl<M: AgentMemory> Agent<M> {
             self.begin_plan(domain, state, number);
         }
         let AgentTables { session, workspace, .. } = self.memory.lend();
-        let mut tables = PlanTables::new(session.goals, session.plan, workspace);
+        let ways = Ways { lifted: &self.lifted, tasks: session.tasks.get(..self.task_count).unwrap_or(&[]) };
+        let mut tables = PlanTables::new(session.goals, session.plan, workspace).with_ways(ways);
         let progress = self.planner.advance(&mut tables, domain, state, budget);
         if progress == Progress::Done {
             self.dead = self.dead.union(self.planned().dead());
@@ -334,11 +335,13 @@ impl<M: AgentMemory> Agent<M> {
         // A goal that could not be reached can be reached again where somebody else has moved things.
         if self.expected != Some(number) {
             self.dead = TaskSet::EMPTY;
+            self.follow_ways(domain, state);
         }
         (self.planned, self.expected) = (Some(number), None);
         let wanted = self.worth_planning();
         let AgentTables { session, workspace, .. } = self.memory.lend();
-        let mut tables = PlanTables::new(session.goals, session.plan, workspace);
+        let ways = Ways { lifted: &self.lifted, tasks: session.tasks.get(..self.task_count).unwrap_or(&[]) };
+        let mut tables = PlanTables::new(session.goals, session.plan, workspace).with_ways(ways);
         self.planner.begin(&mut tables, domain, state, wanted, self.dead);
     }
 
@@ -429,6 +432,7 @@ impl<M: AgentMemory> Agent<M> {
         let next = apply(domain, state, action).ok_or(AgentError::NotApplicable)?;
         let plan = self.planned();
         let done = Done { correct: plan.judged(action, Judgement::Correct), incorrect: plan.judged(action, Judgement::Incorrect) };
+        self.follow_ways(domain, &next);
         self.belief_mut().settle();
         (self.done, self.expected) = (Some(done), Some(domain.number(&next)));
         Ok(next)

@@ -119,6 +119,7 @@ impl<M: AgentMemory> Agent<M> {
         self.ended = false;
         self.belief_mut().settle();
         self.forget_plan();
+        self.begin_ways();
         Ok(())
     }
 

@@ -5,6 +5,7 @@
 //! - `hearing`: how it hears a command;
 //! - `learning`: what it does when the session ends;
 //! - `least`: the least capacities for a domain and a number of lessons;
+//! - `ways`: how far the ways of its tasks have come;
 //! - `options`, `error`: how it learns, and why it may refuse.
 
 pub(crate) mod agent;
@@ -14,6 +15,7 @@ mod hearing;
 pub(crate) mod learning;
 pub(crate) mod least;
 pub(crate) mod options;
+mod ways;
 
 pub use agent::{Agent, Decision, Evidence, NEGLIGIBLE};
 pub use candidates::{Candidate, CandidateTables, CandidateTablesRef, CandidatesRef};

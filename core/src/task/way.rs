@@ -129,29 +129,72 @@ impl<'l> Way<'l> {
         state.has_ended() || !self.lifted.way().any(open)
     }
 
-    /// How far the way has come in a state, of which `holds` tells.
+    /// What the way says of one kind of part.
+    fn parts_of(&self, wanted: Part) -> impl Iterator<Item = GroundProposition> + use<'l> {
+        self.parts().filter(move |&(part, _)| part == wanted).map(|(_, proposition)| proposition)
+    }
+
+    /// Whether what must be avoided holds.
+    pub fn is_violated(&self, holds: impl Fn(&GroundProposition) -> bool) -> bool {
+        self.parts_of(Part::Avoiding).any(|part| holds(&part))
+    }
+
+    /// Whether nothing is left to come to but the goal.
+    pub fn leads_to_goal(&self, state: WayState) -> bool {
+        state.stage() == self.stages() && self.pending(state).next().is_none()
+    }
+
+    /// Which clauses and earlier goals are behind, a state of which `holds` tells included.
     #[must_use]
-    pub fn advance(&self, mut now: WayState, holds: impl Fn(&GroundProposition) -> bool) -> WayState {
-        if self.is_none() || now.has_ended() || now.is_broken() {
-            return now;
-        }
-        let of = |wanted: Part| self.parts().filter(move |&(part, _)| part == wanted);
+    pub fn pass(&self, mut now: WayState, holds: impl Fn(&GroundProposition) -> bool) -> WayState {
         for clause in self.pending(now) {
-            if of(Part::Through(clause)).any(|(_, part)| holds(&part)) {
+            if self.parts_of(Part::Through(clause)).any(|part| holds(&part)) {
                 now = now.passing(clause);
             }
         }
-        while now.stage() < self.stages() && of(Part::Before(now.stage())).all(|(_, part)| holds(&part)) {
+        while now.stage() < self.stages() && self.parts_of(Part::Before(now.stage())).all(|part| holds(&part)) {
             now = now.at_next_stage();
         }
-        let is_there = now.stage() == self.stages() && self.pending(now).next().is_none();
-        if is_there && self.task.propositions(self.lifted).all(|part| holds(&part)) {
+        now
+    }
+
+    /// How far the way has come in a state, of which `holds` tells.
+    #[must_use]
+    pub fn advance(&self, now: WayState, holds: impl Fn(&GroundProposition) -> bool) -> WayState {
+        if self.is_none() || now.has_ended() || now.is_broken() {
+            return now;
+        }
+        let now = self.pass(now, &holds);
+        if self.leads_to_goal(now) && self.task.propositions(self.lifted).all(|part| holds(&part)) {
             WayState(now.0 | ENDED)
-        } else if of(Part::Avoiding).any(|(_, part)| holds(&part)) {
+        } else if self.is_violated(&holds) {
             WayState(now.0 | BROKEN)
         } else {
             now
         }
+    }
+
+    /// Whether another task goes the same way from here: one search then serves both.
+    pub fn is_shared_with(&self, other: &Way<'_>) -> bool {
+        self.task.way == other.task.way && self.parts().eq(other.parts())
+    }
+
+    /// How many different states the way can be in on the way to its goal, and which of them one is.
+    pub(crate) fn layers(&self) -> u8 {
+        self.layer(WayState(PASSED | self.stages() << STAGE)).saturating_add(1)
+    }
+
+    /// The position of a state among the way's layers.
+    pub(crate) fn layer(&self, state: WayState) -> u8 {
+        let clauses = self.pending(WayState::START).count() as u32;
+        let passed = state.0 & PASSED & 1_u8.wrapping_shl(clauses).wrapping_sub(1);
+        state.stage().wrapping_shl(clauses) | passed
+    }
+
+    /// The state of a layer.
+    pub(crate) fn of_layer(&self, layer: u8) -> WayState {
+        let clauses = self.pending(WayState::START).count() as u32;
+        WayState(layer & 1_u8.wrapping_shl(clauses).wrapping_sub(1) | layer.wrapping_shr(clauses) << STAGE)
     }
 
     /// Whether the way says nothing, or nothing new, where a session starts in a state, of which `holds` tells: a part of it is behind already, or

@@ -1,0 +1,107 @@
+//! Tasks with a way: the product of the world and how far the way has come.
+//!
+//! The product has a copy of the world, a layer, for each state that the way can be in. A step changes the layer where it meets a clause or an
+//! earlier goal. From a state in which something must be avoided no step leads on: it may be the end, and nothing else. Tasks that go the same
+//! way to different goals are searched for together; a task whose way is behind is one without a way.
+
+use crate::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, World};
+use crate::task::{GroundedTask, LiftedTask, TaskSet, Way, WayState};
+
+/// The tasks that are planned for, with how far their ways have come.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Ways<'t> {
+    /// The lifted tasks.
+    pub lifted: &'t [LiftedTask],
+    /// The tasks that ground them, in the order in which they are planned for.
+    pub tasks: &'t [GroundedTask],
+}
+
+impl<'t> Ways<'t> {
+    /// The way of a task, if it has one.
+    pub(super) fn of(&self, task: usize) -> Option<Way<'t>> {
+        let task = self.tasks.get(task)?;
+        let lifted = self.lifted.get(usize::from(task.lifted))?;
+        lifted.has_way().then(|| Way::of(task, lifted))
+    }
+
+    /// How far the way of a task has come.
+    fn state(&self, task: usize) -> WayState {
+        self.tasks.get(task).map_or(WayState::START, |task| task.way)
+    }
+
+    /// The tasks of which this is true.
+    fn those(&self, tasks: TaskSet, is: impl Fn(&Way<'t>, WayState) -> bool) -> TaskSet {
+        if self.lifted.iter().any(LiftedTask::has_way) {
+            tasks.iter().filter(|&task| self.of(task).is_some_and(|way| is(&way, self.state(task)))).collect()
+        } else {
+            TaskSet::EMPTY
+        }
+    }
+
+    /// The tasks whose way is still to be gone.
+    pub(super) fn open(&self, tasks: TaskSet) -> TaskSet {
+        self.those(tasks, |way, state| !way.is_behind(state))
+    }
+
+    /// The tasks that have become impossible, because what must be avoided was not.
+    pub(super) fn broken(&self, tasks: TaskSet) -> TaskSet {
+        self.those(tasks, |_, state| state.is_broken())
+    }
+
+    /// The tasks that go the same way as one of them.
+    pub(super) fn group(&self, first: usize, tasks: TaskSet) -> TaskSet {
+        let Some(own) = self.of(first) else { return TaskSet::EMPTY };
+        self.those(tasks, |way, _| way.is_shared_with(&own))
+    }
+
+    /// The world with the layers of a task's way, and the layer that the way is in.
+    pub(super) fn product<'d, D: Domain + ?Sized>(&self, domain: &'d D, task: usize) -> Option<(Product<'d, 't, D>, WayState)> {
+        self.of(task).map(|way| (Product { domain, layers: u64::from(way.layers()), way }, self.state(task)))
+    }
+}
+
+/// The product of a world and the way of a task.
+pub(super) struct Product<'d, 't, D: ?Sized> {
+    domain: &'d D,
+    way: Way<'t>,
+    layers: u64,
+}
+
+impl<D: Domain + ?Sized> Domain for Product<'_, '_, D> {
+    type State = (D::State, WayState);
+    type Search = OneByOne;
+
+    fn world(&self) -> World<'_> {
+        self.domain.world()
+    }
+
+    fn actions(&self) -> &[ActionKind<'_>] {
+        self.domain.actions()
+    }
+
+    fn step(&self, (state, way): &Self::State, action: Action) -> Option<Self::State> {
+        if self.way.is_violated(|part| self.domain.holds(part, state)) {
+            return None;
+        }
+        let next = self.domain.step(state, action)?;
+        Some((next, self.way.pass(*way, |part| self.domain.holds(part, &next))))
+    }
+
+    /// A goal holds in the last layer alone.
+    fn holds(&self, proposition: &GroundProposition, (state, way): &Self::State) -> bool {
+        self.way.leads_to_goal(*way) && self.domain.holds(proposition, state)
+    }
+
+    fn state_count(&self) -> u64 {
+        self.domain.state_count().saturating_mul(self.layers)
+    }
+
+    fn number(&self, (state, way): &Self::State) -> u64 {
+        self.domain.number(state).wrapping_mul(self.layers).wrapping_add(u64::from(self.way.layer(*way)))
+    }
+
+    fn numbered(&self, number: u64) -> Self::State {
+        let (state, layer) = (number.checked_div(self.layers).unwrap_or(0), number.checked_rem(self.layers).unwrap_or(0));
+        (self.domain.numbered(state), self.way.of_layer(layer as u8))
+    }
+}

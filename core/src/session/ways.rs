@@ -1,0 +1,27 @@
+//! How far the ways of a session's tasks have come.
+
+use super::agent::Agent;
+use crate::memory::AgentMemory;
+use crate::oomdp::Domain;
+use crate::task::{LiftedTask, Way, WayState};
+
+impl<M: AgentMemory> Agent<M> {
+    /// The robot has come to a state: every task's way goes on.
+    pub(super) fn follow_ways<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) {
+        if !self.lifted.iter().any(LiftedTask::has_way) {
+            return;
+        }
+        let session = self.memory.lend().session;
+        for task in session.tasks.iter_mut().take(self.task_count) {
+            let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
+            task.way = Way::of(task, lifted).advance(task.way, |part| domain.holds(part, state));
+        }
+    }
+
+    /// The session begins again from its first state.
+    pub(super) fn begin_ways(&mut self) {
+        for task in self.memory.lend().session.tasks.iter_mut().take(self.task_count) {
+            task.way = WayState::START;
+        }
+    }
+}
