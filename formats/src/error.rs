@@ -143,7 +143,7 @@ pub enum Problem {
     /// A step in a labelled session.
     StepInLabelled,
     /// A field that only a labelled session can have.
-    OnlyInLabelled,
+    OnlyWithIntended,
     /// A field that a session with `continues` cannot have.
     NotWithContinues,
     /// A session with `continues` and another command or environment than the one before.
@@ -248,7 +248,7 @@ impl fmt::Display for Problem {
             Problem::StepInLabelled => {
                 f.write_str("a step does not belong in a labelled session; remove it, or make the session's kind demonstration")
             }
-            Problem::OnlyInLabelled => f.write_str("belongs in a labelled session alone; remove it, or make the session's kind labelled"),
+            Problem::OnlyWithIntended => f.write_str("is the way of what was meant, which is not told; remove it, or write intended"),
             Problem::NotWithContinues => {
                 f.write_str("does not belong in a session that continues the one before; remove it, or remove \"continues\"")
             }
