@@ -6,10 +6,12 @@
 #![forbid(unsafe_code)]
 
 mod ask;
+mod calibration;
 mod check;
 mod cli;
 mod evaluate;
 mod example;
+mod fit_trainers;
 mod inspect;
 mod learn;
 mod learner;
@@ -22,6 +24,7 @@ mod numbers;
 mod outcome;
 mod output;
 mod paper;
+mod questions;
 mod refusal;
 mod replay;
 mod teach;
@@ -52,6 +55,8 @@ fn main() -> ExitCode {
         Command::Learn(options) => learn::run(&options),
         Command::Ask(options) => ask::run(&options),
         Command::Inspect(options) => inspect::run(&options),
+        Command::Questions(options) => questions::run(&options),
+        Command::FitTrainers(options) => fit_trainers::run(&options),
         Command::Replay(args) => return replay::run(&args),
         Command::Check(args) => return check::run(&args),
         Command::Merge(options) => merge::run(&options),
