@@ -11,6 +11,7 @@ use crate::merge::MergeArgs;
 use crate::paper::sweep::Sweep;
 use crate::paper::trainer::{BelievedChoice, TrainerChoice};
 use crate::replay::ReplayArgs;
+use crate::study::StudyOptions;
 use crate::teach::TeachOptions;
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use std::path::PathBuf;
@@ -88,6 +89,7 @@ pub enum Command {
     Replay(ReplayArgs),
     Check(CheckArgs),
     Merge(MergeArgs),
+    Study(StudyOptions),
     /// Print a home or a session log to begin with
     Example {
         /// What

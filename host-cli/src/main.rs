@@ -6,6 +6,7 @@
 #![forbid(unsafe_code)]
 
 mod ask;
+mod canvas;
 mod check;
 mod cli;
 mod evaluate;
@@ -15,6 +16,7 @@ mod learn;
 mod learner;
 mod lessons;
 mod load;
+mod mean;
 mod merge;
 mod messages;
 mod misuse;
@@ -24,6 +26,7 @@ mod output;
 mod paper;
 mod refusal;
 mod replay;
+mod study;
 mod teach;
 mod whole_file;
 
@@ -56,6 +59,7 @@ fn main() -> ExitCode {
         Command::Check(args) => return check::run(&args),
         Command::Merge(options) => merge::run(&options),
         Command::Evaluate(options) => evaluate::run(&options),
+        Command::Study(options) => study::run(&options),
         Command::Example { what } => example::run(what),
         Command::Completions { shell } => completions(shell),
         Command::Man => manual(),
