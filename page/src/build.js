@@ -1,11 +1,31 @@
 // The editor: rooms, doors, blocks and the robot, by pointer on the plan and by numbers in a list.
+import { Goodbot, parsed, world } from './core.js';
+import { render } from './render.js';
+import { CELL, Frame, houseDrawing, thingDrawing } from './plan.js';
+import { stopSession } from './session.js';
+import { $, KEYS, all, draw, make, state, tell } from './state.js';
+import { download, keep, readFile } from './storage.js';
+import { fromTextMap, toTextMap } from './textmap.js';
+import { enterHome } from './tour.js';
+
 const PALETTE = ['red', 'green', 'blue', 'yellow', 'purple', 'orange', 'tan', 'teal', 'magenta'];
 const FORMS = ['chair', 'bag', 'backpack', 'basket', 'star'];
 const TOOLS = {
   move: 'Drag things and rooms; drag a chosen room’s corner to resize it. Colours and shapes are in the list.',
   room: 'Drag from corner to corner. Rooms that touch share a wall.', door: 'Tap a wall between two rooms.', block: 'Tap where it shall stand.', agent: 'Tap where it shall stand.',
 };
-const build = { file: null, tool: 'move', chosen: null, drag: null, error: '' };
+const build = {
+  /** @type {{ version: number, objects: any[] }} */
+  file: { version: 1, objects: [] },
+  tool: 'move',
+  /** @type {any} */
+  chosen: null,
+  /** @type {any} */
+  drag: null,
+  /** @type {any} */
+  frame: null,
+  error: '',
+};
 
 const nameFor = kind => {
   let number = 0;
@@ -13,7 +33,7 @@ const nameFor = kind => {
   return kind + number;
 };
 
-function enterBuild() {
+export function enterBuild() {
   stopSession();
   build.file = parsed(world.environment());
   build.chosen = null;
@@ -23,7 +43,7 @@ function enterBuild() {
 // After every change: is this a home? If so, the robot lives in it.
 function changed() {
   const json = JSON.stringify(build.file);
-  build.error = Core.check(json);
+  build.error = Goodbot.check(json);
   if (!build.error) enterHome(json);
   if (!build.error) keep(KEYS.own, json);
   render();
@@ -55,7 +75,7 @@ function draftScene() {
   return { bounds, rooms, doors, blocks: of('block'), agent: of('agent')[0], map };
 }
 
-function renderBuild() {
+export function renderBuild() {
   $('build').hidden = state.mode !== 'build';
   $('draft').toggleAttribute('hidden', state.mode !== 'build');
   if (state.mode !== 'build') return;
@@ -88,7 +108,7 @@ function renderBuild() {
   $('build-help').textContent = TOOLS[build.tool];
   $('build-error').textContent = build.error ? 'Not a home yet: ' + build.error + '.' : 'This is a home. The robot is in it.';
   $('build-error').className = build.error ? 'wrong' : 'fine';
-  for (const tool of document.querySelectorAll('[data-tool]')) tool.setAttribute('aria-pressed', tool.dataset.tool === build.tool);
+  for (const tool of all('[data-tool]')) tool.setAttribute('aria-pressed', tool.dataset.tool === build.tool);
   renderObjects();
 }
 
@@ -96,7 +116,7 @@ const boxOf = object => (object.class === 'room' || object.class === 'door' ? ob
 
 // The list of objects, with a field for everything that can be changed.
 function renderObjects() {
-  const active = document.activeElement;
+  const active = /** @type {HTMLElement | null} */ (document.activeElement);
   const focused = active && active.dataset.field;
   $('objects').replaceChildren(...build.file.objects.map((object, index) => {
     const title = object.class === 'agent' ? 'robot' : object.class === 'door' ? object.name : (object.color + ' ' + (object.shape || 'room'));
@@ -169,7 +189,7 @@ function objectAt({ x, y }) {
 
 const span = (a, b) => ({ left: Math.min(a.x, b.x), bottom: Math.min(a.y, b.y), right: Math.max(a.x, b.x), top: Math.max(a.y, b.y) });
 
-function setUpBuild() {
+export function setUpBuild() {
   const root = $('draft');
   root.addEventListener('pointerdown', event => {
     event.preventDefault();
@@ -206,8 +226,8 @@ function setUpBuild() {
     build.drag = null;
     changed();
   });
-  for (const tool of document.querySelectorAll('[data-tool]')) tool.addEventListener('click', () => { build.tool = tool.dataset.tool; renderBuild(); });
-  for (const button of document.querySelectorAll('[data-add]')) {
+  for (const tool of all('[data-tool]')) tool.addEventListener('click', () => { build.tool = tool.dataset.tool; renderBuild(); });
+  for (const button of all('[data-add]')) {
     button.addEventListener('click', () => {
       const bounds = boundsOf(build.file.objects);
       const x = bounds.right - 1;
@@ -224,7 +244,7 @@ function setUpBuild() {
   const take = text => {
     try {
       const file = text.trim().startsWith('{') ? JSON.parse(text) : fromTextMap(text);
-      const error = Core.check(JSON.stringify(file));
+      const error = Goodbot.check(JSON.stringify(file));
       if (error) throw new Error(error);
       build.file = file;
       build.chosen = null;

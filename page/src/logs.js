@@ -1,4 +1,12 @@
 // A session log, gone through once more: the robot learns from its sessions one after the other.
+import { world } from './core.js';
+import { render } from './render.js';
+import { LEARN_BUDGET, PLAN_BUDGET, heatNow, refresh, stopSession } from './session.js';
+import { inParts, nextFrame, state, tell } from './state.js';
+import { appendLog, keepModel, keepUndo, present, readFile, sessionsWord, takeModel } from './storage.js';
+import { enterHome } from './tour.js';
+import { ACTIONS } from './words.js';
+
 const LOG_FIELDS = {
   session: ['type', 'version', 'id', 'kind', 'environment', 'command', 'intended', 'actions', 'prior', 'strategies', 'continues'],
   step: ['type', 'action', 'feedback'],
@@ -40,8 +48,13 @@ function beginRecorded(record, last) {
 
 // Goes through the lines, and gives those that were learned from, with the sessions that they go on from.
 async function learnFrom(lines) {
+  /** @type {string[]} */
   const learned = [];
-  let [session, last, own, unlearned, number, shown] = [null, null, [], [], 0, 0];
+  /** @type {any} */
+  let [session, last] = [null, null];
+  /** @type {string[][]} */
+  let [own, unlearned] = [[], []];
+  let [number, shown] = [0, 0];
   for (const line of lines) {
     number += 1;
     if (!line.trim()) continue;
@@ -90,7 +103,7 @@ async function learnFrom(lines) {
   return learned;
 }
 
-async function loadLog(input) {
+export async function loadLog(input) {
   const lines = (await readFile(input, 'text')).trimEnd().split('\n');
   stopSession();
   const before = present();

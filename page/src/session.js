@@ -1,5 +1,13 @@
 // A training session: hear, act, take feedback, until the trainer ends it. The core plans and learns in parts, between two frames.
-const SPEEDS = {
+import { parsed, world } from './core.js';
+import { render } from './render.js';
+import { renderPlan } from './plan.js';
+import { $, KEYS, announce, attempt, inParts, nextFrame, percent, state, tell } from './state.js';
+import { appendLog, keep, keepModel, keepUndo, present, sessionsWord, takeModel } from './storage.js';
+import { enterStop } from './tour.js';
+import { acted, ranked, speech } from './words.js';
+
+export const SPEEDS = {
   step: { label: 'step by step', delay: () => Infinity },
   slow: { label: 'slow', delay: () => 2600 },
   normal: { label: 'normal speed', delay: () => 1400 },
@@ -9,48 +17,51 @@ const SPEEDS = {
 };
 
 // How long the robot waits, from 0 to 1, the less sure it is of its next action (the authors' three rules).
-const RULES = {
+export const RULES = {
   linear: { label: 'linear', wait: sure => 1 - sure },
   sigmoid: { label: 'sigmoid', wait: sure => 1 / (1 + Math.exp(12 * (sure - 0.6))) },
   threshold: { label: 'threshold', wait: sure => (sure < 0.7 ? 1 : 0) },
 };
 
-const PLAN_BUDGET = 20000;
-const LEARN_BUDGET = 60000;
+export const PLAN_BUDGET = 20000;
+export const LEARN_BUDGET = 60000;
 const LOOK_BUDGET = 4000;
 const RESTS = 3;
 const MOST_STEPS = 300;
 
-const parsed = text => JSON.parse(text);
-
-function refresh() {
+export function refresh() {
   state.scene = parsed(world.scene());
   state.belief = parsed(world.belief());
 }
 
 // Begins a session. `intended` is the name of a task for a trainer who gives the feedback by itself; `looking` walks without feedback.
-function startSession(command, { intended = null, looking = false } = {}) {
+/** @param {string} command
+ * @param {{ intended?: string | null, looking?: boolean }} how */
+export function startSession(command, { intended = null, looking = false } = {}) {
   stopSession();
   if (attempt(() => (world.hear(command), true)) !== true) {
     render();
-    return false;
+    return null;
   }
   refresh();
   state.support = attempt(() => parsed(world.support()));
   state.evidence = [];
   const task = state.belief.tasks.findIndex(task => task.name === intended);
-  state.session = {
-    command, intended: task < 0 ? null : task, looking, heard: ranked(), decided: null, feedback: null, rests: 0, steps: 0, paused: false, wake: null, over: false,
+  /** @type {import('./state.js').Session} */
+  const session = {
+    command, intended: task < 0 ? null : task, looking, heard: ranked(), decided: null, feedback: null, given: false, rests: 0, steps: 0, delay: 0, since: 0,
+    paused: false, stepping: false, wake: null, soon: 0, over: false, onEnd: null,
   };
+  state.session = session;
   const best = ranked()[0];
   announce('The robot heard: ' + command + '. Most likely: ' + best.words + ', ' + percent(best.probability) + '.');
-  go(state.session);
+  go(session);
   if (!state.tour.watching && state.settings.speed !== 'once') {
     // On a small screen the plan and the buttons are what matters now; by keyboard, the keys.
     window.scrollTo({ top: 0 });
     $('good').focus({ preventScroll: true });
   }
-  return true;
+  return session;
 }
 
 // Looks where the robot is heading, a part at a time, while it waits for a word.
@@ -67,7 +78,7 @@ async function lookAhead(session) {
 }
 
 // Ends the session under way without learning.
-function stopSession() {
+export function stopSession() {
   const session = state.session;
   if (session) {
     session.over = true;
@@ -79,7 +90,7 @@ function stopSession() {
   world.forget();
 }
 
-function wake(session) {
+export function wake(session) {
   const { wake: resolve } = session;
   session.wake = null;
   if (resolve) resolve();
@@ -174,7 +185,7 @@ async function ended(session) {
 }
 
 // The trainer's word on the last action. The last one before the next action counts.
-function giveFeedback(feedback) {
+export function giveFeedback(feedback) {
   const session = state.session;
   if (!session) tell('Nothing to judge yet: first tell the robot what to do.');
   if (!session || session.looking || !session.decided || state.phase === 'planning' || state.phase === 'learning') return;
@@ -185,11 +196,11 @@ function giveFeedback(feedback) {
   const waits = session.decided.action === 'noop' || state.settings.speed === 'step';
   if (waits && !session.paused && session.intended === null && !session.looking) {
     clearTimeout(session.soon);
-    session.soon = setTimeout(() => wake(session), 450);
+    session.soon = window.setTimeout(() => wake(session), 450);
   }
 }
 
-function togglePause() {
+export function togglePause() {
   const session = state.session;
   if (!session) return;
   session.paused = !session.paused;
@@ -202,7 +213,7 @@ function togglePause() {
   render();
 }
 
-function stepOnce() {
+export function stepOnce() {
   const session = state.session;
   if (!session || !session.decided) return;
   session.stepping = true;
@@ -211,7 +222,7 @@ function stepOnce() {
 }
 
 // Finish and learn.
-async function finishSession() {
+export async function finishSession() {
   const session = state.session;
   if (!session || state.phase === 'learning') return;
   if (session.decided && state.evidence.length === session.steps && session.feedback && session.given) commit(session);
@@ -241,7 +252,7 @@ async function finishSession() {
   else tell('Learned. The robot now knows ' + sessionsWord() + '.');
 }
 
-function finishWithoutLearning() {
+export function finishWithoutLearning() {
   if (!state.session) return;
   stopSession();
   render();
@@ -249,7 +260,7 @@ function finishWithoutLearning() {
 }
 
 // Takes back what the last session taught.
-async function undoSession() {
+export async function undoSession() {
   if (!state.undo || state.phase === 'learning') return;
   stopSession();
   const { model, log, tour } = state.undo;
@@ -275,4 +286,4 @@ async function undoSession() {
   tell('The last session is forgotten: ' + sessionsWord() + ' left.');
 }
 
-const heatNow = () => parsed(world.heat());
+export const heatNow = () => parsed(world.heat());

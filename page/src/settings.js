@@ -1,7 +1,15 @@
 // Settings, shortcuts, and what is kept and shared.
+import { world } from './core.js';
+import { loadLog } from './logs.js';
+import { render } from './render.js';
+import { RULES, SPEEDS, finishSession, giveFeedback, heatNow, refresh, stepOnce, stopSession, togglePause, wake } from './session.js';
+import { $, KEYS, attempt, make, state, tell } from './state.js';
+import { download, hashOf, keep, keepModel, keepSettings, keepTour, keepUndo, kept, loadModel, present, sessionsWord } from './storage.js';
+import { enterHome, enterStop } from './tour.js';
+
 const SWITCHES = ['style', 'shortcuts', 'ghost', 'names', 'pull'];
 
-function renderSettings() {
+export function renderSettings() {
   const { settings } = state;
   $('speed').value = settings.speed;
   $('rule').value = settings.rule;
@@ -13,8 +21,8 @@ function renderSettings() {
   $('kept').textContent = state.saved ? 'Kept in this browser: ' + sessionsWord() + '.' : 'This browser does not let the page keep anything. Save the model as a file.';
 }
 
-function setUpSettings() {
-  for (const [id, options] of [['speed', SPEEDS], ['rule', RULES]]) {
+export function setUpSettings() {
+  for (const [id, options] of /** @type {[string, Record<string, any>][]} */ ([['speed', SPEEDS], ['rule', RULES]])) {
     $(id).append(...Object.entries(options).map(([value, option]) => make('option', { value }, option.label)));
     $(id).addEventListener('change', () => {
       state.settings[id] = $(id).value;
@@ -70,7 +78,7 @@ function setUpSettings() {
 }
 
 // A robot that has learned nothing, in the same home.
-function newRobot() {
+export function newRobot() {
   stopSession();
   attempt(() => world.restart());
   refresh();
@@ -87,10 +95,10 @@ const KEYS_PRESSED = {
   p: togglePause, n: stepOnce, f: finishSession,
 };
 
-function setUpShortcuts() {
+export function setUpShortcuts() {
   document.addEventListener('keydown', event => {
     if (!state.settings.shortcuts || event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || !state.session) return;
-    if (event.target.closest('input:not([type=checkbox]), select, textarea, [role=slider], .scroll, dialog')) return;
+    if (/** @type {Element} */ (event.target).closest('input:not([type=checkbox]), select, textarea, [role=slider], .scroll, dialog')) return;
     const action = KEYS_PRESSED[event.key];
     if (!action) return;
     event.preventDefault();

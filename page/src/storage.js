@@ -1,5 +1,10 @@
 // What survives a reload: model, log, home and settings, in the browser's storage.
-function keep(key, value) {
+import { world } from './core.js';
+import { render } from './render.js';
+import { LEARN_BUDGET, RULES, SPEEDS, heatNow, refresh, stopSession } from './session.js';
+import { KEYS, attempt, inParts, make, state, tell } from './state.js';
+
+export function keep(key, value) {
   try {
     if (value === null) localStorage.removeItem(key);
     else localStorage.setItem(key, value);
@@ -9,7 +14,7 @@ function keep(key, value) {
   }
 }
 
-function kept(key) {
+export function kept(key) {
   try {
     return localStorage.getItem(key);
   } catch {
@@ -23,31 +28,31 @@ function toBase64(bytes) {
   return btoa(text);
 }
 
-const fromBase64 = text => Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
+export const fromBase64 = text => Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
 
-function keepModel() {
+export function keepModel() {
   const bytes = attempt(() => world.save());
   if (bytes) keep(KEYS.model, toBase64(bytes));
   state.sessions = world.sessions();
 }
 
-function keepSettings() {
+export function keepSettings() {
   keep(KEYS.settings, JSON.stringify(state.settings));
 }
 
-function appendLog(lines) {
+export function appendLog(lines) {
   keep(KEYS.log, (kept(KEYS.log) || '') + lines);
 }
 
 // What can be undone, also after a reload.
-const present = () => ({ model: world.save(), log: kept(KEYS.log), tour: { at: state.tour.at, done: [...state.tour.done] } });
+export const present = () => ({ model: world.save(), log: kept(KEYS.log), tour: { at: state.tour.at, done: [...state.tour.done] } });
 
-function keepUndo(undo) {
+export function keepUndo(undo) {
   state.undo = undo;
   keep(KEYS.undo, undo && JSON.stringify({ ...undo, model: toBase64(undo.model) }));
 }
 
-async function restoreAll() {
+export async function restoreAll() {
   const settings = kept(KEYS.settings);
   if (settings) {
     try {
@@ -63,19 +68,19 @@ async function restoreAll() {
     }
   }
   try {
-    const undo = JSON.parse(kept(KEYS.undo));
+    const undo = JSON.parse(kept(KEYS.undo) || 'null');
     if (undo) state.undo = { ...undo, model: fromBase64(undo.model) };
   } catch { /* Then nothing can be undone. */ }
   try {
-    const tour = JSON.parse(kept(KEYS.tour));
+    const tour = JSON.parse(kept(KEYS.tour) || 'null');
     if (tour && Array.isArray(tour.done)) Object.assign(state.tour, { at: tour.at | 0, done: tour.done });
   } catch { /* A tour of another version begins anew. */ }
 }
 
-const keepTour = () => keep(KEYS.tour, JSON.stringify({ at: state.tour.at, done: state.tour.done }));
+export const keepTour = () => keep(KEYS.tour, JSON.stringify({ at: state.tour.at, done: state.tour.done }));
 
 // Files.
-function download(name, content, type) {
+export function download(name, content, type) {
   const url = URL.createObjectURL(new Blob([content], { type }));
   const link = make('a', { href: url, download: name });
   document.body.append(link);
@@ -84,7 +89,7 @@ function download(name, content, type) {
   setTimeout(() => URL.revokeObjectURL(url), 10000);
 }
 
-const readFile = (input, how) => new Promise((done, failed) => {
+export const readFile = (input, how) => new Promise((done, failed) => {
   const file = input.files[0];
   input.value = '';
   if (!file) return;
@@ -96,14 +101,14 @@ const readFile = (input, how) => new Promise((done, failed) => {
 });
 
 // Takes over a model, a part at a time; throws where it is none.
-async function takeModel(bytes) {
+export async function takeModel(bytes) {
   world.restore(bytes);
   await inParts(() => world.learn(LEARN_BUDGET));
   state.sessions = world.sessions();
   state.settings.style = world.learnsStyle();
 }
 
-async function loadModel(input) {
+export async function loadModel(input) {
   const bytes = new Uint8Array(await readFile(input, 'bytes'));
   stopSession();
   const before = present();
@@ -127,18 +132,18 @@ async function loadModel(input) {
   tell('The robot now knows what the file knows: ' + sessionsWord() + '.');
 }
 
-const sessionsWord = () => state.sessions + (state.sessions === 1 ? ' session' : ' sessions');
+export const sessionsWord = () => state.sessions + (state.sessions === 1 ? ' session' : ' sessions');
 
 // The settings that a link carries; the look and the keys are everybody's own.
 const SHARED = ['speed', 'rule', 'style', 'pull', 'ghost', 'names'];
 
 // The home and the settings in the address, so that a link is enough to share them.
-function hashOf() {
+export function hashOf() {
   const share = { home: JSON.parse(world.environment()), settings: Object.fromEntries(SHARED.map(name => [name, state.settings[name]])) };
   return '#' + toBase64(new TextEncoder().encode(JSON.stringify(share))).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
 }
 
-function readHash() {
+export function readHash() {
   const text = location.hash.slice(1);
   if (!text) return false;
   try {

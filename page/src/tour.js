@@ -1,7 +1,13 @@
 // The guided tour: the paper's seven lessons and five tests, with a score.
-let course = null;
+import { course, world } from './core.js';
+import { render } from './render.js';
+import { refresh, startSession, stopSession } from './session.js';
+import { newRobot } from './settings.js';
+import { $, KEYS, announce, attempt, make, state } from './state.js';
+import { keep, keepTour, keepUndo, present } from './storage.js';
+
 const stops = () => [...course.lessons.map(stop => ({ ...stop, test: false })), ...course.tests.map(stop => ({ ...stop, test: true }))];
-const homeNamed = name => JSON.stringify(course.homes.find(([other]) => other === name)[1]);
+export const homeNamed = name => JSON.stringify(course.homes.find(([other]) => other === name)?.[1]);
 
 const HINTS = [
   'It knows no word yet, so it will just try something. Press Good when it goes the right way, Bad when it does not.',
@@ -15,7 +21,7 @@ const HINTS = [
 
 const stopAt = () => stops()[state.tour.at];
 
-function enterStop(at) {
+export function enterStop(at) {
   stopSession();
   state.tour.at = Math.max(0, Math.min(at, stops().length));
   const stop = stopAt();
@@ -28,7 +34,7 @@ function enterStop(at) {
   render();
 }
 
-function enterHome(json) {
+export function enterHome(json) {
   stopSession();
   // In the tour the robot pushes only, as the paper's does.
   if (attempt(() => (world.setEnvironment(json), world.setPulls(state.settings.pull && state.mode !== 'tour'), true)) !== true) return false;
@@ -40,15 +46,16 @@ function enterHome(json) {
 }
 
 // Begins the lesson or test where the tour stands.
-function beginStop(auto) {
+export function beginStop(auto) {
   const stop = stopAt();
   if (!stop) return;
   world.reset();
   refresh();
-  if (!startSession(stop.command, { intended: stop.test ? null : auto ? stop.intended : null, looking: stop.test })) return;
-  const heard = state.session.heard[0];
+  const session = startSession(stop.command, { intended: stop.test ? null : auto ? stop.intended : null, looking: stop.test });
+  if (!session) return;
+  const heard = session.heard[0];
   const right = heard.name === stop.intended;
-  state.session.onEnd = () => passStop(right);
+  session.onEnd = () => passStop(right);
   if (stop.test) announce('Test: ' + stop.command + '. The robot thinks: ' + heard.words + '. ' + (right ? 'Right.' : 'Wrong.'));
 }
 
@@ -67,7 +74,7 @@ function passStop(right) {
 const rightTests = () => course.tests.filter((_, at) => state.tour.done[course.lessons.length + at] === 'right').length;
 const scoreWords = () => rightTests() + ' of ' + course.tests.length + ' tests understood';
 
-function watchTour() {
+export function watchTour() {
   if (state.tour.watching) {
     state.tour.watching = false;
     stopSession();
@@ -79,7 +86,7 @@ function watchTour() {
   beginStop(true);
 }
 
-function restartTour() {
+export function restartTour() {
   stopSession();
   keepUndo(present());
   newRobot();
@@ -87,7 +94,7 @@ function restartTour() {
   enterStop(0);
 }
 
-function renderTour() {
+export function renderTour() {
   const { at, done, watching } = state.tour;
   const all = stops();
   const stop = all[at];
