@@ -1,10 +1,10 @@
 // The editor: rooms, doors, blocks and the robot, by pointer on the plan and by numbers in a list.
+import { download, readFile } from './bytes.js';
 import { Goodbot, parsed, world } from './core.js';
-import { render } from './render.js';
 import { CELL, Frame, houseDrawing, thingDrawing } from './plan.js';
-import { stopSession } from './session.js';
-import { $, KEYS, all, draw, make, state, tell } from './state.js';
-import { download, keep, readFile } from './storage.js';
+import { render } from './render.js';
+import * as shelf from './shelf.js';
+import { $, all, draw, make, state, tell } from './state.js';
 import { fromTextMap, toTextMap } from './textmap.js';
 import { enterHome } from './tour.js';
 
@@ -25,6 +25,15 @@ const build = {
   /** @type {any} */
   frame: null,
   error: '',
+  // The drawing as it was last kept, and those before and after it, as JSON.
+  text: '',
+  /** @type {string[]} */
+  past: [],
+  /** @type {string[]} */
+  future: [],
+  // The home that was shown when one came here.
+  /** @type {any} */
+  shown: null,
 };
 
 const nameFor = kind => {
@@ -33,20 +42,58 @@ const nameFor = kind => {
   return kind + number;
 };
 
+const MOST_STEPS_BACK = 60;
+
+/** Goes on with one's own drawing; the first one begins with the home that is shown. */
 export function enterBuild() {
-  stopSession();
-  build.file = parsed(world.environment());
+  const kept = shelf.read('drawing', null) || { file: shelf.read('own', null) };
+  build.shown = parsed(world.environment());
+  build.file = kept.file || structuredClone(build.shown);
+  [build.past, build.future] = [kept.past || [], kept.future || []];
+  build.text = JSON.stringify(build.file);
   build.chosen = null;
-  changed();
+  check();
 }
 
-// After every change: is this a home? If so, the robot lives in it.
+/** Another tab has drawn: this one goes on from there. */
+export function drawnElsewhere() {
+  if (state.mode === 'build' && !build.drag) enterBuild();
+}
+
+// After every change: it can be undone, and is kept even where it is no home yet.
 function changed() {
   const json = JSON.stringify(build.file);
-  build.error = Goodbot.check(json);
-  if (!build.error) enterHome(json);
-  if (!build.error) keep(KEYS.own, json);
+  if (json !== build.text) {
+    build.past = [...build.past, build.text].slice(-MOST_STEPS_BACK);
+    build.future = [];
+  }
+  keepDrawing();
+}
+
+function keepDrawing() {
+  build.text = JSON.stringify(build.file);
+  check();
+  const home = build.error ? shelf.read('drawing', {}).home : build.file;
+  shelf.put('drawing', JSON.stringify({ file: build.file, home, past: build.past, future: build.future }));
+}
+
+// Is this a home? If so, the robot lives in it.
+function check() {
+  build.error = Goodbot.check(build.text);
+  if (!build.error) enterHome(build.text);
   render();
+}
+
+/** @param {'past' | 'future'} from */
+function travel(from) {
+  const text = build[from].at(-1);
+  if (text === undefined) return;
+  build[from] = build[from].slice(0, -1);
+  const to = from === 'past' ? 'future' : 'past';
+  build[to] = [...build[to], build.text];
+  build.file = JSON.parse(text);
+  build.chosen = null;
+  keepDrawing();
 }
 
 function boundsOf(objects) {
@@ -109,6 +156,9 @@ export function renderBuild() {
   $('build-error').textContent = build.error ? 'Not a home yet: ' + build.error + '.' : 'This is a home. The robot is in it.';
   $('build-error').className = build.error ? 'wrong' : 'fine';
   for (const tool of all('[data-tool]')) tool.setAttribute('aria-pressed', tool.dataset.tool === build.tool);
+  $('build-undo').disabled = !build.past.length;
+  $('build-redo').disabled = !build.future.length;
+  $('take-shown').hidden = JSON.stringify(build.shown) === build.text;
   renderObjects();
 }
 
@@ -238,6 +288,16 @@ export function setUpBuild() {
     });
   }
   $('clear').addEventListener('click', () => { build.file = { version: 1, objects: [] }; build.chosen = null; changed(); });
+  $('build-undo').addEventListener('click', () => travel('past'));
+  $('build-redo').addEventListener('click', () => travel('future'));
+  $('take-shown').addEventListener('click', () => { build.file = structuredClone(build.shown); build.chosen = null; changed(); });
+  document.addEventListener('keydown', event => {
+    if (state.mode !== 'build' || !(event.ctrlKey || event.metaKey) || /** @type {Element} */ (event.target).closest('input, textarea')) return;
+    const key = event.key.toLowerCase();
+    if (key !== 'z' && key !== 'y') return;
+    event.preventDefault();
+    travel(key === 'y' || event.shiftKey ? 'future' : 'past');
+  });
   $('export-json').addEventListener('click', () => { $('home-text').value = JSON.stringify(build.file); });
   $('export-map').addEventListener('click', () => { $('home-text').value = toTextMap(build.error ? draftScene() : state.scene); });
   $('download-home').addEventListener('click', () => download('home.json', JSON.stringify(build.file), 'application/json'));
@@ -256,7 +316,7 @@ export function setUpBuild() {
   };
   $('import').addEventListener('click', () => take($('home-text').value));
   $('load-home').addEventListener('change', async () => {
-    $('home-text').value = await readFile($('load-home'), 'text');
+    $('home-text').value = (await readFile($('load-home'), 'text')).content;
     take($('home-text').value);
   });
 }

@@ -1,14 +1,17 @@
 // The beginning.
-import { setUpBuild } from './build.js';
+import { fromBase64 } from './bytes.js';
+import { drawnElsewhere, setUpBuild } from './build.js';
 import { startCore, world } from './core.js';
+import { readLink } from './link.js';
 import { nameHome, setMode, setUpPlay } from './play.js';
 import { render } from './render.js';
 import { robotDrawing } from './robot.js';
-import { finishSession, finishWithoutLearning, giveFeedback, heatNow, refresh, stepOnce, stopSession, togglePause, undoSession } from './session.js';
-import { setUpSettings, setUpShortcuts } from './settings.js';
+import { finishSession, finishWithoutLearning, giveFeedback, heatNow, leaveSession, refresh, stepOnce, takeUpSession, togglePause, undo } from './session.js';
+import { restoreSettings, setUpSettings, setUpShortcuts } from './settings.js';
+import * as shelf from './shelf.js';
 import { setUpSpeech } from './speech.js';
-import { $, KEYS, all, attempt, state } from './state.js';
-import { fromBase64, kept, readHash, restoreAll } from './storage.js';
+import { $, all, attempt, state } from './state.js';
+import { openLast, othersTaught } from './store.js';
 import { renderHeat } from './thoughts.js';
 import { beginStop, enterStop, restartTour, watchTour } from './tour.js';
 
@@ -22,35 +25,51 @@ function setUp() {
   for (const button of all('button[data-mode]')) button.addEventListener('click', () => setMode(button.dataset.mode));
   for (const [id, action] of Object.entries({
     good: () => giveFeedback('reward'), bad: () => giveFeedback('punish'), pause: togglePause, next: stepOnce, finish: finishSession,
-    drop: finishWithoutLearning, undo: undoSession, lesson: () => beginStop(false), auto: () => beginStop(true), watch: watchTour, again: restartTour,
-    onward: () => setMode('play'),
+    drop: finishWithoutLearning, undo: () => undo('past'), redo: () => undo('future'), lesson: () => beginStop(false), auto: () => beginStop(true), watch: watchTour,
+    again: restartTour, onward: () => setMode('play'),
   })) $(id).addEventListener('click', action);
   $('heat-before').addEventListener('change', renderHeat);
   $('heat').closest('details').addEventListener('toggle', renderHeat);
-  window.addEventListener('hashchange', () => {
-    if (readHash()) {
-      stopSession();
+  window.addEventListener('hashchange', async () => {
+    if (await leaveSession() && readLink()) {
       state.mode = 'play';
       refresh();
       render();
     }
   });
+  shelf.watch(async key => {
+    if (key === 'robot.' + state.robot.id && !state.session && state.phase === 'none') await takeOver();
+    if (key === 'drawing') drawnElsewhere();
+    if (key.startsWith('robot.')) render();
+  });
+}
+
+// Another tab has taught the robot of this one.
+async function takeOver() {
+  state.phase = 'learning';
+  const taught = await othersTaught();
+  state.phase = 'none';
+  if (!taught) return;
+  refresh();
+  state.heat = { now: heatNow(), before: null };
 }
 
 async function main() {
   startCore(fromBase64($('module').textContent.trim()), Number($('module').dataset.size));
   // For the curious, at the browser's console, and for tests.
   Object.assign(window, { goodbot: world });
-  await restoreAll();
-  const own = kept(KEYS.home);
-  if (own) attempt(() => world.setEnvironment(own));
-  if (readHash()) state.mode = 'play';
-  if (state.settings.style !== world.learnsStyle()) attempt(() => world.setLearnsStyle(state.settings.style));
+  restoreSettings();
+  await openLast();
+  const home = shelf.get('home');
+  if (home) attempt(() => world.setEnvironment(home));
+  if (readLink()) state.mode = 'play';
   state.heat = { now: heatNow(), before: null };
   refresh();
   setUp();
-  if (state.mode === 'tour') enterStop(state.tour.at);
-  else nameHome();
+  if (!await takeUpSession()) {
+    if (state.mode === 'tour') enterStop(state.tour.at);
+    else nameHome();
+  }
   render();
   document.body.classList.add('ready');
 }

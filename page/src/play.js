@@ -2,9 +2,9 @@
 import { enterBuild } from './build.js';
 import { Goodbot, course, parsed, world } from './core.js';
 import { render } from './render.js';
-import { refresh, startSession, stopSession } from './session.js';
-import { $, KEYS, make, state } from './state.js';
-import { kept } from './storage.js';
+import { leaveSession, refresh, startSession } from './session.js';
+import * as shelf from './shelf.js';
+import { $, make, state } from './state.js';
 import { enterHome, enterStop, homeNamed } from './tour.js';
 
 // Commands that make sense here, for those who do not know what to say.
@@ -20,10 +20,8 @@ export function renderIdeas() {
   }, idea)));
 }
 
-export function setMode(mode) {
-  if (mode === state.mode) return;
-  stopSession();
-  state.tour.watching = false;
+export async function setMode(mode) {
+  if (mode === state.mode || state.tour.watching || !await leaveSession()) return;
   state.mode = mode;
   if (mode === 'build') enterBuild();
   else if (mode === 'tour') enterStop(state.tour.at);
@@ -38,17 +36,18 @@ export function setMode(mode) {
 export function nameHome() {
   const home = world.environment();
   const known = course.homes.find(([, other]) => JSON.stringify(other) === home);
-  $('home').value = known ? known[0] : home === kept(KEYS.own) ? 'own' : 'random';
+  $('home').value = known ? known[0] : home === JSON.stringify(shelf.read('drawing', {}).home) ? 'own' : 'random';
 }
 
 export function setUpPlay() {
   for (const [name] of course.homes) $('home').append(make('option', { value: name }, name === 'Test' ? 'The tests’ home' : 'Home ' + name + ' of the course'));
   $('home').append(make('option', { value: 'random' }, 'Another, at random'), make('option', { value: 'own' }, 'Your own'));
-  const choose = () => {
+  const choose = async () => {
     const { value } = $('home');
+    if (!await leaveSession()) return;
     if (value === 'own') {
-      const own = kept(KEYS.own);
-      if (own) enterHome(own);
+      const own = shelf.read('drawing', {}).home;
+      if (own) enterHome(JSON.stringify(own));
       else setMode('build');
     } else if (value === 'random') {
       const { homes } = parsed(Goodbot.course(1 + Math.floor(Math.random() * 4e9)));
@@ -62,5 +61,10 @@ export function setUpPlay() {
     event.preventDefault();
     if (!state.session) startSession($('command').value);
   });
-  $('reset').addEventListener('click', () => { stopSession(); world.reset(); refresh(); render(); });
+  $('reset').addEventListener('click', async () => {
+    if (!await leaveSession()) return;
+    world.reset();
+    refresh();
+    render();
+  });
 }

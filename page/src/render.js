@@ -2,6 +2,7 @@
 import { renderBuild } from './build.js';
 import { renderPlan } from './plan.js';
 import { renderIdeas } from './play.js';
+import { renderRoster } from './roster.js';
 import { renderSettings } from './settings.js';
 import { $, all, make, state } from './state.js';
 import { renderThoughts } from './thoughts.js';
@@ -20,6 +21,7 @@ export function render() {
   renderTour();
   renderBuild();
   renderThoughts();
+  renderRoster();
   renderSettings();
   const [head, rest] = speech();
   $('say').replaceChildren(make('strong', {}, head), ' ', make('span', {}, rest));
@@ -40,9 +42,14 @@ export function render() {
   $('pause').textContent = session && session.paused ? 'Go on' : 'Pause';
   $('pause').disabled = $('next').disabled = !session || busy;
   for (const id of ['pause', 'next']) $(id).hidden = !session;
-  for (const id of ['finish', 'drop']) $(id).hidden = !session || session.looking;
+  for (const id of ['finish', 'drop']) $(id).hidden = !session || session.looking || state.tour.watching;
   $('finish').disabled = $('drop').disabled = !session || busy || Boolean(session && session.looking);
-  $('undo').hidden = !state.undo || Boolean(session) || busy;
+  for (const [id, points, verb] of /** @type {const} */ ([['undo', state.robot.past, 'Undo: '], ['redo', state.robot.future, 'Do again: ']])) {
+    const point = points.at(-1);
+    $(id).hidden = !point || Boolean(session) || busy;
+    $(id).textContent = point ? verb + (point.what.length > 44 ? point.what.slice(0, 43) + '…' : point.what) : '';
+    $(id).title = points.length > 1 ? points.length + ' steps in all' : '';
+  }
   for (const element of all('.place')) element.hidden = Boolean(session);
   $('choose').hidden = $('home').value !== 'random' || Boolean(session);
   renderIdeas();

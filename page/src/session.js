@@ -1,11 +1,14 @@
 // A training session: hear, act, take feedback, until the trainer ends it. The core plans and learns in parts, between two frames.
 import { parsed, world } from './core.js';
-import { render } from './render.js';
+import { ask } from './dialog.js';
+import { beginRecorded, learnFrom } from './logs.js';
 import { renderPlan } from './plan.js';
-import { $, KEYS, announce, attempt, inParts, nextFrame, percent, state, tell } from './state.js';
-import { appendLog, keep, keepModel, keepUndo, present, sessionsWord, takeModel } from './storage.js';
-import { enterStop } from './tour.js';
-import { acted, ranked, speech } from './words.js';
+import { render } from './render.js';
+import { ofTab } from './shelf.js';
+import { $, announce, attempt, inParts, nextFrame, percent, state, tell } from './state.js';
+import { change, travel } from './store.js';
+import { attend, enterStop } from './tour.js';
+import { acted, ranked, sessionsWord, speech } from './words.js';
 
 export const SPEEDS = {
   step: { label: 'step by step', delay: () => Infinity },
@@ -46,13 +49,10 @@ export function startSession(command, { intended = null, looking = false } = {})
   refresh();
   state.support = attempt(() => parsed(world.support()));
   state.evidence = [];
-  const task = state.belief.tasks.findIndex(task => task.name === intended);
-  /** @type {import('./state.js').Session} */
-  const session = {
-    command, intended: task < 0 ? null : task, looking, heard: ranked(), decided: null, feedback: null, given: false, rests: 0, steps: 0, delay: 0, since: 0,
-    paused: false, stepping: false, wake: null, soon: 0, over: false, onEnd: null,
-  };
+  const session = newSession(command, { intended, looking });
+  session.heard = ranked();
   state.session = session;
+  keepSession(session);
   const best = ranked()[0];
   announce('The robot heard: ' + command + '. Most likely: ' + best.words + ', ' + percent(best.probability) + '.');
   go(session);
@@ -62,6 +62,17 @@ export function startSession(command, { intended = null, looking = false } = {})
     $('good').focus({ preventScroll: true });
   }
   return session;
+}
+
+/** @param {string} command
+ * @param {{ intended?: string | null, looking?: boolean }} how
+ * @returns {import('./state.js').Session} */
+function newSession(command, { intended = null, looking = false }) {
+  const task = state.belief.tasks.findIndex(task => task.name === intended);
+  return {
+    command, intended: task < 0 ? null : task, looking, heard: [], decided: null, feedback: null, given: false, rests: 0, steps: 0, delay: 0, since: 0,
+    paused: false, stepping: false, wake: null, soon: 0, over: false, onEnd: null, onLearn: null,
+  };
 }
 
 // Looks where the robot is heading, a part at a time, while it waits for a word.
@@ -77,6 +88,72 @@ async function lookAhead(session) {
   renderPlan();
 }
 
+/** Whether the trainer has said anything in this session that would be lost with it. */
+const hasWords = session => !session.looking && session.intended === null && (session.given || state.evidence.some(evidence => evidence.feedback !== 'neutral'));
+
+/** Whether the session under way may be left: asks, where words were said in it. */
+export async function leaveSession() {
+  const { session } = state;
+  if (state.phase === 'learning') {
+    tell('One moment: the robot is still learning.');
+    return false;
+  }
+  if (!session) return true;
+  if (!hasWords(session)) {
+    stopSession();
+    return true;
+  }
+  if (!session.paused) togglePause();
+  const answer = await ask('A session is under way: “' + session.command + '”. What shall become of it?', { learn: 'Finish and learn', drop: 'Do not learn', stay: 'Go on with it' });
+  if (answer === 'learn') await finishSession();
+  else if (answer === 'drop') stopSession();
+  return answer !== 'stay';
+}
+
+// Writes the session down after each step, for a reload of this tab.
+function keepSession(session) {
+  if (!session || session.looking || session.intended !== null || state.robot.log !== undefined) return ofTab.put('session', null);
+  const steps = attempt(() => world.log().trimEnd().split('\n').slice(0, -1)) || [];
+  if (session.given && session.decided) steps.push(JSON.stringify({ type: 'step', action: session.decided.action, feedback: session.feedback }));
+  return ofTab.put('session', JSON.stringify({ robot: state.robot.id, mode: state.mode, at: state.mode === 'tour' ? state.tour.at : null, home: world.environment(), steps }));
+}
+
+/** Takes up the session that was under way when this tab was reloaded. Returns whether there was one. */
+export async function takeUpSession() {
+  /** @type {import('./state.js').Session} */
+  let session;
+  try {
+    const kept = JSON.parse(ofTab.get('session') || 'null');
+    if (!kept || kept.robot !== state.robot.id) return false;
+    const [first, ...steps] = kept.steps.map(parsed);
+    state.mode = kept.mode;
+    if (kept.at !== null && kept.at !== state.tour.at) return false;
+    beginRecorded(first, null);
+    session = newSession(first.command, {});
+    refresh();
+    session.heard = ranked();
+    state.support = parsed(world.support());
+    for (const step of steps) {
+      await inParts(() => world.plan(PLAN_BUDGET));
+      world.actAs(step.action);
+      state.evidence.push(parsed(world.judge(step.feedback)));
+      session.steps += 1;
+    }
+  } catch {
+    ofTab.put('session', null);
+    stopSession();
+    return false;
+  }
+  refresh();
+  session.paused = true;
+  state.session = session;
+  $('command').value = session.command;
+  if (state.mode === 'tour') attend(session);
+  go(session);
+  tell('Your session goes on where it was.');
+  return true;
+}
+
 // Ends the session under way without learning.
 export function stopSession() {
   const session = state.session;
@@ -88,6 +165,7 @@ export function stopSession() {
   state.route = null;
   if (state.phase !== 'learning') state.phase = 'none';
   world.forget();
+  ofTab.put('session', null);
 }
 
 export function wake(session) {
@@ -168,6 +246,7 @@ function commit(session) {
   session.rests = session.decided.action === 'noop' ? session.rests + 1 : 0;
   session.given = false;
   state.belief = parsed(world.belief());
+  keepSession(session);
 }
 
 // Whether a session that goes on by itself has come to its end.
@@ -191,6 +270,7 @@ export function giveFeedback(feedback) {
   if (!session || session.looking || !session.decided || state.phase === 'planning' || state.phase === 'learning') return;
   session.feedback = feedback;
   session.given = true;
+  keepSession(session);
   announce((feedback === 'reward' ? 'Good' : 'Bad') + ': ' + acted(session.decided.action) + '.');
   render();
   const waits = session.decided.action === 'noop' || state.settings.speed === 'step';
@@ -229,10 +309,9 @@ export async function finishSession() {
   session.over = true;
   clearTimeout(session.soon);
   wake(session);
-  const before = present();
   const heat = heatNow();
-  const log = attempt(() => world.finish());
-  if (log === undefined) {
+  const own = attempt(() => world.log().replace('"learn":false', '"learn":true'));
+  if (own === undefined) {
     stopSession();
     render();
     return;
@@ -240,10 +319,24 @@ export async function finishSession() {
   state.phase = 'learning';
   state.route = null;
   render();
-  await inParts(() => world.learn(LEARN_BUDGET));
-  keepUndo(before);
-  appendLog(log);
-  keepModel();
+  if (session.onLearn) session.onLearn();
+  try {
+    await change('“' + session.command + '”', async stale => {
+      // Another tab has taught this robot meanwhile: this session comes on top of that.
+      if (stale) {
+        const home = world.environment();
+        await learnFrom(own.trimEnd().split('\n'));
+        world.setEnvironment(home);
+      } else {
+        world.finish();
+        await inParts(() => world.learn(LEARN_BUDGET));
+      }
+      return own;
+    });
+  } catch (error) {
+    tell('The robot could not learn from this session: ' + error.message + '.', true);
+  }
+  ofTab.put('session', null);
   state.heat = { now: heatNow(), before: heat };
   state.session = null;
   state.phase = 'none';
@@ -253,37 +346,34 @@ export async function finishSession() {
 }
 
 export function finishWithoutLearning() {
-  if (!state.session) return;
+  if (!state.session || state.tour.watching) return;
   stopSession();
   render();
   tell('Finished without learning: the robot knows what it knew before.');
 }
 
-// Takes back what the last session taught.
-export async function undoSession() {
-  if (!state.undo || state.phase === 'learning') return;
-  stopSession();
-  const { model, log, tour } = state.undo;
+/** Takes back what was done last, or does it again.
+ * @param {'past' | 'future'} from */
+export async function undo(from) {
+  if (state.session || state.phase === 'learning') return;
   state.phase = 'learning';
+  let what;
   try {
-    await takeModel(model);
+    what = await travel(from);
   } catch (error) {
-    tell('The last session cannot be undone: ' + error.message + '.', true);
+    tell('This cannot be undone: ' + error.message + '.', true);
     return;
   } finally {
     state.phase = 'none';
     render();
   }
-  keepUndo(null);
-  keep(KEYS.log, log);
-  keepModel();
-  if (tour) Object.assign(state.tour, tour);
+  if (what === undefined) return;
   state.heat = { now: heatNow(), before: null };
   state.evidence = [];
   refresh();
   if (state.mode === 'tour') enterStop(state.tour.at);
   render();
-  tell('The last session is forgotten: ' + sessionsWord() + ' left.');
+  tell((from === 'past' ? 'Undone: ' : 'Done again: ') + what + '. The robot knows ' + sessionsWord() + '.');
 }
 
 export const heatNow = () => parsed(world.heat());

@@ -1,7 +1,5 @@
 // The page's state, in one place, and small tools to make elements.
 
-export const KEYS = { model: 'goodbot.model', log: 'goodbot.log', settings: 'goodbot.settings', home: 'goodbot.home', own: 'goodbot.own', tour: 'goodbot.tour', undo: 'goodbot.undo' };
-
 /**
  * @typedef {import('goodbot-wasm').Scene} Scene
  * @typedef {import('goodbot-wasm').Belief} Belief
@@ -32,7 +30,8 @@ export const KEYS = { model: 'goodbot.model', log: 'goodbot.log', settings: 'goo
  * @property {(() => void) | null} wake
  * @property {number} soon
  * @property {boolean} over
- * @property {(() => void) | null} onEnd
+ * @property {(() => void) | null} onEnd what comes after it
+ * @property {(() => void) | null} onLearn what comes before it is learned from
  */
 
 export const state = {
@@ -47,12 +46,13 @@ export const state = {
   session: /** @type {Session | null} */ (null),
   route: /** @type {Route | null} */ (null),
   evidence: /** @type {Evidence[]} */ ([]),
-  // The model, the log and the tour before the last session.
-  undo: /** @type {any} */ (null),
+  // The robot of this tab, as it is kept.
+  robot: /** @type {import('./store.js').Robot} */ (/** @type {unknown} */ (null)),
+  // One's own robot, while another is shown.
+  mine: /** @type {import('./store.js').Robot | null} */ (null),
   // What is being learned from, where that takes a while.
   progress: '',
   sessions: 0,
-  saved: true,
   tour: { at: 0, done: /** @type {string[]} */ ([]), watching: false },
   settings: /** @type {Record<string, any>} */ ({
     speed: 'normal', rule: 'linear', style: false, shortcuts: true, ghost: true, names: true, theme: 'auto', pull: false,

@@ -1,6 +1,5 @@
 // The page in words: what a screen reader reads, and what the status line says.
 import { percent, state } from './state.js';
-import { sessionsWord } from './storage.js';
 
 export const ACTIONS = { north: 'moved north', south: 'moved south', east: 'moved east', west: 'moved west', pull: 'pulled', noop: 'stayed where it is' };
 export const acted = action => ACTIONS[action] || action;
@@ -53,3 +52,5 @@ export function speech() {
   }
   return [head.replace(/\?$/, sure === 'You mean' ? '.' : '?'), percent(best.probability) + ' sure of it.'];
 }
+
+export const sessionsWord = () => state.sessions + (state.sessions === 1 ? ' session' : ' sessions');

@@ -27,8 +27,7 @@ pub fn assemble(folder: &Path, wasm: &[u8], script: &str) -> Result<Page> {
     let style = without_comments(&read("style.css")?);
     let module = STANDARD.encode(packed(wasm)?);
     let mut html = read("index.html")?;
-    for (mark, text) in
-        [("/*SIZE*/", &wasm.len().to_string()), ("/*STYLE*/", &style), ("/*SCRIPT*/", &script), ("<!--MODULE-->", &module)]
+    for (mark, text) in [("/*SIZE*/", &wasm.len().to_string()), ("/*STYLE*/", &style), ("/*SCRIPT*/", &script), ("<!--MODULE-->", &module)]
     {
         if html.matches(mark).count() != 1 {
             bail!("page/index.html must have {mark} once");
