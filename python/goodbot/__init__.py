@@ -49,6 +49,9 @@ from ._native import (
 from .domain import Domain
 from .experiment import run_courses
 from .logs import read_log, write_log
+from .registration import register
+
+register()
 
 __all__ = [
     "Agent",

@@ -1,22 +1,14 @@
 from collections.abc import Mapping, Sequence
 from os import PathLike
-from typing import Any, Literal, TypeAlias, final
+from typing import Any, Literal, final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .domain import Domain
+from .names import Evidence, Feedback, Kind, Learner, Plan, Sizes, Strategy, Weights
 
 __version__: str
-
-Strategy: TypeAlias = tuple[float, float, float, float]
-Kind: TypeAlias = Literal["balanced", "punish-only", "reward-only"] | tuple[float, float, float]
-Learner: TypeAlias = Literal["default", "paper", "smoothed"]
-Weights: TypeAlias = Literal["paper", "belief", "evidence"]
-Feedback: TypeAlias = Literal["reward", "punish", "neutral"]
-Evidence: TypeAlias = Literal["used", "says nothing", "impossible"]
-Plan: TypeAlias = Literal["goal", "toward", "dead end", "approximate", "unknown"]
-Sizes: TypeAlias = str | Mapping[str, int]
 
 class CapacityError(ValueError):
     capacity: str
@@ -116,6 +108,7 @@ class Agent:
     def finish(self, domain: Home | Domain, *, learn: bool = True) -> int: ...
     def learn(self, budget: int | None = None) -> bool: ...
     def forget(self) -> None: ...
+    def _rounds(self, domain: Home | Domain, state: Any, count: int) -> float: ...
     def optimal_sets(self, domain: Home | Domain) -> NDArray[np.bool_]: ...
     def explain(self, domain: Home | Domain, task: str | int) -> list[tuple[str, dict[str, float]]]: ...
     @property

@@ -5,19 +5,20 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any
+from typing import Any, Literal
 
 from ._native import run_course
+from .names import Kind, Learner, Weights
 from .progress import progressing
 
 
 def run_courses(
     seeds: Iterable[int],
     *,
-    trainer: str | tuple[float, float, float] = "balanced",
-    layouts: str = "fixed",
-    learner: str = "default",
-    weights: str | None = None,
+    trainer: Kind = "balanced",
+    layouts: Literal["fixed", "random"] = "fixed",
+    learner: Learner = "default",
+    weights: Weights | None = None,
     threads: int | None = None,
     progress: bool = True,
 ) -> list[dict[str, Any]]:

@@ -13,7 +13,7 @@ def progressing(items: Sequence[Item], what: str, *, shown: bool) -> Iterable[It
     if not shown or len(items) < 2:
         return items
     try:
-        from tqdm.auto import tqdm
+        from tqdm.auto import tqdm  # type: ignore[import-untyped, unused-ignore]
     except ImportError:
         return items
     bar: Iterable[Item] = tqdm(items, desc=what, leave=False)

@@ -82,7 +82,8 @@ def test_a_call_out_of_its_turn_is_told_what_to_do_first(home: goodbot.Home) -> 
         (lambda agent, home: agent.set_strategies([(2.0, 0.5, 0.1, 1.0)]), "must be a number from 0 to 1"),
         (lambda agent, home: agent.hear(home, home.start, "go", prior={"agentInRoom(agent0,attic)": 1.0}), "prior"),
         (lambda agent, home: goodbot.Agent(["lampOn(?l)"]), "no propositional function"),
-        (lambda agent, home: goodbot.Agent(learner="best"), "default, paper or smoothed"),
+        (lambda agent, home: goodbot.Agent(learner="best"),  # type: ignore[arg-type]
+         "default, paper or smoothed"),
         (lambda agent, home: goodbot.Agent(capacities="huge"), "tiny, small or standard"),
         (lambda agent, home: goodbot.Agent(capacities={"brains": 3}), "brains"),
     ],
@@ -199,6 +200,6 @@ def test_demonstrations_teach_too(home: goodbot.Home) -> None:
     for action in ("west", "north", "north", "north"):
         agent.plan(home, state)
         agent.demonstrated(home, state, action)
-        state = home.step(state, action)
+        state = home.step(state, action) or state
     assert agent.finish(home) == 0
     assert agent.sessions == 1

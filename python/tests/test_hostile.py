@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 import struct
 import zlib
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -79,7 +80,7 @@ def test_calls_in_any_order(root: Path, home: goodbot.Home) -> None:
         agent, where, state = goodbot.Agent(capacities="small"), home, home.start
         for byte in given[:60]:
             argument = byte >> 4
-            calls = [
+            calls: list[Callable[[], object]] = [
                 lambda: agent.hear(where, state, "go to the red room"),
                 lambda: agent.hear_again(where, state),
                 lambda: agent.plan(where, state, argument or None),

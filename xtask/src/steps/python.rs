@@ -88,7 +88,9 @@ impl Environment {
         process::run(maturin.env("CARGO_TARGET_DIR", project::target_dir()))?;
         let wheel = only_file(&wheels)?;
         let mut pip = self.python();
-        process::run(pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps", "--force-reinstall"]).arg(wheel))
+        process::run(
+            pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps", "--force-reinstall"]).arg(wheel),
+        )
     }
 }
 
