@@ -49,6 +49,15 @@ def overhead(count: int = 20_000) -> None:
     print(f"a round of plan, decide, acted and feedback: {python:.2f} us in Python, {rust:.2f} us in Rust, {python - rust:.2f} us more")
 
 
+def courses(count: int = 2_000) -> None:
+    """The paper's course, seven lessons and five tests, on one core: how many sessions a second, and what 10^9 of them would take."""
+    took = statistics.median(
+        seconds(lambda: goodbot.run_courses(range(count // ROUNDS), threads=1, progress=False)) / (count // ROUNDS) for _ in range(ROUNDS)
+    )
+    sessions = 12 / took
+    print(f"sessions of the course a second and core: {sessions:,.0f}; 10^9 of them: {1e9 / sessions / 3_600:,.0f} hours of a core")
+
+
 def steps_a_second(step: Callable[[int], object], count: int) -> float:
     """Steps a second of a function that does so many steps."""
     return count / seconds(lambda: step(count))
@@ -107,6 +116,7 @@ def worlds(num_envs: int = 1024) -> None:
 def main() -> None:
     """All figures."""
     overhead()
+    courses()
     worlds()
 
 

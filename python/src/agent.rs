@@ -788,7 +788,7 @@ impl Agent {
             let place = mind.place(domain, state)?;
             let begun = Instant::now();
             let result = in_place!(&place, |domain, state| (0..count).try_for_each(|_| {
-                mind.core.plan(domain, state, u32::MAX)?;
+                mind.core.plan_fully(domain, state)?;
                 let decision = mind.core.decide_by(domain, state, &mut mind.random)?;
                 mind.core.acted(domain, state, decision.action)?;
                 mind.core.feedback(Feedback::Neutral).map(drop)

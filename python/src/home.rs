@@ -1,7 +1,7 @@
 //! Homes and where things stand in them.
 
 use crate::error::{format, full, misformed, value};
-use crate::options::capacities_of;
+use crate::options::{as_dict, capacities_of};
 use crate::place::{action_of, task_name};
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::home::{self, Area, BLOCK, COLOR, Cell, DOOR, HomeBuilder, HomeError, HomeState, Map, Moves, Problem, ROOM, SHAPE};
@@ -380,14 +380,14 @@ impl Home {
         format!("<goodbot.Home: {} objects, {} cells>", used.get(Capacity::Objects), used.get(Capacity::Cells))
     }
 
-    fn __reduce__(slf: &Bound<'_, Self>) -> PyResult<(Py<PyAny>, (String, bool))> {
-        let restore = slf.py().import("goodbot._native")?.getattr("Home")?.getattr("_restored")?;
-        let home = slf.get();
-        Ok((restore.unbind(), (environment(&home.rooms, &home.start).to_json_line(), home.pull())))
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (String, bool, Bound<'py, PyDict>))> {
+        let Self { rooms, start, .. } = slf.get();
+        let restore = slf.get_type().getattr("_restored")?;
+        Ok((restore, (environment(rooms, start).to_json_line(), slf.get().pull(), as_dict(slf.py(), &rooms.usage())?)))
     }
 
     #[staticmethod]
-    fn _restored(py: Python<'_>, text: &str, pull: bool) -> PyResult<Self> {
-        Self::from_json(py, text, pull, None)
+    fn _restored(py: Python<'_>, text: &str, pull: bool, capacities: &Bound<'_, PyAny>) -> PyResult<Self> {
+        Self::from_json(py, text, pull, Some(capacities))
     }
 }

@@ -145,6 +145,7 @@ impl Trainer {
         intended: &Bound<'_, PyAny>,
         learn: bool,
     ) -> PyResult<Lesson> {
+        // A copy goes through the lesson: who held the lock while others run could be waited for by one whom it waits for itself.
         let mut random = self.random.lock().unwrap_or_else(PoisonError::into_inner).clone();
         mind.hear(py, &place, command)?;
         let task = mind.task(intended)?;

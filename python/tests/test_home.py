@@ -61,6 +61,8 @@ def test_random_homes_come_from_their_seed() -> None:
 
 def test_homes_go_to_other_processes(home: goodbot.Home) -> None:
     assert pickle.loads(pickle.dumps(home)).start == home.start
+    large = goodbot.Home.from_map("\n".join(["#" * 40, *["#" + "r" * 38 + "#"] * 34, "#@" + "r" * 37 + "#", "#" * 40]), capacities={"cells": 2_000})
+    assert pickle.loads(pickle.dumps(large)).map() == large.map()
 
 
 @pytest.mark.parametrize(

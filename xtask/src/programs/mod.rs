@@ -153,7 +153,7 @@ impl Program {
 
 /// Finds or fetches everything, and prints where it is.
 pub fn list() -> Result<()> {
-    for program in FETCHED.into_iter().chain([&NODE, &NPM, &GCC, &PYTHON]) {
+    for program in FETCHED.into_iter().chain([&NODE, &NPM, &GCC]) {
         let path = program.path()?;
         println!("{}: {}", path.display(), program.version(&path)?);
     }

@@ -84,7 +84,12 @@ impl Environment {
         let wheels = self.folder.join("wheels");
         let _ = std::fs::remove_dir_all(&wheels);
         let mut maturin = self.program("maturin");
-        maturin.args(["build", "--quiet", "--profile", "dev", "--locked", "--out"]).arg(&wheels);
+        let python = self.python();
+        maturin
+            .args(["build", "--quiet", "--profile", "dev", "--locked", "--out"])
+            .arg(&wheels)
+            .arg("--interpreter")
+            .arg(python.get_program());
         process::run(maturin.env("CARGO_TARGET_DIR", project::target_dir()))?;
         let wheel = only_file(&wheels)?;
         let mut pip = self.python();
