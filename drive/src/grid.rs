@@ -59,17 +59,16 @@ impl Grid {
         Pose { x: cell.x as f32 * self.size, y: cell.y as f32 * self.size, heading: 0.0 }
     }
 
-    /// The cell of a pose of which the cell before is known.
+    /// The cell of a pose of which the cell before is known. A pose that is not finite leaves the cell as it was.
     #[must_use]
     pub fn cell(&self, pose: Pose, before: Cell) -> Cell {
+        if !(pose.x.is_finite() && pose.y.is_finite()) {
+            return before;
+        }
         let along = |at: f32, before: i32| {
             let at = at / self.size;
-            let beyond = at - before as f32;
-            if (-0.5 - self.hysteresis..=0.5 + self.hysteresis).contains(&beyond) || !at.is_finite() {
-                before
-            } else {
-                F32Ext::floor(at + 0.5) as i32
-            }
+            let border = 0.5 + self.hysteresis;
+            if (-border..=border).contains(&(at - before as f32)) { before } else { F32Ext::floor(at + 0.5) as i32 }
         };
         Cell::new(along(pose.x, before.x), along(pose.y, before.y))
     }
