@@ -182,6 +182,7 @@ impl Session {
             environment: environment(&home.rooms, &at),
             command,
             intended: intended.map(atoms_of).transpose()?,
+            before: None,
             through: None,
             avoiding: None,
             actions: pulls.then(|| ["north", "south", "east", "west", "pull"].map(str::to_owned).to_vec()),
@@ -190,7 +191,7 @@ impl Session {
             strategies: None,
         };
         let steps = steps.into_iter().map(|(action, feedback)| step_of(action, feedback.as_deref())).collect::<PyResult<_>>()?;
-        let session = Self(RecordedSession { header, header_line: 1, steps, learn, end_line: 1 });
+        let session = Self(RecordedSession { header, header_line: 1, steps, answers: vec![], learn, end_line: 1 });
         session.lines(py)?;
         Ok(session)
     }

@@ -9,6 +9,7 @@ use goodbot::feedback::Strategy;
 use goodbot::home::Moves;
 use goodbot_course::{CourseTrainer, FeedbackCounts, Lesson as Course, LessonReport, Step, Trainer as _, Turn, generator};
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, SessionHeader, StepRecord};
+use goodbot_formats::task_text::GroundTaskText;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rand_pcg::Pcg32;
@@ -120,19 +121,22 @@ fn recorded(place: &Place, step: &Step) -> (usize, StepRecord) {
 fn header(place: &Place, command: &str, intended: &str) -> Option<SessionHeader> {
     let Place::Home(home, state) = place else { return None };
     let rooms = &home.get().rooms;
-    Some(SessionHeader {
+    let mut header = SessionHeader {
         id: None,
         kind: Kind::Feedback,
         environment: environment(rooms, state),
         command: command.to_owned(),
-        intended: intended.parse::<goodbot_formats::task_text::GroundTaskText>().ok().map(|task| task.atoms().to_vec()),
+        intended: None,
+        before: None,
         through: None,
         avoiding: None,
         actions: (rooms.moves() == Moves::PushAndPull).then(|| ["north", "south", "east", "west", "pull"].map(str::to_owned).to_vec()),
         continues: false,
         prior: None,
         strategies: None,
-    })
+    };
+    header.set_meant(intended.parse::<GroundTaskText>().ok().as_ref());
+    Some(header)
 }
 
 impl Trainer {
@@ -150,8 +154,14 @@ impl Trainer {
         mind.hear(py, &place, command)?;
         let task = mind.task(intended)?;
         let name = mind.task_text(py, task);
-        let mut session =
-            header(&place, command, &name).map(|header| RecordedSession { header, header_line: 1, steps: vec![], learn, end_line: 1 });
+        let mut session = header(&place, command, &name).map(|header| RecordedSession {
+            header,
+            header_line: 1,
+            steps: vec![],
+            answers: vec![],
+            learn,
+            end_line: 1,
+        });
         // One of the two is walked; the lesson of the other kind of place has no state to be in.
         let report = match &place {
             Place::Home(home, start) => {

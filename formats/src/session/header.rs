@@ -152,8 +152,7 @@ impl SessionHeader {
     /// What was meant, with its way, where the record says so; a [`TaskTextError`] where it is no task.
     pub fn meant(&self) -> Option<Result<GroundTaskText, TaskTextError>> {
         let list = |list: &Option<Vec<Vec<GroundAtomText>>>| list.clone().unwrap_or_default();
-        let way =
-            WayText { before: list(&self.before), through: list(&self.through), avoiding: self.avoiding.clone().unwrap_or_default() };
+        let way = WayText { before: list(&self.before), through: list(&self.through), avoiding: self.avoiding.clone().unwrap_or_default() };
         Some(GroundTaskText::with_way(self.intended.clone()?, way))
     }
 

@@ -196,7 +196,8 @@ impl Checker<'_> {
         }
         let propositions: usize = all.iter().map(Vec::len).sum();
         if propositions > PROPOSITIONS_PER_TASK {
-            let message = format!("has {propositions} propositions with its way, and {PROPOSITIONS_PER_TASK} are the most; leave out clauses");
+            let message =
+                format!("has {propositions} propositions with its way, and {PROPOSITIONS_PER_TASK} are the most; leave out clauses");
             self.fault("intended", message);
             return;
         }
@@ -213,7 +214,10 @@ impl Checker<'_> {
             self.fault("avoiding", format!("holds {here}, so the task is impossible; correct it or the environment"));
         } else if !tasks.is_empty() && !tasks.iter().any(|(_, name)| name.is_same(&meant)) {
             let ways = if way.is_empty() { "" } else { " or consider ways with --routes," };
-            self.fault("intended", format!("is no task of the kinds that commands may mean; name its kind with --task,{ways} or correct it"));
+            self.fault(
+                "intended",
+                format!("is no task of the kinds that commands may mean; name its kind with --task,{ways} or correct it"),
+            );
         }
     }
 
@@ -284,7 +288,7 @@ impl Checker<'_> {
         for RecordedAnswer { line, after, answer } in &recorded.answers {
             let mut named = TaskSet::EMPTY;
             for name in &answer.tasks {
-                match tasks.iter().position(|(_, task)| task.holds_exactly(name.atoms())) {
+                match tasks.iter().position(|(_, task)| task.is_same(name)) {
                     Some(position) => named = named.with(position),
                     None => {
                         let message = format!(

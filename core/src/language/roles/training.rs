@@ -21,8 +21,8 @@ use super::layout::{KINDS, Layout, MOST_ROLES, SHARES_NAMED, cell, get, get_mut}
 use super::{kind, start};
 use crate::language::bitext::{BitextRef, Pair};
 use crate::language::tables::Cells;
-use crate::symbols::Symbol;
 use crate::probability::square_root;
+use crate::symbols::Symbol;
 use crate::task::role::{RoleKind, VALUE_SORTS};
 
 const OF_COMMON: f32 = 1.0;
@@ -525,7 +525,15 @@ fn backward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, 
             *all += *part;
         }
         *slot = total;
-        tell(Event::Word { position, memory, background: mass * of_background, task: mass * of_task, roles: &roles, before: &words, expected: moves });
+        tell(Event::Word {
+            position,
+            memory,
+            background: mass * of_background,
+            task: mass * of_task,
+            roles: &roles,
+            before: &words,
+            expected: moves,
+        });
     }
     tell(Event::Values { position, emissions: &emissions, roles: &all });
     after.iter_mut().zip(&next).for_each(|(slot, next)| *slot = *next);
