@@ -190,7 +190,8 @@ fn a_weight_that_is_no_number_from_0_on_counts_as_0_and_spoils_nothing() {
 fn what_was_heard_once_is_a_hint_and_no_proof() {
     // Words of four different letters, each heard once.
     let letter = |number: u8| char::from(b'a' + number);
-    let rare: Vec<String> = (0..60).map(|number| (letter(number / 8), letter(8 + number % 8))).map(|(a, b)| format!("go to the {a}{a}{b}{b} room")).collect();
+    let rare: Vec<String> =
+        (0..60).map(|number| (letter(number / 8), letter(8 + number % 8))).map(|(a, b)| format!("go to the {a}{a}{b}{b} room")).collect();
     let colors = ["colorRed", "colorGreen"];
     let rare = rare.iter().enumerate().map(|(number, command)| (command.as_str(), colors[number % 2], 1.0));
     let often = (0..20).flat_map(|_| [("go to the red room", colors[0], 1.0), ("go to the green room", colors[1], 1.0)]);
