@@ -133,7 +133,8 @@ test('a link carries the home and the settings', async () => {
   await page.uncheck('#set-ghost');
   await page.click('#share');
   assert.equal(await page.evaluate(() => location.hash), '', 'the page stays where it is');
-  const hash = new URL(await page.inputValue('#link')).hash;
+  const { hash } = new URL(await page.inputValue('#link'));
+  await page.click('#close-link');
   const home = await page.evaluate(() => window.goodbot.environment());
   const other = await open(browser, {}, hash);
   assert.equal(await other.evaluate(() => window.goodbot.environment()), home);
