@@ -208,7 +208,8 @@ export function watchSize() {
   const sizes = new ResizeObserver(entries => {
     for (const { target } of entries) {
       const root = /** @type {SVGSVGElement} */ (target);
-      const scale = root.getBoundingClientRect().width / (root.viewBox.baseVal?.width || 1);
+      const [shown, drawn] = [root.getBoundingClientRect(), root.viewBox.baseVal];
+      const scale = Math.min(shown.width / (drawn?.width || 1), shown.height / (drawn?.height || 1));
       if (scale > 0) root.style.setProperty('--name', Math.max(11, 12 / scale).toFixed(1) + 'px');
       root.classList.toggle('short', scale < 0.6);
     }

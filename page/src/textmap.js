@@ -12,18 +12,15 @@ const LETTERS = {
   C: 'yellow chair', B: 'yellow bag', K: 'yellow backpack', S: 'yellow star', A: 'yellow ball',
 };
 
-// Every letter of a drawing must be one that is known, and there is one robot.
-function checkLetters(drawing, said) {
+// A drawing has no signs but those of a map, and one robot.
+function checkSigns(drawing) {
   let robots = 0;
   drawing.forEach((row, index) => {
     [...row].forEach((letter, column) => {
       const where = ' (line ' + (index + 1) + ', column ' + (column + 1) + ')';
-      if (letter === '@') robots += 1;
+      if (!/[#+@ .a-zA-Z]/.test(letter)) throw new Error('“' + letter + '”' + where + ' is no sign of a map; use # for walls, + for doors, @ for the robot, and letters');
+      robots += Number(letter === '@');
       if (robots > 1) throw new Error('there is a second @' + where + ', but only one robot');
-      if ('#+@ .'.includes(letter) || letter in said) return;
-      const isBlock = /[A-Z]/.test(letter);
-      if (!/[a-zA-Z]/.test(letter)) throw new Error('“' + letter + '”' + where + ' is no sign of a map; use # for walls, + for doors, @ for the robot, and letters');
-      if (!isBlock) throw new Error('what ' + letter + ' means is not said' + where + '; add a line such as “' + letter + ': teal”');
     });
   });
 }
@@ -52,7 +49,7 @@ export function fromTextMap(text) {
     return found;
   };
   const height = drawing.length;
-  checkLetters(drawing, said);
+  checkSigns(drawing);
   const at = (x, y) => (drawing[height - 1 - y] || '')[x] || ' ';
   const objects = [];
   const seen = new Set();

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { close, launch, model, open, opened, play, saved } from './browser.mjs';
+import { close, launch, learned, model, open, opened, play, saved } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -11,7 +11,7 @@ after(() => browser.close());
 async function teach(page) {
   await page.selectOption('#speed', 'once');
   await page.click('#auto');
-  await page.getByText('I have learned from 1 session').waitFor();
+  await learned(page, 1);
 }
 
 test('a reload keeps the model', async () => {

@@ -156,7 +156,7 @@ test('a text map refuses signs that it does not know, and rooms of two colours',
   await page.click('[data-mode=build]');
   for (const [drawing, said] of [
     [['#####', '#r*@#', '#####'], /“\*” \(line 2, column 3\) is no sign of a map/],
-    [['#####', '#rz@#', '#####'], /what z means is not said \(line 2, column 3\)/],
+    [['#####', '#rz@#', '#####'], /one room has two colours, r and z/],
     [['#####', '#rg@#', '#####'], /one room has two colours, r and g/],
     [['#####', '#@r@#', '#####'], /there is a second @/],
     [['{"version":1,'], /a bracket, a quote or a comma/],
