@@ -153,8 +153,10 @@ export function renderBuild() {
     }));
   }
   $('build-help').textContent = TOOLS[build.tool];
-  $('build-error').textContent = build.error ? 'Not a home yet: ' + build.error + '.' : 'This is a home. The robot is in it.';
-  $('build-error').className = build.error ? 'wrong' : 'fine';
+  const closed = build.error ? [] : unreachable(scene);
+  $('build-error').textContent = build.error ? 'Not a home yet: ' + build.error + '.'
+    : closed.length ? 'This is a home, but the robot cannot get into ' + closed.join(' or ') + '. Draw a door.' : 'This is a home. The robot is in it.';
+  $('build-error').className = build.error || closed.length ? 'wrong' : 'fine';
   for (const tool of all('[data-tool]')) tool.setAttribute('aria-pressed', tool.dataset.tool === build.tool);
   $('build-undo').disabled = !build.past.length;
   $('build-redo').disabled = !build.future.length;
@@ -221,6 +223,47 @@ function addObject(kind, box) {
   changed();
 }
 
+/** @param {number} dx
+ * @param {number} dy */
+function shift(object, before, dx, dy) {
+  for (const [field, d] of /** @type {[string, number][]} */ ([['x', dx], ['left', dx], ['right', dx], ['y', dy], ['bottom', dy], ['top', dy]])) if (field in object) object[field] = before[field] + d;
+}
+
+// A room takes its doors along, and what stands in it: each with how it was.
+function movesAlong(index) {
+  const room = build.file.objects[index];
+  if (!room || room.class !== 'room') return [];
+  const inside = box => box.left >= room.left && box.right <= room.right && box.bottom >= room.bottom && box.top <= room.top;
+  return build.file.objects.filter(object => object !== room && object.class !== 'room' && inside(boxOf(object))).map(object => [object, { ...object }]);
+}
+
+// The rooms that the robot cannot get into, by their colours.
+function unreachable(scene) {
+  const rows = scene.map.split('\n');
+  const isFloor = (x, y) => (rows[scene.bounds.top - y] || '')[x - scene.bounds.left] === '.';
+  const seen = new Set();
+  const open = [[scene.agent.x, scene.agent.y]];
+  for (let cell = open.pop(); cell; cell = open.pop()) {
+    const [x, y] = cell;
+    if (seen.has(x + ',' + y) || !isFloor(x, y)) continue;
+    seen.add(x + ',' + y);
+    open.push([x + 1, y], [x - 1, y], [x, y + 1], [x, y - 1]);
+  }
+  const entered = room => [...seen].some(cell => {
+    const [x, y] = cell.split(',').map(Number);
+    return x > room.left && x < room.right && y > room.bottom && y < room.top;
+  });
+  return scene.rooms.filter(room => !entered(room)).map(room => 'the ' + room.color + ' room');
+}
+
+function parsedHome(text) {
+  try {
+    return JSON.parse(text);
+  } catch {
+    throw new Error('a bracket, a quote or a comma of the JSON is missing or too many');
+  }
+}
+
 function cellUnder(event) {
   const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform($('draft').getScreenCTM().inverse());
   const { bounds } = build.frame;
@@ -249,7 +292,7 @@ export function setUpBuild() {
       const chosen = build.file.objects[build.chosen];
       const resizing = chosen && chosen.class === 'room' && cell.x === chosen.right && cell.y === chosen.bottom;
       if (!resizing) build.chosen = objectAt(cell);
-      build.drag = { from: cell, resizing, before: build.chosen === null ? null : { ...build.file.objects[build.chosen] } };
+      build.drag = { from: cell, resizing, before: build.chosen === null ? null : { ...build.file.objects[build.chosen] }, along: resizing ? [] : movesAlong(build.chosen) };
     } else build.drag = { from: cell, box: span(cell, cell) };
     renderBuild();
   });
@@ -262,7 +305,7 @@ export function setUpBuild() {
       const object = build.file.objects[build.chosen];
       const [dx, dy] = [cell.x - from.x, cell.y - from.y];
       if (resizing) Object.assign(object, { right: Math.max(before.left + 2, before.right + dx), bottom: Math.min(before.top - 2, before.bottom + dy) });
-      else for (const [field, d] of [['x', dx], ['left', dx], ['right', dx], ['y', dy], ['bottom', dy], ['top', dy]]) if (field in object) object[field] = before[field] + d;
+      else for (const [moved, from] of [[object, before], ...build.drag.along]) shift(moved, from, dx, dy);
     }
     renderBuild();
   });
@@ -303,9 +346,10 @@ export function setUpBuild() {
   $('download-home').addEventListener('click', () => download('home.json', JSON.stringify(build.file), 'application/json'));
   const take = text => {
     try {
-      const file = text.trim().startsWith('{') ? JSON.parse(text) : fromTextMap(text);
+      const isJson = text.trim().startsWith('{');
+      const file = isJson ? parsedHome(text) : fromTextMap(text);
       const error = Goodbot.check(JSON.stringify(file));
-      if (error) throw new Error(error);
+      if (error) throw new Error(/ field |invalid |expected /.test(error) ? 'something in it is missing, misspelt or of the wrong kind; “Show as JSON” shows how it is written' : error);
       build.file = file;
       build.chosen = null;
       changed();

@@ -3,17 +3,22 @@ import { fromBase64 } from './bytes.js';
 import { drawnElsewhere, setUpBuild } from './build.js';
 import { startCore, world } from './core.js';
 import { readLink } from './link.js';
+import { watchSize } from './plan.js';
 import { nameHome, setMode, setUpPlay } from './play.js';
 import { render } from './render.js';
 import { robotDrawing } from './robot.js';
-import { finishSession, finishWithoutLearning, giveFeedback, heatNow, leaveSession, refresh, stepOnce, takeUpSession, togglePause, undo } from './session.js';
+import { finishSession, finishWithoutLearning, giveFeedback, heatNow, leaveSession, refresh, stepOnce, takeUpSession, thatWasIt, togglePause, undo } from './session.js';
+import { meet } from './roster.js';
 import { restoreSettings, setUpSettings, setUpShortcuts } from './settings.js';
 import * as shelf from './shelf.js';
 import { setUpSpeech } from './speech.js';
-import { $, all, attempt, state } from './state.js';
+import { $, all, attempt, make, state } from './state.js';
 import { openLast, othersTaught } from './store.js';
 import { renderHeat } from './thoughts.js';
 import { beginStop, enterStop, restartTour, watchTour } from './tour.js';
+import { isThere } from './words.js';
+
+const NO_ROBOT = 'This browser cannot run the robot. A browser of the last four years can, where WebAssembly is not switched off.';
 
 function setUp() {
   $('logo').append(...robotDrawing());
@@ -22,20 +27,23 @@ function setUp() {
   setUpShortcuts();
   setUpSpeech();
   setUpBuild();
+  watchSize();
   for (const button of all('button[data-mode]')) button.addEventListener('click', () => setMode(button.dataset.mode));
   for (const [id, action] of Object.entries({
-    good: () => giveFeedback('reward'), bad: () => giveFeedback('punish'), pause: togglePause, next: stepOnce, finish: finishSession,
+    good: () => giveFeedback('reward'), bad: () => giveFeedback('punish'), pause: togglePause, next: stepOnce, finish: () => (isThere() ? thatWasIt() : finishSession()),
     drop: finishWithoutLearning, undo: () => undo('past'), redo: () => undo('future'), lesson: () => beginStop(false), auto: () => beginStop(true), watch: watchTour,
     again: restartTour, onward: () => setMode('play'),
   })) $(id).addEventListener('click', action);
   $('heat-before').addEventListener('change', renderHeat);
   $('heat').closest('details').addEventListener('toggle', renderHeat);
   window.addEventListener('hashchange', async () => {
-    if (await leaveSession() && readLink()) {
-      state.mode = 'play';
-      refresh();
-      render();
-    }
+    if (!await leaveSession()) return;
+    if (!readLink() && !await meet()) return;
+    state.mode = 'play';
+    state.heat = { now: heatNow(), before: null };
+    refresh();
+    nameHome();
+    render();
   });
   shelf.watch(async key => {
     if (key === 'robot.' + state.robot.id && !state.session && state.phase === 'none') await takeOver();
@@ -63,10 +71,11 @@ async function main() {
   const home = shelf.get('home');
   if (home) attempt(() => world.setEnvironment(home));
   if (readLink()) state.mode = 'play';
+  const visited = await meet();
   state.heat = { now: heatNow(), before: null };
   refresh();
   setUp();
-  if (!await takeUpSession()) {
+  if (visited || !await takeUpSession()) {
     if (state.mode === 'tour') enterStop(state.tour.at);
     else nameHome();
   }
@@ -75,5 +84,7 @@ async function main() {
 }
 
 main().catch(error => {
-  $('say').textContent = 'This browser cannot run the robot: ' + error.message;
+  $('page').replaceChildren(make('p', { class: 'card', role: 'alert' }, NO_ROBOT));
+  document.body.classList.add('ready');
+  console.info(error);
 });

@@ -130,7 +130,7 @@ export function houseDrawing(frame, scene) {
   });
   house.append(draw('path', { d: thick, class: 'wall' }), draw('path', { d: thin, class: 'wall again' }));
   for (const room of scene.rooms) {
-    house.append(draw('text', { x: frame.x(room.left) + 12, y: frame.y(room.top) + 23, class: 'roomname' }, room.color + ' room'));
+    house.append(draw('text', { x: frame.x(room.left) + 12, y: frame.y(room.top) + 23, class: 'roomname' }, room.color, draw('tspan', { class: 'kind' }, ' room')));
   }
   return house;
 }
@@ -138,7 +138,7 @@ export function houseDrawing(frame, scene) {
 export function thingDrawing(frame, thing, isRobot) {
   const group = draw('g', { class: isRobot ? 'robot' : 'block', 'data-name': thing.name });
   group.style.transform = 'translate(' + frame.x(thing.x) + 'px,' + frame.y(thing.y) + 'px)';
-  group.append(...(isRobot ? robotDrawing() : blockDrawing(thing)));
+  group.append(...(isRobot ? robotDrawing() : blockDrawing(thing)).filter(part => part !== null));
   if (!isRobot && state.settings.names) group.append(draw('text', { y: 24, class: 'blockname' }, thing.color + ' ' + thing.shape));
   return group;
 }
@@ -201,4 +201,29 @@ function renderAhead() {
     return ghost;
   });
   plan.ahead.replaceChildren(draw('path', { d: prints, class: 'prints' }), ...ghosts);
+}
+
+/** Keeps the names on a drawing readable, however small it stands on the screen: 12 pixels at least. */
+export function watchSize() {
+  const sizes = new ResizeObserver(entries => {
+    for (const { target } of entries) {
+      const root = /** @type {SVGSVGElement} */ (target);
+      const [shown, drawn] = [root.getBoundingClientRect(), root.viewBox.baseVal];
+      const scale = Math.min(shown.width / (drawn?.width || 1), shown.height / (drawn?.height || 1));
+      if (scale > 0) root.style.setProperty('--name', Math.max(11, 12 / scale).toFixed(1) + 'px');
+      root.classList.toggle('short', scale < 0.6);
+    }
+  });
+  for (const id of ['plan', 'draft']) sizes.observe($(id));
+  const around = new ResizeObserver(fitPlan);
+  for (const element of [$('say'), $('good').closest('.desk'), document.documentElement]) around.observe(element);
+  window.addEventListener('resize', fitPlan);
+}
+
+// Where the buttons lie over the page, as on a phone, the plan ends above them.
+function fitPlan() {
+  const desk = $('good').closest('.desk');
+  const covers = getComputedStyle(desk).position === 'fixed';
+  const room = window.innerHeight - desk.getBoundingClientRect().height - 14 - ($('plan').getBoundingClientRect().top + window.scrollY);
+  $('plan').style.maxHeight = covers ? Math.max(90, room) + 'px' : '';
 }

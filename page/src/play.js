@@ -1,23 +1,21 @@
 // Free play: any command in any home, and how one gets from one tab to another.
 import { enterBuild } from './build.js';
 import { Goodbot, course, parsed, world } from './core.js';
+import { ideas, spaced } from './learned.js';
 import { render } from './render.js';
 import { leaveSession, refresh, startSession } from './session.js';
 import * as shelf from './shelf.js';
-import { $, make, state } from './state.js';
+import { $, announce, attempt, make, state } from './state.js';
 import { enterHome, enterStop, homeNamed } from './tour.js';
 
 // Commands that make sense here, for those who do not know what to say.
 export function renderIdeas() {
-  const { rooms, blocks } = state.scene;
-  const room = rooms[(blocks.length + 1) % rooms.length];
-  const ideas = ['go to the ' + rooms[0].color + ' room', ...blocks.slice(0, 1).map(block => 'take the ' + block.color + ' ' + block.shape + ' to the ' + room.color + ' room'), 'go to the ' + rooms[rooms.length - 1].color + ' room'];
   $('ideas').hidden = Boolean(state.session);
-  if ($('ideas').dataset.key === ideas.join()) return;
-  $('ideas').dataset.key = ideas.join();
-  $('ideas').replaceChildren(...ideas.map(idea => make('button', {
-    type: 'button', class: 'idea', onclick: () => { $('command').value = idea; $('say-it').focus(); },
-  }, idea)));
+  if (state.session || state.phase !== 'none' || state.mode !== 'play') return;
+  const key = JSON.stringify([state.scene, world.pulls()]);
+  if ($('ideas').dataset.key === key) return;
+  $('ideas').dataset.key = key;
+  $('ideas').replaceChildren(...ideas().map(idea => make('button', { type: 'button', class: 'idea', onclick: () => { $('command').value = idea; tellRobot(idea); } }, idea)));
 }
 
 export async function setMode(mode) {
@@ -30,6 +28,21 @@ export async function setMode(mode) {
     nameHome();
     render();
   }
+}
+
+// Tells the robot. Where it takes the command for one that is done already, it says so, and does nothing unless that is not what was meant.
+function tellRobot(command) {
+  const words = spaced(command);
+  const done = state.sessions > 0 && state.phase === 'none' ? attempt(() => world.already(words)) : '';
+  state.already = done ? words : '';
+  if (!done) {
+    startSession(words);
+    return;
+  }
+  state.said = ['I am there already: ' + done + '.', ''];
+  announce(state.said[0]);
+  render();
+  $('else').focus();
 }
 
 // Which of the homes on the list this is.
@@ -59,8 +72,9 @@ export function setUpPlay() {
   $('choose').addEventListener('click', choose);
   $('tell').addEventListener('submit', event => {
     event.preventDefault();
-    if (!state.session) startSession($('command').value);
+    if (!state.session) tellRobot($('command').value);
   });
+  $('else').addEventListener('click', () => startSession(state.already));
   $('reset').addEventListener('click', async () => {
     if (!await leaveSession()) return;
     world.reset();

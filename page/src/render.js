@@ -1,5 +1,6 @@
 // The one place from which everything is drawn.
 import { renderBuild } from './build.js';
+import { unknownWords } from './learned.js';
 import { renderPlan } from './plan.js';
 import { renderIdeas } from './play.js';
 import { renderRoster } from './roster.js';
@@ -7,7 +8,7 @@ import { renderSettings } from './settings.js';
 import { $, all, make, state } from './state.js';
 import { renderThoughts } from './thoughts.js';
 import { renderTour } from './tour.js';
-import { acted, speech } from './words.js';
+import { acted, isThere, speech } from './words.js';
 
 export function render() {
   const session = state.session;
@@ -25,10 +26,13 @@ export function render() {
   renderSettings();
   const [head, rest] = speech();
   $('say').replaceChildren(make('strong', {}, head), ' ', make('span', {}, rest));
+  $('else').hidden = !state.already || Boolean(session);
   $('tell').hidden = state.mode === 'build' || state.mode === 'tour';
   $('train').hidden = state.mode === 'build';
   $('plan').parentElement.hidden = state.mode === 'build';
-  $('command').readOnly = Boolean(session);
+  $('command').hidden = Boolean(session);
+  $('heard').hidden = !session;
+  if (session) $('heard').replaceChildren(...heardWords(session.command));
   $('say-it').disabled = Boolean(session) || busy;
   const active = session && session.decided && state.phase !== 'planning' && !busy && !session.looking;
   for (const id of ['good', 'bad']) {
@@ -37,12 +41,15 @@ export function render() {
     $(id).setAttribute('aria-pressed', given);
     $(id).querySelector('small').textContent = given && session?.decided ? acted(session.decided.action).split(' where')[0] : '';
   }
-  $('to').textContent = !session || !session.decided ? 'Your word goes to the robot’s last step.' : session.looking ? 'A test: no feedback.'
+  const to = !session || !session.decided ? 'Your word goes to the robot’s last step.' : session.looking ? 'A test: no feedback.'
     : 'It ' + acted(session.decided.action) + '. ' + ({ reward: 'You said Good.', punish: 'You said Bad.' }[session.feedback] || 'Good or Bad?');
+  $('to').replaceChildren(to);
   $('pause').textContent = session && session.paused ? 'Go on' : 'Pause';
   $('pause').disabled = $('next').disabled = !session || busy;
   for (const id of ['pause', 'next']) $(id).hidden = !session;
   for (const id of ['finish', 'drop']) $(id).hidden = !session || session.looking || state.tour.watching;
+  $('finish').textContent = isThere() ? 'Yes, that was it!' : 'Finish and learn';
+  $('finish').classList.toggle('big', isThere());
   $('finish').disabled = $('drop').disabled = !session || busy || Boolean(session && session.looking);
   for (const [id, points, verb] of /** @type {const} */ ([['undo', state.robot.past, 'Undo: '], ['redo', state.robot.future, 'Do again: ']])) {
     const point = points.at(-1);
@@ -61,4 +68,10 @@ export function render() {
   }
   // Who works by keyboard is not left on a button that has gone.
   if (focused && focused !== document.body && (focused.disabled || focused.closest('[hidden]'))) (session ? $('good') : $('lesson').offsetParent ? $('lesson') : $('command').offsetParent ? $('command') : $('main')).focus({ preventScroll: true });
+}
+
+// The command, with the words underlined that the robot does not know.
+export function heardWords(command) {
+  const unknown = new Set(unknownWords());
+  return command.split(/([^\p{L}\p{M}\p{N}'’]+)/u).map(part => (unknown.has(part.toLowerCase()) ? make('u', { title: 'not known yet' }, part) : part));
 }

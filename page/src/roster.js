@@ -3,6 +3,7 @@ import { readFile } from './bytes.js';
 import { world } from './core.js';
 import { render } from './render.js';
 import { heatNow, leaveSession, refresh } from './session.js';
+import { readRobot } from './link.js';
 import { refused } from './shelf.js';
 import { $, make, state, tell } from './state.js';
 import { add, copy, freeName, logOf, newRecord, open, patch, robots, takeModel } from './store.js';
@@ -35,6 +36,7 @@ export function renderRoster() {
   $('unkept').textContent = kinds.length ? 'This browser does not keep ' + kinds.join(', ') + ': its storage is blocked or full. Save it as a file before you leave (under “Settings, keeping, sharing”).' : '';
   $('kept').textContent = guest ? 'This robot is not kept.' : lost.some(key => key.startsWith('robot')) ? 'Not kept: save the model as a file.' : 'Kept in this browser: ' + sessionsWord() + '.';
   $('guest').hidden = !guest;
+  $('guest-words').textContent = state.visitor ? 'Meet ' + state.robot.name + '. It knows ' + (state.heat.now?.words.length || 0) + ' words. It is a visitor, and your robots are as they were.' : 'This robot is only shown. Yours waits.';
   $('keep-guest').hidden = !guest || state.sessions === 0 || state.tour.watching;
 }
 
@@ -110,7 +112,31 @@ export async function beginGuest(name) {
   const robot = { ...newRecord(name), log: '' };
   await open(robot);
   state.mine = mine;
-  state.sessions = 0;
+  state.visitor = false;
+}
+
+/** The robot of a link visits: one's own waits. Returns whether it has come. */
+export async function meet() {
+  const visitor = await readRobot();
+  if (!visitor) return false;
+  const mine = state.robot;
+  try {
+    await beginGuest(visitor.name);
+    await takeModel(visitor.model);
+    Object.assign(state.robot, newRecord(visitor.name), { log: '' });
+    state.mode = 'play';
+    state.settings.pull = visitor.pull;
+    world.setEnvironment(JSON.stringify(visitor.home));
+    world.setPulls(visitor.pull);
+  } catch {
+    await open(mine);
+    state.mode = 'tour';
+    tell('The robot of this link cannot be used here. Ask for the link once more.', true);
+    return false;
+  }
+  state.visitor = true;
+  refresh();
+  return true;
 }
 
 /** Back to one's own robot. */

@@ -1,6 +1,7 @@
 // A training session: hear, act, take feedback, until the trainer ends it. The core plans and learns in parts, between two frames.
 import { parsed, world } from './core.js';
 import { ask } from './dialog.js';
+import { lessonLearned, spaced, unknownWords } from './learned.js';
 import { beginRecorded, learnFrom } from './logs.js';
 import { renderPlan } from './plan.js';
 import { render } from './render.js';
@@ -30,6 +31,8 @@ export const PLAN_BUDGET = 20000;
 export const LEARN_BUDGET = 60000;
 const LOOK_BUDGET = 4000;
 const RESTS = 3;
+// The whole tour is watched in less than a minute.
+const WATCH_DELAY = 260;
 const MOST_STEPS = 300;
 
 export function refresh() {
@@ -42,6 +45,7 @@ export function refresh() {
  * @param {{ intended?: string | null, looking?: boolean }} how */
 export function startSession(command, { intended = null, looking = false } = {}) {
   stopSession();
+  command = spaced(command);
   if (attempt(() => (world.hear(command), true)) !== true) {
     render();
     return null;
@@ -52,6 +56,8 @@ export function startSession(command, { intended = null, looking = false } = {})
   const session = newSession(command, { intended, looking });
   session.heard = ranked();
   state.session = session;
+  [state.said, state.verdict, state.already] = [null, '', ''];
+  session.heardNew = state.sessions > 0 ? unknownWords() : [...new Set(state.support?.words)];
   keepSession(session);
   const best = ranked()[0];
   announce('The robot heard: ' + command + '. Most likely: ' + best.words + ', ' + percent(best.probability) + '.');
@@ -71,7 +77,7 @@ function newSession(command, { intended = null, looking = false }) {
   const task = state.belief.tasks.findIndex(task => task.name === intended);
   return {
     command, intended: task < 0 ? null : task, looking, heard: [], decided: null, feedback: null, given: false, rests: 0, steps: 0, delay: 0, since: 0,
-    paused: false, stepping: false, wake: null, soon: 0, over: false, onEnd: null, onLearn: null,
+    paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], over: false, onEnd: null, onLearn: null,
   };
 }
 
@@ -112,10 +118,10 @@ export async function leaveSession() {
 
 // Writes the session down after each step, for a reload of this tab.
 function keepSession(session) {
-  if (!session || session.looking || session.intended !== null || state.robot.log !== undefined) return ofTab.put('session', null);
+  if (session.looking || session.intended !== null || state.robot.log !== undefined) return;
   const steps = attempt(() => world.log().trimEnd().split('\n').slice(0, -1)) || [];
   if (session.given && session.decided) steps.push(JSON.stringify({ type: 'step', action: session.decided.action, feedback: session.feedback }));
-  return ofTab.put('session', JSON.stringify({ robot: state.robot.id, mode: state.mode, at: state.mode === 'tour' ? state.tour.at : null, home: world.environment(), steps }));
+  ofTab.put('session', JSON.stringify({ robot: state.robot.id, mode: state.mode, at: state.mode === 'tour' ? state.tour.at : null, home: world.environment(), steps }));
 }
 
 /** Takes up the session that was under way when this tab was reloaded. Returns whether there was one. */
@@ -165,7 +171,7 @@ export function stopSession() {
   state.route = null;
   if (state.phase !== 'learning') state.phase = 'none';
   world.forget();
-  ofTab.put('session', null);
+  if (session) ofTab.put('session', null);
 }
 
 export function wake(session) {
@@ -232,7 +238,8 @@ async function go(session) {
 function waitOf(session, auto) {
   const { action, confidence } = session.decided;
   const speed = SPEEDS[state.settings.speed];
-  if (auto) return state.settings.speed === 'step' && !state.tour.watching ? Infinity : Math.min(speed.delay(confidence), 2600);
+  if (state.tour.watching) return state.settings.speed === 'once' ? 0 : WATCH_DELAY;
+  if (auto) return state.settings.speed === 'step' ? Infinity : Math.min(speed.delay(confidence), 2600);
   if (action === 'noop') return Infinity;
   return state.settings.speed === 'once' ? 120 : speed.delay(confidence);
 }
@@ -268,6 +275,12 @@ export function giveFeedback(feedback) {
   const session = state.session;
   if (!session) tell('Nothing to judge yet: first tell the robot what to do.');
   if (!session || session.looking || !session.decided || state.phase === 'planning' || state.phase === 'learning') return;
+  // The same word once more takes it back; a double tap does not.
+  if (session.given && session.feedback === feedback && performance.now() - session.said > 600) {
+    takeBack();
+    return;
+  }
+  if (!session.given || session.feedback !== feedback) session.said = performance.now();
   session.feedback = feedback;
   session.given = true;
   keepSession(session);
@@ -278,6 +291,27 @@ export function giveFeedback(feedback) {
     clearTimeout(session.soon);
     session.soon = window.setTimeout(() => wake(session), 450);
   }
+}
+
+/** Withdraws the word on the last step. */
+export function takeBack() {
+  const session = state.session;
+  if (!session || !session.given || state.phase === 'learning') return;
+  clearTimeout(session.soon);
+  session.feedback = null;
+  session.given = false;
+  keepSession(session);
+  announce('Taken back.');
+  render();
+}
+
+/** The robot is where it was meant to be: that is good, and the session is over. */
+export async function thatWasIt() {
+  const session = state.session;
+  if (!session || !session.decided || session.looking) return;
+  session.feedback = 'reward';
+  session.given = true;
+  await finishSession();
 }
 
 export function togglePause() {
@@ -338,11 +372,12 @@ export async function finishSession() {
   }
   ofTab.put('session', null);
   state.heat = { now: heatNow(), before: heat };
+  state.said = ['Thank you.', lessonLearned(session.heardNew)];
   state.session = null;
   state.phase = 'none';
   render();
   if (session.onEnd) session.onEnd();
-  else tell('Learned. The robot now knows ' + sessionsWord() + '.');
+  else tell('Learned. ' + lessonLearned(session.heardNew));
 }
 
 export function finishWithoutLearning() {
@@ -370,6 +405,7 @@ export async function undo(from) {
   if (what === undefined) return;
   state.heat = { now: heatNow(), before: null };
   state.evidence = [];
+  [state.said, state.verdict] = [null, ''];
   refresh();
   if (state.mode === 'tour') enterStop(state.tour.at);
   render();

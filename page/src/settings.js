@@ -1,15 +1,17 @@
 // Settings, shortcuts, and what is kept and shared.
 import { download } from './bytes.js';
 import { world } from './core.js';
-import { homeLink, isSetting } from './link.js';
+import { homeLink, isSetting, robotLink } from './link.js';
 import { loadLog } from './logs.js';
 import { render } from './render.js';
 import { keepGuest, endGuest, loadModel, newRobot } from './roster.js';
-import { RULES, SPEEDS, finishSession, giveFeedback, leaveSession, refresh, stepOnce, togglePause, wake } from './session.js';
+import { RULES, SPEEDS, finishSession, giveFeedback, leaveSession, refresh, stepOnce, takeBack, thatWasIt, togglePause, wake } from './session.js';
+import { setUpShare, share } from './share.js';
 import * as shelf from './shelf.js';
 import { $, attempt, make, state, tell } from './state.js';
 import { change, logOf } from './store.js';
 import { enterHome } from './tour.js';
+import { isThere } from './words.js';
 
 const SWITCHES = ['style', 'shortcuts', 'ghost', 'names', 'pull'];
 
@@ -69,7 +71,9 @@ export function setUpSettings() {
     if (log) download(fileName() + '.jsonl', log, 'application/jsonl');
     else tell('There is no log: no session has been learned from here.');
   });
-  $('share').addEventListener('click', () => share(homeLink(), 'The link to this home is copied.'));
+  $('share').addEventListener('click', () => share(homeLink(), 'This home and these settings', 'Who opens this link sees this home. It brings no robot along.'));
+  $('meet').addEventListener('click', async () => share(await robotLink(), 'Meet ' + state.robot.name, 'Who opens this link meets your robot, with all that it knows. Their own robots stay as they are.'));
+  setUpShare();
   $('new-robot').addEventListener('click', async () => {
     if (await leaveSession()) await newRobot();
   });
@@ -79,20 +83,6 @@ export function setUpSettings() {
 
 // The robot's name, as it may name a file.
 const fileName = () => state.robot.name.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || 'robot';
-
-/** Copies a link, or shows it where that is not allowed. */
-async function share(link, told) {
-  $('link').value = link;
-  $('link-field').hidden = false;
-  try {
-    await navigator.clipboard.writeText(link);
-    tell(told);
-  } catch {
-    $('link').focus();
-    $('link').select();
-    tell('Here is the link. Copy it from the field.');
-  }
-}
 
 // Each setting by itself: another tab may have changed others.
 function keepSetting(name) {
@@ -110,7 +100,7 @@ export function restoreSettings() {
 // Single keys, as long as nobody types.
 const KEYS_PRESSED = {
   g: () => giveFeedback('reward'), ArrowRight: () => giveFeedback('reward'), b: () => giveFeedback('punish'), ArrowLeft: () => giveFeedback('punish'),
-  p: togglePause, n: stepOnce, f: finishSession,
+  p: togglePause, n: stepOnce, f: () => (isThere() ? thatWasIt() : finishSession()), Backspace: takeBack,
 };
 
 export function setUpShortcuts() {

@@ -29,6 +29,8 @@
  * @property {boolean} stepping
  * @property {(() => void) | null} wake
  * @property {number} soon
+ * @property {number} said when the word on the last step was said
+ * @property {string[]} heardNew the words that were new to the robot
  * @property {boolean} over
  * @property {(() => void) | null} onEnd what comes after it
  * @property {(() => void) | null} onLearn what comes before it is learned from
@@ -50,6 +52,14 @@ export const state = {
   robot: /** @type {import('./store.js').Robot} */ (/** @type {unknown} */ (null)),
   // One's own robot, while another is shown.
   mine: /** @type {import('./store.js').Robot | null} */ (null),
+  // Whether the robot that is shown came with a link.
+  visitor: false,
+  // What the robot says while nothing is asked of it.
+  said: /** @type {string[] | null} */ (null),
+  // The command that the robot takes for done already.
+  already: '',
+  // What came of the lesson or test before, until the next begins.
+  verdict: '',
   // What is being learned from, where that takes a while.
   progress: '',
   sessions: 0,

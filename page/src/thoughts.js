@@ -1,6 +1,6 @@
 // What the robot thinks: the tasks' probabilities, the evidence, the words, the dictionary, the trainer's style.
 import { $, all, make, percent, state } from './state.js';
-import { acted, ranked, wordShown } from './words.js';
+import { acted, ranked, tokenWords, wordShown } from './words.js';
 
 const SHOWN_TASKS = 8;
 
@@ -22,7 +22,7 @@ function renderBars() {
   const tasks = ranked();
   const session = state.session;
   $('sure').textContent = session && session.decided
-    ? 'It just ' + acted(session.decided.action) + ', and is ' + percent(session.decided.confidence) + ' sure that this is right.'
+    ? 'It just ' + acted(session.decided.action) + '.' + (state.settings.speed === 'confidence' ? ' Sure of this step, whichever room you mean: ' + percent(session.decided.confidence) + '.' : '')
     : session ? 'It is making a plan …' : 'Tell it something, and its guesses appear here.';
   $('bars').replaceChildren(...tasks.slice(0, SHOWN_TASKS).map((task, rank) => {
     const marks = state.evidence.slice(-12).map(evidence => markOf(evidence, task.index));
@@ -74,9 +74,6 @@ function renderSupport() {
     make('tbody', {}, ...known.map(task => make('tr', {}, make('th', { scope: 'row' }, task.words),
       ...support.words.map((word, at) => cell(support.tasks[at][task.index], weakest, strongest, word + ', ' + task.words))))));
 }
-
-// roomIsGreen becomes “room is green”.
-const tokenWords = token => token.replace(/([A-Z])/g, ' $1').toLowerCase();
 
 export function renderHeat() {
   // The table may be large: it is drawn when it is seen.

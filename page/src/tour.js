@@ -1,10 +1,13 @@
 // The guided tour: the paper's seven lessons and five tests, with a score.
+import { download } from './bytes.js';
 import { course, world } from './core.js';
-import { render } from './render.js';
+import { ideaWords, meanings } from './learned.js';
+import { picture } from './picture.js';
+import { heardWords, render } from './render.js';
 import { beginGuest, endGuest, newRobot } from './roster.js';
 import { leaveSession, refresh, startSession, stopSession } from './session.js';
 import * as shelf from './shelf.js';
-import { $, announce, attempt, make, state } from './state.js';
+import { $, announce, attempt, make, percent, state } from './state.js';
 import { keepTour } from './store.js';
 
 const stops = () => [...course.lessons.map(stop => ({ ...stop, test: false })), ...course.tests.map(stop => ({ ...stop, test: true }))];
@@ -24,6 +27,7 @@ const stopAt = () => stops()[state.tour.at];
 
 export function enterStop(at) {
   stopSession();
+  [state.said, state.verdict] = [null, ''];
   state.tour.at = Math.max(0, Math.min(at, stops().length));
   const stop = stopAt();
   // After the last test the robot stays where the tests were.
@@ -47,6 +51,7 @@ export function enterHome(json) {
   refresh();
   state.evidence = [];
   state.support = null;
+  [state.said, state.already] = [null, ''];
   if (state.mode !== 'tour') shelf.put('home', json);
   return true;
 }
@@ -64,25 +69,42 @@ export function beginStop(auto) {
   if (stop.test) announce('Test: ' + stop.command + '. The robot thinks: ' + heard.words + '. ' + (right ? 'Right.' : 'Wrong.'));
 }
 
-/** Lets the tour go on when this session ends. Returns whether the command was understood at once. */
+/** Lets the tour go on when this session ends. Returns whether the command was understood at once: it came first, and more likely than not. */
 export function attend(session) {
-  const right = session.heard[0].name === stopAt()?.intended;
-  session.onEnd = () => passStop(right);
-  return right;
+  const [best] = session.heard;
+  const meant = best.name === stopAt()?.intended;
+  const understood = meant && best.probability > 0.5;
+  session.onEnd = () => passStop(understood, meant, best, session);
+  return understood;
 }
 
-// The lesson or test is over: on to the next.
-function passStop(right) {
-  state.tour.done[state.tour.at] = right ? 'right' : 'wrong';
+// The lesson or test is over: on to the next. What came of it stays until that begins.
+function passStop(understood, meant, best, session) {
+  const stop = stopAt();
+  const name = nameOf(state.tour.at);
+  // Nobody knows whether it was right where nobody said a word.
+  const earned = understood && (stop.test || session.intended !== null || state.evidence.some(evidence => evidence.feedback !== 'neutral'));
+  state.tour.done[state.tour.at] = earned ? 'right' : 'wrong';
+  const { said } = state;
   enterStop(state.tour.at + 1);
+  state.said = said;
+  if (!stop.test) state.verdict = name + (earned ? ': understood at once. ★' : ': learned.');
+  else if (understood) state.verdict = name + ': understood. ★ It thought “' + best.words + '”, and was ' + percent(best.probability) + ' sure.';
+  else if (meant) state.verdict = name + ': a lucky guess. It thought “' + best.words + '”, but was only ' + percent(best.probability) + ' sure: that does not count.';
+  else state.verdict = name + ': not understood. It thought “' + best.words + '” (' + percent(best.probability) + ' sure).';
+  if (stop.test) state.said = null;
+  announce(state.verdict);
   if (state.tour.watching && stopAt()) setTimeout(() => { if (state.tour.watching && !state.session) beginStop(true); }, state.settings.speed === 'once' ? 0 : 900);
   else {
     state.tour.watching = false;
     if (!stopAt()) announce('The tour is over. ' + scoreWords());
     render();
+    if (!state.settings.speed.startsWith('once')) $(stopAt() ? 'lesson' : 'onward').focus({ preventScroll: true });
   }
+  render();
 }
 
+const nameOf = at => (at < course.lessons.length ? 'Lesson ' + (at + 1) : 'Test ' + (at - course.lessons.length + 1));
 const rightTests = () => course.tests.filter((_, at) => state.tour.done[course.lessons.length + at] === 'right').length;
 const scoreWords = () => rightTests() + ' of ' + course.tests.length + ' tests understood';
 
@@ -129,9 +151,12 @@ export function renderTour() {
       : 'Some words are still unclear to it. Train on in the free play, or begin the tour again.';
   } else {
     const name = stop.test ? 'Test ' + (at - lessons + 1) + ' of ' + course.tests.length : 'Lesson ' + (at + 1) + ' of ' + lessons;
-    $('tour-title').textContent = state.session ? name + ': “' + stop.command + '”' : name;
+    $('tour-title').replaceChildren(...(state.session ? [name + ': “', ...heardWords(state.session.command), '”'] : [name]));
     $('tour-hint').textContent = stop.test ? 'It has never heard this command. It gets no feedback now: does it understand?' : HINTS[at];
   }
+  $('verdict').hidden = !state.verdict || Boolean(state.session);
+  $('verdict').textContent = state.verdict;
+  renderCard(!stop);
   $('lesson').hidden = !stop || watching || Boolean(state.session);
   $('lesson').textContent = stop ? (stop.test ? 'Ask: “' : 'Tell it: “') + stop.command + '”' : '';
   $('onward').hidden = Boolean(stop) || watching;
@@ -139,4 +164,15 @@ export function renderTour() {
   $('watch').hidden = Boolean(state.session) && !watching;
   $('watch').textContent = watching ? 'Stop watching' : 'Watch the whole tour';
   $('again').hidden = watching || Boolean(state.session) || (at === 0 && !done.length) || state.robot.log !== undefined;
+}
+
+// The end of the tour: what the robot knows, and a picture of it to keep.
+function renderCard(over) {
+  $('card').hidden = !over;
+  if (!over) return;
+  const known = [...meanings(state.heat.now)];
+  $('card').replaceChildren(
+    make('p', {}, 'It knows ' + known.length + ' words well: '),
+    make('ul', {}, ...known.map(([word, token]) => make('li', {}, make('b', {}, word), ' ' + ideaWords(token)))),
+    make('button', { type: 'button', class: 'small', onclick: () => download('my-robot.svg', picture(state.robot.name, scoreWords(), known), 'image/svg+xml') }, 'Save this as a picture'));
 }

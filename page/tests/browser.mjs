@@ -46,6 +46,9 @@ export async function reload(page) {
   await page.waitForSelector('body.ready');
 }
 
+// Until the robot has learned from so many sessions.
+export const learned = (page, count) => page.waitForFunction(wanted => window.goodbot.sessions() === wanted && document.body.dataset.phase === 'none', count);
+
 export const sessions = page => page.evaluate(() => window.goodbot.sessions());
 
 // Free play in the home of that name.

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { close, launch, model, open, opened, play, saved } from './browser.mjs';
+import { close, launch, learned, model, open, opened, play, saved } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -11,7 +11,7 @@ after(() => browser.close());
 async function teach(page) {
   await page.selectOption('#speed', 'once');
   await page.click('#auto');
-  await page.getByText('I have learned from 1 session').waitFor();
+  await learned(page, 1);
 }
 
 test('a reload keeps the model', async () => {
@@ -133,7 +133,8 @@ test('a link carries the home and the settings', async () => {
   await page.uncheck('#set-ghost');
   await page.click('#share');
   assert.equal(await page.evaluate(() => location.hash), '', 'the page stays where it is');
-  const hash = new URL(await page.inputValue('#link')).hash;
+  const { hash } = new URL(await page.inputValue('#link'));
+  await page.click('#close-link');
   const home = await page.evaluate(() => window.goodbot.environment());
   const other = await open(browser, {}, hash);
   assert.equal(await other.evaluate(() => window.goodbot.environment()), home);

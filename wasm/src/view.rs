@@ -124,6 +124,8 @@ pub struct Evidence {
 pub struct Support {
     /// The words of the command.
     pub words: Vec<String>,
+    /// For each word whether the robot has learned from it, or from one that it takes for the same.
+    pub known: Vec<bool>,
     /// For each word, each task's share of it; a row sums to 1.
     pub tasks: Vec<Vec<f32>>,
 }
