@@ -16,6 +16,8 @@ async function teach(page, command, speed = 'step') {
 }
 
 async function begin(page, command, speed = 'step') {
+  // The robot may stand by now where it is to go.
+  await page.click('#reset');
   await page.selectOption('#speed', speed);
   await page.fill('#command', command);
   await page.click('#say-it');
