@@ -1,5 +1,9 @@
 // The floor plan: a drawing as by hand, seen from above.
-const CELL = 48;
+import { blockDrawing, colorOf, robotDrawing } from './robot.js';
+import { $, draw, make, state } from './state.js';
+import { describeScene } from './words.js';
+
+export const CELL = 48;
 
 // A small number that is always the same for the same place, so that the hand does not tremble.
 function wobble(x, y, seed) {
@@ -27,7 +31,7 @@ function stroke(x0, y0, x1, y1, seed, amount) {
 }
 
 // Where things are on the drawing: north is up, and a margin of half a cell lies around the walls.
-class Frame {
+export class Frame {
   constructor(bounds) {
     this.bounds = bounds;
     this.width = (bounds.right - bounds.left + 1) * CELL;
@@ -97,7 +101,7 @@ function doorDrawing(frame, door, wall) {
 }
 
 // What does not move: floors, names, doors and walls.
-function houseDrawing(frame, scene) {
+export function houseDrawing(frame, scene) {
   const rows = scene.map.split('\n');
   const character = (x, y) => (rows[frame.bounds.top - y] || '')[x - frame.bounds.left] || ' ';
   const wall = (x, y) => character(x, y) === '#';
@@ -131,7 +135,7 @@ function houseDrawing(frame, scene) {
   return house;
 }
 
-function thingDrawing(frame, thing, isRobot) {
+export function thingDrawing(frame, thing, isRobot) {
   const group = draw('g', { class: isRobot ? 'robot' : 'block', 'data-name': thing.name });
   group.style.transform = 'translate(' + frame.x(thing.x) + 'px,' + frame.y(thing.y) + 'px)';
   group.append(...(isRobot ? robotDrawing() : blockDrawing(thing)));
@@ -140,9 +144,9 @@ function thingDrawing(frame, thing, isRobot) {
 }
 
 // The plan as it stands in the page. It is built anew for another home; else things only move.
-const plan = { frame: null, key: '', things: new Map(), ahead: null };
+const plan = { frame: /** @type {any} */ (null), key: '', things: new Map(), ahead: /** @type {any} */ (null) };
 
-function renderPlan() {
+export function renderPlan() {
   const scene = state.scene;
   const key = JSON.stringify([scene.bounds, scene.rooms, scene.doors, scene.blocks.map(block => [block.name, block.color, block.shape]), state.settings.names]);
   const root = $('plan');
@@ -190,7 +194,7 @@ function renderAhead() {
     if (at < route.cells.length - 1) prints += 'M' + plan.frame.x(x1) + ' ' + plan.frame.y(y1) + 'v.1';
   }
   const here = new Map([...state.scene.blocks, state.scene.agent].map(thing => [thing.name, thing]));
-  const moved = route.end.filter(thing => here.get(thing.name).x !== thing.x || here.get(thing.name).y !== thing.y);
+  const moved = route.end.filter(thing => here.get(thing.name)?.x !== thing.x || here.get(thing.name)?.y !== thing.y);
   const ghosts = moved.map(thing => {
     const ghost = thingDrawing(plan.frame, thing, thing.name === state.scene.agent.name);
     ghost.setAttribute('class', ghost.getAttribute('class') + ' ghost');

@@ -1,5 +1,6 @@
 // The home as a text map: the core's drawing, and notes of what the letters cannot say. Cells count from the drawing's south-west corner.
-function toTextMap(scene) {
+
+export function toTextMap(scene) {
   const { left, bottom } = scene.bounds;
   const notes = [...scene.rooms.map(room => ['room', room.color, room.left - left, room.bottom - bottom, room.right - left, room.top - bottom]),
     ...scene.blocks.map(block => ['block', block.color, block.shape, block.x - left, block.y - bottom])];
@@ -14,7 +15,7 @@ const LETTERS = {
 // A home from a drawing: '#' wall, '+' doorway, '@' the robot, lower-case letters for a room's colour, capitals for a block. Below stands what
 // letters mean ('b: blue', 'B: yellow bag'), and notes of single things, which count before that. Each room is the box around cells that hang
 // together without a door. Throws where the drawing is none.
-function fromTextMap(text) {
+export function fromTextMap(text) {
   const drawing = [];
   const said = { ...LETTERS };
   const notes = {};
@@ -41,6 +42,7 @@ function fromTextMap(text) {
   const isFloor = (x, y) => !'#+ '.includes(at(x, y));
   const doors = [];
   const blocks = [];
+  /** @type {object | null} */
   let agent = null;
   for (let y = 0; y < height; y += 1) {
     for (let x = 0; x < drawing[height - 1 - y].length; x += 1) {
@@ -53,6 +55,7 @@ function fromTextMap(text) {
       }
       if (!isFloor(x, y) || seen.has(x + ',' + y)) continue;
       let [left, bottom, right, top, floor] = [x, y, x, y, '.'];
+      /** @type {any[]} */
       const open = [[x, y]];
       seen.add(x + ',' + y);
       while (open.length) {

@@ -1,10 +1,13 @@
 // What the robot thinks: the tasks' probabilities, the evidence, the words, the dictionary, the trainer's style.
+import { $, all, make, percent, state } from './state.js';
+import { acted, ranked, wordShown } from './words.js';
+
 const SHOWN_TASKS = 8;
 
-function renderThoughts() {
+export function renderThoughts() {
   const nothing = state.sessions === 0 && !state.session;
   $('how').hidden = !nothing;
-  for (const card of document.querySelectorAll('.learned')) card.hidden = nothing;
+  for (const card of all('.learned')) card.hidden = nothing;
   renderBars();
   renderEvidence();
   renderSupport();
@@ -63,7 +66,7 @@ function renderSupport() {
   $('support-about').textContent = !known.length ? 'After a command, this shows which word spoke for which task.'
     : state.sessions === 0 ? 'It has learned no word yet, so no word speaks for any task.'
       : 'Each word’s hundred points, shared among the tasks (the five most likely).';
-  if ($('support').hidden) return;
+  if (!support || $('support').hidden) return;
   const shares = support.tasks.flat();
   const [weakest, strongest] = [Math.min(...shares), Math.max(...shares)];
   $('support').replaceChildren(
@@ -75,7 +78,7 @@ function renderSupport() {
 // roomIsGreen becomes “room is green”.
 const tokenWords = token => token.replace(/([A-Z])/g, ' $1').toLowerCase();
 
-function renderHeat() {
+export function renderHeat() {
   // The table may be large: it is drawn when it is seen.
   if (!$('heat').closest('details').open) return;
   const older = state.heat.before;

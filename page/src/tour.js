@@ -1,7 +1,14 @@
 // The guided tour: the paper's seven lessons and five tests, with a score.
-let course = null;
+import { course, world } from './core.js';
+import { render } from './render.js';
+import { beginGuest, endGuest, newRobot } from './roster.js';
+import { leaveSession, refresh, startSession, stopSession } from './session.js';
+import * as shelf from './shelf.js';
+import { $, announce, attempt, make, state } from './state.js';
+import { keepTour } from './store.js';
+
 const stops = () => [...course.lessons.map(stop => ({ ...stop, test: false })), ...course.tests.map(stop => ({ ...stop, test: true }))];
-const homeNamed = name => JSON.stringify(course.homes.find(([other]) => other === name)[1]);
+export const homeNamed = name => JSON.stringify(course.homes.find(([other]) => other === name)?.[1]);
 
 const HINTS = [
   'It knows no word yet, so it will just try something. Press Good when it goes the right way, Bad when it does not.',
@@ -15,41 +22,53 @@ const HINTS = [
 
 const stopAt = () => stops()[state.tour.at];
 
-function enterStop(at) {
+export function enterStop(at) {
   stopSession();
   state.tour.at = Math.max(0, Math.min(at, stops().length));
   const stop = stopAt();
-  if (stop) enterHome(homeNamed(stop.home));
-  else refresh();
+  // After the last test the robot stays where the tests were.
+  enterHome(homeNamed(stop ? stop.home : 'Test'));
   keepTour();
   $('command').value = stop ? stop.command : '';
-  state.evidence = [];
-  state.support = null;
   render();
 }
 
-function enterHome(json) {
+/** Goes to a lesson or test, if a session under way may be left. */
+async function jumpTo(at) {
+  if (state.tour.watching || !await leaveSession()) return;
+  enterStop(at);
+  $('lesson').focus();
+}
+
+export function enterHome(json) {
   stopSession();
   // In the tour the robot pushes only, as the paper's does.
   if (attempt(() => (world.setEnvironment(json), world.setPulls(state.settings.pull && state.mode !== 'tour'), true)) !== true) return false;
   refresh();
   state.evidence = [];
   state.support = null;
-  if (state.mode !== 'tour') keep(KEYS.home, json);
+  if (state.mode !== 'tour') shelf.put('home', json);
   return true;
 }
 
 // Begins the lesson or test where the tour stands.
-function beginStop(auto) {
+export function beginStop(auto) {
   const stop = stopAt();
   if (!stop) return;
   world.reset();
   refresh();
-  if (!startSession(stop.command, { intended: stop.test ? null : auto ? stop.intended : null, looking: stop.test })) return;
-  const heard = state.session.heard[0];
-  const right = heard.name === stop.intended;
-  state.session.onEnd = () => passStop(right);
+  const session = startSession(stop.command, { intended: stop.test ? null : auto ? stop.intended : null, looking: stop.test });
+  if (!session) return;
+  const right = attend(session);
+  const heard = session.heard[0];
   if (stop.test) announce('Test: ' + stop.command + '. The robot thinks: ' + heard.words + '. ' + (right ? 'Right.' : 'Wrong.'));
+}
+
+/** Lets the tour go on when this session ends. Returns whether the command was understood at once. */
+export function attend(session) {
+  const right = session.heard[0].name === stopAt()?.intended;
+  session.onEnd = () => passStop(right);
+  return right;
 }
 
 // The lesson or test is over: on to the next.
@@ -67,27 +86,29 @@ function passStop(right) {
 const rightTests = () => course.tests.filter((_, at) => state.tour.done[course.lessons.length + at] === 'right').length;
 const scoreWords = () => rightTests() + ' of ' + course.tests.length + ' tests understood';
 
-function watchTour() {
+/** Shows the whole tour, with a robot that is only shown: one's own waits. */
+export async function watchTour() {
   if (state.tour.watching) {
     state.tour.watching = false;
     stopSession();
-    enterStop(state.tour.at);
+    await endGuest();
     return;
   }
-  if (!stopAt()) restartTour();
+  if (!await leaveSession()) return;
+  await beginGuest('A shown robot');
+  enterStop(0);
   state.tour.watching = true;
   beginStop(true);
 }
 
-function restartTour() {
-  stopSession();
-  keepUndo(present());
-  newRobot();
-  state.tour = { at: 0, done: [], watching: false };
+/** The tour from the beginning, with one more robot. */
+export async function restartTour() {
+  if (!await leaveSession()) return;
+  await newRobot();
   enterStop(0);
 }
 
-function renderTour() {
+export function renderTour() {
   const { at, done, watching } = state.tour;
   const all = stops();
   const stop = all[at];
@@ -97,8 +118,9 @@ function renderTour() {
   $('dots').replaceChildren(...all.map((each, index) => {
     const status = done[index] ? (done[index] === 'right' ? 'understood at once' : each.test ? 'not understood' : 'learned') : index === at ? 'now' : 'to come';
     const name = (each.test ? 'Test ' + (index - lessons + 1) : 'Lesson ' + (index + 1)) + ': ' + status;
-    return make('li', { class: [each.test ? 'test' : 'lesson', index === at ? 'now' : '', done[index] || ''].join(' '), 'aria-current': index === at ? 'step' : null },
-      make('span', { class: 'hidden' }, name), make('span', { 'aria-hidden': 'true', title: name }, done[index] === 'right' ? '★' : done[index] ? (each.test ? '✗' : '✓') : each.test ? '?' : index + 1));
+    return make('li', {}, make('button', {
+      type: 'button', class: [each.test ? 'test' : 'lesson', index === at ? 'now' : '', done[index] || ''].join(' '), 'aria-current': index === at ? 'step' : null, title: name, 'aria-label': name, onclick: () => jumpTo(index),
+    }, done[index] === 'right' ? '★' : done[index] ? (each.test ? '✗' : '✓') : each.test ? '?' : index + 1));
   }));
   $('score').textContent = stop && done.length > lessons ? scoreWords() : '';
   if (!stop) {
@@ -115,6 +137,6 @@ function renderTour() {
   $('onward').hidden = Boolean(stop) || watching;
   $('auto').hidden = !stop || stop.test || watching || Boolean(state.session);
   $('watch').hidden = Boolean(state.session) && !watching;
-  $('watch').textContent = watching ? 'Stop watching' : stop ? 'Watch the whole tour' : 'Watch it again';
-  $('again').hidden = watching || Boolean(state.session) || (at === 0 && !done.length);
+  $('watch').textContent = watching ? 'Stop watching' : 'Watch the whole tour';
+  $('again').hidden = watching || Boolean(state.session) || (at === 0 && !done.length) || state.robot.log !== undefined;
 }

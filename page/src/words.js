@@ -1,6 +1,8 @@
 // The page in words: what a screen reader reads, and what the status line says.
-const ACTIONS = { north: 'moved north', south: 'moved south', east: 'moved east', west: 'moved west', pull: 'pulled', noop: 'stayed where it is' };
-const acted = action => ACTIONS[action] || action;
+import { percent, state } from './state.js';
+
+export const ACTIONS = { north: 'moved north', south: 'moved south', east: 'moved east', west: 'moved west', pull: 'pulled', noop: 'stayed where it is' };
+export const acted = action => ACTIONS[action] || action;
 
 function roomAt(scene, x, y) {
   const inside = scene.rooms.find(room => x > room.left && x < room.right && y > room.bottom && y < room.top);
@@ -8,7 +10,7 @@ function roomAt(scene, x, y) {
 }
 
 // The floor plan as sentences.
-function describeScene(scene) {
+export function describeScene(scene) {
   const at = thing => 'column ' + (thing.x - scene.bounds.left + 1) + ', row ' + (scene.bounds.top - thing.y + 1) + ', in ' + roomAt(scene, thing.x, thing.y);
   const lines = ['The robot is at ' + at(scene.agent) + '.'];
   for (const block of scene.blocks) lines.push('The ' + block.color + ' ' + block.shape + ' is at ' + at(block) + '.');
@@ -21,17 +23,17 @@ function describeScene(scene) {
 }
 
 // The tasks, the most likely first; among equals the one that the robot follows.
-function ranked() {
+export function ranked() {
   const followed = state.session && state.session.decided ? state.session.decided.task : -1;
   return state.belief.tasks.map((task, index) => ({ ...task, index }))
-    .sort((a, b) => b.probability - a.probability || (b.index === followed) - (a.index === followed) || a.index - b.index);
+    .sort((a, b) => b.probability - a.probability || Number(b.index === followed) - Number(a.index === followed) || a.index - b.index);
 }
 
 // A word of which the robot may have kept the first letters only.
-const wordShown = (word, letters) => (letters && [...word].length >= letters ? word + '…' : word);
+export const wordShown = (word, letters) => (letters && [...word].length >= letters ? word + '…' : word);
 
 // What the robot says of itself.
-function speech() {
+export function speech() {
   const session = state.session;
   if (state.phase === 'learning') return ['Thinking it over …', state.progress || 'I am learning from our session.'];
   if (!session) {
@@ -50,3 +52,5 @@ function speech() {
   }
   return [head.replace(/\?$/, sure === 'You mean' ? '.' : '?'), percent(best.probability) + ' sure of it.'];
 }
+
+export const sessionsWord = () => state.sessions + (state.sessions === 1 ? ' session' : ' sessions');

@@ -9,7 +9,7 @@ before(async () => { browser = await launch(); });
 after(() => browser.close());
 
 // What a finger must hit, by the way in which it is found.
-const TARGETS = 'button, select, summary, .check, .button, textarea, input:not([type=checkbox], [type=file])';
+const TARGETS = 'button:not(#dots button), select, summary, .check, .button, textarea, input:not([type=checkbox], [type=file])';
 
 async function check(page, where) {
   await page.evaluate(() => { for (const details of document.querySelectorAll('.mind > details, .stage > details')) details.open = true; });
@@ -36,6 +36,7 @@ for (const colorScheme of ['light', 'dark']) {
       await page.click('#watch');
       await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
       await check(page, 'after the tour');
+      await page.click('#end-guest');
       await play(page, 'F');
       await page.selectOption('#speed', 'step');
       await page.fill('#command', 'take the yellow bag to the red room');

@@ -16,6 +16,8 @@ async function trained(page) {
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
   await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.click('#keep-guest');
+  await page.getByText('is kept, under').first().waitFor();
 }
 
 async function tell(page, command) {

@@ -812,5 +812,8 @@ const fn kind_name(kind: goodbot::task::RoleKind) -> &'static str {
         RoleKind::Start => "start",
         RoleKind::OtherPlace => "other place",
         RoleKind::Other => "other",
+        RoleKind::Through => "through",
+        RoleKind::Avoiding => "avoiding",
+        RoleKind::Before => "before",
     }
 }

@@ -65,6 +65,7 @@ pub fn header(rooms: &Rooms, state: &HomeState, command: &str) -> SessionHeader 
         environment: environment(rooms, state),
         command: command.to_owned(),
         intended: None,
+        before: None,
         through: None,
         avoiding: None,
         actions: (rooms.moves() == Moves::PushAndPull).then(names),
@@ -72,10 +73,6 @@ pub fn header(rooms: &Rooms, state: &HomeState, command: &str) -> SessionHeader 
         prior: None,
         strategies: None,
     }
-}
-
-fn atoms_of(text: &str) -> PyResult<Vec<goodbot_formats::task_text::GroundAtomText>> {
-    Ok(text.parse::<GroundTaskText>().map_err(value)?.atoms().to_vec())
 }
 
 /// The sessions of a log, as bytes of JSON Lines.
@@ -193,10 +190,10 @@ impl Session {
     ) -> PyResult<Self> {
         let home = home.get();
         let at = state.map_or(Ok(home.start), |state| home.check(state))?;
-        let intended = intended.map(atoms_of).transpose()?;
-        let header = SessionHeader { id, kind: kind_of(kind)?, intended, continues, ..header(&home.rooms, &at, &command) };
+        let mut header = SessionHeader { id, kind: kind_of(kind)?, continues, ..header(&home.rooms, &at, &command) };
+        header.set_meant(intended.map(|text| text.parse::<GroundTaskText>().map_err(value)).transpose()?.as_ref());
         let steps = steps.into_iter().map(|(action, feedback)| step_of(action, feedback.as_deref())).collect::<PyResult<_>>()?;
-        let session = Self(RecordedSession { header, header_line: 1, steps, learn, end_line: 1 });
+        let session = Self(RecordedSession { header, header_line: 1, steps, answers: vec![], learn, end_line: 1 });
         session.lines(py)?;
         Ok(session)
     }
@@ -238,8 +235,7 @@ impl Session {
     /// The task that was meant, or None. For evaluation only; in a `labelled` session it is the lesson.
     #[getter]
     fn intended(&self) -> Option<String> {
-        let atoms = self.0.header.intended.as_ref()?;
-        Some(atoms.iter().map(ToString::to_string).collect::<Vec<_>>().join(" & "))
+        Some(self.0.header.meant()?.ok()?.to_string())
     }
 
     /// What was done and said, in order.

@@ -159,7 +159,8 @@ impl Trainer {
         let ((report, end, steps), header) = match place {
             Place::Home(home, start) => {
                 let intended = mind.task_text(py, task).parse::<GroundTaskText>().map_err(value)?;
-                let header = SessionHeader { intended: Some(intended.atoms().to_vec()), ..header(&home.get().rooms, start, command) };
+                let mut header: SessionHeader = header(&home.get().rooms, start, command);
+                header.set_meant(Some(&intended));
                 let here = |state| Place::Home(home.clone_ref(py), state);
                 (self.walk(py, mind, &home.get().rooms, Course::meaning(start, task), &mut random, here)?, Some(header))
             }
@@ -169,7 +170,7 @@ impl Trainer {
             }
         };
         let steps = steps.iter().map(|step| recorded(place, step)).collect();
-        let session = header.map(|header| RecordedSession { header, header_line: 1, steps, learn, end_line: 1 });
+        let session = header.map(|header| RecordedSession { header, header_line: 1, steps, answers: vec![], learn, end_line: 1 });
         let mut gave_way = 0;
         if learn {
             gave_way = mind.finish(py, place)?;

@@ -96,7 +96,7 @@ impl<M: AgentMemory> Agent<M> {
     /// Ends the session that was about to begin: a belief of no tasks is a belief all the same.
     fn refuse_prior(&mut self, error: AgentError) -> Result<(), AgentError> {
         self.start = None;
-        self.belief_mut().restart(core::iter::empty())?;
+        self.belief_mut().restart(core::iter::empty(), 0.0)?;
         Err(error)
     }
 
@@ -130,6 +130,7 @@ impl<M: AgentMemory> Agent<M> {
         (self.start, self.followed, self.work) = (None, None, Work::None);
         self.ended = false;
         self.forget_plan();
+        self.forget_questions();
         self.task_count = 0;
         let tables = self.memory.lend();
         let mut language = self.language.with(tables.language, tables.workspace);
@@ -160,7 +161,7 @@ impl<M: AgentMemory> Agent<M> {
         self.candidates = CandidateCount::NONE;
         let AgentTables { language, session, workspace } = self.memory.lend();
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
-        Belief::new(session.belief, &mut self.belief).restart(tasks.iter().map(|task| Scaled::new(task.prior)))?;
+        Belief::new(session.belief, &mut self.belief).restart(tasks.iter().map(|task| Scaled::new(task.prior)), self.options.drift)?;
         // The tasks' own tokens come first, and what can be said of objects after them, as far as there is room.
         let mut language = self.language.with(language, workspace);
         intern_own_tokens(&mut language, &domain.world().schema, &self.lifted, tasks)?;

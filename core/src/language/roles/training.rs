@@ -16,19 +16,24 @@
 //! would not. On none of four sets of recorded commands did one of 16 rounds lose any. After the rounds the [kind of task](super::kind) is
 //! trained.
 
-use super::forward::{END, Memories, Reader, Roles, kept, prior};
-use super::layout::{KINDS, Layout, MOST_ROLES, cell, get, get_mut};
+use super::forward::{Before, END, Memories, Reader, Roles, kept, prior};
+use super::layout::{KINDS, Layout, MOST_ROLES, SHARES_NAMED, cell, get, get_mut};
 use super::{kind, start};
 use crate::language::bitext::{BitextRef, Pair};
 use crate::language::tables::Cells;
+use crate::probability::square_root;
 use crate::symbols::Symbol;
-use crate::task::role::VALUE_SORTS;
+use crate::task::role::{RoleKind, VALUE_SORTS};
 
 const OF_COMMON: f32 = 1.0;
 const OF_LAMBDA: f32 = 1.0;
 const OF_POOL: f32 = 4.0;
 const OF_SHARE: f32 = 8.0;
 const LEAST_SHARE: f32 = 0.001;
+const OF_CUE: f32 = 1.0;
+const OF_NAMING: f32 = 0.5;
+/// Where tasks have ways, a word must have named a value more often than this to count as naming it.
+const DISCOUNT: f32 = 1.0;
 const OF_STOP: f32 = 1.0;
 const OF_MOVES: f32 = 4.0;
 
@@ -73,6 +78,9 @@ impl Work<'_, '_> {
         get_mut(self.a.values, 0..layout.trellis()).fill(0.0);
         for word in 0..=layout.words() {
             get_mut(self.a.values, layout.lift(word)).fill(1.0);
+            if word < layout.words() {
+                get_mut(self.a.values, layout.cue(word)).fill(1.0);
+            }
         }
         let prior = self.prior();
         for form in 0..layout.forms().len() {
@@ -83,6 +91,9 @@ impl Work<'_, '_> {
         }
         for role in 0..layout.roles().len() {
             get_mut(self.a.values, layout.lambda(role)).fill(1.0);
+        }
+        for form in 0..layout.forms().len() {
+            get_mut(self.a.values, layout.naming(form)).fill(1.0);
         }
         get_mut(self.a.values, layout.novelty(0)..layout.trellis()).fill(1.0);
     }
@@ -132,10 +143,13 @@ impl Work<'_, '_> {
                 self.set_row(row);
                 (layout.words(), Part::Rows(row.saturating_add(1)))
             }
-            Part::Rows(_) => (layout.words().saturating_mul(KINDS), Part::Lifts(0, self.shares())),
+            Part::Rows(_) => (layout.words().saturating_mul(layout.kinds()), Part::Lifts(0, self.shares())),
             Part::Lifts(word, shares) if word <= layout.words() => {
                 self.set_lift(word, &shares);
-                (KINDS, Part::Lifts(word.saturating_add(1), shares))
+                if layout.has_ways() && word < layout.words() {
+                    self.set_cue(word);
+                }
+                (layout.kinds(), Part::Lifts(word.saturating_add(1), shares))
             }
             Part::Lifts(..) => (0, Part::Moves(0)),
             Part::Moves(form) if form < layout.forms().len() => {
@@ -144,7 +158,10 @@ impl Work<'_, '_> {
             }
             Part::Moves(_) => (0, Part::Lambdas),
             Part::Lambdas => {
-                let range = layout.lambda(0).start..layout.novelty(0);
+                for form in 0..layout.forms().len() {
+                    self.set_naming(form);
+                }
+                let range = layout.lambda(0).start..layout.naming(0).start;
                 let (values, counts) = (get_mut(self.a.values, range.clone()), get_mut(self.a.counts, range));
                 for (value, count) in values.iter_mut().zip(counts) {
                     *value = core::mem::take(count) + OF_LAMBDA;
@@ -185,6 +202,14 @@ impl Work<'_, '_> {
         if reader.form.is_none() {
             return (0, None);
         }
+        if let Some(form) = reader.form.filter(|_| step == 0 && self.layout.has_ways()) {
+            let row = get_mut(counts.a, self.layout.naming(form));
+            reader.naming(sentence.iter().map(|word| word.index()), |at| {
+                if let Some(slot) = row.get_mut(at) {
+                    *slot += pair.weight;
+                }
+            });
+        }
         let mut cells = cells_of_word;
         loop {
             if step < sentence.len() {
@@ -213,6 +238,10 @@ impl Work<'_, '_> {
         let range = self.layout.row(row.checked_sub(1).map(|token| Symbol(token as u16)));
         let (values, counts) = (get_mut(self.t.values, range.clone()), get_mut(self.t.counts, range));
         let common = get(self.a.values, self.layout.common());
+        let of_value = row.checked_sub(1).is_some_and(|token| self.layout.form(Symbol(token as u16)).is_none());
+        if of_value && self.layout.has_ways() {
+            counts.iter_mut().for_each(|count| *count = (*count - DISCOUNT).max(0.0));
+        }
         let whole = counts.iter().sum::<f32>() + OF_COMMON;
         let novelty = OF_COMMON / whole;
         for ((value, count), common) in values.iter_mut().zip(counts).zip(common) {
@@ -231,7 +260,7 @@ impl Work<'_, '_> {
                 *share += count;
             }
         }
-        let whole: f32 = shares.iter().sum();
+        let whole: f32 = shares.iter().take(self.layout.kinds()).sum();
         shares.map(|share| share / whole)
     }
 
@@ -241,6 +270,25 @@ impl Work<'_, '_> {
         let whole = counts.iter().sum::<f32>() + OF_SHARE;
         for ((value, count), share) in values.iter_mut().zip(counts).zip(shares) {
             *value = (core::mem::take(count) + OF_SHARE * share) / whole / share;
+        }
+    }
+
+    /// A cue moves by as much as what follows it differs from what was expected to.
+    fn set_cue(&mut self, word: usize) {
+        let range = self.layout.cue(word);
+        let (values, counts) = (get_mut(self.a.values, range.clone()), get_mut(self.a.counts, range));
+        let Some((seen, expected)) = counts.split_at_mut_checked(RoleKind::COUNT) else { return };
+        for ((value, seen), expected) in values.iter_mut().zip(seen).zip(expected) {
+            *value *= square_root((core::mem::take(seen) + OF_CUE) / (core::mem::take(expected) + OF_CUE));
+        }
+    }
+
+    fn set_naming(&mut self, form: usize) {
+        let range = self.layout.naming(form);
+        let (values, counts) = (get_mut(self.a.values, range.clone()), get_mut(self.a.counts, range));
+        for (values, counts) in values.chunks_mut(SHARES_NAMED).zip(counts.chunks_mut(SHARES_NAMED)) {
+            let whole = counts.iter().sum::<f32>() + OF_NAMING * SHARES_NAMED as f32;
+            values.iter_mut().zip(counts).for_each(|(value, count)| *value = (core::mem::take(count) + OF_NAMING) / whole);
         }
     }
 
@@ -293,6 +341,10 @@ pub(super) enum Event<'e> {
         background: f32,
         task: f32,
         roles: &'e Roles,
+        /// What stands before it.
+        before: &'e Before,
+        /// How probable each role was, in no unit, before the word was heard.
+        expected: &'e [f32],
     },
     /// A word, from all memories together.
     Values {
@@ -330,12 +382,25 @@ impl Counts<'_, '_> {
                     add(get_mut(self.a, layout.end(form)), row, weight * share);
                 }
             }
-            Event::Word { position, memory, background, task, roles } => {
+            Event::Word { position, memory, background, task, roles, before, expected } => {
                 let Some(&word) = sentence.get(position) else { return };
                 let previous = position.checked_sub(1).and_then(|before| sentence.get(before)).map_or(layout.words(), |word| word.index());
                 add(get_mut(self.t, layout.row(None)), word.index(), weight * background);
                 if let Some(&token) = layout.forms().get(form) {
                     add(get_mut(self.t, layout.row(Some(token))), word.index(), weight * task);
+                }
+                if layout.has_ways() {
+                    let of_roles: f32 = roles.iter().take(reader.present.len()).sum();
+                    let all: f32 = expected.iter().take(reader.present.len()).sum();
+                    if of_roles > 0.0 && all > 0.0 {
+                        for &cue in &before.cues {
+                            let row = get_mut(self.a, layout.cue(usize::from(cue)));
+                            for ((present, &share), &step) in reader.present.iter().zip(roles).zip(expected) {
+                                add(row, present.kind().index(), weight * share);
+                                add(row, RoleKind::COUNT.saturating_add(present.kind().index()), weight * of_roles * step / all);
+                            }
+                        }
+                    }
                 }
                 let Some(row) = reader.memory(memory) else { return };
                 let moves = get_mut(self.a, layout.p0(form, row));
@@ -395,8 +460,8 @@ fn forward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, t
         *masses.first_mut()? = 1.0;
     }
     before.iter_mut().zip(&*masses).for_each(|(slot, mass)| *slot = *mass);
-    let previous = position.checked_sub(1).and_then(|before| sentence.get(before)).map(|word| word.index());
-    let sum = reader.advance(sentence.get(position)?.index(), previous, &before, &mut after);
+    let words = reader.before(position, |position| sentence.get(position).map(|word| word.index()));
+    let sum = reader.advance(sentence.get(position)?.index(), &words, &before, &mut after);
     *last = sum;
     if sum <= 0.0 {
         return None;
@@ -429,8 +494,8 @@ fn backward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, 
     let memories = reader.memories();
     let Some((filled, behind)) = trellis.split_at_mut_checked(row_of(reader, sentence.len()).end) else { return };
     let (Some(after), Some(word)) = (behind.get_mut(..memories), sentence.get(position)) else { return };
-    let previous = position.checked_sub(1).and_then(|before| sentence.get(before)).map(|word| word.index());
-    let lifts = reader.lifts(previous);
+    let words = reader.before(position, |position| sentence.get(position).map(|word| word.index()));
+    let lifts = reader.lifts(&words);
     let untrained = reader.untrained_step(&lifts);
     let (background, task) = reader.background_and_task(word.index());
     let mut emissions: Roles = [0.0; MOST_ROLES];
@@ -460,7 +525,15 @@ fn backward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, 
             *all += *part;
         }
         *slot = total;
-        tell(Event::Word { position, memory, background: mass * of_background, task: mass * of_task, roles: &roles });
+        tell(Event::Word {
+            position,
+            memory,
+            background: mass * of_background,
+            task: mass * of_task,
+            roles: &roles,
+            before: &words,
+            expected: moves,
+        });
     }
     tell(Event::Values { position, emissions: &emissions, roles: &all });
     after.iter_mut().zip(&next).for_each(|(slot, next)| *slot = *next);
