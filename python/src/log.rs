@@ -75,10 +75,6 @@ pub fn header(rooms: &Rooms, state: &HomeState, command: &str) -> SessionHeader 
     }
 }
 
-fn atoms_of(text: &str) -> PyResult<Vec<goodbot_formats::task_text::GroundAtomText>> {
-    Ok(text.parse::<GroundTaskText>().map_err(value)?.atoms().to_vec())
-}
-
 /// The sessions of a log, as bytes of JSON Lines.
 #[pyfunction]
 #[pyo3(signature = (text, *, file=None))]
@@ -194,8 +190,8 @@ impl Session {
     ) -> PyResult<Self> {
         let home = home.get();
         let at = state.map_or(Ok(home.start), |state| home.check(state))?;
-        let intended = intended.map(atoms_of).transpose()?;
-        let header = SessionHeader { id, kind: kind_of(kind)?, intended, continues, ..header(&home.rooms, &at, &command) };
+        let mut header = SessionHeader { id, kind: kind_of(kind)?, continues, ..header(&home.rooms, &at, &command) };
+        header.set_meant(intended.map(|text| text.parse::<GroundTaskText>().map_err(value)).transpose()?.as_ref());
         let steps = steps.into_iter().map(|(action, feedback)| step_of(action, feedback.as_deref())).collect::<PyResult<_>>()?;
         let session = Self(RecordedSession { header, header_line: 1, steps, answers: vec![], learn, end_line: 1 });
         session.lines(py)?;
@@ -239,8 +235,7 @@ impl Session {
     /// The task that was meant, or None. For evaluation only; in a `labelled` session it is the lesson.
     #[getter]
     fn intended(&self) -> Option<String> {
-        let atoms = self.0.header.intended.as_ref()?;
-        Some(atoms.iter().map(ToString::to_string).collect::<Vec<_>>().join(" & "))
+        Some(self.0.header.meant()?.ok()?.to_string())
     }
 
     /// What was done and said, in order.

@@ -159,7 +159,7 @@ impl Trainer {
         let ((report, end, steps), header) = match place {
             Place::Home(home, start) => {
                 let intended = mind.task_text(py, task).parse::<GroundTaskText>().map_err(value)?;
-                let mut header = header(&home.get().rooms, start, command);
+                let mut header: SessionHeader = header(&home.get().rooms, start, command);
                 header.set_meant(Some(&intended));
                 let here = |state| Place::Home(home.clone_ref(py), state);
                 (self.walk(py, mind, &home.get().rooms, Course::meaning(start, task), &mut random, here)?, Some(header))
