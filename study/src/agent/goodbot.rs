@@ -10,6 +10,9 @@ use goodbot::{Agent, Options};
 use goodbot_course::CourseError;
 use rand_pcg::Pcg32;
 
+/// Whose idea it is.
+pub const SOURCE: &str = "J. MacGlashan, M. L. Littman, R. Loftin, B. Peng, D. L. Roberts and M. E. Taylor (2014), Training an agent to ground commands with reward and punishment, AAAI workshop on machine learning for interactive systems";
+
 /// The agent, with a generator for ties.
 #[derive(Debug)]
 pub struct Goodbot {

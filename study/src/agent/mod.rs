@@ -5,7 +5,10 @@
 //! - [`choices`]: what these choose from, and the weights that they learn;
 //! - [`pick`]: how they pick by a score.
 
+pub mod advise;
 pub mod choices;
+pub mod coach;
+pub mod cobot;
 pub mod goodbot;
 pub mod pick;
 pub mod tamer;
@@ -15,6 +18,7 @@ use ::goodbot::Options;
 use ::goodbot::feedback::Feedback;
 use ::goodbot::home::HomeState;
 use ::goodbot::oomdp::Action;
+use choices::Form;
 use goodbot_course::CourseError;
 use rand_pcg::Pcg32;
 use std::fmt;
@@ -72,6 +76,12 @@ pub enum Learns {
     Goodbot(Options),
     /// TAMER.
     Tamer(tamer::Settings),
+    /// COACH.
+    Coach(coach::Settings),
+    /// Advise.
+    Advise(advise::Settings),
+    /// A learner like Cobot.
+    Cobot(cobot::Settings),
 }
 
 impl Learns {
@@ -83,7 +93,23 @@ impl Learns {
         Ok(match *self {
             Self::Goodbot(options) => Box::new(goodbot::Goodbot::new(options, random)?),
             Self::Tamer(settings) => Box::new(tamer::Tamer::new(settings, random)),
+            Self::Coach(settings) => Box::new(coach::Coach::new(settings, random)),
+            Self::Advise(settings) => Box::new(advise::Advise::new(settings, random)),
+            Self::Cobot(settings) => Box::new(cobot::Cobot::new(settings, random)),
         })
+    }
+}
+
+impl Learns {
+    /// Whose idea it is, and in what it is simpler here.
+    pub const fn source(&self) -> (&'static str, &'static str) {
+        match self {
+            Self::Goodbot(_) => (goodbot::SOURCE, ""),
+            Self::Tamer(_) => (tamer::SOURCE, tamer::SIMPLER),
+            Self::Coach(_) => (coach::SOURCE, coach::SIMPLER),
+            Self::Advise(_) => (advise::SOURCE, advise::SIMPLER),
+            Self::Cobot(_) => (cobot::SOURCE, cobot::SIMPLER),
+        }
     }
 }
 
@@ -92,6 +118,9 @@ impl fmt::Display for Learns {
         match self {
             Self::Goodbot(_) => f.write_str("as it is"),
             Self::Tamer(settings) => settings.fmt(f),
+            Self::Coach(settings) => settings.fmt(f),
+            Self::Advise(settings) => settings.fmt(f),
+            Self::Cobot(settings) => settings.fmt(f),
         }
     }
 }
@@ -107,10 +136,30 @@ pub struct Contestant {
     pub learns: Learns,
 }
 
+impl Learns {
+    /// All settings that are tried for this algorithm in this form, itself included; none for goodbot, which is as it is.
+    pub fn grid(&self) -> Vec<Self> {
+        let forms = |form: Form| if form == Form::Tabular { &Form::TABLES[..] } else { &Form::SHARED[..] };
+        match self {
+            Self::Goodbot(_) => Vec::new(),
+            Self::Tamer(settings) => tamer::grid(forms(settings.form)).into_iter().map(Self::Tamer).collect(),
+            Self::Coach(settings) => coach::grid(forms(settings.form)).into_iter().map(Self::Coach).collect(),
+            Self::Advise(settings) => advise::grid(forms(settings.form)).into_iter().map(Self::Advise).collect(),
+            Self::Cobot(settings) => cobot::grid(forms(settings.form)).into_iter().map(Self::Cobot).collect(),
+        }
+    }
+}
+
 /// All agents, in the order of the tables.
-pub const AGENTS: [Contestant; 4] = [
+pub const AGENTS: [Contestant; 10] = [
     Contestant { name: "goodbot", is: "goodbot as it comes", learns: Learns::Goodbot(Options::DEFAULT) },
     Contestant { name: "paper", is: "goodbot with the paper's settings: SABL and IBM Model 2", learns: Learns::Goodbot(Options::PAPER) },
     Contestant { name: "tamer-table", is: "TAMER, a table for each command", learns: Learns::Tamer(tamer::TABULAR) },
+    Contestant { name: "coach-table", is: "COACH, a table for each command", learns: Learns::Coach(coach::TABULAR) },
+    Contestant { name: "advise-table", is: "Advise, a table for each command", learns: Learns::Advise(advise::TABULAR) },
+    Contestant { name: "cobot-table", is: "like Cobot, a table for each command", learns: Learns::Cobot(cobot::TABULAR) },
     Contestant { name: "tamer-shared", is: "TAMER over words and facts, with a planner", learns: Learns::Tamer(tamer::SHARED) },
+    Contestant { name: "coach-shared", is: "COACH over words and facts, with a planner", learns: Learns::Coach(coach::SHARED) },
+    Contestant { name: "advise-shared", is: "Advise over words and facts, with a planner", learns: Learns::Advise(advise::SHARED) },
+    Contestant { name: "cobot-shared", is: "like Cobot over words and facts, with a planner", learns: Learns::Cobot(cobot::SHARED) },
 ];
