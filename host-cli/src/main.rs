@@ -6,11 +6,13 @@
 #![forbid(unsafe_code)]
 
 mod ask;
+mod calibration;
 mod canvas;
 mod check;
 mod cli;
 mod evaluate;
 mod example;
+mod fit_trainers;
 mod inspect;
 mod learn;
 mod learner;
@@ -24,6 +26,7 @@ mod numbers;
 mod outcome;
 mod output;
 mod paper;
+mod questions;
 mod refusal;
 mod replay;
 mod study;
@@ -55,6 +58,8 @@ fn main() -> ExitCode {
         Command::Learn(options) => learn::run(&options),
         Command::Ask(options) => ask::run(&options),
         Command::Inspect(options) => inspect::run(&options),
+        Command::Questions(options) => questions::run(&options),
+        Command::FitTrainers(options) => fit_trainers::run(&options),
         Command::Replay(args) => return replay::run(&args),
         Command::Check(args) => return check::run(&args),
         Command::Merge(options) => merge::run(&options),

@@ -15,7 +15,7 @@ use goodbot::session::Evidence;
 use goodbot::symbols::{Symbol, Symbols, SymbolsRef};
 use goodbot::task::Tokens;
 use goodbot::task::description::{Scene, describe};
-use goodbot::task::{Expression, LiftedTask, Marker};
+use goodbot::task::{Expression, LiftedTask, Marker, Part};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, StepRecord};
 
@@ -42,7 +42,8 @@ impl Witness {
         let mut memory = home::memory();
         let session = load(file, recorded, &self.lifted, &mut memory)?;
         // What is no task here was refused when the session was loaded.
-        let intended = header.intended.as_ref().and_then(|atoms| session.tasks.iter().position(|(_, name)| name.holds_exactly(atoms)));
+        let meant = header.meant().and_then(Result::ok);
+        let intended = meant.and_then(|meant| session.tasks.iter().position(|(_, name)| name.is_same(&meant)));
         let strategies = session.strategies.clone().unwrap_or_else(|| vec![(goodbot::feedback::Strategy::BALANCED, 1.0)]);
         self.agent.set_strategies(&strategies).map_err(at(recorded.header_line))?;
         self.agent.hear(&session.home, &session.start, &header.command).map_err(at(recorded.header_line))?;
@@ -77,7 +78,11 @@ impl Witness {
     fn watch(&mut self, file: &str, recorded: &RecordedSession, session: &Session<impl HomeMemory>) -> Result<Vec<Fault>, Vec<Fault>> {
         let mut remarks = vec![];
         let mut last: HomeState = session.start;
-        for step in &session.steps {
+        let answered = |agent: &mut Agent<AgentHeap>, steps: usize| {
+            session.answer(agent, steps).map_err(|(line, error)| vec![Fault::on_line(file, line, error)])
+        };
+        for (count, step) in session.steps.iter().enumerate() {
+            answered(&mut self.agent, count)?;
             let at = |error: AgentError| vec![Fault::on_line(file, step.line, error)];
             if step.bump && recorded.header.kind == Kind::Demonstration {
                 let cell = session.home.agent_cell(&step.before);
@@ -97,6 +102,7 @@ impl Witness {
             };
             remarks.extend(remark(evidence.map_err(at)?).map(|message| Fault::on_line(file, step.line, message)));
         }
+        answered(&mut self.agent, session.steps.len())?;
         // A trainer who shows the way stops where it is done.
         if recorded.header.kind == Kind::Demonstration {
             let at = |error: AgentError| vec![Fault::on_line(file, recorded.end_line, error)];
@@ -216,7 +222,15 @@ pub fn commands<D: Domain>(
 
 /// A task by its propositions and the attributes of its objects.
 pub fn label<D: Domain>(domain: &D, lifted: &LiftedTask, bindings: &[ObjectId]) -> String {
-    let functions = lifted.propositions().iter().map(|part| domain.world().schema.proposition_name(part.proposition).to_owned());
+    let functions = lifted.parts().map(|(part, it)| {
+        let sign = match part {
+            Part::Goal => "",
+            Part::Before(_) => "after ",
+            Part::Through(_) => "through ",
+            Part::Avoiding => "avoiding ",
+        };
+        format!("{sign}{}", domain.world().schema.proposition_name(it.proposition))
+    });
     let objects = domain.world().objects;
     let mut parts: Vec<String> = functions.collect();
     for &object in bindings.iter().take(lifted.variables().len()) {

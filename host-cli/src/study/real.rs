@@ -66,8 +66,9 @@ impl Judge {
         let refused = |error: goodbot::AgentError| vec![Fault::on_line(file, recorded.header_line, error)];
         let agent = &mut self.0;
         let session = session::load(file, recorded, agent.lifted(), home::memory())?;
-        let meant = recorded.header.intended.as_deref().unwrap_or(&[]);
-        let Some(intended) = session.tasks.iter().position(|(_, name)| name.holds_exactly(meant)) else { return Ok(Vec::new()) };
+        let meant = recorded.header.meant().and_then(Result::ok);
+        let intended = meant.and_then(|meant| session.tasks.iter().position(|(_, name)| name.is_same(&meant)));
+        let Some(intended) = intended else { return Ok(Vec::new()) };
         agent.hear(&session.home, &session.start, &recorded.header.command).map_err(refused)?;
         let mut observed = Vec::new();
         for step in &session.steps {

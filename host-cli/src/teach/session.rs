@@ -5,7 +5,7 @@ use goodbot::home::HomeState;
 use goodbot::planning::Judgement;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, SessionHeader, StepRecord};
-use goodbot_formats::task_text::GroundAtomText;
+use goodbot_formats::task_text::GroundTaskText;
 use std::collections::VecDeque;
 
 /// A step that was judged.
@@ -84,24 +84,28 @@ impl Session {
     }
 
     /// The session as a log has it.
-    pub fn record(&self, intended: Option<Vec<GroundAtomText>>, learn: bool) -> RecordedSession {
+    pub fn record(&self, intended: Option<&GroundTaskText>, learn: bool) -> RecordedSession {
         let step = |step: &Step| StepRecord { action: step.action.clone(), feedback: Some(word(step.feedback)) };
+        let mut header = SessionHeader {
+            id: self.id.clone(),
+            kind: Kind::Feedback,
+            environment: self.environment.clone(),
+            command: self.command.clone(),
+            intended: None,
+            before: None,
+            through: None,
+            avoiding: None,
+            actions: None,
+            continues: false,
+            prior: None,
+            strategies: None,
+        };
+        header.set_meant(intended);
         RecordedSession {
-            header: SessionHeader {
-                id: self.id.clone(),
-                kind: Kind::Feedback,
-                environment: self.environment.clone(),
-                command: self.command.clone(),
-                intended,
-                actions: None,
-                continues: false,
-                prior: None,
-                avoiding: None,
-                through: None,
-                strategies: None,
-            },
+            header,
             header_line: 1,
             steps: self.steps().iter().map(step).zip(2..).map(|(step, line)| (line, step)).collect(),
+            answers: vec![],
             learn,
             end_line: self.done.len() + self.again.len() + 2,
         }

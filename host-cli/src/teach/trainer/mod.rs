@@ -329,7 +329,7 @@ impl Trainer {
 
     fn record(&self, learn: bool) -> Result<RecordedSession, Refusal> {
         let session = self.session.as_ref().ok_or_else(no_session)?;
-        let intended = session.intended.and_then(|position| self.name_of(position)).map(|name| name.atoms().to_vec());
-        Ok(session.record(intended, learn))
+        let intended = session.intended.and_then(|position| self.name_of(position));
+        Ok(session.record(intended.as_ref(), learn))
     }
 }
