@@ -45,7 +45,8 @@ of cores. Seven lessons, each until the agent rests at the goal, at most 600 ste
 With --json the first line tells what is compared, then there is a line for each run, and at the end one for each \
 trainer and agent:
   tests_right      how many of the five tests were right: done, and then rested
-  words            how often the trainer said good bot or bad bot
+  words            how often the trainer said good bot or bad bot, or answered a question
+  answers          how many of these were answers
   steps            steps of a lesson; one that ended before the goal counts as 600
   wrongly_certain  percentage of the twelve commands at which it held a wrong task for more than 95 % likely
   gave_up          percentage of lessons that ended before the goal

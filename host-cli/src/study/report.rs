@@ -65,11 +65,13 @@ fn markdown(plan: &Plan, rows: &[Row], links: &[String], checks: Option<&str>) -
          them understands commands, and in both forms they are what one would build of them for this course.\n\
          - A lesson ends when the agent has done nothing three times at the goal, when the goal cannot be reached any more, or after \
          {MOST_STEPS} steps. Real trainers leave sooner: the trainer `leaving`.\n\
-         - No agent is told which trainer it has. goodbot takes every trainer for the paper's balanced one.\n\n\
+         - No agent is told which trainer it has. What `people` and `asking` expect was fitted to the same recorded sessions as the trainer \
+         `population`: there they know what the others do not.\n\n\
          ## The columns\n\
          - *Tests right*: of five commands in a new home. Nobody says a word. A test is right if the agent does what is meant and then rests, in at \
          most {TEST_STEPS} steps.\n\
-         - *Words said*: how often the trainer said good bot or bad bot, in all seven lessons together.\n\
+         - *Words said*: how often the trainer said good bot or bad bot, or answered a question, in all seven lessons together. \
+         One answer in twenty is wrong, whoever the trainer is.\n\
          - *Steps a lesson*: until the lesson ended at the goal; {MOST_STEPS} if it did not. The median is of all lessons of all seeds.\n\
          - *Wrongly certain*: at how many of the twelve commands the agent held a wrong task for more than {:.0} % likely, at any time. \"-\" \
          where an agent has no such probability.\n\
@@ -122,7 +124,7 @@ fn markdown(plan: &Plan, rows: &[Row], links: &[String], checks: Option<&str>) -
         text += &format!("### Trainer {}\n", first.trainer);
         text += "| agent |";
         Column::ALL.iter().for_each(|column| text += &format!(" {} |", column.head()));
-        text += " median steps |\n|---|---:|---:|---:|---:|---:|---:|\n";
+        text += " median steps |\n|---|---:|---:|---:|---:|---:|---:|---:|\n";
         for row in group {
             text += &format!("| `{}` |", row.agent);
             Column::ALL.iter().for_each(|&column| text += &format!(" {} |", table::mean(row.mean(column))));

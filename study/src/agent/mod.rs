@@ -14,7 +14,7 @@ pub mod pick;
 pub mod tamer;
 
 use crate::place::{Outlook, Place};
-use ::goodbot::Options;
+use ::goodbot::asking::{Answer, Question};
 use ::goodbot::feedback::Feedback;
 use ::goodbot::home::HomeState;
 use ::goodbot::oomdp::Action;
@@ -56,6 +56,22 @@ pub trait Learner {
     /// [`CourseError`].
     fn told(&mut self, word: Feedback) -> Result<(), CourseError>;
 
+    /// What it asks before it acts, if anything. It is asked again after each answer.
+    ///
+    /// # Errors
+    /// [`CourseError`].
+    fn asks(&mut self, _now: &Now<'_, '_, '_>) -> Result<Option<Question>, CourseError> {
+        Ok(None)
+    }
+
+    /// Takes the answer to what it asked.
+    ///
+    /// # Errors
+    /// [`CourseError`].
+    fn answered(&mut self, _answer: Answer) -> Result<(), CourseError> {
+        Ok(())
+    }
+
     /// The most likely task, and how sure the agent is of it; `None` for one that has no such probability.
     fn belief(&self) -> Option<(usize, f32)>;
 
@@ -73,7 +89,7 @@ pub trait Learner {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Learns {
     /// This project's agent.
-    Goodbot(Options),
+    Goodbot(goodbot::Settings),
     /// TAMER.
     Tamer(tamer::Settings),
     /// COACH.
@@ -91,7 +107,7 @@ impl Learns {
     /// [`CourseError::Agent`] where it cannot be made.
     pub fn begin(&self, random: Pcg32) -> Result<Box<dyn Learner>, CourseError> {
         Ok(match *self {
-            Self::Goodbot(options) => Box::new(goodbot::Goodbot::new(options, random)?),
+            Self::Goodbot(settings) => Box::new(goodbot::Goodbot::new(settings, random)?),
             Self::Tamer(settings) => Box::new(tamer::Tamer::new(settings, random)),
             Self::Coach(settings) => Box::new(coach::Coach::new(settings, random)),
             Self::Advise(settings) => Box::new(advise::Advise::new(settings, random)),
@@ -116,7 +132,7 @@ impl Learns {
 impl fmt::Display for Learns {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Goodbot(_) => f.write_str("as it is"),
+            Self::Goodbot(settings) => settings.fmt(f),
             Self::Tamer(settings) => settings.fmt(f),
             Self::Coach(settings) => settings.fmt(f),
             Self::Advise(settings) => settings.fmt(f),
@@ -151,9 +167,12 @@ impl Learns {
 }
 
 /// All agents, in the order of the tables.
-pub const AGENTS: [Contestant; 10] = [
-    Contestant { name: "goodbot", is: "goodbot as it comes", learns: Learns::Goodbot(Options::DEFAULT) },
-    Contestant { name: "paper", is: "goodbot with the paper's settings: SABL and IBM Model 2", learns: Learns::Goodbot(Options::PAPER) },
+pub const AGENTS: [Contestant; 13] = [
+    Contestant { name: "goodbot", is: "goodbot as it comes", learns: Learns::Goodbot(goodbot::DEFAULT) },
+    Contestant { name: "any-action", is: "goodbot that takes any action that leads on", learns: Learns::Goodbot(goodbot::ANY_ACTION) },
+    Contestant { name: "people", is: "goodbot that expects trainers as people are", learns: Learns::Goodbot(goodbot::PEOPLE) },
+    Contestant { name: "asking", is: "goodbot that expects people, and asks", learns: Learns::Goodbot(goodbot::ASKING) },
+    Contestant { name: "paper", is: "goodbot with the paper's settings: SABL and IBM Model 2", learns: Learns::Goodbot(goodbot::PAPER) },
     Contestant { name: "tamer-table", is: "TAMER, a table for each command", learns: Learns::Tamer(tamer::TABULAR) },
     Contestant { name: "coach-table", is: "COACH, a table for each command", learns: Learns::Coach(coach::TABULAR) },
     Contestant { name: "advise-table", is: "Advise, a table for each command", learns: Learns::Advise(advise::TABULAR) },
