@@ -146,14 +146,15 @@ impl Population {
                     for (step, observed) in lesson.iter().enumerate() {
                         let column = column(observed.said);
                         let meant = |lag: usize| step.checked_sub(lag).map(|earlier| usize::from(!lesson[earlier].correct));
-                        // There is no word about an action before the first.
-                        let none = if observed.said == Feedback::Neutral { 1.0 } else { 0.0 };
-                        let part = |lag: usize| fit.late[lag] * meant(lag).map_or(none, |situation| rates[situation][column]);
+                        let part = |lag: usize| meant(lag).map_or(0.0, |situation| fit.late[lag] * rates[situation][column]);
                         let parts: [f64; LATEST + 1] = std::array::from_fn(part);
                         let whole: f64 = parts.iter().sum();
                         for (lag, part) in parts.into_iter().enumerate() {
                             let share = part / whole;
-                            late[lag] += share;
+                            // The first actions tell nothing of lags: there is nothing earlier that a word could be meant for.
+                            if step >= LATEST {
+                                late[lag] += share;
+                            }
                             let Some(situation) = meant(lag) else { continue };
                             let side = if situation == 0 { &mut counts.right } else { &mut counts.wrong };
                             side[column] += share;
