@@ -34,7 +34,7 @@ pub enum GoodbotCapacity {
     Cells,
     /// Grounded tasks of one session. At most 64, one bit each in a task set.
     Tasks,
-    /// Trainer strategies told apart at once. At most 8.
+    /// Trainer strategies told apart at once.
     Strategies,
     /// Joint beliefs: tasks times strategies.
     Beliefs,

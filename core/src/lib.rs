@@ -42,6 +42,7 @@
 //! | [`feedback`] | trainer strategies and the belief over tasks (SABL, I-SABL) |
 //! | [`language`] | words, IBM Model 2, weighted EM |
 //! | [`session`] | Algorithm 1: the [`Agent`] |
+//! | [`asking`] | questions: where asking teaches more than acting (feature `asking`) |
 //! | [`snapshot`] | what is learned, as bytes (feature `snapshot`) |
 //! | [`storage`] | those bytes in flash, safe from power cuts (feature `storage`) |
 //!
@@ -49,11 +50,11 @@
 //! (products that never underflow) and [`random`] (draws).
 //!
 //! # Features
-//! `snapshot` and `storage`, which needs it, are on by default. `alloc` brings [`HeapMemory`], for hosts; `std` brings `alloc`.
+//! `asking`, `snapshot` and `storage`, which needs it, are on by default. `alloc` brings [`HeapMemory`], for hosts; `std` brings `alloc`.
 //!
 //! # What it promises
 //! No allocation, no `unsafe`, no panic on any input. Every capacity is a field of [`Capacities`], and an error names the field to raise.
-//! Only `+ - * /` on f32: the same input gives the same bits on x86-64, wasm32 and Cortex-M. Long work goes in parts, with a budget that
+//! Only `+ - * /` on f32, and a logarithm made of them: the same input gives the same bits on x86-64, wasm32 and Cortex-M. Long work goes in parts, with a budget that
 //! the caller sets.
 
 #![no_std]
@@ -70,6 +71,8 @@ extern crate std;
 
 #[macro_use]
 pub mod memory;
+#[cfg(feature = "asking")]
+pub mod asking;
 pub mod capacity;
 mod checksum;
 pub mod feedback;

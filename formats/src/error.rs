@@ -142,6 +142,19 @@ pub enum Problem {
     },
     /// A step in a labelled session.
     StepInLabelled,
+    /// An answer in a session that is not of feedback.
+    AnswerWithoutFeedback,
+    /// An answer before the first session or after the end of one.
+    AnswerOutsideSession,
+    /// Answers that are wrong as often as right, or more often.
+    AnswersMostlyWrong,
+    /// No other answer, or more than can be.
+    OtherAnswers {
+        /// The number.
+        others: u64,
+    },
+    /// Lags that are not three probabilities that sum to 1.
+    Lags,
     /// A field that only a labelled session can have.
     OnlyWithIntended,
     /// A field that a session with `continues` cannot have.
@@ -248,6 +261,15 @@ impl fmt::Display for Problem {
             Problem::StepInLabelled => {
                 f.write_str("a step does not belong in a labelled session; remove it, or make the session's kind demonstration")
             }
+            Problem::AnswerWithoutFeedback => {
+                f.write_str("an answer belongs in a session of feedback alone; remove it, or make the session's kind feedback")
+            }
+            Problem::AnswerOutsideSession => {
+                f.write_str("an answer stands outside any session; put it between its session line and its end")
+            }
+            Problem::AnswersMostlyWrong => f.write_str("must be less than 0.5: an answer that is more often wrong than right is no answer"),
+            Problem::OtherAnswers { others } => write!(f, "{others} other answers are none to choose from; write a number from 1 to 255"),
+            Problem::Lags => f.write_str("must be three probabilities that sum to 1"),
             Problem::OnlyWithIntended => f.write_str("is the way of what was meant, which is not told; remove it, or write intended"),
             Problem::NotWithContinues => {
                 f.write_str("does not belong in a session that continues the one before; remove it, or remove \"continues\"")

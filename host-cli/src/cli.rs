@@ -4,13 +4,16 @@ use crate::ask::AskOptions;
 use crate::check::CheckArgs;
 use crate::evaluate::EvaluateOptions;
 use crate::example::Example;
+use crate::fit_trainers::FitOptions;
 use crate::inspect::InspectOptions;
 use crate::learn::LearnOptions;
 use crate::learner::Learner;
 use crate::merge::MergeArgs;
 use crate::paper::sweep::Sweep;
 use crate::paper::trainer::{BelievedChoice, TrainerChoice};
+use crate::questions::QuestionsOptions;
 use crate::replay::ReplayArgs;
+use crate::study::StudyOptions;
 use crate::teach::TeachOptions;
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use std::path::PathBuf;
@@ -86,8 +89,13 @@ pub enum Command {
     /// Train on recorded sessions, ask for those left out, and count right answers
     Evaluate(EvaluateOptions),
     Replay(ReplayArgs),
+    /// Simulate sessions with questions and without: what they cost and what they save
+    Questions(QuestionsOptions),
+    /// Find what trainers to expect, from what real ones said
+    FitTrainers(FitOptions),
     Check(CheckArgs),
     Merge(MergeArgs),
+    Study(StudyOptions),
     /// Print a home or a session log to begin with
     Example {
         /// What

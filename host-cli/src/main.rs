@@ -6,15 +6,19 @@
 #![forbid(unsafe_code)]
 
 mod ask;
+mod calibration;
+mod canvas;
 mod check;
 mod cli;
 mod evaluate;
 mod example;
+mod fit_trainers;
 mod inspect;
 mod learn;
 mod learner;
 mod lessons;
 mod load;
+mod mean;
 mod merge;
 mod messages;
 mod misuse;
@@ -22,8 +26,10 @@ mod numbers;
 mod outcome;
 mod output;
 mod paper;
+mod questions;
 mod refusal;
 mod replay;
+mod study;
 mod teach;
 mod whole_file;
 
@@ -52,10 +58,13 @@ fn main() -> ExitCode {
         Command::Learn(options) => learn::run(&options),
         Command::Ask(options) => ask::run(&options),
         Command::Inspect(options) => inspect::run(&options),
+        Command::Questions(options) => questions::run(&options),
+        Command::FitTrainers(options) => fit_trainers::run(&options),
         Command::Replay(args) => return replay::run(&args),
         Command::Check(args) => return check::run(&args),
         Command::Merge(options) => merge::run(&options),
         Command::Evaluate(options) => evaluate::run(&options),
+        Command::Study(options) => study::run(&options),
         Command::Example { what } => example::run(what),
         Command::Completions { shell } => completions(shell),
         Command::Man => manual(),

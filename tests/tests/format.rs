@@ -83,6 +83,9 @@ fn a_saved_model_is_what_the_document_says_byte_by_byte() {
     assert_eq!(options.float(), Options::DEFAULT.least_weight);
     assert_eq!(options.bytes(2), [4, 1], "four letters, facts beside their proposition");
     assert_eq!(options.bytes(2), [1, 0], "the role model, no weights by evidence alone");
+    let trainer = (options.float(), options.float(), options.float());
+    assert_eq!(trainer, (Options::DEFAULT.drift, Options::DEFAULT.ending.at_goal, Options::DEFAULT.ending.elsewhere));
+    assert_eq!(options.bytes(1), [1], "actions that tell more");
     assert!(options.0.is_empty());
 
     let strategies = payload.list(|payload| [payload.float(), payload.float(), payload.float(), payload.float()]);
@@ -96,6 +99,8 @@ fn a_saved_model_is_what_the_document_says_byte_by_byte() {
     let sessions = payload.list(|payload| (payload.list(Reader::varint), payload.varint()));
     let pairs = payload.list(|payload| (payload.varint(), payload.float()));
     let heard_again = payload.list(|payload| payload.bytes(1)[0]);
+    let trainers = payload.list(|payload| [payload.float(), payload.float(), payload.float(), payload.float()]);
+    assert_eq!(trainers, [[1.0, 0.0, 0.0, 1.0]], "no lag, and the one strategy was expected");
     assert!(payload.0.is_empty());
 
     assert_eq!((commands.len(), sessions.len()), (model.bitext().commands(), model.bitext().sessions()));

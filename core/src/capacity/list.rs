@@ -22,10 +22,10 @@ macro_rules! for_each_capacity {
             cells: Cells = 41, 64, 1_024;
             /// Grounded tasks of one session. At most 64, one bit each in a [`TaskSet`](crate::task::TaskSet).
             tasks: Tasks = 10, 12, 64;
-            /// Trainer strategies told apart at once. At most 8.
-            strategies: Strategies = 1, 3, 4;
+            /// Trainer strategies told apart at once.
+            strategies: Strategies = 1, 3, 16;
             /// Joint beliefs: tasks times strategies.
-            beliefs: Beliefs = 10, 36, 256;
+            beliefs: Beliefs = 10, 36, 1_024;
             /// Distinct machine commands that one session's tasks and constraints can express.
             candidates: Candidates = 36, 48, 1_024;
             /// Machine tokens of all candidates together.

@@ -41,3 +41,5 @@ pub const FACTS_PER_TASK: usize = 8;
 pub const LIFTED_TASKS: usize = 8;
 /// Blocks that can be moved about in one home.
 pub const BLOCKS: usize = 8;
+/// Questions of one session; after these it acts, and asks no more.
+pub const QUESTIONS_PER_SESSION: usize = 8;

@@ -4,7 +4,7 @@
 //! The task's prior, which the language model gives, stands beside it: the posterior is their product, renormalised. Both are
 //! [`Scaled`], so a task that looked hopeless for a thousand steps can still come back.
 
-use super::strategy::{Feedback, Strategy};
+use super::strategy::{Feedback, LAGS, Strategy};
 use crate::capacity::{Capacity, CapacityError};
 use crate::planning::Judgement;
 use crate::probability::{Scaled, total};
@@ -23,6 +23,8 @@ crate::memory::tables! {
         priors: Scaled,
         /// One entry a strategy, with its probability.
         strategies: (Strategy, f32),
+        /// One entry a strategy: its probability before this trainer was met.
+        expected: f32,
     }
 }
 
@@ -59,8 +61,8 @@ impl<'t> BeliefRef<'t> {
     }
 
     /// How many strategies there is room for.
-    pub(crate) const fn most_strategies(self) -> usize {
-        self.memory.strategies.len()
+    pub(crate) fn most_strategies(self) -> usize {
+        self.memory.strategies.len().min(self.memory.expected.len())
     }
 
     /// How many tasks.
@@ -71,6 +73,11 @@ impl<'t> BeliefRef<'t> {
     /// The strategies, with the probability that each had when this session began.
     pub fn strategies(self) -> &'t [(Strategy, f32)] {
         self.memory.strategies.get(..self.count.strategies).unwrap_or(&[])
+    }
+
+    /// The probability of a strategy before this trainer was met.
+    pub fn expected(self, strategy: usize) -> f32 {
+        self.memory.expected.get(..self.count.strategies).and_then(|expected| expected.get(strategy)).copied().unwrap_or(0.0)
     }
 
     fn row(self, task: usize) -> &'t [Scaled] {
@@ -133,7 +140,7 @@ impl<'t> Belief<'t> {
     /// # Errors
     /// A [`BeliefError`]; the belief is then as before.
     pub fn set_strategies(&mut self, strategies: &[(Strategy, f32)]) -> Result<(), BeliefError> {
-        let limit = self.memory.strategies.len();
+        let limit = self.read().most_strategies();
         if strategies.len() > limit {
             return Err(CapacityError::new(Capacity::Strategies, limit, strategies.len()).into());
         }
@@ -147,20 +154,22 @@ impl<'t> Belief<'t> {
         if sum <= 0.0 {
             return Err(BeliefError::NoPrior);
         }
-        for (slot, &(strategy, prior)) in self.memory.strategies.iter_mut().zip(strategies) {
-            *slot = (strategy, prior / sum);
+        let slots = self.memory.strategies.iter_mut().zip(self.memory.expected.iter_mut());
+        for ((slot, expected), &(strategy, prior)) in slots.zip(strategies) {
+            (*slot, *expected) = ((strategy, prior / sum), prior / sum);
         }
         self.count.strategies = strategies.len();
         self.count.tasks = 0;
         Ok(())
     }
 
-    /// Takes strategies with exactly these probabilities, which were checked and fit; none leaves those that are. The belief is then about
-    /// no tasks.
-    pub(crate) fn take_over(&mut self, strategies: impl Iterator<Item = (Strategy, f32)>) {
+    /// Takes strategies with exactly these probabilities, now and before the trainer was met, which were checked and fit; none leaves those
+    /// that are. The belief is then about no tasks.
+    pub(crate) fn take_over(&mut self, strategies: impl Iterator<Item = ((Strategy, f32), f32)>) {
         let mut count = 0_usize;
-        for (slot, strategy) in self.memory.strategies.iter_mut().zip(strategies) {
-            *slot = strategy;
+        let slots = self.memory.strategies.iter_mut().zip(self.memory.expected.iter_mut());
+        for ((slot, expected), (strategy, before)) in slots.zip(strategies) {
+            (*slot, *expected) = (strategy, before);
             count = count.saturating_add(1);
         }
         if count > 0 {
@@ -169,16 +178,18 @@ impl<'t> Belief<'t> {
         self.count.tasks = 0;
     }
 
-    /// Starts again with these task priors; the strategies' marginals so far are kept.
+    /// Starts again with these task priors. The strategies keep their marginals so far, and drift back to what they were before the trainer
+    /// was met by the share `drift`, from 0 to 1.
     ///
     /// # Errors
     /// A [`CapacityError`] where there is no room for so many tasks and strategies; the belief is then about no tasks.
-    pub fn restart(&mut self, priors: impl ExactSizeIterator<Item = Scaled>) -> Result<(), CapacityError> {
+    pub fn restart(&mut self, priors: impl ExactSizeIterator<Item = Scaled>, drift: f32) -> Result<(), CapacityError> {
         if self.count.tasks > 0 {
             for strategy in 0..self.count.strategies {
                 let marginal = self.read().strategy_probability(strategy);
+                let expected = self.read().expected(strategy);
                 if let Some(slot) = self.memory.strategies.get_mut(strategy) {
-                    slot.1 = marginal;
+                    slot.1 = (1.0 - drift) * marginal + drift * expected;
                 }
             }
         }
@@ -223,20 +234,16 @@ impl<'t> Belief<'t> {
         self.memory.priors.get_mut(..self.count.tasks).unwrap_or(&mut [])
     }
 
-    /// Takes in the feedback to one action. `judgement` says how the action relates to each task. A task whose judgement is unknown gets
-    /// the posterior-weighted mean likelihood of the others: no evidence for or against it. Evidence that every task and strategy holds
-    /// impossible is ignored, and `false` given.
-    pub fn observe_feedback(&mut self, feedback: Feedback, judgement: impl Fn(usize) -> Judgement) -> bool {
-        self.observe(|strategy, task| match judgement(task) {
-            Judgement::Correct => Some(strategy.probability(feedback, true)),
-            Judgement::Incorrect => Some(strategy.probability(feedback, false)),
-            Judgement::Unknown => None,
-        })
+    /// Takes in the feedback to one action. `judged` says how the last action relates to each task, and the two before it, the last one
+    /// first: see [`Strategy::likelihood`]. A task for which nothing is known gets the posterior-weighted mean likelihood of the others: no
+    /// evidence for or against it. Evidence that every task and strategy holds impossible is ignored, and `false` given.
+    pub fn observe_feedback(&mut self, feedback: Feedback, judged: impl Fn(usize) -> [Judgement; LAGS]) -> bool {
+        self.observe(&|strategy, task| strategy.likelihood(feedback, judged(task)))
     }
 
     /// Takes in one piece of evidence by its likelihood for each strategy and task, `None` where that is unknown. It replaces the evidence
     /// since [`settle`](Self::settle). Evidence that every task and strategy holds impossible is ignored, and `false` given.
-    pub fn observe(&mut self, likelihood: impl Fn(&Strategy, usize) -> Option<f32>) -> bool {
+    pub fn observe(&mut self, likelihood: &dyn Fn(&Strategy, usize) -> Option<f32>) -> bool {
         let likely = |belief: &Self, task: usize, column: usize| {
             let (strategy, _) = belief.read().strategies().get(column)?;
             likelihood(strategy, task)
@@ -272,6 +279,24 @@ impl<'t> Belief<'t> {
                     *joint = joint.scaled_by(value);
                 }
             }
+        }
+        true
+    }
+}
+
+#[cfg(feature = "asking")]
+impl Belief<'_> {
+    /// Takes in evidence that has nothing to do with the last action, by its likelihood for each task: it stays where a word about the
+    /// action is replaced. Evidence that every task holds impossible is ignored, and `false` given.
+    pub(crate) fn observe_beside(&mut self, likelihood: impl Fn(usize) -> f32) -> bool {
+        if (0..self.count.tasks).all(|task| self.read().weight(task).scaled_by(likelihood(task)).is_zero()) {
+            return false;
+        }
+        let (tasks, strategies) = (self.count.tasks, self.count.strategies.max(1));
+        let rows = self.memory.joint.chunks_mut(strategies).zip(self.memory.settled.chunks_mut(strategies));
+        for (task, (joint, settled)) in rows.take(tasks).enumerate() {
+            let value = likelihood(task);
+            joint.iter_mut().chain(settled).for_each(|weight| *weight = weight.scaled_by(value));
         }
         true
     }

@@ -1,13 +1,21 @@
 //! Trainer feedback (paper, section 3; SABL): reward, punishment and silence as evidence about the intended task.
 //!
-//! - `strategy`: how a trainer rewards, punishes and stays silent;
+//! - `strategy`: how a trainer rewards, punishes and stays silent, and how late;
+//! - `ending`: when a trainer ends a session;
 //! - `belief`: the joint belief over tasks and trainer strategies, and how evidence changes it;
+//! - `information`: what a word is worth before it is said;
+//! - [`population`]: the strategies of real people;
 //! - `simulated`: a trainer that draws its feedback from a strategy.
 
 pub(crate) mod belief;
+pub(crate) mod ending;
+pub(crate) mod information;
+pub mod population;
 pub(crate) mod simulated;
 pub(crate) mod strategy;
 
 pub use belief::{Belief, BeliefCount, BeliefError, BeliefRef, BeliefTables, BeliefTablesRef};
+pub use ending::Ending;
+pub use information::{Words, binary_entropy};
 pub use simulated::SimulatedTrainer;
-pub use strategy::{Feedback, Strategy, StrategyError, UnknownFeedback};
+pub use strategy::{Feedback, LAGS, Strategy, StrategyError, UnknownFeedback};

@@ -1,6 +1,7 @@
 //! A simulated trainer: draws its feedback from a strategy.
 
-use super::strategy::{Feedback, Strategy};
+use super::strategy::{Feedback, LAGS, Strategy};
+use crate::planning::Judgement;
 use crate::random::unit;
 use rand_core::Rng;
 
@@ -24,6 +25,24 @@ impl SimulatedTrainer {
             Feedback::Punish
         } else {
             Feedback::Neutral
+        }
+    }
+
+    /// Its feedback after these actions, the last one first, each judged for the intended task: about the last one, or one of the two before
+    /// it, as its lags say. About an action that there was not, or of which nothing is known, it says nothing.
+    pub fn late_feedback<R: Rng + ?Sized>(&self, judged: [Judgement; LAGS], random: &mut R) -> Feedback {
+        let mut draw = unit(random);
+        let mut about = Judgement::Unknown;
+        for (lag, judgement) in self.strategy.lags().into_iter().zip(judged) {
+            if (0.0..lag).contains(&draw) {
+                about = judgement;
+            }
+            draw -= lag;
+        }
+        match about {
+            Judgement::Correct => self.feedback(true, random),
+            Judgement::Incorrect => self.feedback(false, random),
+            Judgement::Unknown => Feedback::Neutral,
         }
     }
 }

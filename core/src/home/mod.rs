@@ -17,8 +17,8 @@ pub use layout::{Area, Cell, FARTHEST, Place, StoredArea};
 pub use map::Map;
 pub use moves::{Home, HomeState, Moves};
 
-use crate::oomdp::{Attribute, Carrier, Class, ClassId, Proposition, PropositionId, Schema};
 use crate::capacity::{Capacity, CapacityError, LIFTED_TASKS};
+use crate::oomdp::{Attribute, Carrier, Class, ClassId, Proposition, PropositionId, Schema};
 use crate::task::{Clause, LiftedTask, TaskTextError};
 use heapless::Vec;
 

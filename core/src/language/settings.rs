@@ -27,7 +27,7 @@ pub struct Settings {
     pub smoothing: f32,
     /// The pseudo-count, for each word's position, of an alignment that knows nothing.
     pub alignment_prior: f32,
-    /// Rounds of EM.
+    /// Rounds of EM. The role model takes up to half as many more, the more sessions there are.
     pub rounds: u32,
     /// Whether the command's length counts too: a factor Pr(n|l).
     pub length: bool,
@@ -62,7 +62,7 @@ impl Settings {
         order: TokenOrder::Propositions,
     };
 
-    /// What understands people best: the role model, 8 rounds, words that begin with the same four letters are one.
+    /// What understands people best: the role model, 8 to 12 rounds, words that begin with the same four letters are one.
     pub const DEFAULT: Self = Self { model: Model::Roles, ..Self::SMOOTHED };
 }
 
@@ -116,6 +116,16 @@ pub enum SettingError {
     Rounds(u32),
     /// [`Options::least_weight`](crate::Options::least_weight).
     LeastWeight(f32),
+    /// [`Options::drift`](crate::Options::drift).
+    Drift(f32),
+    /// [`Options::ending`](crate::Options::ending): at the goal, and elsewhere.
+    Ending(f32, f32),
+    /// What a question costs: `Asking::kappa`.
+    Kappa(f32),
+    /// How often an answer is wrong: `Asking::eta`.
+    Eta(f32),
+    /// From where on the robot is sure: `Asking::sure`.
+    Sure(f32),
 }
 
 impl SettingError {
@@ -126,6 +136,11 @@ impl SettingError {
             Self::AlignmentPrior(_) => "Settings::alignment_prior",
             Self::Rounds(_) => "Settings::rounds",
             Self::LeastWeight(_) => "Options::least_weight",
+            Self::Drift(_) => "Options::drift",
+            Self::Ending(..) => "Options::ending",
+            Self::Kappa(_) => "Asking::kappa",
+            Self::Eta(_) => "Asking::eta",
+            Self::Sure(_) => "Asking::sure",
         }
     }
 }
@@ -137,6 +152,12 @@ impl fmt::Display for SettingError {
             Self::Smoothing(value) | Self::AlignmentPrior(value) => write!(f, "{field} is {value}; it must be a number from 0 to 1000000"),
             Self::Rounds(value) => write!(f, "{field} is {value}; it must be 1000 at most"),
             Self::LeastWeight(value) => write!(f, "{field} is {value}; it must be a number from 0 to less than 1"),
+            Self::Drift(value) | Self::Sure(value) => write!(f, "{field} is {value}; it must be a number from 0 to 1"),
+            Self::Kappa(value) => write!(f, "{field} is {value}; it must be a number above 0, or infinite"),
+            Self::Eta(value) => write!(f, "{field} is {value}; it must be a number from 0 to less than 0.5"),
+            Self::Ending(at_goal, elsewhere) => {
+                write!(f, "{field} is {at_goal} and {elsewhere}; each must be a number from 0 to less than 1")
+            }
         }
     }
 }

@@ -42,6 +42,7 @@ macro_rules! for_each_agent_table {
             settled: $crate::probability::Scaled = $crate::probability::Scaled::ZERO; beliefs,
             priors: $crate::probability::Scaled = $crate::probability::Scaled::ZERO; tasks,
             strategies: ($crate::feedback::Strategy, f32) = ($crate::feedback::Strategy::UNUSED, 0.0); strategies,
+            expected: f32 = 0.0; strategies,
             goal_parts: $crate::planning::GoalPart = $crate::planning::GoalPart::UNUSED; ground_propositions,
             goal_entries: $crate::task::TaskSet = $crate::task::TaskSet::EMPTY; goal_entries,
             workspace: u64 = 0; workspace_words(),
@@ -126,6 +127,7 @@ macro_rules! agent_tables {
                     settled: it.settled.$slice(),
                     priors: it.priors.$slice(),
                     strategies: it.strategies.$slice(),
+                    expected: it.expected.$slice(),
                 },
                 goals: $crate::planning::$Goals { parts: it.goal_parts.$slice(), entries: it.goal_entries.$slice() },
                 plan: $crate::planning::$Plan {

@@ -5,17 +5,20 @@
 //! go in parts: `plan` and `learn` take a budget and say whether they are done. The trainer may speak while the next plan is being made.
 
 use super::candidates::{CandidateCount, CandidatesRef};
+use super::done::LastDone;
 use super::error::AgentError;
 use super::learning::GaveWay;
 use super::options::{Options, SessionTablesRef, Weights};
+#[cfg(feature = "asking")]
+use crate::asking::Asked;
 use crate::capacity::{Capacities, Capacity, CapacityError, LIFTED_TASKS};
-use crate::feedback::{Belief, BeliefCount, BeliefRef, Feedback, Strategy};
+use crate::feedback::{Belief, BeliefCount, BeliefRef, Ending, Feedback, Strategy, Words};
 use crate::language::model::LanguageState;
 use crate::language::{LanguageMut, LanguageRef, Sentence};
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::{Action, ActionSet, Domain, apply, digest};
 use crate::planning::{Judgement, OptimalSet, Plan, PlanTables, Planner, Progress, Ways};
-use crate::probability::Scaled;
+use crate::probability::{Scaled, total};
 use crate::random::below;
 use crate::symbols::Symbol;
 use crate::task::{GroundedTask, LiftedTask, TaskSet};
@@ -48,13 +51,6 @@ pub enum Evidence {
     SaysNothing,
     /// It is impossible under every task and strategy, and was ignored.
     Impossible,
-}
-
-/// The last action that was done, judged for each task: a word about it may come while the next plan is being made.
-#[derive(Clone, Copy, Debug)]
-struct Done {
-    correct: TaskSet,
-    incorrect: TaskSet,
 }
 
 /// Work that goes in parts, and where it stands.
@@ -94,6 +90,12 @@ pub(super) enum Prior {
     Positive,
 }
 
+/// The probability that the session ends, or goes on, in a state where this is known of a task.
+fn probability_of_end(ending: &Ending, plan: OptimalSet, ends: bool) -> Option<f32> {
+    plan.exact()?;
+    Some(ending.probability(ends, plan == OptimalSet::Goal))
+}
+
 /// The robot's mind, in memory that it owns or borrows: see [`memory`](mod@crate::memory).
 ///
 /// Functions that take any agent say `agent: &mut Agent<impl AgentMemory>`.
@@ -114,14 +116,16 @@ pub struct Agent<M> {
     pub(super) domain: u32,
     pub(super) ended: bool,
     /// The state that was planned for last, and the state that the action done there leads to.
-    planned: Option<u64>,
-    expected: Option<u64>,
+    pub(crate) planned: Option<u64>,
+    pub(crate) expected: Option<u64>,
     /// Dead ends of the state that was planned for last.
-    dead: TaskSet,
-    done: Option<Done>,
+    pub(crate) dead: TaskSet,
+    done: LastDone,
     pub(super) followed: Option<usize>,
     /// The most that each table has held.
     most: Capacities,
+    #[cfg(feature = "asking")]
+    pub(crate) asked: Asked,
 }
 
 impl<M> fmt::Debug for Agent<M> {
@@ -159,9 +163,11 @@ impl<M> Agent<M> {
             planned: None,
             expected: None,
             dead: TaskSet::EMPTY,
-            done: None,
+            done: LastDone::NOTHING,
             followed: None,
             most: Capacities::NONE,
+            #[cfg(feature = "asking")]
+            asked: Asked::NOTHING,
         }
     }
 
@@ -264,7 +270,7 @@ impl<M: AgentMemory> Agent<M> {
         self.planner.plan(plan.optimal, plan.distances)
     }
 
-    fn check_under_way(&self) -> Result<(), AgentError> {
+    pub(crate) fn check_under_way(&self) -> Result<(), AgentError> {
         match self.work {
             Work::Hearing(..) => Err(AgentError::StillHearing),
             Work::Weighing(..) | Work::Keeping | Work::Tidying => Err(AgentError::StillFinishing),
@@ -274,12 +280,12 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Checks that a session is under way in this domain.
-    pub(super) fn check_session<D: Domain + ?Sized>(&self, domain: &D) -> Result<(), AgentError> {
+    pub(crate) fn check_session<D: Domain + ?Sized>(&self, domain: &D) -> Result<(), AgentError> {
         self.check_under_way()?;
         if self.domain == digest(domain) { Ok(()) } else { Err(AgentError::OtherDomain) }
     }
 
-    fn check_planned<D: Domain + ?Sized>(&self, domain: &D, state: &D::State) -> Result<(), AgentError> {
+    pub(crate) fn check_planned<D: Domain + ?Sized>(&self, domain: &D, state: &D::State) -> Result<(), AgentError> {
         self.check_session(domain)?;
         let planned = self.planned == Some(domain.number(state)) && self.planner.is_done();
         if planned { Ok(()) } else { Err(AgentError::NotPlanned) }
@@ -289,6 +295,7 @@ impl<M: AgentMemory> Agent<M> {
     pub(crate) fn end_session(&mut self) {
         (self.start, self.followed, self.work) = (None, None, Work::None);
         self.forget_plan();
+        self.forget_questions();
         self.task_count = 0;
         self.candidates = CandidateCount::NONE;
         self.sentence.clear();
@@ -296,8 +303,18 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Forgets what was planned and done.
     pub(super) fn forget_plan(&mut self) {
-        (self.planned, self.expected, self.done) = (None, None, None);
+        (self.planned, self.expected, self.done) = (None, None, LastDone::NOTHING);
         self.dead = TaskSet::EMPTY;
+        #[cfg(feature = "asking")]
+        self.asked.close();
+    }
+
+    /// Forgets what was asked in the session before.
+    pub(super) fn forget_questions(&mut self) {
+        #[cfg(feature = "asking")]
+        {
+            self.asked = Asked::NOTHING;
+        }
     }
 
     /// Takes the first `count` tasks to plan for.
@@ -415,11 +432,33 @@ impl<M: AgentMemory> Agent<M> {
         self.check_planned(domain, state)?;
         let task = self.likeliest(draw).ok_or(AgentError::NoSession)?;
         let plan = self.planned().optimal(task);
-        let action = plan.onward().and_then(|actions| actions.iter().nth(draw(actions.len()))).unwrap_or(Action::NOOP);
+        let words = self.options.telling.then(|| Words::expected(self.belief()));
+        let action = self.onward(task, words.as_ref(), draw);
         // A domain that changes unseen is no domain; whatever it does, no action is decided on that cannot be done.
         apply(domain, state, action).ok_or(AgentError::NotPlanned)?;
         self.followed = Some(task);
         Ok(Decision { action, task, plan })
+    }
+
+    /// The action that leads on to a task's goal in the state that was planned for: of several one that is drawn, where `words` are given
+    /// among those about which they are expected to tell most.
+    pub(crate) fn onward(&self, task: usize, words: Option<&Words>, draw: &mut dyn FnMut(usize) -> usize) -> Action {
+        let Some(mut actions) = self.planned().optimal(task).onward() else { return Action::NOOP };
+        if let Some(words) = words.filter(|_| actions.len() > 1) {
+            let told = |action: Action| words.information(self.right(action));
+            let most = actions.iter().map(told).fold(0.0, f32::max);
+            actions = actions.iter().filter(|&action| told(action) >= most).fold(ActionSet::EMPTY, ActionSet::with);
+        }
+        actions.iter().nth(draw(actions.len())).unwrap_or(Action::NOOP)
+    }
+
+    /// The probability that an action is right in the state that was planned for, by the tasks for which that is known; 0 where it is known
+    /// for none.
+    pub(crate) fn right(&self, action: Action) -> f32 {
+        let (plan, belief) = (self.planned(), self.belief());
+        let weight = |judgement| total(plan.judged(action, judgement).iter().map(|task| belief.weight(task)));
+        let right = weight(Judgement::Correct);
+        right.over(right.plus(weight(Judgement::Incorrect)))
     }
 
     /// Takes note that `action` was done in `state`, which must have been planned for. Returns the state that it leads to. The trainer's
@@ -430,29 +469,61 @@ impl<M: AgentMemory> Agent<M> {
     pub fn acted<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, action: Action) -> Result<D::State, AgentError> {
         self.check_planned(domain, state)?;
         let next = apply(domain, state, action).ok_or(AgentError::NotApplicable)?;
-        let plan = self.planned();
-        let done = Done { correct: plan.judged(action, Judgement::Correct), incorrect: plan.judged(action, Judgement::Incorrect) };
+        let session = self.memory.lend().session;
+        let plan = self.planner.plan(session.plan.optimal, session.plan.distances);
+        let mut belief = Belief::new(session.belief, &mut self.belief);
+        belief.settle();
+        // The trainer could have ended the session in this state, and did not.
+        if self.done.is_something() && self.options.ending.is_evidence() {
+            let _ = belief.observe(&|_, task| probability_of_end(&self.options.ending, plan.optimal(task), false));
+            belief.settle();
+        }
+        self.done.add(plan, action);
         self.follow_ways(domain, &next);
-        self.belief_mut().settle();
-        (self.done, self.expected) = (Some(done), Some(domain.number(&next)));
+        self.expected = Some(domain.number(&next));
         Ok(next)
     }
 
-    /// Takes in the trainer's word about the action that was done last. Of several words the last counts.
+    /// Takes in the trainer's word about the action that was done last, or one of the two before it: see [`Strategy::lags`]. Of several
+    /// words the last counts.
     ///
     /// # Errors
     /// [`AgentError::NoSession`], or [`AgentError::NothingDone`] where no action was done since the command.
     pub fn feedback(&mut self, feedback: Feedback) -> Result<Evidence, AgentError> {
         self.check_under_way()?;
-        let Done { correct, incorrect } = self.done.ok_or(AgentError::NothingDone)?;
-        if correct.union(incorrect).is_empty() {
+        if !self.done.is_something() {
+            return Err(AgentError::NothingDone);
+        }
+        let done = self.done;
+        if !done.says_something(self.belief().strategies()) {
             return Ok(Evidence::SaysNothing);
         }
-        let possible = self.belief_mut().observe_feedback(feedback, |task| match task {
-            task if correct.contains(task) => Judgement::Correct,
-            task if incorrect.contains(task) => Judgement::Incorrect,
-            _ => Judgement::Unknown,
-        });
+        let possible = self.belief_mut().observe_feedback(feedback, |task| done.judged(task));
+        Ok(if possible { Evidence::Used } else { Evidence::Impossible })
+    }
+
+    /// Takes in that the trainer ended the session in `state`, which must have been planned for, after judging actions: trainers do so more
+    /// often where the task is done (see [`Options::ending`]). Comes before the session is finished or forgotten. Says nothing where the
+    /// options say that an end is no evidence.
+    ///
+    /// # Errors
+    /// As [`decide`](Self::decide), and [`AgentError::NothingDone`] where no action was done since the command.
+    pub fn trainer_ended<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<Evidence, AgentError> {
+        self.check_planned(domain, state)?;
+        if !self.done.is_something() {
+            return Err(AgentError::NothingDone);
+        }
+        let session = self.memory.lend().session;
+        let plan = self.planner.plan(session.plan.optimal, session.plan.distances);
+        if !self.options.ending.is_evidence() || (0..self.task_count).all(|task| plan.optimal(task).exact().is_none()) {
+            return Ok(Evidence::SaysNothing);
+        }
+        let mut belief = Belief::new(session.belief, &mut self.belief);
+        belief.settle();
+        let possible = belief.observe(&|_, task| probability_of_end(&self.options.ending, plan.optimal(task), true));
+        belief.settle();
+        // A word that comes now is about nothing.
+        self.done = LastDone::NOTHING;
         Ok(if possible { Evidence::Used } else { Evidence::Impossible })
     }
 
@@ -464,13 +535,13 @@ impl<M: AgentMemory> Agent<M> {
     pub fn demonstrated<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, action: Action) -> Result<Evidence, AgentError> {
         self.acted(domain, state, action)?;
         // Nobody judges what the trainer did.
-        let Some(Done { correct, incorrect }) = self.done.take() else { return Err(AgentError::NothingDone) };
-        if correct.union(incorrect).is_empty() {
+        self.done = LastDone::NOTHING;
+        if (0..self.task_count).all(|task| self.planned().optimal(task).exact().is_none()) {
             return Ok(Evidence::SaysNothing);
         }
         let session = self.memory.lend().session;
         let plan = self.planner.plan(session.plan.optimal, session.plan.distances);
-        let possible = Belief::new(session.belief, &mut self.belief).observe(|strategy, task| {
+        let possible = Belief::new(session.belief, &mut self.belief).observe(&|strategy, task| {
             let optimal = plan.optimal(task).exact()?;
             let others = ActionSet(plan.applicable().0 & !optimal.0);
             if others.is_empty() {

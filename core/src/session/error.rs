@@ -29,6 +29,10 @@ pub enum AgentError {
     StillHearing,
     /// The session is not weighed and kept yet: call `finish_on` until it is.
     StillFinishing,
+    /// No question waits for an answer.
+    NotAsked,
+    /// This is no answer to the question that was asked.
+    NoAnswer,
     /// The prior of a task is negative or not a number.
     Prior {
         /// The task, by its position.
@@ -80,6 +84,8 @@ impl fmt::Display for AgentError {
             Self::NotApplicable => "the action cannot be done in this state",
             Self::StillHearing => "the command is not heard to its end; hear on until it is",
             Self::StillFinishing => "the session is not finished; finish on until it is",
+            Self::NotAsked => "no question was asked that waits for an answer; ask first",
+            Self::NoAnswer => "this is no answer to that question; answer yes, no, or one of the tasks that it names",
             Self::Prior { task, value } => return write!(f, "the prior of task {task} is {value}; it must be a number of 0 or more"),
             Self::NoPrior => "every task's prior is 0; give one of them more",
             Self::Strategy(error) => return error.fmt(f),

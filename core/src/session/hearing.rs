@@ -13,6 +13,7 @@ use crate::planning::Progress;
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
 use crate::task::description::{Scene, describe, form_token};
+use crate::task::grounded::expect_change;
 use crate::task::machine_command::{Tokens, head};
 use crate::task::{Expression, GroundedTask, LiftedTask, ground};
 use heapless::Vec;
@@ -96,7 +97,7 @@ impl<M: AgentMemory> Agent<M> {
     /// Ends the session that was about to begin: a belief of no tasks is a belief all the same.
     fn refuse_prior(&mut self, error: AgentError) -> Result<(), AgentError> {
         self.start = None;
-        self.belief_mut().restart(core::iter::empty())?;
+        self.belief_mut().restart(core::iter::empty(), 0.0)?;
         Err(error)
     }
 
@@ -131,6 +132,7 @@ impl<M: AgentMemory> Agent<M> {
         (self.start, self.followed, self.work) = (None, None, Work::None);
         self.ended = false;
         self.forget_plan();
+        self.forget_questions();
         self.task_count = 0;
         let tables = self.memory.lend();
         let mut language = self.language.with(tables.language, tables.workspace);
@@ -142,6 +144,9 @@ impl<M: AgentMemory> Agent<M> {
         let count = ground(domain, &self.lifted, state, tables.session.tasks)?;
         if count == 0 {
             return Err(AgentError::NoTask);
+        }
+        if self.options.language.model == Model::Roles {
+            expect_change(domain, &self.lifted, state, tables.session.tasks.get_mut(..count).unwrap_or(&mut []));
         }
         self.plan_for(domain, count, state)?;
         self.task_count = count;
@@ -161,7 +166,7 @@ impl<M: AgentMemory> Agent<M> {
         self.candidates = CandidateCount::NONE;
         let AgentTables { language, session, workspace } = self.memory.lend();
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
-        Belief::new(session.belief, &mut self.belief).restart(tasks.iter().map(|task| Scaled::new(task.prior)))?;
+        Belief::new(session.belief, &mut self.belief).restart(tasks.iter().map(|task| Scaled::new(task.prior)), self.options.drift)?;
         // The tasks' own tokens come first, and what can be said of objects after them, as far as there is room.
         let mut language = self.language.with(language, workspace);
         intern_own_tokens(&mut language, &domain.world().schema, &self.lifted, tasks)?;

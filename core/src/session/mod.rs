@@ -2,6 +2,7 @@
 //!
 //! - `candidates`: the machine commands that this session's tasks can be expressed by, and how well each explains the command;
 //! - `agent`: the robot's mind: plans, decides, takes feedback;
+//! - `done`: the last actions, which a word may be about;
 //! - `hearing`: how it hears a command;
 //! - `learning`: what it does when the session ends;
 //! - `least`: the least capacities for a domain and a number of lessons;
@@ -10,6 +11,7 @@
 
 pub(crate) mod agent;
 pub(crate) mod candidates;
+mod done;
 pub(crate) mod error;
 mod hearing;
 pub(crate) mod learning;

@@ -1,7 +1,7 @@
 //! How an agent understands and learns, and the memory it needs.
 
 use super::candidates::{CandidateTables, CandidateTablesRef};
-use crate::feedback::{BeliefTables, BeliefTablesRef};
+use crate::feedback::{BeliefTables, BeliefTablesRef, Ending, population};
 use crate::language::{SettingError, Settings};
 use crate::planning::{GoalMemory, GoalMemoryRef, PlanMemory, PlanMemoryRef};
 use crate::task::GroundedTask;
@@ -27,17 +27,38 @@ pub struct Options {
     pub weights: Weights,
     /// Weights up to this are dropped; less than 1.
     pub least_weight: f32,
+    /// The share by which what is believed of the trainer's strategies drifts back, at each new command, to what was believed before the
+    /// trainer was met: from 0 (the paper: never) to 1.
+    pub drift: f32,
+    /// What the end of a session says of the task; [`Ending::NO_EVIDENCE`] in the paper.
+    pub ending: Ending,
+    /// Of the actions that lead on, take the one whose feedback tells most of what is meant; the paper takes any.
+    pub telling: bool,
 }
 
 impl Options {
     /// The paper's.
-    pub const PAPER: Self = Self { language: Settings::PAPER, weights: Weights::Paper, least_weight: 5e-5 };
+    pub const PAPER: Self = Self {
+        language: Settings::PAPER,
+        weights: Weights::Paper,
+        least_weight: 5e-5,
+        drift: 0.0,
+        ending: Ending::NO_EVIDENCE,
+        telling: false,
+    };
 
-    /// The paper's, with the language model that understands people best, [`Settings::DEFAULT`], and fewer of its many small weights.
-    pub const DEFAULT: Self = Self { language: Settings::DEFAULT, least_weight: 1e-3, ..Self::PAPER };
+    /// The paper's, with the language model that understands people best, [`Settings::DEFAULT`], fewer of its many small weights, and actions
+    /// that tell more.
+    pub const DEFAULT: Self = Self { language: Settings::DEFAULT, least_weight: 1e-3, telling: true, ..Self::PAPER };
 
     /// The paper's, with Model 2 for short commands in few words: [`Settings::SMOOTHED`].
     pub const SMOOTHED: Self = Self { language: Settings::SMOOTHED, ..Self::PAPER };
+
+    /// The same for a robot that people train: what it believes of its trainer drifts a little, and the end of a session is evidence. The
+    /// strategies to expect of people are [`population::STRATEGIES`].
+    pub const fn for_people(self) -> Self {
+        Self { drift: population::DRIFT, ending: population::ENDING, ..self }
+    }
 
     /// Whether an agent can learn with them.
     ///
@@ -45,7 +66,10 @@ impl Options {
     /// A [`SettingError`] that names the first that is out of range.
     pub fn check(&self) -> Result<(), SettingError> {
         self.language.check()?;
-        if (0.0..1.0).contains(&self.least_weight) { Ok(()) } else { Err(SettingError::LeastWeight(self.least_weight)) }
+        let sound = |sound: bool, error| if sound { Ok(()) } else { Err(error) };
+        sound((0.0..1.0).contains(&self.least_weight), SettingError::LeastWeight(self.least_weight))?;
+        sound((0.0..=1.0).contains(&self.drift), SettingError::Drift(self.drift))?;
+        sound(self.ending.is_sound(), SettingError::Ending(self.ending.at_goal, self.ending.elsewhere))
     }
 }
 

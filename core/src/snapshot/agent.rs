@@ -42,7 +42,7 @@ impl<M: AgentMemory> Agent<M> {
         self.language().check_room(&contents)?;
         self.end_session();
         self.options = contents.options;
-        self.belief_mut().take_over(contents.strategies.iter().filter_map(|record| record.strategy()));
+        self.belief_mut().take_over(contents.believed());
         self.workspace_to_training();
         self.language_mut().take_over(&contents);
         Ok(())

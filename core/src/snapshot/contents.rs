@@ -3,10 +3,11 @@
 use super::error::{Part, RestoreError};
 use super::record::{
     CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OLDEST_VERSION, OPTIONS_BYTES, OptionsRecord, PairRecord, SessionRecord,
-    Sizes, StrategyRecord, VERSION,
+    Sizes, StrategyRecord, TrainerRecord, VERSION,
 };
 use crate::capacity::{Capacities, NAME_BYTES};
 use crate::checksum::CHECK;
+use crate::feedback::Strategy;
 use crate::language::Model;
 use crate::language::lengths::SeenLengths;
 use crate::language::settings::is_weight;
@@ -150,6 +151,9 @@ pub struct Contents<'a> {
     pub pairs: Section<'a, PairRecord>,
     /// Whether the command of each session was heard more than once in the robot's life. Files of before this was kept have none.
     pub heard_again: Section<'a, bool>,
+    /// How late each strategy's words come, and its probability before the trainer was met. Files of before this was kept have none: no
+    /// word is late, and the trainer is met now.
+    pub trainers: Section<'a, TrainerRecord>,
 }
 
 impl<'a> Contents<'a> {
@@ -191,14 +195,29 @@ impl<'a> Contents<'a> {
         }
         let session_count = sessions.len();
         let heard_again = if rest.is_empty() { Section::NONE } else { section(rest, Part::HeardAgain, |_: &bool| true)? };
-        if !rest.is_empty() || !(heard_again.is_empty() || heard_again.len() == session_count) {
+        if !(heard_again.is_empty() || heard_again.len() == session_count) {
             return Err(RestoreError::Inconsistent(Part::HeardAgain));
         }
-        Ok(Self { vocabulary, sizes, options, strategies, words, tokens, commands, sessions, pairs, heard_again })
+        let trainers =
+            if rest.is_empty() { Section::NONE } else { section(rest, Part::Trainers, |record: &TrainerRecord| record.is_sound())? };
+        if !rest.is_empty() || !(trainers.is_empty() || trainers.len() == strategies.len()) {
+            return Err(RestoreError::Inconsistent(Part::Trainers));
+        }
+        Ok(Self { vocabulary, sizes, options, strategies, words, tokens, commands, sessions, pairs, heard_again, trainers })
     }
 }
 
 impl Contents<'_> {
+    /// The strategies with their probabilities now, each with its probability before the trainer was met.
+    pub(crate) fn believed(&self) -> impl Iterator<Item = ((Strategy, f32), f32)> {
+        let mut trainers = self.trainers.iter();
+        self.strategies.iter().filter_map(move |record| {
+            let (strategy, probability) = record.strategy()?;
+            let Some(trainer) = trainers.next() else { return Some(((strategy, probability), probability)) };
+            Some(((strategy.with_lags(trainer.lags).ok()?, probability), trainer.expected))
+        })
+    }
+
     /// The least capacities of memory that has room for all of it.
     pub fn needs(&self) -> Capacities {
         let (commands, mut pairs) = (self.commands.index(), self.pairs.iter());

@@ -81,6 +81,8 @@ pub enum Part {
     Pairs,
     /// Which commands were heard more than once.
     HeardAgain,
+    /// How late the trainer strategies' words come, and how probable the strategies were before the trainer was met.
+    Trainers,
 }
 
 impl Part {
@@ -96,6 +98,7 @@ impl Part {
             Self::Sessions => "sessions",
             Self::Pairs => "pairs",
             Self::HeardAgain => "marks of commands heard again",
+            Self::Trainers => "trainers' lags",
         }
     }
 }

@@ -21,5 +21,5 @@ pub use contents::{Contents, Section};
 pub use error::{Part, RestoreError, SaveError};
 pub use record::{
     CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OLDEST_VERSION, PairRecord, SAVED, SessionRecord, StrategyRecord,
-    VERSION, most_bytes,
+    TrainerRecord, VERSION, most_bytes,
 };

@@ -6,7 +6,7 @@
 use crate::Capacities;
 use crate::capacity::{Capacity, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 pub use crate::checksum::CHECK_BYTES;
-use crate::feedback::Strategy;
+use crate::feedback::{Ending, LAGS, Strategy};
 use crate::language::{Model, Settings};
 use crate::session::{Options, Weights};
 use crate::task::TokenOrder;
@@ -60,7 +60,7 @@ impl Sizes {
 }
 
 /// Room for the options' record.
-pub(crate) const OPTIONS_BYTES: usize = 32;
+pub(crate) const OPTIONS_BYTES: usize = 48;
 
 /// How the robot learns: [`Options`], field by field. New fields are appended, and their 0 is what was before there was a choice.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -75,6 +75,10 @@ pub(crate) struct OptionsRecord {
     pub by_proposition: bool,
     pub by_roles: bool,
     pub evidence_weights: bool,
+    pub drift: f32,
+    pub ends_at_goal: f32,
+    pub ends_elsewhere: f32,
+    pub telling: bool,
 }
 
 impl OptionsRecord {
@@ -83,7 +87,7 @@ impl OptionsRecord {
         let (by_roles, evidence_weights) = (model == Model::Roles, options.weights == Weights::Evidence);
         let by_proposition = order == TokenOrder::Propositions;
         let belief_weights = options.weights == Weights::Belief;
-        let least_weight = options.least_weight;
+        let Options { least_weight, drift, ending: Ending { at_goal: ends_at_goal, elsewhere: ends_elsewhere }, telling, .. } = *options;
         Self {
             smoothing,
             alignment_prior,
@@ -95,11 +99,15 @@ impl OptionsRecord {
             least_weight,
             by_roles,
             evidence_weights,
+            drift,
+            ends_at_goal,
+            ends_elsewhere,
+            telling,
         }
     }
 
     pub(crate) fn options(&self) -> Options {
-        let Self { smoothing, alignment_prior, rounds, length, word_letters, least_weight, .. } = *self;
+        let Self { smoothing, alignment_prior, rounds, length, word_letters, least_weight, drift, telling, .. } = *self;
         let model = if self.by_roles { Model::Roles } else { Model::Model2 };
         let order = if self.by_proposition { TokenOrder::Propositions } else { TokenOrder::Attributes };
         let weights = match (self.evidence_weights, self.belief_weights) {
@@ -107,7 +115,9 @@ impl OptionsRecord {
             (false, true) => Weights::Belief,
             (false, false) => Weights::Paper,
         };
-        Options { language: Settings { model, smoothing, alignment_prior, rounds, length, word_letters, order }, weights, least_weight }
+        let language = Settings { model, smoothing, alignment_prior, rounds, length, word_letters, order };
+        let ending = Ending { at_goal: self.ends_at_goal, elsewhere: self.ends_elsewhere };
+        Options { language, weights, least_weight, drift, ending, telling }
     }
 
     /// Whether every number is one to learn with.
@@ -141,6 +151,22 @@ impl StrategyRecord {
     }
 }
 
+/// How late a strategy's words come, and its probability before the trainer was met.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TrainerRecord {
+    /// The probability that a word is about the last action, and about each of the two before it.
+    pub lags: [f32; LAGS],
+    /// The probability of the strategy before the trainer was met.
+    pub expected: f32,
+}
+
+impl TrainerRecord {
+    /// Whether the numbers are probabilities.
+    pub(crate) fn is_sound(&self) -> bool {
+        Strategy::UNUSED.with_lags(self.lags).is_ok() && (0.0..=1.0).contains(&self.expected)
+    }
+}
+
 /// A machine command: its tokens, by position.
 pub type CommandRecord = heapless::Vec<u16, TOKENS_PER_COMMAND>;
 
@@ -166,10 +192,10 @@ pub struct PairRecord {
 /// where that is beyond all memory.
 pub const fn most_bytes(capacities: &Capacities) -> usize {
     // A length or number takes 5 bytes at most, a position 3, an f32 4.
-    let fixed = LEAST_BYTES + 5 + 5 * SAVED.len() + (5 + OPTIONS_BYTES) + 7 * 5;
+    let fixed = LEAST_BYTES + 5 + 5 * SAVED.len() + (5 + OPTIONS_BYTES) + 8 * 5;
     let mut sum = fixed;
     let mut rest: &[(usize, usize)] = &[
-        (capacities.strategies, 16),
+        (capacities.strategies, 32),
         (capacities.words, 1),
         (capacities.word_bytes, 1),
         (capacities.tokens, 1),

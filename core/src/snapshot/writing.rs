@@ -2,7 +2,7 @@
 
 use super::error::SaveError;
 use super::record::{
-    CHECK_BYTES, HEADER_BYTES, LEAST_BYTES, MAGIC, OPTIONS_BYTES, OptionsRecord, PairRecord, Sizes, StrategyRecord, VERSION,
+    CHECK_BYTES, HEADER_BYTES, LEAST_BYTES, MAGIC, OPTIONS_BYTES, OptionsRecord, PairRecord, Sizes, StrategyRecord, TrainerRecord, VERSION,
 };
 use crate::checksum::CHECK;
 use crate::feedback::BeliefRef;
@@ -55,7 +55,7 @@ impl Serialize for Writing<'_> {
         let (language, bitext) = (self.language, self.language.bitext());
         let mut bytes = [0; OPTIONS_BYTES];
         let options = postcard::to_slice(&OptionsRecord::new(&self.options), &mut bytes).map_err(serde::ser::Error::custom)?;
-        let mut payload = serializer.serialize_struct("Payload", 10)?;
+        let mut payload = serializer.serialize_struct("Payload", 11)?;
         payload.serialize_field("vocabulary", &self.vocabulary)?;
         payload.serialize_field("sizes", &self.sizes)?;
         payload.serialize_field("options", &ByteString(options))?;
@@ -81,6 +81,13 @@ impl Serialize for Writing<'_> {
         let pairs = || bitext.pairs().iter().map(|pair| PairRecord { command: pair.command, weight: pair.weight });
         payload.serialize_field("pairs", &Sequence(pairs))?;
         payload.serialize_field("heard_again", &Sequence(|| (0..bitext.sessions()).map(|session| bitext.heard_again(session as u16))))?;
+        let trainers = || {
+            let belief = self.strategies;
+            let known = belief.map_or(&[][..], BeliefRef::strategies);
+            let expected = move |position| belief.map_or(0.0, |belief| belief.expected(position));
+            known.iter().enumerate().map(move |(at, (strategy, _))| TrainerRecord { lags: strategy.lags(), expected: expected(at) })
+        };
+        payload.serialize_field("trainers", &Sequence(trainers))?;
         payload.end()
     }
 }

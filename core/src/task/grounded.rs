@@ -54,6 +54,34 @@ pub fn ground<D: Domain + ?Sized>(
     })
 }
 
+/// What a part of a task that only asks a thing to stay where it is takes from the task's prior.
+const STAYING: f32 = 0.1;
+
+/// Makes tasks of [`ground`] less probable that ask a thing to stay where it is, each such part by a tenth, and leaves each lifted task as
+/// probable as it is. A command asks for a change: what nobody moves stays where it is, and nobody need say so. A thing is what has
+/// attributes, which words can tell it by. The robot, which has none, moves in any task, and where it shall come back to is worth a word.
+pub(crate) fn expect_change<D: Domain + ?Sized>(domain: &D, lifted: &[LiftedTask], state: &D::State, tasks: &mut [GroundedTask]) {
+    let world = domain.world();
+    let is_thing = |object: ObjectId| {
+        let carries = |class| world.schema.attributes.iter().any(|attribute| attribute.carriers.iter().any(|it| it.class == class));
+        world.objects.get(object).is_some_and(|object| carries(object.class))
+    };
+    let stays = |part: &GroundProposition| part.arguments.first().is_some_and(|&object| is_thing(object)) && domain.holds(part, state);
+    for group in tasks.chunk_by_mut(|one, other| one.lifted == other.lifted) {
+        let Some(lifted) = group.first().and_then(|task| lifted.get(usize::from(task.lifted))) else { continue };
+        if lifted.propositions().len() < 2 {
+            continue;
+        }
+        let before: f32 = group.iter().map(|task| task.prior).sum();
+        for task in &mut *group {
+            let staying = task.propositions(lifted).filter(stays).count();
+            task.prior = (0..staying).fold(task.prior, |prior, _| prior * STAYING);
+        }
+        let after: f32 = group.iter().map(|task| task.prior).sum();
+        group.iter_mut().for_each(|task| task.prior *= before / after);
+    }
+}
+
 /// Grounds every lifted task, except those of which `holds` says so.
 pub(crate) fn ground_unless(
     objects: Objects<'_>,

@@ -21,8 +21,8 @@ pub(crate) use grounded::ground_unless;
 pub use grounded::{GroundedTask, ground};
 pub use lifted::{LiftedProposition, LiftedTask, NO_VARIABLE, TaskTextError};
 pub use machine_command::{Expression, TokenOrder, Tokens};
-pub use way::{Clause, Part, Way, WayState};
 pub use role::{Marker, NoMarker, Role, RoleKind, VALUE_SORTS, is_marker};
+pub use way::{Clause, Part, Way, WayState};
 
 /// A set of a session's tasks, one bit each, by position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -64,6 +64,10 @@ pub struct StrategyRecord {
     pub epsilon: f64,
     /// How probable the strategy is beforehand.
     pub prior: f64,
+    /// How probable it is that a word is about the last action, about the one before, and about the one before that, where words may be
+    /// late.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lags: Option<[f64; 3]>,
 }
 
 const FIELDS: &[&str] = &[
@@ -148,8 +152,7 @@ impl SessionHeader {
     /// What was meant, with its way, where the record says so; a [`TaskTextError`] where it is no task.
     pub fn meant(&self) -> Option<Result<GroundTaskText, TaskTextError>> {
         let list = |list: &Option<Vec<Vec<GroundAtomText>>>| list.clone().unwrap_or_default();
-        let way =
-            WayText { before: list(&self.before), through: list(&self.through), avoiding: self.avoiding.clone().unwrap_or_default() };
+        let way = WayText { before: list(&self.before), through: list(&self.through), avoiding: self.avoiding.clone().unwrap_or_default() };
         Some(GroundTaskText::with_way(self.intended.clone()?, way))
     }
 
@@ -170,6 +173,11 @@ impl SessionHeader {
     /// Whether what was meant has a way: earlier goals, or what is to hold, or not to hold, before the goal does.
     pub fn has_way(&self) -> bool {
         self.before.is_some() || self.through.is_some() || self.avoiding.is_some()
+    }
+
+    /// Whether there can be answers in this session.
+    pub(super) fn check_answer(&self, line: usize) -> Result<(), FormatError> {
+        if self.kind == Kind::Feedback { Ok(()) } else { Err(FormatError::new(line, Problem::AnswerWithoutFeedback)) }
     }
 
     /// Whether a step can be one of this session's.
@@ -230,7 +238,7 @@ fn strategies(node: Node<'_>) -> Result<Vec<StrategyRecord>, FormatError> {
     let mut strategies = Vec::new();
     for item in node.filled_list()? {
         let fields = item.object()?;
-        fields.only(&["name", "mu_plus", "mu_minus", "epsilon", "prior"])?;
+        fields.only(&["name", "mu_plus", "mu_minus", "epsilon", "prior", "lags"])?;
         let probability = |name| fields.required(name)?.probability(0.0);
         let name_node = fields.required("name")?;
         let name = name_node.filled_text()?;
@@ -243,10 +251,17 @@ fn strategies(node: Node<'_>) -> Result<Vec<StrategyRecord>, FormatError> {
             mu_minus: probability("mu_minus")?,
             epsilon: probability("epsilon")?,
             prior: probability("prior")?,
+            lags: fields.optional("lags").map(lags).transpose()?,
         });
     }
     above_zero(&node, strategies.iter().map(|s| s.prior))?;
     Ok(strategies)
+}
+
+fn lags(node: Node<'_>) -> Result<[f64; 3], FormatError> {
+    let lags: Vec<f64> = node.list()?.iter().map(|lag| lag.probability(0.0)).collect::<Result<_, _>>()?;
+    let lags = <[f64; 3]>::try_from(lags).ok().filter(|lags| (lags.iter().sum::<f64>() - 1.0).abs() <= 1e-3);
+    lags.ok_or_else(|| node.error(Problem::Lags))
 }
 
 fn above_zero(node: &Node<'_>, values: impl Iterator<Item = f64>) -> Result<(), FormatError> {

@@ -22,6 +22,10 @@
 //! | `prior` | from tasks to probabilities, instead of what the words would give |
 //! | `strategies` | the trainer strategies to consider, instead of the robot's own |
 //!
+//! In a session of feedback, a line of type `answer` stands where the trainer answered a question of the robot's: `tasks` (the tasks that the
+//! answer is about), `yes` (whether what is meant is among them), `eta` (the probability that an answer is wrong, less than 0.5), and
+//! `others` (how many other answers there were; 1, as for yes and no, where it is absent).
+//!
 //! A session that `continues` has neither `prior` nor `strategies`.
 //!
 //! ```
@@ -47,7 +51,7 @@ mod record;
 pub use header::{SessionHeader, StrategyRecord};
 pub use lines::MAX_LINE_BYTES;
 pub use reader::SessionReader;
-pub use record::{EndRecord, FeedbackWord, Kind, Record, StepRecord};
+pub use record::{AnswerRecord, EndRecord, FeedbackWord, Kind, Record, StepRecord};
 
 use crate::error::FormatError;
 
@@ -60,23 +64,47 @@ pub struct RecordedSession {
     pub header_line: usize,
     /// The steps, each with its line.
     pub steps: Vec<(usize, StepRecord)>,
+    /// The trainer's answers to the robot's questions, in their order.
+    pub answers: Vec<RecordedAnswer>,
     /// Whether the robot is to learn from it.
     pub learn: bool,
     /// The line on which it ends.
     pub end_line: usize,
 }
 
+/// An answer, and where it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RecordedAnswer {
+    /// Its line.
+    pub line: usize,
+    /// How many steps stand before it.
+    pub after: usize,
+    /// The answer.
+    pub answer: AnswerRecord,
+}
+
 impl RecordedSession {
+    /// The answers that stand behind so many steps.
+    pub fn answers_after(&self, steps: usize) -> impl Iterator<Item = &RecordedAnswer> {
+        self.answers.iter().filter(move |recorded| recorded.after == steps)
+    }
+
     /// The session as lines without line ends. The line numbers in `self` play no part.
     ///
     /// What could not be read again is not written: the error is the reader's, and its line counts
     /// from the session line, which is 1.
     pub fn to_lines(&self) -> Result<Vec<String>, FormatError> {
-        let mut lines = Vec::with_capacity(self.steps.len() + 2);
+        let mut lines = Vec::with_capacity(self.steps.len() + self.answers.len() + 2);
         lines.push(self.header.to_json_line()?);
-        for (index, (_, step)) in self.steps.iter().enumerate() {
-            self.header.check(step, index + 2)?;
-            lines.push(step.to_json_line()?);
+        for index in 0..=self.steps.len() {
+            for recorded in self.answers_after(index) {
+                self.header.check_answer(lines.len() + 1)?;
+                lines.push(recorded.answer.to_json_line()?);
+            }
+            if let Some((_, step)) = self.steps.get(index) {
+                self.header.check(step, lines.len() + 1)?;
+                lines.push(step.to_json_line()?);
+            }
         }
         lines.push(EndRecord { learn: self.learn }.to_json_line()?);
         Ok(lines)

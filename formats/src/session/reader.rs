@@ -5,7 +5,7 @@ use std::io::BufRead;
 use super::header::SessionHeader;
 use super::lines::Lines;
 use super::record::Record;
-use super::{EndRecord, RecordedSession};
+use super::{EndRecord, RecordedAnswer, RecordedSession};
 use crate::environment::EnvironmentFile;
 use crate::error::{FormatError, Problem};
 
@@ -107,6 +107,7 @@ impl<R: BufRead> SessionReader<R> {
                         _ => stray(line, Problem::StepAfterEnd),
                     };
                 }
+                Ok((line, Record::Answer(_))) => return stray(line, Problem::AnswerOutsideSession),
                 Ok((line, Record::End(_))) => return stray(line, Problem::EndOutsideSession),
                 Err(failure) => return Some(Err(failure.error)),
             }
@@ -138,7 +139,7 @@ impl<R: BufRead> SessionReader<R> {
     /// What follows on a session line, up to the end.
     fn rest(&mut self, begin: usize, header: SessionHeader) -> Result<RecordedSession, FormatError> {
         self.check_continues(begin, &header)?;
-        let mut steps = Vec::new();
+        let (mut steps, mut answers) = (Vec::new(), Vec::new());
         loop {
             let next = match self.record() {
                 None => {
@@ -150,8 +151,13 @@ impl<R: BufRead> SessionReader<R> {
                     steps.push((line, step));
                     continue;
                 }
+                Some(Ok((line, Record::Answer(answer)))) => {
+                    header.check_answer(line)?;
+                    answers.push(RecordedAnswer { line, after: steps.len(), answer });
+                    continue;
+                }
                 Some(Ok((end_line, Record::End(EndRecord { learn })))) => {
-                    return Ok(RecordedSession { header, header_line: begin, steps, learn, end_line });
+                    return Ok(RecordedSession { header, header_line: begin, steps, answers, learn, end_line });
                 }
                 Some(Ok((line, Record::Session(next)))) => Ok((line, next)),
                 Some(Err(failure)) if failure.session => Err(failure.error),

@@ -4,7 +4,8 @@ use serde::Serialize;
 
 use super::header::SessionHeader;
 use crate::error::{FormatError, Problem};
-use crate::json::Source;
+use crate::json::{Object, Source};
+use crate::task_text::GroundTaskText;
 
 /// How a session teaches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
@@ -40,6 +41,24 @@ pub struct StepRecord {
     pub feedback: Option<FeedbackWord>,
 }
 
+/// A line of type `answer`: what the trainer answered to a question of the robot's, before the step that follows it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AnswerRecord {
+    /// The tasks that the answer is about, at least one.
+    pub tasks: Vec<GroundTaskText>,
+    /// Whether what is meant is among them.
+    pub yes: bool,
+    /// The probability that an answer is wrong.
+    pub eta: f64,
+    /// How many other answers there were, each as probable where the answer is wrong: 1 for yes and no.
+    #[serde(skip_serializing_if = "is_one")]
+    pub others: u8,
+}
+
+fn is_one(others: &u8) -> bool {
+    *others == 1
+}
+
 /// A line of type `end`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct EndRecord {
@@ -54,11 +73,13 @@ pub enum Record {
     Session(Box<SessionHeader>),
     /// An action.
     Step(StepRecord),
+    /// An answer.
+    Answer(AnswerRecord),
     /// The session ends.
     End(EndRecord),
 }
 
-const TYPES: &[&str] = &["session", "step", "end"];
+const TYPES: &[&str] = &["session", "step", "answer", "end"];
 const FEEDBACK_WORDS: &[&str] = &["reward", "punish", "neutral"];
 
 /// A record with its type before its fields.
@@ -95,6 +116,38 @@ impl StepRecord {
     /// The step on one line, without a line end; an error if it could not be read again.
     pub fn to_json_line(&self) -> Result<String, FormatError> {
         write("step", None, self)
+    }
+}
+
+impl AnswerRecord {
+    /// The answer on one line, without a line end; an error if it could not be read again.
+    pub fn to_json_line(&self) -> Result<String, FormatError> {
+        write("answer", None, self)
+    }
+
+    fn read(fields: &Object<'_>) -> Result<Self, FormatError> {
+        fields.only(&["type", "tasks", "yes", "eta", "others"])?;
+        let mut tasks = Vec::new();
+        for item in fields.required("tasks")?.filled_list()? {
+            let task: GroundTaskText = item.text()?.parse().map_err(|error| item.error(Problem::Task(error)))?;
+            if tasks.contains(&task) {
+                return Err(item.error(Problem::DuplicateName { name: task.to_string() }));
+            }
+            tasks.push(task);
+        }
+        let eta = fields.required("eta")?;
+        let others = match fields.optional("others") {
+            None => 1,
+            Some(node) => {
+                let others = node.count()?;
+                u8::try_from(others).ok().filter(|&others| others > 0).ok_or_else(|| node.error(Problem::OtherAnswers { others }))?
+            }
+        };
+        let probability = eta.probability(0.0)?;
+        if probability >= 0.5 {
+            return Err(eta.error(Problem::AnswersMostlyWrong));
+        }
+        Ok(Self { tasks, yes: fields.required("yes")?.truth()?, eta: probability, others })
     }
 }
 
@@ -138,6 +191,7 @@ impl Record {
                 let action = fields.required("action")?.filled_text()?;
                 Ok(Record::Step(StepRecord { action, feedback }))
             }
+            2 => Ok(Record::Answer(AnswerRecord::read(&fields)?)),
             _ => {
                 fields.only(&["type", "learn"])?;
                 let learn = fields.required("learn")?.truth()?;
@@ -151,6 +205,7 @@ impl Record {
         match self {
             Record::Session(header) => header.to_json_line(),
             Record::Step(step) => step.to_json_line(),
+            Record::Answer(answer) => answer.to_json_line(),
             Record::End(end) => end.to_json_line(),
         }
     }

@@ -242,8 +242,7 @@ fn answer(
             let position = tasks.iter().position(|(name, _)| name.is_same(task));
             let grounded = position.and_then(|position| agent.tasks().get(position));
             let kind = grounded.and_then(|grounded| agent.lifted().get(usize::from(grounded.lifted)));
-            let done =
-                meanings.iter().find(|it| it.done && it.name.parse().is_ok_and(|name: GroundTaskText| name.is_same(task)));
+            let done = meanings.iter().find(|it| it.done && it.name.parse().is_ok_and(|name: GroundTaskText| name.is_same(task)));
             match (grounded.zip(kind), position, done) {
                 (Some((grounded, kind)), Some(position), _) => {
                     let text = in_words(home, kind, grounded);
@@ -370,10 +369,7 @@ fn print(
         None => writeln!(out, "plan{purpose}: none was found")?,
     }
     if let Some((task, words, _)) = &answer.expected {
-        let right = answer
-            .tasks
-            .get(answer.best)
-            .is_some_and(|(name, _)| name.parse().is_ok_and(|it: GroundTaskText| it.is_same(task)));
+        let right = answer.tasks.get(answer.best).is_some_and(|(name, _)| name.parse().is_ok_and(|it: GroundTaskText| it.is_same(task)));
         writeln!(out, "expected: {words}, {task}{}", if right { "  (right)" } else { "" })?;
     }
     if options.why || options.expected.is_some() {

@@ -6,11 +6,9 @@
 //! - [`wordless`]: the control, a learner that sees no words;
 //! - [`copies`]: sessions that are asked and were trained on all the same;
 //! - [`novel`]: the same commands in other layouts;
-//! - [`calibration`]: whether certainty is true;
 //! - [`curve`]: accuracy against the number of sessions;
 //! - [`report`]: what is told.
 
-mod calibration;
 mod copies;
 mod curve;
 mod folds;
@@ -20,6 +18,7 @@ pub mod report;
 mod split;
 mod wordless;
 
+use crate::calibration;
 use crate::learner::Learner;
 use crate::lessons::{self, Lesson, Lessons, restored};
 use crate::load::kinds::TaskKinds;
@@ -188,10 +187,14 @@ fn unheard(error: io::Error) -> io::Result<()> {
     if error.kind() == io::ErrorKind::BrokenPipe { Ok(()) } else { Err(error) }
 }
 
+/// What the axes of the reliability diagram show.
+const SURE: &str = "% sure of the predicted task, on average";
+const RIGHT: &str = "% right, with 95 % interval";
+
 fn reliability(plot: Option<&Output>, summary: &Summary) -> Result<(), Failure> {
     let Some(plot) = plot else { return Ok(()) };
     let caption = format!("How sure, and how often right: {}", counted(summary.score.asked, "command"));
-    let svg = calibration::draw(&summary.ranges, &caption).map_err(|error| Failure::Result(error.to_string()))?;
+    let svg = calibration::draw(&summary.ranges, &caption, SURE, RIGHT).map_err(|error| Failure::Result(error.to_string()))?;
     plot.write(svg.as_bytes())
 }
 

@@ -69,7 +69,7 @@ fn elsewhere(witness: &mut Witness, lesson: &Lesson, random: &mut impl Rng) -> R
             continues: false,
             ..lesson.header.clone()
         };
-        let recorded = RecordedSession { header, header_line: 1, steps: vec![], learn: false, end_line: 1 };
+        let recorded = RecordedSession { header, header_line: 1, steps: vec![], answers: vec![], learn: false, end_line: 1 };
         // What cannot be built, or asks for what holds already, is drawn anew.
         if let Ok(lesson) = witness.lesson(&lesson.id, &recorded)
             && !known

@@ -1,8 +1,8 @@
 //! What is told of an evaluation.
 
-use super::calibration::{self, RANGES, Range};
 use super::curve::Point;
 use super::folds::Answer;
+use crate::calibration::{self, RANGES, Range};
 use crate::load::fault::quoted;
 use crate::messages::counted;
 use serde_json::{Value, json};
@@ -91,7 +91,7 @@ impl Summary {
             wordless: Score::of(answers.iter().map(|answer| answer.wordless)),
             chance: answers.iter().map(|answer| f64::from(answer.chance)).sum::<f64>() / answers.len().max(1) as f64,
             without_copies: Score::of(answers.iter().filter(|answer| answer.copy_of.is_none()).map(model)),
-            ranges: calibration::ranges(answers),
+            ranges: calibration::ranges(answers.iter().map(|answer| (f64::from(answer.probabilities.1), answer.right))),
         }
     }
 

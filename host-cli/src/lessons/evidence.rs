@@ -78,7 +78,11 @@ impl Witness {
     fn watch(&mut self, file: &str, recorded: &RecordedSession, session: &Session<impl HomeMemory>) -> Result<Vec<Fault>, Vec<Fault>> {
         let mut remarks = vec![];
         let mut last: HomeState = session.start;
-        for step in &session.steps {
+        let answered = |agent: &mut Agent<AgentHeap>, steps: usize| {
+            session.answer(agent, steps).map_err(|(line, error)| vec![Fault::on_line(file, line, error)])
+        };
+        for (count, step) in session.steps.iter().enumerate() {
+            answered(&mut self.agent, count)?;
             let at = |error: AgentError| vec![Fault::on_line(file, step.line, error)];
             if step.bump && recorded.header.kind == Kind::Demonstration {
                 let cell = session.home.agent_cell(&step.before);
@@ -98,6 +102,7 @@ impl Witness {
             };
             remarks.extend(remark(evidence.map_err(at)?).map(|message| Fault::on_line(file, step.line, message)));
         }
+        answered(&mut self.agent, session.steps.len())?;
         // A trainer who shows the way stops where it is done.
         if recorded.header.kind == Kind::Demonstration {
             let at = |error: AgentError| vec![Fault::on_line(file, recorded.end_line, error)];

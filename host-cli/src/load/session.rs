@@ -7,11 +7,11 @@ use goodbot::capacity::{Capacity, CapacityError, PROPOSITIONS_PER_TASK};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{Home, HomeState, Moves, SCHEMA};
 use goodbot::language::for_each_word;
-use goodbot::memory::HomeMemory;
+use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::oomdp::{Action, Domain, action_named, apply};
-use goodbot::task::{GroundedTask, LiftedTask, ground};
-use goodbot::{AgentError, Capacities};
-use goodbot_formats::session::{FeedbackWord, RecordedSession, StepRecord, StrategyRecord};
+use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
+use goodbot::{Agent, AgentError, Capacities};
+use goodbot_formats::session::{FeedbackWord, RecordedAnswer, RecordedSession, StepRecord, StrategyRecord};
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
 
 /// One step of a session.
@@ -44,9 +44,39 @@ pub struct Session<M> {
     pub strategies: Option<Vec<(Strategy, f32)>>,
     /// The steps.
     pub steps: Vec<Step>,
+    /// The answers.
+    pub answers: Vec<SessionAnswer>,
+}
+
+/// An answer of a session.
+#[derive(Clone, Copy, Debug)]
+pub struct SessionAnswer {
+    /// The line it stands on.
+    pub line: usize,
+    /// How many steps stand before it.
+    pub after: usize,
+    /// The tasks that it is about.
+    pub tasks: TaskSet,
+    /// Whether what is meant is among them.
+    pub yes: bool,
+    /// The probability that it is wrong.
+    pub eta: f32,
+    /// How many other answers there were.
+    pub others: u8,
 }
 
 impl<M> Session<M> {
+    /// Has an agent take in the answers that stand behind so many steps.
+    ///
+    /// # Errors
+    /// What the agent refuses, with the line.
+    pub fn answer(&self, agent: &mut Agent<impl AgentMemory>, steps: usize) -> Result<(), (usize, AgentError)> {
+        self.answers.iter().filter(|answer| answer.after == steps).try_for_each(|answer| {
+            let taken = agent.answered(answer.tasks, answer.yes, answer.eta, answer.others);
+            taken.map(|_| ()).map_err(|error| (answer.line, error))
+        })
+    }
+
     /// The recorded prior of a task, 0 where the record does not name it.
     pub fn prior_of(&self, task: &GroundedTask) -> f32 {
         let position = self.tasks.iter().position(|(known, _)| known == task);
@@ -108,8 +138,9 @@ pub fn load<M: HomeMemory>(file: &str, recorded: &RecordedSession, lifted: &[Lif
     let prior = header.prior.as_ref().map(|prior| checker.prior(prior, &tasks));
     let strategies = header.strategies.as_ref().map(|strategies| checker.strategies(strategies));
     let steps = checker.walk(&home, &start);
+    let answers = checker.answers(&tasks);
     match checker.faults.is_empty() {
-        true => Ok(Session { home, start, tasks, prior, strategies, steps }),
+        true => Ok(Session { home, start, tasks, prior, strategies, steps, answers }),
         false => Err(checker.faults),
     }
 }
@@ -171,7 +202,8 @@ impl Checker<'_> {
         }
         let propositions: usize = all.iter().map(Vec::len).sum();
         if propositions > PROPOSITIONS_PER_TASK {
-            let message = format!("has {propositions} propositions with its way, and {PROPOSITIONS_PER_TASK} are the most; leave out clauses");
+            let message =
+                format!("has {propositions} propositions with its way, and {PROPOSITIONS_PER_TASK} are the most; leave out clauses");
             self.fault("intended", message);
             return;
         }
@@ -243,12 +275,38 @@ impl Checker<'_> {
         let largest = records.iter().map(|record| record.prior).fold(0.0, f64::max);
         let mut strategies = Vec::new();
         for (position, record) in records.iter().enumerate() {
-            match Strategy::new(record.mu_plus as f32, record.mu_minus as f32, record.epsilon as f32) {
+            let strategy = Strategy::new(record.mu_plus as f32, record.mu_minus as f32, record.epsilon as f32);
+            let lags = record.lags.map_or(Strategy::NO_LAG, |lags| lags.map(|lag| lag as f32));
+            match strategy.and_then(|strategy| strategy.with_lags(lags)) {
                 Ok(strategy) => strategies.push((strategy, (record.prior / largest) as f32)),
                 Err(error) => self.fault(format!("strategies[{position}]"), error),
             }
         }
         strategies
+    }
+
+    fn answers(&mut self, tasks: &[(GroundedTask, GroundTaskText)]) -> Vec<SessionAnswer> {
+        let recorded = self.recorded;
+        let mut answers = vec![];
+        for RecordedAnswer { line, after, answer } in &recorded.answers {
+            let mut named = TaskSet::EMPTY;
+            for name in &answer.tasks {
+                match tasks.iter().position(|(_, task)| task.is_same(name)) {
+                    Some(position) => named = named.with(position),
+                    None => {
+                        let message = format!(
+                            "{} is no task here: it holds at the beginning already, names what is not here, or is of a kind not asked for; \
+                             remove the answer, or name its kind with --task",
+                            quoted(&name.to_string())
+                        );
+                        self.faults.push(Fault::on_line(self.file, *line, message).in_field("tasks"));
+                    }
+                }
+            }
+            let (yes, eta, others) = (answer.yes, answer.eta as f32, answer.others);
+            answers.push(SessionAnswer { line: *line, after: *after, tasks: named, yes, eta, others });
+        }
+        answers
     }
 
     fn walk(&mut self, home: &Home<impl HomeMemory>, start: &HomeState) -> Vec<Step> {

@@ -39,7 +39,8 @@ fn attempt(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> R
     };
     let mut memory = HeapMemory::new(&CAPACITIES);
     let lifted = home::paper_tasks().map_err(|_| CourseError::NotPosed)?;
-    let mut agent = Agent::new(&mut memory.agent, &lifted, Options { weights, ..options.learner.options() }).map_err(CourseError::Agent)?;
+    let mut agent = Agent::new(&mut memory.agent, &lifted, Options { weights, telling: false, ..options.learner.options() })
+        .map_err(CourseError::Agent)?;
     let mut random = generator(seed);
     let homes = match options.homes() {
         Layouts::Fixed => Homes::FIXED,

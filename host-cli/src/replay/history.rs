@@ -1,11 +1,14 @@
 //! The agent that goes through recorded sessions, one after the other.
 
+use super::believes::Believes;
+use crate::fit_trainers::walk::trainer_of;
 use crate::lessons::evidence;
 use crate::load::session::{Session, load};
 use crate::load::{Fault, home};
 use goodbot::feedback::Feedback;
 use goodbot::home::Home;
 use goodbot::memory::{AgentHeap, HomeMemory};
+use goodbot::oomdp::apply;
 use goodbot::session::{Evidence, Options};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, AgentError, Capacities};
@@ -49,6 +52,10 @@ pub struct History {
     kept: usize,
     lifted: Vec<LiftedTask>,
     strategies: Vec<String>,
+    /// What is expected of trainers, where that is not what the sessions say.
+    believes: Option<Believes>,
+    /// Who trained last.
+    trainer: Option<String>,
     last: Last,
 }
 
@@ -71,8 +78,10 @@ pub struct Outcome {
     pub continues: bool,
     /// What was meant.
     pub intended: Option<GroundTaskText>,
-    /// The belief before the first step and after each.
+    /// The belief before the first step and after each; where the end of a session is evidence, also after it.
     pub beliefs: Vec<PosteriorLine<f32>>,
+    /// How many steps.
+    pub steps: usize,
     /// How often each feedback was given: reward, punishment, silence.
     pub feedback: [usize; 3],
     /// Whether it was learned from.
@@ -84,11 +93,26 @@ pub struct Outcome {
 }
 
 impl History {
-    /// An agent that has learned nothing yet. `lifted` are the tasks that commands may mean.
-    pub fn new(lifted: &[LiftedTask], options: Options, learning: Learning) -> Result<Self, goodbot::AgentError> {
-        let agent = Agent::new(AgentHeap::new(&CAPACITIES), lifted, options)?;
-        let strategies = vec![BALANCED.to_owned()];
-        Ok(Self { agent, learning, learned: 0, kept: 0, lifted: lifted.to_vec(), strategies, last: Last::Nothing })
+    /// An agent that has learned nothing yet. `lifted` are the tasks that commands may mean, and `believes` is what it expects of trainers,
+    /// in place of what the sessions say.
+    pub fn new(
+        lifted: &[LiftedTask],
+        options: Options,
+        learning: Learning,
+        believes: Option<Believes>,
+    ) -> Result<Self, goodbot::AgentError> {
+        let options = believes.as_ref().map_or(options, |believes| believes.options(options));
+        Ok(Self {
+            agent: Agent::new(AgentHeap::new(&CAPACITIES), lifted, options)?,
+            learning,
+            learned: 0,
+            kept: 0,
+            lifted: lifted.to_vec(),
+            strategies: vec![BALANCED.to_owned()],
+            believes,
+            trainer: None,
+            last: Last::Nothing,
+        })
     }
 
     /// A session could not be read.
@@ -119,6 +143,7 @@ impl History {
         self.check_continues(file, recorded)?;
         let mut memory = home::memory();
         let session = load(file, recorded, &self.lifted, &mut memory)?;
+        self.meet(file, recorded).map_err(at(recorded.header_line))?;
         self.begin(recorded, &session).map_err(at(recorded.header_line))?;
         let id = header.id.clone().unwrap_or_else(|| format!("{file}:{}", recorded.header_line));
         let mut outcome = Outcome {
@@ -128,13 +153,18 @@ impl History {
             continues: header.continues,
             intended: header.meant().and_then(Result::ok),
             beliefs: vec![],
+            steps: session.steps.len(),
             feedback: [0; 3],
             learned: recorded.learn,
             trained: false,
             remarks: vec![],
         };
         outcome.beliefs.push(self.belief(&outcome.id, 0, &session));
-        for (step, count) in session.steps.iter().zip(1..) {
+        let answered = |agent: &mut Agent<AgentHeap>, steps: usize| {
+            session.answer(agent, steps).map_err(|(line, error)| vec![Fault::on_line(file, line, error)])
+        };
+        for (step, count) in session.steps.iter().zip(1_u64..) {
+            answered(&mut self.agent, count as usize - 1)?;
             self.agent.plan_fully(&session.home, &step.before).map_err(at(step.line))?;
             let counted = match header.kind {
                 Kind::Feedback => {
@@ -165,6 +195,15 @@ impl History {
                 remark("the demonstration goes against a wall or a block that is held, and nothing moves");
             }
             outcome.beliefs.push(self.belief(&outcome.id, count, &session));
+        }
+        if session.answers.iter().any(|answer| answer.after == session.steps.len()) {
+            answered(&mut self.agent, session.steps.len())?;
+            // What was answered behind the last step belongs to the last belief.
+            outcome.beliefs.pop();
+            outcome.beliefs.push(self.belief(&outcome.id, session.steps.len() as u64, &session));
+        }
+        if self.ends(&session, header.kind).map_err(at(recorded.end_line))? {
+            outcome.beliefs.push(self.belief(&outcome.id, session.steps.len() as u64 + 1, &session));
         }
         if recorded.learn {
             outcome.trained = self.learn(&session.home).map_err(at(recorded.end_line))?;
@@ -200,9 +239,32 @@ impl History {
         Err(vec![Fault::on_line(file, recorded.header_line, message).in_field("continues")])
     }
 
+    /// Expects what it expects of a trainer whom it has not met yet.
+    fn meet(&mut self, file: &str, recorded: &RecordedSession) -> Result<(), AgentError> {
+        let Some(strategies) = self.believes.as_ref().and_then(Believes::strategies) else { return Ok(()) };
+        let trainer = trainer_of(recorded.header.id.as_deref(), file);
+        if self.trainer.as_deref() != Some(trainer) {
+            self.trainer = Some(trainer.to_owned());
+            self.agent.set_strategies(strategies)?;
+            self.strategies = (1..=strategies.len()).map(|number| format!("strategy {number}")).collect();
+        }
+        Ok(())
+    }
+
+    /// Takes in that the trainer ended the session, where that is evidence. Gives whether it was.
+    fn ends(&mut self, session: &Session<impl HomeMemory>, kind: Kind) -> Result<bool, AgentError> {
+        let Some(last) = session.steps.last().filter(|_| kind == Kind::Feedback && self.agent.options().ending.is_evidence()) else {
+            return Ok(false);
+        };
+        let state = apply(&session.home, &last.before, last.action).unwrap_or(last.before);
+        self.agent.plan_fully(&session.home, &state)?;
+        Ok(self.agent.trainer_ended(&session.home, &state)? == Evidence::Used)
+    }
+
     fn begin(&mut self, recorded: &RecordedSession, session: &Session<impl HomeMemory>) -> Result<(), AgentError> {
         let header = &recorded.header;
-        if let (Some(strategies), Some(records)) = (&session.strategies, &header.strategies) {
+        let expected = self.believes.as_ref().and_then(Believes::strategies).is_some();
+        if let (Some(strategies), Some(records), false) = (&session.strategies, &header.strategies, expected) {
             self.agent.set_strategies(strategies)?;
             self.strategies = records.iter().map(|record| record.name.clone()).collect();
         }

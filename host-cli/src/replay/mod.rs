@@ -1,11 +1,14 @@
 //! `goodbot replay`: Algorithm 1 over recorded sessions, exactly as they were walked.
 //!
+//! - [`believes`]: what it expects of the trainers;
 //! - [`history`]: the agent that goes through them, one after the other;
 //! - [`report`]: what is told of each, for people.
 
+mod believes;
 mod history;
 mod report;
 
+use crate::calibration;
 use crate::cli::WeightsChoice;
 use crate::learner::Learner;
 use crate::lessons::MOST_FAULTS;
@@ -13,13 +16,16 @@ use crate::load::fault::tell;
 use crate::load::kinds::TaskKinds;
 use crate::load::{Fault, input};
 use crate::messages::{counted, is_quiet, say};
-use clap::Args;
+use crate::output::Output;
+use believes::Believes;
+use clap::{Args, ValueHint};
 use goodbot::session::{Options, Weights};
 use goodbot_formats::session::SessionReader;
 use history::{History, Learning, Outcome};
 use indicatif::{ProgressBar, ProgressStyle};
 use report::Totals;
-use std::io::{self, BufWriter, Stdout, Write};
+use std::io::{self, BufWriter, Write};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Go through recorded sessions and tell what the robot believes after each step
@@ -34,7 +40,10 @@ use std::process::ExitCode;
 #[command(
     after_help = "Exit codes: 0 all sessions were replayed, 2 a file is at fault (nothing after the fault is replayed, unless --keep-going is given).
 
-Example: goodbot replay --json lessons.jsonl > beliefs.jsonl"
+Examples:
+  goodbot replay --json lessons.jsonl > beliefs.jsonl
+  goodbot replay --believes population --json lessons.jsonl | tail -1
+  goodbot replay --believes population --plot reliability.svg lessons.jsonl"
 )]
 pub struct ReplayArgs {
     /// Session logs (JSON Lines); - is standard input
@@ -51,6 +60,17 @@ pub struct ReplayArgs {
     weights: WeightsChoice,
     #[command(flatten)]
     kinds: TaskKinds,
+    /// What the robot expects of its trainers, in place of what the sessions say: population (the strategies of real people, and that a
+    /// session ends more often at the goal), logged, paper, or probabilities. It then meets each trainer (the session's id up to its first
+    /// dot) once; with --json a last line says how right it was where something was said
+    #[arg(long, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON[,LAGS]", allow_hyphen_values = true)]
+    believes: Option<Believes>,
+    /// Write a reliability diagram: how often a task was meant, against how probable it was at the end; - is standard output
+    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
+    plot: Option<PathBuf>,
+    /// Replace a file that is no picture of goodbot's
+    #[arg(long, requires = "plot")]
+    force: bool,
     /// Learn all words anew after every session, however many they are: the time grows with the square of their number
     #[arg(long)]
     every_session: bool,
@@ -98,19 +118,34 @@ struct Replay {
     history: History,
     totals: Totals,
     progress: ProgressBar,
-    output: BufWriter<Stdout>,
+    output: Box<dyn Write>,
+    plot: Option<Output>,
 }
 
 impl Replay {
     fn new(args: &ReplayArgs) -> Result<Self, Failure> {
+        let files = args.files.iter().map(String::as_str);
+        let plot = args.plot.as_deref().map(|path| Output::picture(path, files, args.force)).transpose();
+        let plot = plot.map_err(|failure| failure.to_string())?;
         let learning = if args.every_session { Learning::EverySession } else { Learning::InParts };
         let style = ProgressStyle::with_template("{spinner} {pos} sessions, {elapsed}")?;
         let progress = if is_quiet() { ProgressBar::hidden() } else { ProgressBar::new_spinner().with_style(style) };
         Ok(Self {
-            history: History::new(&args.kinds.lifted().map_err(|failure| failure.to_string())?, args.options(), learning)?,
+            history: History::new(
+                &args.kinds.lifted().map_err(|failure| failure.to_string())?,
+                args.options(),
+                learning,
+                args.believes.clone(),
+            )?,
             totals: Totals::default(),
             progress,
-            output: BufWriter::new(io::stdout()),
+            // Where the picture goes to standard output, nothing else does.
+            output: if plot.as_ref().is_some_and(Output::is_standard) {
+                Box::new(io::sink())
+            } else {
+                Box::new(BufWriter::new(io::stdout()))
+            },
+            plot,
         })
     }
 
@@ -153,7 +188,19 @@ impl Replay {
             eprintln!("error: there is no session in what was given; give a session log, one JSON text a line");
             return Ok(ExitCode::from(2));
         }
+        if let Some(plot) = &self.plot {
+            let rightness = self.totals.rightness();
+            let caption = format!("How probable at the end, and how often meant: {}", counted(rightness.sessions(), "session"));
+            let svg =
+                calibration::draw(&rightness.reliability(), &caption, "% probable at the end, on average", "% meant, with 95 % interval")?;
+            plot.write(svg.as_bytes()).map_err(|failure| failure.to_string())?;
+        }
         if args.json {
+            if args.believes.is_some() {
+                let mut line = self.totals.rightness().json();
+                line["type"] = "summary".into();
+                writeln!(self.output, "{line}")?;
+            }
             if self.totals.skipped > 0 {
                 say!("{} at fault passed over", counted(self.totals.skipped, "session"));
             }

@@ -1,6 +1,7 @@
 //! What is told of a replay, for people.
 
 use super::history::Outcome;
+use crate::fit_trainers::believing::Rightness;
 use crate::load::fault::quoted;
 use crate::messages::counted;
 use goodbot_formats::posterior::PosteriorLine;
@@ -49,7 +50,7 @@ impl fmt::Display for Outcome {
             let right = if is_right(self.beliefs.last(), intended) { "  (right)" } else { "" };
             writeln!(f, "  expected  {intended}{right}")?;
         }
-        let steps = self.beliefs.len().saturating_sub(1);
+        let steps = self.steps;
         let [reward, punish, neutral] = self.feedback;
         write!(f, "  {}", counted(steps, "step"))?;
         match self.kind {
@@ -74,13 +75,14 @@ pub struct Totals {
     intended: usize,
     right_before: usize,
     right_after: usize,
+    rightness: Rightness,
 }
 
 impl Totals {
     /// Adds a session.
     pub fn add(&mut self, outcome: &Outcome) {
         self.sessions += 1;
-        self.steps += outcome.beliefs.len().saturating_sub(1);
+        self.steps += outcome.steps;
         self.learned += usize::from(outcome.learned);
         self.trained += usize::from(outcome.trained);
         self.feedback.iter_mut().zip(outcome.feedback).for_each(|(sum, count)| *sum += count);
@@ -88,11 +90,23 @@ impl Totals {
             self.intended += 1;
             self.right_before += usize::from(is_right(outcome.beliefs.first(), intended));
             self.right_after += usize::from(is_right(outcome.beliefs.last(), intended));
+            let [reward, punish, _] = outcome.feedback;
+            if let Some(last) = outcome.beliefs.last().filter(|_| reward + punish > 0) {
+                let probabilities: Vec<f64> = last.tasks.iter().map(|&(_, probability)| f64::from(probability)).collect();
+                if let Some(intended) = last.tasks.iter().position(|(task, _)| task.is_same(intended)) {
+                    self.rightness.add(&probabilities, intended);
+                }
+            }
         }
     }
 }
 
 impl Totals {
+    /// How right the beliefs at the end of sessions with feedback were.
+    pub const fn rightness(&self) -> &Rightness {
+        &self.rightness
+    }
+
     /// Whether some session was learned from later than at its end.
     pub const fn learned_later(&self) -> bool {
         self.trained < self.learned
@@ -119,6 +133,12 @@ impl fmt::Display for Totals {
         if self.intended > 0 {
             writeln!(f, "right on hearing     {} of {} whose intended task is known", self.right_before, self.intended)?;
             writeln!(f, "right at the end     {} of {}", self.right_after, self.intended)?;
+        }
+        let it = &self.rightness;
+        if it.sessions() > 0 {
+            let (top, loss, low) = (it.on_top(), it.log_loss(), 100.0 * it.given_up());
+            writeln!(f, "where something was said, at the end of {}:", counted(it.sessions(), "session"))?;
+            writeln!(f, "  intended task alone on top {top:.3}, mean log loss {loss:.3}, intended below 5 % in {low:.1} %")?;
         }
         Ok(())
     }

@@ -105,6 +105,7 @@ impl Session {
             header,
             header_line: 1,
             steps: self.steps().iter().map(step).zip(2..).map(|(step, line)| (line, step)).collect(),
+            answers: vec![],
             learn,
             end_line: self.done.len() + self.again.len() + 2,
         }

@@ -1,6 +1,6 @@
 //! Pr(e|t), word by word.
 
-use super::layout::{KINDS, Layout, SHARES_NAMED, MOST_ROLES, cell, get};
+use super::layout::{KINDS, Layout, MOST_ROLES, SHARES_NAMED, cell, get};
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
 use crate::task::description::{form, groups};

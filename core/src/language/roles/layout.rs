@@ -32,8 +32,8 @@ pub const CUES: usize = 2 * RoleKind::COUNT;
 /// How much of what has a role can be named: nothing, a part, all.
 pub(super) const SHARES_NAMED: usize = 3;
 const NAMING: usize = RoleKind::COUNT * SHARES_NAMED;
-/// The weight of the context's roles grows with the sessions: half of it is reached with so many.
-const HALF_CONTEXT: f32 = 60.0;
+/// What needs many sessions grows with them: half of it is reached with so many.
+const HALF_OF_MANY: f32 = 60.0;
 
 /// Which parameters there are.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -252,7 +252,12 @@ impl Layout {
 
     /// How probable a role is, before anything is learned, against a goal's 1.
     pub(super) fn weight_of(&self, kind: RoleKind) -> f32 {
-        if kind.is_of_task() { 1.0 } else { 0.5 * self.sessions / (self.sessions + HALF_CONTEXT) }
+        if kind.is_of_task() { 1.0 } else { 0.5 * self.many() }
+    }
+
+    /// How far the sessions are many, from 0 to 1.
+    pub(super) fn many(&self) -> f32 {
+        self.sessions / (self.sessions + HALF_OF_MANY)
     }
 }
 

@@ -1,7 +1,6 @@
 //! Whether what is said to be 80 % sure is right in 8 of 10: answers by how sure they were, and a picture of that.
 
-use super::folds::Answer;
-use super::report::wilson;
+use crate::evaluate::report::wilson;
 use plotters::prelude::*;
 use std::error::Error;
 
@@ -31,15 +30,14 @@ impl Range {
     }
 }
 
-/// Answers by the probability of what was predicted.
-pub fn ranges(answers: &[Answer]) -> [Range; RANGES] {
+/// Answers by the probability of what was predicted, each with whether it was right.
+pub fn ranges(answers: impl Iterator<Item = (f64, bool)>) -> [Range; RANGES] {
     let mut ranges = [Range::default(); RANGES];
-    for answer in answers {
-        let probability = f64::from(answer.probabilities.1);
+    for (probability, right) in answers {
         let at = ((probability * RANGES as f64) as usize).min(RANGES - 1);
         if let Some(range) = ranges.get_mut(at) {
             range.count += 1;
-            range.right += usize::from(answer.right);
+            range.right += usize::from(right);
             range.certainty += probability;
         }
     }
@@ -54,11 +52,11 @@ pub fn error(ranges: &[Range]) -> f64 {
 }
 
 /// A reliability diagram as SVG: the share that was right, with its 95 % interval, against how sure the answers were. Answers on the
-/// diagonal are as sure as they should be; the number above each point says how many there are.
+/// diagonal are as sure as they should be; the number above each point says how many there are. `across` and `up` describe the axes.
 ///
 /// # Errors
 /// What the plotting library says.
-pub fn draw(ranges: &[Range], caption: &str) -> Result<String, Box<dyn Error>> {
+pub fn draw(ranges: &[Range], caption: &str, across: &str, up: &str) -> Result<String, Box<dyn Error>> {
     let mut svg = String::new();
     {
         let canvas = SVGBackend::with_string(&mut svg, (560, 560)).into_drawing_area();
@@ -69,7 +67,7 @@ pub fn draw(ranges: &[Range], caption: &str) -> Result<String, Box<dyn Error>> {
             .x_label_area_size(44)
             .y_label_area_size(56)
             .build_cartesian_2d(0.0..100.0, 0.0..108.0)?;
-        chart.configure_mesh().x_desc("% sure of the predicted task, on average").y_desc("% right, with 95 % interval").draw()?;
+        chart.configure_mesh().x_desc(across).y_desc(up).draw()?;
         let gray = RGBColor(150, 150, 150);
         chart.draw_series(LineSeries::new([(0.0, 0.0), (100.0, 100.0)], gray.stroke_width(1)))?;
         let color = RGBColor(76, 140, 86);
@@ -90,16 +88,12 @@ pub fn draw(ranges: &[Range], caption: &str) -> Result<String, Box<dyn Error>> {
 mod tests {
     use super::*;
 
-    fn answer(certainty: f32, right: bool) -> Answer {
-        Answer { probabilities: (0.0, certainty), right, ..Answer::default() }
-    }
-
     #[test]
     fn who_is_80_percent_sure_and_right_in_8_of_10_is_calibrated() {
-        let answers: Vec<Answer> = (0..10).map(|number| answer(0.8, number < 8)).collect();
-        assert!(error(&ranges(&answers)) < 1e-6);
-        let overconfident: Vec<Answer> = (0..10).map(|number| answer(1.0, number < 8)).collect();
-        assert!((error(&ranges(&overconfident)) - 0.2).abs() < 1e-6);
-        assert_eq!(ranges(&overconfident)[RANGES - 1].count, 10);
+        let answers = (0..10).map(|number| (0.8, number < 8));
+        assert!(error(&ranges(answers.clone())) < 1e-6);
+        let overconfident = ranges(answers.map(|(_, right)| (1.0, right)));
+        assert!((error(&overconfident) - 0.2).abs() < 1e-6);
+        assert_eq!(overconfident[RANGES - 1].count, 10);
     }
 }

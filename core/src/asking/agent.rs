@@ -1,0 +1,183 @@
+//! How an agent asks, and takes the answer.
+
+use super::looking_ahead::LookingAhead;
+use super::question::{Answer, Question, best};
+use super::settings::Asking;
+use crate::capacity::QUESTIONS_PER_SESSION;
+use crate::feedback::Words;
+use crate::memory::AgentMemory;
+use crate::oomdp::{Domain, apply};
+use crate::planning::Progress;
+use crate::session::{Agent, AgentError, Evidence};
+use crate::task::TaskSet;
+use heapless::Vec;
+
+/// The questions of the session under way.
+#[derive(Clone, Debug)]
+pub(crate) struct Asked {
+    /// What was asked.
+    sets: Vec<TaskSet, QUESTIONS_PER_SESSION>,
+    /// The question that waits for its answer.
+    open: Option<Question>,
+    looking: Option<LookingAhead>,
+}
+
+impl Asked {
+    /// Nothing was asked yet.
+    pub(crate) const NOTHING: Self = Self { sets: Vec::new(), open: None, looking: None };
+
+    /// Nothing waits for an answer any more.
+    pub(crate) fn close(&mut self) {
+        (self.open, self.looking) = (None, None);
+    }
+}
+
+/// What came of considering a question, in parts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Considered {
+    /// It is not known yet: call again.
+    Working,
+    /// The next steps tell as much, or it is sure, or all was asked.
+    Act,
+    /// Ask this.
+    Ask(Question),
+}
+
+impl<M: AgentMemory> Agent<M> {
+    /// Proposes a question, or none, in a state that must have been planned for; the plan is the same afterwards. The question is taken for
+    /// asked: it is not proposed again in this session. [`QUESTIONS_PER_SESSION`] are the most.
+    ///
+    /// # Errors
+    /// As [`consider`](Self::consider).
+    pub fn question<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, asking: &Asking) -> Result<Option<Question>, AgentError> {
+        loop {
+            match self.consider(domain, state, asking, u32::MAX)? {
+                Considered::Working => {}
+                Considered::Act => return Ok(None),
+                Considered::Ask(question) => return Ok(Some(question)),
+            }
+        }
+    }
+
+    /// As [`question`](Self::question), but in parts: each call looks ahead with at most about `budget` expansions of the search. Call until
+    /// it is no longer [`Considered::Working`]; the state has no plan until then.
+    ///
+    /// # Errors
+    /// As [`decide`](Self::decide), and [`AgentError::Setting`] where the settings are out of range.
+    pub fn consider<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        state: &D::State,
+        asking: &Asking,
+        budget: u32,
+    ) -> Result<Considered, AgentError> {
+        asking.check()?;
+        self.check_session(domain)?;
+        let number = domain.number(state);
+        let looking = match self.asked.looking.take().filter(|looking| looking.start == number) {
+            Some(looking) => looking,
+            None => {
+                self.check_planned(domain, state)?;
+                match self.begin_looking(number, asking) {
+                    Some(looking) => looking,
+                    None => return Ok(Considered::Act),
+                }
+            }
+        };
+        self.look_on(domain, looking, budget)
+    }
+
+    /// The question that would be asked in a state, and a look ahead from there.
+    fn begin_looking(&self, number: u64, asking: &Asking) -> Option<LookingAhead> {
+        let followed = self.most_likely()?;
+        if self.asked.sets.is_full() || !asking.kappa.is_finite() || self.belief().probability(followed) >= asking.sure {
+            return None;
+        }
+        let variables = |lifted: u8| self.lifted().get(usize::from(lifted)).map_or(0, |lifted| lifted.variables().len());
+        let question = best(self.belief(), self.tasks(), variables, &self.asked.sets, asking)?;
+        Some(LookingAhead {
+            question,
+            worth: question.information / asking.kappa,
+            start: number,
+            at: number,
+            followed,
+            dead: self.dead,
+            steps: 0,
+            told: 0.0,
+            asks: None,
+        })
+    }
+
+    /// Looks on, and comes back to the plan of the state that it began in.
+    fn look_on<D: Domain + ?Sized>(&mut self, domain: &D, mut looking: LookingAhead, budget: u32) -> Result<Considered, AgentError> {
+        let words = Words::expected(self.belief());
+        loop {
+            // Dead ends stay dead on the way, and are no longer known for certain behind it.
+            let state = domain.numbered(looking.at);
+            if self.planned != Some(looking.at) {
+                self.expected = Some(looking.at);
+            }
+            if self.plan(domain, &state, budget)? == Progress::Working {
+                self.asked.looking = Some(looking);
+                return Ok(Considered::Working);
+            }
+            if let Some(asks) = looking.asks {
+                return Ok(self.asks(&looking, asks));
+            }
+            let action = self.onward(looking.followed, Some(&words).filter(|_| self.options.telling), &mut |_| 0);
+            looking.add(words.information(self.right(action)));
+            let next = apply(domain, &state, action).map_or(looking.at, |next| domain.number(&next));
+            if looking.asks.is_some() {
+                if looking.at != looking.start {
+                    self.dead = looking.dead;
+                }
+                looking.at = looking.start;
+            } else {
+                looking.at = next;
+            }
+        }
+    }
+
+    fn asks(&mut self, looking: &LookingAhead, asks: bool) -> Considered {
+        if !asks || self.asked.sets.push(looking.question.yes).is_err() {
+            return Considered::Act;
+        }
+        self.asked.open = Some(looking.question);
+        Considered::Ask(looking.question)
+    }
+
+    /// The question that waits for its answer.
+    pub fn open_question(&self) -> Option<&Question> {
+        self.asked.open.as_ref()
+    }
+
+    /// Takes in the trainer's answer to the question that was proposed last. It may also stay unanswered.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSession`], [`AgentError::NotAsked`] where no question waits for its answer, and [`AgentError::NoAnswer`] where it is
+    /// none to this question, which then goes on waiting.
+    pub fn answer(&mut self, answer: Answer) -> Result<Evidence, AgentError> {
+        self.check_under_way()?;
+        let question = self.asked.open.ok_or(AgentError::NotAsked)?;
+        let (tasks, yes, others) = question.meaning(answer).ok_or(AgentError::NoAnswer)?;
+        self.asked.open = None;
+        self.answered(tasks, yes, question.eta, others)
+    }
+
+    /// Takes in an answer that is told in full, such as a recorded one: whether what is meant is among `tasks`, the probability `eta` that
+    /// this is wrong, and how many other answers there were, of which each is then as probable (1 for yes and no).
+    ///
+    /// # Errors
+    /// [`AgentError::NoSession`], [`AgentError::NoAnswer`] where there is no such task or no other answer, and [`AgentError::Setting`]
+    /// where `eta` is out of range.
+    pub fn answered(&mut self, tasks: TaskSet, yes: bool, eta: f32, others: u8) -> Result<Evidence, AgentError> {
+        self.check_under_way()?;
+        Asking { eta, ..Asking::DEFAULT }.check()?;
+        if others == 0 || tasks.is_empty() || !tasks.without(TaskSet::first(self.tasks().len())).is_empty() {
+            return Err(AgentError::NoAnswer);
+        }
+        let wrong = eta / f32::from(others);
+        let possible = self.belief_mut().observe_beside(|task| if tasks.contains(task) == yes { 1.0 - eta } else { wrong });
+        Ok(if possible { Evidence::Used } else { Evidence::Impossible })
+    }
+}

@@ -1,0 +1,42 @@
+//! What a question costs, and how often an answer is wrong.
+
+use super::question::CHOICES;
+use crate::language::SettingError;
+
+/// When to ask.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Asking {
+    /// What a question costs, in steps; more than 0. [`f32::INFINITY`]: never ask.
+    pub kappa: f32,
+    /// The probability that an answer is wrong, from 0 to less than 0.5.
+    pub eta: f32,
+    /// The robot is sure, and does not ask, where a task has this probability.
+    pub sure: f32,
+    /// How many meanings a question may show to choose from, at most [`CHOICES`]; with less than 2, all questions are of yes and no.
+    pub choices: u8,
+}
+
+impl Asking {
+    /// A question costs eight steps, and one answer in twenty is wrong.
+    pub const DEFAULT: Self = Self { kappa: 8.0, eta: 0.05, sure: 0.95, choices: CHOICES as u8 };
+
+    /// Never ask.
+    pub const NEVER: Self = Self { kappa: f32::INFINITY, ..Self::DEFAULT };
+
+    /// Whether a robot can ask with them.
+    ///
+    /// # Errors
+    /// A [`SettingError`] that names the first that is out of range.
+    pub fn check(&self) -> Result<(), SettingError> {
+        let sound = |sound: bool, error| if sound { Ok(()) } else { Err(error) };
+        sound(self.kappa > 0.0, SettingError::Kappa(self.kappa))?;
+        sound((0.0..0.5).contains(&self.eta), SettingError::Eta(self.eta))?;
+        sound((0.0..=1.0).contains(&self.sure), SettingError::Sure(self.sure))
+    }
+}
+
+impl Default for Asking {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}

@@ -1,0 +1,138 @@
+//! What a robot that expects certain trainers would have believed in recorded sessions, and how right that was.
+
+use super::walk::Walk;
+use crate::calibration::{RANGES, Range, ranges};
+use goodbot::feedback::{Belief, BeliefCount, BeliefTables, Ending, LAGS, Strategy};
+use goodbot::planning::Judgement;
+use goodbot::probability::Scaled;
+use serde_json::{Value, json};
+
+/// Below this probability the intended task counts as given up.
+pub const GIVEN_UP: f64 = 0.05;
+/// A probability of 0 counts as this one in the logarithm.
+const LEAST: f64 = 1e-12;
+
+/// What is expected of trainers.
+#[derive(Clone, Debug)]
+pub struct Expectation {
+    /// The strategies and their shares.
+    pub strategies: Vec<(Strategy, f32)>,
+    /// How far they drift back from session to session.
+    pub drift: f32,
+    /// What the end of a session says.
+    pub ending: Ending,
+}
+
+/// How right the beliefs at the end of sessions were.
+#[derive(Clone, Debug, Default)]
+pub struct Rightness {
+    /// How probable the intended task was at the end of each session with feedback, and whether it was alone the most likely one.
+    ends: Vec<(f64, bool)>,
+    /// How probable each task was, and whether it was the intended one.
+    tasks: Vec<(f64, bool)>,
+}
+
+impl Rightness {
+    /// Adds the belief at the end of a session.
+    pub fn add(&mut self, probabilities: &[f64], intended: usize) {
+        let Some(&probability) = probabilities.get(intended) else { return };
+        let others = probabilities.iter().enumerate().filter(|&(task, _)| task != intended);
+        self.ends.push((probability, others.clone().all(|(_, &other)| probability > other)));
+        self.tasks.extend(probabilities.iter().enumerate().map(|(task, &other)| (other, task == intended)));
+    }
+
+    /// Adds the sessions of another.
+    pub fn extend(&mut self, other: Self) {
+        self.ends.extend(other.ends);
+        self.tasks.extend(other.tasks);
+    }
+
+    /// How many sessions.
+    pub fn sessions(&self) -> usize {
+        self.ends.len()
+    }
+
+    fn mean(&self, value: impl Fn(&(f64, bool)) -> f64) -> f64 {
+        self.ends.iter().map(value).sum::<f64>() / self.ends.len().max(1) as f64
+    }
+
+    /// The share in which the intended task was alone the most likely one.
+    pub fn on_top(&self) -> f64 {
+        self.mean(|&(_, alone)| f64::from(u8::from(alone)))
+    }
+
+    /// The mean of minus the natural logarithm of the intended task's probability.
+    pub fn log_loss(&self) -> f64 {
+        self.mean(|&(probability, _)| -probability.max(LEAST).ln())
+    }
+
+    /// The share in which the intended task had less than [`GIVEN_UP`].
+    pub fn given_up(&self) -> f64 {
+        self.mean(|&(probability, _)| f64::from(u8::from(probability < GIVEN_UP)))
+    }
+
+    /// All tasks of all sessions by how probable they were at the end, and how many of them were meant.
+    pub fn reliability(&self) -> [Range; RANGES] {
+        ranges(self.tasks.iter().copied())
+    }
+
+    /// The same as a line of JSON.
+    pub fn json(&self) -> Value {
+        let range = |range: &Range| json!({"count": range.count, "mean_probability": range.certainty(), "share_meant": range.accuracy()});
+        json!({
+            "episodes_with_feedback": self.sessions(),
+            "intended_alone_on_top": self.on_top(),
+            "mean_log_loss": self.log_loss(),
+            "intended_below_5_percent": self.given_up(),
+            "reliability": self.reliability().iter().map(range).collect::<Vec<_>>(),
+        })
+    }
+}
+
+/// What a robot with this expectation would have believed at the end of each session with feedback.
+pub fn replay<'a>(walks: impl Iterator<Item = &'a Walk>, expectation: &Expectation) -> Rightness {
+    let (tasks, strategies) = (goodbot::Capacities::STANDARD.tasks, expectation.strategies.len());
+    let (mut joint, mut settled) = (vec![Scaled::ZERO; tasks * strategies], vec![Scaled::ZERO; tasks * strategies]);
+    let (mut priors, mut known) = (vec![Scaled::ZERO; tasks], vec![(Strategy::UNUSED, 0.0); strategies]);
+    let (mut expected, mut count) = (vec![0.0; strategies], BeliefCount::NONE);
+    let tables =
+        BeliefTables { joint: &mut joint, settled: &mut settled, priors: &mut priors, strategies: &mut known, expected: &mut expected };
+    let mut belief = Belief::new(tables, &mut count);
+    let (mut rightness, mut trainer) = (Rightness::default(), None);
+    for walk in walks {
+        if trainer != Some(&walk.trainer) {
+            trainer = Some(&walk.trainer);
+            // Both fit and are sound: they come from a fit or were checked when typed.
+            let _ = belief.set_strategies(&expectation.strategies);
+        }
+        if !walk.continues {
+            let _ = belief.restart(walk.prior.iter().map(|&prior| Scaled::new(prior)), expectation.drift);
+        }
+        walk_through(&mut belief, walk, &expectation.ending);
+        if let (Some(intended), true) = (walk.intended, walk.has_feedback()) {
+            let probabilities: Vec<f64> = (0..walk.prior.len()).map(|task| f64::from(belief.read().probability(task))).collect();
+            rightness.add(&probabilities, intended);
+        }
+    }
+    rightness
+}
+
+fn walk_through(belief: &mut Belief<'_>, walk: &Walk, ending: &Ending) {
+    let judgement = |position: Option<usize>, task: usize| {
+        let step = position.and_then(|position| walk.steps.get(position));
+        step.and_then(|step| step.judged.get(task)).copied().unwrap_or(Judgement::Unknown)
+    };
+    for (position, step) in walk.steps.iter().enumerate() {
+        belief.settle();
+        let judged = |task: usize| -> [Judgement; LAGS] {
+            [Some(position), position.checked_sub(1), position.checked_sub(2)].map(|position| judgement(position, task))
+        };
+        let _ = belief.observe_feedback(step.feedback, judged);
+        belief.settle();
+        if ending.is_evidence() {
+            let ends = position + 1 == walk.steps.len();
+            let _ = belief.observe(&|_, task| Some(ending.probability(ends, step.at_goal.get(task).copied().flatten()?)));
+            belief.settle();
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! One session with a simulated trainer, with questions or without.
+
+use goodbot::asking::{Answer, Asking, Question, Subject};
+use goodbot::feedback::{Feedback, LAGS, SimulatedTrainer, Strategy, population};
+use goodbot::home::paper_tasks;
+use goodbot::planning::Judgement;
+use goodbot::random::{below, unit};
+use goodbot::task::TaskSet;
+use goodbot::{Agent, AgentError, HeapMemory, Options};
+use goodbot_course::{CourseTrainer, Homes, Trainer, generator};
+use rand_core::Rng;
+
+/// The robot has understood where the intended task is this probable.
+pub const UNDERSTOOD: f32 = 0.95;
+/// A session has so many steps at most.
+pub const MOST_STEPS: u32 = 80;
+
+/// What a simulated trainer does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Trained {
+    /// The paper's balanced trainer
+    Balanced,
+    /// The paper's trainer who punishes and never rewards
+    PunishOnly,
+    /// One drawn from the strategies of real people
+    Real,
+}
+
+impl Trained {
+    /// Its name in output.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Balanced => "balanced",
+            Self::PunishOnly => "punish-only",
+            Self::Real => "real",
+        }
+    }
+
+    /// What the robot expects of it: the numbers that it has, but of a real one all that there are.
+    fn expected(self) -> Vec<(Strategy, f32)> {
+        match self {
+            Self::Balanced => vec![(Strategy::BALANCED, 1.0)],
+            Self::PunishOnly => vec![(Strategy::PUNISH_ONLY, 1.0)],
+            Self::Real => population::STRATEGIES.to_vec(),
+        }
+    }
+
+    fn says(self, strategy: Strategy, judged: [Judgement; LAGS], random: &mut impl Rng) -> Feedback {
+        let [last, ..] = judged;
+        match self {
+            Self::Balanced => CourseTrainer::BALANCED.feedback(last == Judgement::Correct, random),
+            Self::PunishOnly => CourseTrainer::PUNISH_ONLY.feedback(last == Judgement::Correct, random),
+            Self::Real => SimulatedTrainer { strategy }.late_feedback(judged, random),
+        }
+    }
+}
+
+/// A session to simulate.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting {
+    /// Who trains.
+    pub trainer: Trained,
+    /// When the robot asks.
+    pub asking: Asking,
+    /// Whether it takes actions that tell more.
+    pub telling: bool,
+}
+
+/// What came of a session.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Spent {
+    /// Steps until the robot had understood, [`MOST_STEPS`] where it never did.
+    pub steps: u32,
+    /// Questions until then.
+    pub questions: u32,
+    /// Words of reward and punishment until then.
+    pub words: u32,
+    /// Whether it had understood.
+    pub understood: bool,
+}
+
+/// Simulates a session of a robot that knows no word, in a random home of four rooms and two blocks, for a task that is drawn.
+///
+/// # Errors
+/// What the robot refuses.
+pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result<Spent, AgentError> {
+    let mut random = generator(seed);
+    let homes = Homes::random(&mut random, &mut memory.home);
+    let Ok((home, start)) = homes.test.build(&mut memory.home) else { return Ok(Spent::default()) };
+    let Ok(lifted) = paper_tasks() else { return Ok(Spent::default()) };
+    let mut agent = Agent::new(&mut memory.agent, &lifted, Options { telling: setting.telling, ..Options::DEFAULT })?;
+    agent.set_strategies(&setting.trainer.expected())?;
+    agent.hear(&home, &start, "do what is meant")?;
+    let intended = below(agent.tasks().len(), &mut random);
+    let mut share = unit(&mut random);
+    let mut strategy = Strategy::BALANCED;
+    for &(drawn, probability) in &population::STRATEGIES {
+        if (0.0..probability).contains(&share) {
+            strategy = drawn;
+        }
+        share -= probability;
+    }
+    let (mut spent, mut state, mut judged) = (Spent::default(), start, [Judgement::Unknown; LAGS]);
+    loop {
+        agent.plan_fully(&home, &state)?;
+        while agent.belief().probability(intended) < UNDERSTOOD {
+            let Some(question) = agent.question(&home, &state, &setting.asking)? else { break };
+            spent.questions += 1;
+            let _ = agent.answer(answer(&question, intended, setting.asking.eta, &mut random))?;
+        }
+        spent.understood = agent.belief().probability(intended) >= UNDERSTOOD;
+        if spent.understood || spent.steps >= MOST_STEPS {
+            return Ok(spent);
+        }
+        let decision = agent.decide_by(&home, &state, &mut random)?;
+        let now = agent.planned().judge(intended, decision.action);
+        state = agent.acted(&home, &state, decision.action)?;
+        let [last, before, _] = judged;
+        judged = [now, last, before];
+        let feedback = setting.trainer.says(strategy, judged, &mut random);
+        let _ = agent.feedback(feedback)?;
+        spent.words += u32::from(feedback != Feedback::Neutral);
+        spent.steps += 1;
+    }
+}
+
+/// What a trainer answers who means the intended task, and is wrong with probability `eta`.
+fn answer(question: &Question, intended: usize, eta: f32, random: &mut impl Rng) -> Answer {
+    let wrong = unit(random) < eta;
+    let Subject::Which(tasks, count) = question.subject else {
+        return if question.yes.contains(intended) != wrong { Answer::Yes } else { Answer::No };
+    };
+    let count = usize::from(count);
+    let right = tasks.iter().take(count).position(|&task| TaskSet::of(usize::from(task)).contains(intended)).unwrap_or(count);
+    let given = if wrong { (right + 1 + below(count, random)) % (count + 1) } else { right };
+    if given == count { Answer::No } else { Answer::This(given as u8) }
+}

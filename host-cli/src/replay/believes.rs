@@ -1,0 +1,83 @@
+//! What a robot expects of the trainers of recorded sessions, as it is typed.
+
+use goodbot::feedback::{LAGS, Strategy, population};
+use goodbot::session::Options;
+use std::str::FromStr;
+
+/// What a robot expects of trainers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Believes {
+    /// The strategies of real people.
+    Population,
+    /// What each session says.
+    Logged,
+    /// The paper's balanced strategy, or one that was typed.
+    One([(Strategy, f32); 1]),
+}
+
+const HELP: &str = "give population, logged, paper, or three or six probabilities MU_PLUS,MU_MINUS,EPSILON[,LAG_0,LAG_1,LAG_2] such as \
+                    0.9,0.85,0.2,0.8,0.15,0.05";
+
+impl Believes {
+    /// The strategies; nothing where each session's own are taken.
+    pub fn strategies(&self) -> Option<&[(Strategy, f32)]> {
+        match self {
+            Self::Population => Some(&population::STRATEGIES),
+            Self::Logged => None,
+            Self::One(strategy) => Some(strategy),
+        }
+    }
+
+    /// The options of a robot that expects this.
+    pub const fn options(&self, options: Options) -> Options {
+        if matches!(self, Self::Population) { options.for_people() } else { options }
+    }
+}
+
+impl FromStr for Believes {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "population" => return Ok(Self::Population),
+            "logged" => return Ok(Self::Logged),
+            "paper" => return Ok(Self::One([(Strategy::BALANCED, 1.0)])),
+            _ => {}
+        }
+        let number = |part: &str| part.trim().parse::<f32>().map_err(|_| format!("{part:?} is no number; {HELP}"));
+        let numbers = text.split(',').map(number).collect::<Result<Vec<f32>, String>>()?;
+        let (strategy, lags) = match *numbers.as_slice() {
+            [mu_plus, mu_minus, epsilon] => (Strategy::new(mu_plus, mu_minus, epsilon), Strategy::NO_LAG),
+            [mu_plus, mu_minus, epsilon, now, before, earlier] => (Strategy::new(mu_plus, mu_minus, epsilon), [now, before, earlier]),
+            _ => return Err(format!("{} numbers where {LAGS} or {} are needed; {HELP}", numbers.len(), 2 * LAGS)),
+        };
+        let strategy = strategy.and_then(|strategy| strategy.with_lags(lags)).map_err(|error| format!("{error}; {HELP}"))?;
+        Ok(Self::One([(strategy, 1.0)]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn three_numbers_are_a_strategy_and_three_more_its_lags() {
+        let strategy = Strategy::new(0.9, 0.8, 0.2).unwrap();
+        assert_eq!("0.9,0.8,0.2".parse(), Ok(Believes::One([(strategy, 1.0)])));
+        let late = strategy.with_lags([0.5, 0.25, 0.25]).unwrap();
+        assert_eq!("0.9, 0.8, 0.2, 0.5, 0.25, 0.25".parse(), Ok(Believes::One([(late, 1.0)])));
+    }
+
+    #[test]
+    fn what_is_no_expectation_is_refused_with_what_to_give() {
+        for (text, message) in [
+            ("kind", "\"kind\" is no number"),
+            ("0.7,0.7", "2 numbers where 3 or 6 are needed"),
+            ("0.7,1.7,0.1", "mu- must be a number from 0 to 1"),
+            ("0.7,0.7,0.1,0.5,0.1,0.1", "the lags must be three numbers from 0 to 1 that sum to 1"),
+        ] {
+            let refused = text.parse::<Believes>().unwrap_err();
+            assert!(refused.starts_with(message) && refused.contains("population, logged, paper"), "{refused}");
+        }
+    }
+}

@@ -1,0 +1,77 @@
+"""Long calls let other threads run, and stop on ctrl-C."""
+
+from __future__ import annotations
+
+import _thread
+import threading
+import time
+
+import pytest
+
+import goodbot
+
+# One large hall and another, with three blocks: a search that does not end soon.
+ROWS = [
+    "#" * 21,
+    *["#" + "r" * 19 + "#"] * 9,
+    "#" * 10 + "+" + "#" * 10,
+    *["#" + "g" * 19 + "#"] * 4,
+    "#ggg@ggBgggBgggggggg#",
+    *["#" + "g" * 19 + "#"] * 2,
+    "#gggggggBggggggggggg#",
+    "#" + "g" * 19 + "#",
+    "#" * 21,
+]
+LARGE = {"hashed_states": 1 << 21}
+
+
+@pytest.fixture
+def hall() -> goodbot.Home:
+    return goodbot.Home.from_map("\n".join(ROWS) + "\nB: blue bag\n")
+
+
+def heard(hall: goodbot.Home) -> goodbot.Agent:
+    agent = goodbot.Agent(["blockInRoom(?o,?r)"], capacities=LARGE)
+    agent.hear(hall, hall.start, "take them all")
+    return agent
+
+
+def test_another_thread_runs_while_a_robot_plans(hall: goodbot.Home) -> None:
+    agent, ticks, done = heard(hall), [0], threading.Event()
+
+    def tick() -> None:
+        while not done.is_set():
+            ticks[0] += 1
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    before = ticks[0]
+    agent.plan(hall, hall.start)
+    during = ticks[0] - before
+    done.set()
+    thread.join()
+    assert during > 3
+
+
+def interrupted(agent: goodbot.Agent, hall: goodbot.Home, after: float) -> bool:
+    """Plans, is interrupted after so many seconds, and says whether the plan was still to be done then."""
+    timer = threading.Timer(after, _thread.interrupt_main)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        agent.plan(hall, hall.start)
+        timer.join()
+        time.sleep(1)
+    try:
+        agent.decide(hall, hall.start)
+    except goodbot.SessionError:
+        return True
+    return False
+
+
+def test_planning_stops_on_ctrl_c_and_goes_on_when_asked_to(hall: goodbot.Home) -> None:
+    # On a busy machine the interruption may come when all is done.
+    agents = (heard(hall) for _ in range(20))
+    agent = next(agent for agent in agents if interrupted(agent, hall, 0.01))
+    assert agent.plan(hall, hall.start)
+    assert agent.decide(hall, hall.start).action in hall.actions
