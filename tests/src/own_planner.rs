@@ -3,7 +3,7 @@
 use goodbot::Capacities;
 use goodbot::memory::{AgentHeap, AgentMemory, AgentTables};
 use goodbot::oomdp::Domain;
-use goodbot::planning::{Plan, PlanTables, Planner, Progress};
+use goodbot::planning::{Plan, PlanTables, Planner, Progress, Ways};
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet};
 
 /// A planner with memory of its own.
@@ -46,6 +46,23 @@ impl OwnPlanner {
     pub fn plan_for<D: Domain>(&mut self, domain: &D, state: &D::State, wanted: TaskSet, budget: u32) -> Plan<'_> {
         self.begin(domain, state, wanted);
         while self.advance(domain, state, budget) == Progress::Working {}
+        self.plan()
+    }
+
+    /// Plans at `state` for all tasks to the end, in calls of this budget. `tasks` are its tasks, with how far their ways have come.
+    pub fn plan_for_ways<D: Domain>(
+        &mut self,
+        domain: &D,
+        state: &D::State,
+        lifted: &[LiftedTask],
+        tasks: &[GroundedTask],
+        budget: u32,
+    ) -> Plan<'_> {
+        let all = self.all();
+        let AgentTables { session, workspace, .. } = self.memory.lend();
+        let mut tables = PlanTables::new(session.goals, session.plan, workspace).with_ways(Ways { lifted, tasks });
+        self.planner.begin(&mut tables, domain, state, all, TaskSet::EMPTY);
+        while self.planner.advance(&mut tables, domain, state, budget) == Progress::Working {}
         self.plan()
     }
 

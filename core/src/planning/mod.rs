@@ -31,8 +31,8 @@ mod ways;
 pub use goals::{GoalMemory, GoalMemoryRef, GoalPart};
 pub use one_by_one::states_needed;
 pub use plan::{Judgement, OptimalSet, Plan};
-pub use ways::Ways;
 pub use planner::{PlanMemory, PlanMemoryRef, PlanTables, Planner};
+pub use ways::Ways;
 
 /// Whether work that is done in parts has come to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

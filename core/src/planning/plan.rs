@@ -94,8 +94,7 @@ impl Found {
         expansions: 0,
     };
 
-    /// What can be said of `state` without a search.
-    /// The tasks in `with_ways` have still a way to go.
+    /// What can be said of `state` without a search. The tasks in `with_ways` have still a way to go.
     pub(super) fn at<D: Domain + ?Sized>(
         domain: &D,
         goals: &Goals<'_>,

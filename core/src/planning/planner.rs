@@ -2,9 +2,11 @@
 //!
 //! Each plan goes the same way, for all tasks at once:
 //! 1. what holds here, and what is a deadlock, needs no search;
-//! 2. the exact searches, first for all tasks without a way, then for those of each way: by rows of bits where the domain is a floor with pieces and the rows fit, else state by state. Where the states do
-//!    not fit either, it looks as far as its hash table reaches, so that near goals are found exactly all the same;
-//! 3. on a floor with pieces, the tasks that are still open get an approximate plan.
+//! 2. the exact search for all tasks without a way: by rows of bits where the domain is a floor with pieces and the rows fit, else state by
+//!    state. Where the states do not fit either, it looks as far as its hash table reaches, so that near goals are found exactly all the
+//!    same;
+//! 3. for the tasks of each way that is still to be gone, an exact search state by state in the product of world and way;
+//! 4. on a floor with pieces, the tasks without a way that are still open get an approximate plan. Those with one stay unknown.
 
 use super::Progress;
 use super::approximate::Approximation;
@@ -69,7 +71,8 @@ impl<'t> PlanTables<'t> {
         }
     }
 
-    /// The same tables, with the tasks that are planned for and how far their ways have come. Without this, only goals are planned for.
+    /// The same tables, with the tasks that are planned for and how far their ways have come. Without this, nothing is known of a task that
+    /// has a way.
     #[must_use]
     pub const fn with_ways(self, ways: Ways<'t>) -> Self {
         Self { ways, ..self }
@@ -111,7 +114,10 @@ impl Marked {
 #[derive(Clone, Copy, Debug)]
 enum Stage {
     /// The tasks with ways that still wait for their search, and all those that have ways to go.
-    Exact { waiting: TaskSet, with_ways: TaskSet },
+    Exact {
+        waiting: TaskSet,
+        with_ways: TaskSet,
+    },
     Approximate(Approximation),
     Done,
 }
@@ -120,6 +126,8 @@ enum Stage {
 #[derive(Clone, Copy, Debug)]
 pub struct Planner {
     goals: GoalTable,
+    /// The tasks with a way.
+    with_ways: TaskSet,
     found: Found,
     stage: Stage,
     marked: Marked,
@@ -134,7 +142,7 @@ impl Default for Planner {
 impl Planner {
     /// A planner of no tasks.
     pub const fn new() -> Self {
-        Self { goals: GoalTable::EMPTY, found: Found::NOTHING, stage: Stage::Done, marked: Marked::Anything }
+        Self { goals: GoalTable::EMPTY, with_ways: TaskSet::EMPTY, found: Found::NOTHING, stage: Stage::Done, marked: Marked::Anything }
     }
 
     /// Takes the tasks to plan for. `state` is any state of the domain.
@@ -154,6 +162,7 @@ impl Planner {
         one_by_one::check(domain, tables.marks.len(), tables.hashed.len())?;
         let mut memory = GoalMemory { parts: tables.goal_parts, entries: tables.goal_entries };
         self.goals = GoalTable::fill(&mut memory, domain, lifted, tasks, state)?;
+        self.with_ways = Ways { lifted, tasks }.all();
         Ok(())
     }
 
@@ -191,6 +200,8 @@ impl Planner {
         tables.distances.fill(u32::MAX);
         let mut found = Found::NOTHING;
         let ways = tables.ways;
+        // What is not told the way of a task must not take it for one without.
+        let wanted = wanted.without(self.with_ways.without(ways.all()));
         let (goals, marks, hashed, results) = tables.split(&self.goals, &mut found);
         let waiting = ways.open(wanted);
         *results.found = Found::at(domain, &goals, state, wanted, dead.union(ways.broken(wanted)), waiting);

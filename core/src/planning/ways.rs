@@ -38,6 +38,11 @@ impl<'t> Ways<'t> {
         }
     }
 
+    /// The tasks with a way.
+    pub(super) fn all(&self) -> TaskSet {
+        self.those(TaskSet::first(self.tasks.len()), |_, _| true)
+    }
+
     /// The tasks whose way is still to be gone.
     pub(super) fn open(&self, tasks: TaskSet) -> TaskSet {
         self.those(tasks, |way, state| !way.is_behind(state))

@@ -352,8 +352,9 @@ impl<M: AgentMemory> Agent<M> {
         // A goal that could not be reached can be reached again where somebody else has moved things.
         if self.expected != Some(number) {
             self.dead = TaskSet::EMPTY;
-            self.follow_ways(domain, state);
         }
+        // Every state that the robot came to is planned for, before anything is done there; where it was meant to come is not.
+        self.follow_ways(domain, state);
         (self.planned, self.expected) = (Some(number), None);
         let wanted = self.worth_planning();
         let AgentTables { session, workspace, .. } = self.memory.lend();
@@ -479,7 +480,6 @@ impl<M: AgentMemory> Agent<M> {
             belief.settle();
         }
         self.done.add(plan, action);
-        self.follow_ways(domain, &next);
         self.expected = Some(domain.number(&next));
         Ok(next)
     }
