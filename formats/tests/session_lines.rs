@@ -69,7 +69,7 @@ fn a_fault_is_told_with_line_and_field_and_what_to_do() {
         ),
         ("\"x\":4", "\"z\":4", "\"environment.objects[0].z\": is not known here; known are class, name, x, y"),
         ("\"feedback\"", "\"praise\"", "\"kind\": \"praise\" is not known; write feedback, demonstration or labelled"),
-        ("\"session\"", "\"sesion\"", "\"type\": \"sesion\" is not known; write session, step or end"),
+        ("\"session\"", "\"sesion\"", "\"type\": \"sesion\" is not known; write session, step, answer or end"),
         ("\"command\"", "\"id\"", "\"id\": is given twice; keep one of the two"),
         ("\"w01-3\"", "null", "\"id\": is null; write a text"),
         ("[\"agentInRoom(agent0,room0)\"]", "[]", "\"intended\": is empty; fill it, or leave out what is optional"),
@@ -81,7 +81,7 @@ fn a_fault_is_told_with_line_and_field_and_what_to_do() {
         ("\"pull\"", "\"north\"", "\"actions[1]\": \"north\" is here twice; name each once"),
         ("\"pull\"", "\"\"", "\"actions[1]\": is empty; fill it, or leave out what is optional"),
         ("\"balanced\"", "\"\"", "\"strategies[0].name\": is empty; fill it, or leave out what is optional"),
-        ("\"epsilon\"", "\"eps\"", "\"strategies[0].eps\": is not known here; known are name, mu_plus, mu_minus, epsilon, prior"),
+        ("\"epsilon\"", "\"eps\"", "\"strategies[0].eps\": is not known here; known are name, mu_plus, mu_minus, epsilon, prior, lags"),
         ("\"prior\":0.32", "\"prior\":0", "\"strategies\": nothing here is above 0; give at least one a probability"),
         (
             "\"prior\":{",
@@ -152,7 +152,8 @@ fn a_labelled_session_tells_its_meaning_and_may_tell_a_way() {
     assert_eq!(told(&without), r#"line 1: field "intended": is missing; add it"#);
     let shown = line.replace("labelled", "demonstration");
     let Record::Session(shown) = Record::parse(&shown, 1).unwrap() else { panic!() };
-    let text = "agentInRoom(agent0,room0) through agentInRoom(agent0,room1) or agentInRoom(agent0,room2) avoiding agentInRoom(agent0,room3)";
+    let text =
+        "agentInRoom(agent0,room0) through agentInRoom(agent0,room1) or agentInRoom(agent0,room2) avoiding agentInRoom(agent0,room3)";
     assert_eq!(shown.meant().unwrap().unwrap().to_string(), text);
     let nowhere = without.replace("labelled", "demonstration");
     assert_eq!(told(&nowhere), r#"line 1: field "through": is the way of what was meant, which is not told; remove it, or write intended"#);

@@ -99,7 +99,7 @@ pub(crate) fn ground_unless(
         }
         while let Some(bound) = bindings {
             let grounded = GroundedTask { lifted: position as u8, bindings: bound, ..GroundedTask::UNUSED };
-            if !holds(&grounded, task) && !(task.has_way() && Way::of(&grounded, task).is_twin()) {
+            if !(holds(&grounded, task) || task.has_way() && Way::of(&grounded, task).is_twin()) {
                 match tasks.get_mut(count).filter(|_| count < limit) {
                     Some(slot) => *slot = grounded,
                     None => return Err(CapacityError::full(Capacity::Tasks, limit)),
