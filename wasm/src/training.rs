@@ -13,7 +13,7 @@ use goodbot::random::unit;
 use goodbot::session;
 use goodbot::task::{GroundedTask, LiftedTask};
 
-use crate::log::{PULLING, Recording, Step, strategies};
+use crate::log::{Line, PULLING, Recording, Step, strategies};
 use crate::route::Lookahead;
 use crate::view::{Belief, Decided, Evidence, Heat, Route, Support, Task, TrainerStyle};
 use crate::words::support;
@@ -154,7 +154,7 @@ impl World {
         };
         let action = action_name(self.home(), action).to_owned();
         if let Some(recording) = &mut self.recording {
-            recording.steps.push(Step::new(action.clone(), Some(feedback.name())));
+            recording.steps.push(Line::Step(Step::new(action.clone(), Some(feedback.name()))));
         }
         let judgements = judgements.iter().map(words).collect();
         Ok(Evidence { action, feedback: feedback.name(), outcome, judgements, before, after: self.probabilities() })
@@ -175,7 +175,7 @@ impl World {
         unit(&mut self.random)
     }
 
-    fn probabilities(&self) -> Vec<f32> {
+    pub(crate) fn probabilities(&self) -> Vec<f32> {
         (0..self.agent().tasks().len()).map(|task| self.agent().belief().probability(task)).collect()
     }
 
@@ -330,7 +330,7 @@ pub(crate) fn task_name(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task:
 }
 
 /// The task as a person says it. Objects that look alike are told apart by their names.
-fn task_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
+pub(crate) fn task_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
     let parts = task.propositions(lifted).map(|part| {
         let [subject, room, _] = part.arguments;
         match part.proposition {
@@ -341,7 +341,8 @@ fn task_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &Grounded
     parts.collect::<Vec<_>>().join(" and ")
 }
 
-fn described(home: &Home<impl HomeMemory>, id: ObjectId) -> String {
+/// An object by its looks, and by its name where another looks alike.
+pub(crate) fn described(home: &Home<impl HomeMemory>, id: ObjectId) -> String {
     let objects = home.objects();
     let class = objects.get(id).map(|object| object.class);
     let looks = |id: ObjectId| (objects.value(id, COLOR), objects.value(id, SHAPE));

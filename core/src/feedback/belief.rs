@@ -86,7 +86,7 @@ impl<'t> BeliefRef<'t> {
     }
 
     /// The prior of a task, in the unit of all.
-    pub(crate) fn prior(self, task: usize) -> Scaled {
+    pub fn prior(self, task: usize) -> Scaled {
         self.memory.priors.get(task).copied().filter(|_| task < self.count.tasks).unwrap_or(Scaled::ZERO)
     }
 
@@ -215,6 +215,11 @@ impl<'t> Belief<'t> {
         self.count.tasks = count;
         self.settle();
         Ok(())
+    }
+
+    /// Forgets all evidence since the last start: the belief is about no tasks, and the strategies are as probable as they were then.
+    pub(crate) fn forget(&mut self) {
+        self.count.tasks = 0;
     }
 
     /// Settles the last piece of evidence: the next one counts beside it, and no longer replaces it.
