@@ -158,7 +158,7 @@ macro_rules! walk {
                 ..Settings::PAPER
             };
             let weights = *pick(random, &[Weights::Paper, Weights::Belief]);
-            let options = Options { language, weights, least_weight: *pick(random, &[5e-5, 0.5, 0.0]) };
+            let options = Options { language, weights, least_weight: *pick(random, &[5e-5, 0.5, 0.0]), ..Options::DEFAULT };
             let mut agent = Agent::new(&mut memory.agent, &lifted, options).unwrap();
             let mut at = (0, homes[0].1);
             for _ in 0..120 {

@@ -141,7 +141,7 @@ fn the_order_of_the_objects_says_nothing() {
 /// How probable commands are where a room of a colour is the goal, after training on commands, goals and weights.
 fn trained<T>(rounds: u32, data: &[(&str, &str, f32)], ask: impl FnOnce(&mut dyn FnMut(&str, &str) -> f32) -> T) -> T {
     use goodbot::language::{LanguageModel, LanguageMut, Settings};
-    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let mut memory = HeapMemory::new(&Capacities { words: 128, translations: 1_024, alignments: 8_192, ..Capacities::STANDARD });
     let mut model = LanguageModel::new(&mut memory.agent, Settings { rounds, ..Settings::DEFAULT }).unwrap();
     let mut language = model.lend();
     let goal = goodbot::task::Marker { role: goodbot::task::Role::of_argument(RoleKind::Goal, goodbot::home::AGENT_IN_ROOM, 1), sort: 0 };
@@ -184,6 +184,21 @@ fn a_weight_that_is_no_number_from_0_on_counts_as_0_and_spoils_nothing() {
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -1.0] {
         assert_eq!(with(bad).map(f32::to_bits), nothing.map(f32::to_bits), "{bad}");
     }
+}
+
+#[test]
+fn what_was_heard_once_is_a_hint_and_no_proof() {
+    // Words of four different letters, each heard once.
+    let letter = |number: u8| char::from(b'a' + number);
+    let rare: Vec<String> =
+        (0..60).map(|number| (letter(number / 8), letter(8 + number % 8))).map(|(a, b)| format!("go to the {a}{a}{b}{b} room")).collect();
+    let colors = ["colorRed", "colorGreen"];
+    let rare = rare.iter().enumerate().map(|(number, command)| (command.as_str(), colors[number % 2], 1.0));
+    let often = (0..20).flat_map(|_| [("go to the red room", colors[0], 1.0), ("go to the green room", colors[1], 1.0)]);
+    let data: Vec<(&str, &str, f32)> = often.chain(rare).collect();
+    let ratio = |command: &str| trained(8, &data, |likelihood| likelihood(command, "colorRed") / likelihood(command, "colorGreen"));
+    let (once, often) = (ratio("go to the aaii room"), ratio("go to the red room"));
+    assert!((1.5..20.0).contains(&once) && often > 5.0 * once, "{once} {often}");
 }
 
 #[test]

@@ -140,7 +140,13 @@ impl<S: Copy + PartialEq> Lesson<S> {
         D: Domain<State = S> + ?Sized,
     {
         let intended = exercise.intention.find(agent, domain).ok_or(CourseError::NotPosed)?;
-        Ok(Self { state: *start, intended, understood: None, rests: 0, steps: 0, feedback: FeedbackCounts::default() })
+        Ok(Self::meaning(start, intended))
+    }
+
+    /// A lesson whose command the agent has heard already, and means the task of this position among those of the session: for commands that
+    /// are no exercise of the course.
+    pub fn meaning(start: &S, intended: usize) -> Self {
+        Self { state: *start, intended, understood: None, rests: 0, steps: 0, feedback: FeedbackCounts::default() }
     }
 
     /// Where things stand.

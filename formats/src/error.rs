@@ -156,7 +156,7 @@ pub enum Problem {
     /// Lags that are not three probabilities that sum to 1.
     Lags,
     /// A field that only a labelled session can have.
-    OnlyInLabelled,
+    OnlyWithIntended,
     /// A field that a session with `continues` cannot have.
     NotWithContinues,
     /// A session with `continues` and another command or environment than the one before.
@@ -270,7 +270,7 @@ impl fmt::Display for Problem {
             Problem::AnswersMostlyWrong => f.write_str("must be less than 0.5: an answer that is more often wrong than right is no answer"),
             Problem::OtherAnswers { others } => write!(f, "{others} other answers are none to choose from; write a number from 1 to 255"),
             Problem::Lags => f.write_str("must be three probabilities that sum to 1"),
-            Problem::OnlyInLabelled => f.write_str("belongs in a labelled session alone; remove it, or make the session's kind labelled"),
+            Problem::OnlyWithIntended => f.write_str("is the way of what was meant, which is not told; remove it, or write intended"),
             Problem::NotWithContinues => {
                 f.write_str("does not belong in a session that continues the one before; remove it, or remove \"continues\"")
             }

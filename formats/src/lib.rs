@@ -7,6 +7,7 @@
 //! | module | what |
 //! |---|---|
 //! | [`environment`] | a home: rooms, doors, the agent, blocks |
+//! | [`map`] | a home drawn as text |
 //! | [`session`] | a log of training sessions: commands, steps, feedback |
 //! | [`posterior`] | what the robot believed after each step |
 //! | [`task_text`] | a task as a text, `agentInRoom(agent0,room1)` |
@@ -22,6 +23,7 @@
 pub mod environment;
 mod error;
 mod json;
+pub mod map;
 pub mod posterior;
 pub mod session;
 pub mod task_text;

@@ -13,6 +13,7 @@ use crate::paper::sweep::Sweep;
 use crate::paper::trainer::{BelievedChoice, TrainerChoice};
 use crate::questions::QuestionsOptions;
 use crate::replay::ReplayArgs;
+use crate::study::StudyOptions;
 use crate::teach::TeachOptions;
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use std::path::PathBuf;
@@ -94,6 +95,7 @@ pub enum Command {
     FitTrainers(FitOptions),
     Check(CheckArgs),
     Merge(MergeArgs),
+    Study(StudyOptions),
     /// Print a home or a session log to begin with
     Example {
         /// What

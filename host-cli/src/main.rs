@@ -7,6 +7,7 @@
 
 mod ask;
 mod calibration;
+mod canvas;
 mod check;
 mod cli;
 mod evaluate;
@@ -17,6 +18,7 @@ mod learn;
 mod learner;
 mod lessons;
 mod load;
+mod mean;
 mod merge;
 mod messages;
 mod misuse;
@@ -27,6 +29,7 @@ mod paper;
 mod questions;
 mod refusal;
 mod replay;
+mod study;
 mod teach;
 mod whole_file;
 
@@ -61,6 +64,7 @@ fn main() -> ExitCode {
         Command::Check(args) => return check::run(&args),
         Command::Merge(options) => merge::run(&options),
         Command::Evaluate(options) => evaluate::run(&options),
+        Command::Study(options) => study::run(&options),
         Command::Example { what } => example::run(what),
         Command::Completions { shell } => completions(shell),
         Command::Man => manual(),

@@ -1,11 +1,40 @@
 // The editor: rooms, doors, blocks and the robot, by pointer on the plan and by numbers in a list.
+import { download, readFile } from './bytes.js';
+import { Goodbot, parsed, world } from './core.js';
+import { CELL, Frame, houseDrawing, thingDrawing } from './plan.js';
+import { render } from './render.js';
+import * as shelf from './shelf.js';
+import { $, all, draw, make, state, tell } from './state.js';
+import { fromTextMap, toTextMap } from './textmap.js';
+import { enterHome } from './tour.js';
+
 const PALETTE = ['red', 'green', 'blue', 'yellow', 'purple', 'orange', 'tan', 'teal', 'magenta'];
 const FORMS = ['chair', 'bag', 'backpack', 'basket', 'star'];
 const TOOLS = {
   move: 'Drag things and rooms; drag a chosen room’s corner to resize it. Colours and shapes are in the list.',
   room: 'Drag from corner to corner. Rooms that touch share a wall.', door: 'Tap a wall between two rooms.', block: 'Tap where it shall stand.', agent: 'Tap where it shall stand.',
 };
-const build = { file: null, tool: 'move', chosen: null, drag: null, error: '' };
+const build = {
+  /** @type {{ version: number, objects: any[] }} */
+  file: { version: 1, objects: [] },
+  tool: 'move',
+  /** @type {any} */
+  chosen: null,
+  /** @type {any} */
+  drag: null,
+  /** @type {any} */
+  frame: null,
+  error: '',
+  // The drawing as it was last kept, and those before and after it, as JSON.
+  text: '',
+  /** @type {string[]} */
+  past: [],
+  /** @type {string[]} */
+  future: [],
+  // The home that was shown when one came here.
+  /** @type {any} */
+  shown: null,
+};
 
 const nameFor = kind => {
   let number = 0;
@@ -13,20 +42,58 @@ const nameFor = kind => {
   return kind + number;
 };
 
-function enterBuild() {
-  stopSession();
-  build.file = parsed(world.environment());
+const MOST_STEPS_BACK = 60;
+
+/** Goes on with one's own drawing; the first one begins with the home that is shown. */
+export function enterBuild() {
+  const kept = shelf.read('drawing', null) || { file: shelf.read('own', null) };
+  build.shown = parsed(world.environment());
+  build.file = kept.file || structuredClone(build.shown);
+  [build.past, build.future] = [kept.past || [], kept.future || []];
+  build.text = JSON.stringify(build.file);
   build.chosen = null;
-  changed();
+  check();
 }
 
-// After every change: is this a home? If so, the robot lives in it.
+/** Another tab has drawn: this one goes on from there. */
+export function drawnElsewhere() {
+  if (state.mode === 'build' && !build.drag) enterBuild();
+}
+
+// After every change: it can be undone, and is kept even where it is no home yet.
 function changed() {
   const json = JSON.stringify(build.file);
-  build.error = Core.check(json);
-  if (!build.error) enterHome(json);
-  if (!build.error) keep(KEYS.own, json);
+  if (json !== build.text) {
+    build.past = [...build.past, build.text].slice(-MOST_STEPS_BACK);
+    build.future = [];
+  }
+  keepDrawing();
+}
+
+function keepDrawing() {
+  build.text = JSON.stringify(build.file);
+  check();
+  const home = build.error ? shelf.read('drawing', {}).home : build.file;
+  shelf.put('drawing', JSON.stringify({ file: build.file, home, past: build.past, future: build.future }));
+}
+
+// Is this a home? If so, the robot lives in it.
+function check() {
+  build.error = Goodbot.check(build.text);
+  if (!build.error) enterHome(build.text);
   render();
+}
+
+/** @param {'past' | 'future'} from */
+function travel(from) {
+  const text = build[from].at(-1);
+  if (text === undefined) return;
+  build[from] = build[from].slice(0, -1);
+  const to = from === 'past' ? 'future' : 'past';
+  build[to] = [...build[to], build.text];
+  build.file = JSON.parse(text);
+  build.chosen = null;
+  keepDrawing();
 }
 
 function boundsOf(objects) {
@@ -55,7 +122,7 @@ function draftScene() {
   return { bounds, rooms, doors, blocks: of('block'), agent: of('agent')[0], map };
 }
 
-function renderBuild() {
+export function renderBuild() {
   $('build').hidden = state.mode !== 'build';
   $('draft').toggleAttribute('hidden', state.mode !== 'build');
   if (state.mode !== 'build') return;
@@ -86,9 +153,14 @@ function renderBuild() {
     }));
   }
   $('build-help').textContent = TOOLS[build.tool];
-  $('build-error').textContent = build.error ? 'Not a home yet: ' + build.error + '.' : 'This is a home. The robot is in it.';
-  $('build-error').className = build.error ? 'wrong' : 'fine';
-  for (const tool of document.querySelectorAll('[data-tool]')) tool.setAttribute('aria-pressed', tool.dataset.tool === build.tool);
+  const closed = build.error ? [] : unreachable(scene);
+  $('build-error').textContent = build.error ? 'Not a home yet: ' + build.error + '.'
+    : closed.length ? 'This is a home, but the robot cannot get into ' + closed.join(' or ') + '. Draw a door.' : 'This is a home. The robot is in it.';
+  $('build-error').className = build.error || closed.length ? 'wrong' : 'fine';
+  for (const tool of all('[data-tool]')) tool.setAttribute('aria-pressed', tool.dataset.tool === build.tool);
+  $('build-undo').disabled = !build.past.length;
+  $('build-redo').disabled = !build.future.length;
+  $('take-shown').hidden = JSON.stringify(build.shown) === build.text;
   renderObjects();
 }
 
@@ -96,7 +168,7 @@ const boxOf = object => (object.class === 'room' || object.class === 'door' ? ob
 
 // The list of objects, with a field for everything that can be changed.
 function renderObjects() {
-  const active = document.activeElement;
+  const active = /** @type {HTMLElement | null} */ (document.activeElement);
   const focused = active && active.dataset.field;
   $('objects').replaceChildren(...build.file.objects.map((object, index) => {
     const title = object.class === 'agent' ? 'robot' : object.class === 'door' ? object.name : (object.color + ' ' + (object.shape || 'room'));
@@ -151,6 +223,47 @@ function addObject(kind, box) {
   changed();
 }
 
+/** @param {number} dx
+ * @param {number} dy */
+function shift(object, before, dx, dy) {
+  for (const [field, d] of /** @type {[string, number][]} */ ([['x', dx], ['left', dx], ['right', dx], ['y', dy], ['bottom', dy], ['top', dy]])) if (field in object) object[field] = before[field] + d;
+}
+
+// A room takes its doors along, and what stands in it: each with how it was.
+function movesAlong(index) {
+  const room = build.file.objects[index];
+  if (!room || room.class !== 'room') return [];
+  const inside = box => box.left >= room.left && box.right <= room.right && box.bottom >= room.bottom && box.top <= room.top;
+  return build.file.objects.filter(object => object !== room && object.class !== 'room' && inside(boxOf(object))).map(object => [object, { ...object }]);
+}
+
+// The rooms that the robot cannot get into, by their colours.
+function unreachable(scene) {
+  const rows = scene.map.split('\n');
+  const isFloor = (x, y) => (rows[scene.bounds.top - y] || '')[x - scene.bounds.left] === '.';
+  const seen = new Set();
+  const open = [[scene.agent.x, scene.agent.y]];
+  for (let cell = open.pop(); cell; cell = open.pop()) {
+    const [x, y] = cell;
+    if (seen.has(x + ',' + y) || !isFloor(x, y)) continue;
+    seen.add(x + ',' + y);
+    open.push([x + 1, y], [x - 1, y], [x, y + 1], [x, y - 1]);
+  }
+  const entered = room => [...seen].some(cell => {
+    const [x, y] = cell.split(',').map(Number);
+    return x > room.left && x < room.right && y > room.bottom && y < room.top;
+  });
+  return scene.rooms.filter(room => !entered(room)).map(room => 'the ' + room.color + ' room');
+}
+
+function parsedHome(text) {
+  try {
+    return JSON.parse(text);
+  } catch {
+    throw new Error('a bracket, a quote or a comma of the JSON is missing or too many');
+  }
+}
+
 function cellUnder(event) {
   const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform($('draft').getScreenCTM().inverse());
   const { bounds } = build.frame;
@@ -169,7 +282,7 @@ function objectAt({ x, y }) {
 
 const span = (a, b) => ({ left: Math.min(a.x, b.x), bottom: Math.min(a.y, b.y), right: Math.max(a.x, b.x), top: Math.max(a.y, b.y) });
 
-function setUpBuild() {
+export function setUpBuild() {
   const root = $('draft');
   root.addEventListener('pointerdown', event => {
     event.preventDefault();
@@ -179,7 +292,7 @@ function setUpBuild() {
       const chosen = build.file.objects[build.chosen];
       const resizing = chosen && chosen.class === 'room' && cell.x === chosen.right && cell.y === chosen.bottom;
       if (!resizing) build.chosen = objectAt(cell);
-      build.drag = { from: cell, resizing, before: build.chosen === null ? null : { ...build.file.objects[build.chosen] } };
+      build.drag = { from: cell, resizing, before: build.chosen === null ? null : { ...build.file.objects[build.chosen] }, along: resizing ? [] : movesAlong(build.chosen) };
     } else build.drag = { from: cell, box: span(cell, cell) };
     renderBuild();
   });
@@ -192,7 +305,7 @@ function setUpBuild() {
       const object = build.file.objects[build.chosen];
       const [dx, dy] = [cell.x - from.x, cell.y - from.y];
       if (resizing) Object.assign(object, { right: Math.max(before.left + 2, before.right + dx), bottom: Math.min(before.top - 2, before.bottom + dy) });
-      else for (const [field, d] of [['x', dx], ['left', dx], ['right', dx], ['y', dy], ['bottom', dy], ['top', dy]]) if (field in object) object[field] = before[field] + d;
+      else for (const [moved, from] of [[object, before], ...build.drag.along]) shift(moved, from, dx, dy);
     }
     renderBuild();
   });
@@ -206,8 +319,8 @@ function setUpBuild() {
     build.drag = null;
     changed();
   });
-  for (const tool of document.querySelectorAll('[data-tool]')) tool.addEventListener('click', () => { build.tool = tool.dataset.tool; renderBuild(); });
-  for (const button of document.querySelectorAll('[data-add]')) {
+  for (const tool of all('[data-tool]')) tool.addEventListener('click', () => { build.tool = tool.dataset.tool; renderBuild(); });
+  for (const button of all('[data-add]')) {
     button.addEventListener('click', () => {
       const bounds = boundsOf(build.file.objects);
       const x = bounds.right - 1;
@@ -218,14 +331,25 @@ function setUpBuild() {
     });
   }
   $('clear').addEventListener('click', () => { build.file = { version: 1, objects: [] }; build.chosen = null; changed(); });
+  $('build-undo').addEventListener('click', () => travel('past'));
+  $('build-redo').addEventListener('click', () => travel('future'));
+  $('take-shown').addEventListener('click', () => { build.file = structuredClone(build.shown); build.chosen = null; changed(); });
+  document.addEventListener('keydown', event => {
+    if (state.mode !== 'build' || !(event.ctrlKey || event.metaKey) || /** @type {Element} */ (event.target).closest('input, textarea')) return;
+    const key = event.key.toLowerCase();
+    if (key !== 'z' && key !== 'y') return;
+    event.preventDefault();
+    travel(key === 'y' || event.shiftKey ? 'future' : 'past');
+  });
   $('export-json').addEventListener('click', () => { $('home-text').value = JSON.stringify(build.file); });
   $('export-map').addEventListener('click', () => { $('home-text').value = toTextMap(build.error ? draftScene() : state.scene); });
   $('download-home').addEventListener('click', () => download('home.json', JSON.stringify(build.file), 'application/json'));
   const take = text => {
     try {
-      const file = text.trim().startsWith('{') ? JSON.parse(text) : fromTextMap(text);
-      const error = Core.check(JSON.stringify(file));
-      if (error) throw new Error(error);
+      const isJson = text.trim().startsWith('{');
+      const file = isJson ? parsedHome(text) : fromTextMap(text);
+      const error = Goodbot.check(JSON.stringify(file));
+      if (error) throw new Error(/ field |invalid |expected /.test(error) ? 'something in it is missing, misspelt or of the wrong kind; “Show as JSON” shows how it is written' : error);
       build.file = file;
       build.chosen = null;
       changed();
@@ -236,7 +360,7 @@ function setUpBuild() {
   };
   $('import').addEventListener('click', () => take($('home-text').value));
   $('load-home').addEventListener('change', async () => {
-    $('home-text').value = await readFile($('load-home'), 'text');
+    $('home-text').value = (await readFile($('load-home'), 'text')).content;
     take($('home-text').value);
   });
 }

@@ -1,4 +1,13 @@
 // A session log, gone through once more: the robot learns from its sessions one after the other.
+import { readFile } from './bytes.js';
+import { world } from './core.js';
+import { render } from './render.js';
+import { LEARN_BUDGET, PLAN_BUDGET, heatNow, leaveSession, refresh } from './session.js';
+import { inParts, nextFrame, state, tell } from './state.js';
+import { change, open } from './store.js';
+import { enterHome } from './tour.js';
+import { ACTIONS, sessionsWord } from './words.js';
+
 const LOG_FIELDS = {
   session: ['type', 'version', 'id', 'kind', 'environment', 'command', 'intended', 'actions', 'prior', 'strategies', 'continues'],
   step: ['type', 'action', 'feedback'],
@@ -20,7 +29,7 @@ function checkRecord(record) {
 const inUnit = numbers => numbers.map(number => number / Math.max(...numbers));
 
 // Begins a session as the log has it; `last` is the one before.
-function beginRecorded(record, last) {
+export function beginRecorded(record, last) {
   if (record.continues) {
     if (!last || last.command !== record.command || JSON.stringify(last.environment) !== JSON.stringify(record.environment)) {
       throw new Error('it continues a session that does not stand before it');
@@ -39,9 +48,14 @@ function beginRecorded(record, last) {
 }
 
 // Goes through the lines, and gives those that were learned from, with the sessions that they go on from.
-async function learnFrom(lines) {
+export async function learnFrom(lines) {
+  /** @type {string[]} */
   const learned = [];
-  let [session, last, own, unlearned, number, shown] = [null, null, [], [], 0, 0];
+  /** @type {any} */
+  let [session, last] = [null, null];
+  /** @type {string[][]} */
+  let [own, unlearned] = [[], []];
+  let [number, shown] = [0, 0];
   for (const line of lines) {
     number += 1;
     if (!line.trim()) continue;
@@ -90,22 +104,22 @@ async function learnFrom(lines) {
   return learned;
 }
 
-async function loadLog(input) {
-  const lines = (await readFile(input, 'text')).trimEnd().split('\n');
-  stopSession();
-  const before = present();
+export async function loadLog(input) {
+  const { content, name } = await readFile(input, 'text');
+  if (!await leaveSession()) return;
   const home = world.environment();
   state.phase = 'learning';
   render();
   try {
-    const learned = await learnFrom(lines);
-    keepUndo(before);
-    if (learned.length) appendLog(learned.join('\n') + '\n');
+    await change('learning from the log ' + name, async () => {
+      const learned = await learnFrom(content.trimEnd().split('\n'));
+      return learned.length ? learned.join('\n') + '\n' : '';
+    });
     tell('The robot has gone through the log: it now knows ' + sessionsWord() + '.');
   } catch (error) {
     world.forget();
     await inParts(() => world.learn(LEARN_BUDGET));
-    await takeModel(before.model);
+    await open(state.robot);
     tell('Nothing was learned: ' + error.message + '. The robot knows what it knew before.', true);
   }
   state.phase = 'none';
@@ -113,7 +127,6 @@ async function loadLog(input) {
   state.settings.style = world.learnsStyle();
   enterHome(home);
   state.heat = { now: heatNow(), before: null };
-  keepModel();
   refresh();
   render();
 }

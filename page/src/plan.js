@@ -1,5 +1,9 @@
 // The floor plan: a drawing as by hand, seen from above.
-const CELL = 48;
+import { blockDrawing, colorOf, robotDrawing } from './robot.js';
+import { $, draw, make, state } from './state.js';
+import { describeScene } from './words.js';
+
+export const CELL = 48;
 
 // A small number that is always the same for the same place, so that the hand does not tremble.
 function wobble(x, y, seed) {
@@ -27,7 +31,7 @@ function stroke(x0, y0, x1, y1, seed, amount) {
 }
 
 // Where things are on the drawing: north is up, and a margin of half a cell lies around the walls.
-class Frame {
+export class Frame {
   constructor(bounds) {
     this.bounds = bounds;
     this.width = (bounds.right - bounds.left + 1) * CELL;
@@ -97,7 +101,7 @@ function doorDrawing(frame, door, wall) {
 }
 
 // What does not move: floors, names, doors and walls.
-function houseDrawing(frame, scene) {
+export function houseDrawing(frame, scene) {
   const rows = scene.map.split('\n');
   const character = (x, y) => (rows[frame.bounds.top - y] || '')[x - frame.bounds.left] || ' ';
   const wall = (x, y) => character(x, y) === '#';
@@ -126,23 +130,23 @@ function houseDrawing(frame, scene) {
   });
   house.append(draw('path', { d: thick, class: 'wall' }), draw('path', { d: thin, class: 'wall again' }));
   for (const room of scene.rooms) {
-    house.append(draw('text', { x: frame.x(room.left) + 12, y: frame.y(room.top) + 23, class: 'roomname' }, room.color + ' room'));
+    house.append(draw('text', { x: frame.x(room.left) + 12, y: frame.y(room.top) + 23, class: 'roomname' }, room.color, draw('tspan', { class: 'kind' }, ' room')));
   }
   return house;
 }
 
-function thingDrawing(frame, thing, isRobot) {
+export function thingDrawing(frame, thing, isRobot) {
   const group = draw('g', { class: isRobot ? 'robot' : 'block', 'data-name': thing.name });
   group.style.transform = 'translate(' + frame.x(thing.x) + 'px,' + frame.y(thing.y) + 'px)';
-  group.append(...(isRobot ? robotDrawing() : blockDrawing(thing)));
+  group.append(...(isRobot ? robotDrawing() : blockDrawing(thing)).filter(part => part !== null));
   if (!isRobot && state.settings.names) group.append(draw('text', { y: 24, class: 'blockname' }, thing.color + ' ' + thing.shape));
   return group;
 }
 
 // The plan as it stands in the page. It is built anew for another home; else things only move.
-const plan = { frame: null, key: '', things: new Map(), ahead: null };
+const plan = { frame: /** @type {any} */ (null), key: '', things: new Map(), ahead: /** @type {any} */ (null) };
 
-function renderPlan() {
+export function renderPlan() {
   const scene = state.scene;
   const key = JSON.stringify([scene.bounds, scene.rooms, scene.doors, scene.blocks.map(block => [block.name, block.color, block.shape]), state.settings.names]);
   const root = $('plan');
@@ -190,11 +194,36 @@ function renderAhead() {
     if (at < route.cells.length - 1) prints += 'M' + plan.frame.x(x1) + ' ' + plan.frame.y(y1) + 'v.1';
   }
   const here = new Map([...state.scene.blocks, state.scene.agent].map(thing => [thing.name, thing]));
-  const moved = route.end.filter(thing => here.get(thing.name).x !== thing.x || here.get(thing.name).y !== thing.y);
+  const moved = route.end.filter(thing => here.get(thing.name)?.x !== thing.x || here.get(thing.name)?.y !== thing.y);
   const ghosts = moved.map(thing => {
     const ghost = thingDrawing(plan.frame, thing, thing.name === state.scene.agent.name);
     ghost.setAttribute('class', ghost.getAttribute('class') + ' ghost');
     return ghost;
   });
   plan.ahead.replaceChildren(draw('path', { d: prints, class: 'prints' }), ...ghosts);
+}
+
+/** Keeps the names on a drawing readable, however small it stands on the screen: 12 pixels at least. */
+export function watchSize() {
+  const sizes = new ResizeObserver(entries => {
+    for (const { target } of entries) {
+      const root = /** @type {SVGSVGElement} */ (target);
+      const [shown, drawn] = [root.getBoundingClientRect(), root.viewBox.baseVal];
+      const scale = Math.min(shown.width / (drawn?.width || 1), shown.height / (drawn?.height || 1));
+      if (scale > 0) root.style.setProperty('--name', Math.max(11, 12 / scale).toFixed(1) + 'px');
+      root.classList.toggle('short', scale < 0.6);
+    }
+  });
+  for (const id of ['plan', 'draft']) sizes.observe($(id));
+  const around = new ResizeObserver(fitPlan);
+  for (const element of [$('say'), $('good').closest('.desk'), document.documentElement]) around.observe(element);
+  window.addEventListener('resize', fitPlan);
+}
+
+// Where the buttons lie over the page, as on a phone, the plan ends above them.
+function fitPlan() {
+  const desk = $('good').closest('.desk');
+  const covers = getComputedStyle(desk).position === 'fixed';
+  const room = window.innerHeight - desk.getBoundingClientRect().height - 14 - ($('plan').getBoundingClientRect().top + window.scrollY);
+  $('plan').style.maxHeight = covers ? Math.max(90, room) + 'px' : '';
 }

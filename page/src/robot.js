@@ -1,11 +1,13 @@
 // The robot and the things it moves, as drawings. Each is centred on 0, 0 in a cell of 48.
+import { draw } from './state.js';
+
 const COLORS = {
   red: '#d8504d', green: '#4c9f6b', blue: '#4a80c4', yellow: '#e6b840', purple: '#8f64b3', orange: '#e2863c', tan: '#c8a679', teal: '#369c9b',
   magenta: '#c94f91', pink: '#e48fb1', brown: '#8a6242', white: '#f4f1ea', black: '#3a3d45', grey: '#8d929c', gray: '#8d929c',
 };
-const colorOf = name => COLORS[name.toLowerCase()] || '#8d929c';
+export const colorOf = name => COLORS[name.toLowerCase()] || '#8d929c';
 
-function robotDrawing() {
+export function robotDrawing() {
   return [
     draw('ellipse', { cx: 0, cy: 19, rx: 17, ry: 4, class: 'shadow' }),
     draw('g', { class: 'bob' },
@@ -35,7 +37,7 @@ const SHAPES = {
 };
 const BOX = ['M-11-9Q0-10.5 11-9q1.5 10 .5 20Q0 12.5-11.5 11q-1-10 .5-20z', '', 'M-11-2Q0-3.5 11-2M0-10v21'];
 
-function blockDrawing(block) {
+export function blockDrawing(block) {
   const [main, second, lines] = SHAPES[block.shape.toLowerCase()] || BOX;
   return [
     draw('ellipse', { cx: 0, cy: 13, rx: 14, ry: 3.5, class: 'shadow' }),

@@ -1,5 +1,17 @@
 // A training session: hear, act, take feedback, until the trainer ends it. The core plans and learns in parts, between two frames.
-const SPEEDS = {
+import { parsed, world } from './core.js';
+import { ask } from './dialog.js';
+import { lessonLearned, spaced, unknownWords } from './learned.js';
+import { beginRecorded, learnFrom } from './logs.js';
+import { renderPlan } from './plan.js';
+import { render } from './render.js';
+import { ofTab } from './shelf.js';
+import { $, announce, attempt, inParts, nextFrame, percent, state, tell } from './state.js';
+import { change, travel } from './store.js';
+import { attend, enterStop } from './tour.js';
+import { acted, ranked, sessionsWord, speech } from './words.js';
+
+export const SPEEDS = {
   step: { label: 'step by step', delay: () => Infinity },
   slow: { label: 'slow', delay: () => 2600 },
   normal: { label: 'normal speed', delay: () => 1400 },
@@ -9,48 +21,64 @@ const SPEEDS = {
 };
 
 // How long the robot waits, from 0 to 1, the less sure it is of its next action (the authors' three rules).
-const RULES = {
+export const RULES = {
   linear: { label: 'linear', wait: sure => 1 - sure },
   sigmoid: { label: 'sigmoid', wait: sure => 1 / (1 + Math.exp(12 * (sure - 0.6))) },
   threshold: { label: 'threshold', wait: sure => (sure < 0.7 ? 1 : 0) },
 };
 
-const PLAN_BUDGET = 20000;
-const LEARN_BUDGET = 60000;
+export const PLAN_BUDGET = 20000;
+export const LEARN_BUDGET = 60000;
 const LOOK_BUDGET = 4000;
 const RESTS = 3;
+// The whole tour is watched in less than a minute.
+const WATCH_DELAY = 260;
 const MOST_STEPS = 300;
 
-const parsed = text => JSON.parse(text);
-
-function refresh() {
+export function refresh() {
   state.scene = parsed(world.scene());
   state.belief = parsed(world.belief());
 }
 
 // Begins a session. `intended` is the name of a task for a trainer who gives the feedback by itself; `looking` walks without feedback.
-function startSession(command, { intended = null, looking = false } = {}) {
+/** @param {string} command
+ * @param {{ intended?: string | null, looking?: boolean }} how */
+export function startSession(command, { intended = null, looking = false } = {}) {
   stopSession();
+  command = spaced(command);
   if (attempt(() => (world.hear(command), true)) !== true) {
     render();
-    return false;
+    return null;
   }
   refresh();
   state.support = attempt(() => parsed(world.support()));
   state.evidence = [];
-  const task = state.belief.tasks.findIndex(task => task.name === intended);
-  state.session = {
-    command, intended: task < 0 ? null : task, looking, heard: ranked(), decided: null, feedback: null, rests: 0, steps: 0, paused: false, wake: null, over: false,
-  };
+  const session = newSession(command, { intended, looking });
+  session.heard = ranked();
+  state.session = session;
+  [state.said, state.verdict, state.already] = [null, '', ''];
+  session.heardNew = state.sessions > 0 ? unknownWords() : [...new Set(state.support?.words)];
+  keepSession(session);
   const best = ranked()[0];
   announce('The robot heard: ' + command + '. Most likely: ' + best.words + ', ' + percent(best.probability) + '.');
-  go(state.session);
+  go(session);
   if (!state.tour.watching && state.settings.speed !== 'once') {
     // On a small screen the plan and the buttons are what matters now; by keyboard, the keys.
     window.scrollTo({ top: 0 });
     $('good').focus({ preventScroll: true });
   }
-  return true;
+  return session;
+}
+
+/** @param {string} command
+ * @param {{ intended?: string | null, looking?: boolean }} how
+ * @returns {import('./state.js').Session} */
+function newSession(command, { intended = null, looking = false }) {
+  const task = state.belief.tasks.findIndex(task => task.name === intended);
+  return {
+    command, intended: task < 0 ? null : task, looking, heard: [], decided: null, feedback: null, given: false, rests: 0, steps: 0, delay: 0, since: 0,
+    paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], over: false, onEnd: null, onLearn: null,
+  };
 }
 
 // Looks where the robot is heading, a part at a time, while it waits for a word.
@@ -66,8 +94,74 @@ async function lookAhead(session) {
   renderPlan();
 }
 
+/** Whether the trainer has said anything in this session that would be lost with it. */
+const hasWords = session => !session.looking && session.intended === null && (session.given || state.evidence.some(evidence => evidence.feedback !== 'neutral'));
+
+/** Whether the session under way may be left: asks, where words were said in it. */
+export async function leaveSession() {
+  const { session } = state;
+  if (state.phase === 'learning') {
+    tell('One moment: the robot is still learning.');
+    return false;
+  }
+  if (!session) return true;
+  if (!hasWords(session)) {
+    stopSession();
+    return true;
+  }
+  if (!session.paused) togglePause();
+  const answer = await ask('A session is under way: “' + session.command + '”. What shall become of it?', { learn: 'Finish and learn', drop: 'Do not learn', stay: 'Go on with it' });
+  if (answer === 'learn') await finishSession();
+  else if (answer === 'drop') stopSession();
+  return answer !== 'stay';
+}
+
+// Writes the session down after each step, for a reload of this tab.
+function keepSession(session) {
+  if (session.looking || session.intended !== null || state.robot.log !== undefined) return;
+  const steps = attempt(() => world.log().trimEnd().split('\n').slice(0, -1)) || [];
+  if (session.given && session.decided) steps.push(JSON.stringify({ type: 'step', action: session.decided.action, feedback: session.feedback }));
+  ofTab.put('session', JSON.stringify({ robot: state.robot.id, mode: state.mode, at: state.mode === 'tour' ? state.tour.at : null, home: world.environment(), steps }));
+}
+
+/** Takes up the session that was under way when this tab was reloaded. Returns whether there was one. */
+export async function takeUpSession() {
+  /** @type {import('./state.js').Session} */
+  let session;
+  try {
+    const kept = JSON.parse(ofTab.get('session') || 'null');
+    if (!kept || kept.robot !== state.robot.id) return false;
+    const [first, ...steps] = kept.steps.map(parsed);
+    state.mode = kept.mode;
+    if (kept.at !== null && kept.at !== state.tour.at) return false;
+    beginRecorded(first, null);
+    session = newSession(first.command, {});
+    refresh();
+    session.heard = ranked();
+    state.support = parsed(world.support());
+    for (const step of steps) {
+      await inParts(() => world.plan(PLAN_BUDGET));
+      world.actAs(step.action);
+      state.evidence.push(parsed(world.judge(step.feedback)));
+      session.steps += 1;
+    }
+  } catch {
+    ofTab.put('session', null);
+    stopSession();
+    return false;
+  }
+  refresh();
+  session.paused = true;
+  state.session = session;
+  $('command').value = session.command;
+  if (state.mode === 'tour') attend(session);
+  go(session);
+  tell('Your session goes on where it was.');
+  return true;
+}
+
 // Ends the session under way without learning.
-function stopSession() {
+export function stopSession() {
   const session = state.session;
   if (session) {
     session.over = true;
@@ -77,9 +171,10 @@ function stopSession() {
   state.route = null;
   if (state.phase !== 'learning') state.phase = 'none';
   world.forget();
+  if (session) ofTab.put('session', null);
 }
 
-function wake(session) {
+export function wake(session) {
   const { wake: resolve } = session;
   session.wake = null;
   if (resolve) resolve();
@@ -143,7 +238,8 @@ async function go(session) {
 function waitOf(session, auto) {
   const { action, confidence } = session.decided;
   const speed = SPEEDS[state.settings.speed];
-  if (auto) return state.settings.speed === 'step' && !state.tour.watching ? Infinity : Math.min(speed.delay(confidence), 2600);
+  if (state.tour.watching) return state.settings.speed === 'once' ? 0 : WATCH_DELAY;
+  if (auto) return state.settings.speed === 'step' ? Infinity : Math.min(speed.delay(confidence), 2600);
   if (action === 'noop') return Infinity;
   return state.settings.speed === 'once' ? 120 : speed.delay(confidence);
 }
@@ -157,6 +253,7 @@ function commit(session) {
   session.rests = session.decided.action === 'noop' ? session.rests + 1 : 0;
   session.given = false;
   state.belief = parsed(world.belief());
+  keepSession(session);
 }
 
 // Whether a session that goes on by itself has come to its end.
@@ -174,22 +271,50 @@ async function ended(session) {
 }
 
 // The trainer's word on the last action. The last one before the next action counts.
-function giveFeedback(feedback) {
+export function giveFeedback(feedback) {
   const session = state.session;
   if (!session) tell('Nothing to judge yet: first tell the robot what to do.');
   if (!session || session.looking || !session.decided || state.phase === 'planning' || state.phase === 'learning') return;
+  // The same word once more takes it back; a double tap does not.
+  if (session.given && session.feedback === feedback && performance.now() - session.said > 600) {
+    takeBack();
+    return;
+  }
+  if (!session.given || session.feedback !== feedback) session.said = performance.now();
   session.feedback = feedback;
   session.given = true;
+  keepSession(session);
   announce((feedback === 'reward' ? 'Good' : 'Bad') + ': ' + acted(session.decided.action) + '.');
   render();
   const waits = session.decided.action === 'noop' || state.settings.speed === 'step';
   if (waits && !session.paused && session.intended === null && !session.looking) {
     clearTimeout(session.soon);
-    session.soon = setTimeout(() => wake(session), 450);
+    session.soon = window.setTimeout(() => wake(session), 450);
   }
 }
 
-function togglePause() {
+/** Withdraws the word on the last step. */
+export function takeBack() {
+  const session = state.session;
+  if (!session || !session.given || state.phase === 'learning') return;
+  clearTimeout(session.soon);
+  session.feedback = null;
+  session.given = false;
+  keepSession(session);
+  announce('Taken back.');
+  render();
+}
+
+/** The robot is where it was meant to be: that is good, and the session is over. */
+export async function thatWasIt() {
+  const session = state.session;
+  if (!session || !session.decided || session.looking) return;
+  session.feedback = 'reward';
+  session.given = true;
+  await finishSession();
+}
+
+export function togglePause() {
   const session = state.session;
   if (!session) return;
   session.paused = !session.paused;
@@ -202,7 +327,7 @@ function togglePause() {
   render();
 }
 
-function stepOnce() {
+export function stepOnce() {
   const session = state.session;
   if (!session || !session.decided) return;
   session.stepping = true;
@@ -211,17 +336,16 @@ function stepOnce() {
 }
 
 // Finish and learn.
-async function finishSession() {
+export async function finishSession() {
   const session = state.session;
   if (!session || state.phase === 'learning') return;
   if (session.decided && state.evidence.length === session.steps && session.feedback && session.given) commit(session);
   session.over = true;
   clearTimeout(session.soon);
   wake(session);
-  const before = present();
   const heat = heatNow();
-  const log = attempt(() => world.finish());
-  if (log === undefined) {
+  const own = attempt(() => world.log().replace('"learn":false', '"learn":true'));
+  if (own === undefined) {
     stopSession();
     render();
     return;
@@ -229,50 +353,63 @@ async function finishSession() {
   state.phase = 'learning';
   state.route = null;
   render();
-  await inParts(() => world.learn(LEARN_BUDGET));
-  keepUndo(before);
-  appendLog(log);
-  keepModel();
+  if (session.onLearn) session.onLearn();
+  try {
+    await change('“' + session.command + '”', async stale => {
+      // Another tab has taught this robot meanwhile: this session comes on top of that.
+      if (stale) {
+        const home = world.environment();
+        await learnFrom(own.trimEnd().split('\n'));
+        world.setEnvironment(home);
+      } else {
+        world.finish();
+        await inParts(() => world.learn(LEARN_BUDGET));
+      }
+      return own;
+    });
+  } catch (error) {
+    tell('The robot could not learn from this session: ' + error.message + '.', true);
+  }
+  ofTab.put('session', null);
   state.heat = { now: heatNow(), before: heat };
+  state.said = ['Thank you.', lessonLearned(session.heardNew)];
   state.session = null;
   state.phase = 'none';
   render();
   if (session.onEnd) session.onEnd();
-  else tell('Learned. The robot now knows ' + sessionsWord() + '.');
+  else tell('Learned. ' + lessonLearned(session.heardNew));
 }
 
-function finishWithoutLearning() {
-  if (!state.session) return;
+export function finishWithoutLearning() {
+  if (!state.session || state.tour.watching) return;
   stopSession();
   render();
   tell('Finished without learning: the robot knows what it knew before.');
 }
 
-// Takes back what the last session taught.
-async function undoSession() {
-  if (!state.undo || state.phase === 'learning') return;
-  stopSession();
-  const { model, log, tour } = state.undo;
+/** Takes back what was done last, or does it again.
+ * @param {'past' | 'future'} from */
+export async function undo(from) {
+  if (state.session || state.phase === 'learning') return;
   state.phase = 'learning';
+  let what;
   try {
-    await takeModel(model);
+    what = await travel(from);
   } catch (error) {
-    tell('The last session cannot be undone: ' + error.message + '.', true);
+    tell('This cannot be undone: ' + error.message + '.', true);
     return;
   } finally {
     state.phase = 'none';
     render();
   }
-  keepUndo(null);
-  keep(KEYS.log, log);
-  keepModel();
-  if (tour) Object.assign(state.tour, tour);
+  if (what === undefined) return;
   state.heat = { now: heatNow(), before: null };
   state.evidence = [];
+  [state.said, state.verdict] = [null, ''];
   refresh();
   if (state.mode === 'tour') enterStop(state.tour.at);
   render();
-  tell('The last session is forgotten: ' + sessionsWord() + ' left.');
+  tell((from === 'past' ? 'Undone: ' : 'Done again: ') + what + '. The robot knows ' + sessionsWord() + '.');
 }
 
-const heatNow = () => parsed(world.heat());
+export const heatNow = () => parsed(world.heat());

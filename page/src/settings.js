@@ -1,7 +1,21 @@
 // Settings, shortcuts, and what is kept and shared.
+import { download } from './bytes.js';
+import { world } from './core.js';
+import { homeLink, isSetting, robotLink } from './link.js';
+import { loadLog } from './logs.js';
+import { render } from './render.js';
+import { keepGuest, endGuest, loadModel, newRobot } from './roster.js';
+import { RULES, SPEEDS, finishSession, giveFeedback, leaveSession, refresh, stepOnce, takeBack, thatWasIt, togglePause, wake } from './session.js';
+import { setUpShare, share } from './share.js';
+import * as shelf from './shelf.js';
+import { $, attempt, make, state, tell } from './state.js';
+import { change, logOf } from './store.js';
+import { enterHome } from './tour.js';
+import { isThere } from './words.js';
+
 const SWITCHES = ['style', 'shortcuts', 'ghost', 'names', 'pull'];
 
-function renderSettings() {
+export function renderSettings() {
   const { settings } = state;
   $('speed').value = settings.speed;
   $('rule').value = settings.rule;
@@ -10,88 +24,90 @@ function renderSettings() {
   $('theme').value = settings.theme;
   document.documentElement.dataset.theme = settings.theme;
   document.body.classList.toggle('no-shortcuts', !settings.shortcuts);
-  $('kept').textContent = state.saved ? 'Kept in this browser: ' + sessionsWord() + '.' : 'This browser does not let the page keep anything. Save the model as a file.';
 }
 
-function setUpSettings() {
-  for (const [id, options] of [['speed', SPEEDS], ['rule', RULES]]) {
+export function setUpSettings() {
+  for (const [id, options] of /** @type {[string, Record<string, any>][]} */ ([['speed', SPEEDS], ['rule', RULES]])) {
     $(id).append(...Object.entries(options).map(([value, option]) => make('option', { value }, option.label)));
     $(id).addEventListener('change', () => {
       state.settings[id] = $(id).value;
-      keepSettings();
+      keepSetting(id);
       if (state.session && state.session.wake && state.phase === 'waiting' && $(id).value !== 'step') wake(state.session);
       render();
     });
   }
   for (const name of SWITCHES) {
-    $('set-' + name).addEventListener('change', () => {
-      state.settings[name] = $('set-' + name).checked;
+    $('set-' + name).addEventListener('change', async () => {
+      const value = $('set-' + name).checked;
+      // These two change what the robot is like, in the middle of a session.
+      const ends = name === 'style' || name === 'pull';
+      if (ends && !await leaveSession()) return render();
+      state.settings[name] = value;
       if (name === 'style') {
-        stopSession();
-        attempt(() => world.setLearnsStyle(state.settings.style));
+        await change('the change of “learns how I use Good and Bad”', async () => {
+          attempt(() => world.setLearnsStyle(value));
+          return '';
+        });
         refresh();
       }
       if (name === 'pull') enterHome(world.environment());
-      keepSettings();
-      render();
+      keepSetting(name);
+      return render();
     });
   }
   $('theme').addEventListener('change', () => {
     state.settings.theme = $('theme').value;
-    keepSettings();
+    keepSetting('theme');
     render();
   });
-  $('save-model').addEventListener('click', () => download('robot.goodbot', world.save(), 'application/octet-stream'));
+  $('save-model').addEventListener('click', () => {
+    const bytes = attempt(() => world.save());
+    if (bytes) download(fileName() + '.goodbot', bytes, 'application/octet-stream');
+  });
   $('load-model').addEventListener('change', () => loadModel($('load-model')));
   $('load-log').addEventListener('change', () => loadLog($('load-log')));
   $('save-log').addEventListener('click', () => {
-    const log = kept(KEYS.log);
-    if (log) download('sessions.jsonl', log, 'application/jsonl');
+    const log = logOf(state.robot);
+    if (log) download(fileName() + '.jsonl', log, 'application/jsonl');
     else tell('There is no log: no session has been learned from here.');
   });
-  $('share').addEventListener('click', async () => {
-    location.hash = hashOf();
-    try {
-      await navigator.clipboard.writeText(location.href);
-      tell('The link to this home is copied.');
-    } catch {
-      tell('The address of this page now leads to this home. Copy it from the address bar.');
-    }
+  $('share').addEventListener('click', () => share(homeLink(), 'This home and these settings', 'Who opens this link sees this home. It brings no robot along.'));
+  $('meet').addEventListener('click', async () => share(await robotLink(), 'Meet ' + state.robot.name, 'Who opens this link meets your robot, with all that it knows. Their own robots stay as they are.'));
+  setUpShare();
+  $('new-robot').addEventListener('click', async () => {
+    if (await leaveSession()) await newRobot();
   });
-  $('new-robot').addEventListener('click', () => {
-    keepUndo(present());
-    newRobot();
-    state.tour = { at: 0, done: [], watching: false };
-    keepTour();
-    if (state.mode === 'tour') enterStop(0);
-    render();
-    tell('A new robot. It knows no word. (Undo brings the old one back.)');
-  });
+  $('keep-guest').addEventListener('click', keepGuest);
+  $('end-guest').addEventListener('click', endGuest);
 }
 
-// A robot that has learned nothing, in the same home.
-function newRobot() {
-  stopSession();
-  attempt(() => world.restart());
-  refresh();
-  state.evidence = [];
-  state.support = null;
-  state.heat = { now: heatNow(), before: null };
-  keep(KEYS.log, null);
-  keepModel();
+// The robot's name, as it may name a file.
+const fileName = () => state.robot.name.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || 'robot';
+
+// Each setting by itself: another tab may have changed others.
+function keepSetting(name) {
+  const kept = shelf.read('settings', {});
+  shelf.put('settings', JSON.stringify({ ...kept, [name]: state.settings[name] }));
+}
+
+/** Takes over the settings that were kept, as far as this version knows them. */
+export function restoreSettings() {
+  for (const [name, value] of Object.entries(shelf.read('settings', {}))) {
+    if (name in state.settings && isSetting(name, value)) state.settings[name] = value;
+  }
 }
 
 // Single keys, as long as nobody types.
 const KEYS_PRESSED = {
   g: () => giveFeedback('reward'), ArrowRight: () => giveFeedback('reward'), b: () => giveFeedback('punish'), ArrowLeft: () => giveFeedback('punish'),
-  p: togglePause, n: stepOnce, f: finishSession,
+  p: togglePause, n: stepOnce, f: () => (isThere() ? thatWasIt() : finishSession()), Backspace: takeBack,
 };
 
-function setUpShortcuts() {
+export function setUpShortcuts() {
   document.addEventListener('keydown', event => {
     if (!state.settings.shortcuts || event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || !state.session) return;
-    if (event.target.closest('input:not([type=checkbox]), select, textarea, [role=slider], .scroll, dialog')) return;
-    const action = KEYS_PRESSED[event.key];
+    if (/** @type {Element} */ (event.target).closest('input:not([type=checkbox]), select, textarea, [role=slider], .scroll, dialog')) return;
+    const action = KEYS_PRESSED[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (!action) return;
     event.preventDefault();
     action();

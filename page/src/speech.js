@@ -1,8 +1,12 @@
 // Spoken commands, where the browser can recognise speech.
-const SPEECH_ERRORS = { 'not-allowed': 'the microphone may not be used here', network: 'this browser needs a network for that', 'no-speech': 'nothing was said' };
-const Recognition = window.SpeechRecognition || window.webkitSpeechRecognition;
+import { $, announce, tell } from './state.js';
 
-function setUpSpeech() {
+const SPEECH_ERRORS = { 'not-allowed': 'the microphone may not be used here', network: 'this browser needs a network for that', 'no-speech': 'nothing was said' };
+/** @type {any} */
+const browser = window;
+const Recognition = browser.SpeechRecognition || browser.webkitSpeechRecognition;
+
+export function setUpSpeech() {
   const button = $('speak');
   if (!Recognition) return;
   button.hidden = false;

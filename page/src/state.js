@@ -1,40 +1,84 @@
 // The page's state, in one place, and small tools to make elements.
-const KEYS = { model: 'goodbot.model', log: 'goodbot.log', settings: 'goodbot.settings', home: 'goodbot.home', own: 'goodbot.own', tour: 'goodbot.tour', undo: 'goodbot.undo' };
 
-const state = {
+/**
+ * @typedef {import('goodbot-wasm').Scene} Scene
+ * @typedef {import('goodbot-wasm').Belief} Belief
+ * @typedef {import('goodbot-wasm').Decided} Decided
+ * @typedef {import('goodbot-wasm').Evidence} Evidence
+ * @typedef {import('goodbot-wasm').Support} Support
+ * @typedef {import('goodbot-wasm').Heat} Heat
+ * @typedef {import('goodbot-wasm').Route} Route
+ * @typedef {import('goodbot-wasm').Task & { index: number }} Ranked
+ */
+
+/**
+ * A session under way.
+ * @typedef {object} Session
+ * @property {string} command
+ * @property {number | null} intended the task of a trainer who gives the feedback by itself
+ * @property {boolean} looking a test: no feedback
+ * @property {Ranked[]} heard what it believed at first
+ * @property {Decided | null} decided
+ * @property {string | null} feedback
+ * @property {boolean} given whether the trainer has said a word on the last action
+ * @property {number} rests
+ * @property {number} steps
+ * @property {number} delay
+ * @property {number} since
+ * @property {boolean} paused
+ * @property {boolean} stepping
+ * @property {(() => void) | null} wake
+ * @property {number} soon
+ * @property {number} said when the word on the last step was said
+ * @property {string[]} heardNew the words that were new to the robot
+ * @property {boolean} over
+ * @property {(() => void) | null} onEnd what comes after it
+ * @property {(() => void) | null} onLearn what comes before it is learned from
+ */
+
+export const state = {
   // tour, play or build
   mode: 'tour',
-  scene: null,
-  belief: { tasks: [], strategies: [] },
-  support: null,
-  heat: { now: null, before: null },
+  scene: /** @type {Scene} */ (/** @type {unknown} */ (null)),
+  belief: /** @type {Belief} */ ({ tasks: [], strategies: [] }),
+  support: /** @type {Support | null} */ (null),
+  heat: { now: /** @type {Heat | null} */ (null), before: /** @type {Heat | null} */ (null) },
   // none, planning, waiting, paused or learning
   phase: 'none',
-  session: null,
-  route: null,
-  evidence: [],
-  // The model, the log and the tour before the last session.
-  undo: null,
+  session: /** @type {Session | null} */ (null),
+  route: /** @type {Route | null} */ (null),
+  evidence: /** @type {Evidence[]} */ ([]),
+  // The robot of this tab, as it is kept.
+  robot: /** @type {import('./store.js').Robot} */ (/** @type {unknown} */ (null)),
+  // One's own robot, while another is shown.
+  mine: /** @type {import('./store.js').Robot | null} */ (null),
+  // Whether the robot that is shown came with a link.
+  visitor: false,
+  // What the robot says while nothing is asked of it.
+  said: /** @type {string[] | null} */ (null),
+  // The command that the robot takes for done already.
+  already: '',
+  // What came of the lesson or test before, until the next begins.
+  verdict: '',
   // What is being learned from, where that takes a while.
   progress: '',
   sessions: 0,
-  saved: true,
-  tour: { at: 0, done: [], watching: false },
-  settings: {
+  tour: { at: 0, done: /** @type {string[]} */ ([]), watching: false },
+  settings: /** @type {Record<string, any>} */ ({
     speed: 'normal', rule: 'linear', style: false, shortcuts: true, ghost: true, names: true, theme: 'auto', pull: false,
-  },
+  }),
 };
 
-// The robot's world: the core, in WebAssembly. Set in main.js.
-let world = null;
+/** @type {(id: string) => any} */
+export const $ = id => document.getElementById(id);
+/** @type {(selector: string) => Iterable<any>} */
+export const all = selector => document.querySelectorAll(selector);
 
-const $ = id => document.getElementById(id);
-
-function make(tag, attributes, ...children) {
+export function make(tag, attributes, ...children) {
   return fill(document.createElement(tag), attributes, children);
 }
 
-function draw(tag, attributes, ...children) {
+export function draw(tag, attributes, ...children) {
   return fill(document.createElementNS('http://www.w3.org/2000/svg', tag), attributes, children);
 }
 
@@ -48,11 +92,11 @@ function fill(element, attributes, children) {
   return element;
 }
 
-const percent = p => (p > 0 && p < 0.005 ? '< 1' : p < 1 && p > 0.995 ? '> 99' : Math.round(p * 100)) + '\u00a0%';
+export const percent = p => (p > 0 && p < 0.005 ? '< 1' : p < 1 && p > 0.995 ? '> 99' : Math.round(p * 100)) + '\u00a0%';
 
 // Tells those who listen, and shows it for a moment to those who look.
 let toastTimer = 0;
-function tell(text, wrong = false) {
+export function tell(text, wrong = false) {
   announce(text);
   const toast = $('toast');
   toast.textContent = text;
@@ -62,12 +106,12 @@ function tell(text, wrong = false) {
   toastTimer = setTimeout(() => { toast.hidden = true; }, wrong ? 9000 : 4500);
 }
 
-function announce(text) {
+export function announce(text) {
   $('live').textContent = text;
 }
 
 // Runs what the core may refuse; the refusal is told, and the answer is then undefined.
-function attempt(action) {
+export function attempt(action) {
   try {
     return action();
   } catch (error) {
@@ -77,7 +121,7 @@ function attempt(action) {
 }
 
 // Long work in parts, `part` until it gives something, with a frame now and then so that the page never stands still.
-async function inParts(part) {
+export async function inParts(part) {
   let started = performance.now();
   for (;;) {
     const done = part();
@@ -89,8 +133,8 @@ async function inParts(part) {
   }
 }
 
-const nextFrame = () => new Promise(done => {
+export const nextFrame = () => /** @type {Promise<void>} */ (new Promise(done => {
   // A hidden page gets no frames, but should go on.
   const timer = setTimeout(done, 60);
   requestAnimationFrame(() => { clearTimeout(timer); done(); });
-});
+}));

@@ -1,5 +1,6 @@
 // The home as a text map: the core's drawing, and notes of what the letters cannot say. Cells count from the drawing's south-west corner.
-function toTextMap(scene) {
+
+export function toTextMap(scene) {
   const { left, bottom } = scene.bounds;
   const notes = [...scene.rooms.map(room => ['room', room.color, room.left - left, room.bottom - bottom, room.right - left, room.top - bottom]),
     ...scene.blocks.map(block => ['block', block.color, block.shape, block.x - left, block.y - bottom])];
@@ -11,10 +12,23 @@ const LETTERS = {
   C: 'yellow chair', B: 'yellow bag', K: 'yellow backpack', S: 'yellow star', A: 'yellow ball',
 };
 
+// A drawing has no signs but those of a map, and one robot.
+function checkSigns(drawing) {
+  let robots = 0;
+  drawing.forEach((row, index) => {
+    [...row].forEach((letter, column) => {
+      const where = ' (line ' + (index + 1) + ', column ' + (column + 1) + ')';
+      if (!/[#+@ .a-zA-Z]/.test(letter)) throw new Error('“' + letter + '”' + where + ' is no sign of a map; use # for walls, + for doors, @ for the robot, and letters');
+      robots += Number(letter === '@');
+      if (robots > 1) throw new Error('there is a second @' + where + ', but only one robot');
+    });
+  });
+}
+
 // A home from a drawing: '#' wall, '+' doorway, '@' the robot, lower-case letters for a room's colour, capitals for a block. Below stands what
 // letters mean ('b: blue', 'B: yellow bag'), and notes of single things, which count before that. Each room is the box around cells that hang
 // together without a door. Throws where the drawing is none.
-function fromTextMap(text) {
+export function fromTextMap(text) {
   const drawing = [];
   const said = { ...LETTERS };
   const notes = {};
@@ -35,12 +49,14 @@ function fromTextMap(text) {
     return found;
   };
   const height = drawing.length;
+  checkSigns(drawing);
   const at = (x, y) => (drawing[height - 1 - y] || '')[x] || ' ';
   const objects = [];
   const seen = new Set();
   const isFloor = (x, y) => !'#+ '.includes(at(x, y));
   const doors = [];
   const blocks = [];
+  /** @type {object | null} */
   let agent = null;
   for (let y = 0; y < height; y += 1) {
     for (let x = 0; x < drawing[height - 1 - y].length; x += 1) {
@@ -53,12 +69,16 @@ function fromTextMap(text) {
       }
       if (!isFloor(x, y) || seen.has(x + ',' + y)) continue;
       let [left, bottom, right, top, floor] = [x, y, x, y, '.'];
+      /** @type {any[]} */
       const open = [[x, y]];
       seen.add(x + ',' + y);
       while (open.length) {
         const [cx, cy] = open.pop();
         [left, bottom, right, top] = [Math.min(left, cx), Math.min(bottom, cy), Math.max(right, cx), Math.max(top, cy)];
-        if (/[a-z]/.test(at(cx, cy))) floor = at(cx, cy);
+        if (/[a-z]/.test(at(cx, cy))) {
+          if (floor !== '.' && floor !== at(cx, cy)) throw new Error('one room has two colours, ' + floor + ' and ' + at(cx, cy) + '; draw a wall or a door between them');
+          floor = at(cx, cy);
+        }
         for (const [nx, ny] of [[cx + 1, cy], [cx - 1, cy], [cx, cy + 1], [cx, cy - 1]]) {
           if (isFloor(nx, ny) && !seen.has(nx + ',' + ny)) {
             seen.add(nx + ',' + ny);

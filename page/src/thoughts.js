@@ -1,10 +1,13 @@
 // What the robot thinks: the tasks' probabilities, the evidence, the words, the dictionary, the trainer's style.
+import { $, all, make, percent, state } from './state.js';
+import { acted, ranked, tokenWords, wordShown } from './words.js';
+
 const SHOWN_TASKS = 8;
 
-function renderThoughts() {
+export function renderThoughts() {
   const nothing = state.sessions === 0 && !state.session;
   $('how').hidden = !nothing;
-  for (const card of document.querySelectorAll('.learned')) card.hidden = nothing;
+  for (const card of all('.learned')) card.hidden = nothing;
   renderBars();
   renderEvidence();
   renderSupport();
@@ -19,7 +22,7 @@ function renderBars() {
   const tasks = ranked();
   const session = state.session;
   $('sure').textContent = session && session.decided
-    ? 'It just ' + acted(session.decided.action) + ', and is ' + percent(session.decided.confidence) + ' sure that this is right.'
+    ? 'It just ' + acted(session.decided.action) + '.' + (state.settings.speed === 'confidence' ? ' Sure of this step, whichever room you mean: ' + percent(session.decided.confidence) + '.' : '')
     : session ? 'It is making a plan …' : 'Tell it something, and its guesses appear here.';
   $('bars').replaceChildren(...tasks.slice(0, SHOWN_TASKS).map((task, rank) => {
     const marks = state.evidence.slice(-12).map(evidence => markOf(evidence, task.index));
@@ -63,7 +66,7 @@ function renderSupport() {
   $('support-about').textContent = !known.length ? 'After a command, this shows which word spoke for which task.'
     : state.sessions === 0 ? 'It has learned no word yet, so no word speaks for any task.'
       : 'Each word’s hundred points, shared among the tasks (the five most likely).';
-  if ($('support').hidden) return;
+  if (!support || $('support').hidden) return;
   const shares = support.tasks.flat();
   const [weakest, strongest] = [Math.min(...shares), Math.max(...shares)];
   $('support').replaceChildren(
@@ -72,10 +75,7 @@ function renderSupport() {
       ...support.words.map((word, at) => cell(support.tasks[at][task.index], weakest, strongest, word + ', ' + task.words))))));
 }
 
-// roomIsGreen becomes “room is green”.
-const tokenWords = token => token.replace(/([A-Z])/g, ' $1').toLowerCase();
-
-function renderHeat() {
+export function renderHeat() {
   // The table may be large: it is drawn when it is seen.
   if (!$('heat').closest('details').open) return;
   const older = state.heat.before;

@@ -1,6 +1,7 @@
 // Expands the module: an LZMA stream without a header, with three bits of literal context and none of position (lc = 3, lp = pb = 0),
 // as xtask writes it. It is a fifth denser than what browsers expand by themselves. The names are those of the format's specification.
-function unpack(packed, size) {
+
+export function unpack(packed, size) {
   const out = new Uint8Array(size);
   const half = count => new Uint16Array(count).fill(1024);
   const [isMatch, isRep, isRepG0, isRepG1, isRepG2, isRep0Long] = Array.from({ length: 6 }, () => half(12));

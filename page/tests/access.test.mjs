@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { close, launch, open, play } from './browser.mjs';
+import { address, close, launch, open, openIn, play } from './browser.mjs';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 let browser;
@@ -9,7 +9,7 @@ before(async () => { browser = await launch(); });
 after(() => browser.close());
 
 // What a finger must hit, by the way in which it is found.
-const TARGETS = 'button, select, summary, .check, .button, textarea, input:not([type=checkbox], [type=file])';
+const TARGETS = 'button:not(#dots button), select, summary, .check, .button, textarea, input:not([type=checkbox], [type=file])';
 
 async function check(page, where) {
   await page.evaluate(() => { for (const details of document.querySelectorAll('.mind > details, .stage > details')) details.open = true; });
@@ -36,6 +36,7 @@ for (const colorScheme of ['light', 'dark']) {
       await page.click('#watch');
       await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
       await check(page, 'after the tour');
+      await page.click('#end-guest');
       await play(page, 'F');
       await page.selectOption('#speed', 'step');
       await page.fill('#command', 'take the yellow bag to the red room');
@@ -114,6 +115,91 @@ test('nothing moves by itself where motion is not wanted', async () => {
   const page = await open(browser, { reducedMotion: 'reduce' });
   await page.click('#lesson');
   await page.getByText('Good or Bad?').waitFor();
-  assert.equal(await page.evaluate(() => document.getAnimations().length), 0);
+  assert.deepEqual(await page.evaluate(() => document.getAnimations().map(animation => animation.effect.target.id)), ['wait'], 'but how long it waits is information');
   await close(page);
+});
+
+for (const [width, height] of [[320, 568], [320, 256], [640, 480], [640, 900], [414, 736], [1280, 720]]) {
+  test('in a session, the plan and the buttons are seen together on ' + width + ' by ' + height + ' pixels', async () => {
+    const page = await open(browser, { viewport: { width, height } });
+    await page.selectOption('#speed', 'step');
+    await page.click('#lesson');
+    await page.getByText('Good or Bad?').waitFor();
+    await page.waitForTimeout(200);
+    const { clipped, scroll, ...boxes } = await page.evaluate(() => {
+      const found = Object.fromEntries(['plan', 'good', 'bad', 'finish'].map(id => {
+        const { left, right, top, bottom } = document.getElementById(id).getBoundingClientRect();
+        return [id, { left, right, top, bottom }];
+      }));
+      const cut = [...document.querySelectorAll('#train button, #say, #to')].filter(element => element.offsetParent && element.scrollWidth > element.clientWidth + 1);
+      return { ...found, clipped: cut.map(element => element.id), scroll: document.documentElement.scrollWidth };
+    });
+    assert.ok(scroll <= width, 'the page is ' + scroll + ' pixels wide');
+    assert.deepEqual(clipped, []);
+    for (const [id, { left, right, top, bottom }] of Object.entries(boxes)) {
+      assert.ok(left >= -1 && right <= width + 1 && top >= 0 && bottom <= height, id + ' is not seen whole: ' + JSON.stringify(boxes[id]));
+    }
+    const { plan, good, bad, finish } = boxes;
+    for (const each of [good, bad, finish]) assert.ok(each.top >= plan.bottom || each.left >= plan.right || each.right <= plan.left, 'a button covers the plan: ' + JSON.stringify(boxes));
+    assert.ok(plan.bottom - plan.top >= Math.min(100, height * 0.3), JSON.stringify(plan));
+    await close(page);
+  });
+}
+
+test('no text is smaller than 12 pixels, in a large home neither', async () => {
+  for (const width of [320, 1280]) {
+    const page = await open(browser, { viewport: { width, height: 700 } });
+    await play(page, 'Test');
+    await page.selectOption('#speed', 'step');
+    await page.fill('#command', 'go to the red room');
+    await page.click('#say-it');
+    await page.getByText('Good or Bad?').waitFor();
+    await page.click('#good');
+    await page.waitForTimeout(300);
+    const small = await page.evaluate(() => {
+      const scale = element => (element.ownerSVGElement ? element.getScreenCTM().a : 1);
+      const texts = [...document.querySelectorAll('body *')].filter(element => [...element.childNodes].some(node => node.nodeType === 3 && node.textContent.trim()) && element.getClientRects().length && !element.closest('script, style, .hidden'));
+      return texts.filter(element => parseFloat(getComputedStyle(element).fontSize) * scale(element) < 11.9).map(element => element.outerHTML.slice(0, 80));
+    });
+    assert.deepEqual(small, [], width + ' pixels');
+    await close(page);
+  }
+});
+
+test('forced colours show where one is and which word was said', async () => {
+  const page = await open(browser, { forcedColors: 'active' });
+  await play(page, 'A');
+  await page.selectOption('#speed', 'step');
+  await page.fill('#command', 'go to the red room');
+  await page.click('#say-it');
+  await page.getByText('Good or Bad?').waitFor();
+  await page.click('#pause');
+  const ground = selector => page.evaluate(found => getComputedStyle(document.querySelector(found)).backgroundColor, selector);
+  const silent = await ground('#good');
+  await page.click('#good');
+  assert.notEqual(await ground('#good'), silent);
+  assert.notEqual(await ground('nav [data-mode=play]'), await ground('nav [data-mode=tour]'));
+  await close(page);
+});
+
+test('what is told stays in the live region, and is told again when it is said again', async () => {
+  const page = await open(browser);
+  await page.click('#good', { force: true });
+  await page.waitForTimeout(6000);
+  assert.match(await page.textContent('#live'), /first tell the robot/);
+  await close(page);
+});
+
+test('without JavaScript, and without WebAssembly, there is one clear sentence and no dead button', async () => {
+  const context = await browser.newContext({ javaScriptEnabled: false });
+  const plain = await context.newPage();
+  await plain.goto(address);
+  assert.equal(await plain.locator('button:visible').count(), 0);
+  assert.match(await plain.locator('body').innerText(), /^The robot runs in this page, and needs JavaScript\.[^.]*\.$/);
+  await context.close();
+  const other = await browser.newContext();
+  const page = await openIn(other, '', () => { delete window.WebAssembly; });
+  assert.match(await page.locator('body').innerText(), /^This browser cannot run the robot\.[^.]*\.$/);
+  assert.equal(await page.locator('button:visible').count(), 0);
+  await other.close();
 });

@@ -18,8 +18,13 @@ export async function launch() {
 
 // A page of its own, with a storage of its own. `complaints` is what went wrong in it.
 export async function open(browser, options = {}, hash = '') {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, ...options });
+  return openIn(await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, ...options }), hash);
+}
+
+// One more tab of the same browser. `prepare` runs in it before the page does.
+export async function openIn(context, hash = '', prepare = null) {
   const page = await context.newPage();
+  if (prepare) await page.addInitScript(prepare);
   page.complaints = [];
   page.on('console', message => { if (message.type() === 'error' || message.type() === 'warning') page.complaints.push(message.text()); });
   page.on('pageerror', error => page.complaints.push(String(error)));
@@ -35,6 +40,16 @@ export async function close(page) {
 }
 
 export const model = page => page.evaluate(() => Array.from(window.goodbot.save()));
+
+export async function reload(page) {
+  await page.reload();
+  await page.waitForSelector('body.ready');
+}
+
+// Until the robot has learned from so many sessions.
+export const learned = (page, count) => page.waitForFunction(wanted => window.goodbot.sessions() === wanted && document.body.dataset.phase === 'none', count);
+
+export const sessions = page => page.evaluate(() => window.goodbot.sessions());
 
 // Free play in the home of that name.
 export async function play(page, home) {

@@ -35,7 +35,7 @@ test('an invalid drawing says why, and the robot stays where it was', async () =
   const page = await open(browser);
   await page.click('[data-mode=build]');
   const old = await page.evaluate(() => window.goodbot.environment());
-  await page.getByText('robot', { exact: false }).locator('xpath=ancestor-or-self::summary').click();
+  await page.locator('#objects summary', { hasText: 'robot' }).click();
   await page.locator('#objects details[open] label', { hasText: /^x$/ }).locator('input').fill('0');
   await page.keyboard.press('Tab');
   assert.match(await page.textContent('#build-error'), /agent0: it stands in a wall or outside every room/);

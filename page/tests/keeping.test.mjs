@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { close, launch, model, open, opened, play, saved } from './browser.mjs';
+import { close, launch, learned, model, open, opened, play, saved } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -11,7 +11,7 @@ after(() => browser.close());
 async function teach(page) {
   await page.selectOption('#speed', 'once');
   await page.click('#auto');
-  await page.getByText('I have learned from 1 session').waitFor();
+  await learned(page, 1);
 }
 
 test('a reload keeps the model', async () => {
@@ -30,8 +30,9 @@ test('undo forgets the last session', async () => {
   const old = await model(page);
   await teach(page);
   assert.notDeepEqual(await model(page), old);
+  assert.match(await page.textContent('#undo'), /^Undo: “go to the green room”$/);
   await page.click('#undo');
-  await page.getByText('The last session is forgotten').first().waitFor();
+  await page.getByText('Undone: “go to the green room”').first().waitFor();
   assert.deepEqual(await model(page), old);
   await close(page);
 });
@@ -45,7 +46,7 @@ test('undo works after a reload too, and goes back to the lesson', async () => {
   await page.waitForSelector('body.ready');
   assert.notDeepEqual(await model(page), old);
   await page.click('#undo');
-  await page.getByText('The last session is forgotten').first().waitFor();
+  await page.getByText('Undone: “go to the green room”').first().waitFor();
   assert.deepEqual(await model(page), old);
   assert.match(await page.textContent('#tour-title'), /Lesson 1/);
   assert.ok(await page.isHidden('#undo'), 'there is nothing more to undo');
@@ -131,7 +132,9 @@ test('a link carries the home and the settings', async () => {
   await page.check('#set-pull');
   await page.uncheck('#set-ghost');
   await page.click('#share');
-  const hash = await page.evaluate(() => location.hash);
+  assert.equal(await page.evaluate(() => location.hash), '', 'the page stays where it is');
+  const { hash } = new URL(await page.inputValue('#link'));
+  await page.click('#close-link');
   const home = await page.evaluate(() => window.goodbot.environment());
   const other = await open(browser, {}, hash);
   assert.equal(await other.evaluate(() => window.goodbot.environment()), home);
@@ -140,8 +143,8 @@ test('a link carries the home and the settings', async () => {
   const switches = await Promise.all(['style', 'pull', 'ghost', 'names'].map(name => other.isChecked('#set-' + name)));
   assert.deepEqual(switches, [true, true, false, true]);
   assert.deepEqual(await other.evaluate(() => [window.goodbot.learnsStyle(), window.goodbot.pulls()]), [true, true]);
-  const broken = await open(browser, {}, '#no-link-at-all');
-  assert.match(await broken.textContent('#toast'), /The link could not be read/);
+  const broken = await open(browser, {}, '#home=no-link-at-all');
+  assert.match(await broken.textContent('#toast'), /The link is damaged/);
   assert.ok(await broken.isVisible('#lesson'), 'and the page works all the same');
   await close(broken);
   await close(page);

@@ -1,7 +1,7 @@
 // What the page shows of the robot's thoughts.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, launch, open, opened, play } from './browser.mjs';
+import { close, launch, learned, open, opened, play } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -9,13 +9,15 @@ after(() => browser.close());
 
 async function lesson(page, number) {
   await page.click('#auto');
-  await page.getByText('I have learned from ' + number + ' session').waitFor();
+  await learned(page, number);
 }
 
 async function trained(page) {
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
   await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.click('#keep-guest');
+  await page.getByText('is kept, under').first().waitFor();
 }
 
 async function tell(page, command) {

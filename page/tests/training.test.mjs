@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, launch, model, open, opened, play } from './browser.mjs';
+import { close, launch, learned, model, open, opened, play } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -44,7 +44,7 @@ test('a session by keyboard alone teaches the robot', async () => {
   assert.match(await page.textContent('#steps tr'), /Good/, 'of several words, the last counts');
   await focus('next');
   await page.keyboard.press('f');
-  await page.getByText('I have learned from 1 session').waitFor();
+  await learned(page, 1);
   await close(page);
 });
 
@@ -74,7 +74,7 @@ test('a session by touch alone, on a screen 360 pixels wide', async () => {
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
   assert.ok(wide <= 360, 'the page is ' + wide + ' pixels wide');
   await page.tap('#finish');
-  await page.getByText('I have learned from 1 session').waitFor();
+  await learned(page, 1);
   await close(page);
 });
 

@@ -107,6 +107,11 @@ impl Goodbot {
         self.0.demonstrate(action).map_err(thrown)
     }
 
+    /// What the command most likely means where that is done already, in words; nothing where something is left to do.
+    pub fn already(&mut self, command: &str) -> Thrown<Option<String>> {
+        self.0.already(command).map_err(thrown)
+    }
+
     /// Hears a command.
     pub fn hear(&mut self, command: &str) -> Thrown<()> {
         self.0.hear(command).map_err(thrown)

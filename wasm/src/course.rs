@@ -5,22 +5,24 @@ use goodbot_course::layout::Layout;
 use goodbot_course::{Exercise, Homes, LESSONS, TESTS, generator};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use serde::Serialize;
+use tsify::Tsify;
 
 use crate::cells::ROOMS;
 
 /// The homes that a page offers, and the course in them.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Course {
     /// The seven lessons.
     pub lessons: Vec<Posed>,
     /// The five tests.
     pub tests: Vec<Posed>,
     /// The homes alone, by name: `A` to `F`, and `Test`.
+    #[tsify(type = "[string, { version: number, objects: any[] }][]")]
     pub homes: Vec<(String, EnvironmentFile)>,
 }
 
 /// A command of the course.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Posed {
     /// What the trainer says.
     pub command: String,

@@ -4,8 +4,8 @@
 //! [`World::learn`] until it is done, or [`World::forget`].
 
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
-use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, HomeState, ROOM, SHAPE};
-use goodbot::language::for_each_word;
+use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, HomeState, Place, ROOM, SHAPE};
+use goodbot::language::{Model, for_each_piece, for_each_word};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain, ObjectId, action_name, action_named};
 use goodbot::planning::{Judgement, OptimalSet, Progress};
@@ -54,6 +54,34 @@ impl World {
         let Self { mind, rooms, state, .. } = self;
         mind.hear(rooms, state, command).map_err(Refusal::from)?;
         self.record(command, false)
+    }
+
+    /// What the command most likely means, in words, where that is done already; `None` where something is left to do. The mind knows no
+    /// task that holds where it hears, so it hears from where one thing is in another room. A session under way ends unlearned.
+    ///
+    /// # Errors
+    /// Why the command cannot be heard.
+    pub fn already(&mut self, command: &str) -> Result<Option<String>, Refusal> {
+        self.forget();
+        let Self { mind, rooms: home, state, .. } = self;
+        let room = |cell| home.objects().of_class(ROOM).find(|&room| home.area(room).holds_strictly(cell));
+        let things = std::iter::once(home.agent()).chain(home.blocks().iter().copied());
+        for thing in things {
+            let here = room(home.block_cell(state, thing).unwrap_or_else(|| home.agent_cell(state)));
+            let away = home.places().iter().map(Place::cell).filter(|&cell| room(cell).is_some_and(|room| Some(room) != here));
+            let Some(elsewhere) = here.and_then(|_| away.filter_map(|cell| home.placed(state, &[(thing, cell)])).next()) else { continue };
+            mind.hear(home, &elsewhere, command).map_err(Refusal::from)?;
+            let likely = mind.tasks().iter().enumerate().find(|&(position, _)| mind.belief().probability(position) > 0.5);
+            let done = likely.and_then(|(_, task)| {
+                let lifted = mind.lifted().get(usize::from(task.lifted))?;
+                task.propositions(lifted).all(|part| home.holds(&part, state)).then(|| task_words(home, lifted, task))
+            });
+            mind.forget();
+            if done.is_some() {
+                return Ok(done);
+            }
+        }
+        Ok(None)
     }
 
     /// Begins to write down the session that the mind has begun.
@@ -268,11 +296,16 @@ impl World {
         // As they were said, and not only their beginnings.
         support.words.clear();
         let command = self.recording.as_ref().map_or("", |recording| &recording.command);
-        for_each_word(command, |word| {
+        let take = |word: &str| {
             support.words.push(word.to_owned());
             Ok(())
-        })
-        .map_err(Refusal::from)?;
+        };
+        let split = if self.agent().options().language.model == Model::Roles {
+            for_each_piece(command, take)
+        } else {
+            for_each_word(command, take)
+        };
+        split.map_err(Refusal::from)?;
         Ok(support)
     }
 

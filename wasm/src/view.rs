@@ -1,9 +1,10 @@
 //! What the page draws. Each struct is the shape of one JSON text of the surface.
 
 use serde::Serialize;
+use tsify::Tsify;
 
 /// A box of cells, its edge included.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Tsify)]
 pub struct Extent {
     /// The westernmost cells.
     pub left: i32,
@@ -16,7 +17,7 @@ pub struct Extent {
 }
 
 /// A room or a door.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Tsify)]
 pub struct Place {
     /// Its name.
     pub name: String,
@@ -28,7 +29,7 @@ pub struct Place {
 }
 
 /// The agent or a block.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Tsify)]
 pub struct Thing {
     /// Its name.
     pub name: String,
@@ -43,7 +44,7 @@ pub struct Thing {
 }
 
 /// The home as it is now.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Tsify)]
 pub struct Scene {
     /// The box of all rooms.
     pub bounds: Extent,
@@ -60,7 +61,7 @@ pub struct Scene {
 }
 
 /// A task that the command may mean.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Task {
     /// As logs write it: `agentInRoom(agent0,room1)`.
     pub name: String,
@@ -71,7 +72,7 @@ pub struct Task {
 }
 
 /// A way in which the trainer may use reward and punishment.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct TrainerStyle {
     /// Its name in logs.
     pub name: String,
@@ -80,7 +81,7 @@ pub struct TrainerStyle {
 }
 
 /// What the robot believes.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Belief {
     /// The tasks, in an order that stays for the session.
     pub tasks: Vec<Task>,
@@ -89,7 +90,7 @@ pub struct Belief {
 }
 
 /// What the robot does next.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Decided {
     /// The action's name.
     pub action: String,
@@ -102,7 +103,7 @@ pub struct Decided {
 }
 
 /// What one step's feedback said about each task.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Evidence {
     /// The action that was judged.
     pub action: String,
@@ -143,16 +144,18 @@ pub struct Told {
 }
 
 /// Which word speaks for which task.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Support {
     /// The words of the command.
     pub words: Vec<String>,
+    /// For each word whether the robot has learned from it, or from one that it takes for the same.
+    pub known: Vec<bool>,
     /// For each word, each task's share of it; a row sums to 1.
     pub tasks: Vec<Vec<f32>>,
 }
 
 /// The translation table: how probable each word is, given a machine token.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Heat {
     /// The words learned so far, one a column.
     pub words: Vec<String>,
@@ -165,7 +168,7 @@ pub struct Heat {
 }
 
 /// Where a task leads.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Tsify)]
 pub struct Route {
     /// The robot's cells from now on, the first being where it is.
     pub cells: Vec<[i32; 2]>,

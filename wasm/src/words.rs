@@ -90,5 +90,6 @@ fn spread(agent: &Agent<impl AgentMemory>, mut rows: Vec<Vec<f32>>) -> Support {
         }
     }
     let words = sentence.iter().map(|word| word.map_or_else(String::new, |word| language.words().text(word).to_owned())).collect();
-    Support { words, tasks: rows }
+    let known = sentence.iter().map(|word| word.is_some_and(|word| usize::from(word.0) < language.tables().words())).collect();
+    Support { words, known, tasks: rows }
 }

@@ -30,6 +30,21 @@ fn train(world: &mut World, command: &str, intended: &str) -> String {
 }
 
 #[test]
+fn what_is_done_already_is_told_and_nothing_else_is() {
+    let mut world = world("A");
+    for (command, task) in [("go to the green room", 1), ("go to the red room", 2), ("go to the green room", 1), ("go to the red room", 2)]
+    {
+        world.reset();
+        train(&mut world, command, &format!("agentInRoom(agent0,room{task})"));
+    }
+    assert_eq!(world.already("go to the red room").unwrap().as_deref(), Some("go to the red room"), "the last session ended there");
+    assert_eq!(world.already("go to the green room").unwrap(), None);
+    world.reset();
+    assert_eq!(world.already("go to the red room").unwrap(), None);
+    assert!(world.belief().tasks.is_empty(), "nothing is under way");
+}
+
+#[test]
 fn a_robot_that_was_trained_understands_the_command_it_was_trained_on() {
     let mut world = world("A");
     train(&mut world, "go to the green room", "agentInRoom(agent0,room1)");

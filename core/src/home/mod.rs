@@ -17,8 +17,10 @@ pub use layout::{Area, Cell, FARTHEST, Place, StoredArea};
 pub use map::Map;
 pub use moves::{Home, HomeState, Moves};
 
+use crate::capacity::{Capacity, CapacityError, LIFTED_TASKS};
 use crate::oomdp::{Attribute, Carrier, Class, ClassId, Proposition, PropositionId, Schema};
-use crate::task::{LiftedTask, TaskTextError};
+use crate::task::{Clause, LiftedTask, TaskTextError};
+use heapless::Vec;
 
 /// The class of the agent.
 pub const AGENT: ClassId = ClassId(0);
@@ -64,4 +66,30 @@ pub const SCHEMA: Schema<'static> = Schema {
 /// None in this version: the schema has both.
 pub fn paper_tasks() -> Result<[LiftedTask; 2], TaskTextError> {
     Ok([LiftedTask::single(AGENT_IN_ROOM, &SCHEMA)?, LiftedTask::single(BLOCK_IN_ROOM, &SCHEMA)?])
+}
+
+/// These lifted tasks, and each with the ways of a robot that goes from room to room: through a room, avoiding a room, through one of two rooms.
+/// A task that has a way already gets no other.
+///
+/// ```
+/// use goodbot::home::{paper_tasks, with_routes};
+/// assert_eq!(with_routes(&paper_tasks()?)?.len(), 8);
+/// # Ok::<(), goodbot::task::TaskTextError>(())
+/// ```
+///
+/// # Errors
+/// [`TaskTextError::Capacity`] where they are more than [`LIFTED_TASKS`], and [`TaskTextError::NoWays`] where the library was built without
+/// ways.
+pub fn with_routes(tasks: &[LiftedTask]) -> Result<Vec<LiftedTask, LIFTED_TASKS>, TaskTextError> {
+    let full = |_| CapacityError::full(Capacity::LiftedTasks, LIFTED_TASKS);
+    let mut all = Vec::new();
+    for task in tasks {
+        all.push(task.clone()).map_err(full)?;
+    }
+    for task in tasks.iter().filter(|task| !task.has_way()) {
+        for (clause, rooms) in [(Clause::Through, 1), (Clause::Avoiding, 1), (Clause::Through, 2)] {
+            all.push(task.with_clause(clause, AGENT_IN_ROOM, rooms, &SCHEMA)?).map_err(full)?;
+        }
+    }
+    Ok(all)
 }

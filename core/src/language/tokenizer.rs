@@ -1,7 +1,7 @@
-//! A command as words: split on blanks, in lower case, stand-alone punctuation dropped.
+//! A command as words: split on blanks, in lower case, without the punctuation at both ends of each.
 //!
 //! Without the feature `unicode`, which costs 4.6 KB in the course for a Cortex-M4F, only ASCII letters become lower case, and every
-//! character beyond ASCII counts as a letter.
+//! character beyond ASCII that is no blank and no common punctuation counts as a letter.
 
 use crate::capacity::{Capacity, CapacityError, NAME_BYTES, WORDS_PER_COMMAND};
 use crate::symbols::Symbol;
@@ -19,8 +19,8 @@ pub type Word = String<NAME_BYTES>;
 /// ```
 /// use goodbot::language::for_each_word;
 /// let mut words = vec![];
-/// for_each_word("Move to the RED room .", |word| { words.push(word.to_string()); Ok(()) })?;
-/// assert_eq!(words, ["move", "to", "the", "red", "room"]);
+/// for_each_word("Move to the RED-hot room, please !", |word| { words.push(word.to_string()); Ok(()) })?;
+/// assert_eq!(words, ["move", "to", "the", "red-hot", "room", "please"]);
 /// # Ok::<(), goodbot::capacity::CapacityError>(())
 /// ```
 ///
@@ -28,7 +28,8 @@ pub type Word = String<NAME_BYTES>;
 /// A [`CapacityError`] where a word is longer than [`NAME_BYTES`] or there are more than [`WORDS_PER_COMMAND`] words, and whatever `take`
 /// gives.
 pub fn for_each_word(command: &str, mut take: impl FnMut(&str) -> Result<(), CapacityError>) -> Result<(), CapacityError> {
-    let words = || split(command).filter(|word| word.chars().any(is_alphanumeric));
+    let pieces = || split(command).map(|word| word.trim_matches(|letter| is_apostrophe(letter) || !is_of_word(letter)));
+    let words = || pieces().filter(|word| word.chars().any(is_alphanumeric));
     let count = words().count();
     if count > WORDS_PER_COMMAND {
         return Err(CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, count));
@@ -77,11 +78,33 @@ mod letters {
 #[cfg(not(feature = "unicode"))]
 mod letters {
     pub fn split(text: &str) -> impl Iterator<Item = &str> {
-        text.split_ascii_whitespace()
+        text.split(is_blank).filter(|word| !word.is_empty())
+    }
+
+    const fn is_blank(letter: char) -> bool {
+        letter.is_ascii_whitespace()
+            || matches!(letter, '\u{b}' | '\u{85}' | '\u{a0}' | '\u{1680}' | '\u{2000}'..='\u{200a}' | '\u{2028}'..='\u{2029}')
+            || matches!(letter, '\u{202f}' | '\u{205f}' | '\u{3000}')
     }
 
     pub const fn is_alphanumeric(letter: char) -> bool {
-        letter.is_ascii_alphanumeric() || !letter.is_ascii()
+        letter.is_ascii_alphanumeric() || !(letter.is_ascii() || is_punctuation(letter))
+    }
+
+    /// The punctuation and the blanks of living scripts, beyond ASCII: no table of all characters.
+    const fn is_punctuation(letter: char) -> bool {
+        let of_europe = matches!(letter, '\u{80}'..='\u{a9}' | '\u{ab}'..='\u{b4}' | '\u{b6}'..='\u{b9}' | '\u{bb}'..='\u{bf}')
+            || matches!(letter, '×' | '÷' | '\u{37e}' | '\u{387}' | '\u{55a}'..='\u{55f}' | '\u{589}'..='\u{58f}' | '\u{1680}')
+            || matches!(letter, '\u{2000}'..='\u{206f}' | '\u{20a0}'..='\u{20cf}' | '\u{2190}'..='\u{245f}' | '\u{2500}'..='\u{2bff}');
+        let of_asia = matches!(letter, '\u{5be}' | '\u{5c0}' | '\u{5c3}' | '\u{5c6}' | '\u{5f3}' | '\u{5f4}' | '\u{60c}' | '\u{60d}')
+            || matches!(letter, '\u{61b}'..='\u{61f}' | '\u{66a}'..='\u{66d}' | '\u{6d4}' | '\u{700}'..='\u{70f}')
+            || matches!(letter, '\u{964}' | '\u{965}' | '\u{970}' | '\u{df4}' | '\u{e4f}' | '\u{e5a}' | '\u{e5b}')
+            || matches!(letter, '\u{f04}'..='\u{f14}' | '\u{f3a}'..='\u{f3d}' | '\u{104a}'..='\u{104f}' | '\u{1360}'..='\u{1368}')
+            || matches!(letter, '\u{17d4}'..='\u{17da}' | '\u{1800}'..='\u{180a}' | '\u{2e00}'..='\u{2e5d}')
+            || matches!(letter, '\u{3000}'..='\u{3004}' | '\u{3008}'..='\u{3020}' | '\u{3030}' | '\u{303d}' | '\u{30a0}' | '\u{30fb}')
+            || matches!(letter, '\u{fe10}'..='\u{fe1f}' | '\u{fe30}'..='\u{fe6f}' | '\u{feff}' | '\u{ff00}'..='\u{ff0f}')
+            || matches!(letter, '\u{ff1a}'..='\u{ff20}' | '\u{ff3b}'..='\u{ff40}' | '\u{ff5b}'..='\u{ff65}');
+        of_europe || of_asia
     }
 
     pub fn to_lower_case(letter: char) -> impl Iterator<Item = char> {
@@ -136,6 +159,48 @@ mod tests {
     #[test]
     fn a_word_without_end_is_refused() {
         assert_eq!(for_each_word(&"a".repeat(300), |_| Ok(())).unwrap_err().capacity, Capacity::NameBytes);
+    }
+
+    fn words(command: &str) -> std::vec::Vec<std::string::String> {
+        let mut words = std::vec::Vec::new();
+        for_each_word(command, |word| {
+            words.push(std::string::String::from(word));
+            Ok(())
+        })
+        .unwrap();
+        words
+    }
+
+    fn pieces(command: &str) -> std::vec::Vec<std::string::String> {
+        let mut words = std::vec::Vec::new();
+        for_each_piece(command, |word| {
+            words.push(std::string::String::from(word));
+            Ok(())
+        })
+        .unwrap();
+        words
+    }
+
+    #[test]
+    fn punctuation_of_no_script_sticks_to_a_word() {
+        for (command, plain) in [
+            ("take the cup.", "take the cup"),
+            ("\"the bin\", (the cup); please!", "the bin the cup please"),
+            ("¿dónde está la taza?", "dónde está la taza"),
+            ("«die tasse» … „bitte“ – ‘so’", "die tasse bitte so"),
+            ("कप लाओ।", "कप लाओ"),
+            ("الكوب، من فضلك؟", "الكوب من فضلك"),
+            ("把杯子 拿来。", "把杯子 拿来"),
+            ("カップ！ 「はい」", "カップ はい"),
+            ("գավաթը։", "գավաթը"),
+            ("ኩባያ።", "ኩባያ"),
+        ] {
+            let plain: std::vec::Vec<_> = plain.split(' ').collect();
+            assert_eq!(words(command), plain, "{command}");
+            assert_eq!(pieces(command), plain, "{command}");
+        }
+        assert_eq!(words("don't go to the tan-coloured room 5"), ["don't", "go", "to", "the", "tan-coloured", "room", "5"]);
+        assert_eq!(pieces("don’t，go！to\u{3000}room"), ["don’t", "go", "to", "room"]);
     }
 
     #[test]

@@ -13,6 +13,7 @@ use crate::planning::Progress;
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
 use crate::task::description::{Scene, describe, form_token};
+use crate::task::grounded::expect_change;
 use crate::task::machine_command::{Tokens, head};
 use crate::task::{Expression, GroundedTask, LiftedTask, ground};
 use heapless::Vec;
@@ -142,6 +143,9 @@ impl<M: AgentMemory> Agent<M> {
         let count = ground(domain, &self.lifted, state, tables.session.tasks)?;
         if count == 0 {
             return Err(AgentError::NoTask);
+        }
+        if self.options.language.model == Model::Roles {
+            expect_change(domain, &self.lifted, state, tables.session.tasks.get_mut(..count).unwrap_or(&mut []));
         }
         self.plan_for(domain, count, state)?;
         self.task_count = count;

@@ -13,7 +13,7 @@
 
 use super::machine_command::{Tokens, attribute_token};
 use super::role::{Marker, Role, RoleKind, is_marker};
-use super::{GroundedTask, LiftedTask};
+use super::{GroundedTask, LiftedProposition, LiftedTask, Part};
 use crate::capacity::{ARGUMENTS, ATTRIBUTES, Capacity, CapacityError, NAME_BYTES};
 use crate::oomdp::{ClassId, Domain, GroundProposition, ObjectId, PropositionId, Schema, World};
 use crate::symbols::{Symbol, Symbols};
@@ -72,10 +72,17 @@ pub(crate) fn form_token(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut 
             let _ = text.push(letter);
         }
     };
-    let several = lifted.propositions().len() > 1;
-    for (position, part) in lifted.propositions().iter().enumerate() {
+    let several = lifted.propositions().len() > 1 || lifted.has_way();
+    for (position, (kind, part)) in lifted.parts().enumerate() {
+        let (sign, number) = match kind {
+            Part::Goal => ('&', None),
+            Part::Before(stage) => ('<', Some(stage)),
+            Part::Through(clause) => ('>', Some(clause)),
+            Part::Avoiding => ('!', None),
+        };
         if position > 0 {
-            add('&');
+            add(sign);
+            number.into_iter().for_each(|number| add(char::from(b'0'.saturating_add(number.min(9)))));
         }
         schema.proposition_name(part.proposition).chars().for_each(&mut add);
         if several {
@@ -162,6 +169,9 @@ pub fn describe<D: Domain + ?Sized>(
     let mut description = Description { domain, world: domain.world(), scene, all, lifted, task, tokens, description };
     let mut with_role = Chosen::NONE;
     for &kind in &[RoleKind::Subject, RoleKind::Goal, RoleKind::Start] {
+        if kind == RoleKind::Start {
+            description.write_way(&mut with_role)?;
+        }
         for proposition in description.propositions(kind) {
             let last = description.world.schema.parameters(proposition).len().min(ARGUMENTS).saturating_sub(1);
             for argument in (0..=last).filter(|&argument| (argument == last) != (kind == RoleKind::Subject)) {
@@ -329,6 +339,28 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
             }
         }
         guests
+    }
+
+    /// Writes the groups of what the way alone is about. Alternatives stand in one group.
+    fn write_way(&mut self, with_role: &mut Chosen) -> Result<(), CapacityError> {
+        let lifted = self.lifted;
+        if !lifted.has_way() {
+            return Ok(());
+        }
+        let known = *with_role;
+        for kind in [RoleKind::Before, RoleKind::Through, RoleKind::Avoiding] {
+            for proposition in (0..self.world.schema.propositions.len()).map(|position| PropositionId(position as u8)) {
+                for argument in 0..self.world.schema.parameters(proposition).len().min(ARGUMENTS) {
+                    let task = self.task;
+                    let of = |&(part, it): &(Part, LiftedProposition)| RoleKind::of_part(part) == kind && it.proposition == proposition;
+                    let object = |(_, it)| task.grounded(it).arguments.get(argument).copied();
+                    let chosen: Chosen = lifted.way().filter(of).filter_map(object).filter(|&object| !known.contains(object)).collect();
+                    with_role.insert_all(&chosen);
+                    self.write(Role::of_argument(kind, proposition, argument), &chosen)?;
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Writes the groups of a role: for each attribute the values of its objects and, for goals, those of what is there at the start.

@@ -1,5 +1,7 @@
 //! Grounded tasks: a lifted task with its variables bound to objects.
 
+use super::lifted::LiftedProposition;
+use super::way::{Way, WayState};
 use super::{LiftedTask, TaskSet};
 use crate::capacity::{Capacity, CapacityError, VARIABLES_PER_TASK};
 use crate::oomdp::{Domain, GroundProposition, ObjectId, Objects};
@@ -11,26 +13,31 @@ pub struct GroundedTask {
     pub lifted: u8,
     /// The object of each variable.
     pub bindings: [ObjectId; VARIABLES_PER_TASK],
+    /// How far its way has come, where it has one.
+    pub way: WayState,
     /// Its probability before any command.
     pub prior: f32,
 }
 
 impl GroundedTask {
     /// What unused memory holds.
-    pub const UNUSED: Self = Self { lifted: 0, bindings: [ObjectId(0); VARIABLES_PER_TASK], prior: 0.0 };
+    pub const UNUSED: Self = Self { lifted: 0, bindings: [ObjectId(0); VARIABLES_PER_TASK], way: WayState::START, prior: 0.0 };
 
-    /// The conjunction, with the objects in it. `lifted` is the task that it grounds.
+    /// The conjunction, with the objects in it; with a way, that of the goal. `lifted` is the task that it grounds.
     pub fn propositions(&self, lifted: &LiftedTask) -> impl Iterator<Item = GroundProposition> {
-        let bindings = self.bindings;
-        lifted.propositions.iter().map(move |part| {
-            let object = |variable: u8| bindings.get(usize::from(variable)).copied().unwrap_or(ObjectId(0));
-            GroundProposition { proposition: part.proposition, arguments: part.variables.map(object) }
-        })
+        let task = *self;
+        lifted.propositions().iter().map(move |&part| task.grounded(part))
+    }
+
+    /// A proposition of the lifted task, with the objects in it.
+    pub fn grounded(&self, part: LiftedProposition) -> GroundProposition {
+        let object = |variable: u8| self.bindings.get(usize::from(variable)).copied().unwrap_or(ObjectId(0));
+        GroundProposition { proposition: part.proposition, arguments: part.variables.map(object) }
     }
 }
 
 /// Grounds every lifted task that the environment permits: one task for each way to bind its variables to different objects, except
-/// those that hold already. Pr(l|s) is uniform over the permissible lifted tasks and Pr(t|s,l) over the groundings left; what is left is
+/// those that hold already, and those whose way says nothing here. Pr(l|s) is uniform over the permissible lifted tasks and Pr(t|s,l) over the groundings left; what is left is
 /// renormalised (paper, section 3). Gives the number of tasks.
 ///
 /// # Errors
@@ -41,7 +48,38 @@ pub fn ground<D: Domain + ?Sized>(
     state: &D::State,
     tasks: &mut [GroundedTask],
 ) -> Result<usize, CapacityError> {
-    ground_unless(domain.world().objects, lifted, tasks, |task, lifted| task.propositions(lifted).all(|part| domain.holds(&part, state)))
+    ground_unless(domain.world().objects, lifted, tasks, |task, lifted| {
+        let holds = |part: &GroundProposition| domain.holds(part, state);
+        if lifted.has_way() { Way::of(task, lifted).is_idle(holds) } else { task.propositions(lifted).all(|part| holds(&part)) }
+    })
+}
+
+/// What a part of a task that only asks a thing to stay where it is takes from the task's prior.
+const STAYING: f32 = 0.1;
+
+/// Makes tasks of [`ground`] less probable that ask a thing to stay where it is, each such part by a tenth, and leaves each lifted task as
+/// probable as it is. A command asks for a change: what nobody moves stays where it is, and nobody need say so. A thing is what has
+/// attributes, which words can tell it by. The robot, which has none, moves in any task, and where it shall come back to is worth a word.
+pub(crate) fn expect_change<D: Domain + ?Sized>(domain: &D, lifted: &[LiftedTask], state: &D::State, tasks: &mut [GroundedTask]) {
+    let world = domain.world();
+    let is_thing = |object: ObjectId| {
+        let carries = |class| world.schema.attributes.iter().any(|attribute| attribute.carriers.iter().any(|it| it.class == class));
+        world.objects.get(object).is_some_and(|object| carries(object.class))
+    };
+    let stays = |part: &GroundProposition| part.arguments.first().is_some_and(|&object| is_thing(object)) && domain.holds(part, state);
+    for group in tasks.chunk_by_mut(|one, other| one.lifted == other.lifted) {
+        let Some(lifted) = group.first().and_then(|task| lifted.get(usize::from(task.lifted))) else { continue };
+        if lifted.propositions().len() < 2 {
+            continue;
+        }
+        let before: f32 = group.iter().map(|task| task.prior).sum();
+        for task in &mut *group {
+            let staying = task.propositions(lifted).filter(stays).count();
+            task.prior = (0..staying).fold(task.prior, |prior, _| prior * STAYING);
+        }
+        let after: f32 = group.iter().map(|task| task.prior).sum();
+        group.iter_mut().for_each(|task| task.prior *= before / after);
+    }
 }
 
 /// Grounds every lifted task, except those of which `holds` says so.
@@ -60,8 +98,8 @@ pub(crate) fn ground_unless(
             bindings = next_binding(objects, task, start, true);
         }
         while let Some(bound) = bindings {
-            let grounded = GroundedTask { lifted: position as u8, bindings: bound, prior: 0.0 };
-            if !holds(&grounded, task) {
+            let grounded = GroundedTask { lifted: position as u8, bindings: bound, ..GroundedTask::UNUSED };
+            if !holds(&grounded, task) && !(task.has_way() && Way::of(&grounded, task).is_twin()) {
                 match tasks.get_mut(count).filter(|_| count < limit) {
                     Some(slot) => *slot = grounded,
                     None => return Err(CapacityError::full(Capacity::Tasks, limit)),

@@ -1,5 +1,6 @@
 //! Lifted tasks: conjunctions of propositional functions over typed free variables.
 
+use super::way::{Clause, Part};
 use crate::capacity::{ARGUMENTS, Capacity, CapacityError, PROPOSITIONS_PER_TASK, VARIABLES_PER_TASK};
 use crate::oomdp::vocabulary::digest;
 use crate::oomdp::{ClassId, PropositionId, Schema};
@@ -18,12 +19,41 @@ pub struct LiftedProposition {
     pub variables: [u8; ARGUMENTS],
 }
 
-/// A conjunction of propositional functions over typed variables: `blockInRoom(?o, ?r)`. Reward 1 and termination where it holds.
+/// A conjunction of propositional functions over typed variables: `blockInRoom(?o, ?r)`. Reward 1 and termination where it holds. It may have
+/// a [way](super::way): `agentInRoom(?a, ?goal) avoiding agentInRoom(?a, ?not)`.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct LiftedTask {
-    pub(crate) propositions: Vec<LiftedProposition, PROPOSITIONS_PER_TASK, u8>,
+    /// The goal's, and those of the way behind them.
+    propositions: Vec<LiftedProposition, PROPOSITIONS_PER_TASK, u8>,
+    parts: Parts,
     pub(crate) variables: Vec<ClassId, VARIABLES_PER_TASK, u8>,
     vocabulary: u32,
+}
+
+/// What each proposition of a task is to its way. Without the feature `ways` all belong to the goal, and this takes no memory.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+struct Parts(#[cfg(feature = "ways")] [Part; PROPOSITIONS_PER_TASK]);
+
+impl Parts {
+    #[cfg(feature = "ways")]
+    fn get(&self, position: usize) -> Part {
+        self.0.get(position).copied().unwrap_or_default()
+    }
+
+    #[cfg(feature = "ways")]
+    fn set(&mut self, position: usize, part: Part) {
+        if let Some(slot) = self.0.get_mut(position) {
+            *slot = part;
+        }
+    }
+
+    #[cfg(not(feature = "ways"))]
+    fn get(&self, _position: usize) -> Part {
+        Part::Goal
+    }
+
+    #[cfg(not(feature = "ways"))]
+    fn set(&mut self, _position: usize, _part: Part) {}
 }
 
 /// What is wrong with the text of a lifted task.
@@ -38,6 +68,12 @@ pub enum TaskTextError {
     ArgumentCount,
     /// One variable stands for objects of two classes.
     ClassConflict,
+    /// A way goes through what the goal asks for anyway, or asks for the same twice.
+    SaysNothing,
+    /// A way avoids what the task asks for.
+    AvoidsGoal,
+    /// It has a way, and the library was built without the feature `ways`.
+    NoWays,
     /// Something was full.
     Capacity(CapacityError),
 }
@@ -51,10 +87,16 @@ impl From<CapacityError> for TaskTextError {
 impl fmt::Display for TaskTextError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Form => "a lifted task reads like agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2)",
+            Self::Form => {
+                "a lifted task reads like agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2); a way stands behind it, like through agentInRoom(?a, ?v) \
+                 or agentInRoom(?a, ?w), and avoiding agentInRoom(?a, ?x); then stands between goals"
+            }
             Self::UnknownProposition => "the domain has no propositional function of this name",
             Self::ArgumentCount => "a proposition has more or fewer arguments than its function",
             Self::ClassConflict => "one variable stands for objects of two classes",
+            Self::SaysNothing => "the same is asked for twice; give what a way goes through a variable of its own",
+            Self::AvoidsGoal => "what is to be avoided is asked for as well; give what is avoided a variable of its own",
+            Self::NoWays => "this robot knows no ways (through, avoiding, then); build it with the feature ways",
             Self::Capacity(error) => return error.fmt(f),
         })
     }
@@ -68,7 +110,7 @@ impl LiftedTask {
     /// # Errors
     /// [`TaskTextError`] where the schema does not have it, or it has more arguments than a proposition can.
     pub fn single(proposition: PropositionId, schema: &Schema<'_>) -> Result<Self, TaskTextError> {
-        let mut task = Self { propositions: Vec::new(), variables: Vec::new(), vocabulary: digest(schema) };
+        let mut task = Self::empty(schema);
         let parameters = schema.parameters(proposition);
         if parameters.is_empty() {
             return Err(TaskTextError::UnknownProposition);
@@ -81,75 +123,248 @@ impl LiftedTask {
             *slot = position as u8;
             task.add_variable(class)?;
         }
-        task.add(LiftedProposition { proposition, variables })?;
+        task.add(LiftedProposition { proposition, variables }, Part::Goal)?;
         Ok(task)
     }
 
+    /// The task with one more clause of its way, about a proposition with so many alternatives. All but the last argument are variables of the
+    /// task where it has one of that class; the last is a new variable for each alternative.
+    ///
+    /// ```
+    /// use goodbot::{home, task::{Clause, LiftedTask}};
+    /// let go = LiftedTask::parse("agentInRoom(?a, ?goal)", &home::SCHEMA)?;
+    /// let detour = go.with_clause(Clause::Through, home::AGENT_IN_ROOM, 2, &home::SCHEMA)?;
+    /// let text = "agentInRoom(?a, ?goal) through agentInRoom(?a, ?v) or agentInRoom(?a, ?w)";
+    /// assert_eq!(detour, LiftedTask::parse(text, &home::SCHEMA)?);
+    /// # Ok::<(), goodbot::task::TaskTextError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`TaskTextError`].
+    pub fn with_clause(
+        &self,
+        clause: Clause,
+        proposition: PropositionId,
+        alternatives: usize,
+        schema: &Schema<'_>,
+    ) -> Result<Self, TaskTextError> {
+        if cfg!(not(feature = "ways")) {
+            return Err(TaskTextError::NoWays);
+        }
+        let parameters = schema.parameters(proposition);
+        let Some(last) = parameters.len().checked_sub(1) else { return Err(TaskTextError::UnknownProposition) };
+        if parameters.len() > ARGUMENTS {
+            return Err(CapacityError::new(Capacity::Arguments, ARGUMENTS, parameters.len()).into());
+        }
+        let mut task = self.clone();
+        let part = match clause {
+            Clause::Avoiding => Part::Avoiding,
+            Clause::Through => {
+                let clauses = self.way().map(|(part, _)| if let Part::Through(clause) = part { clause.saturating_add(1) } else { 0 });
+                Part::Through(clauses.max().unwrap_or(0))
+            }
+        };
+        for _ in 0..alternatives {
+            let mut variables = [NO_VARIABLE; ARGUMENTS];
+            for ((position, &class), slot) in parameters.iter().enumerate().zip(variables.iter_mut()) {
+                let known = task.variables.iter().position(|&known| known == class).filter(|_| position != last);
+                *slot = match known {
+                    Some(known) => known as u8,
+                    None => {
+                        task.add_variable(class)?;
+                        task.variables.len().saturating_sub(1) as u8
+                    }
+                };
+            }
+            task.add(LiftedProposition { proposition, variables }, part)?;
+        }
+        Ok(task)
+    }
+
+    fn empty(schema: &Schema<'_>) -> Self {
+        Self { propositions: Vec::new(), parts: Parts::default(), variables: Vec::new(), vocabulary: digest(schema) }
+    }
+
     /// Reads `agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2)`. A variable that stands twice is the same object; different variables are
-    /// bound to different objects.
+    /// bound to different objects. A [way](super::way) stands behind: `then` and the next goal, `through` a proposition `or` another, and
+    /// `avoiding` a proposition `or` another.
     ///
     /// ```
     /// use goodbot::{home, task::LiftedTask};
     /// let both = LiftedTask::parse("agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2)", &home::SCHEMA)?;
     /// assert_eq!(both.variables().len(), 4);
+    /// let detour = LiftedTask::parse("agentInRoom(?a, ?goal) through agentInRoom(?a, ?via)", &home::SCHEMA)?;
+    /// assert!(detour.has_way() && detour.propositions().len() == 1);
     /// # Ok::<(), goodbot::task::TaskTextError>(())
     /// ```
     ///
     /// # Errors
     /// [`TaskTextError`].
     pub fn parse(text: &str, schema: &Schema<'_>) -> Result<Self, TaskTextError> {
-        let mut task = Self { propositions: Vec::new(), variables: Vec::new(), vocabulary: digest(schema) };
+        let mut task = Self::empty(schema);
         let mut names: Vec<&str, VARIABLES_PER_TASK> = Vec::new();
-        for part in pieces(text, b'&') {
-            let (name, rest) = split_at_byte(part, b'(').ok_or(TaskTextError::Form)?;
-            let (arguments, behind) = split_at_byte(rest, b')').ok_or(TaskTextError::Form)?;
-            if !behind.trim_ascii().is_empty() {
+        let (mut part, mut rest) = (Part::Goal, text);
+        // Earlier goals and clauses so far.
+        let (mut stages, mut clauses) = (0_u8, 0_u8);
+        loop {
+            let (name, behind) = split_at_byte(rest, b'(').ok_or(TaskTextError::Form)?;
+            let (arguments, behind) = split_at_byte(behind, b')').ok_or(TaskTextError::Form)?;
+            let proposition = task.read(name, arguments, &mut names, schema)?;
+            task.add(proposition, part)?;
+            let behind = behind.trim_ascii();
+            if behind.is_empty() {
+                break;
+            }
+            let (connective, after) = match behind.strip_prefix('&') {
+                Some(after) => ("&", after),
+                None => split_at_byte(behind, b' ').ok_or(TaskTextError::Form)?,
+            };
+            part = match (connective, part) {
+                ("&", Part::Goal) | ("or", Part::Through(_) | Part::Avoiding) => part,
+                ("then", Part::Goal) => {
+                    task.goal_is_only_before(stages);
+                    stages = stages.saturating_add(1);
+                    Part::Goal
+                }
+                ("through", _) => {
+                    clauses = clauses.saturating_add(1);
+                    Part::Through(clauses.saturating_sub(1))
+                }
+                ("avoiding", _) => Part::Avoiding,
+                _ => return Err(TaskTextError::Form),
+            };
+            if cfg!(not(feature = "ways")) && connective != "&" {
+                return Err(TaskTextError::NoWays);
+            }
+            rest = after;
+        }
+        task.put_goal_first();
+        task.check_way()?;
+        Ok(task)
+    }
+
+    /// Reads one proposition.
+    fn read<'n>(
+        &mut self,
+        name: &str,
+        arguments: &'n str,
+        names: &mut Vec<&'n str, VARIABLES_PER_TASK>,
+        schema: &Schema<'_>,
+    ) -> Result<LiftedProposition, TaskTextError> {
+        let proposition = schema.proposition(name.trim_ascii()).ok_or(TaskTextError::UnknownProposition)?;
+        let parameters = schema.parameters(proposition);
+        if pieces(arguments, b',').count() != parameters.len() {
+            return Err(TaskTextError::ArgumentCount);
+        }
+        if parameters.len() > ARGUMENTS {
+            return Err(CapacityError::new(Capacity::Arguments, ARGUMENTS, parameters.len()).into());
+        }
+        let mut variables = [NO_VARIABLE; ARGUMENTS];
+        for ((argument, slot), &class) in pieces(arguments, b',').zip(variables.iter_mut()).zip(parameters) {
+            let variable = argument.trim_ascii();
+            if variable.len() < 2 || variable.as_bytes().first() != Some(&b'?') {
                 return Err(TaskTextError::Form);
             }
-            let proposition = schema.proposition(name.trim_ascii()).ok_or(TaskTextError::UnknownProposition)?;
-            let parameters = schema.parameters(proposition);
-            if pieces(arguments, b',').count() != parameters.len() {
-                return Err(TaskTextError::ArgumentCount);
-            }
-            if parameters.len() > ARGUMENTS {
-                return Err(CapacityError::new(Capacity::Arguments, ARGUMENTS, parameters.len()).into());
-            }
-            let mut variables = [NO_VARIABLE; ARGUMENTS];
-            for ((argument, slot), &class) in pieces(arguments, b',').zip(variables.iter_mut()).zip(parameters) {
-                let variable = argument.trim_ascii();
-                if variable.len() < 2 || variable.as_bytes().first() != Some(&b'?') {
-                    return Err(TaskTextError::Form);
+            let known = names.iter().position(|&name| name == variable);
+            let position = match known {
+                Some(position) => position,
+                None => {
+                    self.add_variable(class)?;
+                    let _ = names.push(variable);
+                    names.len().saturating_sub(1)
                 }
-                let known = names.iter().position(|&name| name == variable);
-                let position = match known {
-                    Some(position) => position,
-                    None => {
-                        task.add_variable(class)?;
-                        let _ = names.push(variable);
-                        names.len().saturating_sub(1)
-                    }
-                };
-                if task.variables.get(position) != Some(&class) {
-                    return Err(TaskTextError::ClassConflict);
-                }
-                *slot = position as u8;
+            };
+            if self.variables.get(position) != Some(&class) {
+                return Err(TaskTextError::ClassConflict);
             }
-            task.add(LiftedProposition { proposition, variables })?;
+            *slot = position as u8;
         }
-        Ok(task)
+        Ok(LiftedProposition { proposition, variables })
+    }
+
+    /// What was the goal so far is an earlier one.
+    fn goal_is_only_before(&mut self, stage: u8) {
+        for position in 0..self.propositions.len() {
+            if self.parts.get(position) == Part::Goal {
+                self.parts.set(position, Part::Before(stage));
+            }
+        }
+    }
+
+    /// Brings the goal's propositions to the front; the others stay in order.
+    fn put_goal_first(&mut self) {
+        let count = self.propositions.len();
+        for goal in 0..count {
+            if self.parts.get(goal) != Part::Goal {
+                continue;
+            }
+            for behind in (0..goal).rev() {
+                if self.parts.get(behind) == Part::Goal {
+                    break;
+                }
+                let (part, before) = (self.parts.get(behind.saturating_add(1)), self.parts.get(behind));
+                self.parts.set(behind, part);
+                self.parts.set(behind.saturating_add(1), before);
+                if let Some([first, second]) = self.propositions.get_mut(behind..=behind.saturating_add(1)) {
+                    core::mem::swap(first, second);
+                }
+            }
+        }
+    }
+
+    /// Refuses a way that asks for what the task asks for anyway, or avoids it.
+    fn check_way(&self) -> Result<(), TaskTextError> {
+        for (position, (part, proposition)) in self.way().enumerate() {
+            let mut others = self.way().enumerate().filter(|&(other, _)| other != position).map(|(_, other)| other);
+            let in_way = others.any(|(other, same)| same == proposition && !matches!((part, other), (Part::Before(_), Part::Before(_))));
+            let in_goal = self.propositions().contains(&proposition) && !matches!(part, Part::Before(_));
+            if (in_way || in_goal) && part == Part::Avoiding {
+                return Err(TaskTextError::AvoidsGoal);
+            }
+        }
+        for (position, (part, proposition)) in self.way().enumerate() {
+            let mut others = self.way().skip(position.saturating_add(1));
+            let in_way = others.any(|(other, same)| same == proposition && !matches!((part, other), (Part::Before(_), Part::Before(_))));
+            if in_way || self.propositions().contains(&proposition) && !matches!(part, Part::Before(_)) {
+                return Err(TaskTextError::SaysNothing);
+            }
+        }
+        Ok(())
     }
 
     fn add_variable(&mut self, class: ClassId) -> Result<(), CapacityError> {
         self.variables.push(class).map_err(|_| CapacityError::full(Capacity::VariablesPerTask, VARIABLES_PER_TASK))
     }
 
-    fn add(&mut self, proposition: LiftedProposition) -> Result<(), CapacityError> {
+    fn add(&mut self, proposition: LiftedProposition, part: Part) -> Result<(), CapacityError> {
+        self.parts.set(self.propositions.len(), part);
         self.propositions.push(proposition).map_err(|_| CapacityError::full(Capacity::PropositionsPerTask, PROPOSITIONS_PER_TASK))
     }
 
-    /// The conjunction.
+    /// The conjunction; with a way, that of the goal.
     pub fn propositions(&self) -> &[LiftedProposition] {
-        &self.propositions
+        let goal = (0..self.propositions.len()).take_while(|&position| self.parts.get(position) == Part::Goal).count();
+        self.propositions.get(..goal).unwrap_or(&[])
+    }
+
+    /// Whether it has a [way](super::way).
+    pub fn has_way(&self) -> bool {
+        self.way().next().is_some()
+    }
+
+    /// What it asks beside the goal, in the order of the text.
+    pub fn way(&self) -> impl Iterator<Item = (Part, LiftedProposition)> + Clone + '_ {
+        self.parts().filter(|&(part, _)| part != Part::Goal)
+    }
+
+    /// The goal's propositions, and what it asks beside them.
+    pub fn parts(&self) -> impl Iterator<Item = (Part, LiftedProposition)> + Clone + '_ {
+        self.propositions.iter().enumerate().map(|(position, &proposition)| (self.parts.get(position), proposition))
+    }
+
+    /// In how many places a variable stands.
+    pub(super) fn uses(&self, variable: u8) -> usize {
+        self.propositions.iter().flat_map(|part| &part.variables).filter(|&&other| other == variable).count()
     }
 
     /// The digest of the vocabulary that it is written in.

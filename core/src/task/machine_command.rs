@@ -4,7 +4,7 @@
 //! the classes of its arguments. [`TokenOrder`] says in which order.
 
 use super::constraint::{Fact, facts, sort};
-use super::{GroundedTask, LiftedTask};
+use super::{GroundedTask, LiftedProposition, LiftedTask, Part};
 use crate::capacity::{Capacity, CapacityError, FACTS_PER_TASK, NAME_BYTES, TOKENS_PER_COMMAND};
 use crate::oomdp::{Domain, Schema};
 use crate::symbols::{Symbol, Symbols};
@@ -52,6 +52,8 @@ impl Expression {
         let mut facts = facts(domain, lifted, task)?;
         if order == TokenOrder::Propositions {
             sort(&mut facts, |fact| (place(domain, lifted, task, fact), fact.attribute));
+        } else if lifted.has_way() {
+            sort(&mut facts, |fact| behind_goal(domain, lifted, task, fact));
         }
         for fact in &facts {
             let Some(attribute) = schema.attributes.get(usize::from(fact.attribute)) else { continue };
@@ -64,6 +66,7 @@ impl Expression {
                 Err(error) => return Err(error),
             };
             let behind = match order {
+                TokenOrder::Attributes if lifted.has_way() => behind_goal(domain, lifted, task, fact),
                 TokenOrder::Attributes => expression.head.len() as u8,
                 TokenOrder::Propositions => place(domain, lifted, task, fact).0,
             };
@@ -115,10 +118,14 @@ impl Expression {
     }
 }
 
-/// The tokens of a lifted task's propositions and their classes, interned in `tokens`.
+/// The tokens of a lifted task's propositions and their classes, interned in `tokens`. Behind the goal's stand those of the way, each with the
+/// word before it that says what it is.
 pub(crate) fn head(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut Symbols<'_>) -> Result<Tokens, CapacityError> {
     let mut head = Tokens::new();
-    for part in &lifted.propositions {
+    for (connective, part) in parts(lifted) {
+        if let Some(connective) = connective {
+            push(&mut head, tokens.intern(connective)?)?;
+        }
         push(&mut head, tokens.intern(schema.proposition_name(part.proposition))?)?;
         for &class in schema.parameters(part.proposition) {
             push(&mut head, tokens.intern(schema.class_name(class))?)?;
@@ -127,17 +134,44 @@ pub(crate) fn head(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut Symbol
     Ok(head)
 }
 
+/// A lifted task's propositions, the goal's first, with the token before each.
+fn parts(lifted: &LiftedTask) -> impl Iterator<Item = (Option<&'static str>, LiftedProposition)> + '_ {
+    let mut last = Part::Goal;
+    let way = lifted.way().map(move |(part, proposition)| {
+        let connective = match part {
+            Part::Through(_) | Part::Avoiding if part == last => Some("or"),
+            Part::Through(_) => Some("through"),
+            Part::Avoiding => Some("avoiding"),
+            Part::Before(_) if part == last => None,
+            Part::Before(_) => Some("after"),
+            Part::Goal => None,
+        };
+        last = part;
+        (connective, proposition)
+    });
+    lifted.propositions().iter().map(|&part| (None, part)).chain(way)
+}
+
 /// The first proposition that a fact's object is an argument of: how many tokens there are up to its end, and which argument it is.
 fn place<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask, fact: &Fact) -> (u8, u8) {
     let mut end = 0_usize;
-    for (part, grounded) in lifted.propositions.iter().zip(task.propositions(lifted)) {
+    for (connective, part) in parts(lifted) {
         let parameters = domain.world().schema.parameters(part.proposition).len();
-        end = end.saturating_add(parameters).saturating_add(1);
-        if let Some(argument) = grounded.arguments.iter().take(parameters).position(|&object| object == fact.object) {
+        end = end.saturating_add(parameters).saturating_add(1).saturating_add(usize::from(connective.is_some()));
+        let arguments = task.grounded(part).arguments;
+        if let Some(argument) = arguments.iter().take(parameters).position(|&object| object == fact.object) {
             return (end as u8, argument as u8);
         }
     }
     (end as u8, 0)
+}
+
+/// How many tokens a fact stands behind, where a task has a way and facts stand by attribute: those of the goal, or those of the part of the
+/// way that its object comes first in.
+fn behind_goal<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask, fact: &Fact) -> u8 {
+    let parameters = |part: &LiftedProposition| domain.world().schema.parameters(part.proposition).len().saturating_add(1);
+    let goal: usize = lifted.propositions().iter().map(parameters).sum();
+    place(domain, lifted, task, fact).0.max(goal as u8)
 }
 
 fn push(command: &mut Tokens, token: Symbol) -> Result<(), CapacityError> {

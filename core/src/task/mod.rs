@@ -5,6 +5,7 @@
 //! - `constraint`: which attributes of the bound objects a command may mention;
 //! - `machine_command`: a task and a constraint as the sentence that a command is translated from;
 //! - `role`: what an object is to a task;
+//! - [`way`]: what must hold, or must not, before the goal;
 //! - [`description`]: a task and its scene by roles, which the role model reads.
 
 pub(crate) mod constraint;
@@ -13,6 +14,7 @@ pub(crate) mod grounded;
 pub(crate) mod lifted;
 pub(crate) mod machine_command;
 pub(crate) mod role;
+pub mod way;
 
 pub use constraint::{Fact, Facts, facts};
 pub(crate) use grounded::ground_unless;
@@ -20,6 +22,7 @@ pub use grounded::{GroundedTask, ground};
 pub use lifted::{LiftedProposition, LiftedTask, NO_VARIABLE, TaskTextError};
 pub use machine_command::{Expression, TokenOrder, Tokens};
 pub use role::{Marker, NoMarker, Role, RoleKind, VALUE_SORTS, is_marker};
+pub use way::{Clause, Part, Way, WayState};
 
 /// A set of a session's tasks, one bit each, by position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -3,6 +3,7 @@
 //! Roles come from the schema alone. For a task `blockInRoom(?o, ?r)` of a home they are the block that is to be moved, the room where it
 //! is to be, the room where it stands at the start, the room where the robot stands, the other rooms and the other blocks.
 
+use super::way::Part;
 use crate::oomdp::{ClassId, PropositionId};
 use crate::symbols::Symbol;
 use core::fmt;
@@ -21,12 +22,31 @@ pub enum RoleKind {
     OtherPlace,
     /// Nothing of that.
     Other,
+    /// It is an argument of what a way goes through.
+    Through,
+    /// It is an argument of what a way avoids.
+    Avoiding,
+    /// It is an argument of an earlier goal.
+    Before,
 }
 
 impl RoleKind {
     /// How many kinds there are.
-    pub const COUNT: usize = 5;
-    const ALL: [Self; Self::COUNT] = [Self::Goal, Self::Subject, Self::Start, Self::OtherPlace, Self::Other];
+    pub const COUNT: usize = if cfg!(feature = "ways") { 8 } else { Self::WITHOUT_WAYS };
+    /// How many kinds there are where no task has a way: the first ones.
+    pub const WITHOUT_WAYS: usize = 5;
+    const ALL: [Self; 8] =
+        [Self::Goal, Self::Subject, Self::Start, Self::OtherPlace, Self::Other, Self::Through, Self::Avoiding, Self::Before];
+
+    /// The kind of what a part of a task is about.
+    pub const fn of_part(part: Part) -> Self {
+        match part {
+            Part::Goal => Self::Goal,
+            Part::Before(_) => Self::Before,
+            Part::Through(_) => Self::Through,
+            Part::Avoiding => Self::Avoiding,
+        }
+    }
 
     /// Its position among the kinds.
     pub const fn index(self) -> usize {
@@ -35,7 +55,7 @@ impl RoleKind {
 
     /// Whether the task itself speaks of such objects; the others are its context.
     pub const fn is_of_task(self) -> bool {
-        matches!(self, Self::Goal | Self::Subject)
+        matches!(self, Self::Goal | Self::Subject | Self::Through | Self::Avoiding | Self::Before)
     }
 
     /// Whether such objects have no part in the task nor in where its objects are.

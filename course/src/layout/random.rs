@@ -31,6 +31,14 @@ impl Homes {
     }
 }
 
+impl Layout {
+    /// One of the course's homes at random. Every command that is given there can be obeyed and is not obeyed yet. `memory` is where it is
+    /// tried out.
+    pub fn random<R: Rng + ?Sized>(name: HomeName, random: &mut R, memory: &mut impl HomeMemory) -> Self {
+        solvable_layout(name, Homes::FIXED.layout(name), random, memory)
+    }
+}
+
 /// The exercises of a home.
 fn exercises(home: HomeName) -> impl Iterator<Item = &'static Exercise> + Clone {
     LESSONS.iter().chain(&TESTS).filter(move |exercise| exercise.home == home)

@@ -9,7 +9,7 @@ use super::record::{Kind, StepRecord, write};
 use crate::environment::EnvironmentFile;
 use crate::error::{FormatError, KNOWN_VERSIONS, Problem};
 use crate::json::{Node, Object};
-use crate::task_text::{GroundAtomText, GroundTaskText};
+use crate::task_text::{GroundAtomText, GroundTaskText, TaskTextError, WayText};
 use crate::weights;
 
 /// A line of type `session`.
@@ -27,10 +27,13 @@ pub struct SessionHeader {
     /// The conjunction that was meant; at least one proposition. For evaluation only, but in a labelled session it is the lesson.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub intended: Option<Vec<GroundAtomText>>,
-    /// In a labelled session whose task has a way: what is to hold in between, one after the other, each a list of alternatives.
+    /// Where what was meant has a way: earlier goals, one after the other, each a conjunction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub before: Option<Vec<Vec<GroundAtomText>>>,
+    /// Where what was meant has a way: what is to hold in between, in whatever order, each a list of alternatives.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub through: Option<Vec<Vec<GroundAtomText>>>,
-    /// In a labelled session whose task has a way: what must never hold.
+    /// Where what was meant has a way: what must not hold before the end.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub avoiding: Option<Vec<GroundAtomText>>,
     /// The domain's actions, where they are not the four moves.
@@ -75,6 +78,7 @@ const FIELDS: &[&str] = &[
     "environment",
     "command",
     "intended",
+    "before",
     "through",
     "avoiding",
     "actions",
@@ -112,7 +116,8 @@ impl SessionHeader {
             environment: EnvironmentFile::read(fields.required("environment")?)?,
             command: fields.required("command")?.text()?,
             intended: fields.optional("intended").map(propositions).transpose()?,
-            through: fields.optional("through").map(through).transpose()?,
+            before: fields.optional("before").map(lists).transpose()?,
+            through: fields.optional("through").map(lists).transpose()?,
             avoiding: fields.optional("avoiding").map(propositions).transpose()?,
             actions: fields.optional("actions").map(actions).transpose()?,
             continues: match fields.optional("continues") {
@@ -131,19 +136,43 @@ impl SessionHeader {
         }
         if header.kind == Kind::Labelled {
             fields.required("intended")?;
-        } else {
-            for name in ["through", "avoiding"] {
-                if fields.optional(name).is_some() {
-                    return Err(fields.error(name, Problem::OnlyInLabelled));
-                }
+        }
+        for name in ["before", "through", "avoiding"] {
+            if fields.optional(name).is_some() && header.intended.is_none() {
+                return Err(fields.error(name, Problem::OnlyWithIntended));
             }
+        }
+        if let Some(Err(error)) = header.meant() {
+            let field = if let TaskTextError::AvoidsGoal { .. } = error { "avoiding" } else { "intended" };
+            return Err(fields.error(field, Problem::Task(error)));
         }
         Ok(header)
     }
 
-    /// Whether the session tells a way: what is to hold, or never to hold, before what was meant does.
+    /// What was meant, with its way, where the record says so; a [`TaskTextError`] where it is no task.
+    pub fn meant(&self) -> Option<Result<GroundTaskText, TaskTextError>> {
+        let list = |list: &Option<Vec<Vec<GroundAtomText>>>| list.clone().unwrap_or_default();
+        let way = WayText { before: list(&self.before), through: list(&self.through), avoiding: self.avoiding.clone().unwrap_or_default() };
+        Some(GroundTaskText::with_way(self.intended.clone()?, way))
+    }
+
+    /// Takes note of what was meant, with its way.
+    pub fn set_meant(&mut self, task: Option<&GroundTaskText>) {
+        fn filled<T>(list: &[T]) -> Option<Vec<T>>
+        where
+            T: Clone,
+        {
+            Some(list.to_vec()).filter(|list| !list.is_empty())
+        }
+        self.intended = task.map(|task| task.atoms().to_vec());
+        self.before = task.and_then(|task| filled(&task.way().before));
+        self.through = task.and_then(|task| filled(&task.way().through));
+        self.avoiding = task.and_then(|task| filled(&task.way().avoiding));
+    }
+
+    /// Whether what was meant has a way: earlier goals, or what is to hold, or not to hold, before the goal does.
     pub fn has_way(&self) -> bool {
-        self.through.is_some() || self.avoiding.is_some()
+        self.before.is_some() || self.through.is_some() || self.avoiding.is_some()
     }
 
     /// Whether there can be answers in this session.
@@ -172,7 +201,7 @@ fn write_prior<S: serde::Serializer>(prior: &Option<Vec<(GroundTaskText, f64)>>,
     weights::in_order(prior.as_deref().unwrap_or_default(), serializer)
 }
 
-fn through(node: Node<'_>) -> Result<Vec<Vec<GroundAtomText>>, FormatError> {
+fn lists(node: Node<'_>) -> Result<Vec<Vec<GroundAtomText>>, FormatError> {
     node.filled_list()?.into_iter().map(propositions).collect()
 }
 

@@ -14,8 +14,9 @@
 //! |---|---|
 //! | `id` | the session's name |
 //! | `intended` | what the trainer meant, as [propositions](crate::task_text), for evaluation only; in a labelled session the lesson |
-//! | `through` | in a labelled session: what is to hold on the way, one list of alternatives after the other |
-//! | `avoiding` | in a labelled session: what must never hold on the way |
+//! | `before` | the way of what was meant: earlier goals, one after the other, each a list of propositions |
+//! | `through` | the way of what was meant: what is to hold at some time before the end or at it, each a list of alternatives |
+//! | `avoiding` | the way of what was meant: what must not hold before the end |
 //! | `actions` | the domain's actions, where they are not the four moves; `noop` always is one |
 //! | `continues` | `true`: the command before, once more, in the same environment |
 //! | `prior` | from tasks to probabilities, instead of what the words would give |

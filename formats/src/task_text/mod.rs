@@ -6,12 +6,18 @@
 //! there when reading, and ` AND ` may stand for ` & `; what is written has no blank inside the
 //! parentheses and one on each side of `&`.
 //!
+//! A task may have a [way](WayText). It stands behind: `then` and the next goal, `through` a proposition `or` another, `avoiding` a
+//! proposition `or` another: `agentInRoom(agent0,room0) through agentInRoom(agent0,room1) or agentInRoom(agent0,room2)`.
+//!
 //! ```
 //! use goodbot_formats::task_text::{GroundTaskText, LiftedTaskText};
 //!
 //! let task: GroundTaskText = "agentInRoom(agent0, room1) AND blockInRoom(block0, room2)".parse()?;
 //! assert_eq!(task.to_string(), "agentInRoom(agent0,room1) & blockInRoom(block0,room2)");
 //! assert_eq!(task.atoms()[1].arguments(), ["block0", "room2"]);
+//!
+//! let detour: GroundTaskText = "agentInRoom(agent0,room1) avoiding agentInRoom(agent0,room2)".parse()?;
+//! assert_eq!(detour.way().avoiding[0].arguments(), ["agent0", "room2"]);
 //!
 //! let lifted: LiftedTaskText = "blockInRoom(?o, ?r)".parse()?;
 //! assert_eq!(lifted.atoms()[0].variables(), ["o", "r"]);
@@ -23,8 +29,10 @@ use std::fmt;
 use serde::{Serialize, Serializer};
 
 mod parse;
+mod way;
 
 pub use parse::TaskTextError;
+pub use way::WayText;
 
 /// A proposition about objects: `agentInRoom(agent0,room1)`.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -33,10 +41,11 @@ pub struct GroundAtomText {
     arguments: Vec<String>,
 }
 
-/// A conjunction of propositions about objects, at least one, in the order in which they stand.
+/// A conjunction of propositions about objects, at least one, in the order in which they stand, and the way to it, if it has one.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct GroundTaskText {
     atoms: Vec<GroundAtomText>,
+    way: WayText<GroundAtomText>,
 }
 
 /// A proposition over variables: `agentInRoom(?a,?r)`.
@@ -46,10 +55,11 @@ pub struct LiftedAtomText {
     variables: Vec<String>,
 }
 
-/// A conjunction of propositions over variables, at least one, in the order in which they stand.
+/// A conjunction of propositions over variables, at least one, in the order in which they stand, and the way to it, if it has one.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct LiftedTaskText {
     atoms: Vec<LiftedAtomText>,
+    way: WayText<LiftedAtomText>,
 }
 
 impl GroundAtomText {
@@ -76,26 +86,28 @@ impl GroundAtomText {
 impl GroundTaskText {
     /// A task of at least one proposition.
     pub fn new(atoms: Vec<GroundAtomText>) -> Result<Self, TaskTextError> {
-        match atoms.is_empty() {
-            true => Err(TaskTextError::Empty),
-            false => Ok(GroundTaskText { atoms }),
-        }
+        Self::with_way(atoms, WayText::default())
     }
 
-    /// The propositions, at least one.
+    /// A task of at least one proposition, with a way.
+    pub fn with_way(atoms: Vec<GroundAtomText>, way: WayText<GroundAtomText>) -> Result<Self, TaskTextError> {
+        way.check(&atoms)?;
+        Ok(GroundTaskText { atoms, way })
+    }
+
+    /// The propositions of the goal, at least one.
     pub fn atoms(&self) -> &[GroundAtomText] {
         &self.atoms
     }
 
-    /// Whether these are the propositions of the task, in whatever order.
-    pub fn holds_exactly(&self, atoms: &[GroundAtomText]) -> bool {
-        let sorted = |atoms: &[GroundAtomText]| {
-            let mut atoms = atoms.to_vec();
-            atoms.sort();
-            atoms.dedup();
-            atoms
-        };
-        sorted(&self.atoms) == sorted(atoms)
+    /// The way to the goal; empty where it has none.
+    pub fn way(&self) -> &WayText<GroundAtomText> {
+        &self.way
+    }
+
+    /// Whether another text is of the same task: the same propositions and the same way, in whatever order they stand.
+    pub fn is_same(&self, other: &Self) -> bool {
+        way::sorted(&self.atoms) == way::sorted(&other.atoms) && self.way.is_same(&other.way)
     }
 }
 
@@ -123,15 +135,23 @@ impl LiftedAtomText {
 impl LiftedTaskText {
     /// A task of at least one proposition.
     pub fn new(atoms: Vec<LiftedAtomText>) -> Result<Self, TaskTextError> {
-        match atoms.is_empty() {
-            true => Err(TaskTextError::Empty),
-            false => Ok(LiftedTaskText { atoms }),
-        }
+        Self::with_way(atoms, WayText::default())
     }
 
-    /// The propositions, at least one.
+    /// A task of at least one proposition, with a way.
+    pub fn with_way(atoms: Vec<LiftedAtomText>, way: WayText<LiftedAtomText>) -> Result<Self, TaskTextError> {
+        way.check(&atoms)?;
+        Ok(LiftedTaskText { atoms, way })
+    }
+
+    /// The propositions of the goal, at least one.
     pub fn atoms(&self) -> &[LiftedAtomText] {
         &self.atoms
+    }
+
+    /// The way to the goal; empty where it has none.
+    pub fn way(&self) -> &WayText<LiftedAtomText> {
+        &self.way
     }
 }
 
@@ -175,24 +195,14 @@ impl fmt::Display for LiftedAtomText {
 
 impl fmt::Display for GroundTaskText {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        conjunction(f, &self.atoms)
+        self.way.fmt_around(f, &self.atoms)
     }
 }
 
 impl fmt::Display for LiftedTaskText {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        conjunction(f, &self.atoms)
+        self.way.fmt_around(f, &self.atoms)
     }
-}
-
-fn conjunction<A: fmt::Display>(f: &mut fmt::Formatter<'_>, atoms: &[A]) -> fmt::Result {
-    for (index, atom) in atoms.iter().enumerate() {
-        if index > 0 {
-            f.write_str(" & ")?;
-        }
-        atom.fmt(f)?;
-    }
-    Ok(())
 }
 
 impl Serialize for GroundAtomText {

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::{GroundAtomText, GroundTaskText, LiftedAtomText, LiftedTaskText, is_name_character};
+use super::{GroundAtomText, GroundTaskText, LiftedAtomText, LiftedTaskText, WayText, is_name_character};
 use crate::error::quoted;
 
 /// A text that is no task. What it says of a place counts characters from 1.
@@ -34,6 +34,11 @@ pub enum TaskTextError {
     },
     /// A task of no proposition, or a proposition of no argument.
     Empty,
+    /// The way avoids what the task asks for.
+    AvoidsGoal {
+        /// What is both avoided and asked for.
+        atom: String,
+    },
 }
 
 impl fmt::Display for TaskTextError {
@@ -55,6 +60,7 @@ impl fmt::Display for TaskTextError {
             TaskTextError::Empty => {
                 f.write_str("is empty; write at least one proposition, and each with an argument, like agentInRoom(agent0,room1)")
             }
+            TaskTextError::AvoidsGoal { atom } => write!(f, "avoids {atom}, which it asks for as well; remove the one or the other"),
         }
     }
 }
@@ -141,31 +147,59 @@ impl<'a> Rest<'a> {
         self.skip_blanks();
         match self.left().is_empty() {
             true => Ok(()),
-            false => Err(self.expected("\" & \" or the end")),
+            false => Err(self.expected("\" & \", \" then \", \" through \", \" or \", \" avoiding \" or the end")),
         }
     }
 }
 
-fn atoms(text: &str, lifted: bool) -> Result<Vec<(String, Vec<String>)>, TaskTextError> {
+/// The goal of a task and its way.
+type Task<A> = (Vec<A>, WayText<A>);
+
+/// What the proposition that comes next belongs to.
+#[derive(Clone, Copy, PartialEq)]
+enum Clause {
+    Goal,
+    Through,
+    Avoiding,
+}
+
+fn task<A>(text: &str, lifted: bool, made: impl Fn((String, Vec<String>)) -> A) -> Result<Task<A>, TaskTextError> {
     if text.trim().is_empty() {
         return Err(TaskTextError::Empty);
     }
     let mut rest = Rest { text, at: 0 };
-    let mut atoms = vec![rest.atom(lifted)?];
-    while rest.accept("&") || rest.accept("AND ") {
-        atoms.push(rest.atom(lifted)?);
+    let (mut goal, mut way, mut clause) = (Vec::new(), WayText::default(), Clause::Goal);
+    loop {
+        let atom = made(rest.atom(lifted)?);
+        match (clause, way.through.last_mut()) {
+            (Clause::Goal, _) => goal.push(atom),
+            (Clause::Through, Some(alternatives)) => alternatives.push(atom),
+            (Clause::Through, None) => way.through.push(vec![atom]),
+            (Clause::Avoiding, _) => way.avoiding.push(atom),
+        }
+        if clause == Clause::Goal && (rest.accept("&") || rest.accept("AND ")) || clause != Clause::Goal && rest.accept("or ") {
+            continue;
+        }
+        if clause == Clause::Goal && rest.accept("then ") {
+            way.before.push(std::mem::take(&mut goal));
+        } else if rest.accept("through ") {
+            clause = Clause::Through;
+            way.through.push(Vec::new());
+        } else if rest.accept("avoiding ") {
+            clause = Clause::Avoiding;
+        } else {
+            rest.end()?;
+            return Ok((goal, way));
+        }
     }
-    rest.end()?;
-    Ok(atoms)
 }
 
 impl FromStr for GroundTaskText {
     type Err = TaskTextError;
 
     fn from_str(text: &str) -> Result<Self, TaskTextError> {
-        let atoms = atoms(text, false)?.into_iter();
-        let atom = |(function, arguments)| GroundAtomText { function, arguments };
-        GroundTaskText::new(atoms.map(atom).collect())
+        let (goal, way) = task(text, false, |(function, arguments)| GroundAtomText { function, arguments })?;
+        GroundTaskText::with_way(goal, way)
     }
 }
 
@@ -186,8 +220,7 @@ impl FromStr for LiftedTaskText {
     type Err = TaskTextError;
 
     fn from_str(text: &str) -> Result<Self, TaskTextError> {
-        let atoms = atoms(text, true)?.into_iter();
-        let atom = |(function, variables)| LiftedAtomText { function, variables };
-        LiftedTaskText::new(atoms.map(atom).collect())
+        let (goal, way) = task(text, true, |(function, variables)| LiftedAtomText { function, variables })?;
+        LiftedTaskText::with_way(goal, way)
     }
 }

@@ -4,14 +4,13 @@
 //! sure of another. So each of these is asked for from where it does not hold yet, by moving one thing elsewhere.
 
 use crate::load::task_name::{in_words, task_name};
-use goodbot::capacity::VARIABLES_PER_TASK;
 use goodbot::home::{Home, HomeState};
 use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::{Domain, ObjectId};
+use goodbot::oomdp::Domain;
 use goodbot::probability::{Scaled, total};
-use goodbot::task::{GroundedTask, LiftedTask};
-use goodbot::{Agent, AgentError};
+use goodbot::task::{GroundedTask, LiftedTask, ground};
+use goodbot::{Agent, AgentError, Capacities};
 
 /// What a command may mean.
 #[derive(Clone, Debug)]
@@ -94,8 +93,9 @@ fn is_same(a: &GroundedTask, b: &GroundedTask) -> bool {
 /// The tasks that hold in a state.
 fn done(home: &Home<impl HomeMemory>, state: &HomeState, lifted: &[LiftedTask]) -> Vec<GroundedTask> {
     let mut found = Vec::new();
-    for (position, kind) in lifted.iter().enumerate() {
-        let task = GroundedTask { lifted: position as u8, bindings: [ObjectId(0); VARIABLES_PER_TASK], prior: 1.0 };
+    // What has a way is done by going it.
+    for (position, kind) in lifted.iter().enumerate().filter(|(_, kind)| !kind.has_way()) {
+        let task = GroundedTask { lifted: position as u8, prior: 1.0, ..GroundedTask::UNUSED };
         bind(home, state, kind, task, 0, &mut found);
     }
     found
@@ -139,5 +139,8 @@ fn undone(home: &Home<impl HomeMemory>, start: &HomeState, lifted: &[LiftedTask]
     let bound = task.bindings.iter().take(kind.variables().len());
     let things = bound.filter(|&&object| object == home.agent() || home.blocks().contains(&object));
     let states = things.flat_map(|&thing| home.places().iter().filter_map(move |place| home.placed(start, &[(thing, place.cell())])));
-    states.into_iter().find(|state| task.propositions(kind).any(|part| !home.holds(&part, state)))
+    // From a doorway, ways lead through one room more, and their tasks may find no room.
+    let mut tasks = vec![GroundedTask::UNUSED; Capacities::STANDARD.tasks];
+    let mut fits = |state: &HomeState| ground(home, lifted, state, &mut tasks).is_ok();
+    states.into_iter().find(|state| task.propositions(kind).any(|part| !home.holds(&part, state)) && fits(state))
 }

@@ -201,7 +201,7 @@ fn sessions(options: &AskOptions, log: &str) -> Result<Vec<Question>, Failure> {
         if options.session.is_some() && header.id != options.session {
             continue;
         }
-        let intended = header.intended.clone().and_then(|atoms| GroundTaskText::new(atoms).ok());
+        let intended = header.meant().and_then(Result::ok);
         questions.push(Question {
             source: format!("{name}:{}", recorded.header_line),
             moves: moves(header.action_names()).unwrap_or(Moves::Push),
@@ -239,11 +239,10 @@ fn answer(
     let expected = match &question.expected {
         None => None,
         Some(task) => {
-            let position = tasks.iter().position(|(name, _)| name.holds_exactly(task.atoms()));
+            let position = tasks.iter().position(|(name, _)| name.is_same(task));
             let grounded = position.and_then(|position| agent.tasks().get(position));
             let kind = grounded.and_then(|grounded| agent.lifted().get(usize::from(grounded.lifted)));
-            let done =
-                meanings.iter().find(|it| it.done && it.name.parse().is_ok_and(|name: GroundTaskText| name.holds_exactly(task.atoms())));
+            let done = meanings.iter().find(|it| it.done && it.name.parse().is_ok_and(|name: GroundTaskText| name.is_same(task)));
             match (grounded.zip(kind), position, done) {
                 (Some((grounded, kind)), Some(position), _) => {
                     let text = in_words(home, kind, grounded);
@@ -370,10 +369,7 @@ fn print(
         None => writeln!(out, "plan{purpose}: none was found")?,
     }
     if let Some((task, words, _)) = &answer.expected {
-        let right = answer
-            .tasks
-            .get(answer.best)
-            .is_some_and(|(name, _)| name.parse().is_ok_and(|it: GroundTaskText| it.holds_exactly(task.atoms())));
+        let right = answer.tasks.get(answer.best).is_some_and(|(name, _)| name.parse().is_ok_and(|it: GroundTaskText| it.is_same(task)));
         writeln!(out, "expected: {words}, {task}{}", if right { "  (right)" } else { "" })?;
     }
     if options.why || options.expected.is_some() {

@@ -107,6 +107,9 @@ fn role_name(schema: &Schema<'_>, role: Role) -> String {
         RoleKind::Goal => format!("goal of {}", schema.proposition_name(role.proposition())),
         RoleKind::Subject => format!("subject of {}", schema.proposition_name(role.proposition())),
         RoleKind::Start => format!("start of {}", schema.proposition_name(role.proposition())),
+        RoleKind::Through => format!("through {}", schema.proposition_name(role.proposition())),
+        RoleKind::Avoiding => format!("avoiding {}", schema.proposition_name(role.proposition())),
+        RoleKind::Before => format!("earlier goal {}", schema.proposition_name(role.proposition())),
         RoleKind::OtherPlace | RoleKind::Other => format!("other {}", schema.class_name(role.class())),
     }
 }

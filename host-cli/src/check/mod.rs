@@ -6,13 +6,14 @@ mod doubts;
 
 use crate::load::content::Content;
 use crate::load::kinds::TaskKinds;
-use crate::load::{Fault, home, input, map, session};
+use crate::load::{Fault, home, input, session};
 use crate::messages::counted;
 use crate::outcome;
 use clap::Args;
 use goodbot::task::LiftedTask;
 use goodbot_formats::Problem;
 use goodbot_formats::environment::{self, EnvironmentFile};
+use goodbot_formats::map;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession, SessionReader};
 use serde_json::json;

@@ -3,6 +3,7 @@
 use super::folds::shuffled;
 use crate::lessons::Lesson;
 use clap::ValueEnum;
+use goodbot::language::for_each_word;
 use std::collections::BTreeMap;
 
 /// What keeps sessions together.
@@ -14,6 +15,8 @@ pub enum Group {
     Environment,
     /// The environment and what was meant there
     Task,
+    /// The command, word by word
+    Command,
 }
 
 impl Group {
@@ -21,6 +24,15 @@ impl Group {
     fn key(self, lesson: &Lesson) -> String {
         match self {
             Self::Worker => lesson.id.split('.').next().unwrap_or_default().to_owned(),
+            Self::Command => {
+                let mut words = vec![];
+                // A command that is too long was refused when it was read.
+                let _ = for_each_word(&lesson.command, |word| {
+                    words.push(word.to_owned());
+                    Ok(())
+                });
+                words.join(" ")
+            }
             Self::Environment => lesson.header.environment.to_json_line(),
             Self::Task => {
                 let meant = lesson.intended.and_then(|task| lesson.readings.get(task)).map(|reading| reading.name.to_string());
@@ -54,6 +66,7 @@ impl Split {
         let what = match self.group {
             None => "session",
             Some(Group::Worker) => "worker",
+            Some(Group::Command) => "command",
             Some(Group::Environment) => "environment",
             Some(Group::Task) => "environment and task",
         };

@@ -77,7 +77,7 @@ fn walk(agent: &mut Agent<AgentHeap>, file: &str, recorded: &RecordedSession, li
     let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
     agent.hear(&session.home, &session.start, &header.command).map_err(at(recorded.header_line))?;
     let prior = session.prior.clone().unwrap_or_else(|| session.tasks.iter().map(|(task, _)| task.prior).collect());
-    let intended = header.intended.as_ref().and_then(|atoms| session.tasks.iter().position(|(_, name)| name.holds_exactly(atoms)));
+    let intended = header.meant().and_then(Result::ok).and_then(|meant| session.tasks.iter().position(|(_, name)| name.is_same(&meant)));
     let mut steps = vec![];
     for step in &session.steps {
         agent.plan_fully(&session.home, &step.before).map_err(at(step.line))?;

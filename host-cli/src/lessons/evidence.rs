@@ -15,7 +15,7 @@ use goodbot::session::Evidence;
 use goodbot::symbols::{Symbol, Symbols, SymbolsRef};
 use goodbot::task::Tokens;
 use goodbot::task::description::{Scene, describe};
-use goodbot::task::{Expression, LiftedTask, Marker};
+use goodbot::task::{Expression, LiftedTask, Marker, Part};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, StepRecord};
 
@@ -42,7 +42,8 @@ impl Witness {
         let mut memory = home::memory();
         let session = load(file, recorded, &self.lifted, &mut memory)?;
         // What is no task here was refused when the session was loaded.
-        let intended = header.intended.as_ref().and_then(|atoms| session.tasks.iter().position(|(_, name)| name.holds_exactly(atoms)));
+        let meant = header.meant().and_then(Result::ok);
+        let intended = meant.and_then(|meant| session.tasks.iter().position(|(_, name)| name.is_same(&meant)));
         let strategies = session.strategies.clone().unwrap_or_else(|| vec![(goodbot::feedback::Strategy::BALANCED, 1.0)]);
         self.agent.set_strategies(&strategies).map_err(at(recorded.header_line))?;
         self.agent.hear(&session.home, &session.start, &header.command).map_err(at(recorded.header_line))?;
@@ -221,7 +222,15 @@ pub fn commands<D: Domain>(
 
 /// A task by its propositions and the attributes of its objects.
 pub fn label<D: Domain>(domain: &D, lifted: &LiftedTask, bindings: &[ObjectId]) -> String {
-    let functions = lifted.propositions().iter().map(|part| domain.world().schema.proposition_name(part.proposition).to_owned());
+    let functions = lifted.parts().map(|(part, it)| {
+        let sign = match part {
+            Part::Goal => "",
+            Part::Before(_) => "after ",
+            Part::Through(_) => "through ",
+            Part::Avoiding => "avoiding ",
+        };
+        format!("{sign}{}", domain.world().schema.proposition_name(it.proposition))
+    });
     let objects = domain.world().objects;
     let mut parts: Vec<String> = functions.collect();
     for &object in bindings.iter().take(lifted.variables().len()) {

@@ -95,12 +95,13 @@ pub struct Lessons {
 pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bool, keep_going: bool) -> Result<Lessons, Failure> {
     let mut sessions: Vec<(String, RecordedSession)> = Vec::new();
     let (mut skipped, mut with_way) = (0, 0);
+    let ways = lifted.iter().any(LiftedTask::has_way);
     for file in files {
         let opened = input::log(file).map_err(|fault| Failure::Input(fault.to_string()))?;
         let name = input::name(file);
         for session in SessionReader::new(opened) {
             match session {
-                Ok(session) if session.header.has_way() => with_way += 1,
+                Ok(session) if session.header.has_way() && !ways => with_way += 1,
                 Ok(_) if sessions.len() >= MOST_SESSIONS => {
                     return Err(Failure::Input(format!("{name}: has more than {MOST_SESSIONS} sessions; learn from fewer at once")));
                 }
@@ -139,7 +140,7 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
         say!("{} at fault passed over", counted(skipped, "session"));
     }
     if with_way > 0 {
-        say!("{} with a way (through, avoiding) left out: no task here has one", counted(with_way, "session"));
+        say!("{} with a way (through, avoiding) left out: consider ways with --routes", counted(with_way, "session"));
     }
     if lessons.is_empty() {
         return Err(Failure::Input("there is no session to learn from; name a file that has one".to_owned()));

@@ -28,7 +28,7 @@ impl Content {
         if text.trim_start().starts_with("<svg") {
             return Self::Picture;
         }
-        if super::map::is_map(text) {
+        if goodbot_formats::map::is_map(text) {
             return Self::Map;
         }
         let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or("");

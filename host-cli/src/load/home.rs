@@ -1,13 +1,14 @@
 //! A home from an environment, and what is wrong with it.
 
 use super::content::Content;
-use super::{Fault, input, map};
+use super::{Fault, input};
 use goodbot::Capacities;
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves, Problem as HomeProblem};
 use goodbot::memory::{HomeHeap, HomeMemory};
 use goodbot_formats::Problem;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+use goodbot_formats::map;
 
 /// What is wrong with a home.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,7 +3,6 @@
 //! - [`fault`]: what is wrong with a file, and where;
 //! - [`input`]: files and standard input;
 //! - [`content`]: what a file is;
-//! - [`map`]: a home from a drawing;
 //! - [`home`]: a home from an environment;
 //! - [`kinds`]: the kinds of tasks that commands may mean;
 //! - [`session`]: a recorded session, walked through;
@@ -14,7 +13,6 @@ pub mod fault;
 pub mod home;
 pub mod input;
 pub mod kinds;
-pub mod map;
 pub mod session;
 pub mod task_name;
 

@@ -3,7 +3,7 @@
 use super::fault::quoted;
 use super::task_name::task_name;
 use super::{Fault, home};
-use goodbot::capacity::{Capacity, CapacityError};
+use goodbot::capacity::{Capacity, CapacityError, PROPOSITIONS_PER_TASK};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{Home, HomeState, Moves, SCHEMA};
 use goodbot::language::for_each_word;
@@ -163,23 +163,61 @@ impl Checker<'_> {
     }
 
     fn intended(&mut self, home: &Home<impl HomeMemory>) {
-        for (position, atom) in self.recorded.header.intended.iter().flatten().enumerate() {
-            if let Err(message) = known_atom(home, atom) {
-                self.fault(format!("intended[{position}]"), message);
+        let header = &self.recorded.header;
+        let list = |name: &str, atoms: &[GroundAtomText]| -> Vec<(String, GroundAtomText)> {
+            atoms.iter().enumerate().map(|(position, atom)| (format!("{name}[{position}]"), atom.clone())).collect()
+        };
+        let lists = |name: &str, lists: &[Vec<GroundAtomText>]| -> Vec<(String, GroundAtomText)> {
+            lists.iter().enumerate().flat_map(|(position, atoms)| list(&format!("{name}[{position}]"), atoms)).collect()
+        };
+        let mut atoms = list("intended", header.intended.as_deref().unwrap_or_default());
+        atoms.extend(lists("before", header.before.as_deref().unwrap_or_default()));
+        atoms.extend(lists("through", header.through.as_deref().unwrap_or_default()));
+        atoms.extend(list("avoiding", header.avoiding.as_deref().unwrap_or_default()));
+        for (field, atom) in atoms {
+            if let Err(message) = known_atom(home, &atom) {
+                self.fault(field, message);
             }
         }
     }
 
     /// Whether what was meant is a task here.
     fn intended_task(&mut self, home: &Home<impl HomeMemory>, start: &HomeState, tasks: &[(GroundedTask, GroundTaskText)]) {
-        let Some(intended) = &self.recorded.header.intended else { return };
-        let known: Result<Vec<_>, _> = intended.iter().map(|atom| known_atom(home, atom)).collect();
-        let Ok(known) = known else { return };
-        if known.iter().all(|atom| home.holds(atom, start)) {
-            let message = "holds where the session begins already, so there is nothing to do; correct it or the environment";
+        // What cannot be a task was refused when it was read.
+        let Some(Ok(meant)) = self.recorded.header.meant() else { return };
+        let way = meant.way();
+        let holds = |atoms: &[GroundAtomText]| {
+            let known: Result<Vec<_>, _> = atoms.iter().map(|atom| known_atom(home, atom)).collect();
+            known.map(|known| known.iter().map(|atom| home.holds(atom, start)).collect::<Vec<bool>>())
+        };
+        let all = [&[meant.atoms().to_vec()], way.before.as_slice(), way.through.as_slice(), &[way.avoiding.clone()]].concat();
+        if all.iter().any(|atoms| holds(atoms).is_err()) {
+            return;
+        }
+        let propositions: usize = all.iter().map(Vec::len).sum();
+        if propositions > PROPOSITIONS_PER_TASK {
+            let message =
+                format!("has {propositions} propositions with its way, and {PROPOSITIONS_PER_TASK} are the most; leave out clauses");
             self.fault("intended", message);
-        } else if !tasks.is_empty() && !tasks.iter().any(|(_, name)| name.holds_exactly(intended)) {
-            self.fault("intended", "is no task of the kinds that commands may mean; name its kind with --task, or correct it");
+            return;
+        }
+        let each = |atoms: &[GroundAtomText]| holds(atoms).is_ok_and(|holds| holds.iter().all(|&holds| holds));
+        let any = |atoms: &[GroundAtomText]| holds(atoms).is_ok_and(|holds| holds.contains(&true));
+        let here = "where the session begins already";
+        if each(meant.atoms()) && way.before.is_empty() && way.through.is_empty() {
+            self.fault("intended", format!("holds {here}, so there is nothing to do; correct it or the environment"));
+        } else if let Some(position) = way.through.iter().position(|clause| any(clause)) {
+            self.fault(format!("through[{position}]"), format!("holds {here}, so it says nothing; leave it out"));
+        } else if way.before.first().is_some_and(|before| each(before)) {
+            self.fault("before[0]", format!("holds {here}, so it says nothing; leave it out"));
+        } else if any(&way.avoiding) {
+            self.fault("avoiding", format!("holds {here}, so the task is impossible; correct it or the environment"));
+        } else if !tasks.is_empty() && !tasks.iter().any(|(_, name)| name.is_same(&meant)) {
+            let ways = if way.is_empty() { "" } else { " or consider ways with --routes," };
+            self.fault(
+                "intended",
+                format!("is no task of the kinds that commands may mean; name its kind with --task,{ways} or correct it"),
+            );
         }
     }
 
@@ -211,7 +249,7 @@ impl Checker<'_> {
         let mut values = vec![0.0; tasks.len()];
         let largest = prior.iter().map(|&(_, value)| value).fold(0.0, f64::max);
         for (name, value) in prior {
-            let found = tasks.iter().position(|(_, task)| task.holds_exactly(name.atoms()));
+            let found = tasks.iter().position(|(_, task)| task.is_same(name));
             match found.and_then(|position| values.get_mut(position)) {
                 // In any unit: the largest is 1, so that single precision never makes all of them 0.
                 Some(slot) => *slot = (value / largest) as f32,
@@ -250,7 +288,7 @@ impl Checker<'_> {
         for RecordedAnswer { line, after, answer } in &recorded.answers {
             let mut named = TaskSet::EMPTY;
             for name in &answer.tasks {
-                match tasks.iter().position(|(_, task)| task.holds_exactly(name.atoms())) {
+                match tasks.iter().position(|(_, task)| task.is_same(name)) {
                     Some(position) => named = named.with(position),
                     None => {
                         let message = format!(

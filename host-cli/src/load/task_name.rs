@@ -2,9 +2,9 @@
 
 use goodbot::home::{AGENT, COLOR, Home, SHAPE};
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::{Domain, ObjectId};
-use goodbot::task::{GroundedTask, LiftedTask};
-use goodbot_formats::task_text::{GroundAtomText, GroundTaskText, TaskTextError};
+use goodbot::oomdp::{Domain, GroundProposition, ObjectId};
+use goodbot::task::{GroundedTask, LiftedTask, Part, Way};
+use goodbot_formats::task_text::{GroundAtomText, GroundTaskText, TaskTextError, WayText};
 
 /// The text of a task: `blockInRoom(block0,room1)`. `lifted` is the task that it grounds.
 ///
@@ -12,12 +12,28 @@ use goodbot_formats::task_text::{GroundAtomText, GroundTaskText, TaskTextError};
 /// A [`TaskTextError`] where a name could not be read again; names from files always can.
 pub fn task_name<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> Result<GroundTaskText, TaskTextError> {
     let schema = domain.world().schema;
-    let atoms = task.propositions(lifted).map(|part| {
+    let atom = |part: GroundProposition| {
         let parameters = schema.parameters(part.proposition).len();
         let names = part.arguments.iter().take(parameters).map(|&object| domain.world().objects.name(object));
         GroundAtomText::new(schema.proposition_name(part.proposition), names)
-    });
-    GroundTaskText::new(atoms.collect::<Result<_, _>>()?)
+    };
+    let goal = task.propositions(lifted).map(atom).collect::<Result<_, _>>()?;
+    let mut way = WayText::default();
+    let place = |lists: &mut Vec<Vec<GroundAtomText>>, position: u8, atom| {
+        let position = usize::from(position);
+        lists.resize(lists.len().max(position + 1), vec![]);
+        lists[position].push(atom);
+    };
+    for (part, proposition) in Way::of(task, lifted).parts() {
+        let atom = atom(proposition)?;
+        match part {
+            Part::Goal => {}
+            Part::Before(position) => place(&mut way.before, position, atom),
+            Part::Through(position) => place(&mut way.through, position, atom),
+            Part::Avoiding => way.avoiding.push(atom),
+        }
+    }
+    GroundTaskText::with_way(goal, way)
 }
 
 /// A task in a person's words: `go to the green room`, `take the blue chair to the red room`.

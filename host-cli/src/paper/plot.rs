@@ -2,36 +2,12 @@
 
 use super::lexicon::Lexicon;
 use super::summary::Summary;
+use crate::canvas::{BLUE, GREEN, INK, PALE, draw, write};
 use crate::cli::PaperOptions;
 use goodbot_course::{LESSONS, TESTS};
-use plotters::coord::Shift;
 use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::text_anchor::HPos;
 use std::error::Error;
-
-const INK: RGBColor = RGBColor(34, 34, 34);
-const PALE: RGBColor = RGBColor(245, 245, 242);
-const LESSON: RGBColor = RGBColor(94, 129, 172);
-const TEST: RGBColor = RGBColor(76, 140, 86);
-
-type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Drawn = Result<(), Box<dyn Error>>;
-
-fn draw(size: (u32, u32), content: impl FnOnce(&Canvas<'_>) -> Drawn) -> Result<String, Box<dyn Error>> {
-    let mut svg = String::new();
-    {
-        let canvas = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-        canvas.fill(&WHITE)?;
-        content(&canvas)?;
-        canvas.present()?;
-    }
-    Ok(svg)
-}
-
-fn write(canvas: &Canvas<'_>, text: &str, at: (i32, i32), size: i32, side: HPos, ink: RGBColor) -> Drawn {
-    let style = ("sans-serif", size).into_font().color(&ink).pos(Pos::new(side, VPos::Center));
-    Ok(canvas.draw(&Text::new(text.to_owned(), at, style))?)
-}
 
 /// A heat map: a row for each machine token, a column for each word, darker where the word is more probable.
 pub fn learned_words(lexicon: &Lexicon) -> Result<String, Box<dyn Error>> {
@@ -71,9 +47,9 @@ fn shade(probability: f32) -> RGBColor {
 pub fn shares(summary: &Summary, options: &PaperOptions) -> Result<String, Box<dyn Error>> {
     let (left, top, wide, high) = (330, 80, 400, 26);
     let share = |right: usize| right as f64 / summary.runs.max(1) as f64;
-    let lessons = LESSONS.iter().zip(summary.train_right).map(|(exercise, right)| (exercise.command, share(right), LESSON));
-    let tests = TESTS.iter().zip(summary.test_right).map(|(exercise, right)| (exercise.command, share(right), TEST));
-    let bars: Vec<_> = lessons.chain(tests).chain([("all five tests", share(summary.test_all_right), TEST)]).collect();
+    let lessons = LESSONS.iter().zip(summary.train_right).map(|(exercise, right)| (exercise.command, share(right), BLUE));
+    let tests = TESTS.iter().zip(summary.test_right).map(|(exercise, right)| (exercise.command, share(right), GREEN));
+    let bars: Vec<_> = lessons.chain(tests).chain([("all five tests", share(summary.test_all_right), GREEN)]).collect();
     let size = ((left + wide + 80) as u32, (top + bars.len() as i32 * high + 60) as u32);
     draw(size, |canvas| {
         let title = format!("{} agents, trainer {}, {} homes", summary.runs, options.trainer.name, options.homes().name());

@@ -4,6 +4,7 @@ use super::experiment::Run;
 use super::sweep::Setting;
 use crate::cli::PaperOptions;
 use crate::evaluate::report::wilson;
+use crate::mean::Mean;
 use goodbot_course::{CourseTrainer, FeedbackCounts, LESSONS, TESTS};
 use serde_json::{Map, Value, json};
 
@@ -32,24 +33,6 @@ pub const PAPER_BALANCED: Reported =
     Reported { tests: 5, lessons: Some([false, true, false, false, true, true, true]), translations: Some([0.51, 0.32, 0.33, 0.33]) };
 /// Of the second, who was only allowed to punish.
 pub const PAPER_PUNISH_ONLY: Reported = Reported { tests: 4, lessons: None, translations: None };
-
-/// A mean over all runs.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Mean {
-    /// The mean.
-    pub mean: f64,
-    /// Half of its 95 % interval.
-    pub half: f64,
-}
-
-impl Mean {
-    fn of(values: impl Iterator<Item = f64> + Clone) -> Self {
-        let count = values.clone().count().max(1) as f64;
-        let mean = values.clone().sum::<f64>() / count;
-        let variance = values.map(|value| (value - mean) * (value - mean)).sum::<f64>() / (count - 1.0).max(1.0);
-        Self { mean, half: 1.959_964 * (variance / count).sqrt() }
-    }
-}
 
 /// All runs together.
 #[derive(Debug)]

@@ -15,7 +15,7 @@ use goodbot::{Agent, AgentError, Capacities};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession};
-use goodbot_formats::task_text::GroundAtomText;
+use goodbot_formats::task_text::GroundTaskText;
 
 /// The name of the paper's trainer strategy, which is considered where no session names others.
 const BALANCED: &str = "balanced";
@@ -77,7 +77,7 @@ pub struct Outcome {
     /// Whether it continued the one before.
     pub continues: bool,
     /// What was meant.
-    pub intended: Option<Vec<GroundAtomText>>,
+    pub intended: Option<GroundTaskText>,
     /// The belief before the first step and after each; where the end of a session is evidence, also after it.
     pub beliefs: Vec<PosteriorLine<f32>>,
     /// How many steps.
@@ -151,7 +151,7 @@ impl History {
             command: header.command.clone(),
             kind: header.kind,
             continues: header.continues,
-            intended: header.intended.clone(),
+            intended: header.meant().and_then(Result::ok),
             beliefs: vec![],
             steps: session.steps.len(),
             feedback: [0; 3],

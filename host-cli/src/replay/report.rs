@@ -6,7 +6,7 @@ use crate::load::fault::quoted;
 use crate::messages::counted;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::Kind;
-use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
+use goodbot_formats::task_text::GroundTaskText;
 use std::fmt;
 
 /// The most likely task of a belief.
@@ -25,8 +25,8 @@ fn most_likely(belief: &PosteriorLine<f32>) -> Option<MostLikely<'_>> {
 }
 
 /// Whether a belief takes the intended task, and it alone, for the most likely one.
-fn is_right(belief: Option<&PosteriorLine<f32>>, intended: &[GroundAtomText]) -> bool {
-    belief.and_then(most_likely).is_some_and(|likely| likely.tied == 1 && likely.task.holds_exactly(intended))
+fn is_right(belief: Option<&PosteriorLine<f32>>, intended: &GroundTaskText) -> bool {
+    belief.and_then(most_likely).is_some_and(|likely| likely.tied == 1 && likely.task.is_same(intended))
 }
 
 impl fmt::Display for MostLikely<'_> {
@@ -47,9 +47,8 @@ impl fmt::Display for Outcome {
             writeln!(f, "  after     {likely}")?;
         }
         if let Some(intended) = &self.intended {
-            let atoms: Vec<String> = intended.iter().map(ToString::to_string).collect();
             let right = if is_right(self.beliefs.last(), intended) { "  (right)" } else { "" };
-            writeln!(f, "  expected  {}{right}", atoms.join(" & "))?;
+            writeln!(f, "  expected  {intended}{right}")?;
         }
         let steps = self.steps;
         let [reward, punish, neutral] = self.feedback;
@@ -94,7 +93,7 @@ impl Totals {
             let [reward, punish, _] = outcome.feedback;
             if let Some(last) = outcome.beliefs.last().filter(|_| reward + punish > 0) {
                 let probabilities: Vec<f64> = last.tasks.iter().map(|&(_, probability)| f64::from(probability)).collect();
-                if let Some(intended) = last.tasks.iter().position(|(task, _)| task.holds_exactly(intended)) {
+                if let Some(intended) = last.tasks.iter().position(|(task, _)| task.is_same(intended)) {
                     self.rightness.add(&probabilities, intended);
                 }
             }

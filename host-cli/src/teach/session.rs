@@ -8,7 +8,7 @@ use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::{
     AnswerRecord, FeedbackWord, Kind, RecordedAnswer, RecordedSession, SessionHeader, StepRecord, StrategyRecord,
 };
-use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
+use goodbot_formats::task_text::GroundTaskText;
 use std::collections::VecDeque;
 
 /// A step that was judged.
@@ -123,7 +123,7 @@ impl Session {
     /// The session as a log has it. `name` gives the name of a task by its position.
     pub fn record(
         &self,
-        intended: Option<Vec<GroundAtomText>>,
+        intended: Option<&GroundTaskText>,
         learn: bool,
         name: impl Fn(usize) -> Option<GroundTaskText>,
     ) -> RecordedSession {
@@ -146,20 +146,23 @@ impl Session {
             _ => false,
         };
         let step = |step: &Step| StepRecord { action: step.action.clone(), feedback: Some(word(step.feedback)) };
+        let mut header = SessionHeader {
+            id: self.id.clone(),
+            kind: Kind::Feedback,
+            environment: self.environment.clone(),
+            command: self.command.clone(),
+            intended: None,
+            before: None,
+            through: None,
+            avoiding: None,
+            actions: None,
+            continues: false,
+            prior: None,
+            strategies: (!own).then(|| self.strategies.iter().enumerate().map(strategy).collect()),
+        };
+        header.set_meant(intended);
         RecordedSession {
-            header: SessionHeader {
-                id: self.id.clone(),
-                kind: Kind::Feedback,
-                environment: self.environment.clone(),
-                command: self.command.clone(),
-                intended,
-                actions: None,
-                continues: false,
-                prior: None,
-                avoiding: None,
-                through: None,
-                strategies: (!own).then(|| self.strategies.iter().enumerate().map(strategy).collect()),
-            },
+            header,
             header_line: 1,
             steps: self.steps().iter().map(step).zip(2..).map(|(step, line)| (line, step)).collect(),
             answers: self.answers.iter().map(answer).collect(),

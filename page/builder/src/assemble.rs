@@ -2,33 +2,11 @@
 
 use std::io::Write;
 use std::path::Path;
-use std::process::Command;
 
 use anyhow::{Context, Result, bail};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use lzma_rust2::{LzmaOptions, LzmaWriter};
-
-use super::Parts;
-
-/// The page's scripts, in the order in which they stand in the file.
-const SCRIPTS: [&str; 15] = [
-    "unpack.js",
-    "state.js",
-    "storage.js",
-    "words.js",
-    "plan.js",
-    "robot.js",
-    "session.js",
-    "thoughts.js",
-    "tour.js",
-    "logs.js",
-    "build.js",
-    "textmap.js",
-    "settings.js",
-    "speech.js",
-    "main.js",
-];
 
 /// The page, and the parts that stand in it.
 pub struct Page {
@@ -42,23 +20,14 @@ pub struct Page {
     pub style: String,
 }
 
-/// Puts style, scripts, glue and module into `index.html`.
-///
-/// `folder` is the page's, `scratch` one for files on the way.
-pub fn assemble(folder: &Path, scratch: &Path, parts: &Parts, node: &Path) -> Result<Page> {
+/// Puts style, scripts and module into the `index.html` of `folder`.
+pub fn assemble(folder: &Path, wasm: &[u8], script: &str) -> Result<Page> {
     let read = |name: &str| std::fs::read_to_string(folder.join(name)).with_context(|| format!("page/{name} cannot be read"));
-    let mut script = format!("(function () {{\n\"use strict\";\n{}", parts.glue);
-    for name in SCRIPTS {
-        script.push('\n');
-        script.push_str(&read(&format!("src/{name}"))?);
-    }
-    script.push_str("})();\n");
-    let script = escaped(&minified(&folder.join("tests"), scratch, &script, node)?);
+    let script = escaped(script);
     let style = without_comments(&read("style.css")?);
-    let module = STANDARD.encode(packed(&parts.wasm)?);
+    let module = STANDARD.encode(packed(wasm)?);
     let mut html = read("index.html")?;
-    for (mark, text) in
-        [("/*SIZE*/", &parts.wasm.len().to_string()), ("/*STYLE*/", &style), ("/*SCRIPT*/", &script), ("<!--MODULE-->", &module)]
+    for (mark, text) in [("/*SIZE*/", &wasm.len().to_string()), ("/*STYLE*/", &style), ("/*SCRIPT*/", &script), ("<!--MODULE-->", &module)]
     {
         if html.matches(mark).count() != 1 {
             bail!("page/index.html must have {mark} once");
@@ -66,19 +35,6 @@ pub fn assemble(folder: &Path, scratch: &Path, parts: &Parts, node: &Path) -> Re
         html = html.replacen(mark, text, 1);
     }
     Ok(Page { html: without_comments(&html), module, script, style })
-}
-
-/// A script made small by terser, which npm installs beside the page's tests.
-fn minified(tests: &Path, scratch: &Path, script: &str, node: &Path) -> Result<String> {
-    let (whole, small) = (scratch.join("page.js"), scratch.join("page.min.js"));
-    std::fs::write(&whole, script).with_context(|| format!("{} cannot be written", whole.display()))?;
-    let mut terser = Command::new(node);
-    terser.arg(tests.join("node_modules/terser/bin/terser")).arg(&whole);
-    let status = terser.args(["--compress", "passes=2", "--mangle", "--output"]).arg(&small).status();
-    if !status.with_context(|| format!("{} cannot be started", node.display()))?.success() {
-        bail!("terser cannot make {} small", whole.display());
-    }
-    std::fs::read_to_string(&small).with_context(|| format!("{} was not written", small.display()))
 }
 
 /// A text's lines without those that hold nothing but a comment, and without indentation.

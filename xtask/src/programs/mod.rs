@@ -83,6 +83,7 @@ const fn installed(name: &'static str, why: &'static str) -> Program {
 pub const NODE: Program = installed("node", "to make the page and to run WebAssembly (version 20 or newer)");
 pub const NPM: Program = installed("npm", "to get what the page's tests are made with");
 pub const GCC: Program = installed("gcc", "to build C for this machine");
+pub const PYTHON: Program = installed("python3", "to try the Python package (version 3.10 or newer, with venv)");
 pub const VALGRIND: Program = installed("valgrind", "to count instructions");
 
 /// All that can be fetched, but for the compiler of other targets.

@@ -8,14 +8,14 @@ use anyhow::{Context, Result};
 use super::{NODE, NPM, missing};
 use crate::{process, project};
 
-/// The page's tests, where `package-lock.json` is; what it names is installed, if that has not been done since it last changed.
+/// The page's folder, where `package-lock.json` is; what it names is installed, if that has not been done since it last changed.
 pub fn packages() -> Result<PathBuf> {
-    let folder = project::root().join("page/tests");
+    let folder = project::root().join("page");
     if is_current(&folder) {
         return Ok(folder);
     }
     NODE.path()?;
-    eprintln!("fetching the npm packages of page/tests");
+    eprintln!("fetching the npm packages of page");
     let mut command = NPM.command()?;
     command.args(["ci", "--no-audit", "--no-fund"]).current_dir(&folder);
     process::run(&mut command).map_err(|error| missing("npm's packages", "to make the page and to try it", &error))?;

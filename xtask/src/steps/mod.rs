@@ -5,6 +5,7 @@
 mod capi;
 mod firmware;
 mod page;
+mod python;
 mod tests;
 mod text;
 
@@ -45,6 +46,7 @@ pub const ALL: &[Step] = &[
     text::CLIPPY,
     tests::STEP,
     text::DOCS,
+    python::STEP,
     page::STEP,
     capi::HEADER,
     capi::HOST,
@@ -90,7 +92,7 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Adds what a line says, if it is one that sums up: of cargo's, of nextest's or of node's.
+    /// Adds what a line says, if it is one that sums up: of cargo's, of nextest's, of node's or of pytest's.
     fn read(&mut self, line: &str) {
         let words: Vec<&str> = line.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
         let before = |what| words.windows(2).find(|pair| pair[1] == what).and_then(|pair| pair[0].parse::<u64>().ok()).unwrap_or(0);
@@ -98,6 +100,10 @@ impl Tally {
             self.passed += before("passed");
             self.failed += before("failed") + before("timed");
             self.skipped += before("ignored") + before("skipped");
+        } else if line.ends_with('s') && words.contains(&"in") && words.first().is_some_and(|word| word.parse::<u64>().is_ok()) {
+            self.passed += before("passed");
+            self.failed += before("failed") + before("errors") + before("error");
+            self.skipped += before("skipped");
         } else if let (Some("ℹ" | "#"), [what, number]) = (line.split(' ').next(), words.as_slice()) {
             let number = number.parse().unwrap_or(0);
             match *what {
@@ -126,10 +132,12 @@ mod unit_tests {
             "ℹ pass 6",
             "ℹ fail 0",
             "ℹ skipped 1",
+            "1 failed, 4 passed, 2 skipped in 3.21s",
+            "3 passed the bread in time",
         ];
         let mut tally = Tally::default();
         lines.into_iter().for_each(|line| tally.read(line));
-        assert_eq!(tally, Tally { passed: 22, failed: 5, skipped: 7 });
+        assert_eq!(tally, Tally { passed: 26, failed: 6, skipped: 9 });
     }
 
     #[test]

@@ -39,7 +39,7 @@ fn in_browser(run: &mut Run) -> Result<()> {
 /// Tries the page, and returns the folder of what it exported.
 fn export(run: &mut Run) -> Result<PathBuf> {
     page::build()?;
-    let tests = npm::packages()?;
+    let tests = npm::packages()?.join("tests");
     let browser = CHROMIUM.path()?;
     let folder = project::target_dir().join("page-export");
     // Nothing of an earlier run may pass for this one's.

@@ -1,6 +1,6 @@
 //! Pr(e|t), word by word.
 
-use super::layout::{KINDS, Layout, MOST_ROLES, cell, get};
+use super::layout::{KINDS, Layout, MOST_ROLES, SHARES_NAMED, cell, get};
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
 use crate::task::description::{form, groups};
@@ -78,6 +78,17 @@ pub(super) struct Reader<'t, 'd> {
     ends: &'t [f32],
     pub present: Vec<Present, MOST_ROLES, u8>,
     pub groups: Vec<GroupShare, MOST_GROUPS, u8>,
+}
+
+/// The farthest word before another that is a cue for it.
+const FARTHEST_CUE: usize = 4;
+
+/// What stands before a word.
+pub(super) struct Before {
+    /// The word before it.
+    pub previous: Option<usize>,
+    /// Where tasks have ways: the words before that one, back to one that names something.
+    pub cues: Vec<u16, FARTHEST_CUE, u8>,
 }
 
 /// How one memory moves on.
@@ -226,8 +237,90 @@ impl<'t, 'd> Reader<'t, 'd> {
         }
     }
 
-    /// What p0 is multiplied by after a word, for background, a word of the task, and each role present.
-    pub fn lifts(&self, previous: Option<usize>) -> Moves {
+    /// What stands before a word.
+    pub fn before(&self, position: usize, word: impl Fn(usize) -> Option<usize>) -> Before {
+        let at = |back: usize| position.checked_sub(back).and_then(&word);
+        let mut before = Before { previous: at(1), cues: Vec::new() };
+        if self.layout.has_ways() {
+            // What stands before a word that names something spoke of that.
+            for cue in (1..=FARTHEST_CUE).map_while(at) {
+                let _ = before.cues.push(cue as u16);
+                if self.names(cue) {
+                    break;
+                }
+            }
+        }
+        before
+    }
+
+    /// Whether a word names a value of the description sooner than anything else.
+    fn names(&self, word: usize) -> bool {
+        let (background, task) = self.background_and_task(word);
+        let most = background.max(task);
+        word < self.layout.words() && self.groups.iter().any(|group| self.values(group).iter().any(|&value| self.value(value, word) > most))
+    }
+
+    /// The value that a word names, if it names one sooner than anything else.
+    fn value_named(&self, word: usize) -> Option<Symbol> {
+        let (background, task) = self.background_and_task(word);
+        let (mut best, mut most) = (None, background.max(task));
+        for group in self.groups.iter().filter(|group| group.sort & 1 == 0 && word < self.layout.words()) {
+            for &value in self.values(group) {
+                let probability = self.value(value, word);
+                if probability > most {
+                    (best, most) = (Some(value), probability);
+                }
+            }
+        }
+        best
+    }
+
+    /// Tells for each kind of role that the task has where its share stands that the words name, in a row of `naming`.
+    pub fn naming(&self, words: impl Iterator<Item = usize>, mut tell: impl FnMut(usize)) {
+        let mut named: Vec<Symbol, 8, u8> = Vec::new();
+        for value in words.filter_map(|word| self.value_named(word)) {
+            if !named.contains(&value) {
+                let _ = named.push(value);
+            }
+        }
+        for kind in 0..RoleKind::COUNT {
+            let of_kind = self.groups.iter().filter(|group| group.sort & 1 == 0);
+            let of_kind = of_kind.filter(|group| self.present.get(group.present()).is_some_and(|it| it.kind().index() == kind));
+            let (mut all, mut said) = (0_usize, 0_usize);
+            for &value in of_kind.flat_map(|group| self.values(group)) {
+                all = all.saturating_add(1);
+                said = said.saturating_add(usize::from(named.contains(&value)));
+            }
+            if all > 0 {
+                let share = if said == 0 { 0 } else { 1_usize.saturating_add(usize::from(said == all)) };
+                tell(kind.saturating_mul(SHARES_NAMED).saturating_add(share));
+            }
+        }
+    }
+
+    /// How probable it is that of each role so much is named as these words do.
+    fn naming_of(&self, words: impl Iterator<Item = usize>) -> f32 {
+        let mut product = 1.0;
+        if let Some(form) = self.form.filter(|_| self.layout.has_ways()) {
+            let row = get(self.alignments, self.layout.naming(form));
+            self.naming(words, |at| product *= cell(row, at));
+        }
+        product
+    }
+
+    /// What p0 is multiplied by after these words, for background, a word of the task, and each role present.
+    pub fn lifts(&self, before: &Before) -> Moves {
+        let mut lifts = self.lifts_after(before.previous);
+        for &cue in &before.cues {
+            let row = get(self.alignments, self.layout.cue(usize::from(cue)));
+            for (slot, present) in lifts.iter_mut().skip(2).zip(&self.present) {
+                *slot *= if usize::from(cue) < self.layout.words() { cell(row, present.kind().index()) } else { 1.0 };
+            }
+        }
+        lifts
+    }
+
+    fn lifts_after(&self, previous: Option<usize>) -> Moves {
         let lift = self.lift(previous);
         let mut lifts: Moves = [0.0; MOST_ROLES + 2];
         let [background, task, roles @ ..] = &mut lifts;
@@ -279,8 +372,8 @@ impl<'t, 'd> Reader<'t, 'd> {
     }
 
     /// Explains one word: from how probable each memory is before it to after it. Returns the sum of the latter.
-    pub fn advance(&self, word: usize, previous: Option<usize>, before: &Memories, after: &mut Memories) -> f32 {
-        let lifts = self.lifts(previous);
+    pub fn advance(&self, word: usize, words: &Before, before: &Memories, after: &mut Memories) -> f32 {
+        let lifts = self.lifts(words);
         let (background, task) = self.background_and_task(word);
         let mut emissions: Roles = [0.0; MOST_ROLES];
         self.emissions(word, &mut emissions);
@@ -355,9 +448,9 @@ impl Reading {
             before.iter_mut().take(1).for_each(|slot| *slot = 1.0);
         }
         let first = usize::from(self.words);
-        let mut previous = first.checked_sub(1).and_then(|previous| heard(reader.layout, sentence).nth(previous));
         for (position, word) in heard(reader.layout, sentence).enumerate().skip(first).take(most) {
-            let sum = reader.advance(word, previous, &before, &mut after);
+            let words = reader.before(position, |position| heard(reader.layout, sentence).nth(position));
+            let sum = reader.advance(word, &words, &before, &mut after);
             tell(position, sum);
             if sum <= 0.0 {
                 self.probability = Scaled::ZERO;
@@ -368,7 +461,6 @@ impl Reading {
             for (slot, mass) in before.iter_mut().zip(&after).take(reader.memories()) {
                 *slot = kept(mass * scale);
             }
-            previous = Some(word);
             self.words = self.words.saturating_add(1);
         }
         if usize::from(self.words) < sentence.len() {
@@ -376,7 +468,7 @@ impl Reading {
             return false;
         }
         let end: f32 = (0..reader.memories()).map(|memory| cell(&before, memory) * reader.end(memory)).sum();
-        self.probability = self.probability.scaled_by(end);
+        self.probability = self.probability.scaled_by(end * reader.naming_of(heard(reader.layout, sentence)));
         true
     }
 }

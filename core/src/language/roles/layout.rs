@@ -7,10 +7,12 @@
 //! |---|---|---|
 //! | how common each word is | 1 | V |
 //! | lift | V words before, and the beginning | kinds |
+//! | cue, where tasks have ways | V words | kinds of roles |
 //! | kind of task | lifted tasks | V and a constant |
 //! | p0 | lifted tasks times memories | background, task, roles |
 //! | end | lifted tasks | memories |
 //! | lambda | roles | sorts of values |
+//! | naming, where tasks have ways | lifted tasks | kinds of roles, each: none named, some, all |
 //! | novelty | background, and each machine token | 1 |
 //! | trellis | the longest command and two more | memories and a scale |
 
@@ -23,10 +25,15 @@ use core::ops::Range;
 
 /// The most roles that are told apart; those that come later are left out.
 pub const MOST_ROLES: usize = 16;
-/// What a word can be: background, a word of the task, or a kind of role.
+/// What a word can be at most: background, a word of the task, or a kind of role. See [`Layout::kinds`].
 pub const KINDS: usize = 2 + RoleKind::COUNT;
-/// The weight of the context's roles grows with the sessions: half of it is reached with so many.
-const HALF_CONTEXT: f32 = 60.0;
+/// What a cue tells apart: the kinds of roles.
+pub const CUES: usize = 2 * RoleKind::COUNT;
+/// How much of what has a role can be named: nothing, a part, all.
+pub(super) const SHARES_NAMED: usize = 3;
+const NAMING: usize = RoleKind::COUNT * SHARES_NAMED;
+/// What needs many sessions grows with them: half of it is reached with so many.
+const HALF_OF_MANY: f32 = 60.0;
 
 /// Which parameters there are.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,6 +45,8 @@ pub struct Layout {
     roles: [Role; MOST_ROLES],
     role_count: u8,
     longest: u8,
+    /// Whether a role is one of a way.
+    has_ways: bool,
     sessions: f32,
     starts: Starts,
 }
@@ -45,10 +54,12 @@ pub struct Layout {
 /// Where the parts of `alignments` begin, kept because every step of every word asks for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Starts {
+    cues: usize,
     kinds: usize,
     p0: usize,
     end: usize,
     lambda: usize,
+    naming: usize,
     novelty: usize,
 }
 
@@ -62,8 +73,9 @@ impl Layout {
         roles: [Role::UNUSED; MOST_ROLES],
         role_count: 0,
         longest: 0,
+        has_ways: false,
         sessions: 0.0,
-        starts: Starts { kinds: 0, p0: 0, end: 0, lambda: 0, novelty: 0 },
+        starts: Starts { cues: 0, kinds: 0, p0: 0, end: 0, lambda: 0, naming: 0, novelty: 0 },
     };
 
     /// The parameters for training data of so many words and machine tokens.
@@ -88,6 +100,7 @@ impl Layout {
         }
         for group in groups(description) {
             let role = group.marker.role;
+            self.has_ways |= role.kind().index() >= RoleKind::WITHOUT_WAYS;
             if self.role(role).is_none()
                 && let Some(slot) = self.roles.get_mut(usize::from(self.role_count))
             {
@@ -102,12 +115,14 @@ impl Layout {
     const fn settled(mut self) -> Self {
         let (forms, roles) = (self.form_count as usize, self.role_count as usize);
         let (memories, moves) = (roles.saturating_add(1), roles.saturating_add(2));
-        let kinds = row(self.words, self.words, KINDS).end;
+        let cues = row(self.words, self.words, self.kinds()).end;
+        let kinds = if self.has_ways() { row(cues, self.words, CUES).start } else { cues };
         let p0 = row(kinds, forms, self.words.saturating_add(1)).start;
         let end = row(p0, forms.saturating_mul(memories), moves).start;
         let lambda = row(end, forms, memories).start;
-        let novelty = row(lambda, roles, VALUE_SORTS).start;
-        self.starts = Starts { kinds, p0, end, lambda, novelty };
+        let naming = row(lambda, roles, VALUE_SORTS).start;
+        let novelty = if self.has_ways() { row(naming, forms, NAMING).start } else { naming };
+        self.starts = Starts { cues, kinds, p0, end, lambda, naming, novelty };
         self
     }
 
@@ -129,6 +144,16 @@ impl Layout {
     /// V: how many words.
     pub const fn words(&self) -> usize {
         self.words
+    }
+
+    /// Whether a role is one of a way.
+    pub const fn has_ways(&self) -> bool {
+        cfg!(feature = "ways") && self.has_ways
+    }
+
+    /// What a word can be: background, a word of the task, or a kind of role, those of ways only where there are such.
+    pub const fn kinds(&self) -> usize {
+        if self.has_ways() { KINDS } else { 2 + RoleKind::WITHOUT_WAYS }
     }
 
     /// How many sessions.
@@ -175,7 +200,12 @@ impl Layout {
 
     /// The lift after a word, `words` for the beginning of a command.
     pub(super) fn lift(&self, word: usize) -> Range<usize> {
-        row(self.words, word, KINDS)
+        row(self.words, word, self.kinds())
+    }
+
+    /// The cue that a word is, where there are roles of ways.
+    pub(super) fn cue(&self, word: usize) -> Range<usize> {
+        row(self.starts.cues, word, if self.has_ways() { CUES } else { 0 })
     }
 
     pub(super) fn kind_of_task(&self, form: usize) -> Range<usize> {
@@ -199,6 +229,11 @@ impl Layout {
         row(self.starts.lambda, role, VALUE_SORTS)
     }
 
+    /// How often each kind of role is named, where there are roles of ways.
+    pub(super) fn naming(&self, form: usize) -> Range<usize> {
+        row(self.starts.naming, form, if self.has_ways() { NAMING } else { 0 })
+    }
+
     /// How much of a row's words would be new, in a command to come: 1 for a token that was never named.
     pub(super) fn novelty(&self, row: usize) -> usize {
         self.starts.novelty.saturating_add(row)
@@ -217,7 +252,12 @@ impl Layout {
 
     /// How probable a role is, before anything is learned, against a goal's 1.
     pub(super) fn weight_of(&self, kind: RoleKind) -> f32 {
-        if kind.is_of_task() { 1.0 } else { 0.5 * self.sessions / (self.sessions + HALF_CONTEXT) }
+        if kind.is_of_task() { 1.0 } else { 0.5 * self.many() }
+    }
+
+    /// How far the sessions are many, from 0 to 1.
+    pub(super) fn many(&self) -> f32 {
+        self.sessions / (self.sessions + HALF_OF_MANY)
     }
 }
 

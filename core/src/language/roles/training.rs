@@ -4,7 +4,8 @@
 //! backward sums over all ways to read the words. With c the expected counts,
 //!
 //! ```text
-//! T[v], A[l], F = (c + common) / (sum of c + 1)
+//! A[l], F       = (c + common) / (sum of c + 1)
+//! T[v]          = (c - d min(c, 1) + d kinds[v] named + common) / (sum of c + 1)
 //! lambda        = c + 1
 //! pool[l,r]     = (sum over m of c[l,m,r] + 4 prior[r]) / (... + 4)
 //! p0[l,m,r]     = (c[l,m,r] + 4 pool[l,r]) / (sum over r of c[l,m,r] + 4)
@@ -12,23 +13,36 @@
 //! end[l,m]      = (stops + 1) / (moves + stops + 5)
 //! ```
 //!
+//! What a value was heard with once is no sure sign of it: of each of its words the part d goes to all words that name values (absolute
+//! discounting), so that a word heard once, with one color, is a hint of that color and no proof. `kinds[v]` is the sum of min(c, 1) over the
+//! words of v, `named(w)` what w has of such sums over all values, and d = once / (once + 2 twice + 100), Ney's estimate from how many pairs
+//! of a value and a word were seen about once and about twice, with 100 pairs seen more often, so that a few lessons, where all is seen once,
+//! are believed.
+//!
 //! `lift` multiplies `p0` and is set from the same counts, and pseudo-counts draw each row, so a round may lose likelihood where a plain EM
 //! would not. On none of four sets of recorded commands did one of 16 rounds lose any. After the rounds the [kind of task](super::kind) is
 //! trained.
 
-use super::forward::{END, Memories, Reader, Roles, kept, prior};
-use super::layout::{KINDS, Layout, MOST_ROLES, cell, get, get_mut};
+use super::forward::{Before, END, Memories, Reader, Roles, kept, prior};
+use super::layout::{KINDS, Layout, MOST_ROLES, SHARES_NAMED, cell, get, get_mut};
 use super::{kind, start};
 use crate::language::bitext::{BitextRef, Pair};
 use crate::language::tables::Cells;
+use crate::probability::square_root;
 use crate::symbols::Symbol;
-use crate::task::role::VALUE_SORTS;
+use crate::task::role::{RoleKind, VALUE_SORTS};
 
 const OF_COMMON: f32 = 1.0;
+/// So many pairs of a value and a word count as seen more than twice before any are seen. With fewer, the paper's course ends less sure.
+const SEEN_OFTEN: f32 = 100.0;
 const OF_LAMBDA: f32 = 1.0;
 const OF_POOL: f32 = 4.0;
 const OF_SHARE: f32 = 8.0;
 const LEAST_SHARE: f32 = 0.001;
+const OF_CUE: f32 = 1.0;
+const OF_NAMING: f32 = 0.5;
+/// Where tasks have ways, a word must have named a value more often than this to count as naming it.
+const DISCOUNT: f32 = 1.0;
 const OF_STOP: f32 = 1.0;
 const OF_MOVES: f32 = 4.0;
 
@@ -41,8 +55,11 @@ pub(crate) enum Part {
     Begin(usize),
     /// Expected counts, from this pair on, and from this step of it: forward through its words, then backward.
     Expect(usize, u8),
+    /// How often values and words were seen together, from this row on: so many pairs about once and about twice, and how much each word
+    /// names values, in all.
+    Seen(usize, Seen),
     /// The rows, from this one on.
-    Rows(usize),
+    Rows(usize, Seen),
     /// The lifts, from this word on, with what each kind has of all counts.
     Lifts(usize, [f32; KINDS]),
     /// p0 and end, from this lifted task on.
@@ -55,6 +72,21 @@ pub(crate) enum Part {
     Steps(u32, usize),
     /// Done.
     Done,
+}
+
+/// How often values and words were seen together.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Seen {
+    once: f32,
+    twice: f32,
+    named: f32,
+}
+
+impl Seen {
+    /// d: what goes from each word of a value to all that name values.
+    fn discount(self) -> f32 {
+        self.once / (self.once + 2.0 * self.twice + SEEN_OFTEN)
+    }
 }
 
 /// The tables and the data that a training works on.
@@ -73,6 +105,9 @@ impl Work<'_, '_> {
         get_mut(self.a.values, 0..layout.trellis()).fill(0.0);
         for word in 0..=layout.words() {
             get_mut(self.a.values, layout.lift(word)).fill(1.0);
+            if word < layout.words() {
+                get_mut(self.a.values, layout.cue(word)).fill(1.0);
+            }
         }
         let prior = self.prior();
         for form in 0..layout.forms().len() {
@@ -83,6 +118,9 @@ impl Work<'_, '_> {
         }
         for role in 0..layout.roles().len() {
             get_mut(self.a.values, layout.lambda(role)).fill(1.0);
+        }
+        for form in 0..layout.forms().len() {
+            get_mut(self.a.values, layout.naming(form)).fill(1.0);
         }
         get_mut(self.a.values, layout.novelty(0)..layout.trellis()).fill(1.0);
     }
@@ -126,16 +164,30 @@ impl Work<'_, '_> {
                     let (cells, next) = self.expect(pair, usize::from(step), left);
                     (cells, next.map_or(Part::Expect(position.saturating_add(1), 0), |next| Part::Expect(position, next as u8)))
                 }
-                None => (0, Part::Rows(0)),
+                None => {
+                    get_mut(self.a.counts, layout.common()).fill(0.0);
+                    (layout.words(), Part::Seen(0, Seen::default()))
+                }
             },
-            Part::Rows(row) if row < rows => {
-                self.set_row(row);
-                (layout.words(), Part::Rows(row.saturating_add(1)))
+            Part::Seen(token, mut seen) if token < self.tokens => {
+                self.see(Symbol(token as u16), &mut seen);
+                (layout.words(), Part::Seen(token.saturating_add(1), seen))
             }
-            Part::Rows(_) => (layout.words().saturating_mul(KINDS), Part::Lifts(0, self.shares())),
+            Part::Seen(_, seen) => (0, Part::Rows(0, seen)),
+            Part::Rows(row, seen) if row < rows => {
+                self.set_row(row, seen);
+                (layout.words(), Part::Rows(row.saturating_add(1), seen))
+            }
+            Part::Rows(..) => {
+                get_mut(self.a.counts, layout.common()).fill(0.0);
+                (layout.words().saturating_mul(layout.kinds()), Part::Lifts(0, self.shares()))
+            }
             Part::Lifts(word, shares) if word <= layout.words() => {
                 self.set_lift(word, &shares);
-                (KINDS, Part::Lifts(word.saturating_add(1), shares))
+                if layout.has_ways() && word < layout.words() {
+                    self.set_cue(word);
+                }
+                (layout.kinds(), Part::Lifts(word.saturating_add(1), shares))
             }
             Part::Lifts(..) => (0, Part::Moves(0)),
             Part::Moves(form) if form < layout.forms().len() => {
@@ -144,13 +196,19 @@ impl Work<'_, '_> {
             }
             Part::Moves(_) => (0, Part::Lambdas),
             Part::Lambdas => {
-                let range = layout.lambda(0).start..layout.novelty(0);
+                for form in 0..layout.forms().len() {
+                    self.set_naming(form);
+                }
+                let range = layout.lambda(0).start..layout.naming(0).start;
                 let (values, counts) = (get_mut(self.a.values, range.clone()), get_mut(self.a.counts, range));
                 for (value, count) in values.iter_mut().zip(counts) {
                     *value = core::mem::take(count) + OF_LAMBDA;
                 }
                 *round = round.saturating_add(1);
-                (layout.roles().len().saturating_mul(VALUE_SORTS), if *round < rounds { Part::Expect(0, 0) } else { Part::Kinds(0, 0) })
+                (
+                    layout.roles().len().saturating_mul(VALUE_SORTS),
+                    if *round < self.rounds(rounds) { Part::Expect(0, 0) } else { Part::Kinds(0, 0) },
+                )
             }
             Part::Kinds(batch, _) if batch >= kind::BATCHES || layout.forms().len() < 2 => (0, Part::Done),
             Part::Kinds(batch, session) if session < self.bitext.sessions() => {
@@ -166,6 +224,12 @@ impl Work<'_, '_> {
             Part::Steps(batch, _) => (0, Part::Kinds(batch.saturating_add(1), 0)),
             Part::Done => (0, Part::Done),
         }
+    }
+
+    /// How many rounds: with many sessions half as many again, in which few would be learned by heart. Models that tell ways have no more.
+    fn rounds(&self, rounds: u32) -> u32 {
+        let more = if self.layout.has_ways() { 0.0 } else { 0.5 * self.layout.many() };
+        (rounds as f32 * (1.0 + more)) as u32
     }
 
     fn cells(&self, pair: &Pair) -> usize {
@@ -184,6 +248,14 @@ impl Work<'_, '_> {
         let mut counts = Counts { reader: &reader, sentence, weight: pair.weight, t: &mut *self.t.counts, a: &mut *self.a.counts };
         if reader.form.is_none() {
             return (0, None);
+        }
+        if let Some(form) = reader.form.filter(|_| step == 0 && self.layout.has_ways()) {
+            let row = get_mut(counts.a, self.layout.naming(form));
+            reader.naming(sentence.iter().map(|word| word.index()), |at| {
+                if let Some(slot) = row.get_mut(at) {
+                    *slot += pair.weight;
+                }
+            });
         }
         let mut cells = cells_of_word;
         loop {
@@ -209,14 +281,43 @@ impl Work<'_, '_> {
         }
     }
 
-    fn set_row(&mut self, row: usize) {
-        let range = self.layout.row(row.checked_sub(1).map(|token| Symbol(token as u16)));
+    /// Adds one token's pairs, if it is a value's. How much each word names values stands in the counts of how common the words are.
+    fn see(&mut self, token: Symbol, seen: &mut Seen) {
+        if self.layout.form(token).is_some() {
+            return;
+        }
+        let named = get_mut(self.a.counts, self.layout.common());
+        for (&count, named) in get(self.t.counts, self.layout.row(Some(token))).iter().zip(named) {
+            let kind = count.min(1.0);
+            *named += kind;
+            seen.named += kind;
+            seen.once += f32::from(u8::from((0.5..1.5).contains(&count)));
+            seen.twice += f32::from(u8::from((1.5..2.5).contains(&count)));
+        }
+    }
+
+    fn set_row(&mut self, row: usize, seen: Seen) {
+        let token = row.checked_sub(1).map(|token| Symbol(token as u16));
+        let range = self.layout.row(token);
         let (values, counts) = (get_mut(self.t.values, range.clone()), get_mut(self.t.counts, range));
-        let common = get(self.a.values, self.layout.common());
-        let whole = counts.iter().sum::<f32>() + OF_COMMON;
+        let (common, named) = (get(self.a.values, self.layout.common()), get(self.a.counts, self.layout.common()));
+        let is_value = token.is_some_and(|token| self.layout.form(token).is_none());
+        let mut discount = if is_value && seen.named > 0.0 { seen.discount() } else { 0.0 };
+        // Models that tell ways have a discount of their own, which goes to no other word.
+        if is_value && self.layout.has_ways() {
+            counts.iter_mut().for_each(|count| *count = (*count - DISCOUNT).max(0.0));
+            discount = 0.0;
+        }
+        let (mut whole, mut kinds) = (OF_COMMON, 0.0);
+        for &count in &*counts {
+            whole += count;
+            kinds += count.min(1.0);
+        }
         let novelty = OF_COMMON / whole;
-        for ((value, count), common) in values.iter_mut().zip(counts).zip(common) {
-            *value = (core::mem::take(count) + OF_COMMON * common) / whole;
+        let spread = if discount > 0.0 { discount * kinds / seen.named } else { 0.0 };
+        for (((value, count), common), named) in values.iter_mut().zip(counts).zip(common).zip(named) {
+            let count = core::mem::take(count);
+            *value = (count - discount * count.min(1.0) + spread * named + OF_COMMON * common) / whole;
         }
         if let Some(slot) = self.a.values.get_mut(self.layout.novelty(row)) {
             *slot = novelty;
@@ -231,7 +332,7 @@ impl Work<'_, '_> {
                 *share += count;
             }
         }
-        let whole: f32 = shares.iter().sum();
+        let whole: f32 = shares.iter().take(self.layout.kinds()).sum();
         shares.map(|share| share / whole)
     }
 
@@ -241,6 +342,25 @@ impl Work<'_, '_> {
         let whole = counts.iter().sum::<f32>() + OF_SHARE;
         for ((value, count), share) in values.iter_mut().zip(counts).zip(shares) {
             *value = (core::mem::take(count) + OF_SHARE * share) / whole / share;
+        }
+    }
+
+    /// A cue moves by as much as what follows it differs from what was expected to.
+    fn set_cue(&mut self, word: usize) {
+        let range = self.layout.cue(word);
+        let (values, counts) = (get_mut(self.a.values, range.clone()), get_mut(self.a.counts, range));
+        let Some((seen, expected)) = counts.split_at_mut_checked(RoleKind::COUNT) else { return };
+        for ((value, seen), expected) in values.iter_mut().zip(seen).zip(expected) {
+            *value *= square_root((core::mem::take(seen) + OF_CUE) / (core::mem::take(expected) + OF_CUE));
+        }
+    }
+
+    fn set_naming(&mut self, form: usize) {
+        let range = self.layout.naming(form);
+        let (values, counts) = (get_mut(self.a.values, range.clone()), get_mut(self.a.counts, range));
+        for (values, counts) in values.chunks_mut(SHARES_NAMED).zip(counts.chunks_mut(SHARES_NAMED)) {
+            let whole = counts.iter().sum::<f32>() + OF_NAMING * SHARES_NAMED as f32;
+            values.iter_mut().zip(counts).for_each(|(value, count)| *value = (core::mem::take(count) + OF_NAMING) / whole);
         }
     }
 
@@ -293,6 +413,10 @@ pub(super) enum Event<'e> {
         background: f32,
         task: f32,
         roles: &'e Roles,
+        /// What stands before it.
+        before: &'e Before,
+        /// How probable each role was, in no unit, before the word was heard.
+        expected: &'e [f32],
     },
     /// A word, from all memories together.
     Values {
@@ -330,12 +454,25 @@ impl Counts<'_, '_> {
                     add(get_mut(self.a, layout.end(form)), row, weight * share);
                 }
             }
-            Event::Word { position, memory, background, task, roles } => {
+            Event::Word { position, memory, background, task, roles, before, expected } => {
                 let Some(&word) = sentence.get(position) else { return };
                 let previous = position.checked_sub(1).and_then(|before| sentence.get(before)).map_or(layout.words(), |word| word.index());
                 add(get_mut(self.t, layout.row(None)), word.index(), weight * background);
                 if let Some(&token) = layout.forms().get(form) {
                     add(get_mut(self.t, layout.row(Some(token))), word.index(), weight * task);
+                }
+                if layout.has_ways() {
+                    let of_roles: f32 = roles.iter().take(reader.present.len()).sum();
+                    let all: f32 = expected.iter().take(reader.present.len()).sum();
+                    if of_roles > 0.0 && all > 0.0 {
+                        for &cue in &before.cues {
+                            let row = get_mut(self.a, layout.cue(usize::from(cue)));
+                            for ((present, &share), &step) in reader.present.iter().zip(roles).zip(expected) {
+                                add(row, present.kind().index(), weight * share);
+                                add(row, RoleKind::COUNT.saturating_add(present.kind().index()), weight * of_roles * step / all);
+                            }
+                        }
+                    }
                 }
                 let Some(row) = reader.memory(memory) else { return };
                 let moves = get_mut(self.a, layout.p0(form, row));
@@ -395,8 +532,8 @@ fn forward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, t
         *masses.first_mut()? = 1.0;
     }
     before.iter_mut().zip(&*masses).for_each(|(slot, mass)| *slot = *mass);
-    let previous = position.checked_sub(1).and_then(|before| sentence.get(before)).map(|word| word.index());
-    let sum = reader.advance(sentence.get(position)?.index(), previous, &before, &mut after);
+    let words = reader.before(position, |position| sentence.get(position).map(|word| word.index()));
+    let sum = reader.advance(sentence.get(position)?.index(), &words, &before, &mut after);
     *last = sum;
     if sum <= 0.0 {
         return None;
@@ -429,8 +566,8 @@ fn backward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, 
     let memories = reader.memories();
     let Some((filled, behind)) = trellis.split_at_mut_checked(row_of(reader, sentence.len()).end) else { return };
     let (Some(after), Some(word)) = (behind.get_mut(..memories), sentence.get(position)) else { return };
-    let previous = position.checked_sub(1).and_then(|before| sentence.get(before)).map(|word| word.index());
-    let lifts = reader.lifts(previous);
+    let words = reader.before(position, |position| sentence.get(position).map(|word| word.index()));
+    let lifts = reader.lifts(&words);
     let untrained = reader.untrained_step(&lifts);
     let (background, task) = reader.background_and_task(word.index());
     let mut emissions: Roles = [0.0; MOST_ROLES];
@@ -460,7 +597,15 @@ fn backward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, 
             *all += *part;
         }
         *slot = total;
-        tell(Event::Word { position, memory, background: mass * of_background, task: mass * of_task, roles: &roles });
+        tell(Event::Word {
+            position,
+            memory,
+            background: mass * of_background,
+            task: mass * of_task,
+            roles: &roles,
+            before: &words,
+            expected: moves,
+        });
     }
     tell(Event::Values { position, emissions: &emissions, roles: &all });
     after.iter_mut().zip(&next).for_each(|(slot, next)| *slot = *next);

@@ -12,7 +12,6 @@ mod asking;
 mod mind;
 mod thoughts;
 
-pub use asking::Asks;
 pub use thoughts::{Idea, Meaning, WordSupport};
 
 use crate::lessons::restored::room_for;
@@ -337,7 +336,7 @@ impl Trainer {
 
     fn record(&self, learn: bool) -> Result<RecordedSession, Refusal> {
         let session = self.session.as_ref().ok_or_else(no_session)?;
-        let intended = session.intended.and_then(|position| self.name_of(position)).map(|name| name.atoms().to_vec());
-        Ok(session.record(intended, learn, |position| self.name_of(position)))
+        let intended = session.intended.and_then(|position| self.name_of(position));
+        Ok(session.record(intended.as_ref(), learn, |position| self.name_of(position)))
     }
 }

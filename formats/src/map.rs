@@ -1,7 +1,7 @@
-//! A home from a drawing: what [`goodbot::home::Map`] draws, with a legend of its letters, or with notes of single things as the
+//! A home from a drawing: what the core's `home::Map` draws, with a legend of its letters, or with notes of single things as the
 //! trainer page writes them.
 
-use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+use crate::environment::{EnvironmentFile, ObjectRecord};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most characters of a line, and lines, of a drawing.
@@ -19,6 +19,14 @@ pub struct Misdrawn {
     /// What is wrong, and what to do.
     pub message: String,
 }
+
+impl std::fmt::Display for Misdrawn {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "line {}: {}", self.line, self.message)
+    }
+}
+
+impl std::error::Error for Misdrawn {}
 
 /// Whether a text looks like a drawing.
 pub fn is_map(text: &str) -> bool {

@@ -1,0 +1,182 @@
+//! Ways: what must hold, or must not, before a task's goal counts as reached.
+//!
+//! | text | holds of a course of states that ends at its last one | as a formula |
+//! |---|---|---|
+//! | `goal through P` | P holds at one of them, the last included | F(P & F goal) |
+//! | `goal through P or Q` | P or Q holds at one of them | F((P or Q) & F goal) |
+//! | `goal avoiding P` | P holds at none before the last | (not P) U goal |
+//! | `first then goal` | `first` holds at one of them, and the goal there or later | F(first & F goal) |
+//!
+//! A way is a small automaton: [`WayState`] says how far it has come. It moves with each state that the robot comes to, the first included.
+
+use super::{GroundedTask, LiftedTask};
+use crate::oomdp::GroundProposition;
+
+/// What a proposition of a task is to its way.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// It belongs to the goal, the last where there are several.
+    #[default]
+    Goal,
+    /// It belongs to an earlier goal, the one at this position.
+    Before(u8),
+    /// It is one of the alternatives of the clause `through` at this position.
+    Through(u8),
+    /// It must not hold before the end.
+    Avoiding,
+}
+
+/// A kind of clause of a way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Clause {
+    /// `through`: one of the alternatives holds at some time.
+    Through,
+    /// `avoiding`: none of the alternatives holds before the end.
+    Avoiding,
+}
+
+/// How far a task's way has come.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct WayState(u8);
+
+/// Bits 0 to 2: the clauses `through` that were met. Bits 3 and 4: how many earlier goals were reached.
+const PASSED: u8 = 7;
+const STAGE: u32 = 3;
+const STAGES: u8 = 3 << STAGE;
+/// The task was done once.
+const ENDED: u8 = 1 << 6;
+/// What must be avoided was not.
+const BROKEN: u8 = 1 << 7;
+
+impl WayState {
+    /// Before the first state.
+    pub const START: Self = Self(0);
+
+    /// Whether the task was done once. Its way then asks nothing more.
+    pub const fn has_ended(self) -> bool {
+        self.0 & ENDED != 0
+    }
+
+    /// Whether what must be avoided was not: the task has become impossible.
+    pub const fn is_broken(self) -> bool {
+        self.0 & BROKEN != 0
+    }
+
+    /// How many of the earlier goals were reached.
+    pub const fn stage(self) -> u8 {
+        (self.0 & STAGES) >> STAGE
+    }
+
+    /// Whether a clause `through` was met.
+    pub const fn has_passed(self, clause: u8) -> bool {
+        self.0 & PASSED & (1_u8.wrapping_shl(clause as u32)) != 0
+    }
+
+    const fn passing(self, clause: u8) -> Self {
+        Self(self.0 | 1_u8.wrapping_shl(clause as u32) & PASSED)
+    }
+
+    const fn at_next_stage(self) -> Self {
+        Self(self.0 + (1 << STAGE))
+    }
+}
+
+/// The way of a grounded task.
+#[derive(Clone, Copy, Debug)]
+pub struct Way<'l> {
+    lifted: &'l LiftedTask,
+    task: GroundedTask,
+}
+
+impl<'l> Way<'l> {
+    /// The way of a task; `lifted` is the one that it grounds.
+    pub const fn of(task: &GroundedTask, lifted: &'l LiftedTask) -> Self {
+        Self { lifted, task: *task }
+    }
+
+    /// Whether there is none.
+    pub fn is_none(&self) -> bool {
+        !self.lifted.has_way()
+    }
+
+    /// What the way asks beside the goal, in the order of the text.
+    pub fn parts(&self) -> impl Iterator<Item = (Part, GroundProposition)> + use<'l> {
+        let task = self.task;
+        self.lifted.way().map(move |(part, proposition)| (part, task.grounded(proposition)))
+    }
+
+    /// How many earlier goals there are.
+    pub fn stages(&self) -> u8 {
+        let positions = self.lifted.way().map(|(part, _)| if let Part::Before(position) = part { position.saturating_add(1) } else { 0 });
+        positions.max().unwrap_or(0)
+    }
+
+    /// The clauses `through` that are still to be met.
+    pub fn pending(&self, state: WayState) -> impl Iterator<Item = u8> + use<'l> {
+        let lifted = self.lifted;
+        let has = move |clause: &u8| lifted.way().any(|(part, _)| part == Part::Through(*clause));
+        (0..3).filter(has).filter(move |&clause| !state.has_passed(clause))
+    }
+
+    /// Whether all but the goal is behind, and nothing need be avoided any more: the task is then as one without a way.
+    pub fn is_behind(&self, state: WayState) -> bool {
+        let open = |(part, _)| match part {
+            Part::Goal => false,
+            Part::Before(position) => position >= state.stage(),
+            Part::Through(clause) => !state.has_passed(clause),
+            Part::Avoiding => true,
+        };
+        state.has_ended() || !self.lifted.way().any(open)
+    }
+
+    /// How far the way has come in a state, of which `holds` tells.
+    #[must_use]
+    pub fn advance(&self, mut now: WayState, holds: impl Fn(&GroundProposition) -> bool) -> WayState {
+        if self.is_none() || now.has_ended() || now.is_broken() {
+            return now;
+        }
+        let of = |wanted: Part| self.parts().filter(move |&(part, _)| part == wanted);
+        for clause in self.pending(now) {
+            if of(Part::Through(clause)).any(|(_, part)| holds(&part)) {
+                now = now.passing(clause);
+            }
+        }
+        while now.stage() < self.stages() && of(Part::Before(now.stage())).all(|(_, part)| holds(&part)) {
+            now = now.at_next_stage();
+        }
+        let is_there = now.stage() == self.stages() && self.pending(now).next().is_none();
+        if is_there && self.task.propositions(self.lifted).all(|part| holds(&part)) {
+            WayState(now.0 | ENDED)
+        } else if of(Part::Avoiding).any(|(_, part)| holds(&part)) {
+            WayState(now.0 | BROKEN)
+        } else {
+            now
+        }
+    }
+
+    /// Whether the way says nothing, or nothing new, where a session starts in a state, of which `holds` tells: a part of it is behind already, or
+    /// what must be avoided holds.
+    pub fn is_idle(&self, holds: impl Fn(&GroundProposition) -> bool) -> bool {
+        !self.is_none() && self.advance(WayState::START, holds) != WayState::START
+    }
+
+    /// Whether the task says the same as another of its lifted task, whose objects stand in order: alternatives, and clauses, can be exchanged.
+    pub fn is_twin(&self) -> bool {
+        let parts = || self.lifted.way().zip(self.parts()).map(|((_, lifted), (part, ground))| (part, lifted, ground));
+        let alone = |part: Part| parts().filter(|&(other, ..)| other == part).count() == 1;
+        let exchangeable = |a: Part, b: Part| match (a, b) {
+            (Part::Through(one), Part::Through(other)) => one == other || alone(a) && alone(b),
+            (Part::Avoiding, Part::Avoiding) => true,
+            _ => false,
+        };
+        parts().enumerate().any(|(position, (part, lifted, ground))| {
+            parts().skip(position.saturating_add(1)).any(|(other, lifted_other, ground_other)| {
+                let differ = || lifted.variables.iter().zip(&lifted_other.variables).filter(|(a, b)| a != b);
+                exchangeable(part, other)
+                    && ground.proposition == ground_other.proposition
+                    && differ().all(|(&a, &b)| self.lifted.uses(a) == 1 && self.lifted.uses(b) == 1)
+                    && ground.arguments > ground_other.arguments
+            })
+        })
+    }
+}

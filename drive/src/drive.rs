@@ -1,0 +1,279 @@
+//! The wheel speeds that carry out an action: turn on the spot, then follow the line between the middles of two cells. A robot that
+//! stands off that line, since its last action failed, goes back to the middle of its cell first: so it clears the posts of a door.
+
+use crate::grid::{Grid, direction};
+use crate::pose::{Pose, wrapped};
+use core::f32::consts::{FRAC_PI_2, PI};
+use core::fmt;
+use goodbot::home::Cell;
+use goodbot::oomdp::Action;
+use micromath::F32Ext;
+
+/// A robot faces the way closely enough to drive on, radians.
+const FACING: f32 = 0.06;
+/// A robot that faces further off than this while it drives stops and turns, radians.
+const ASTRAY: f32 = 0.5;
+/// The middle of a cell is reached within so much of the cell's side.
+const NEAR: f32 = 0.03;
+/// A robot that is further off the line than this share of a cell goes back to the middle first.
+const OFF: f32 = 0.1;
+/// How fast a turn answers to an error of heading, a second.
+const TURN_GAIN: f32 = 5.0;
+/// How far the robot heads back to the line for each metre that it is off it, radians.
+const LINE_GAIN: f32 = 6.0;
+/// Brakes begin a little early: the square root is approximate, and wheels slip.
+const BRAKES: f32 = 0.8;
+
+/// What the robot's wheels can do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// The distance between the wheels, metres.
+    pub track: f32,
+    /// The highest speed, metres a second.
+    pub speed: f32,
+    /// The fastest turn, radians a second.
+    pub turn: f32,
+    /// The most by which a wheel's speed may change, metres a second each second.
+    pub acceleration: f32,
+    /// The share of the highest speed at which a robot drives that is not sure at all; from above 0 to 1.
+    pub slowest: f32,
+    /// The robot stops when it has heard nothing for so long, seconds.
+    pub silence: f32,
+    /// An action that takes longer has failed, seconds.
+    pub patience: f32,
+}
+
+/// The speeds of the two wheels, metres a second.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Wheels {
+    /// The left wheel.
+    pub left: f32,
+    /// The right wheel.
+    pub right: f32,
+}
+
+/// What the robot is doing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Motion {
+    /// It has nothing to do.
+    Resting,
+    /// It goes back to the middle of its cell.
+    Centring,
+    /// It turns on the spot.
+    Turning,
+    /// It drives to the next cell.
+    Driving,
+    /// It has come to the middle of the cell and stands.
+    Arrived,
+    /// It stops, since nothing was heard; it goes on once something is.
+    Waiting,
+    /// It has given the action up, and stands. Sense the cell and plan again.
+    Stuck,
+}
+
+/// One step of the control loop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// What to set the wheels to.
+    pub wheels: Wheels,
+    /// What the robot is doing.
+    pub motion: Motion,
+}
+
+/// What is wrong with a setting or an action.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum DriveError {
+    /// A cell's side is not above 0.
+    CellSize(f32),
+    /// The hysteresis is not from 0 to below a half of a cell.
+    Hysteresis(f32),
+    /// A limit is not above 0; `slowest` must not be above 1 either.
+    Limit {
+        /// Which one.
+        name: &'static str,
+        /// What it was.
+        value: f32,
+    },
+    /// The action leads to no neighbouring cell.
+    NoNeighbour(Action),
+}
+
+impl fmt::Display for DriveError {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::CellSize(size) => write!(out, "a cell's side of {size} m: it must be above 0"),
+            Self::Hysteresis(share) => write!(out, "a hysteresis of {share} of a cell: it must be at least 0 and below 0.5"),
+            Self::Limit { name: "slowest", value } => write!(out, "slowest is {value}: it must be above 0 and at most 1"),
+            Self::Limit { name, value } => write!(out, "{name} is {value}: it must be above 0"),
+            Self::NoNeighbour(action) => write!(out, "action {} leads to no neighbouring cell: only 0 to 3 do", action.0),
+        }
+    }
+}
+
+impl core::error::Error for DriveError {}
+
+/// What the robot does on its way to the next cell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Phase {
+    Begun,
+    Centring,
+    Turning,
+    Driving,
+}
+
+/// Where the robot shall go.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Leg {
+    to: Cell,
+    /// Cells to the east and to the north.
+    along: (f32, f32),
+    heading: f32,
+    /// The share of the highest speed.
+    pace: f32,
+    taken: f32,
+    phase: Phase,
+}
+
+/// Drives the robot from cell to cell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drive {
+    limits: Limits,
+    wheels: Wheels,
+    leg: Option<Leg>,
+    unheard: f32,
+}
+
+impl Drive {
+    /// A robot that stands.
+    ///
+    /// # Errors
+    /// [`DriveError::Limit`].
+    pub fn new(limits: Limits) -> Result<Self, DriveError> {
+        let Limits { track, speed, turn, acceleration, slowest, silence, patience } = limits;
+        let named = [
+            ("track", track),
+            ("speed", speed),
+            ("turn", turn),
+            ("acceleration", acceleration),
+            ("slowest", slowest),
+            ("silence", silence),
+            ("patience", patience),
+        ];
+        let wrong = |&(name, value): &(&str, f32)| !(value > 0.0 && value.is_finite()) || (name == "slowest" && value > 1.0);
+        match named.into_iter().find(wrong) {
+            Some((name, value)) => Err(DriveError::Limit { name, value }),
+            None => Ok(Self { limits, wheels: Wheels::default(), leg: None, unheard: 0.0 }),
+        }
+    }
+
+    /// Begins an action from the cell on which the robot stands. `certainty` is how likely the task is that it follows, from 0 to 1: the
+    /// speed grows with it, from the slowest to the highest.
+    ///
+    /// # Errors
+    /// [`DriveError::NoNeighbour`] for an action that is not north, south, east or west.
+    pub fn go(&mut self, from: Cell, action: Action, certainty: f32) -> Result<(), DriveError> {
+        let (east, north) = direction(action).ok_or(DriveError::NoNeighbour(action))?;
+        let heading = match (east, north) {
+            (0, 1) => FRAC_PI_2,
+            (0, _) => -FRAC_PI_2,
+            (1, _) => 0.0,
+            _ => PI,
+        };
+        // A certainty that is not a number counts as none.
+        let sure = if certainty > 0.0 { certainty.min(1.0) } else { 0.0 };
+        let pace = self.limits.slowest + (1.0 - self.limits.slowest) * sure;
+        let to = Cell::new(from.x.saturating_add(east), from.y.saturating_add(north));
+        self.leg = Some(Leg { to, along: (east as f32, north as f32), heading, pace, taken: 0.0, phase: Phase::Begun });
+        Ok(())
+    }
+
+    /// Gives the action up; the robot comes to a stand.
+    pub fn halt(&mut self) {
+        self.leg = None;
+    }
+
+    /// The trainer, or whoever watches the robot, is still there.
+    pub fn heard(&mut self) {
+        self.unheard = 0.0;
+    }
+
+    /// What to set the wheels to for the next `seconds`, where the robot is at `pose`. A pose that is not finite stops the robot.
+    pub fn step(&mut self, grid: &Grid, pose: Pose, seconds: f32) -> Step {
+        self.unheard += seconds;
+        let Some(mut leg) = self.leg else { return self.stand(Motion::Resting, seconds) };
+        let blind = ![pose.x, pose.y, pose.heading].into_iter().all(f32::is_finite);
+        if blind || self.unheard > self.limits.silence {
+            return self.stand(Motion::Waiting, seconds);
+        }
+        leg.taken += seconds;
+        if leg.taken > self.limits.patience {
+            self.leg = None;
+            return self.stand(Motion::Stuck, seconds);
+        }
+        let to = grid.centre(leg.to);
+        let (x, y) = (to.x - pose.x, to.y - pose.y);
+        let remaining = x * leg.along.0 + y * leg.along.1;
+        // To the left of the line is positive.
+        let aside = x * leg.along.1 - y * leg.along.0;
+        let near = NEAR * grid.size();
+        leg.phase = match leg.phase {
+            Phase::Begun if F32Ext::abs(aside) > OFF * grid.size() => Phase::Centring,
+            Phase::Centring if F32Ext::abs(aside) > near => Phase::Centring,
+            Phase::Begun | Phase::Centring => Phase::Turning,
+            phase => phase,
+        };
+        if leg.phase == Phase::Centring {
+            self.leg = Some(leg);
+            return self.centre(pose, &leg, aside, seconds);
+        }
+        if remaining <= near {
+            let step = self.stand(Motion::Arrived, seconds);
+            let stands = step.wheels == Wheels::default();
+            self.leg = if stands { None } else { Some(leg) };
+            return if stands { step } else { Step { motion: Motion::Driving, ..step } };
+        }
+        let line = wrapped(leg.heading - pose.heading);
+        let most = if leg.phase == Phase::Turning { FACING } else { ASTRAY };
+        leg.phase = if F32Ext::abs(line) > most { Phase::Turning } else { Phase::Driving };
+        self.leg = Some(leg);
+        if leg.phase == Phase::Turning {
+            return self.set(Motion::Turning, 0.0, line, leg.pace, seconds);
+        }
+        let towards = line - (LINE_GAIN * aside).clamp(-ASTRAY / 2.0, ASTRAY / 2.0);
+        self.set(Motion::Driving, self.speed(&leg, remaining), towards, leg.pace, seconds)
+    }
+
+    /// Goes across the line that the robot is `aside` of, to the left, forwards or backwards, whichever needs less turning.
+    fn centre(&mut self, pose: Pose, leg: &Leg, aside: f32, seconds: f32) -> Step {
+        let right = wrapped(leg.heading - FRAC_PI_2 - pose.heading);
+        let backwards = F32Ext::abs(right) > FRAC_PI_2;
+        let off = if backwards { wrapped(right + PI) } else { right };
+        if F32Ext::abs(off) > FACING {
+            return self.set(Motion::Centring, 0.0, off, leg.pace, seconds);
+        }
+        let speed = self.speed(leg, F32Ext::abs(aside));
+        let ahead = if backwards == (aside < 0.0) { speed } else { -speed };
+        self.set(Motion::Centring, ahead, off, leg.pace, seconds)
+    }
+
+    /// The speed from which the robot can still brake.
+    fn speed(&self, leg: &Leg, remaining: f32) -> f32 {
+        (leg.pace * self.limits.speed).min(BRAKES * F32Ext::sqrt(2.0 * self.limits.acceleration * remaining))
+    }
+
+    /// Brakes.
+    fn stand(&mut self, motion: Motion, seconds: f32) -> Step {
+        self.set(motion, 0.0, 0.0, 1.0, seconds)
+    }
+
+    /// Brings the wheels nearer to this speed ahead, while the robot turns by what it is off its heading.
+    fn set(&mut self, motion: Motion, speed: f32, off: f32, pace: f32, seconds: f32) -> Step {
+        let fastest = pace * self.limits.turn;
+        let rim = (TURN_GAIN * off).clamp(-fastest, fastest) * self.limits.track / 2.0;
+        let most = self.limits.acceleration * seconds.max(0.0);
+        let nearer = |now: f32, wanted: f32| now + (wanted - now).clamp(-most, most);
+        self.wheels = Wheels { left: nearer(self.wheels.left, speed - rim), right: nearer(self.wheels.right, speed + rim) };
+        Step { wheels: self.wheels, motion }
+    }
+}

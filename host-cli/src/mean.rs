@@ -1,0 +1,20 @@
+//! Means with intervals.
+
+/// A mean over all runs.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Mean {
+    /// The mean.
+    pub mean: f64,
+    /// Half of its 95 % interval.
+    pub half: f64,
+}
+
+impl Mean {
+    /// Of these values.
+    pub fn of(values: impl Iterator<Item = f64> + Clone) -> Self {
+        let count = values.clone().count().max(1) as f64;
+        let mean = values.clone().sum::<f64>() / count;
+        let variance = values.map(|value| (value - mean) * (value - mean)).sum::<f64>() / (count - 1.0).max(1.0);
+        Self { mean, half: 1.959_964 * (variance / count).sqrt() }
+    }
+}

@@ -1,0 +1,76 @@
+// What the robot has learned, in words: which word means what, by its dictionary.
+import { parsed, world } from './core.js';
+import { state } from './state.js';
+import { tokenWords } from './words.js';
+
+// A word is said to mean an idea where it is expected for it this often, and this many times as often as for the next idea.
+const OFTEN = 0.3;
+const AHEAD = 2;
+
+/** The words whose meaning stands out, each with its idea.
+ * @param {import('./state.js').Heat | null} heat
+ * @returns {Map<string, string>} */
+export function meanings(heat) {
+  const found = new Map();
+  if (!heat) return found;
+  heat.words.forEach((word, column) => {
+    const ranked = heat.tokens.map((token, row) => ({ token, value: heat.cells[row * heat.words.length + column] })).sort((a, b) => b.value - a.value);
+    const [best, next] = ranked;
+    if (best && best.value >= OFTEN && best.value >= AHEAD * (next?.value || 0)) found.set(word, best.token);
+  });
+  return found;
+}
+
+/** An idea as a person says it.
+ * @param {string} token */
+export function ideaWords(token) {
+  const [, kind, value] = token.match(/^(color|shape)(.+)$/) || [];
+  if (kind === 'color') return 'the colour ' + value.toLowerCase();
+  if (kind === 'shape') return 'a ' + value.toLowerCase();
+  return { agentInRoom: 'going to a room', blockInRoom: 'taking a thing to a room' }[token] || tokenWords(token);
+}
+
+/** What the last session taught: a sentence, and the words that became clear.
+ * @param {string[]} heardNew the words of the command that were new */
+export function lessonLearned(heardNew) {
+  const [before, now] = [meanings(state.heat.before), meanings(state.heat.now)];
+  const clear = [...now].filter(([word, token]) => before.get(word) !== token);
+  if (clear.length) return 'Now I know: ' + clear.map(([word, token]) => '“' + word + '” means ' + ideaWords(token)).join('; ') + '.';
+  if (heardNew.length) return 'New words: ' + heardNew.join(', ') + '. What each of them means, more lessons will tell.';
+  return now.size ? 'I am surer now of what I knew: ' + [...now.keys()].join(', ') + '.' : 'I have heard these words once more. What each of them means, more lessons will tell.';
+}
+
+/** The words of the command under way that the robot has not learned from. */
+export const unknownWords = () => (state.support && state.sessions > 0 ? [...new Set(state.support.words.filter((_, at) => !state.support?.known[at]))] : []);
+
+// Scripts that are written without spaces between the words.
+const UNSPACED = /[\p{Script=Han}\p{Script=Hiragana}\p{Script=Katakana}\p{Script=Thai}\p{Script=Lao}\p{Script=Khmer}\p{Script=Myanmar}]/u;
+
+/** A command with spaces between its words, in any script.
+ * @param {string} command */
+export function spaced(command) {
+  if (!UNSPACED.test(command) || !('Segmenter' in Intl)) return command;
+  return [...new Intl.Segmenter(undefined, { granularity: 'word' }).segment(command)].map(part => part.segment.trim()).filter(Boolean).join(' ');
+}
+
+/** Commands that can be carried out here and are not yet: the robot's own words for some of its tasks.
+ * @returns {string[]} */
+export function ideas() {
+  const found = { agent: /** @type {string[]} */ ([]), block: /** @type {string[]} */ ([]) };
+  try {
+    world.hear('?a');
+    const { tasks } = parsed(world.belief());
+    const started = performance.now();
+    tasks.forEach((task, at) => {
+      const kind = task.name.startsWith('agent') ? 'agent' : 'block';
+      if (task.words.includes('(') || found[kind].length === (kind === 'agent' ? 2 : 1)) return;
+      world.lookAhead(at);
+      let route = '';
+      while (!route && performance.now() - started < 150) route = world.look(2000);
+      const cells = route && parsed(route)?.cells;
+      if (cells && cells.length > 1) found[kind].push(task.words);
+    });
+  } catch { /* Where a home has no tasks there is nothing to suggest. */ }
+  world.forget();
+  return [...found.agent.slice(0, 1), ...found.block, ...found.agent.slice(1)];
+}

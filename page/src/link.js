@@ -1,0 +1,106 @@
+// What an address carries behind its #: a home with settings, or a robot with all that it knows.
+import { fromAddress, fromBase64, toAddress } from './bytes.js';
+import { world } from './core.js';
+import { RULES, SPEEDS } from './session.js';
+import { state, tell } from './state.js';
+
+// The settings that a link carries; the look and the keys are everybody's own.
+const SHARED = ['speed', 'rule', 'style', 'pull', 'ghost', 'names'];
+
+/** The address of this page with the home and the settings. */
+export function homeLink() {
+  const share = { home: JSON.parse(world.environment()), settings: Object.fromEntries(SHARED.map(name => [name, state.settings[name]])) };
+  return location.href.split('#')[0] + '#home=' + toAddress(new TextEncoder().encode(JSON.stringify(share)));
+}
+
+// A robot in an address: a version, a checksum, and then, packed, the length of a JSON text, that text and the model.
+const ROBOT_VERSION = 1;
+
+/** The checksum CRC-32 of bytes.
+ * @param {Uint8Array} bytes */
+function checksum(bytes) {
+  let sum = ~0;
+  for (const byte of bytes) {
+    sum ^= byte;
+    for (let bit = 0; bit < 8; bit += 1) sum = (sum >>> 1) ^ (sum & 1 ? 0xedb88320 : 0);
+  }
+  return ~sum >>> 0;
+}
+
+/** @param {Uint8Array} bytes
+ * @param {GenericTransformStream} transform */
+async function through(bytes, transform) {
+  return new Uint8Array(await new Response(new Blob([/** @type {BlobPart} */ (bytes)]).stream().pipeThrough(transform)).arrayBuffer());
+}
+
+/** The address of this page with this tab's robot: what it knows, its name, its home and settings. */
+export async function robotLink() {
+  const about = new TextEncoder().encode(JSON.stringify({ name: state.robot.name, home: JSON.parse(world.environment()), pull: state.settings.pull }));
+  const model = fromBase64(state.robot.model);
+  const whole = new Uint8Array(2 + about.length + model.length);
+  whole.set([about.length >> 8, about.length & 255]);
+  whole.set(about, 2);
+  whole.set(model, 2 + about.length);
+  const packed = await through(whole, new CompressionStream('deflate-raw'));
+  const bytes = new Uint8Array(5 + packed.length);
+  new DataView(bytes.buffer).setUint32(1, checksum(packed));
+  bytes[0] = ROBOT_VERSION;
+  bytes.set(packed, 5);
+  return location.href.split('#')[0] + '#robot=' + toAddress(bytes);
+}
+
+/** The robot that the address carries, taken off it; `null` where there is none, and where it is damaged, which is told.
+ * @returns {Promise<{ name: string, home: object, pull: boolean, model: Uint8Array } | null>} */
+export async function readRobot() {
+  const [, text] = location.hash.match(/^#robot=(.*)$/) || [];
+  if (text === undefined) return null;
+  history.replaceState(null, '', location.href.split('#')[0]);
+  try {
+    const bytes = fromAddress(text);
+    if (bytes[0] > ROBOT_VERSION) {
+      tell('This robot comes from a newer page than this one. Open it with the newest page.', true);
+      return null;
+    }
+    const packed = bytes.slice(5);
+    if (bytes[0] !== ROBOT_VERSION || new DataView(bytes.buffer).getUint32(1) !== checksum(packed)) throw new Error('checksum');
+    const whole = await through(packed, new DecompressionStream('deflate-raw'));
+    const length = whole[0] << 8 | whole[1];
+    const { name, home, pull } = JSON.parse(new TextDecoder().decode(whole.slice(2, 2 + length)));
+    return { name: String(name).slice(0, 40) || 'A robot', home, pull: pull === true, model: whole.slice(2 + length) };
+  } catch {
+    tell('The link to this robot is damaged: it may have been cut off. Ask for it once more.', true);
+    return null;
+  }
+}
+
+/** Whether a setting may have this value.
+ * @param {string} name */
+export function isSetting(name, value) {
+  if (name === 'speed') return Object.hasOwn(SPEEDS, value);
+  if (name === 'rule') return Object.hasOwn(RULES, value);
+  if (name === 'theme') return ['auto', 'light', 'dark'].includes(value);
+  return typeof value === 'boolean';
+}
+
+/** Takes what the address carries, and takes it off the address, so that a reload does not undo what was changed since. Returns whether
+ * there was something. Other marks behind the #, such as the one of the skip link, are none of ours. */
+export function readLink() {
+  // Links of earlier versions have no name before the text, which begins with {".
+  const [, text] = location.hash.match(/^#(?:home=|(?=eyJ))(.*)$/) || [];
+  if (text === undefined) return false;
+  history.replaceState(null, '', location.href.split('#')[0]);
+  try {
+    const share = JSON.parse(new TextDecoder().decode(fromAddress(text)));
+    world.setEnvironment(JSON.stringify(share.home));
+    for (const name of SHARED) {
+      const value = (share.settings || {})[name];
+      if (isSetting(name, value)) state.settings[name] = value;
+    }
+    world.setPulls(state.settings.pull);
+    if (state.settings.style !== world.learnsStyle()) world.setLearnsStyle(state.settings.style);
+    return true;
+  } catch {
+    tell('The link is damaged: it may have been cut off. Ask for it once more.', true);
+    return false;
+  }
+}

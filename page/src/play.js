@@ -1,0 +1,84 @@
+// Free play: any command in any home, and how one gets from one tab to another.
+import { enterBuild } from './build.js';
+import { Goodbot, course, parsed, world } from './core.js';
+import { ideas, spaced } from './learned.js';
+import { render } from './render.js';
+import { leaveSession, refresh, startSession } from './session.js';
+import * as shelf from './shelf.js';
+import { $, announce, attempt, make, state } from './state.js';
+import { enterHome, enterStop, homeNamed } from './tour.js';
+
+// Commands that make sense here, for those who do not know what to say.
+export function renderIdeas() {
+  $('ideas').hidden = Boolean(state.session);
+  if (state.session || state.phase !== 'none' || state.mode !== 'play') return;
+  const key = JSON.stringify([state.scene, world.pulls()]);
+  if ($('ideas').dataset.key === key) return;
+  $('ideas').dataset.key = key;
+  $('ideas').replaceChildren(...ideas().map(idea => make('button', { type: 'button', class: 'idea', onclick: () => { $('command').value = idea; tellRobot(idea); } }, idea)));
+}
+
+export async function setMode(mode) {
+  if (mode === state.mode || state.tour.watching || !await leaveSession()) return;
+  state.mode = mode;
+  if (mode === 'build') enterBuild();
+  else if (mode === 'tour') enterStop(state.tour.at);
+  else {
+    enterHome(world.environment());
+    nameHome();
+    render();
+  }
+}
+
+// Tells the robot. Where it takes the command for one that is done already, it says so, and does nothing unless that is not what was meant.
+function tellRobot(command) {
+  const words = spaced(command);
+  const done = state.sessions > 0 && state.phase === 'none' ? attempt(() => world.already(words)) : '';
+  state.already = done ? words : '';
+  if (!done) {
+    startSession(words);
+    return;
+  }
+  state.said = ['I am there already: ' + done + '.', ''];
+  announce(state.said[0]);
+  render();
+  $('else').focus();
+}
+
+// Which of the homes on the list this is.
+export function nameHome() {
+  const home = world.environment();
+  const known = course.homes.find(([, other]) => JSON.stringify(other) === home);
+  $('home').value = known ? known[0] : home === JSON.stringify(shelf.read('drawing', {}).home) ? 'own' : 'random';
+}
+
+export function setUpPlay() {
+  for (const [name] of course.homes) $('home').append(make('option', { value: name }, name === 'Test' ? 'The tests’ home' : 'Home ' + name + ' of the course'));
+  $('home').append(make('option', { value: 'random' }, 'Another, at random'), make('option', { value: 'own' }, 'Your own'));
+  const choose = async () => {
+    const { value } = $('home');
+    if (!await leaveSession()) return;
+    if (value === 'own') {
+      const own = shelf.read('drawing', {}).home;
+      if (own) enterHome(JSON.stringify(own));
+      else setMode('build');
+    } else if (value === 'random') {
+      const { homes } = parsed(Goodbot.course(1 + Math.floor(Math.random() * 4e9)));
+      enterHome(JSON.stringify(homes[Math.floor(Math.random() * homes.length)][1]));
+    } else enterHome(homeNamed(value));
+    render();
+  };
+  $('home').addEventListener('change', choose);
+  $('choose').addEventListener('click', choose);
+  $('tell').addEventListener('submit', event => {
+    event.preventDefault();
+    if (!state.session) tellRobot($('command').value);
+  });
+  $('else').addEventListener('click', () => startSession(state.already));
+  $('reset').addEventListener('click', async () => {
+    if (!await leaveSession()) return;
+    world.reset();
+    refresh();
+    render();
+  });
+}

@@ -1,0 +1,77 @@
+// The one place from which everything is drawn.
+import { renderBuild } from './build.js';
+import { unknownWords } from './learned.js';
+import { renderPlan } from './plan.js';
+import { renderIdeas } from './play.js';
+import { renderRoster } from './roster.js';
+import { renderSettings } from './settings.js';
+import { $, all, make, state } from './state.js';
+import { renderThoughts } from './thoughts.js';
+import { renderTour } from './tour.js';
+import { acted, isThere, speech } from './words.js';
+
+export function render() {
+  const session = state.session;
+  const focused = /** @type {any} */ (document.activeElement);
+  const busy = state.phase === 'learning';
+  document.body.dataset.mode = state.mode;
+  document.body.dataset.phase = state.phase;
+  document.body.toggleAttribute('data-session', Boolean(session));
+  for (const button of all('button[data-mode]')) button.setAttribute('aria-pressed', button.dataset.mode === state.mode);
+  renderPlan();
+  renderTour();
+  renderBuild();
+  renderThoughts();
+  renderRoster();
+  renderSettings();
+  const [head, rest] = speech();
+  $('say').replaceChildren(make('strong', {}, head), ' ', make('span', {}, rest));
+  $('else').hidden = !state.already || Boolean(session);
+  $('tell').hidden = state.mode === 'build' || state.mode === 'tour';
+  $('train').hidden = state.mode === 'build';
+  $('plan').parentElement.hidden = state.mode === 'build';
+  $('command').hidden = Boolean(session);
+  $('heard').hidden = !session;
+  if (session) $('heard').replaceChildren(...heardWords(session.command));
+  $('say-it').disabled = Boolean(session) || busy;
+  const active = session && session.decided && state.phase !== 'planning' && !busy && !session.looking;
+  for (const id of ['good', 'bad']) {
+    $(id).setAttribute('aria-disabled', !active);
+    const given = Boolean(session && session.feedback === (id === 'good' ? 'reward' : 'punish'));
+    $(id).setAttribute('aria-pressed', given);
+    $(id).querySelector('small').textContent = given && session?.decided ? acted(session.decided.action).split(' where')[0] : '';
+  }
+  const to = !session || !session.decided ? 'Your word goes to the robot’s last step.' : session.looking ? 'A test: no feedback.'
+    : 'It ' + acted(session.decided.action) + '. ' + ({ reward: 'You said Good.', punish: 'You said Bad.' }[session.feedback] || 'Good or Bad?');
+  $('to').replaceChildren(to);
+  $('pause').textContent = session && session.paused ? 'Go on' : 'Pause';
+  $('pause').disabled = $('next').disabled = !session || busy;
+  for (const id of ['pause', 'next']) $(id).hidden = !session;
+  for (const id of ['finish', 'drop']) $(id).hidden = !session || session.looking || state.tour.watching;
+  $('finish').textContent = isThere() ? 'Yes, that was it!' : 'Finish and learn';
+  $('finish').classList.toggle('big', isThere());
+  $('finish').disabled = $('drop').disabled = !session || busy || Boolean(session && session.looking);
+  for (const [id, points, verb] of /** @type {const} */ ([['undo', state.robot.past, 'Undo: '], ['redo', state.robot.future, 'Do again: ']])) {
+    const point = points.at(-1);
+    $(id).hidden = !point || Boolean(session) || busy;
+    $(id).textContent = point ? verb + (point.what.length > 44 ? point.what.slice(0, 43) + '…' : point.what) : '';
+    $(id).title = points.length > 1 ? points.length + ' steps in all' : '';
+  }
+  for (const element of all('.place')) element.hidden = Boolean(session);
+  $('choose').hidden = $('home').value !== 'random' || Boolean(session);
+  renderIdeas();
+  const wait = $('wait');
+  wait.style.animation = 'none';
+  if (session && state.phase === 'waiting' && session.delay > 300 && session.delay < Infinity && !session.paused) {
+    void wait.offsetWidth;
+    wait.style.animation = 'fill ' + session.delay + 'ms linear ' + (session.since - performance.now()) + 'ms both';
+  }
+  // Who works by keyboard is not left on a button that has gone.
+  if (focused && focused !== document.body && (focused.disabled || focused.closest('[hidden]'))) (session ? $('good') : $('lesson').offsetParent ? $('lesson') : $('command').offsetParent ? $('command') : $('main')).focus({ preventScroll: true });
+}
+
+// The command, with the words underlined that the robot does not know.
+export function heardWords(command) {
+  const unknown = new Set(unknownWords());
+  return command.split(/([^\p{L}\p{M}\p{N}'’]+)/u).map(part => (unknown.has(part.toLowerCase()) ? make('u', { title: 'not known yet' }, part) : part));
+}

@@ -1,0 +1,42 @@
+// A link to copy, and the same as a QR code.
+import { generate } from 'lean-qr';
+import { $, draw, tell } from './state.js';
+
+// What fits a QR code that a phone still reads from a screen.
+const MOST_LETTERS = 2200;
+
+/** Shows a link, and copies it where that is asked.
+ * @param {string} link
+ * @param {string} title
+ * @param {string} about */
+export function share(link, title, about) {
+  $('shared-title').textContent = title;
+  $('shared-about').textContent = about + (location.protocol === 'file:' ? ' It leads to the file on this machine: for others, put the page on a web server first.' : '');
+  $('link').value = link;
+  drawCode(link);
+  $('shared').showModal();
+}
+
+function drawCode(link) {
+  $('code').toggleAttribute('hidden', link.length > MOST_LETTERS);
+  if (link.length > MOST_LETTERS) return;
+  const code = generate(link);
+  let path = '';
+  for (let y = 0; y < code.size; y += 1) for (let x = 0; x < code.size; x += 1) if (code.get(x, y)) path += 'M' + x + ' ' + y + 'h1v1h-1z';
+  $('code').setAttribute('viewBox', '-4 -4 ' + (code.size + 8) + ' ' + (code.size + 8));
+  $('code').replaceChildren(draw('rect', { x: -4, y: -4, width: code.size + 8, height: code.size + 8, fill: '#fff' }), draw('path', { d: path, fill: '#000', 'shape-rendering': 'crispEdges' }));
+}
+
+export function setUpShare() {
+  $('copy-link').addEventListener('click', async () => {
+    try {
+      await navigator.clipboard.writeText($('link').value);
+      $('shared').close();
+      tell('The link is copied.');
+    } catch {
+      $('link').focus();
+      $('link').select();
+    }
+  });
+  $('close-link').addEventListener('click', () => $('shared').close());
+}

@@ -1,0 +1,107 @@
+// The browser's storage. What it refuses is held in this tab, so that it can be used and saved as a file all the same.
+const PREFIX = 'goodbot.';
+
+/** @type {Map<string, string | null>} */
+const held = new Map();
+
+/** Keeps a text; none where it is null. Returns whether the browser took it.
+ * @param {string} key
+ * @param {string | null} value */
+export function put(key, value) {
+  try {
+    if (value === null) localStorage.removeItem(PREFIX + key);
+    else localStorage.setItem(PREFIX + key, value);
+    held.delete(key);
+    return true;
+  } catch {
+    held.set(key, value);
+    return false;
+  }
+}
+
+/** @param {string} key
+ * @returns {string | null} */
+export function get(key) {
+  if (held.has(key)) return held.get(key) ?? null;
+  try {
+    return localStorage.getItem(PREFIX + key);
+  } catch {
+    return null;
+  }
+}
+
+/** The keys with this beginning, without it.
+ * @param {string} beginning */
+export function keysOf(beginning) {
+  const keys = [...held.keys()].filter(key => held.get(key) !== null);
+  try {
+    for (let at = 0; at < localStorage.length; at += 1) {
+      const key = localStorage.key(at) || '';
+      if (key.startsWith(PREFIX)) keys.push(key.slice(PREFIX.length));
+    }
+  } catch { /* Then there are only those that are held. */ }
+  return [...new Set(keys)].filter(key => key.startsWith(beginning) && get(key) !== null).map(key => key.slice(beginning.length));
+}
+
+/** What the browser refused to keep: the keys. */
+export const refused = () => [...held.keys()].filter(key => held.get(key) !== null);
+
+/** A JSON text, or `otherwise` where there is none that can be read.
+ * @param {string} key
+ * @param {any} otherwise */
+export function read(key, otherwise) {
+  try {
+    return JSON.parse(get(key) || '') ?? otherwise;
+  } catch {
+    return otherwise;
+  }
+}
+
+/** What belongs to this tab alone, and survives its reload. */
+export const ofTab = {
+  /** @param {string} key */
+  get(key) {
+    try {
+      return sessionStorage.getItem(PREFIX + key);
+    } catch {
+      return null;
+    }
+  },
+  /** @param {string} key
+   * @param {string | null} value */
+  put(key, value) {
+    try {
+      if (value === null) sessionStorage.removeItem(PREFIX + key);
+      else sessionStorage.setItem(PREFIX + key, value);
+    } catch { /* A reload then begins anew. */ }
+  },
+};
+
+/** Calls `changed` with the key when another tab has kept something.
+ * @param {(key: string) => void} changed */
+export function watch(changed) {
+  window.addEventListener('storage', event => {
+    if (event.key === null) changed('');
+    else if (event.key.startsWith(PREFIX)) changed(event.key.slice(PREFIX.length));
+  });
+}
+
+/** Does `work` while no other tab does work of this name.
+ * @template T
+ * @param {string} name
+ * @param {() => Promise<T>} work
+ * @returns {Promise<T>} */
+export async function alone(name, work) {
+  let begun = false;
+  const begin = () => {
+    begun = true;
+    return work();
+  };
+  try {
+    if (navigator.locks) return await navigator.locks.request(PREFIX + name, begin);
+  } catch (error) {
+    // A browser that blocks storage may block locks too.
+    if (begun) throw error;
+  }
+  return work();
+}

@@ -1,0 +1,230 @@
+// What lasts: robots with what they know, their logs, and what can be undone. Several tabs may use them at once: what one has learned,
+// the others take over, and a session that ends in one is learned on top of what another learned meanwhile.
+import { fromBase64, toBase64 } from './bytes.js';
+import { world } from './core.js';
+import { LEARN_BUDGET } from './session.js';
+import * as shelf from './shelf.js';
+import { inParts, state, tell } from './state.js';
+
+const VERSION = 2;
+const MOST_STEPS_BACK = 30;
+const DAYS_KEPT = 30;
+
+/**
+ * A point to which one can go back, or forward again.
+ * @typedef {object} Point
+ * @property {string} what what was done since
+ * @property {string} model
+ * @property {number} sessions
+ * @property {{ at: number, done: string[] }} tour
+ * @property {number} length how long the log is there
+ * @property {string} [rest] the log's lines that come again on the way forward
+ */
+
+/**
+ * A robot as it is kept. Its log stands beside it.
+ * @typedef {object} Robot
+ * @property {number} version
+ * @property {string} id
+ * @property {string} name
+ * @property {number} changed
+ * @property {number} deleted when it was deleted, or 0
+ * @property {string} model
+ * @property {number} sessions
+ * @property {{ at: number, done: string[] }} tour
+ * @property {Point[]} past
+ * @property {Point[]} future
+ * @property {string} [log] the log of a robot that is not kept
+ */
+
+const newId = () => Date.now().toString(36) + Math.floor(Math.random() * 1e9).toString(36);
+
+/** All robots, the oldest first; the deleted ones too.
+ * @returns {Robot[]} */
+export const robots = () => shelf.keysOf('robot.').map(id => shelf.read('robot.' + id, null)).filter(isRobot).sort((a, b) => (a.id < b.id ? -1 : 1));
+
+const isRobot = robot => Boolean(robot) && robot.version === VERSION && typeof robot.model === 'string' && Array.isArray(robot.past) && Array.isArray(robot.tour?.done);
+
+/** A robot that knows what the world's robot knows now.
+ * @param {string} name
+ * @returns {Robot} */
+export const newRecord = name => ({
+  version: VERSION, id: newId(), name, changed: Date.now(), deleted: 0, model: toBase64(world.save()), sessions: world.sessions(), tour: { at: 0, done: [] }, past: [], future: [],
+});
+
+/** @param {Robot} robot */
+function write(robot) {
+  robot.changed = Date.now();
+  if (robot.log === undefined) shelf.put('robot.' + robot.id, JSON.stringify(robot));
+}
+
+/** The sessions that the robot was taught by, as lines.
+ * @param {Robot} robot */
+export const logOf = robot => robot.log ?? (shelf.get('log.' + robot.id) || '');
+
+function writeLog(robot, log) {
+  if (robot.log !== undefined) robot.log = log;
+  else shelf.put('log.' + robot.id, log || null);
+}
+
+const tourNow = () => ({ at: state.tour.at, done: [...state.tour.done] });
+
+/** @returns {Point} */
+const pointNow = what => ({ what, model: state.robot.model, sessions: state.robot.sessions, tour: tourNow(), length: logOf(state.robot).length });
+
+/** Takes over a model, a part at a time; throws where it is none.
+ * @param {Uint8Array} bytes */
+export async function takeModel(bytes) {
+  world.restore(bytes);
+  await inParts(() => world.learn(LEARN_BUDGET));
+  state.sessions = world.sessions();
+  state.settings.style = world.learnsStyle();
+}
+
+// What another tab has taught this robot since it was last read. Returns whether there was something.
+async function catchUp() {
+  const stored = state.robot.log === undefined && shelf.read('robot.' + state.robot.id, null);
+  if (!isRobot(stored) || stored.model === state.robot.model) return false;
+  await takeModel(fromBase64(stored.model));
+  Object.assign(state.robot, stored, { name: state.robot.name });
+  return true;
+}
+
+/** Takes over what another tab has taught this robot. Returns whether there was something. */
+export const othersTaught = () => shelf.alone(state.robot.id, catchUp);
+
+/** Does what changes what the robot knows, on top of what other tabs have taught it: `work(stale)` says by `stale` whether they have, and
+ * returns the lines to add to the log. `what` names it for who wants to undo it.
+ * @param {string} what
+ * @param {(stale: boolean) => Promise<string>} work */
+export async function change(what, work) {
+  const { robot } = state;
+  await shelf.alone(robot.id, async () => {
+    const stale = await catchUp();
+    const point = pointNow(what);
+    const lines = await work(stale);
+    robot.past = [...robot.past, point].slice(-MOST_STEPS_BACK);
+    robot.future = [];
+    robot.model = toBase64(world.save());
+    robot.sessions = state.sessions = world.sessions();
+    robot.tour = tourNow();
+    robot.deleted = 0;
+    writeLog(robot, logOf(robot) + lines);
+    write(robot);
+  });
+}
+
+/** Goes back to before what was done last, or forward again. Returns what that was, or undefined where there is nothing.
+ * @param {'past' | 'future'} from
+ * @returns {Promise<string | undefined>} */
+export async function travel(from) {
+  const { robot } = state;
+  let what;
+  await shelf.alone(robot.id, async () => {
+    await catchUp();
+    const point = robot[from].at(-1);
+    if (!point) return;
+    const here = pointNow(point.what);
+    const log = logOf(robot);
+    await takeModel(fromBase64(point.model));
+    robot[from] = robot[from].slice(0, -1);
+    if (from === 'past') {
+      here.rest = log.slice(point.length);
+      robot.future = [...robot.future, here];
+      writeLog(robot, log.slice(0, point.length));
+    } else {
+      robot.past = [...robot.past, here];
+      writeLog(robot, log + point.rest);
+    }
+    robot.model = point.model;
+    robot.sessions = state.sessions;
+    robot.tour = point.tour;
+    Object.assign(state.tour, { at: point.tour.at, done: [...point.tour.done] });
+    write(robot);
+    what = point.what;
+  });
+  return what;
+}
+
+/** Changes what is not learned, such as the name or where the tour stands, and leaves what other tabs have taught.
+ * @param {Robot} robot
+ * @param {Partial<Robot>} fields */
+export function patch(robot, fields) {
+  Object.assign(robot, fields);
+  const stored = robot.log === undefined && shelf.read('robot.' + robot.id, null);
+  write(isRobot(stored) ? Object.assign(stored, fields) : robot);
+}
+
+export const keepTour = () => patch(state.robot, { tour: tourNow() });
+
+/** Makes this the robot of this tab: its model goes into the world.
+ * @param {Robot} robot */
+export async function open(robot) {
+  await takeModel(fromBase64(robot.model));
+  state.robot = robot;
+  state.tour = { at: robot.tour.at, done: [...robot.tour.done], watching: false };
+  if (robot.log !== undefined) return;
+  shelf.ofTab.put('robot', robot.id);
+  shelf.put('last', robot.id);
+}
+
+/** Keeps a robot that is new.
+ * @param {Robot} robot
+ * @param {string} log */
+export function add(robot, log = '') {
+  delete robot.log;
+  write(robot);
+  writeLog(robot, log);
+}
+
+/** A copy of a robot, of another name.
+ * @param {Robot} robot
+ * @param {string} name */
+export function copy(robot, name) {
+  const twin = { ...structuredClone(robot), id: newId(), name };
+  const log = logOf(robot);
+  add(twin, log);
+  return twin;
+}
+
+/** The first name that no robot has.
+ * @param {string} name */
+export function freeName(name) {
+  const taken = new Set(robots().filter(robot => !robot.deleted).map(robot => robot.name));
+  let free = name;
+  for (let number = 2; taken.has(free); number += 1) free = name.replace(/ \d+$/, '') + ' ' + number;
+  return free;
+}
+
+// What versions before this one kept: one robot, without a name.
+function keptByOlderVersions() {
+  const model = shelf.get('model');
+  if (!model) return null;
+  const tour = shelf.read('tour', {});
+  const robot = { ...newRecord('Robot 1'), model, sessions: 1, tour: { at: tour.at | 0, done: Array.isArray(tour.done) ? tour.done : [] } };
+  add(robot, shelf.get('log') || '');
+  for (const key of ['model', 'log', 'tour', 'undo']) shelf.put(key, null);
+  return robot;
+}
+
+/** Opens the robot that this tab or else this browser used last, or a new one. */
+export async function openLast() {
+  const old = keptByOlderVersions();
+  for (const robot of robots()) {
+    if (robot.deleted && Date.now() - robot.deleted > DAYS_KEPT * 864e5) for (const key of ['robot.', 'log.']) shelf.put(key + robot.id, null);
+  }
+  const all = robots().filter(robot => !robot.deleted);
+  const wanted = [shelf.ofTab.get('robot'), old?.id, shelf.get('last')];
+  const choice = wanted.map(id => all.find(robot => robot.id === id)).find(Boolean) || all.at(-1);
+  if (choice) {
+    try {
+      await open(choice);
+      return;
+    } catch (error) {
+      tell('“' + choice.name + '” was kept by another version of this page and cannot be used here. It stays kept.', true);
+    }
+  }
+  const fresh = newRecord(freeName('Robot 1'));
+  add(fresh);
+  await open(fresh);
+}

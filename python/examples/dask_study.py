@@ -1,0 +1,67 @@
+"""A study on many machines: `goodbot study` in parts, which Dask spreads over a cluster.
+
+    python dask_study.py --out study.jsonl --shards 64 -- --runs 1000 --trainers balanced,punish-only
+    python dask_study.py --out study.jsonl --shards 64 --scheduler tcp://host:8786 -- --runs 1000
+
+What stands behind `--` goes to `goodbot study`. Without `--scheduler`, a cluster of this machine's cores is made; Dask says where its
+dashboard is. A part is done again elsewhere where its worker is lost. Parts are deterministic: what is merged is, byte for byte, what one
+machine alone would have written.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import tempfile
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from distributed import Client, as_completed
+
+
+def run_shard(program: str, arguments: Sequence[str], shard: int, of: int) -> bytes:
+    """One part of the study, counted from 1: the lines that `goodbot study --shard` writes. It runs on a worker."""
+    command = [program, "study", *arguments, "--shard", f"{shard}/{of}", "--json"]
+    ran = subprocess.run(command, capture_output=True)
+    if ran.returncode != 0:
+        raise RuntimeError(f"part {shard} of {of}: {ran.stderr.decode(errors='replace').strip()}")
+    return ran.stdout
+
+
+def shards(client: Client, program: str, arguments: Sequence[str], count: int) -> Iterator[tuple[int, bytes]]:
+    """All parts with their numbers, as they come."""
+    futures = {client.submit(run_shard, program, list(arguments), shard, count, pure=False): shard for shard in range(1, count + 1)}
+    for future in as_completed(futures):
+        yield futures[future], future.result()
+
+
+def merged(program: str, parts: dict[int, bytes]) -> bytes:
+    """The parts as one study."""
+    with tempfile.TemporaryDirectory() as folder:
+        files = [Path(folder, f"{shard}.jsonl") for shard in sorted(parts)]
+        for file, shard in zip(files, sorted(parts), strict=True):
+            file.write_bytes(parts[shard])
+        return subprocess.run([program, "study", "--merge", *map(str, files), "--json"], check=True, capture_output=True).stdout
+
+
+def main() -> None:
+    """Runs a study and writes it."""
+    parser = argparse.ArgumentParser(description="goodbot study on a Dask cluster")
+    parser.add_argument("--out", type=Path, required=True, help="the file for the merged study; it must not be there")
+    parser.add_argument("--shards", type=int, default=16, help="how many parts (several for each core, so that little is lost with one)")
+    parser.add_argument("--scheduler", help="the address of a Dask scheduler; a cluster of this machine without it")
+    parser.add_argument("--goodbot", default="goodbot", help="the command line, as the workers find it")
+    parser.add_argument("arguments", nargs="*", metavar="-- ...", help="what goodbot study is given")
+    options = parser.parse_args()
+    with open(options.out, "xb") as out, Client(options.scheduler) as client:
+        print(f"dashboard: {client.dashboard_link}")
+        parts: dict[int, bytes] = {}
+        for shard, lines in shards(client, options.goodbot, options.arguments, options.shards):
+            parts[shard] = lines
+            print(f"{len(parts)} of {options.shards} parts", end="\r", flush=True)
+        out.write(merged(options.goodbot, parts))
+    print(f"{options.shards} parts in {options.out}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,79 @@
+"""A robot that learns what your words mean from reward and punishment.
+
+You tell it in your own words what to do, say "good bot" or "bad bot" while it tries, and it learns what your words mean.
+
+>>> import goodbot
+>>> home = goodbot.Home.from_map('''
+... #########
+... #ggg#rrr#
+... ##+###+##
+... #bb@bbbb#
+... #########
+... ''')
+>>> agent, trainer = goodbot.Agent(), goodbot.Trainer(seed=1)
+>>> lesson = trainer.teach(agent, home, home.start, "go to the red room", "agentInRoom(agent0,room2)")
+>>> lesson.ending
+'goal'
+>>> agent.hear(home, home.start, "go to the red room")
+>>> agent.most_likely
+'agentInRoom(agent0,room2)'
+
+- `Home`, `State`: the paper's homes, and where things are in them; `Domain`: a robot of your own, as a class;
+- `Agent`, `Decision`: the robot's mind;
+- `Trainer`, `Lesson`: a simulated trainer;
+- `Session`, `read_log`, `write_log`: recorded sessions;
+- `exercises`, `run_course`, `run_courses`: the paper's experiment;
+- `goodbot.gym`: the homes as Gymnasium environments.
+"""
+
+from ._native import (
+    Agent,
+    CapacityError,
+    Decision,
+    FormatError,
+    Home,
+    InternalError,
+    InUseError,
+    Lesson,
+    ModelError,
+    Session,
+    SessionError,
+    State,
+    Trainer,
+    Worlds,
+    __version__,
+    capacities,
+    exercises,
+    run_course,
+)
+from .domain import Domain
+from .experiment import run_courses
+from .logs import read_log, write_log
+from .registration import register
+
+register()
+
+__all__ = [
+    "Agent",
+    "CapacityError",
+    "Decision",
+    "Domain",
+    "FormatError",
+    "Home",
+    "InUseError",
+    "InternalError",
+    "Lesson",
+    "ModelError",
+    "Session",
+    "SessionError",
+    "State",
+    "Trainer",
+    "Worlds",
+    "__version__",
+    "capacities",
+    "exercises",
+    "read_log",
+    "run_course",
+    "run_courses",
+    "write_log",
+]

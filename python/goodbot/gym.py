@@ -1,0 +1,351 @@
+"""goodbot's homes as Gymnasium environments: after `import goodbot`, `gymnasium.make("goodbot/Home-v0")` knows them.
+
+| id | home |
+|---|---|
+| `goodbot/Home-v0` | four rooms, two blocks |
+| `goodbot/Rooms-v0` | three rooms, no block |
+| `goodbot/Block-v0` | three rooms, one block |
+
+Each episode has a home at random and a mission in words, such as "take the blue bag to the red room". The reward is 1 where the mission is
+done, which ends the episode, and 0 elsewhere. With `home=` the home is always that one; with `log=` homes, missions and their meanings are
+those of a session log.
+"""
+
+from __future__ import annotations
+
+import string
+from collections.abc import Sequence
+from os import PathLike
+from typing import Any, SupportsFloat
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+from gymnasium.vector import AutoresetMode, VectorEnv
+from numpy.typing import NDArray
+
+from ._native import Agent, Home, State, Trainer, Worlds
+from .logs import read_log
+from .names import Kind
+
+Image = NDArray[np.uint8]
+Observation = dict[str, Any]
+Place = tuple[Home, Sequence[tuple[str, str]]]
+
+CHANNELS = 4
+MOST_LETTERS = 128
+# What a person may say: letters of any script would not fit a space, those of missions do.
+LETTERS = string.ascii_letters + string.digits + string.punctuation + " "
+# The cells of a home of the course, with its walls.
+COURSE_SIZE = 10
+def missions(home: Home) -> list[tuple[str, str]]:
+    """The commands that can be given and obeyed in a home, each with the name of the task that it means.
+
+    >>> import goodbot
+    >>> from goodbot.gym import missions
+    >>> missions(goodbot.Home.from_map("#####\\n#r@r#\\n##+##\\n#ggg#\\n#####"))
+    [('go to the green room', 'agentInRoom(agent0,room0)')]
+    """
+    asked = Agent(capacities={"states": 1 << 14})
+    if not home.tasks():
+        return []
+    asked.hear(home, home.start, "go")
+    asked.plan(home, home.start)
+    return [
+        (_in_words(home, task), task) for task, distance in zip(asked.tasks, asked.distances, strict=True) if distance > 0
+    ]
+
+
+def _in_words(home: Home, task: str) -> str:
+    """A task as a person says it: `go to the green room`, `take the blue bag to the red room`."""
+    function, _, arguments = task.rstrip(")").partition("(")
+    subject, room = (home.objects[name] for name in arguments.split(","))
+    to = f"to the {room['color']} room"
+    return f"go {to}" if function == "agentInRoom" else f"take the {subject['color']} {subject['shape']} {to}"
+
+
+def _logged(path: str | PathLike[str]) -> list[Place]:
+    """The homes of a log, with the commands whose meaning is told."""
+    return [(session.home, [(session.command, session.intended)]) for session in read_log(path) if session.intended]
+
+
+class _Drawn:
+    """How homes become observations, for one and for many."""
+
+    def __init__(self, name: str, home: Home | None, log: str | PathLike[str] | None, max_steps: int) -> None:
+        self.name, self.max_steps = name, max_steps
+        self.places: list[Place] | None = None
+        if home is not None:
+            self.places = [(home, missions(home))]
+        elif log is not None:
+            self.places = _logged(log)
+            if not self.places:
+                raise ValueError("no session of the log says what was meant (intended); there is nothing to reward")
+        homes = [place[0] for place in self.places or []]
+        self.actions = [*(homes[0].actions if homes else Home.random(0, name).actions), "noop"]
+        if any(len(home.actions) != len(homes[0].actions) for home in homes):
+            raise ValueError("some homes of the log have pull and some have not; take one kind")
+        sides = [max(right - left, top - bottom) + 1 for left, bottom, right, top in (home.bounds for home in homes)]
+        self.size = max(sides, default=COURSE_SIZE)
+        self.action_space = spaces.Discrete(len(self.actions))
+        self.space = spaces.Dict(
+            {
+                "image": spaces.Box(0, 255, (self.size, self.size, CHANNELS), np.uint8),
+                "mission": spaces.Text(MOST_LETTERS, charset=LETTERS),
+            }
+        )
+
+    def at_random(self, seed: int) -> Place:
+        """A home of a seed, with what can be done there."""
+        home = Home.random(seed, self.name)
+        return home, missions(home)
+
+
+class HomeEnv(gymnasium.Env[Observation, Any]):
+    """One home with a mission.
+
+    Observations are dicts: `image`, uint8 of shape (size, size, 4), as `goodbot.Worlds` describes it, and `mission`, the command. Actions are
+    the positions of `env.unwrapped.actions`, the last of which is `noop`. `info` has the name of the task that is meant, `intended`.
+
+    >>> import gymnasium
+    >>> env = gymnasium.make("goodbot/Rooms-v0")
+    >>> observation, info = env.reset(seed=1)
+    >>> observation["image"].shape, observation["mission"]
+    ((10, 10, 4), 'go to the green room')
+    >>> env.unwrapped.actions
+    ['north', 'south', 'east', 'west', 'noop']
+    """
+
+    metadata: dict[str, Any] = {"render_modes": ["rgb_array", "ansi"], "render_fps": 8}
+
+    def __init__(
+        self,
+        name: str = "Test",
+        *,
+        home: Home | None = None,
+        log: str | PathLike[str] | None = None,
+        max_steps: int = 300,
+        render_mode: str | None = None,
+    ) -> None:
+        if render_mode not in (None, *self.metadata["render_modes"]):
+            raise ValueError(f"render_mode is {render_mode!r}; give rgb_array, ansi or None")
+        self._drawn = _Drawn(name, home, log, max_steps)
+        self._worlds: Worlds | None = None
+        self.render_mode = render_mode
+        self.actions = self._drawn.actions
+        self.action_space = self._drawn.action_space
+        self.observation_space = self._drawn.space
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Observation, dict[str, Any]]:
+        """Begins an episode. `options={"command": ..., "intended": ...}` gives the mission, in a home that is given."""
+        super().reset(seed=seed)
+        drawn = int(self.np_random.integers(1 << 32))
+        places = self._drawn.places or [self._drawn.at_random(drawn)]
+        if options:
+            places = [(home, [(options["command"], options["intended"])]) for home, _ in places]
+        self._worlds = Worlds(1, places, max_steps=self._drawn.max_steps, seed=drawn, size=self._drawn.size)
+        return self._observed(self._worlds.image()), {"intended": self.intended}
+
+    def step(self, action: int) -> tuple[Observation, SupportsFloat, bool, bool, dict[str, Any]]:
+        """Does an action; 1 is the reward where the mission is done."""
+        image, rewards, terminated, truncated = self._begun.step(bytes([int(action)]))
+        reward = float(np.frombuffer(rewards, np.float32)[0])
+        return self._observed(image), reward, bool(terminated[0]), bool(truncated[0]), {"intended": self.intended}
+
+    @property
+    def _begun(self) -> Worlds:
+        if self._worlds is None:
+            raise gymnasium.error.ResetNeeded("no episode has begun; call reset first")
+        return self._worlds
+
+    def _observed(self, image: bytes) -> Observation:
+        size = self._drawn.size
+        return {"image": np.frombuffer(image, np.uint8).reshape(size, size, CHANNELS).copy(), "mission": self.command}
+
+    @property
+    def command(self) -> str:
+        """The mission."""
+        return self._begun.command(0)
+
+    @property
+    def intended(self) -> str:
+        """The name of the task that the mission means."""
+        return self._begun.intended(0)
+
+    @property
+    def home(self) -> Home:
+        """The home."""
+        return self._begun.home(0)
+
+    @property
+    def state(self) -> State:
+        """Where things are."""
+        return self._begun.state(0)
+
+    def render(self) -> Any:
+        """The home as it is: a picture, uint8 of shape (height, width, 3), or a drawing as text."""
+        if self.render_mode == "ansi":
+            return self.home.map(self.state)
+        if self.render_mode == "rgb_array":
+            size = self._drawn.size
+            return picture(np.frombuffer(self._begun.image(), np.uint8).reshape(size, size, CHANNELS))
+        gymnasium.logger.warn("render() does nothing without a render_mode; make the environment with rgb_array or ansi")
+        return None
+
+
+class HomeVectorEnv(VectorEnv[dict[str, Any], NDArray[np.int64], NDArray[Any]]):
+    """Many homes that are stepped together in Rust: `gymnasium.make_vec("goodbot/Home-v0", num_envs=1024)`.
+
+    Homes come from a pool of `homes` random ones, drawn at the first reset and after each reset with a seed. An environment whose episode
+    ended begins the next one at the next step, as Gymnasium's `AutoresetMode.NEXT_STEP` has it. `missions=False` leaves the texts out of
+    the observations after a reset, for speed; `commands` has them.
+    """
+
+    metadata: dict[str, Any] = {"render_modes": [], "autoreset_mode": AutoresetMode.NEXT_STEP}
+
+    def __init__(
+        self,
+        num_envs: int = 1,
+        name: str = "Test",
+        *,
+        home: Home | None = None,
+        log: str | PathLike[str] | None = None,
+        max_steps: int = 300,
+        homes: int = 64,
+        render_mode: str | None = None,
+    ) -> None:
+        if render_mode is not None:
+            raise ValueError("many homes at once are not drawn; render a single environment")
+        self._drawn = _Drawn(name, home, log, max_steps)
+        self._homes = homes
+        self._worlds: Worlds | None = None
+        self._missions: tuple[str, ...] = ()
+        self.num_envs = num_envs
+        self.actions = self._drawn.actions
+        self.single_action_space = self._drawn.action_space
+        self.single_observation_space = self._drawn.space
+        self.action_space = gymnasium.vector.utils.batch_space(self.single_action_space, num_envs)
+        self.observation_space = gymnasium.vector.utils.batch_space(self.single_observation_space, num_envs)
+        self._ended = False
+
+    def reset(
+        self, *, seed: int | list[int | None] | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Begins an episode in each."""
+        if isinstance(seed, list):
+            seed = seed[0]
+        super().reset(seed=seed)
+        if self._worlds is None or seed is not None:
+            drawn = [int(number) for number in self.np_random.integers(1 << 32, size=self._homes + 1)]
+            places = self._drawn.places or [self._drawn.at_random(number) for number in drawn[1:]]
+            self._worlds = Worlds(self.num_envs, places, max_steps=self._drawn.max_steps, seed=drawn[0], size=self._drawn.size)
+            image = self._worlds.image()
+        else:
+            image = self._worlds.reset()
+        self._missions = tuple(self._worlds.commands())
+        return self._observed(image), {}
+
+    def step(
+        self, actions: NDArray[np.int64]
+    ) -> tuple[dict[str, Any], NDArray[Any], NDArray[Any], NDArray[Any], dict[str, Any]]:
+        """Does an action in each."""
+        if self._worlds is None:
+            raise gymnasium.error.ResetNeeded("no episode has begun; call reset first")
+        image, rewards, terminated, truncated = self._worlds.step(np.asarray(actions, np.uint8).tobytes())
+        if self._ended:
+            # Some began anew just now.
+            self._missions = tuple(self._worlds.commands())
+        self._ended = b"\1" in terminated or b"\1" in truncated
+        return (
+            self._observed(image),
+            np.frombuffer(rewards, np.float32),
+            np.frombuffer(terminated, np.bool_),
+            np.frombuffer(truncated, np.bool_),
+            {},
+        )
+
+    def _observed(self, image: bytes) -> dict[str, Any]:
+        size = self._drawn.size
+        return {"image": np.frombuffer(image, np.uint8).reshape(self.num_envs, size, size, CHANNELS), "mission": self._missions}
+
+
+class HumanFeedback(gymnasium.Wrapper[Observation, Any, Observation, Any]):
+    """Puts a simulated trainer beside the environment: `info["feedback"]` is what it says to each action, `reward`, `punish` or `neutral`,
+    and `info["correct"]` whether the action was right, which the trainer itself may mistake.
+
+    >>> import gymnasium
+    >>> from goodbot.gym import HumanFeedback
+    >>> env = HumanFeedback(gymnasium.make("goodbot/Rooms-v0"), "balanced", seed=1)
+    >>> _ = env.reset(seed=1)
+    >>> sorted(env.step(0)[4])
+    ['correct', 'feedback', 'intended']
+    """
+
+    def __init__(self, env: gymnasium.Env[Observation, Any], trainer: Kind = "balanced", *, seed: int = 0) -> None:
+        super().__init__(env)
+        if not isinstance(env.unwrapped, HomeEnv):
+            raise ValueError("a trainer needs a home: wrap one of goodbot's environments")
+        self._home_env: HomeEnv = env.unwrapped
+        self._trainer = Trainer(trainer, seed=seed)
+        self._seer = Agent()
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Observation, dict[str, Any]]:
+        """Begins an episode."""
+        observation, info = self.env.reset(seed=seed, options=options)
+        # The trainer knows what is meant; it plans as an agent does who knows the prior.
+        self._seer.hear(self._home_env.home, self._home_env.state, "go", prior={self._home_env.intended: 1.0})
+        return observation, info
+
+    def step(self, action: int) -> tuple[Observation, SupportsFloat, bool, bool, dict[str, Any]]:
+        """Does an action, and says what the trainer says to it."""
+        home = self._home_env.home
+        self._seer.plan(home, self._home_env.state)
+        right = self._seer.optimal_sets(home)[self._seer.tasks.index(self._home_env.intended)]
+        # The agent's own columns: those of the home, which may have fewer than the space.
+        correct = bool(right[min(int(action), len(right) - 1)])
+        observation, reward, terminated, truncated, info = self.env.step(action)
+        return observation, reward, terminated, truncated, {**info, "correct": correct, "feedback": self._trainer.feedback(correct)}
+
+
+# Colours of cells and things, by their numbers in an image.
+_COLORS = np.array(
+    [
+        (128, 128, 128),
+        (214, 69, 65),
+        (63, 160, 77),
+        (66, 112, 204),
+        (224, 190, 57),
+        (140, 82, 176),
+        (224, 135, 50),
+        (200, 173, 127),
+        (54, 155, 155),
+        (200, 70, 150),
+        (230, 230, 120),
+        (150, 150, 150),
+    ],
+    np.uint8,
+)
+_KINDS = np.array([(255, 255, 255), (60, 60, 64), (235, 235, 235), (200, 190, 180)], np.uint8)
+TILE = 16
+
+
+def picture(image: Image) -> Image:
+    """An image as a picture: uint8, shape (16 size, 16 size, 3). Rooms are pale, blocks strong in their colours, the agent is dark and round.
+
+    >>> import numpy as np
+    >>> from goodbot.gym import picture
+    >>> picture(np.zeros((5, 5, 4), np.uint8)).shape
+    (80, 80, 3)
+    """
+    kinds, colors, things, of = (image[..., channel] for channel in range(CHANNELS))
+    floor = np.where((kinds == 2)[..., None], _COLORS[np.minimum(colors, 11)] // 3 + 165, _KINDS[np.minimum(kinds, 3)])
+    pixels = np.repeat(np.repeat(floor.astype(np.uint8), TILE, 0), TILE, 1)
+    y, x = np.mgrid[0:TILE, 0:TILE] - (TILE - 1) / 2
+    disc, square = x**2 + y**2 < (TILE * 0.36) ** 2, np.maximum(abs(x), abs(y)) < TILE * 0.32
+    bag = square & (abs(x) + y > -TILE * 0.3)
+    for row, column in np.argwhere(things > 0):
+        tile = pixels[row * TILE : (row + 1) * TILE, column * TILE : (column + 1) * TILE]
+        thing = things[row, column]
+        shape = disc if thing == 1 else square if thing == 2 else bag
+        tile[shape] = (40, 40, 48) if thing == 1 else _COLORS[min(int(of[row, column]), 11)]
+    return pixels

@@ -1,0 +1,18 @@
+"""What settings and answers are called, as types."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal, TypeAlias
+
+# mu+, mu-, epsilon, and how probable the strategy is.
+Strategy: TypeAlias = tuple[float, float, float, float]
+# A trainer's name, or its mu+, mu- and epsilon.
+Kind: TypeAlias = "Literal['balanced', 'punish-only', 'reward-only'] | tuple[float, float, float]"
+Learner: TypeAlias = Literal["default", "paper", "smoothed"]
+Weights: TypeAlias = Literal["paper", "belief", "evidence"]
+Feedback: TypeAlias = Literal["reward", "punish", "neutral"]
+Evidence: TypeAlias = Literal["used", "says nothing", "impossible"]
+Plan: TypeAlias = Literal["goal", "toward", "dead end", "approximate", "unknown"]
+# A preset of capacities, or what is to differ from `standard`.
+Sizes: TypeAlias = "str | Mapping[str, int]"

@@ -1,0 +1,823 @@
+//! The robot's mind, as Python uses it: one thread at a time, with long work in parts between which others may run and ctrl-C is heard.
+
+use crate::arrays::array;
+use crate::error::{self, InUseError, InternalError, SessionError, value};
+use crate::home as home_of;
+use crate::options::{as_dict, capacities_of, options};
+use crate::place::{Place, in_place, task_name};
+use crate::robot::{self, Robot};
+use goodbot::feedback::{Feedback, Strategy};
+use goodbot::home::{self, SCHEMA};
+use goodbot::language::Meaning;
+use goodbot::memory::AgentHeap;
+use goodbot::oomdp::{Action, Domain, Schema};
+use goodbot::planning::{OptimalSet, Progress};
+use goodbot::session::Evidence;
+use goodbot::snapshot::{Contents, SAVED};
+use goodbot::symbols::Symbol;
+use goodbot::task::LiftedTask;
+use goodbot::{Agent as Core, AgentError, Capacities, Options};
+use pyo3::exceptions::PyFileExistsError;
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict, PyString};
+use rand_pcg::Pcg32;
+use std::collections::HashMap;
+use std::io::{Read, Write};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, TryLockError};
+use std::time::Instant;
+
+/// About how much work is done before others may run: some milliseconds.
+const PART: u32 = 1 << 16;
+/// The most that any table may hold, whatever a file says.
+const MOST_OF_A_FIELD: usize = 1 << 24;
+/// The most bytes of a model file.
+const MOST_BYTES: u64 = 64 << 20;
+
+/// What the agent does next, and for which task.
+#[pyclass(frozen, module = "goodbot")]
+#[derive(Debug)]
+pub struct Decision {
+    action: String,
+    /// The task, by its position among `Agent.tasks`.
+    #[pyo3(get)]
+    task: usize,
+    plan: OptimalSet,
+    name: Py<PyString>,
+}
+
+#[pymethods]
+impl Decision {
+    /// The name of the action; `noop` at the goal, in a dead end, and where no way is known.
+    #[getter]
+    fn action<'py>(&self, py: Python<'py>) -> Bound<'py, PyString> {
+        PyString::intern(py, &self.action)
+    }
+
+    /// What the plan says for the task: `goal`, `toward`, `dead end`, `approximate` or `unknown`.
+    #[getter]
+    fn plan(&self) -> &'static str {
+        plan_name(self.plan)
+    }
+
+    /// The task, by its name.
+    #[getter]
+    fn name(&self, py: Python<'_>) -> Py<PyString> {
+        self.name.clone_ref(py)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<goodbot.Decision: {} for {}, {}>", self.action, self.name, plan_name(self.plan))
+    }
+}
+
+const fn plan_name(plan: OptimalSet) -> &'static str {
+    match plan {
+        OptimalSet::Goal => "goal",
+        OptimalSet::Toward(_) => "toward",
+        OptimalSet::DeadEnd(_) => "dead end",
+        OptimalSet::Approximate(_) => "approximate",
+        OptimalSet::Unknown => "unknown",
+    }
+}
+
+pub const fn evidence_name(evidence: Evidence) -> &'static str {
+    match evidence {
+        Evidence::Used => "used",
+        Evidence::SaysNothing => "says nothing",
+        Evidence::Impossible => "impossible",
+    }
+}
+
+/// What a trainer said, by name; `None` is silence.
+pub fn feedback_of(name: Option<&str>) -> PyResult<Feedback> {
+    match name {
+        None => Ok(Feedback::Neutral),
+        Some(name) => name.parse().map_err(|_| value(format!("{name:?} is no feedback; say reward, punish or neutral"))),
+    }
+}
+
+/// The kinds of tasks that commands may mean: those named, or the paper's two.
+pub fn kinds_of_tasks(py: Python<'_>, kinds: Option<Vec<String>>, schema: &Schema<'_>) -> PyResult<Vec<LiftedTask>> {
+    let Some(kinds) = kinds else { return Ok(home::paper_tasks().map_err(value)?.to_vec()) };
+    let parse = |text: &String| {
+        LiftedTask::parse(text, schema).map_err(|problem| match problem {
+            goodbot::task::TaskTextError::Capacity(full) => error::full(py, full),
+            problem => value(format!("{text:?}: {problem}")),
+        })
+    };
+    kinds.iter().map(parse).collect()
+}
+
+/// A trainer strategy and how probable it is: mu+, mu-, epsilon, prior.
+type StrategyNumbers = (f32, f32, f32, f32);
+
+fn strategies_of(numbers: &[StrategyNumbers]) -> PyResult<Vec<(Strategy, f32)>> {
+    let strategy =
+        |&(mu_plus, mu_minus, epsilon, prior): &StrategyNumbers| Ok((Strategy::new(mu_plus, mu_minus, epsilon).map_err(value)?, prior));
+    numbers.iter().map(strategy).collect()
+}
+
+/// What can go in parts.
+#[derive(Clone, Copy)]
+enum Part {
+    Hear,
+    Plan,
+    Finish,
+}
+
+/// A mind and what Python needs to know beside it.
+pub struct Mind {
+    pub core: Core<AgentHeap>,
+    pub random: Pcg32,
+    schema: Schema<'static>,
+    robot: Option<Arc<Robot>>,
+    names: Vec<Py<PyString>>,
+    command: String,
+    broken: bool,
+}
+
+/// The robot's mind (the paper, Algorithm 1): it hears a command, plans, decides, takes feedback, and learns what words mean.
+///
+/// `tasks` are the kinds of tasks that commands may mean, such as `agentInRoom(?a,?r)`; without them, the paper's two. `domain` is a robot
+/// of your own whose vocabulary they are written in. `learner` is `default`, `paper` or `smoothed`; `weights` is `paper`, `belief` or
+/// `evidence`. `strategies` are the trainer's possible strategies, each mu+, mu-, epsilon and prior; without them, the paper's balanced
+/// one. `capacities` are the sizes of the tables: `tiny`, `small`, `standard`, or a dict of what is to differ from `standard`. `seed` decides
+/// draws among what is equally good.
+///
+/// One thread at a time: a second one is refused with `InUseError`. Long calls let other threads run, and stop on ctrl-C.
+///
+/// >>> home = goodbot.Home.from_map('''
+/// ... #########
+/// ... #ggg#rrr#
+/// ... ##+###+##
+/// ... #bb@bbbb#
+/// ... #########
+/// ... ''')
+/// >>> agent, state = goodbot.Agent(seed=1), home.start
+/// >>> agent.hear(home, state, "go to the red room")
+/// >>> agent.tasks
+/// ['agentInRoom(agent0,room1)', 'agentInRoom(agent0,room2)']
+/// >>> agent.plan(home, state)
+/// True
+/// >>> decision = agent.decide(home, state)
+/// >>> state = agent.acted(home, state, decision.action)
+/// >>> agent.feedback("punish" if decision.task == 0 else "reward")
+/// 'used'
+/// >>> agent.most_likely
+/// 'agentInRoom(agent0,room2)'
+/// >>> agent.finish(home)
+/// 0
+/// >>> agent.words
+/// ['go', 'to', 'the', 'red', 'room']
+#[pyclass(frozen, module = "goodbot")]
+pub struct Agent(Mutex<Mind>);
+
+impl Mind {
+    fn new(
+        capacities: &Capacities,
+        lifted: &[LiftedTask],
+        options: Options,
+        schema: Schema<'static>,
+        seed: u64,
+    ) -> Result<Self, AgentError> {
+        let core = Core::new(AgentHeap::new(capacities), lifted, options)?;
+        let random = goodbot_course::generator(seed);
+        Ok(Self { core, random, schema, robot: None, names: Vec::new(), command: String::new(), broken: false })
+    }
+
+    pub fn place(&mut self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>) -> PyResult<Place> {
+        Place::of(domain, state, &mut self.robot)
+    }
+
+    /// The place of a session's end, where the state plays no part.
+    fn place_of(&mut self, domain: &Bound<'_, PyAny>) -> PyResult<Place> {
+        if let Ok(home) = domain.cast::<home_of::Home>() {
+            return Ok(Place::Home(home.clone().unbind(), home.get().start));
+        }
+        match self.robot.as_ref().filter(|robot| robot.is_of(domain)) {
+            Some(robot) => Ok(Place::Robot(robot.clone(), 0)),
+            None => Err(SessionError::new_err(AgentError::OtherDomain.to_string())),
+        }
+    }
+
+    /// What an exception of the robot's class, or a refusal, comes to. After the former, what was planned is worth nothing.
+    pub fn settled<T>(&mut self, py: Python<'_>, place: &Place, result: Result<T, AgentError>) -> PyResult<T> {
+        if let Some(failure) = place.failure() {
+            self.core.leave();
+            self.names.clear();
+            self.robot = None;
+            return Err(failure);
+        }
+        result.map_err(|refused| error::agent(py, refused))
+    }
+
+    fn part(&mut self, part: Part, place: &Place, budget: u32) -> Result<Option<usize>, AgentError> {
+        let done = |progress: Progress| if progress == Progress::Done { Some(0) } else { None };
+        in_place!(place, |domain, state| match part {
+            Part::Hear => self.core.hear_on(domain, budget).map(done),
+            Part::Plan => self.core.plan(domain, state, budget).map(done),
+            Part::Finish => Ok(self.core.finish_on(domain, budget)?.map(|finished| finished.gave_way.count())),
+        })
+    }
+
+    /// Goes on with a part of `budget`, or to the end. Gives how many sessions gave way once it is done.
+    fn go_on(&mut self, py: Python<'_>, part: Part, place: &Place, budget: Option<u32>) -> PyResult<Option<usize>> {
+        loop {
+            let result = py.detach(|| self.part(part, place, budget.unwrap_or(PART)));
+            let came = self.settled(py, place, result)?;
+            if came.is_some() || budget.is_some() {
+                return Ok(came);
+            }
+            py.check_signals()?;
+        }
+    }
+
+    /// Plans to the end.
+    pub fn plan(&mut self, py: Python<'_>, place: &Place) -> PyResult<()> {
+        self.go_on(py, Part::Plan, place, None).map(drop)
+    }
+
+    /// Learns to the end.
+    pub fn learn(&mut self, py: Python<'_>) -> PyResult<()> {
+        while py.detach(|| self.core.learn(PART)) == Progress::Working {
+            py.check_signals()?;
+        }
+        Ok(())
+    }
+
+    /// Finishes to the end, and learns.
+    pub fn finish(&mut self, py: Python<'_>, place: &Place) -> PyResult<usize> {
+        let begun = in_place!(place, |domain, _state| self.core.begin_finishing(domain));
+        self.settled(py, place, begun)?;
+        let gave_way = self.go_on(py, Part::Finish, place, None)?.unwrap_or(0);
+        Ok(gave_way)
+    }
+
+    fn check_vocabulary(&self, place: &Place) -> PyResult<()> {
+        let known = in_place!(place, |domain, _state| domain.world().schema == self.schema);
+        if known { Ok(()) } else { Err(value("this agent's tasks are of another vocabulary; make it with domain= this robot")) }
+    }
+
+    pub fn hear(&mut self, py: Python<'_>, place: &Place, command: &str) -> PyResult<()> {
+        self.check_vocabulary(place)?;
+        let begun = in_place!(place, |domain, state| self.core.begin_hearing(domain, state, command));
+        self.settled(py, place, begun)?;
+        command.clone_into(&mut self.command);
+        if let Err(stopped) = self.go_on(py, Part::Hear, place, None) {
+            self.core.leave();
+            return Err(stopped);
+        }
+        self.name_tasks(py, place);
+        Ok(())
+    }
+
+    pub fn hear_again(&mut self, py: Python<'_>, place: &Place) -> PyResult<()> {
+        let heard = in_place!(place, |domain, state| self.core.hear_again(domain, state));
+        self.settled(py, place, heard)
+    }
+
+    pub fn hear_with_prior(&mut self, py: Python<'_>, place: &Place, command: &str, prior: &HashMap<String, f32>) -> PyResult<()> {
+        self.check_vocabulary(place)?;
+        let heard = in_place!(place, |domain, state| {
+            self.core
+                .hear_with_prior(domain, state, command, |task, lifted| prior.get(&task_name(domain, lifted, task)).copied().unwrap_or(0.0))
+        });
+        self.settled(py, place, heard)?;
+        command.clone_into(&mut self.command);
+        self.name_tasks(py, place);
+        let strange = prior.keys().find(|name| self.position(py, name).is_none());
+        if let Some(name) = strange {
+            self.core.leave();
+            return Err(value(format!("the prior names {name}, which is no task here")));
+        }
+        Ok(())
+    }
+
+    fn name_tasks(&mut self, py: Python<'_>, place: &Place) {
+        let lifted = self.core.lifted();
+        let names = in_place!(place, |domain, _state| {
+            let named = self.core.tasks().iter().filter_map(|task| Some((lifted.get(usize::from(task.lifted))?, task)));
+            named.map(|(lifted, task)| PyString::new(py, &task_name(domain, lifted, task)).unbind()).collect()
+        });
+        self.names = names;
+    }
+
+    /// The position of a task by its name.
+    pub fn position(&self, py: Python<'_>, name: &str) -> Option<usize> {
+        self.names.iter().position(|known| known.bind(py).to_str().is_ok_and(|known| known == name))
+    }
+
+    /// The position of a task that Python names, or counts.
+    pub fn task(&self, task: &Bound<'_, PyAny>) -> PyResult<usize> {
+        if let Ok(position) = task.extract::<usize>() {
+            let count = self.core.tasks().len();
+            return if position < count { Ok(position) } else { Err(value(format!("there is no task {position}; there are {count}"))) };
+        }
+        let name: &str = task.extract()?;
+        self.position(task.py(), name).ok_or_else(|| value(format!("{name} is no task of this session")))
+    }
+
+    /// The name of a task.
+    pub fn task_text(&self, py: Python<'_>, task: usize) -> String {
+        self.names.get(task).and_then(|name| name.bind(py).to_str().ok().map(str::to_owned)).unwrap_or_default()
+    }
+
+    /// Reads the robot's class again: it may have been changed since the last command.
+    pub fn forget_robot(&mut self) {
+        self.robot = None;
+    }
+
+    pub fn acted(&mut self, py: Python<'_>, place: &Place, action: Action) -> PyResult<Place> {
+        match place {
+            Place::Home(home, state) => {
+                let next = self.core.acted(&home.get().rooms, state, action).map_err(|refused| error::agent(py, refused))?;
+                Ok(Place::Home(home.clone_ref(py), next))
+            }
+            Place::Robot(robot, state) => {
+                let next = self.core.acted(&**robot, state, action);
+                Ok(Place::Robot(robot.clone(), self.settled(py, place, next)?))
+            }
+        }
+    }
+
+    pub fn set_strategies(&mut self, py: Python<'_>, strategies: &[(Strategy, f32)]) -> PyResult<()> {
+        self.core.set_strategies(strategies).map_err(|refused| error::agent(py, refused))
+    }
+
+    fn saved(&self) -> PyResult<Vec<u8>> {
+        let mut bytes = vec![0; self.core.saved_bytes().map_err(error::save)?];
+        let length = self.core.save(&mut bytes).map_err(error::save)?;
+        bytes.truncate(length);
+        Ok(bytes)
+    }
+
+    /// How many tasks there are, while a session has some.
+    fn count(&self) -> usize {
+        self.core.tasks().len()
+    }
+}
+
+impl Agent {
+    /// Does something with the mind, unless another thread or an outer call does. A panic of goodbot's own does not pass.
+    pub fn with<T>(&self, run: impl FnOnce(&mut Mind) -> PyResult<T>) -> PyResult<T> {
+        let broken = || InternalError::new_err("goodbot itself failed in an earlier call of this agent; load it anew, and report it");
+        let mut mind = match self.0.try_lock() {
+            Ok(mind) => mind,
+            Err(TryLockError::Poisoned(_)) => return Err(broken()),
+            Err(TryLockError::WouldBlock) => {
+                let message =
+                    "this agent is in use, by another thread or by the call that is under way; give each thread an agent of its own";
+                return Err(InUseError::new_err(message));
+            }
+        };
+        if mind.broken {
+            return Err(broken());
+        }
+        catch_unwind(AssertUnwindSafe(|| run(&mut mind))).unwrap_or_else(|_| {
+            mind.broken = true;
+            Err(InternalError::new_err("goodbot itself failed; what was learned before is in the last file that was saved; report it"))
+        })
+    }
+
+    fn restored(py: Python<'_>, bytes: &[u8], lifted: &[LiftedTask], schema: Schema<'static>, seed: u64) -> PyResult<Self> {
+        let read = catch_unwind(AssertUnwindSafe(|| -> PyResult<Mind> {
+            let contents = Contents::read(bytes).map_err(|refused| error::restore(py, refused))?;
+            let mut most = Capacities::STANDARD;
+            for capacity in SAVED {
+                most.set(capacity, MOST_OF_A_FIELD);
+            }
+            let capacities = Capacities::STANDARD.at_least(contents.sizes.at_most(most));
+            let mut mind = Mind::new(&capacities, lifted, Options::DEFAULT, schema, seed).map_err(|refused| error::agent(py, refused))?;
+            mind.core.restore(bytes).map_err(|refused| error::restore(py, refused))?;
+            mind.learn(py)?;
+            Ok(mind)
+        }));
+        read.unwrap_or_else(|_| Err(InternalError::new_err("goodbot itself failed on this model; report it")))
+            .map(|mind| Self(Mutex::new(mind)))
+    }
+}
+
+/// The vocabulary of a robot, or of homes where none is given.
+fn schema_of(domain: Option<&Bound<'_, PyAny>>) -> PyResult<Schema<'static>> {
+    match domain {
+        Some(domain) if domain.cast::<home_of::Home>().is_err() => Ok(robot::vocabulary(domain)?.schema),
+        _ => Ok(SCHEMA),
+    }
+}
+
+/// Writes a file as a whole or not at all. What is there and is no model is not replaced, unless that is asked for.
+fn write_model(path: &Path, bytes: &[u8], force: bool) -> PyResult<()> {
+    let mut head = [0; 8];
+    let is_other = std::fs::File::open(path).is_ok_and(|mut file| file.read_exact(&mut head).is_err() || head != *b"goodbot\0");
+    if is_other && !force {
+        let message = format!("{} is there and is no model; name another file, or say force=True", path.display());
+        return Err(PyFileExistsError::new_err(message));
+    }
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut builder = tempfile::Builder::new();
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let mut file = builder.tempfile_in(folder)?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    file.persist(path).map_err(|error| error.error)?;
+    Ok(())
+}
+
+#[pymethods]
+impl Agent {
+    #[new]
+    #[pyo3(signature = (tasks=None, *, domain=None, learner="default", weights=None, strategies=None, capacities=None, seed=0))]
+    #[expect(clippy::too_many_arguments, reason = "Python's arguments have names")]
+    fn new(
+        py: Python<'_>,
+        tasks: Option<Vec<String>>,
+        domain: Option<&Bound<'_, PyAny>>,
+        learner: &str,
+        weights: Option<&str>,
+        strategies: Option<Vec<StrategyNumbers>>,
+        capacities: Option<&Bound<'_, PyAny>>,
+        seed: u64,
+    ) -> PyResult<Self> {
+        let schema = schema_of(domain)?;
+        if tasks.is_none() && schema != SCHEMA {
+            return Err(value("a robot of your own needs tasks, such as [\"lampOn(?l)\"]"));
+        }
+        let lifted = kinds_of_tasks(py, tasks, &schema)?;
+        let made = Mind::new(&capacities_of(capacities)?, &lifted, options(learner, weights)?, schema, seed);
+        let mut mind = made.map_err(|refused| error::agent(py, refused))?;
+        if let Some(strategies) = strategies {
+            mind.set_strategies(py, &strategies_of(&strategies)?)?;
+        }
+        Ok(Self(Mutex::new(mind)))
+    }
+
+    /// An agent that knows what a model file knows, whoever wrote it: this package, the command line, the page, or a controller.
+    ///
+    /// Raises `ModelError`, `CapacityError` and `OSError`.
+    #[staticmethod]
+    #[pyo3(signature = (path, tasks=None, *, domain=None, seed=0))]
+    fn load(py: Python<'_>, path: PathBuf, tasks: Option<Vec<String>>, domain: Option<&Bound<'_, PyAny>>, seed: u64) -> PyResult<Self> {
+        let mut bytes = Vec::new();
+        std::fs::File::open(&path)?.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
+        Self::from_bytes(py, &bytes, tasks, domain, seed)
+    }
+
+    /// As `load`, from the bytes of a model file.
+    #[staticmethod]
+    #[pyo3(signature = (model, tasks=None, *, domain=None, seed=0))]
+    fn from_bytes(
+        py: Python<'_>,
+        model: &[u8],
+        tasks: Option<Vec<String>>,
+        domain: Option<&Bound<'_, PyAny>>,
+        seed: u64,
+    ) -> PyResult<Self> {
+        let schema = schema_of(domain)?;
+        let lifted = kinds_of_tasks(py, tasks, &schema)?;
+        Self::restored(py, model, &lifted, schema, seed)
+    }
+
+    /// Writes what was learned as a model file, whole or not at all. A file that is there and is no model is replaced only with `force=True`.
+    ///
+    /// Raises `FileExistsError`, `OSError` and `ModelError`.
+    #[pyo3(signature = (path, *, force=false))]
+    fn save(&self, path: PathBuf, force: bool) -> PyResult<()> {
+        self.with(|mind| write_model(&path, &mind.saved()?, force))
+    }
+
+    /// What was learned, as the bytes of a model file. A session under way is not in them.
+    ///
+    /// >>> goodbot.Agent.from_bytes(goodbot.Agent().to_bytes()).sessions
+    /// 0
+    fn to_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        self.with(|mind| Ok(PyBytes::new(py, &mind.saved()?)))
+    }
+
+    /// Replaces the trainer strategies: for each mu+, mu-, epsilon and prior. A session under way ends unlearned.
+    fn set_strategies(&self, py: Python<'_>, strategies: Vec<StrategyNumbers>) -> PyResult<()> {
+        self.with(|mind| mind.set_strategies(py, &strategies_of(&strategies)?))
+    }
+
+    /// Hears a command in a state: a session begins. Each task gets its prior from the words, or `prior` gives it by name, in any unit.
+    ///
+    /// Raises `ValueError`, `CapacityError`, and `SessionError` while the last session is still being learned from.
+    #[pyo3(signature = (domain, state, command, *, prior=None))]
+    fn hear(
+        &self,
+        domain: &Bound<'_, PyAny>,
+        state: &Bound<'_, PyAny>,
+        command: &str,
+        prior: Option<HashMap<String, f32>>,
+    ) -> PyResult<()> {
+        self.with(|mind| {
+            mind.forget_robot();
+            let place = mind.place(domain, state)?;
+            match &prior {
+                None => mind.hear(domain.py(), &place, command),
+                Some(prior) => mind.hear_with_prior(domain.py(), &place, command, prior),
+            }
+        })
+    }
+
+    /// Hears the last command again in the same state: what was believed goes on.
+    fn hear_again(&self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>) -> PyResult<()> {
+        self.with(|mind| {
+            let place = mind.place(domain, state)?;
+            mind.hear_again(domain.py(), &place)
+        })
+    }
+
+    /// Plans for a state, to the end or with at most about `budget` expansions. Returns whether the plan is done.
+    #[pyo3(signature = (domain, state, budget=None))]
+    fn plan(&self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>, budget: Option<u32>) -> PyResult<bool> {
+        self.with(|mind| {
+            let place = mind.place(domain, state)?;
+            Ok(mind.go_on(domain.py(), Part::Plan, &place, budget)?.is_some())
+        })
+    }
+
+    /// Decides on an action in a state that was planned for. Raises `SessionError` where it was not.
+    fn decide(&self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>) -> PyResult<Decision> {
+        let py = domain.py();
+        self.with(|mind| {
+            let place = mind.place(domain, state)?;
+            let decided = in_place!(&place, |domain, state| mind.core.decide_by(domain, state, &mut mind.random));
+            let decision = mind.settled(py, &place, decided)?;
+            let name = mind.names.get(decision.task).map_or_else(|| PyString::new(py, "").unbind(), |name| name.clone_ref(py));
+            Ok(Decision { action: place.action_text(decision.action), task: decision.task, plan: decision.plan, name })
+        })
+    }
+
+    /// Takes note that an action was done in a state that was planned for. Returns the state that it leads to.
+    ///
+    /// Raises `ValueError` where the action cannot be done.
+    fn acted(&self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>, action: &str) -> PyResult<Py<PyAny>> {
+        self.with(|mind| {
+            let place = mind.place(domain, state)?;
+            let action = place.action(action)?;
+            mind.acted(domain.py(), &place, action)?.state(domain.py())
+        })
+    }
+
+    /// Takes in the trainer's word about the last action: `reward`, `punish`, or `neutral`, which None is too. Of several words the last counts.
+    ///
+    /// Returns `used`, `says nothing` where no task's right actions are known exactly, or `impossible`, which is ignored.
+    #[pyo3(signature = (feedback))]
+    fn feedback(&self, py: Python<'_>, feedback: Option<&str>) -> PyResult<&'static str> {
+        let feedback = feedback_of(feedback)?;
+        self.with(|mind| mind.core.feedback(feedback).map(evidence_name).map_err(|refused| error::agent(py, refused)))
+    }
+
+    /// Takes in that the trainer did an action in a state that was planned for, to show the way. Returns as `feedback`.
+    fn demonstrated(&self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>, action: &str) -> PyResult<&'static str> {
+        self.with(|mind| {
+            let place = mind.place(domain, state)?;
+            let action = place.action(action)?;
+            let evidence = in_place!(&place, |domain, state| mind.core.demonstrated(domain, state, action));
+            mind.settled(domain.py(), &place, evidence).map(evidence_name)
+        })
+    }
+
+    /// Ends the session and learns from it. Returns how many older sessions gave way because memory was full.
+    ///
+    /// With `learn=False` the training is left to `learn`.
+    #[pyo3(signature = (domain, *, learn=true))]
+    fn finish(&self, domain: &Bound<'_, PyAny>, learn: bool) -> PyResult<usize> {
+        self.with(|mind| {
+            let place = mind.place_of(domain)?;
+            let gave_way = mind.finish(domain.py(), &place)?;
+            if learn {
+                mind.learn(domain.py())?;
+            }
+            Ok(gave_way)
+        })
+    }
+
+    /// Goes on learning, to the end or with about `budget` table cells of work. Returns whether it is done.
+    #[pyo3(signature = (budget=None))]
+    fn learn(&self, py: Python<'_>, budget: Option<u32>) -> PyResult<bool> {
+        self.with(|mind| match budget {
+            None => mind.learn(py).map(|()| true),
+            Some(budget) => Ok(py.detach(|| mind.core.learn(budget)) == Progress::Done),
+        })
+    }
+
+    /// Ends the session without learning from it.
+    fn forget(&self) -> PyResult<()> {
+        self.with(|mind| {
+            mind.core.forget();
+            Ok(())
+        })
+    }
+
+    /// The last command.
+    #[getter]
+    fn command(&self) -> PyResult<String> {
+        self.with(|mind| Ok(mind.command.clone()))
+    }
+
+    /// The names of this session's tasks, in the order of `beliefs`, `plans`, `distances` and the rows of `optimal_sets`.
+    #[getter]
+    fn tasks(&self, py: Python<'_>) -> PyResult<Vec<Py<PyString>>> {
+        self.with(|mind| Ok(mind.names.iter().take(mind.count()).map(|name| name.clone_ref(py)).collect()))
+    }
+
+    /// How probable each task is: float32, shape (tasks,), sum 1.
+    #[getter]
+    fn beliefs<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.with(|mind| {
+            let belief = mind.core.belief();
+            array(py, (0..mind.count()).map(|task| belief.probability(task)), &[mind.count()])
+        })
+    }
+
+    /// The trainer strategies: for each mu+, mu-, epsilon, and how probable it was when the session began.
+    #[getter]
+    fn strategies(&self) -> PyResult<Vec<StrategyNumbers>> {
+        self.with(|mind| {
+            let numbers = |(strategy, prior): &(Strategy, f32)| (strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon(), *prior);
+            Ok(mind.core.belief().strategies().iter().map(numbers).collect())
+        })
+    }
+
+    /// How probable each strategy is now: float32, shape (strategies,).
+    #[getter]
+    fn strategy_beliefs<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.with(|mind| {
+            let belief = mind.core.belief();
+            let count = belief.strategies().len();
+            array(py, (0..count).map(|strategy| belief.strategy_probability(strategy)), &[count])
+        })
+    }
+
+    /// The name of the most likely task, or None before the first command.
+    #[getter]
+    fn most_likely(&self, py: Python<'_>) -> PyResult<Option<Py<PyString>>> {
+        self.with(|mind| Ok(mind.core.most_likely().and_then(|task| mind.names.get(task)).map(|name| name.clone_ref(py))))
+    }
+
+    /// Which actions begin a shortest way to each task's goal, in the state that was planned for last: bool, shape (tasks, actions + 1).
+    ///
+    /// The columns are the domain's actions and, last, `noop`, which is right at the goal. A row of a task that is not known is all False.
+    fn optimal_sets<'py>(&self, domain: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.with(|mind| {
+            let place = mind.place_of(domain)?;
+            let actions = in_place!(&place, |domain, _state| domain.actions().len());
+            let plan = mind.core.planned();
+            let row = |task: usize| {
+                let optimal = plan.optimal(task);
+                let set = optimal.exact().or(optimal.onward()).unwrap_or_default();
+                (0..actions as u8).map(Action).chain([Action::NOOP]).map(move |action| set.contains(action))
+            };
+            array(domain.py(), (0..mind.count()).flat_map(row), &[mind.count(), actions + 1])
+        })
+    }
+
+    /// What the plan says of each task: `goal`, `toward`, `dead end`, `approximate` or `unknown`.
+    #[getter]
+    fn plans(&self) -> PyResult<Vec<&'static str>> {
+        self.with(|mind| Ok((0..mind.count()).map(|task| plan_name(mind.core.planned().optimal(task))).collect()))
+    }
+
+    /// The cost of a shortest way to each task's goal: int64, shape (tasks,); -1 where none is known.
+    #[getter]
+    fn distances<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.with(|mind| {
+            let plan = mind.core.planned();
+            array(py, (0..mind.count()).map(|task| plan.distance(task).map_or(-1, i64::from)), &[mind.count()])
+        })
+    }
+
+    /// The words that were learned from; of long words perhaps only their beginnings.
+    #[getter]
+    fn words(&self) -> PyResult<Vec<String>> {
+        self.with(|mind| {
+            let language = mind.core.language();
+            Ok(language.words().iter().take(language.tables().words()).map(|(_, text)| text.to_owned()).collect())
+        })
+    }
+
+    /// The machine tokens that the words are explained by.
+    #[getter]
+    fn tokens(&self) -> PyResult<Vec<String>> {
+        self.with(|mind| {
+            let language = mind.core.language();
+            Ok(language.tokens().iter().take(language.tables().tokens()).map(|(_, text)| text.to_owned()).collect())
+        })
+    }
+
+    /// How probable each word is for each machine token: float32, shape (tokens, words).
+    #[getter]
+    fn translations<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.with(|mind| {
+            let tables = mind.core.language().tables();
+            let (words, tokens) = (tables.words(), tables.tokens());
+            let cell = |token: usize| move |word: usize| tables.translation(Symbol(word as u16), Some(Symbol(token as u16)));
+            array(py, (0..tokens).flat_map(|token| (0..words).map(cell(token))), &[tokens, words])
+        })
+    }
+
+    /// What each word of the command is taken for if this task is meant, the task by name or position: for each word its meanings and their
+    /// shares, which sum to 1. Meanings are `background`, `task`, and values such as `goal colorRed`.
+    ///
+    /// Empty dicts for the learners `paper` and `smoothed`, and before anything is learned.
+    fn explain<'py>(&self, domain: &Bound<'py, PyAny>, task: &Bound<'py, PyAny>) -> PyResult<Vec<(String, Bound<'py, PyDict>)>> {
+        let py = domain.py();
+        self.with(|mind| {
+            let place = mind.place_of(domain)?;
+            let task = mind.task(task)?;
+            let mut told: Vec<(usize, Meaning, f32)> = Vec::new();
+            let result = in_place!(&place, |domain, _state| mind
+                .core
+                .explain(domain, task, |word, meaning, share| told.push((word, meaning, share))));
+            mind.settled(py, &place, result)?;
+            let mut words = Vec::new();
+            goodbot::language::for_each_word(&mind.command, |word| {
+                words.push((word.to_owned(), PyDict::new(py)));
+                Ok(())
+            })
+            .map_err(|refused| error::full(py, refused))?;
+            let tokens = mind.core.language().tokens();
+            for (word, meaning, share) in told.into_iter().filter(|(_, _, share)| *share > 0.0) {
+                let name = match meaning {
+                    Meaning::Background => "background".to_owned(),
+                    Meaning::Task => "task".to_owned(),
+                    Meaning::Value(role, symbol) => format!("{} {}", kind_name(role.kind()), tokens.text(symbol)),
+                };
+                if let Some((_, shares)) = words.get(word) {
+                    // The same value of two roles of a kind is one meaning here.
+                    let before: f32 = shares.get_item(&name)?.map_or(Ok(0.0), |before| before.extract())?;
+                    shares.set_item(name, before + share)?;
+                }
+            }
+            Ok(words)
+        })
+    }
+
+    /// How many sessions were learned from.
+    #[getter]
+    fn sessions(&self) -> PyResult<usize> {
+        self.with(|mind| Ok(mind.core.language().bitext().sessions()))
+    }
+
+    /// Whether the last session is still being learned from: `learn` goes on.
+    #[getter]
+    fn is_learning(&self) -> PyResult<bool> {
+        self.with(|mind| Ok(mind.core.language().is_training()))
+    }
+
+    /// How large each table is.
+    #[getter]
+    fn capacities<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.with(|mind| as_dict(py, &mind.core.capacities()))
+    }
+
+    /// How full each table was at most: capacities for the same life once more.
+    #[getter]
+    fn most_used<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.with(|mind| as_dict(py, &mind.core.most_used()))
+    }
+
+    /// Plans, decides, acts and takes feedback so many times in one state, all in Rust; returns the seconds that it took. What the same calls
+    /// cost from Python is measured against it, by `benches/figures.py`.
+    fn _rounds(&self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>, count: u32) -> PyResult<f64> {
+        self.with(|mind| {
+            let place = mind.place(domain, state)?;
+            let begun = Instant::now();
+            let result = in_place!(&place, |domain, state| (0..count).try_for_each(|_| {
+                mind.core.plan_fully(domain, state)?;
+                let decision = mind.core.decide_by(domain, state, &mut mind.random)?;
+                mind.core.acted(domain, state, decision.action)?;
+                mind.core.feedback(Feedback::Neutral).map(drop)
+            }));
+            let seconds = begun.elapsed().as_secs_f64();
+            mind.settled(domain.py(), &place, result)?;
+            Ok(seconds)
+        })
+    }
+
+    fn __repr__(&self) -> String {
+        let told = self.with(|mind| {
+            let language = mind.core.language();
+            Ok(format!("<goodbot.Agent: {} sessions, {} words>", language.bitext().sessions(), language.tables().words()))
+        });
+        told.unwrap_or_else(|_| "<goodbot.Agent in use>".to_owned())
+    }
+}
+
+const fn kind_name(kind: goodbot::task::RoleKind) -> &'static str {
+    use goodbot::task::RoleKind;
+    match kind {
+        RoleKind::Goal => "goal",
+        RoleKind::Subject => "subject",
+        RoleKind::Start => "start",
+        RoleKind::OtherPlace => "other place",
+        RoleKind::Other => "other",
+        RoleKind::Through => "through",
+        RoleKind::Avoiding => "avoiding",
+        RoleKind::Before => "before",
+    }
+}

@@ -1,0 +1,97 @@
+//! What Python is told where something is refused: the core's own texts, each in an exception of its kind.
+
+use goodbot::AgentError;
+use goodbot::capacity::CapacityError as Full;
+use goodbot::snapshot::{RestoreError, SaveError};
+use goodbot_course::CourseError;
+use goodbot_formats::FormatError as Misformed;
+use pyo3::create_exception;
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+use std::fmt::Display;
+
+create_exception!(
+    goodbot,
+    CapacityError,
+    PyValueError,
+    "A table was full. `capacity` is the name of the table to raise, `limit` what it holds, `given` what was asked of it, at least."
+);
+create_exception!(
+    goodbot,
+    FormatError,
+    PyValueError,
+    "A text is not in the format. `line` counts from 1; `field` is the field at fault, or None."
+);
+create_exception!(goodbot, ModelError, PyValueError, "The bytes are no model that this agent can take.");
+create_exception!(
+    goodbot,
+    SessionError,
+    PyRuntimeError,
+    "A call does not come in its turn: a command must be heard, a plan done or an action acted first."
+);
+create_exception!(goodbot, InUseError, PyRuntimeError, "Another thread, or an outer call, is using this agent.");
+create_exception!(goodbot, InternalError, PyRuntimeError, "goodbot itself is at fault; the agent cannot be used any more.");
+
+/// A `ValueError` with this text.
+pub fn value(text: impl Display) -> PyErr {
+    PyValueError::new_err(text.to_string())
+}
+
+/// Something was full.
+pub fn full(py: Python<'_>, error: Full) -> PyErr {
+    let raised = CapacityError::new_err(error.to_string());
+    // Plain attributes of a plain object: setting them fails only where memory ends.
+    let _ = raised.value(py).setattr("capacity", error.capacity.name());
+    let _ = raised.value(py).setattr("limit", error.limit);
+    let _ = raised.value(py).setattr("given", error.given);
+    raised
+}
+
+/// What an agent refused.
+pub fn agent(py: Python<'_>, error: AgentError) -> PyErr {
+    match error {
+        AgentError::Capacity(error) => full(py, error),
+        AgentError::EmptyCommand
+        | AgentError::NoTask
+        | AgentError::NotApplicable
+        | AgentError::Prior { .. }
+        | AgentError::NoPrior
+        | AgentError::Strategy(_)
+        | AgentError::Setting(_) => value(error),
+        _ => SessionError::new_err(error.to_string()),
+    }
+}
+
+/// Why a lesson or a course could not go on.
+pub fn course(py: Python<'_>, error: CourseError) -> PyErr {
+    match error {
+        CourseError::Agent(error) => agent(py, error),
+        error => value(error),
+    }
+}
+
+/// Why a model was not taken.
+pub fn restore(py: Python<'_>, error: RestoreError) -> PyErr {
+    match error {
+        RestoreError::Capacity(error) => full(py, error),
+        error => ModelError::new_err(error.to_string()),
+    }
+}
+
+/// Why a model was not written.
+pub fn save(error: SaveError) -> PyErr {
+    ModelError::new_err(error.to_string())
+}
+
+/// What is wrong with a text.
+pub fn format(py: Python<'_>, error: &Misformed) -> PyErr {
+    misformed(py, error, error.line, error.field.as_deref())
+}
+
+/// What is wrong with a text, on a line.
+pub fn misformed(py: Python<'_>, text: impl Display, line: usize, field: Option<&str>) -> PyErr {
+    let raised = FormatError::new_err(text.to_string());
+    let _ = raised.value(py).setattr("line", line);
+    let _ = raised.value(py).setattr("field", field);
+    raised
+}

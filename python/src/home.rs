@@ -1,0 +1,393 @@
+//! Homes and where things stand in them.
+
+use crate::error::{format, full, misformed, value};
+use crate::options::{as_dict, capacities_of};
+use crate::place::{action_of, task_name};
+use goodbot::capacity::{Capacity, CapacityError};
+use goodbot::home::{self, Area, BLOCK, COLOR, Cell, DOOR, HomeBuilder, HomeError, HomeState, Map, Moves, Problem, ROOM, SHAPE};
+use goodbot::memory::HomeHeap;
+use goodbot::oomdp::{Domain, GroundProposition, ObjectId, apply};
+use goodbot::task::{GroundedTask, LiftedTask, ground};
+use goodbot::{Capacities, home::SCHEMA};
+use goodbot_course::{Exercise, HomeName, Layout, generator};
+use goodbot_formats::environment::{EnvironmentFile, ObjectRecord, object_line};
+use goodbot_formats::map;
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+/// The core's home, on the heap.
+pub type Rooms = home::Home<HomeHeap>;
+
+/// Where the agent and the blocks of a home are. Equal states are equal objects, and can be keys of dicts.
+///
+/// `Home.start` is one, and `Home.step`, `Home.placed` and `Agent.acted` return others. `Home.cells` says where things are.
+#[pyclass(frozen, eq, hash, module = "goodbot")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct State {
+    /// Of which home.
+    mark: u64,
+    pub at: HomeState,
+}
+
+/// A home of rooms, doors and blocks, with one agent: an object-oriented MDP (the paper, section 4). It does not change; states do.
+///
+/// >>> home = goodbot.Home.from_map('''
+/// ... #######
+/// ... #r@#gg#
+/// ... #rr+gg#
+/// ... #######
+/// ... ''')
+/// >>> print(home.map(home.step(home.start, "south")), end="")
+/// #######
+/// #rr#gg#
+/// #r@+gg#
+/// #######
+#[pyclass(frozen, module = "goodbot")]
+#[derive(Debug)]
+pub struct Home {
+    pub rooms: Rooms,
+    pub start: HomeState,
+    mark: u64,
+}
+
+/// The home of an environment.
+pub fn built(environment: &EnvironmentFile, moves: Moves, capacities: &Capacities) -> Result<(Rooms, HomeState), HomeError> {
+    let mut builder = HomeBuilder::new(HomeHeap::new(capacities));
+    for object in &environment.objects {
+        match object {
+            ObjectRecord::Room { name, left, bottom, right, top, color } => {
+                builder.room(name, Area::new(*left, *bottom, *right, *top), color)
+            }
+            ObjectRecord::Door { name, left, bottom, right, top } => builder.door(name, Area::new(*left, *bottom, *right, *top)),
+            ObjectRecord::Agent { name, x, y } => builder.agent(name, Cell::new(*x, *y)),
+            ObjectRecord::Block { name, x, y, color, shape } => builder.block(name, Cell::new(*x, *y), color, shape),
+        }?;
+    }
+    builder.build(moves)
+}
+
+/// The objects of a home where they are in a state.
+pub fn environment(rooms: &Rooms, state: &HomeState) -> EnvironmentFile {
+    let objects = rooms.objects();
+    let record = |id: ObjectId| {
+        let (name, area) = (objects.name(id).to_owned(), rooms.area(id));
+        let Area { left, bottom, right, top } = area;
+        let (color, shape) = (objects.value(id, COLOR).to_owned(), objects.value(id, SHAPE).to_owned());
+        match objects.get(id).map(|object| object.class) {
+            Some(ROOM) => ObjectRecord::Room { name, left, bottom, right, top, color },
+            Some(DOOR) => ObjectRecord::Door { name, left, bottom, right, top },
+            Some(BLOCK) => {
+                let cell = rooms.block_cell(state, id).unwrap_or(Cell::new(left, bottom));
+                ObjectRecord::Block { name, x: cell.x, y: cell.y, color, shape }
+            }
+            _ => {
+                let cell = rooms.agent_cell(state);
+                ObjectRecord::Agent { name, x: cell.x, y: cell.y }
+            }
+        }
+    };
+    EnvironmentFile::new(objects.iter().map(|(id, _)| record(id)).collect())
+}
+
+const fn moves(pull: bool) -> Moves {
+    if pull { Moves::PushAndPull } else { Moves::Push }
+}
+
+/// The tasks that there are in a state, of these kinds.
+pub fn tasks(rooms: &Rooms, lifted: &[LiftedTask], state: &HomeState) -> Result<Vec<GroundedTask>, CapacityError> {
+    let mut tasks = vec![GroundedTask::UNUSED; Capacities::STANDARD.tasks];
+    let count = ground(rooms, lifted, state, &mut tasks)?;
+    tasks.truncate(count);
+    Ok(tasks)
+}
+
+/// The name of the task that an exercise means.
+pub fn meant(rooms: &Rooms, state: &HomeState, exercise: &Exercise) -> PyResult<String> {
+    let lifted = home::paper_tasks().map_err(value)?;
+    let tasks = tasks(rooms, &lifted, state).map_err(value)?;
+    let named = tasks.iter().filter_map(|task| Some((lifted.get(usize::from(task.lifted))?, task)));
+    let mut meant = named.filter(|(lifted, task)| exercise.intention.is(rooms, lifted, task));
+    meant.next().map(|(lifted, task)| task_name(rooms, lifted, task)).ok_or_else(|| value("nobody can mean this here"))
+}
+
+/// A home of the course by its letter.
+pub fn home_name(name: &str) -> PyResult<HomeName> {
+    Ok(match name {
+        "A" => HomeName::A,
+        "B" => HomeName::B,
+        "C" => HomeName::C,
+        "D" => HomeName::D,
+        "E" => HomeName::E,
+        "F" => HomeName::F,
+        "Test" => HomeName::Test,
+        _ => return Err(value(format!("no home of the course is called {name:?}; give A to F, or Test"))),
+    })
+}
+
+impl Home {
+    /// A home, with its initial state.
+    pub fn new(rooms: Rooms, start: HomeState) -> Self {
+        let mut hasher = DefaultHasher::new();
+        environment(&rooms, &start).to_json_line().hash(&mut hasher);
+        rooms.moves().hash(&mut hasher);
+        Self { rooms, start, mark: hasher.finish() }
+    }
+
+    /// The home of an environment.
+    pub fn of(py: Python<'_>, environment: &EnvironmentFile, moves: Moves, capacities: &Capacities, text: &str) -> PyResult<Self> {
+        let (rooms, start) = built(environment, moves, capacities).map_err(|error| flaw(py, environment, &error, text))?;
+        Ok(Self::new(rooms, start))
+    }
+
+    /// A layout of the course.
+    pub fn of_layout(layout: &Layout) -> PyResult<Self> {
+        let (rooms, start) = layout.build(HomeHeap::new(&Capacities::STANDARD)).map_err(value)?;
+        Ok(Self::new(rooms, start))
+    }
+
+    /// The state, if it is one of this home.
+    pub fn check(&self, state: &Bound<'_, PyAny>) -> PyResult<HomeState> {
+        let state =
+            state.cast::<State>().map_err(|_| PyTypeError::new_err("the state of a home is a goodbot.State, such as home.start"))?;
+        if state.get().mark == self.mark { Ok(state.get().at) } else { Err(value("this state is one of another home")) }
+    }
+
+    /// A state of this home.
+    pub const fn state(&self, at: HomeState) -> State {
+        State { mark: self.mark, at }
+    }
+
+    fn object(&self, name: &str) -> PyResult<ObjectId> {
+        self.rooms.objects().find(name).ok_or_else(|| value(format!("there is no object {name:?} in this home")))
+    }
+}
+
+/// What is wrong with a home, naming the object and its line.
+fn flaw(py: Python<'_>, environment: &EnvironmentFile, error: &HomeError, text: &str) -> PyErr {
+    if let Problem::Capacity(error) = error.problem {
+        return full(py, error);
+    }
+    let position = error.object.map(usize::from);
+    let object = position.and_then(|position| environment.objects.get(position));
+    let message = object.map_or_else(|| error.problem.to_string(), |object| format!("object {:?}: {}", object.name(), error.problem));
+    let line = position.and_then(|position| object_line(text, position)).unwrap_or(1);
+    misformed(py, message, line, position.map(|position| format!("objects[{position}]")).as_deref())
+}
+
+#[pymethods]
+impl Home {
+    /// A home from its JSON, as `docs/files.md` describes it. `pull=True` adds the action `pull`.
+    ///
+    /// Raises `FormatError` with the line and field at fault, and `CapacityError` where the home is larger than the capacities: the
+    /// fields `objects`, `names`, `name_bytes` and `cells` of a dict, or a preset's name.
+    #[staticmethod]
+    #[pyo3(signature = (text, *, pull=false, capacities=None))]
+    fn from_json(py: Python<'_>, text: &str, pull: bool, capacities: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        let environment = EnvironmentFile::parse(text).map_err(|error| format(py, &error))?;
+        Self::of(py, &environment, moves(pull), &capacities_of(capacities)?, text)
+    }
+
+    /// A home from a drawing: `#` wall, `+` door, `@` the agent, a small letter for a cell of a room, a capital for a block.
+    ///
+    /// Letters that are not the first of red, green, blue, yellow, purple, orange or tan need a line such as `C: blue chair` below.
+    /// Raises `FormatError` with the line, and `CapacityError`.
+    ///
+    /// >>> goodbot.Home.from_map("####\n#r@#\n####").objects["room0"]["color"]
+    /// 'red'
+    #[staticmethod]
+    #[pyo3(signature = (text, *, pull=false, capacities=None))]
+    fn from_map(py: Python<'_>, text: &str, pull: bool, capacities: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        let environment = map::parse(text).map_err(|error| misformed(py, &error, error.line, None))?;
+        Self::of(py, &environment, moves(pull), &capacities_of(capacities)?, text)
+    }
+
+    /// A home at random: the same seed, the same home. `name` is one of the paper's, `A` to `F` or `Test`, with the blocks of that one.
+    /// Every command that the course gives there can be obeyed, and is not obeyed yet.
+    ///
+    /// >>> len(goodbot.Home.random(1).objects)
+    /// 11
+    #[staticmethod]
+    #[pyo3(signature = (seed, name="Test"))]
+    fn random(py: Python<'_>, seed: u64, name: &str) -> PyResult<Self> {
+        let name = home_name(name)?;
+        let layout = py.detach(|| Layout::random(name, &mut generator(seed), &mut HomeHeap::new(&Capacities::STANDARD)));
+        Self::of_layout(&layout)
+    }
+
+    /// Where things stand at the beginning.
+    #[getter(start)]
+    fn get_start(&self) -> State {
+        self.state(self.start)
+    }
+
+    /// Whether the agent can pull blocks too.
+    #[getter]
+    fn pull(&self) -> bool {
+        self.rooms.moves() == Moves::PushAndPull
+    }
+
+    /// The names of the actions, in order; `noop` is one everywhere and is not listed.
+    ///
+    /// >>> goodbot.Home.random(1).actions
+    /// ('north', 'south', 'east', 'west')
+    #[getter]
+    fn actions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        PyTuple::new(py, self.rooms.actions().iter().map(|kind| kind.name))
+    }
+
+    /// How many states there are at most: every number of a state is below it.
+    #[getter]
+    fn state_count(&self) -> u64 {
+        self.rooms.state_count()
+    }
+
+    /// The box of all rooms, walls included: left, bottom, right, top. Cells count x to the east and y to the north.
+    #[getter]
+    fn bounds(&self) -> (i32, i32, i32, i32) {
+        let Area { left, bottom, right, top } = Map::new(&self.rooms, &self.start).bounds();
+        (left, bottom, right, top)
+    }
+
+    /// The objects by their names: `class`, and `color`, `shape` and `box` (left, bottom, right, top) where they have them.
+    #[getter]
+    fn objects<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let all = PyDict::new(py);
+        let objects = self.rooms.objects();
+        for (id, object) in objects.iter() {
+            let one = PyDict::new(py);
+            one.set_item("class", SCHEMA.class_name(object.class))?;
+            for (attribute, name) in [(COLOR, "color"), (SHAPE, "shape")] {
+                let text = objects.value(id, attribute);
+                if !text.is_empty() {
+                    one.set_item(name, text)?;
+                }
+            }
+            if matches!(object.class, ROOM | DOOR) {
+                let Area { left, bottom, right, top } = self.rooms.area(id);
+                one.set_item("box", (left, bottom, right, top))?;
+            }
+            all.set_item(objects.name(id), one)?;
+        }
+        Ok(all)
+    }
+
+    /// The state that an action leads to, or None where it cannot be done. Bumping into a wall can be done and changes nothing.
+    ///
+    /// >>> home = goodbot.Home.from_map("####\n#r@#\n####")
+    /// >>> home.step(home.start, "north") == home.start
+    /// True
+    fn step(&self, py: Python<'_>, state: &Bound<'_, PyAny>, action: &str) -> PyResult<Py<PyAny>> {
+        let next = apply(&self.rooms, &self.check(state)?, action_of(&self.rooms, action)?);
+        Ok(next.map(|next| self.state(next)).into_pyobject(py)?.unbind())
+    }
+
+    /// Whether a proposition holds of these objects in a state: `agentInRoom`, `blockInRoom`, `agentInDoor` or `blockInDoor`.
+    ///
+    /// >>> home = goodbot.Home.from_map("####\n#r@#\n####")
+    /// >>> home.holds("agentInRoom", ["agent0", "room0"], home.start)
+    /// True
+    fn holds(&self, proposition: &str, objects: Vec<String>, state: &Bound<'_, PyAny>) -> PyResult<bool> {
+        let at = self.check(state)?;
+        let Some(known) = SCHEMA.proposition(proposition) else {
+            let names: Vec<&str> = SCHEMA.propositions.iter().map(|known| known.name).collect();
+            return Err(value(format!("{proposition:?} is no propositional function; known are {}", names.join(", "))));
+        };
+        if SCHEMA.parameters(known).len() != objects.len() {
+            return Err(value(format!("{proposition} takes {} objects, and {} are given", SCHEMA.parameters(known).len(), objects.len())));
+        }
+        let ids = objects.iter().map(|name| self.object(name)).collect::<PyResult<Vec<_>>>()?;
+        Ok(self.rooms.holds(&GroundProposition::new(known, &ids), &at))
+    }
+
+    /// The number of a state, from 0 and below `state_count`.
+    fn number(&self, state: &Bound<'_, PyAny>) -> PyResult<u64> {
+        Ok(self.rooms.number(&self.check(state)?))
+    }
+
+    /// The state of a number that `number` returned.
+    fn numbered(&self, number: u64) -> PyResult<State> {
+        if number >= self.rooms.state_count() {
+            return Err(value(format!("there is no state {number}; they count from 0 to {}", self.rooms.state_count() - 1)));
+        }
+        Ok(self.state(self.rooms.numbered(number)))
+    }
+
+    /// Where the agent and the blocks are, by their names: x and y.
+    ///
+    /// >>> home = goodbot.Home.from_map("####\n#r@#\n####")
+    /// >>> home.cells(home.start)
+    /// {'agent0': (2, 1)}
+    fn cells<'py>(&self, py: Python<'py>, state: &Bound<'_, PyAny>) -> PyResult<Bound<'py, PyDict>> {
+        let at = self.check(state)?;
+        let cells = PyDict::new(py);
+        let Cell { x, y } = self.rooms.agent_cell(&at);
+        cells.set_item(self.rooms.objects().name(self.rooms.agent()), (x, y))?;
+        for &block in self.rooms.blocks() {
+            if let Some(Cell { x, y }) = self.rooms.block_cell(&at, block) {
+                cells.set_item(self.rooms.objects().name(block), (x, y))?;
+            }
+        }
+        Ok(cells)
+    }
+
+    /// The state in which the things named stand on these cells, all at once; the others stay. For a robot that senses where things are.
+    ///
+    /// Raises `ValueError` where a cell is wall, or two things would stand on one.
+    fn placed(&self, state: &Bound<'_, PyAny>, cells: &Bound<'_, PyDict>) -> PyResult<State> {
+        let at = self.check(state)?;
+        let mut things = Vec::new();
+        for (name, cell) in cells {
+            let (x, y) = cell.extract()?;
+            things.push((self.object(name.extract()?)?, Cell::new(x, y)));
+        }
+        let placed = self.rooms.placed(&at, &things);
+        placed.map(|at| self.state(at)).ok_or_else(|| {
+            value("this cannot be: a cell is wall, two things would stand on one cell, or an object is neither the agent nor a block")
+        })
+    }
+
+    /// The home drawn as text, in a state or as at the start; north is up.
+    #[pyo3(signature = (state=None))]
+    fn map(&self, state: Option<&Bound<'_, PyAny>>) -> PyResult<String> {
+        let at = state.map_or(Ok(self.start), |state| self.check(state))?;
+        Ok(Map::new(&self.rooms, &at).to_string())
+    }
+
+    /// The home as JSON, with everything where it is in a state or at the start.
+    #[pyo3(signature = (state=None))]
+    fn to_json(&self, state: Option<&Bound<'_, PyAny>>) -> PyResult<String> {
+        let at = state.map_or(Ok(self.start), |state| self.check(state))?;
+        Ok(environment(&self.rooms, &at).to_json_line())
+    }
+
+    /// The names of the tasks that do not hold in a state yet, of the paper's two kinds or of those given.
+    ///
+    /// >>> goodbot.Home.from_map("#####\n#r@r#\n##+##\n#ggg#\n#####").tasks()
+    /// ['agentInRoom(agent0,room0)']
+    #[pyo3(signature = (state=None, kinds=None))]
+    fn tasks(&self, py: Python<'_>, state: Option<&Bound<'_, PyAny>>, kinds: Option<Vec<String>>) -> PyResult<Vec<String>> {
+        let at = state.map_or(Ok(self.start), |state| self.check(state))?;
+        let lifted = crate::agent::kinds_of_tasks(py, kinds, &SCHEMA)?;
+        let tasks = tasks(&self.rooms, &lifted, &at).map_err(|error| full(py, error))?;
+        let name = |task: &GroundedTask| Some(task_name(&self.rooms, lifted.get(usize::from(task.lifted))?, task));
+        Ok(tasks.iter().filter_map(name).collect())
+    }
+
+    fn __repr__(&self) -> String {
+        let used = self.rooms.usage();
+        format!("<goodbot.Home: {} objects, {} cells>", used.get(Capacity::Objects), used.get(Capacity::Cells))
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (String, bool, Bound<'py, PyDict>))> {
+        let Self { rooms, start, .. } = slf.get();
+        let restore = slf.get_type().getattr("_restored")?;
+        Ok((restore, (environment(rooms, start).to_json_line(), slf.get().pull(), as_dict(slf.py(), &rooms.usage())?)))
+    }
+
+    #[staticmethod]
+    fn _restored(py: Python<'_>, text: &str, pull: bool, capacities: &Bound<'_, PyAny>) -> PyResult<Self> {
+        Self::from_json(py, text, pull, Some(capacities))
+    }
+}

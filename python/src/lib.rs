@@ -1,0 +1,56 @@
+//! goodbot for Python: the module `goodbot._native`, one more shell around the core. `python/goodbot` has what is written in Python.
+//!
+//! - `home`: homes and their states;
+//! - `robot`, `vocabulary`: a robot that a Python class describes;
+//! - `place`: the one or the other, where a session takes place;
+//! - `agent`: the robot's mind;
+//! - `trainer`: a simulated trainer, who teaches;
+//! - `course`: the paper's lessons and tests;
+//! - `log`: recorded sessions;
+//! - `worlds`: many homes at once, for reinforcement learning;
+//! - `options`, `arrays`, `error`: settings by name, numpy arrays, and exceptions.
+//!
+//! What Python may call is listed with its types in `python/goodbot/_native.pyi`.
+
+#![forbid(unsafe_code)]
+
+mod agent;
+mod arrays;
+mod course;
+mod error;
+mod home;
+mod log;
+mod options;
+mod place;
+mod robot;
+mod trainer;
+mod vocabulary;
+mod worlds;
+
+use pyo3::prelude::*;
+
+/// What is written in Rust; `goodbot` itself is the place to import from.
+#[pymodule(name = "_native")]
+mod native {
+    #[pymodule_export]
+    use crate::agent::{Agent, Decision};
+    #[pymodule_export]
+    use crate::course::{exercises, run_course};
+    #[pymodule_export]
+    use crate::error::{CapacityError, FormatError, InUseError, InternalError, ModelError, SessionError};
+    #[pymodule_export]
+    use crate::home::{Home, State};
+    #[pymodule_export]
+    use crate::log::{Session, parse_log};
+    #[pymodule_export]
+    use crate::options::capacities;
+    #[pymodule_export]
+    use crate::trainer::{Lesson, Trainer};
+    #[pymodule_export]
+    use crate::worlds::Worlds;
+
+    /// The version, as the workspace has it.
+    #[pymodule_export]
+    #[allow(non_upper_case_globals, reason = "as Python calls it")]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
+}

@@ -1,0 +1,285 @@
+//! Recorded sessions: read, written, and gone through once more.
+
+use crate::agent::{Agent, Mind, evidence_name};
+use crate::error::{format, value};
+use crate::home::{Home, environment};
+use crate::place::Place;
+use goodbot::Capacities;
+use goodbot::feedback::{Feedback, Strategy};
+use goodbot::home::Moves;
+use goodbot::oomdp::apply;
+use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, SessionHeader, SessionReader, StepRecord};
+use goodbot_formats::task_text::GroundTaskText;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::collections::HashMap;
+
+/// A recorded session: a command in a home, and what was done and said.
+///
+/// `steps` are pairs of an action and its feedback, which is None in a `demonstration`. A session that could not be read again is
+/// refused with `FormatError`.
+///
+/// >>> home = goodbot.Home.random(1, "A")
+/// >>> session = goodbot.Session("go there", home, [("north", "reward"), ("noop", "neutral")])
+/// >>> agent = goodbot.Agent()
+/// >>> len(session.teach(agent)), agent.sessions
+/// (2, 1)
+#[pyclass(frozen, eq, module = "goodbot")]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Session(pub RecordedSession);
+
+const fn word(feedback: FeedbackWord) -> Feedback {
+    match feedback {
+        FeedbackWord::Reward => Feedback::Reward,
+        FeedbackWord::Punish => Feedback::Punish,
+        FeedbackWord::Neutral => Feedback::Neutral,
+    }
+}
+
+fn kind_of(name: &str) -> PyResult<Kind> {
+    match name {
+        "feedback" => Ok(Kind::Feedback),
+        "demonstration" => Ok(Kind::Demonstration),
+        "labelled" => Ok(Kind::Labelled),
+        _ => Err(value(format!("{name:?} is no kind of session; give feedback, demonstration or labelled"))),
+    }
+}
+
+fn step_of(action: String, feedback: Option<&str>) -> PyResult<(usize, StepRecord)> {
+    let feedback = match feedback {
+        None => None,
+        Some("reward") => Some(FeedbackWord::Reward),
+        Some("punish") => Some(FeedbackWord::Punish),
+        Some("neutral") => Some(FeedbackWord::Neutral),
+        Some(other) => return Err(value(format!("{other:?} is no feedback; say reward, punish or neutral"))),
+    };
+    Ok((0, StepRecord { action, feedback }))
+}
+
+fn atoms_of(text: &str) -> PyResult<Vec<goodbot_formats::task_text::GroundAtomText>> {
+    Ok(text.parse::<GroundTaskText>().map_err(value)?.atoms().to_vec())
+}
+
+/// The sessions of a log, as bytes of JSON Lines.
+#[pyfunction]
+#[pyo3(signature = (text, *, file=None))]
+pub fn parse_log(py: Python<'_>, text: &[u8], file: Option<String>) -> PyResult<Vec<Session>> {
+    let mut reader = SessionReader::new(text);
+    if let Some(file) = file {
+        reader = reader.with_file(file);
+    }
+    let mut sessions = Vec::new();
+    for session in reader {
+        sessions.push(Session(session.map_err(|error| format(py, &error))?));
+        if sessions.len() % 256 == 0 {
+            py.check_signals()?;
+        }
+    }
+    Ok(sessions)
+}
+
+impl Session {
+    fn moves(&self) -> PyResult<Moves> {
+        let mut names: Vec<&str> = self.0.header.action_names().filter(|&name| name != "noop").collect();
+        names.sort_unstable();
+        match names.as_slice() {
+            ["east", "north", "south", "west"] => Ok(Moves::Push),
+            ["east", "north", "pull", "south", "west"] => Ok(Moves::PushAndPull),
+            _ => Err(value("a home has the actions north, south, east and west, and may have pull; this session has others")),
+        }
+    }
+
+    fn home(&self, py: Python<'_>) -> PyResult<Home> {
+        Home::of(py, &self.0.header.environment, self.moves()?, &Capacities::STANDARD, "")
+    }
+
+    /// Hears the command, as the header has it: with its strategies, its prior, or again.
+    fn hear(&self, py: Python<'_>, mind: &mut Mind, place: &Place) -> PyResult<()> {
+        let header = &self.0.header;
+        if header.continues {
+            return mind.hear_again(py, place);
+        }
+        // In any unit: the largest is 1, so that single precision never makes all of them 0.
+        let largest = |numbers: &mut dyn Iterator<Item = f64>| numbers.fold(0.0, f64::max);
+        if let Some(records) = &header.strategies {
+            let whole = largest(&mut records.iter().map(|record| record.prior));
+            let mut strategies = Vec::new();
+            for record in records {
+                let strategy = Strategy::new(record.mu_plus as f32, record.mu_minus as f32, record.epsilon as f32).map_err(value)?;
+                strategies.push((strategy, (record.prior / whole) as f32));
+            }
+            mind.set_strategies(py, &strategies)?;
+        }
+        match &header.prior {
+            None => mind.hear(py, place, &header.command),
+            Some(prior) => {
+                let whole = largest(&mut prior.iter().map(|(_, prior)| *prior));
+                let prior: HashMap<String, f32> = prior.iter().map(|(task, prior)| (task.to_string(), (prior / whole) as f32)).collect();
+                mind.hear_with_prior(py, place, &header.command, &prior)
+            }
+        }
+    }
+
+    fn replay(&self, py: Python<'_>, mind: &mut Mind, learn: bool) -> PyResult<Vec<&'static str>> {
+        if self.0.header.kind == Kind::Labelled {
+            return Err(value("a labelled session has no steps to go through; learn from it with goodbot learn"));
+        }
+        let home = Py::new(py, self.home(py)?)?;
+        let mut place = Place::Home(home.clone_ref(py), home.get().start);
+        self.hear(py, mind, &place)?;
+        let mut evidence = Vec::new();
+        for (_, step) in &self.0.steps {
+            mind.plan(py, &place)?;
+            let action = place.action(&step.action)?;
+            let (next, came) = match step.feedback {
+                Some(feedback) => {
+                    let next = mind.acted(py, &place, action)?;
+                    (next, mind.core.feedback(word(feedback)))
+                }
+                None => {
+                    let Place::Home(_, state) = &place else { break };
+                    let came = mind.core.demonstrated(&home.get().rooms, state, action);
+                    let next = apply(&home.get().rooms, state, action).unwrap_or(*state);
+                    (Place::Home(home.clone_ref(py), next), came)
+                }
+            };
+            evidence.push(evidence_name(mind.settled(py, &place, came)?));
+            place = next;
+        }
+        if learn {
+            mind.finish(py, &place)?;
+            mind.learn(py)?;
+        } else {
+            mind.core.forget();
+        }
+        Ok(evidence)
+    }
+}
+
+#[pymethods]
+impl Session {
+    #[new]
+    #[pyo3(signature = (command, home, steps, *, state=None, kind="feedback", learn=true, id=None, intended=None, continues=false))]
+    #[expect(clippy::too_many_arguments, reason = "Python's arguments have names")]
+    fn new(
+        py: Python<'_>,
+        command: String,
+        home: &Bound<'_, Home>,
+        steps: Vec<(String, Option<String>)>,
+        state: Option<&Bound<'_, PyAny>>,
+        kind: &str,
+        learn: bool,
+        id: Option<String>,
+        intended: Option<&str>,
+        continues: bool,
+    ) -> PyResult<Self> {
+        let home = home.get();
+        let at = state.map_or(Ok(home.start), |state| home.check(state))?;
+        let pulls = home.rooms.moves() == Moves::PushAndPull;
+        let header = SessionHeader {
+            id,
+            kind: kind_of(kind)?,
+            environment: environment(&home.rooms, &at),
+            command,
+            intended: intended.map(atoms_of).transpose()?,
+            before: None,
+            through: None,
+            avoiding: None,
+            actions: pulls.then(|| ["north", "south", "east", "west", "pull"].map(str::to_owned).to_vec()),
+            continues,
+            prior: None,
+            strategies: None,
+        };
+        let steps = steps.into_iter().map(|(action, feedback)| step_of(action, feedback.as_deref())).collect::<PyResult<_>>()?;
+        let session = Self(RecordedSession { header, header_line: 1, steps, answers: vec![], learn, end_line: 1 });
+        session.lines(py)?;
+        Ok(session)
+    }
+
+    /// The session's name, or None.
+    #[getter]
+    fn id(&self) -> Option<&str> {
+        self.0.header.id.as_deref()
+    }
+
+    /// What was said.
+    #[getter]
+    fn command(&self) -> &str {
+        &self.0.header.command
+    }
+
+    /// `feedback`, `demonstration` or `labelled`.
+    #[getter]
+    const fn kind(&self) -> &'static str {
+        match self.0.header.kind {
+            Kind::Feedback => "feedback",
+            Kind::Demonstration => "demonstration",
+            Kind::Labelled => "labelled",
+        }
+    }
+
+    /// Whether it is to be learned from.
+    #[getter]
+    const fn learn(&self) -> bool {
+        self.0.learn
+    }
+
+    /// Whether it is the command before, once more.
+    #[getter]
+    const fn continues(&self) -> bool {
+        self.0.header.continues
+    }
+
+    /// The task that was meant, or None. For evaluation only; in a `labelled` session it is the lesson.
+    #[getter]
+    fn intended(&self) -> Option<String> {
+        let atoms = self.0.header.intended.as_ref()?;
+        Some(atoms.iter().map(ToString::to_string).collect::<Vec<_>>().join(" & "))
+    }
+
+    /// What was done and said, in order.
+    #[getter]
+    fn steps(&self) -> Vec<(&str, Option<&'static str>)> {
+        self.0.steps.iter().map(|(_, step)| (step.action.as_str(), step.feedback.map(FeedbackWord::as_str))).collect()
+    }
+
+    /// The home, with everything where it was at the beginning.
+    #[getter(home)]
+    fn get_home(&self, py: Python<'_>) -> PyResult<Home> {
+        self.home(py)
+    }
+
+    /// The tasks' recorded prior, or None.
+    #[getter]
+    fn prior<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let Some(prior) = &self.0.header.prior else { return Ok(None) };
+        let dict = PyDict::new(py);
+        for (task, value) in prior {
+            dict.set_item(task.to_string(), value)?;
+        }
+        Ok(Some(dict))
+    }
+
+    /// The recorded trainer strategies, each mu+, mu-, epsilon and prior, or None.
+    #[getter]
+    fn strategies(&self) -> Option<Vec<(f64, f64, f64, f64)>> {
+        let records = self.0.header.strategies.as_ref()?;
+        Some(records.iter().map(|it| (it.mu_plus, it.mu_minus, it.epsilon, it.prior)).collect())
+    }
+
+    /// The session as lines of a log, without line ends.
+    fn lines(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        self.0.to_lines().map_err(|error| format(py, &error))
+    }
+
+    /// Goes through the session with an agent: it hears, plans, and takes in each step. Returns for each step what came of it, as
+    /// `Agent.feedback` does. `learn` replaces the session's own word on whether to learn from it.
+    #[pyo3(signature = (agent, *, learn=None))]
+    fn teach(&self, py: Python<'_>, agent: &Bound<'_, Agent>, learn: Option<bool>) -> PyResult<Vec<&'static str>> {
+        agent.get().with(|mind| self.replay(py, mind, learn.unwrap_or(self.0.learn)))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<goodbot.Session: {:?}, {} steps>", self.0.header.command, self.0.steps.len())
+    }
+}

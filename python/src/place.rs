@@ -1,0 +1,93 @@
+//! Where a session takes place: a home, or a robot of one's own, with the state that things are in.
+
+use crate::error::value;
+use crate::home::Home;
+use crate::robot::Robot;
+use goodbot::home::HomeState;
+use goodbot::oomdp::{Action, Domain, action_name, action_named};
+use goodbot::task::{GroundedTask, LiftedTask};
+use pyo3::prelude::*;
+use std::sync::Arc;
+
+/// A domain and a state of it.
+pub enum Place {
+    Home(Py<Home>, HomeState),
+    Robot(Arc<Robot>, u64),
+}
+
+/// Runs an expression in a place, whichever it is, with the domain and the state by reference.
+macro_rules! in_place {
+    ($place:expr, |$domain:ident, $state:ident| $run:expr) => {
+        match $place {
+            $crate::place::Place::Home(home, $state) => {
+                let $domain = &home.get().rooms;
+                $run
+            }
+            $crate::place::Place::Robot(robot, $state) => {
+                let $domain = &**robot;
+                $run
+            }
+        }
+    };
+}
+pub(crate) use in_place;
+
+impl Place {
+    /// The place that Python names. The robot that was met last is known, so that it need not be read again.
+    pub fn of(domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>, last: &mut Option<Arc<Robot>>) -> PyResult<Self> {
+        if let Ok(home) = domain.cast::<Home>() {
+            return Ok(Self::Home(home.clone().unbind(), home.get().check(state)?));
+        }
+        let robot = match last.as_ref().filter(|robot| robot.is_of(domain)) {
+            Some(robot) => robot.clone(),
+            None => last.insert(Arc::new(Robot::of(domain)?)).clone(),
+        };
+        let number = robot.enter(state)?;
+        Ok(Self::Robot(robot, number))
+    }
+
+    /// A state as Python has it.
+    pub fn state(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
+        match self {
+            Self::Home(home, state) => Ok(home.get().state(*state).into_pyobject(py)?.into_any().unbind()),
+            Self::Robot(robot, number) => robot.state(py, *number).ok_or_else(|| value("this state was never seen")),
+        }
+    }
+
+    /// The exception of the robot's class, if one was raised.
+    pub fn failure(&self) -> Option<PyErr> {
+        match self {
+            Self::Home(..) => None,
+            Self::Robot(robot, _) => robot.failure(),
+        }
+    }
+
+    /// The action of this name.
+    pub fn action(&self, name: &str) -> PyResult<Action> {
+        in_place!(self, |domain, _state| action_of(domain, name))
+    }
+
+    /// The name of an action.
+    pub fn action_text(&self, action: Action) -> String {
+        in_place!(self, |domain, _state| action_name(domain, action).to_owned())
+    }
+}
+
+/// The action of this name, `noop` included.
+pub fn action_of<D: Domain>(domain: &D, name: &str) -> PyResult<Action> {
+    action_named(domain, name).ok_or_else(|| {
+        let known: Vec<&str> = domain.actions().iter().map(|kind| kind.name).chain(["noop"]).collect();
+        value(format!("{name:?} is no action here; there are {}", known.join(", ")))
+    })
+}
+
+/// A task as logs write it: `agentInRoom(agent0,room1)`, propositions joined by ` & `.
+pub fn task_name<D: Domain>(domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> String {
+    let schema = domain.world().schema;
+    let part = |part: goodbot::oomdp::GroundProposition| {
+        let count = schema.parameters(part.proposition).len();
+        let names: Vec<&str> = part.arguments.iter().take(count).map(|&object| domain.world().objects.name(object)).collect();
+        format!("{}({})", schema.proposition_name(part.proposition), names.join(","))
+    };
+    task.propositions(lifted).map(part).collect::<Vec<_>>().join(" & ")
+}

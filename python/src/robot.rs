@@ -1,0 +1,279 @@
+//! A robot that a Python class describes: any object with `actions`, `objects`, `propositions`, `step`, `holds` and `number`.
+//!
+//! What a class answers is remembered: a domain does not change as the robot acts, and a search asks the same again and again. An exception
+//! in the class cannot pass through the search. The first one is kept, the search is led to a quick end, and the caller raises it.
+
+use crate::error::{full, value};
+use crate::vocabulary::{Names, Vocabulary};
+use goodbot::capacity::{ARGUMENTS, ATTRIBUTES, Capacity, CapacityError};
+use goodbot::oomdp::{
+    Action, ActionKind, ClassId, Domain, GroundProposition, MOST_COST, Object, ObjectCount, ObjectError, ObjectSet, ObjectTables,
+    ObjectTablesRef, Objects, OneByOne, World,
+};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyString, PyTuple};
+use std::collections::HashMap;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// The most objects.
+const MOST_OBJECTS: usize = 255;
+const NAME_BYTES: usize = 1 << 15;
+
+/// A robot of a Python class.
+#[derive(Debug)]
+pub struct Robot {
+    object: Py<PyAny>,
+    vocabulary: &'static Vocabulary,
+    objects: Vec<Object>,
+    name_bytes: Vec<u8>,
+    name_ends: Vec<u16>,
+    count: ObjectCount,
+    state_count: u64,
+    known: Mutex<Known>,
+}
+
+/// What the class has answered.
+#[derive(Debug, Default)]
+struct Known {
+    states: HashMap<u64, Py<PyAny>>,
+    steps: HashMap<(u64, u8), Option<u64>>,
+    holds: HashMap<(u64, GroundProposition), bool>,
+    failed: Option<PyErr>,
+}
+
+/// The pairs of a dict.
+fn pairs<'py>(object: &Bound<'py, PyAny>, name: &str) -> PyResult<Vec<(String, Bound<'py, PyAny>)>> {
+    let attribute = object.getattr(name)?;
+    let dict = attribute.cast::<PyDict>().map_err(|_| value(format!("{name} must be a dict")))?;
+    dict.iter().map(|(name, given)| Ok((name.extract()?, given))).collect()
+}
+
+/// The names of actions and their costs: a dict, or a list of names that cost 1 each.
+fn actions(object: &Bound<'_, PyAny>) -> PyResult<Vec<(String, u8)>> {
+    let given = object.getattr("actions")?;
+    let actions: Vec<(String, u8)> = match given.cast::<PyDict>() {
+        Ok(dict) => dict.iter().map(|(name, cost)| Ok((name.extract()?, cost.extract()?))).collect::<PyResult<_>>()?,
+        Err(_) => given.extract::<Vec<String>>()?.into_iter().map(|name| (name, 1)).collect(),
+    };
+    if actions.is_empty() || actions.len() > Action::MOST {
+        return Err(value(format!("a robot has 1 to {} actions, and {} are given", Action::MOST, actions.len())));
+    }
+    for (position, (name, cost)) in actions.iter().enumerate() {
+        if !(1..=MOST_COST).contains(cost) {
+            return Err(value(format!("action {name:?} costs {cost}; the cost must be 1 to {MOST_COST}")));
+        }
+        if name.is_empty() || name == "noop" || actions.iter().take(position).any(|(other, _)| other == name) {
+            return Err(value(format!("an action cannot be called {name:?}: names are unique, not empty, and noop is every robot's")));
+        }
+    }
+    Ok(actions)
+}
+
+/// The position of a class, which is added where it is new.
+fn class_id(names: &mut Names, class: &str) -> u8 {
+    let position = names.classes.iter().position(|known| known == class).unwrap_or_else(|| {
+        names.classes.push(class.to_owned());
+        names.classes.len() - 1
+    });
+    position.min(usize::from(u8::MAX)) as u8
+}
+
+fn names(py: Python<'_>, object: &Bound<'_, PyAny>) -> PyResult<Names> {
+    let mut names = Names { actions: actions(object)?, ..Names::default() };
+    for (name, parameters) in pairs(object, "propositions")? {
+        let parameters: Vec<String> = parameters.extract()?;
+        if parameters.is_empty() || parameters.len() > ARGUMENTS {
+            return Err(value(format!("proposition {name:?} must be of 1 to {ARGUMENTS} classes")));
+        }
+        let parameters = parameters.iter().map(|class| class_id(&mut names, class)).collect();
+        names.propositions.push((name, parameters));
+    }
+    if names.propositions.is_empty() {
+        return Err(value("propositions is empty; name at least one, such as {\"lampOn\": (\"lamp\",)}"));
+    }
+    if object.hasattr("attributes")? {
+        for (name, carriers) in pairs(object, "attributes")? {
+            let carriers =
+                carriers.cast::<PyDict>().map_err(|_| value(format!("attribute {name:?} must be a dict from classes to prefixes")))?;
+            let mut carried = Vec::new();
+            for (class, prefix) in carriers {
+                carried.push((class_id(&mut names, class.extract()?), prefix.extract()?));
+            }
+            names.attributes.push((name, carried));
+        }
+    }
+    if names.attributes.len() > ATTRIBUTES {
+        return Err(full(py, CapacityError::new(Capacity::Attributes, ATTRIBUTES, names.attributes.len())));
+    }
+    Ok(names)
+}
+
+/// The vocabulary of a Python object, for an agent's tasks.
+pub fn vocabulary(object: &Bound<'_, PyAny>) -> PyResult<&'static Vocabulary> {
+    Ok(described(object)?.0.vocabulary())
+}
+
+type Described<'py> = (Names, Vec<(String, u8, Bound<'py, PyDict>)>);
+
+/// The names and the objects: each with its name, its class and its attributes.
+fn described<'py>(object: &Bound<'py, PyAny>) -> PyResult<Described<'py>> {
+    let mut names = names(object.py(), object)?;
+    let mut objects = Vec::new();
+    for (name, given) in pairs(object, "objects")? {
+        let given = given.cast_into::<PyDict>().map_err(|_| value(format!("object {name:?} must be a dict, with its \"class\"")))?;
+        let class = given.get_item("class")?.ok_or_else(|| value(format!("object {name:?} has no \"class\"; add it")))?;
+        let class = class_id(&mut names, class.extract()?);
+        for key in given.keys() {
+            let key: String = key.extract()?;
+            if key != "class" && !names.attributes.iter().any(|(known, _)| *known == key) {
+                return Err(value(format!("object {name:?} has {key:?}, which is none of the attributes")));
+            }
+        }
+        objects.push((name, class, given));
+    }
+    Ok((names, objects))
+}
+
+impl Robot {
+    /// The robot that a Python object describes.
+    pub fn of(object: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let py = object.py();
+        let (names, given) = described(object)?;
+        let (mut objects, mut name_bytes, mut name_ends) =
+            (vec![Object::UNUSED; given.len().min(MOST_OBJECTS)], vec![0; NAME_BYTES], vec![0; given.len() * (1 + ATTRIBUTES)]);
+        let tables = ObjectTables { objects: &mut objects, name_bytes: &mut name_bytes, name_ends: &mut name_ends };
+        let mut set = ObjectSet::new(tables);
+        for (name, class, values) in &given {
+            let mut texts = Vec::new();
+            for (attribute, _) in &names.attributes {
+                texts.push(values.get_item(attribute)?.map(|text| text.extract::<String>()).transpose()?.unwrap_or_default());
+            }
+            let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+            set.add(ClassId(*class), name, &texts).map_err(|error| match error {
+                ObjectError::Capacity(error) => full(py, error),
+                error => value(format!("object {name:?}: {error}")),
+            })?;
+        }
+        let count = set.count();
+        let state_count = match object.getattr_opt("state_count")? {
+            Some(count) => count.extract()?,
+            None => u64::MAX,
+        };
+        Ok(Self {
+            object: object.clone().unbind(),
+            vocabulary: names.vocabulary(),
+            objects,
+            name_bytes,
+            name_ends,
+            count,
+            state_count,
+            known: Mutex::default(),
+        })
+    }
+
+    /// Whether it is this object's.
+    pub fn is_of(&self, object: &Bound<'_, PyAny>) -> bool {
+        self.object.is(object)
+    }
+
+    fn known(&self) -> MutexGuard<'_, Known> {
+        self.known.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The exception that the class has raised since this was asked last.
+    pub fn failure(&self) -> Option<PyErr> {
+        self.known().failed.take()
+    }
+
+    /// The number of a state, and the state remembered.
+    pub fn enter(&self, state: &Bound<'_, PyAny>) -> PyResult<u64> {
+        let number: u64 = self.object.bind(state.py()).call_method1("number", (state,))?.extract()?;
+        if number >= self.state_count {
+            return Err(value(format!("number() returned {number}, and state_count is {}; it must be more", self.state_count)));
+        }
+        let kept = state.clone().unbind();
+        self.known().states.entry(number).or_insert(kept);
+        Ok(number)
+    }
+
+    /// The state of a number.
+    pub fn state(&self, py: Python<'_>, number: u64) -> Option<Py<PyAny>> {
+        self.known().states.get(&number).map(|state| state.clone_ref(py))
+    }
+
+    fn ask_step(&self, py: Python<'_>, number: u64, action: Action) -> PyResult<Option<u64>> {
+        let name = self.vocabulary.actions.get(usize::from(action.0)).map(|kind| kind.name);
+        let (Some(state), Some(name)) = (self.state(py, number), name) else { return Ok(None) };
+        let next = self.object.bind(py).call_method1("step", (state, PyString::intern(py, name)))?;
+        if next.is_none() { Ok(None) } else { self.enter(&next).map(Some) }
+    }
+
+    fn ask_holds(&self, py: Python<'_>, proposition: &GroundProposition, number: u64) -> PyResult<bool> {
+        let Some(state) = self.state(py, number) else { return Ok(false) };
+        let schema = &self.vocabulary.schema;
+        let count = schema.parameters(proposition.proposition).len();
+        let objects = self.world().objects;
+        let arguments = proposition.arguments.iter().take(count).map(|&object| PyString::intern(py, objects.name(object)));
+        let arguments = PyTuple::new(py, arguments.collect::<Vec<_>>())?;
+        let name = PyString::intern(py, schema.proposition_name(proposition.proposition));
+        self.object.bind(py).call_method1("holds", (name, arguments, state))?.is_truthy()
+    }
+
+    /// What was asked, or nothing where it failed now or before.
+    fn asked<T>(&self, ask: impl FnOnce(Python<'_>) -> PyResult<T>) -> Option<T> {
+        if self.known().failed.is_some() {
+            return None;
+        }
+        match Python::attach(ask) {
+            Ok(answer) => Some(answer),
+            Err(error) => {
+                self.known().failed.get_or_insert(error);
+                None
+            }
+        }
+    }
+}
+
+impl Domain for Robot {
+    type State = u64;
+    type Search = OneByOne;
+
+    fn world(&self) -> World<'_> {
+        let tables = ObjectTablesRef { objects: &self.objects, name_bytes: &self.name_bytes, name_ends: &self.name_ends };
+        World { schema: self.vocabulary.schema, objects: Objects::new(tables, self.count) }
+    }
+
+    fn actions(&self) -> &[ActionKind<'_>] {
+        self.vocabulary.actions
+    }
+
+    fn step(&self, state: &u64, action: Action) -> Option<u64> {
+        if let Some(&known) = self.known().steps.get(&(*state, action.0)) {
+            return known;
+        }
+        let next = self.asked(|py| self.ask_step(py, *state, action))?;
+        self.known().steps.insert((*state, action.0), next);
+        next
+    }
+
+    fn holds(&self, proposition: &GroundProposition, state: &u64) -> bool {
+        if let Some(&known) = self.known().holds.get(&(*state, *proposition)) {
+            return known;
+        }
+        let Some(holds) = self.asked(|py| self.ask_holds(py, proposition, *state)) else { return false };
+        self.known().holds.insert((*state, *proposition), holds);
+        holds
+    }
+
+    fn state_count(&self) -> u64 {
+        self.state_count
+    }
+
+    fn number(&self, state: &u64) -> u64 {
+        *state
+    }
+
+    fn numbered(&self, number: u64) -> u64 {
+        number
+    }
+}

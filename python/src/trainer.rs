@@ -1,0 +1,265 @@
+//! A simulated trainer, who knows what is meant, judges each action, and ends the lesson.
+
+use crate::agent::{Agent, Mind};
+use crate::error::{self, value};
+use crate::home::environment;
+use crate::log::Session;
+use crate::place::Place;
+use goodbot::feedback::Strategy;
+use goodbot::home::Moves;
+use goodbot_course::{CourseTrainer, FeedbackCounts, Lesson as Course, LessonReport, Step, Trainer as _, Turn, generator};
+use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, SessionHeader, StepRecord};
+use goodbot_formats::task_text::GroundTaskText;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use rand_pcg::Pcg32;
+use std::sync::{Mutex, PoisonError};
+
+const NAMED: [(&str, CourseTrainer); 3] =
+    [("balanced", CourseTrainer::BALANCED), ("punish-only", CourseTrainer::PUNISH_ONLY), ("reward-only", CourseTrainer::REWARD_ONLY)];
+
+/// A trainer by its name, or by mu+, mu- and epsilon.
+pub fn trainer_of(kind: &Bound<'_, PyAny>) -> PyResult<CourseTrainer> {
+    if let Ok(name) = kind.extract::<&str>() {
+        let found = NAMED.iter().find(|(known, _)| *known == name);
+        return found.map(|(_, trainer)| *trainer).ok_or_else(|| {
+            value(format!(
+                "no trainer is called {name:?}; give balanced, punish-only, reward-only, or three numbers such as (0.7, 0.7, 0.1)"
+            ))
+        });
+    }
+    let (mu_plus, mu_minus, epsilon) = kind.extract()?;
+    Ok(CourseTrainer::of(Strategy::new(mu_plus, mu_minus, epsilon).map_err(value)?))
+}
+
+/// A simulated trainer (the paper, section 3): who is silent, and mistakes a right action for a wrong one, as often as a strategy says.
+///
+/// `kind` is `balanced`, `punish-only`, who never rewards, `reward-only`, who never punishes, or the numbers mu+, mu- and epsilon. The same seed,
+/// the same trainer.
+///
+/// >>> trainer = goodbot.Trainer("punish-only", seed=1)
+/// >>> {trainer.feedback(correct=True) for _ in range(100)} <= {"punish", "neutral"}
+/// True
+#[pyclass(frozen, module = "goodbot")]
+#[derive(Debug)]
+pub struct Trainer {
+    trainer: CourseTrainer,
+    random: Mutex<Pcg32>,
+}
+
+/// What a lesson came to.
+#[pyclass(frozen, module = "goodbot")]
+#[derive(Debug)]
+pub struct Lesson {
+    report: LessonReport,
+    /// Where it ended.
+    #[pyo3(get)]
+    state: Py<PyAny>,
+    /// How many older sessions gave way because memory was full.
+    #[pyo3(get)]
+    gave_way: usize,
+    session: Option<RecordedSession>,
+}
+
+/// What the trainer said, as a dict.
+pub fn counts<'py>(py: Python<'py>, counts: FeedbackCounts) -> PyResult<Bound<'py, PyDict>> {
+    let dict = PyDict::new(py);
+    dict.set_item("reward", counts.reward)?;
+    dict.set_item("punish", counts.punish)?;
+    dict.set_item("neutral", counts.neutral)?;
+    Ok(dict)
+}
+
+#[pymethods]
+impl Lesson {
+    /// Whether the agent set out for the intended task on hearing the command, before any feedback.
+    #[getter]
+    const fn understood(&self) -> bool {
+        self.report.understood
+    }
+
+    /// Why it ended: `goal`, `dead end`, or `too long`, after 300 steps.
+    #[getter]
+    const fn ending(&self) -> &'static str {
+        self.report.ending.name()
+    }
+
+    /// How many steps it took.
+    #[getter]
+    const fn steps(&self) -> u16 {
+        self.report.steps
+    }
+
+    /// How often the trainer said what: a dict of `reward`, `punish` and `neutral`.
+    #[getter]
+    fn feedback<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        counts(py, self.report.feedback)
+    }
+
+    /// The lesson as a recorded session; None for a robot of your own, whose world no log can hold.
+    #[getter]
+    fn session(&self) -> Option<Session> {
+        self.session.clone().map(Session)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<goodbot.Lesson: {} steps, ended: {}>", self.report.steps, self.report.ending.name())
+    }
+}
+
+/// A step as logs have it.
+fn recorded(place: &Place, step: &Step) -> (usize, StepRecord) {
+    let feedback = match step.feedback {
+        goodbot::feedback::Feedback::Reward => FeedbackWord::Reward,
+        goodbot::feedback::Feedback::Punish => FeedbackWord::Punish,
+        goodbot::feedback::Feedback::Neutral => FeedbackWord::Neutral,
+    };
+    (0, StepRecord { action: place.action_text(step.decision.action), feedback: Some(feedback) })
+}
+
+/// The header of a session that begins in this place; none for a robot of one's own, whose world no log can hold.
+fn header(place: &Place, command: &str, intended: &str) -> Option<SessionHeader> {
+    let Place::Home(home, state) = place else { return None };
+    let rooms = &home.get().rooms;
+    let mut header = SessionHeader {
+        id: None,
+        kind: Kind::Feedback,
+        environment: environment(rooms, state),
+        command: command.to_owned(),
+        intended: None,
+        before: None,
+        through: None,
+        avoiding: None,
+        actions: (rooms.moves() == Moves::PushAndPull).then(|| ["north", "south", "east", "west", "pull"].map(str::to_owned).to_vec()),
+        continues: false,
+        prior: None,
+        strategies: None,
+    };
+    header.set_meant(intended.parse::<GroundTaskText>().ok().as_ref());
+    Some(header)
+}
+
+impl Trainer {
+    fn teach_in(
+        &self,
+        py: Python<'_>,
+        mind: &mut Mind,
+        place: Place,
+        command: &str,
+        intended: &Bound<'_, PyAny>,
+        learn: bool,
+    ) -> PyResult<Lesson> {
+        // A copy goes through the lesson: who held the lock while others run could be waited for by one whom it waits for itself.
+        let mut random = self.random.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        mind.hear(py, &place, command)?;
+        let task = mind.task(intended)?;
+        let name = mind.task_text(py, task);
+        let mut session = header(&place, command, &name).map(|header| RecordedSession {
+            header,
+            header_line: 1,
+            steps: vec![],
+            answers: vec![],
+            learn,
+            end_line: 1,
+        });
+        // One of the two is walked; the lesson of the other kind of place has no state to be in.
+        let report = match &place {
+            Place::Home(home, start) => {
+                let mut lesson = Course::meaning(start, task);
+                loop {
+                    let here = Place::Home(home.clone_ref(py), *lesson.state());
+                    mind.plan(py, &here)?;
+                    let turn = lesson.act(&mut mind.core, &home.get().rooms, &self.trainer, &mut random);
+                    match turn.map_err(|refused| error::course(py, refused))? {
+                        Turn::Acted(step) => session.iter_mut().for_each(|session| session.steps.push(recorded(&place, &step))),
+                        Turn::Ended(ending) => break (lesson.report(ending), here),
+                    }
+                }
+            }
+            Place::Robot(robot, start) => {
+                let mut lesson = Course::meaning(start, task);
+                loop {
+                    let here = Place::Robot(robot.clone(), *lesson.state());
+                    mind.plan(py, &here)?;
+                    let turn = lesson.act(&mut mind.core, &**robot, &self.trainer, &mut random);
+                    if let Some(failure) = here.failure() {
+                        mind.core.leave();
+                        return Err(failure);
+                    }
+                    if let Turn::Ended(ending) = turn.map_err(|refused| error::course(py, refused))? {
+                        break (lesson.report(ending), here);
+                    }
+                }
+            }
+        };
+        let (report, end) = report;
+        let mut gave_way = 0;
+        if learn {
+            gave_way = mind.finish(py, &place)?;
+            mind.learn(py)?;
+        } else {
+            mind.core.forget();
+        }
+        *self.random.lock().unwrap_or_else(PoisonError::into_inner) = random;
+        Ok(Lesson { report, state: end.state(py)?, gave_way, session })
+    }
+}
+
+#[pymethods]
+impl Trainer {
+    #[new]
+    #[pyo3(signature = (kind=None, *, seed=0))]
+    fn new(kind: Option<&Bound<'_, PyAny>>, seed: u64) -> PyResult<Self> {
+        let trainer = kind.map_or(Ok(CourseTrainer::BALANCED), trainer_of)?;
+        Ok(Self { trainer, random: Mutex::new(generator(seed)) })
+    }
+
+    /// mu+, mu- and epsilon.
+    #[getter]
+    fn strategy(&self) -> (f32, f32, f32) {
+        let strategy = self.trainer.strategy;
+        (strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon())
+    }
+
+    /// Whether the trainer ever rewards.
+    #[getter]
+    const fn rewards(&self) -> bool {
+        self.trainer.rewards
+    }
+
+    /// Whether the trainer ever punishes.
+    #[getter]
+    const fn punishes(&self) -> bool {
+        self.trainer.punishes
+    }
+
+    /// What the trainer says to an action that is right, or is not.
+    fn feedback(&self, correct: bool) -> &'static str {
+        let mut random = self.random.lock().unwrap_or_else(PoisonError::into_inner);
+        self.trainer.feedback(correct, &mut *random).name()
+    }
+
+    /// Gives a command, judges the agent's actions as one who means the task `intended` (its name or position), ends the lesson after three
+    /// times of `noop` at the goal, in a dead end or after 300 steps, and lets the agent learn from it unless `learn=False`.
+    #[pyo3(signature = (agent, domain, state, command, intended, *, learn=true))]
+    fn teach(
+        &self,
+        agent: &Bound<'_, Agent>,
+        domain: &Bound<'_, PyAny>,
+        state: &Bound<'_, PyAny>,
+        command: &str,
+        intended: &Bound<'_, PyAny>,
+        learn: bool,
+    ) -> PyResult<Lesson> {
+        agent.get().with(|mind| {
+            mind.forget_robot();
+            let place = mind.place(domain, state)?;
+            self.teach_in(domain.py(), mind, place, command, intended, learn)
+        })
+    }
+
+    fn __repr__(&self) -> String {
+        let known = NAMED.iter().find(|(_, trainer)| *trainer == self.trainer);
+        known.map_or_else(|| format!("goodbot.Trainer({:?})", self.strategy()), |(name, _)| format!("goodbot.Trainer({name:?})"))
+    }
+}

@@ -1,0 +1,205 @@
+"""The robot's mind, from a command to what it has learned."""
+
+from __future__ import annotations
+
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import goodbot
+
+def rooms(home: goodbot.Home) -> dict[str, str]:
+    """The rooms' names by their colours."""
+    return {str(of["color"]): name for name, of in home.objects.items() if of["class"] == "room"}
+
+
+def task(home: goodbot.Home, color: str) -> str:
+    return f"agentInRoom(agent0,{rooms(home)[color]})"
+
+
+def teach_by_hand(agent: goodbot.Agent, home: goodbot.Home, command: str, meant: str) -> goodbot.State:
+    """A trainer who always says whether an action was right."""
+    agent.hear(home, home.start, command)
+    state = home.start
+    for _ in range(30):
+        agent.plan(home, state)
+        sets = agent.optimal_sets(home)[agent.tasks.index(meant)]
+        names = [*home.actions, "noop"]
+        decision = agent.decide(home, state)
+        right = bool(sets[names.index(decision.action)])
+        state = agent.acted(home, state, decision.action)
+        agent.feedback("reward" if right else "punish")
+        if decision.action == "noop" and right:
+            break
+    agent.finish(home)
+    return state
+
+
+def test_a_robot_that_is_judged_ends_where_it_was_told_to_go_and_knows_the_word_afterwards(home: goodbot.Home) -> None:
+    agent = goodbot.Agent(seed=1)
+    meant = task(home, "red")
+    end = teach_by_hand(agent, home, "go to the red room", meant)
+    assert home.holds("agentInRoom", ["agent0", rooms(home)["red"]], end)
+    agent.hear(home, home.start, "go to the red room")
+    assert agent.most_likely == meant
+    assert agent.sessions == 1
+    assert "red" in agent.words
+
+
+def test_beliefs_and_sets_are_arrays_of_the_tasks(home: goodbot.Home) -> None:
+    agent = goodbot.Agent()
+    agent.hear(home, home.start, "go to the red room")
+    assert agent.plan(home, home.start)
+    count = len(agent.tasks)
+    assert agent.beliefs.shape == (count,) and agent.beliefs.dtype == np.float32
+    assert float(agent.beliefs.sum()) == pytest.approx(1.0)
+    assert agent.optimal_sets(home).shape == (count, len(home.actions) + 1)
+    assert agent.distances.shape == (count,) and agent.distances.min() > 0
+    assert set(agent.plans) == {"toward"}
+    with pytest.raises(ValueError):
+        agent.beliefs[0] = 1.0
+
+
+def test_a_call_out_of_its_turn_is_told_what_to_do_first(home: goodbot.Home) -> None:
+    agent = goodbot.Agent()
+    with pytest.raises(goodbot.SessionError, match="give a command first"):
+        agent.plan(home, home.start)
+    agent.hear(home, home.start, "go")
+    with pytest.raises(goodbot.SessionError, match="plan on until it is"):
+        agent.decide(home, home.start)
+    with pytest.raises(goodbot.SessionError, match="act first"):
+        agent.feedback("reward")
+
+
+@pytest.mark.parametrize(
+    ("call", "text"),
+    [
+        (lambda agent, home: agent.hear(home, home.start, "..."), "no word"),
+        (lambda agent, home: agent.feedback("good"), "reward, punish or neutral"),
+        (lambda agent, home: agent.set_strategies([(2.0, 0.5, 0.1, 1.0)]), "must be a number from 0 to 1"),
+        (lambda agent, home: agent.hear(home, home.start, "go", prior={"agentInRoom(agent0,attic)": 1.0}), "prior"),
+        (lambda agent, home: goodbot.Agent(["lampOn(?l)"]), "no propositional function"),
+        (lambda agent, home: goodbot.Agent(learner="best"),  # type: ignore[arg-type]
+         "default, paper or smoothed"),
+        (lambda agent, home: goodbot.Agent(capacities="huge"), "tiny, small or standard"),
+        (lambda agent, home: goodbot.Agent(capacities={"brains": 3}), "brains"),
+    ],
+)
+def test_what_cannot_be_is_a_value_error_that_says_what_to_do(home: goodbot.Home, call: object, text: str) -> None:
+    with pytest.raises(ValueError, match=text):
+        call(goodbot.Agent(), home)  # type: ignore[operator]
+
+
+def test_a_full_table_is_named_with_its_limit(home: goodbot.Home) -> None:
+    agent = goodbot.Agent(capacities={"tasks": 2})
+    with pytest.raises(goodbot.CapacityError, match="Capacities::tasks is 2") as raised:
+        agent.hear(home, home.start, "go to the red room")
+    assert (raised.value.capacity, raised.value.limit, raised.value.given) == ("tasks", 2, 3)
+    assert isinstance(raised.value, ValueError)
+
+
+def test_a_state_of_another_home_is_refused(home: goodbot.Home) -> None:
+    other = goodbot.Home.random(3)
+    with pytest.raises(ValueError, match="another home"):
+        goodbot.Agent().hear(home, other.start, "go")
+
+
+def test_the_same_seed_gives_the_same_life(home: goodbot.Home) -> None:
+    def life() -> bytes:
+        agent, trainer = goodbot.Agent(seed=4), goodbot.Trainer(seed=5)
+        for color in ("red", "green", "red"):
+            trainer.teach(agent, home, home.start, f"go to the {color} room", task(home, color))
+        return agent.to_bytes()
+
+    assert life() == life()
+
+
+def test_a_model_goes_through_a_file_bit_for_bit(home: goodbot.Home, tmp_path: Path) -> None:
+    agent = goodbot.Agent(seed=1)
+    goodbot.Trainer(seed=1).teach(agent, home, home.start, "go to the red room", task(home, "red"))
+    file = tmp_path / "mine.goodbot"
+    agent.save(file)
+    again = goodbot.Agent.load(file)
+    assert again.to_bytes() == agent.to_bytes() == file.read_bytes()
+    for robot in (agent, again):
+        robot.hear(home, home.start, "to the red one")
+    assert agent.beliefs.tobytes() == again.beliefs.tobytes()
+
+
+def test_a_file_that_is_no_model_is_not_replaced(tmp_path: Path) -> None:
+    file = tmp_path / "thesis.txt"
+    file.write_text("all my work")
+    with pytest.raises(FileExistsError, match="no model"):
+        goodbot.Agent().save(file)
+    assert file.read_text() == "all my work"
+    goodbot.Agent().save(file, force=True)
+    goodbot.Agent().save(file)
+
+
+def test_damaged_models_are_model_errors() -> None:
+    good = goodbot.Agent().to_bytes()
+    damaged = bytearray(good)
+    damaged[len(good) // 2] ^= 1
+    for wrong in (b"", b"goodbot", good[:-1], bytes(damaged)):
+        with pytest.raises(goodbot.ModelError):
+            goodbot.Agent.from_bytes(wrong)
+
+
+def test_words_are_explained_by_what_they_were_taken_for(home: goodbot.Home) -> None:
+    agent, trainer = goodbot.Agent(seed=1), goodbot.Trainer(seed=1)
+    for color in ("red", "green", "red", "green"):
+        trainer.teach(agent, home, home.start, f"go to the {color} room", task(home, color))
+    agent.hear(home, home.start, "go to the red room")
+    explained = agent.explain(home, task(home, "red"))
+    assert [word for word, _ in explained] == ["go", "to", "the", "red", "room"]
+    red = dict(explained)["red"]
+    assert sum(red.values()) == pytest.approx(1.0, abs=1e-3)
+    assert max(red, key=lambda meaning: red[meaning])== "goal colorRed"
+    assert agent.translations.shape == (len(agent.tokens), len(agent.words))
+
+
+def test_an_agent_used_from_two_threads_says_so() -> None:
+    home = goodbot.Home.random(1)
+
+    class Slow:
+        """A robot whose every step takes a while, so that two calls meet."""
+
+        actions, state_count = ["on"], 2
+        propositions = {"lampOn": ("lamp",)}
+        objects = {"lamp0": {"class": "lamp"}}
+
+        def step(self, state: int, action: str) -> int:
+            time.sleep(0.3)
+            return 1
+
+        def holds(self, proposition: str, objects: tuple[str, ...], state: int) -> bool:
+            return state == 1
+
+        def number(self, state: int) -> int:
+            return state
+
+    robot = Slow()
+    agent = goodbot.Agent(["lampOn(?l)"], domain=robot)
+    agent.hear(robot, 0, "light")
+    thread = threading.Thread(target=agent.plan, args=(robot, 0))
+    thread.start()
+    time.sleep(0.1)
+    with pytest.raises(goodbot.InUseError, match="each thread an agent of its own"):
+        agent.forget()
+    thread.join()
+    assert agent.decide(robot, 0).action == "on"
+    assert home.actions == ("north", "south", "east", "west")
+
+
+def test_demonstrations_teach_too(home: goodbot.Home) -> None:
+    agent, state = goodbot.Agent(), home.start
+    agent.hear(home, state, "up you go")
+    for action in ("west", "north", "north", "north"):
+        agent.plan(home, state)
+        agent.demonstrated(home, state, action)
+        state = home.step(state, action) or state
+    assert agent.finish(home) == 0
+    assert agent.sessions == 1

@@ -1,0 +1,41 @@
+"""The examples in the docstrings run, and everything that is public has a docstring."""
+
+from __future__ import annotations
+
+import doctest
+import inspect
+import types
+from collections.abc import Iterator
+
+import pytest
+
+import goodbot
+import goodbot.domain
+import goodbot.experiment
+import goodbot.logs
+
+
+def documented() -> Iterator[tuple[str, str]]:
+    """Each public name of the package and of its classes, with its docstring."""
+    yield "goodbot", goodbot.__doc__ or ""
+    for name in goodbot.__all__:
+        thing = getattr(goodbot, name)
+        if isinstance(thing, str):
+            continue
+        yield name, inspect.getdoc(thing) or ""
+        if isinstance(thing, type):
+            for member, value in vars(thing).items():
+                if not member.startswith("_") and not isinstance(value, types.MemberDescriptorType):
+                    yield f"{name}.{member}", inspect.getdoc(value) or ""
+
+
+@pytest.mark.parametrize(("name", "text"), list(documented()))
+def test_the_docstring_says_something_and_its_examples_run(name: str, text: str) -> None:
+    assert text.strip(), f"{name} has no docstring"
+    example = doctest.DocTestParser().get_doctest(text, {"goodbot": goodbot}, name, None, 0)
+    results = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE).run(example)
+    assert results.failed == 0
+
+
+def test_there_are_examples() -> None:
+    assert sum(">>>" in text for _, text in documented()) >= 15

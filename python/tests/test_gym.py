@@ -1,0 +1,139 @@
+"""The homes as Gymnasium environments."""
+
+from __future__ import annotations
+
+import doctest
+import itertools
+from pathlib import Path
+from typing import Any
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.utils.env_checker import check_env
+
+import goodbot
+import goodbot.gym as gym
+from goodbot.registration import IDS
+
+
+@pytest.mark.parametrize("name", IDS)
+@pytest.mark.parametrize("render_mode", ["rgb_array", "ansi"])
+def test_gymnasium_finds_nothing_wrong(name: str, render_mode: str) -> None:
+    env = gymnasium.make(name, render_mode=render_mode)
+    check_env(env.unwrapped)
+    env.close()
+
+
+def walk(env: gymnasium.Env[gym.Observation, Any]) -> tuple[float, bool, bool, int]:
+    """Follows the shortest way to what is meant."""
+    home_env = env.unwrapped
+    assert isinstance(home_env, gym.HomeEnv)
+    agent = goodbot.Agent()
+    agent.hear(home_env.home, home_env.state, "go", prior={home_env.intended: 1.0})
+    for steps in itertools.count(1):
+        agent.plan(home_env.home, home_env.state)
+        action = home_env.actions.index(agent.decide(home_env.home, home_env.state).action)
+        _, reward, terminated, truncated, _ = env.step(action)
+        if terminated or truncated:
+            return float(reward), terminated, truncated, steps
+    raise AssertionError
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_the_reward_is_one_where_the_mission_is_done_and_the_episode_ends_there(name: str) -> None:
+    env = gymnasium.make(name)
+    for seed in range(5):
+        observation, info = env.reset(seed=seed)
+        assert observation["mission"].startswith(("go to the", "take the")) and info["intended"]
+        assert walk(env)[:3] == (1.0, True, False)
+
+
+def test_an_episode_that_leads_nowhere_is_cut_short() -> None:
+    env = gymnasium.make("goodbot/Rooms-v0", max_steps=7)
+    env.reset(seed=1)
+    ends = [env.step(4)[2:4] for _ in range(7)]
+    assert ends == [(False, False)] * 6 + [(False, True)]
+
+
+def test_the_same_seed_is_the_same_episode() -> None:
+    def episode() -> tuple[str, bytes]:
+        observation, _ = gymnasium.make("goodbot/Home-v0").reset(seed=12)
+        return observation["mission"], observation["image"].tobytes()
+
+    assert episode() == episode()
+
+
+def test_a_picture_and_a_drawing_show_the_home() -> None:
+    drawn, seen = (gymnasium.make("goodbot/Home-v0", render_mode=mode) for mode in ("ansi", "rgb_array"))
+    drawn.reset(seed=2)
+    seen.reset(seed=2)
+    text, pixels = drawn.render(), seen.render()
+    assert isinstance(text, str) and "@" in text
+    assert isinstance(pixels, np.ndarray) and pixels.shape == (160, 160, 3) and len(np.unique(pixels.reshape(-1, 3), axis=0)) > 6
+
+
+def test_missions_of_a_log_mean_what_the_log_says(root: Path, tmp_path: Path) -> None:
+    home = goodbot.Home.random(4)
+    task = home.tasks()[0]
+    log = tmp_path / "missions.jsonl"
+    goodbot.write_log(log, [goodbot.Session("over there, please", home, [], intended=task, kind="demonstration")])
+    env = gymnasium.make("goodbot/Home-v0", log=log)
+    observation, info = env.reset(seed=1)
+    assert (observation["mission"], info["intended"]) == ("over there, please", task)
+    assert walk(env)[0] == 1.0
+
+
+def test_many_homes_go_as_one_does() -> None:
+    home = goodbot.Home.random(3)
+    one = gym.HomeEnv(home=home)
+    many = gym.HomeVectorEnv(8, home=home, max_steps=50)
+    observations, _ = many.reset(seed=1)
+    chance = np.random.default_rng(1)
+    commands = list(many._worlds.commands())  # type: ignore[union-attr]
+    intended = [many._worlds.intended(at) for at in range(8)]  # type: ignore[union-attr]
+    at = 3
+    first, _ = one.reset(seed=1, options={"command": commands[at], "intended": intended[at]})
+    assert np.array_equal(first["image"], observations["image"][at]) and first["mission"] == observations["mission"][at]
+    for _ in range(40):
+        actions = chance.integers(5, size=8)
+        observations, rewards, terminated, _, _ = many.step(actions)
+        single, reward, done, _, _ = one.step(int(actions[at]))
+        assert np.array_equal(single["image"], observations["image"][at])
+        assert (reward, done) == (rewards[at], terminated[at])
+        if done:
+            break
+
+
+def test_a_vector_begins_the_next_episode_at_the_next_step() -> None:
+    envs = gymnasium.make_vec("goodbot/Rooms-v0", num_envs=4, vectorization_mode="vector_entry_point", max_steps=3)
+    observations, _ = envs.reset(seed=5)
+    assert observations["image"].shape == (4, 10, 10, 4) and len(observations["mission"]) == 4
+    assert envs.observation_space.contains(observations)
+    noop = np.full(4, 4)
+    cut = [list(envs.step(noop)[3]) for _ in range(8)]
+    assert cut == [[False] * 4, [False] * 4, [True] * 4, [False] * 4, [False] * 4, [False] * 4, [True] * 4, [False] * 4]
+
+
+def test_a_trainer_rewards_what_is_right_and_punishes_what_is_not() -> None:
+    env = gym.HumanFeedback(gymnasium.make("goodbot/Home-v0"), (0.0, 0.0, 0.0), seed=1)
+    env.reset(seed=1)
+    words = [env.step(step % 5)[4] for step in range(40)]
+    assert {info["feedback"] for info in words} == {"reward", "punish"}
+    assert all((info["feedback"] == "reward") == info["correct"] for info in words)
+    silent = gym.HumanFeedback(gymnasium.make("goodbot/Rooms-v0"), "punish-only", seed=1)
+    silent.reset(seed=1)
+    assert "reward" not in {silent.step(step % 4)[4]["feedback"] for step in range(40)}
+
+
+def test_what_makes_no_sense_is_told() -> None:
+    with pytest.raises(ValueError, match="rgb_array, ansi"):
+        gym.HomeEnv(render_mode="human")
+    with pytest.raises(gymnasium.error.ResetNeeded):
+        gym.HomeEnv().step(0)
+    with pytest.raises(ValueError, match="wrap one of goodbot"):
+        gym.HumanFeedback(gymnasium.make("CartPole-v1"))
+
+
+def test_the_examples_in_the_module_run() -> None:
+    assert doctest.testmod(gym).failed == 0

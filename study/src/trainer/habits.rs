@@ -1,0 +1,128 @@
+//! What a trainer does, in numbers, and the words that it says.
+
+use goodbot::feedback::Feedback;
+use goodbot::random::unit;
+use goodbot_course::CourseTrainer;
+use rand_core::Rng;
+
+/// Words come at most so many steps late.
+pub const LATEST: usize = 2;
+
+/// What a trainer does, in numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Habits {
+    /// After a right action: the probabilities of reward and of punishment. The rest is silence.
+    pub right: [f32; 2],
+    /// After a wrong action, the same.
+    pub wrong: [f32; 2],
+    /// With which probability what it says is meant for the last action, for the one before, for the one before that.
+    pub late: [f32; LATEST + 1],
+    /// With which probability it ends the lesson after a step at the goal, and after a step elsewhere.
+    pub leaves: [f32; 2],
+}
+
+impl Habits {
+    /// Never a word, and stays.
+    pub const MUTE: Self = Self { right: [0.0; 2], wrong: [0.0; 2], late: [1.0, 0.0, 0.0], leaves: [0.0; 2] };
+
+    /// Of a trainer of the course: its words come at once, and it stays to the end.
+    pub fn of(trainer: CourseTrainer) -> Self {
+        let after = |correct| {
+            let said = |feedback, ever: bool| if ever { trainer.strategy.probability(feedback, correct) } else { 0.0 };
+            [said(Feedback::Reward, trainer.rewards), said(Feedback::Punish, trainer.punishes)]
+        };
+        Self { right: after(true), wrong: after(false), late: [1.0, 0.0, 0.0], leaves: [0.0; 2] }
+    }
+
+    /// How much a word or a silence of this trainer tells whether an action was right, in bits, if as many are right as wrong.
+    pub fn information(&self) -> f64 {
+        let all = |[reward, punish]: [f32; 2]| [f64::from(reward), f64::from(punish), 1.0 - f64::from(reward) - f64::from(punish)];
+        let (right, wrong) = (all(self.right), all(self.wrong));
+        let bits = |share: f64, mean: f64| if share > 0.0 { 0.5 * share * (share / mean).log2() } else { 0.0 };
+        right.into_iter().zip(wrong).map(|(r, w)| bits(r, f64::midpoint(r, w)) + bits(w, f64::midpoint(r, w))).sum()
+    }
+}
+
+/// A trainer in a lesson, who remembers the last actions.
+#[derive(Clone, Debug)]
+pub struct Listening {
+    habits: Habits,
+    /// Whether the last action was right, the one before, and the one before that; `None` before the first.
+    seen: [Option<bool>; LATEST + 1],
+}
+
+impl Listening {
+    /// At the beginning of a lesson.
+    pub const fn new(habits: Habits) -> Self {
+        Self { habits, seen: [None; LATEST + 1] }
+    }
+
+    /// What is said after an action: a word about this one or about an earlier one. Where there is none so early, nothing.
+    pub fn says<R: Rng + ?Sized>(&mut self, correct: bool, random: &mut R) -> Feedback {
+        self.seen.rotate_right(1);
+        self.seen[0] = Some(correct);
+        let (draw, mut lag) = (unit(random), unit(random));
+        let meant = self.habits.late.iter().zip(self.seen).find(|(share, _)| {
+            lag -= **share;
+            lag < 0.0
+        });
+        let [reward, punish] = match meant {
+            Some((_, Some(true))) => self.habits.right,
+            Some((_, Some(false))) => self.habits.wrong,
+            Some((_, None)) | None => [0.0; 2],
+        };
+        if draw < reward {
+            Feedback::Reward
+        } else if draw < reward + punish {
+            Feedback::Punish
+        } else {
+            Feedback::Neutral
+        }
+    }
+
+    /// Whether it leaves after a step.
+    pub fn leaves<R: Rng + ?Sized>(&self, at_goal: bool, random: &mut R) -> bool {
+        let [goal, elsewhere] = self.habits.leaves;
+        unit(random) < if at_goal { goal } else { elsewhere }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use goodbot_course::generator;
+
+    #[test]
+    fn a_late_trainer_says_what_it_would_have_said_but_later() {
+        let at_once = Habits { right: [1.0, 0.0], wrong: [0.0, 1.0], late: [1.0, 0.0, 0.0], leaves: [0.0; 2] };
+        let actions = [true, false, false, true, true];
+        let said = |late| {
+            let (mut trainer, mut random) = (Listening::new(Habits { late, ..at_once }), generator(1));
+            actions.map(|correct| trainer.says(correct, &mut random))
+        };
+        use Feedback::{Neutral, Punish, Reward};
+        assert_eq!(said([1.0, 0.0, 0.0]), [Reward, Punish, Punish, Reward, Reward]);
+        assert_eq!(said([0.0, 1.0, 0.0]), [Neutral, Reward, Punish, Punish, Reward]);
+        assert_eq!(said([0.0, 0.0, 1.0]), [Neutral, Neutral, Reward, Punish, Punish]);
+    }
+
+    #[test]
+    fn words_are_as_frequent_as_the_course_says() {
+        let (mut trainer, mut random) = (Listening::new(Habits::of(CourseTrainer::BALANCED)), generator(2));
+        let rewards = (0..20_000).filter(|_| trainer.says(true, &mut random) == Feedback::Reward).count();
+        assert!((rewards as f64 / 20_000.0 - 0.27).abs() < 0.01, "{rewards}");
+    }
+
+    #[test]
+    fn the_more_a_trainer_is_mistaken_the_less_its_words_tell() {
+        let habits = |mistaken| Habits {
+            right: [1.0 - mistaken, mistaken],
+            wrong: [mistaken, 1.0 - mistaken],
+            late: [1.0, 0.0, 0.0],
+            leaves: [0.0; 2],
+        };
+        assert!((habits(0.0).information() - 1.0).abs() < 1e-9);
+        assert!(habits(0.1).information() > habits(0.3).information());
+        assert!(habits(0.5).information().abs() < 1e-9);
+    }
+}
