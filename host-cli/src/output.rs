@@ -8,6 +8,8 @@ use std::path::{Path, PathBuf};
 
 /// What marks a picture as drawn here.
 const MARK: &str = "<!-- drawn by goodbot -->";
+/// What marks a page as written here.
+const PAGE_MARK: &str = "<!-- written by goodbot -->";
 /// With what a model begins.
 const MODEL: &[u8] = b"goodbot\0";
 /// How far into a file the mark is looked for.
@@ -20,6 +22,17 @@ const STANDARD_OUTPUT: &str = "-";
 enum Kind {
     Picture,
     Model,
+    Page,
+}
+
+impl Kind {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Picture => "picture",
+            Self::Model => "model",
+            Self::Page => "page",
+        }
+    }
 }
 
 /// Where something is to be written.
@@ -51,6 +64,14 @@ impl Output {
         Self::new(path, Kind::Model, inputs, force)
     }
 
+    /// A page of Markdown at this path. `inputs` are the files that are read.
+    ///
+    /// # Errors
+    /// As [`picture`](Self::picture).
+    pub fn page<'a>(path: &Path, inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
+        Self::new(path, Kind::Page, inputs, force)
+    }
+
     fn new<'a>(path: &Path, kind: Kind, mut inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
         let output = Self { path: path.to_owned(), kind };
         if is_standard(path) {
@@ -67,7 +88,7 @@ impl Output {
             return Ok(output);
         }
         if !force && !output.may_be_replaced() {
-            let what = if kind == Kind::Model { "model" } else { "picture" };
+            let what = kind.name();
             return refused(format!("is there already and is no {what} of goodbot's; name another file, or replace it with --force"));
         }
         // A link's folder is that of the file it leads to.
@@ -90,6 +111,7 @@ impl Output {
             || match self.kind {
                 Kind::Model => head.starts_with(MODEL),
                 Kind::Picture => String::from_utf8_lossy(&head).contains(MARK),
+                Kind::Page => String::from_utf8_lossy(&head).contains(PAGE_MARK),
             }
     }
 
@@ -111,6 +133,10 @@ impl Output {
         let marked;
         let bytes = match self.kind {
             Kind::Model => bytes,
+            Kind::Page => {
+                marked = [PAGE_MARK.as_bytes(), b"\n", bytes].concat();
+                &marked
+            }
             Kind::Picture => {
                 marked = with_mark(bytes);
                 &marked

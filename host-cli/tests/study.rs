@@ -198,3 +198,30 @@ fn help_teaches_and_names_all_agents_and_trainers() {
         assert!(help.contains(part), "no {part:?} in {help}");
     }
 }
+
+#[test]
+fn a_page_says_what_it_does_not_show_and_has_its_pictures_beside_it() {
+    let folder = folder("study-page");
+    let page = folder.join("study.md");
+    let named = page.to_str().unwrap();
+    small_output(&["--report", named]);
+    let text = std::fs::read_to_string(&page).unwrap();
+    for part in [
+        "No human took part",
+        "four commands only",
+        "`goodbot study --runs 6 --seed 40",
+        "### Trainer balanced",
+        "Knox and P. Stone (2009)",
+    ] {
+        assert!(text.contains(part), "no {part:?} in {text}");
+    }
+    for picture in ["study.tests_right.svg", "study.steps.svg", "study.words.svg"] {
+        assert!(text.contains(picture) && folder.join(picture).is_file(), "no {picture}");
+    }
+    // Its own page may be made anew; that of somebody else stays.
+    small_output(&["--report", named]);
+    std::fs::write(&page, "# Mine\n").unwrap();
+    refused(&["--report", named, "--runs", "1"], "is no page of goodbot's");
+    refused(&["--report", "-"], "name a file for it");
+    assert_eq!(std::fs::read_to_string(&page).unwrap(), "# Mine\n");
+}

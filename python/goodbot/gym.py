@@ -33,6 +33,8 @@ Observation = dict[str, Any]
 Place = tuple[Home, Sequence[tuple[str, str]]]
 
 CHANNELS = 4
+# What the worlds can tell from a state: the paper's tasks, and both at once.
+KINDS = ["agentInRoom(?a,?r)", "blockInRoom(?o,?r)", "agentInRoom(?a,?r1) & blockInRoom(?o,?r2)"]
 MOST_LETTERS = 128
 # What a person may say: letters of any script would not fit a space, those of missions do.
 LETTERS = string.ascii_letters + string.digits + string.punctuation + " "
@@ -65,8 +67,9 @@ def _in_words(home: Home, task: str) -> str:
 
 
 def _logged(path: str | PathLike[str]) -> list[Place]:
-    """The homes of a log, with the commands whose meaning is told."""
-    return [(session.home, [(session.command, session.intended)]) for session in read_log(path) if session.intended]
+    """The homes of a log, with the commands whose meaning is told. Tasks with a way, which depend on more than the end, are left out."""
+    places = ((session.home, session.command, session.intended) for session in read_log(path) if session.intended)
+    return [(home, [(command, meant)]) for home, command, meant in places if meant in home.tasks(kinds=KINDS)]
 
 
 class _Drawn:

@@ -26,7 +26,6 @@ use std::io::{Read, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, TryLockError};
-use std::time::Instant;
 
 /// About how much work is done before others may run: some milliseconds.
 const PART: u32 = 1 << 16;
@@ -781,21 +780,18 @@ impl Agent {
         self.with(|mind| as_dict(py, &mind.core.most_used()))
     }
 
-    /// Plans, decides, acts and takes feedback so many times in one state, all in Rust; returns the seconds that it took. What the same calls
-    /// cost from Python is measured against it, by `benches/figures.py`.
-    fn _rounds(&self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>, count: u32) -> PyResult<f64> {
+    /// Plans, decides, acts and takes feedback so many times in one state, all in Rust: what the same calls cost from Python is measured
+    /// against it, by `benches/figures.py`.
+    fn _rounds(&self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>, count: u32) -> PyResult<()> {
         self.with(|mind| {
             let place = mind.place(domain, state)?;
-            let begun = Instant::now();
             let result = in_place!(&place, |domain, state| (0..count).try_for_each(|_| {
                 mind.core.plan_fully(domain, state)?;
                 let decision = mind.core.decide_by(domain, state, &mut mind.random)?;
                 mind.core.acted(domain, state, decision.action)?;
                 mind.core.feedback(Feedback::Neutral).map(drop)
             }));
-            let seconds = begun.elapsed().as_secs_f64();
-            mind.settled(domain.py(), &place, result)?;
-            Ok(seconds)
+            mind.settled(domain.py(), &place, result)
         })
     }
 

@@ -176,6 +176,9 @@ fn flaw(py: Python<'_>, environment: &EnvironmentFile, error: &HomeError, text: 
     misformed(py, message, line, position.map(|position| format!("objects[{position}]")).as_deref())
 }
 
+/// What makes a home again, and what it is called with: for pickle.
+type Reduced<'py> = (Bound<'py, PyAny>, (String, bool, Bound<'py, PyDict>));
+
 #[pymethods]
 impl Home {
     /// A home from its JSON, as `docs/files.md` describes it. `pull=True` adds the action `pull`.
@@ -380,7 +383,7 @@ impl Home {
         format!("<goodbot.Home: {} objects, {} cells>", used.get(Capacity::Objects), used.get(Capacity::Cells))
     }
 
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (String, bool, Bound<'py, PyDict>))> {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
         let Self { rooms, start, .. } = slf.get();
         let restore = slf.get_type().getattr("_restored")?;
         Ok((restore, (environment(rooms, start).to_json_line(), slf.get().pull(), as_dict(slf.py(), &rooms.usage())?)))

@@ -2,12 +2,12 @@
 
 use crate::agent::{Agent, Mind, evidence_name};
 use crate::error::{format, value};
-use crate::home::{Home, environment};
+use crate::home::{Home, Rooms, environment};
 use crate::place::Place;
 use goodbot::Capacities;
 use goodbot::feedback::{Feedback, Strategy};
-use goodbot::home::Moves;
-use goodbot::oomdp::apply;
+use goodbot::home::{HomeState, Moves};
+use goodbot::oomdp::{Domain, apply};
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, SessionHeader, SessionReader, StepRecord};
 use goodbot_formats::task_text::GroundTaskText;
 use pyo3::prelude::*;
@@ -56,8 +56,23 @@ fn step_of(action: String, feedback: Option<&str>) -> PyResult<(usize, StepRecor
     Ok((0, StepRecord { action, feedback }))
 }
 
-fn atoms_of(text: &str) -> PyResult<Vec<goodbot_formats::task_text::GroundAtomText>> {
-    Ok(text.parse::<GroundTaskText>().map_err(value)?.atoms().to_vec())
+/// The header of a session of feedback that begins in this state of a home.
+pub fn header(rooms: &Rooms, state: &HomeState, command: &str) -> SessionHeader {
+    let names = || rooms.actions().iter().map(|kind| kind.name.to_owned()).collect();
+    SessionHeader {
+        id: None,
+        kind: Kind::Feedback,
+        environment: environment(rooms, state),
+        command: command.to_owned(),
+        intended: None,
+        before: None,
+        through: None,
+        avoiding: None,
+        actions: (rooms.moves() == Moves::PushAndPull).then(names),
+        continues: false,
+        prior: None,
+        strategies: None,
+    }
 }
 
 /// The sessions of a log, as bytes of JSON Lines.
@@ -175,21 +190,8 @@ impl Session {
     ) -> PyResult<Self> {
         let home = home.get();
         let at = state.map_or(Ok(home.start), |state| home.check(state))?;
-        let pulls = home.rooms.moves() == Moves::PushAndPull;
-        let header = SessionHeader {
-            id,
-            kind: kind_of(kind)?,
-            environment: environment(&home.rooms, &at),
-            command,
-            intended: intended.map(atoms_of).transpose()?,
-            before: None,
-            through: None,
-            avoiding: None,
-            actions: pulls.then(|| ["north", "south", "east", "west", "pull"].map(str::to_owned).to_vec()),
-            continues,
-            prior: None,
-            strategies: None,
-        };
+        let mut header = SessionHeader { id, kind: kind_of(kind)?, continues, ..header(&home.rooms, &at, &command) };
+        header.set_meant(intended.map(|text| text.parse::<GroundTaskText>().map_err(value)).transpose()?.as_ref());
         let steps = steps.into_iter().map(|(action, feedback)| step_of(action, feedback.as_deref())).collect::<PyResult<_>>()?;
         let session = Self(RecordedSession { header, header_line: 1, steps, answers: vec![], learn, end_line: 1 });
         session.lines(py)?;
@@ -233,8 +235,7 @@ impl Session {
     /// The task that was meant, or None. For evaluation only; in a `labelled` session it is the lesson.
     #[getter]
     fn intended(&self) -> Option<String> {
-        let atoms = self.0.header.intended.as_ref()?;
-        Some(atoms.iter().map(ToString::to_string).collect::<Vec<_>>().join(" & "))
+        Some(self.0.header.meant()?.ok()?.to_string())
     }
 
     /// What was done and said, in order.

@@ -2,13 +2,12 @@
 
 use crate::agent::{Agent, Mind};
 use crate::error::{self, value};
-use crate::home::environment;
-use crate::log::Session;
+use crate::log::{Session, header};
 use crate::place::Place;
 use goodbot::feedback::Strategy;
-use goodbot::home::Moves;
+use goodbot::oomdp::Domain;
 use goodbot_course::{CourseTrainer, FeedbackCounts, Lesson as Course, LessonReport, Step, Trainer as _, Turn, generator};
-use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, SessionHeader, StepRecord};
+use goodbot_formats::session::{FeedbackWord, RecordedSession, SessionHeader, StepRecord};
 use goodbot_formats::task_text::GroundTaskText;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -117,85 +116,64 @@ fn recorded(place: &Place, step: &Step) -> (usize, StepRecord) {
     (0, StepRecord { action: place.action_text(step.decision.action), feedback: Some(feedback) })
 }
 
-/// The header of a session that begins in this place; none for a robot of one's own, whose world no log can hold.
-fn header(place: &Place, command: &str, intended: &str) -> Option<SessionHeader> {
-    let Place::Home(home, state) = place else { return None };
-    let rooms = &home.get().rooms;
-    let mut header = SessionHeader {
-        id: None,
-        kind: Kind::Feedback,
-        environment: environment(rooms, state),
-        command: command.to_owned(),
-        intended: None,
-        before: None,
-        through: None,
-        avoiding: None,
-        actions: (rooms.moves() == Moves::PushAndPull).then(|| ["north", "south", "east", "west", "pull"].map(str::to_owned).to_vec()),
-        continues: false,
-        prior: None,
-        strategies: None,
-    };
-    header.set_meant(intended.parse::<GroundTaskText>().ok().as_ref());
-    Some(header)
-}
-
 impl Trainer {
+    /// The lesson from the command that was heard to its end: what it came to, where, and its steps.
+    fn walk<D: Domain>(
+        &self,
+        py: Python<'_>,
+        mind: &mut Mind,
+        domain: &D,
+        mut lesson: Course<D::State>,
+        random: &mut Pcg32,
+        place: impl Fn(D::State) -> Place,
+    ) -> PyResult<(LessonReport, Place, Vec<Step>)> {
+        let mut steps = Vec::new();
+        loop {
+            let here = place(*lesson.state());
+            mind.plan(py, &here)?;
+            let turn = lesson.act(&mut mind.core, domain, &self.trainer, random);
+            if let Some(failure) = here.failure() {
+                mind.core.leave();
+                return Err(failure);
+            }
+            match turn.map_err(|refused| error::course(py, refused))? {
+                Turn::Acted(step) => steps.push(step),
+                Turn::Ended(ending) => return Ok((lesson.report(ending), here, steps)),
+            }
+        }
+    }
+
     fn teach_in(
         &self,
         py: Python<'_>,
         mind: &mut Mind,
-        place: Place,
+        place: &Place,
         command: &str,
         intended: &Bound<'_, PyAny>,
         learn: bool,
     ) -> PyResult<Lesson> {
         // A copy goes through the lesson: who held the lock while others run could be waited for by one whom it waits for itself.
         let mut random = self.random.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        mind.hear(py, &place, command)?;
+        mind.hear(py, place, command)?;
         let task = mind.task(intended)?;
-        let name = mind.task_text(py, task);
-        let mut session = header(&place, command, &name).map(|header| RecordedSession {
-            header,
-            header_line: 1,
-            steps: vec![],
-            answers: vec![],
-            learn,
-            end_line: 1,
-        });
-        // One of the two is walked; the lesson of the other kind of place has no state to be in.
-        let report = match &place {
+        let ((report, end, steps), header) = match place {
             Place::Home(home, start) => {
-                let mut lesson = Course::meaning(start, task);
-                loop {
-                    let here = Place::Home(home.clone_ref(py), *lesson.state());
-                    mind.plan(py, &here)?;
-                    let turn = lesson.act(&mut mind.core, &home.get().rooms, &self.trainer, &mut random);
-                    match turn.map_err(|refused| error::course(py, refused))? {
-                        Turn::Acted(step) => session.iter_mut().for_each(|session| session.steps.push(recorded(&place, &step))),
-                        Turn::Ended(ending) => break (lesson.report(ending), here),
-                    }
-                }
+                let intended = mind.task_text(py, task).parse::<GroundTaskText>().map_err(value)?;
+                let mut header: SessionHeader = header(&home.get().rooms, start, command);
+                header.set_meant(Some(&intended));
+                let here = |state| Place::Home(home.clone_ref(py), state);
+                (self.walk(py, mind, &home.get().rooms, Course::meaning(start, task), &mut random, here)?, Some(header))
             }
             Place::Robot(robot, start) => {
-                let mut lesson = Course::meaning(start, task);
-                loop {
-                    let here = Place::Robot(robot.clone(), *lesson.state());
-                    mind.plan(py, &here)?;
-                    let turn = lesson.act(&mut mind.core, &**robot, &self.trainer, &mut random);
-                    if let Some(failure) = here.failure() {
-                        mind.core.leave();
-                        return Err(failure);
-                    }
-                    if let Turn::Ended(ending) = turn.map_err(|refused| error::course(py, refused))? {
-                        break (lesson.report(ending), here);
-                    }
-                }
+                let here = |state| Place::Robot(robot.clone(), state);
+                (self.walk(py, mind, &**robot, Course::meaning(start, task), &mut random, here)?, None)
             }
         };
-        let (report, end) = report;
+        let steps = steps.iter().map(|step| recorded(place, step)).collect();
+        let session = header.map(|header| RecordedSession { header, header_line: 1, steps, answers: vec![], learn, end_line: 1 });
         let mut gave_way = 0;
         if learn {
-            gave_way = mind.finish(py, &place)?;
+            gave_way = mind.finish(py, place)?;
             mind.learn(py)?;
         } else {
             mind.core.forget();
@@ -254,7 +232,7 @@ impl Trainer {
         agent.get().with(|mind| {
             mind.forget_robot();
             let place = mind.place(domain, state)?;
-            self.teach_in(domain.py(), mind, place, command, intended, learn)
+            self.teach_in(domain.py(), mind, &place, command, intended, learn)
         })
     }
 

@@ -220,6 +220,9 @@ impl Worlds {
     }
 }
 
+/// Images, rewards, terminated and truncated, as bytes.
+type Stepped<'py> = (Bound<'py, PyBytes>, Bound<'py, PyBytes>, Bound<'py, PyBytes>, Bound<'py, PyBytes>);
+
 type Places = Vec<(Py<Home>, Vec<(String, String)>)>;
 
 #[pymethods]
@@ -260,11 +263,7 @@ impl Worlds {
 
     /// Does an action in each world: a byte each, the position of the action, and `noop` from the last position on. A world that ended
     /// before begins anew instead. Returns images, rewards (float32), terminated and truncated (bool), as bytes.
-    fn step<'py>(
-        &self,
-        py: Python<'py>,
-        actions: &[u8],
-    ) -> PyResult<(Bound<'py, PyBytes>, Bound<'py, PyBytes>, Bound<'py, PyBytes>, Bound<'py, PyBytes>)> {
+    fn step<'py>(&self, py: Python<'py>, actions: &[u8]) -> PyResult<Stepped<'py>> {
         let count = self.inner().worlds.len();
         if actions.len() != count {
             return Err(value(format!("{} actions are given for {count} worlds", actions.len())));

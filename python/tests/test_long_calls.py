@@ -54,16 +54,24 @@ def test_another_thread_runs_while_a_robot_plans(hall: goodbot.Home) -> None:
     assert during > 3
 
 
-def test_planning_stops_on_ctrl_c_and_goes_on_when_asked_to(hall: goodbot.Home) -> None:
-    whole = time.perf_counter()
-    heard(hall).plan(hall, hall.start)
-    whole = time.perf_counter() - whole
-
-    agent = heard(hall)
-    begun = time.perf_counter()
-    threading.Timer(whole / 20, _thread.interrupt_main).start()
+def interrupted(agent: goodbot.Agent, hall: goodbot.Home, after: float) -> bool:
+    """Plans, is interrupted after so many seconds, and says whether the plan was still to be done then."""
+    timer = threading.Timer(after, _thread.interrupt_main)
+    timer.start()
     with pytest.raises(KeyboardInterrupt):
         agent.plan(hall, hall.start)
-    assert time.perf_counter() - begun < whole * 0.8
+        timer.join()
+        time.sleep(1)
+    try:
+        agent.decide(hall, hall.start)
+    except goodbot.SessionError:
+        return True
+    return False
+
+
+def test_planning_stops_on_ctrl_c_and_goes_on_when_asked_to(hall: goodbot.Home) -> None:
+    # On a busy machine the interruption may come when all is done.
+    agents = (heard(hall) for _ in range(20))
+    agent = next(agent for agent in agents if interrupted(agent, hall, 0.01))
     assert agent.plan(hall, hall.start)
     assert agent.decide(hall, hall.start).action in hall.actions

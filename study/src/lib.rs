@@ -25,3 +25,4 @@ pub mod agent;
 pub mod place;
 pub mod trainer;
 pub mod trial;
+pub mod tuning;

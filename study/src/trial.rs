@@ -7,11 +7,13 @@ use crate::agent::{Learner, Learns, Now};
 use crate::place::{CAPACITIES, Place, Umpire};
 use crate::trainer::habits::{Habits, Listening};
 use goodbot::AgentError;
+use goodbot::asking::{Answer, Question, Subject};
 use goodbot::feedback::Feedback;
 use goodbot::home::HomeState;
 use goodbot::memory::HomeHeap;
 use goodbot::oomdp::{Action, ActionSet, apply};
 use goodbot::planning::OptimalSet;
+use goodbot::random::{below, unit};
 use goodbot_course::{CourseError, Homes, LESSONS, TESTS, generator};
 use rand_pcg::Pcg32;
 
@@ -21,6 +23,8 @@ pub const RESTS: u8 = 3;
 pub const MOST_STEPS: u16 = 600;
 /// A test ends after so many steps.
 pub const TEST_STEPS: u16 = 100;
+/// How often the trainer answers a question wrongly, whoever it is.
+pub const WRONG_ANSWERS: f32 = 0.05;
 /// An agent that is surer than this is certain.
 pub const CERTAIN: f32 = 0.95;
 
@@ -59,14 +63,16 @@ pub struct LessonOutcome {
     pub ending: Ending,
     /// How many steps it took.
     pub steps: u16,
-    /// How often the trainer said "good bot" and "bad bot".
+    /// How often the trainer said something: "good bot", "bad bot", or an answer.
     pub words: u16,
+    /// How many questions it answered.
+    pub answers: u16,
     /// Whether the agent was at some time certain of a wrong task; `None` for an agent that has no such probability.
     pub wrongly_certain: Option<bool>,
 }
 
 impl LessonOutcome {
-    const NONE: Self = Self { ending: Ending::TooLong, steps: 0, words: 0, wrongly_certain: None };
+    const NONE: Self = Self { ending: Ending::TooLong, steps: 0, words: 0, answers: 0, wrongly_certain: None };
 }
 
 impl TestOutcome {
@@ -166,6 +172,32 @@ fn act(
     Ok(Some((action, Step { correct: right.contains(action), at_goal: meant == OptimalSet::Goal, next })))
 }
 
+/// Lets the agent ask until it has no question left. Gives how many were answered.
+fn ask(learner: &mut dyn Learner, place: &mut Place<'_, '_>, state: &HomeState, random: &mut Pcg32) -> Result<u16, CourseError> {
+    let outlook = place.outlook(state)?;
+    let now = Now { place, state, outlook: &outlook, is_test: false };
+    let mut answers = 0;
+    while let Some(question) = learner.asks(&now)? {
+        learner.answered(answer(&question, place.intended, random))?;
+        answers += 1;
+    }
+    Ok(answers)
+}
+
+/// What the trainer answers.
+fn answer(question: &Question, intended: usize, random: &mut Pcg32) -> Answer {
+    let is_wrong = unit(random) < WRONG_ANSWERS;
+    let Subject::Which(tasks, count) = question.subject else {
+        return if question.yes.contains(intended) != is_wrong { Answer::Yes } else { Answer::No };
+    };
+    let right = tasks.iter().take(usize::from(count)).position(|&task| usize::from(task) == intended);
+    // One of the tasks, or at the end none of them.
+    let right = right.unwrap_or(usize::from(count));
+    let others = usize::from(count);
+    let chosen = if is_wrong { (right + 1 + below(others, random)) % (others + 1) } else { right };
+    if chosen == others { Answer::No } else { Answer::This(chosen as u8) }
+}
+
 /// Whether the agent is certain of a wrong task.
 fn is_wrongly_certain(learner: &dyn Learner, place: &Place<'_, '_>) -> Option<bool> {
     learner.belief().map(|(task, probability)| task != place.intended && probability > CERTAIN)
@@ -179,12 +211,13 @@ fn lesson(
 ) -> Result<LessonOutcome, CourseError> {
     learner.hear(place)?;
     let mut state = place.start;
-    let (mut rests, mut steps, mut words) = (0, 0, 0);
+    let (mut rests, mut steps, mut words, mut answers) = (0, 0, 0, 0);
     let mut wrongly_certain = is_wrongly_certain(learner, place);
     let ending = loop {
         if steps >= MOST_STEPS {
             break Ending::TooLong;
         }
+        answers += ask(learner, place, &state, random)?;
         let Some((action, step)) = act(learner, place, &state, false)? else { break Ending::DeadEnd };
         let word = trainer.says(step.correct, random);
         learner.told(word)?;
@@ -201,7 +234,7 @@ fn lesson(
         }
     };
     learner.finish(place)?;
-    Ok(LessonOutcome { ending, steps, words, wrongly_certain })
+    Ok(LessonOutcome { ending, steps, words: words + answers, answers, wrongly_certain })
 }
 
 fn test(learner: &mut dyn Learner, place: &mut Place<'_, '_>) -> Result<TestOutcome, CourseError> {

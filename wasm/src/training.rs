@@ -23,6 +23,9 @@ use crate::world::{Acted, Refusal, World, thing};
 const STYLES: [(&str, f32, f32, f32); 3] = [("balanced", 0.75, 0.75, 0.32), ("R+/P-", 0.75, 0.85, 0.36), ("R-/P+", 0.85, 0.75, 0.32)];
 const EPSILON: f32 = 0.1;
 
+/// How probable a task that is done already must be for a robot that does nothing.
+const CLEARLY: f32 = 0.6;
+
 impl World {
     /// Whether the robot also learns how its trainer uses reward and punishment. A session under way ends unlearned.
     ///
@@ -57,26 +60,34 @@ impl World {
     }
 
     /// What the command most likely means, in words, where that is done already; `None` where something is left to do. The mind knows no
-    /// task that holds where it hears, so it hears from where one thing is in another room. A session under way ends unlearned.
+    /// task that holds where it hears, so it hears from where one thing is in another room, from each of them: what is meant must come
+    /// before everything else, and every word must be known. A session under way ends unlearned.
     ///
     /// # Errors
     /// Why the command cannot be heard.
     pub fn already(&mut self, command: &str) -> Result<Option<String>, Refusal> {
         self.forget();
         let Self { mind, rooms: home, state, .. } = self;
-        let room = |cell| home.objects().of_class(ROOM).find(|&room| home.area(room).holds_strictly(cell));
-        let things = std::iter::once(home.agent()).chain(home.blocks().iter().copied());
-        for thing in things {
-            let here = room(home.block_cell(state, thing).unwrap_or_else(|| home.agent_cell(state)));
-            let away = home.places().iter().map(Place::cell).filter(|&cell| room(cell).is_some_and(|room| Some(room) != here));
-            let Some(elsewhere) = here.and_then(|_| away.filter_map(|cell| home.placed(state, &[(thing, cell)])).next()) else { continue };
-            mind.hear(home, &elsewhere, command).map_err(Refusal::from)?;
-            let likely = mind.tasks().iter().enumerate().find(|&(position, _)| mind.belief().probability(position) > 0.5);
-            let done = likely.and_then(|(_, task)| {
-                let lifted = mind.lifted().get(usize::from(task.lifted))?;
-                task.propositions(lifted).all(|part| home.holds(&part, state)).then(|| task_words(home, lifted, task))
-            });
-            mind.forget();
+        let around = |cell| home.objects().of_class(ROOM).find(|&room| home.area(room).holds_strictly(cell));
+        for thing in std::iter::once(home.agent()).chain(home.blocks().iter().copied()) {
+            let here = around(home.block_cell(state, thing).unwrap_or_else(|| home.agent_cell(state)));
+            let mut done = None;
+            for room in home.objects().of_class(ROOM).filter(|&room| here.is_some() && Some(room) != here) {
+                let cells = home.places().iter().map(Place::cell).filter(|&cell| around(cell) == Some(room));
+                let Some(elsewhere) = cells.filter_map(|cell| home.placed(state, &[(thing, cell)])).next() else { continue };
+                mind.hear(home, &elsewhere, command).map_err(Refusal::from)?;
+                let known = mind.language().tables().words();
+                let understood = mind.sentence().iter().all(|word| word.is_some_and(|word| word.index() < known));
+                let likely = mind.tasks().iter().enumerate().find(|&(position, _)| mind.belief().probability(position) > CLEARLY);
+                done = likely.filter(|_| understood).and_then(|(_, task)| {
+                    let lifted = mind.lifted().get(usize::from(task.lifted))?;
+                    task.propositions(lifted).all(|part| home.holds(&part, state)).then(|| task_words(home, lifted, task))
+                });
+                mind.forget();
+                if done.is_none() {
+                    break;
+                }
+            }
             if done.is_some() {
                 return Ok(done);
             }

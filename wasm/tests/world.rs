@@ -30,6 +30,21 @@ fn train(world: &mut World, command: &str, intended: &str) -> String {
 }
 
 #[test]
+fn a_robot_that_does_not_know_the_words_does_not_say_that_all_is_done() {
+    let mut world = world("A");
+    world.hear("go to the green room").unwrap();
+    while !world.plan(1_000).unwrap() {}
+    world.act().unwrap();
+    world.judge("neutral").unwrap();
+    world.finish().unwrap();
+    while !world.learn(1_000) {}
+    world.reset();
+    for command in ["go to the green room", "go to the red room", "fetch me some coffee"] {
+        assert_eq!(world.already(command).unwrap(), None, "{command}");
+    }
+}
+
+#[test]
 fn what_is_done_already_is_told_and_nothing_else_is() {
     let mut world = world("A");
     for (command, task) in [("go to the green room", 1), ("go to the red room", 2), ("go to the green room", 1), ("go to the red room", 2)]

@@ -27,7 +27,7 @@ pub struct Settings {
     pub smoothing: f32,
     /// The pseudo-count, for each word's position, of an alignment that knows nothing.
     pub alignment_prior: f32,
-    /// Rounds of EM.
+    /// Rounds of EM. The role model takes up to half as many more, the more sessions there are.
     pub rounds: u32,
     /// Whether the command's length counts too: a factor Pr(n|l).
     pub length: bool,
@@ -62,7 +62,7 @@ impl Settings {
         order: TokenOrder::Propositions,
     };
 
-    /// What understands people best: the role model, 8 rounds, words that begin with the same four letters are one.
+    /// What understands people best: the role model, 8 to 12 rounds, words that begin with the same four letters are one.
     pub const DEFAULT: Self = Self { model: Model::Roles, ..Self::SMOOTHED };
 }
 

@@ -77,6 +77,47 @@ struct Check {
     simulated: [Option<(f64, f64, f64)>; MEASURES.len()],
 }
 
+/// Fits trainers to logs, and draws others like them.
+///
+/// # Errors
+/// [`Failure::Input`] names the file and what is wrong with it.
+fn fitted(options: &StudyOptions) -> Result<(People, Population), Failure> {
+    let people = real::read(&options.fit)?;
+    let records: Vec<Record> = people.iter().map(|(_, record)| record.clone()).collect();
+    let population = Population::fit(&records);
+    Ok((people, population))
+}
+
+/// The checks as a table in Markdown.
+///
+/// # Errors
+/// [`Failure::Input`] names the file and what is wrong with it.
+pub fn markdown(options: &StudyOptions) -> Result<String, Failure> {
+    let (people, population) = fitted(options)?;
+    let check = check(&people, &population, options);
+    let mut text = "| percentage of occasions | real | simulated, 95 % of draws | fitted |\n|---|---:|---:|---|\n".to_owned();
+    for (measure, fitted, real, simulated) in check.rows() {
+        text += &format!("| {measure} | {real} | {simulated} | {} |\n", if fitted { "yes" } else { "no" });
+    }
+    let [now, before, earlier] = population.late.map(|share| 100.0 * share);
+    text += &format!(
+        "\nWhat real trainers say is meant for the last action in {now:.1} %, for the one before in {before:.1} %, for the one before that in \
+         {earlier:.1} % (fitted).\n"
+    );
+    Ok(text)
+}
+
+impl Check {
+    /// The measures, whether each was fitted, and the real and simulated percentages as text.
+    fn rows(&self) -> impl Iterator<Item = (&'static str, bool, String, String)> + '_ {
+        MEASURES.iter().zip(self.real).zip(self.simulated).map(|((&(measure, fitted), real), simulated)| {
+            let real = real.map_or("-".to_owned(), |real| format!("{:.1}", 100.0 * real));
+            let drawn = |(mean, low, high)| format!("{:.1} ({:.1} to {:.1})", 100.0 * mean, 100.0 * low, 100.0 * high);
+            (measure, fitted, real, simulated.map_or("-".to_owned(), drawn))
+        })
+    }
+}
+
 fn check(people: &People, population: &Population, options: &StudyOptions) -> Check {
     let real = measured(people.iter().flat_map(|(_, record)| record.lessons.iter().map(Vec::as_slice)));
     let mut draws: [Vec<f64>; MEASURES.len()] = Default::default();
@@ -104,9 +145,7 @@ fn check(people: &People, population: &Population, options: &StudyOptions) -> Ch
 /// # Errors
 /// [`Failure`].
 pub fn show(out: &mut impl Write, options: &StudyOptions) -> Result<(), Failure> {
-    let people = real::read(&options.fit)?;
-    let records: Vec<Record> = people.iter().map(|(_, record)| record.clone()).collect();
-    let population = Population::fit(&records);
+    let (people, population) = fitted(options)?;
     let check = check(&people, &population, options);
     if options.json {
         for ((name, _), counts) in people.iter().zip(&population.people) {
@@ -132,11 +171,8 @@ pub fn show(out: &mut impl Write, options: &StudyOptions) -> Result<(), Failure>
         "\nWhat is said is meant for the last action in {now:.1} %, for the one before in {before:.1} %, for the one before that in {earlier:.1} %.\n"
     )?;
     writeln!(out, "{:<36} {:>8}  {:>28}", "percentage of occasions", "real", "simulated, 95 % of draws")?;
-    for (((name, fitted), real), simulated) in MEASURES.iter().zip(check.real).zip(check.simulated) {
-        let real = real.map_or("-".to_owned(), |real| format!("{:.1}", 100.0 * real));
-        let drawn = simulated
-            .map_or("-".to_owned(), |(mean, low, high)| format!("{:.1} ({:.1} to {:.1})", 100.0 * mean, 100.0 * low, 100.0 * high));
-        writeln!(out, "{name:<36} {real:>8}  {drawn:>28}{}", if *fitted { "" } else { "  not fitted" })?;
+    for (measure, fitted, real, simulated) in check.rows() {
+        writeln!(out, "{measure:<36} {real:>8}  {simulated:>28}{}", if fitted { "" } else { "  not fitted" })?;
     }
     Ok(())
 }

@@ -7,17 +7,21 @@
 //! - [`summary`]: means with intervals;
 //! - [`table`], [`picture`]: how they are shown;
 //! - [`real`]: real trainers, from session logs;
-//! - [`likeness`]: whether simulated trainers are like them.
+//! - [`likeness`]: whether simulated trainers are like them;
+//! - [`tune`]: how the settings of the others were chosen;
+//! - [`report`]: all of it as a page with pictures.
 
 mod likeness;
 mod picture;
 mod plan;
 mod real;
 mod record;
+mod report;
 mod runs;
 mod shard;
 mod summary;
 mod table;
+mod tune;
 
 use crate::messages::{counted, say};
 use crate::outcome::Failure;
@@ -41,7 +45,8 @@ of cores. Seven lessons, each until the agent rests at the goal, at most 600 ste
 With --json the first line tells what is compared, then there is a line for each run, and at the end one for each \
 trainer and agent:
   tests_right      how many of the five tests were right: done, and then rested
-  words            how often the trainer said good bot or bad bot
+  words            how often the trainer said good bot or bad bot, or answered a question
+  answers          how many of these were answers
   steps            steps of a lesson; one that ended before the goal counts as 600
   wrongly_certain  percentage of the twelve commands at which it held a wrong task for more than 95 % likely
   gave_up          percentage of lessons that ended before the goal
@@ -51,6 +56,7 @@ Examples:
   goodbot study --agents goodbot,tamer-shared --trainers balanced,late-1 --plot study.svg
   goodbot study --shard 1/2 --json > one.jsonl      on one machine, and 2/2 on another
   goodbot study --merge one.jsonl two.jsonl --json  the same lines as from one machine
+  goodbot study --runs 1000 --report study.md       all of it as a page with pictures
   goodbot study --fit log.jsonl                     what the trainers of a log do, and whether simulated ones are like them";
 
 /// Compare agents that learn from a trainer's words, with many kinds of trainers
@@ -58,10 +64,10 @@ Examples:
 #[command(after_help = EXAMPLES)]
 pub struct StudyOptions {
     /// Only these agents, separated by commas [default: all]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = agents(), conflicts_with_all = ["merge", "fit"])]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = agents(), conflicts_with = "merge")]
     pub agents: Vec<String>,
     /// Only these trainers, separated by commas [default: all]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = trainers(), conflicts_with_all = ["merge", "fit"])]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = trainers(), conflicts_with_all = ["merge", "tune"])]
     pub trainers: Vec<String>,
     /// How many seeds, 1 to 100000, counted up from --seed
     #[arg(long, short = 'n', value_name = "N", default_value = "100", value_parser = runs, allow_negative_numbers = true, conflicts_with_all = ["merge"])]
@@ -75,9 +81,15 @@ pub struct StudyOptions {
     /// Join the parts of a study, or read a whole one, instead of running it
     #[arg(long, value_name = "FILE", num_args = 1.., value_hint = ValueHint::FilePath)]
     pub merge: Vec<String>,
-    /// Fit trainers to session logs, and compare simulated trainers with them
-    #[arg(long, value_name = "LOG", num_args = 1.., value_hint = ValueHint::FilePath, conflicts_with_all = ["merge", "plot", "csv"])]
+    /// Fit trainers to session logs, and compare simulated trainers with them; with --report, for the page
+    #[arg(long, value_name = "LOG", num_args = 1.., value_hint = ValueHint::FilePath, conflicts_with_all = ["plot", "csv"])]
     pub fit: Vec<String>,
+    /// Try all settings of the agents that are not goodbot, and tell which are best; on seeds of their own
+    #[arg(long, conflicts_with_all = ["merge", "fit", "plot", "csv", "json", "report"])]
+    pub tune: bool,
+    /// Write all of it as a page, with pictures beside it
+    #[arg(long, value_name = "FILE.md", value_hint = ValueHint::FilePath, conflicts_with_all = ["json", "csv", "plot"])]
+    pub report: Option<PathBuf>,
     /// Print JSON lines
     #[arg(long)]
     pub json: bool,
@@ -90,8 +102,8 @@ pub struct StudyOptions {
     /// What the picture shows
     #[arg(long, value_name = "NAME", default_value = "tests_right", value_parser = columns(), requires = "plot")]
     pub column: Column,
-    /// Replace a file that is no picture of goodbot's
-    #[arg(long, requires = "plot")]
+    /// Replace files that goodbot has not written
+    #[arg(long)]
     pub force: bool,
 }
 
@@ -128,6 +140,22 @@ impl StudyOptions {
             shard: self.shard.unwrap_or(Shard::WHOLE),
         }
     }
+
+    /// What is run, or read.
+    fn runs(&self) -> Result<(Plan, Vec<Run>), Failure> {
+        if self.merge.is_empty() {
+            let plan = self.plan();
+            let runs = runs::run_all(&plan)?;
+            Ok((plan, runs))
+        } else {
+            record::read(&self.merge)
+        }
+    }
+
+    /// The files that are read.
+    fn inputs(&self) -> impl Iterator<Item = &str> {
+        self.merge.iter().chain(&self.fit).map(String::as_str)
+    }
 }
 
 /// Runs the study, joins its parts, or fits trainers, and shows what came of it.
@@ -135,20 +163,21 @@ impl StudyOptions {
 /// # Errors
 /// [`Failure`].
 pub fn run(options: &StudyOptions) -> Result<(), Failure> {
-    let inputs = options.merge.iter().map(String::as_str);
+    if let Some(page) = &options.report {
+        return report::write(page, options);
+    }
+    let inputs = options.inputs();
     let target = options.plot.as_deref().map(|plot| Output::picture(plot, inputs, options.force)).transpose()?;
     let mut out = output::text(&[target.as_ref()])?;
     if !options.fit.is_empty() {
         likeness::show(&mut out, options)?;
         return Ok(out.flush()?);
     }
-    let (plan, runs) = if options.merge.is_empty() {
-        let plan = options.plan();
-        let runs = runs::run_all(&plan)?;
-        (plan, runs)
-    } else {
-        record::read(&options.merge)?
-    };
+    if options.tune {
+        tune::show(&mut out, options)?;
+        return Ok(out.flush()?);
+    }
+    let (plan, runs) = options.runs()?;
     let rows = if plan.shard == Shard::WHOLE { summary::rows(&plan, &runs) } else { Vec::new() };
     if let Some(target) = &target {
         let drawing = picture::of(&plan, &rows, options.column);

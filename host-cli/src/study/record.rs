@@ -45,6 +45,7 @@ pub fn run_to_json(plan: &Plan, run: &Run) -> Value {
         "endings": lessons.map(|lesson| lesson.ending.name()),
         "steps": lessons.map(|lesson| lesson.steps),
         "words": lessons.map(|lesson| lesson.words),
+        "answers": lessons.map(|lesson| lesson.answers),
         "tests": tests.map(|test| test.right),
         "wrongly_certain": certain,
     })
@@ -103,7 +104,13 @@ fn run_from_json(plan: &Plan, line: &Value) -> Result<Run, String> {
     for (at, lesson) in outcome.lessons.iter_mut().enumerate() {
         let ending = Ending::ALL.into_iter().find(|ending| line["endings"][at] == ending.name());
         let ending = ending.ok_or_else(|| format!("has no ending in endings[{at}]"))?;
-        *lesson = LessonOutcome { ending, steps: count("steps", at)?, words: count("words", at)?, wrongly_certain: certain(at)? };
+        *lesson = LessonOutcome {
+            ending,
+            steps: count("steps", at)?,
+            words: count("words", at)?,
+            answers: count("answers", at)?,
+            wrongly_certain: certain(at)?,
+        };
     }
     let lessons = outcome.lessons.len();
     for (at, test) in outcome.tests.iter_mut().enumerate() {

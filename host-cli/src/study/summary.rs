@@ -16,8 +16,10 @@ const WORST: u32 = 10;
 pub enum Column {
     /// How many of the five tests were right.
     Tests,
-    /// How many words the trainer said in the seven lessons.
+    /// How many words the trainer said in the seven lessons, answers included.
     Words,
+    /// How many of them were answers.
+    Answers,
     /// Steps of a lesson until the agent rested at the goal; one that did not get there counts as all that were allowed.
     Steps,
     /// The percentage of the twelve commands at which the agent was certain of a wrong task.
@@ -28,13 +30,14 @@ pub enum Column {
 
 impl Column {
     /// All, in the order of the tables.
-    pub const ALL: [Self; 5] = [Self::Tests, Self::Words, Self::Steps, Self::WronglyCertain, Self::GaveUp];
+    pub const ALL: [Self; 6] = [Self::Tests, Self::Words, Self::Answers, Self::Steps, Self::WronglyCertain, Self::GaveUp];
 
     /// Its name in data.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Tests => "tests_right",
             Self::Words => "words",
+            Self::Answers => "answers",
             Self::Steps => "steps",
             Self::WronglyCertain => "wrongly_certain",
             Self::GaveUp => "gave_up",
@@ -46,6 +49,7 @@ impl Column {
         match self {
             Self::Tests => "tests right, of 5",
             Self::Words => "words said",
+            Self::Answers => "of these answers",
             Self::Steps => "steps a lesson",
             Self::WronglyCertain => "wrongly certain, %",
             Self::GaveUp => "gave up, %",
@@ -59,6 +63,7 @@ impl Column {
         Some(match self {
             Self::Tests => run.outcome.tests_right() as f64,
             Self::Words => lessons.iter().map(|lesson| f64::from(lesson.words)).sum(),
+            Self::Answers => lessons.iter().map(|lesson| f64::from(lesson.answers)).sum(),
             Self::Steps => steps(run).map(f64::from).sum::<f64>() / LESSONS.len() as f64,
             Self::WronglyCertain => {
                 let certain = lessons.iter().map(|lesson| lesson.wrongly_certain).chain(tests.iter().map(|test| test.wrongly_certain));

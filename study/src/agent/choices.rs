@@ -31,7 +31,9 @@ pub enum Words {
 }
 
 impl Form {
-    /// Both ways to share.
+    /// All of the first kind.
+    pub const TABLES: [Self; 1] = [Self::Tabular];
+    /// All of the second.
     pub const SHARED: [Self; 2] = [Self::Shared(Words::Single), Self::Shared(Words::Neighbours)];
 }
 
@@ -50,7 +52,7 @@ impl fmt::Display for Form {
 enum Key {
     /// A command, a home, a state and an action.
     Cell(&'static str, u8, u64, Action),
-    /// A word, or two, and a fact.
+    /// A word, or two, or none, and a fact.
     Pair(String, String),
     /// A number that is the same for all candidates, and what the candidate is.
     Statistic(usize, Own),
@@ -113,7 +115,8 @@ impl Choices {
     pub fn hear(&mut self, place: &Place<'_, '_>) {
         let Form::Shared(words) = self.form else { return };
         let neighbours = place.words.windows(2).map(|two| two.join(" ")).filter(|_| words == Words::Neighbours);
-        let said: Vec<String> = place.words.iter().cloned().chain(neighbours).collect();
+        // Beside the words stands none at all: what is true of a fact whatever is said.
+        let said: Vec<String> = place.words.iter().cloned().chain(neighbours).chain([String::new()]).collect();
         let mut tasks = Vec::new();
         for (facts, &kind) in place.facts.iter().zip(&place.kinds) {
             let value = 1.0 / ((said.len() * facts.len()).max(1) as f32).sqrt();
@@ -168,6 +171,16 @@ impl Choices {
     /// The weighted sum of features.
     pub fn score(&self, features: &[Feature]) -> f32 {
         features.iter().map(|&(at, value)| self.weights[at] * value).sum()
+    }
+
+    /// The scores of candidates.
+    pub fn scores(&self, candidates: &[Candidate]) -> Vec<f32> {
+        candidates.iter().map(|candidate| self.score(&candidate.features)).collect()
+    }
+
+    /// The scores of the command's tasks; `None` where tasks are not what is chosen from.
+    pub fn task_scores(&self) -> Option<Vec<f32>> {
+        self.are_tasks().then(|| self.tasks.iter().map(|task| self.score(&task.features)).collect())
     }
 
     /// Moves the weights along features.

@@ -70,21 +70,21 @@ const fn person(right: [f64; 3], wrong: [f64; 3], at_goal: [f64; 2], elsewhere: 
 /// What `goodbot study --fit` gives for the recorded sessions.
 #[rustfmt::skip]
 const FITTED: [Counts; 12] = [
-    person([0.0, 0.3, 19.2], [0.0, 2.7, 14.4], [0.0, 0.0], [6.0, 36.0]),
-    person([0.4, 0.4, 19.2], [0.6, 0.6, 13.2], [1.0, 0.0], [3.0, 34.0]),
-    person([0.0, 0.0, 11.2], [0.0, 0.0, 10.2], [0.0, 0.0], [4.0, 21.0]),
-    person([0.0, 0.0, 2.8], [0.0, 0.0, 0.2], [0.0, 0.0], [2.0, 3.0]),
-    person([0.0, 0.0, 3.8], [0.0, 0.0, 2.0], [0.0, 0.0], [6.0, 5.0]),
-    person([0.0, 0.0, 1.4], [0.0, 0.0, 0.2], [0.0, 0.0], [4.0, 1.0]),
-    person([5.8, 1.3, 47.1], [0.2, 6.7, 15.4], [3.0, 4.0], [1.0, 73.0]),
-    person([22.4, 5.9, 241.2], [3.6, 18.1, 225.5], [8.0, 92.0], [3.0, 440.0]),
-    person([4.3, 5.0, 223.0], [0.7, 15.0, 385.3], [1.0, 34.0], [6.0, 600.0]),
-    person([6.7, 0.0, 67.8], [1.3, 5.0, 26.0], [4.0, 9.0], [3.0, 97.0]),
-    person([8.1, 2.0, 22.5], [4.9, 1.0, 28.2], [1.0, 5.0], [3.0, 62.0]),
-    person([5.6, 1.2, 65.1], [0.4, 5.8, 12.1], [4.0, 22.0], [0.0, 68.0]),
+    person([0.0, 0.5, 22.1], [0.0, 2.5, 16.9], [0.0, 0.0], [6.0, 36.0]),
+    person([0.7, 0.7, 20.6], [0.3, 0.3, 15.4], [1.0, 0.0], [3.0, 34.0]),
+    person([0.0, 0.0, 13.1], [0.0, 0.0, 11.9], [0.0, 0.0], [4.0, 21.0]),
+    person([0.0, 0.0, 4.5], [0.0, 0.0, 0.5], [0.0, 0.0], [2.0, 3.0]),
+    person([0.0, 0.0, 6.7], [0.0, 0.0, 4.3], [0.0, 0.0], [6.0, 5.0]),
+    person([0.0, 0.0, 4.0], [0.0, 0.0, 1.0], [0.0, 0.0], [4.0, 1.0]),
+    person([5.5, 1.1, 50.8], [0.5, 6.9, 16.2], [3.0, 4.0], [1.0, 73.0]),
+    person([19.6, 5.2, 261.4], [6.4, 18.8, 231.6], [8.0, 92.0], [3.0, 440.0]),
+    person([3.7, 7.0, 224.6], [1.3, 13.0, 391.4], [1.0, 34.0], [6.0, 600.0]),
+    person([5.6, 0.0, 72.5], [2.4, 5.0, 27.5], [4.0, 9.0], [3.0, 97.0]),
+    person([7.0, 2.0, 24.6], [6.0, 1.0, 30.4], [1.0, 5.0], [3.0, 62.0]),
+    person([5.8, 1.1, 67.5], [0.2, 5.9, 13.5], [4.0, 22.0], [0.0, 68.0]),
 ];
 /// The same, of when words are said.
-const FITTED_LATE: [f64; LATEST + 1] = [0.348, 0.464, 0.188];
+const FITTED_LATE: [f64; LATEST + 1] = [0.659, 0.297, 0.043];
 
 const fn column(said: Feedback) -> usize {
     match said {
@@ -146,14 +146,15 @@ impl Population {
                     for (step, observed) in lesson.iter().enumerate() {
                         let column = column(observed.said);
                         let meant = |lag: usize| step.checked_sub(lag).map(|earlier| usize::from(!lesson[earlier].correct));
-                        // There is no word about an action before the first.
-                        let none = if observed.said == Feedback::Neutral { 1.0 } else { 0.0 };
-                        let part = |lag: usize| fit.late[lag] * meant(lag).map_or(none, |situation| rates[situation][column]);
+                        let part = |lag: usize| meant(lag).map_or(0.0, |situation| fit.late[lag] * rates[situation][column]);
                         let parts: [f64; LATEST + 1] = std::array::from_fn(part);
                         let whole: f64 = parts.iter().sum();
                         for (lag, part) in parts.into_iter().enumerate() {
                             let share = part / whole;
-                            late[lag] += share;
+                            // The first actions tell nothing of lags: there is nothing earlier that a word could be meant for.
+                            if step >= LATEST {
+                                late[lag] += share;
+                            }
                             let Some(situation) = meant(lag) else { continue };
                             let side = if situation == 0 { &mut counts.right } else { &mut counts.wrong };
                             side[column] += share;
