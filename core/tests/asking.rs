@@ -82,27 +82,32 @@ fn it_never_asks_where_a_question_costs_everything_and_where_it_is_sure() {
 fn the_plan_and_the_belief_are_the_same_after_a_question_in_parts_as_before_it() {
     let mut memory = Memory::new();
     let (mut agent, home, start) = heard(&mut memory, Options::DEFAULT);
-    // So dear that it looks far ahead.
-    let dear = Asking { kappa: 12.0, patience: 1_000.0, ..Asking::DEFAULT };
-    let before: Vec<_> = (0..agent.tasks().len()).map(|task| agent.planned().optimal(task)).collect();
-    let believed = probabilities(&agent);
-    let mut calls = 0;
-    let considered = loop {
-        calls += 1;
-        match agent.consider(&home, &start, &dear, 1).unwrap() {
-            Considered::Working => {}
-            done => break done,
-        }
-    };
-    assert!(calls > 1);
-    let after: Vec<_> = (0..agent.tasks().len()).map(|task| agent.planned().optimal(task)).collect();
-    assert_eq!((before, believed), (after, probabilities(&agent)));
-    agent.decide(&home, &start).unwrap();
-    // Whatever the budget, it asks the same.
-    agent.hear(&home, &start, "go").unwrap();
-    agent.plan_fully(&home, &start).unwrap();
-    let whole = agent.question(&home, &start, &dear).unwrap();
-    assert_eq!(considered, whole.map_or(Considered::Act, Considered::Ask));
+    let patient = |kappa| Asking { kappa, patience: 1_000.0, ..Asking::DEFAULT };
+    let mut most_calls = 0;
+    for asking in [1.0, 4.0, 8.0, 12.0].map(patient) {
+        agent.hear(&home, &start, "go").unwrap();
+        agent.plan_fully(&home, &start).unwrap();
+        let before: Vec<_> = (0..agent.tasks().len()).map(|task| agent.planned().optimal(task)).collect();
+        let believed = probabilities(&agent);
+        let mut calls = 1;
+        let considered = loop {
+            match agent.consider(&home, &start, &asking, 1).unwrap() {
+                Considered::Working => calls += 1,
+                done => break done,
+            }
+        };
+        most_calls = most_calls.max(calls);
+        let after: Vec<_> = (0..agent.tasks().len()).map(|task| agent.planned().optimal(task)).collect();
+        assert_eq!((before, believed), (after, probabilities(&agent)));
+        agent.decide(&home, &start).unwrap();
+        // Whatever the budget, it asks the same.
+        agent.hear(&home, &start, "go").unwrap();
+        agent.plan_fully(&home, &start).unwrap();
+        let whole = agent.question(&home, &start, &asking).unwrap();
+        assert_eq!(considered, whole.map_or(Considered::Act, Considered::Ask));
+    }
+    // A cheap question is weighed against many steps.
+    assert!(most_calls > 12, "{most_calls}");
 }
 
 #[test]
