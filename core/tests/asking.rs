@@ -231,6 +231,19 @@ fn the_population_is_of_strategies_that_can_be() {
 }
 
 #[test]
+fn with_the_same_generator_it_takes_other_actions_where_they_tell_more() {
+    let (mut telling, mut any) = (Memory::new(), Memory::new());
+    let (mut telling, home, start) = heard(&mut telling, Options { telling: true, ..Options::PAPER });
+    let (mut any, ..) = heard(&mut any, Options::PAPER);
+    let chosen = |agent: &mut Agent<_>| -> Vec<Action> {
+        let draw = |seed| agent.decide_by(&home, &start, &mut rand_pcg::Pcg32::new(seed, 1)).unwrap().action;
+        (0..20).map(draw).collect()
+    };
+    // Each draws with the same seeds, and follows the same task.
+    assert_ne!(chosen(&mut telling), chosen(&mut any));
+}
+
+#[test]
 fn of_equally_short_ways_it_takes_the_one_that_tells_more() {
     let mut memory = Memory::new();
     let (mut agent, home, start) = heard(&mut memory, Options { telling: true, ..Options::PAPER });

@@ -73,8 +73,8 @@ fn expected_strategies_take_the_place_of_recorded_ones_and_the_last_line_sums_up
 #[test]
 fn a_fit_needs_three_trainers_and_gives_shares_that_sum_to_one() {
     let of = |id: &str| {
-        let more = format!(r#","id":"{id}.1-0","intended":["{TO_GREEN}"]"#);
-        [session(&format!("{AGENT},{BLOCK}"), "feedback", "go", &more), step("north", "reward"), step("south", "punish"), END.to_owned()]
+        let home = session(&format!("{AGENT},{BLOCK}"), "feedback", "go", &format!(r#","intended":["{TO_GREEN}"]"#));
+        [home.replace(r#""id":"s""#, &format!(r#""id":"{id}.1-0""#)), step("north", "reward"), step("south", "punish"), END.to_owned()]
     };
     let log = |ids: &[&str]| ids.iter().flat_map(|id| of(id)).collect::<Vec<_>>().join("\n") + "\n";
     let few = goodbot(&["fit-trainers", "-"], log(&["a", "b"]).as_bytes());

@@ -11,8 +11,7 @@ use goodbot_formats::environment::EnvironmentFile;
 /// A mind that has learned nothing yet, and expects what real people do.
 pub fn new_mind(capacities: &Capacities) -> Result<Agent<AgentHeap>, Refusal> {
     let lifted = home::paper_tasks().map_err(refused)?;
-    let options = Options { drift: population::DRIFT, ..Options::DEFAULT };
-    let mut mind = Agent::new(AgentHeap::new(capacities), &lifted, options).map_err(refused)?;
+    let mut mind = Agent::new(AgentHeap::new(capacities), &lifted, Options::DEFAULT.for_people()).map_err(refused)?;
     mind.set_strategies(&population::STRATEGIES).map_err(refused)?;
     Ok(mind)
 }
