@@ -274,8 +274,13 @@ impl World {
             Some(Task { name: task_name(home, lifted, task), words: task_words(home, lifted, task), probability })
         };
         let known = agent.belief().strategies();
-        let strategies =
-            (0..known.len()).map(|at| TrainerStyle { name: style_name(known, at), probability: agent.belief().strategy_probability(at) });
+        // What the words of a command say must not seem to change the trainer, not by one bit.
+        let has_evidence = agent.belief().has_evidence();
+        let style = |(at, &(_, begun)): (usize, &(Strategy, f32))| {
+            let probability = if has_evidence { agent.belief().strategy_probability(at) } else { begun };
+            TrainerStyle { name: style_name(known, at), probability }
+        };
+        let strategies = known.iter().enumerate().map(style);
         Belief { tasks: tasks.iter().enumerate().filter_map(named).collect(), strategies: strategies.collect() }
     }
 

@@ -113,15 +113,15 @@ impl<'t> BeliefRef<'t> {
     /// The posterior probability of a strategy.
     pub fn strategy_probability(self, strategy: usize) -> f32 {
         let whole = self.whole();
-        // Before any evidence there is nothing to compute, and so nothing to round: the tasks' priors say nothing of the trainer.
-        if whole.is_zero() || !self.has_evidence() {
+        if whole.is_zero() {
             return self.strategies().get(strategy).map_or(0.0, |&(_, probability)| probability);
         }
         total((0..self.count.tasks).map(|task| self.weight_with(task, strategy))).over(whole).clamp(0.0, 1.0)
     }
 
-    /// Whether anything was observed since the start that tells tasks or strategies apart.
-    fn has_evidence(self) -> bool {
+    /// Whether anything was observed since the start that tells tasks or strategies apart. Before that, the strategies are as probable as
+    /// [`strategies`](Self::strategies) says; [`strategy_probability`](Self::strategy_probability) is that but for rounding.
+    pub fn has_evidence(self) -> bool {
         let is_as_begun = |(joint, &(_, probability)): (&Scaled, &(Strategy, f32))| *joint == Scaled::new(probability);
         !(0..self.count.tasks).all(|task| self.row(task).iter().zip(self.strategies()).all(is_as_begun))
     }
