@@ -117,6 +117,30 @@
 // It is impossible whatever the task and the trainer, and was ignored.
 #define GOODBOT_EVIDENCE_IMPOSSIBLE 2
 
+// There is nothing to ask: act.
+#define GOODBOT_ASK_NOTHING 0
+
+// "Do you mean this room?", "this block?": answer `GOODBOT_YES` or `GOODBOT_NO`.
+#define GOODBOT_ASK_OBJECT 1
+
+// "Do you mean this kind of task?": answer `GOODBOT_YES` or `GOODBOT_NO`.
+#define GOODBOT_ASK_KIND 2
+
+// "Do you mean this task?": answer `GOODBOT_YES` or `GOODBOT_NO`.
+#define GOODBOT_ASK_TASK 3
+
+// "Which of these rooms, or of these blocks?": answer with the number of a choice, from 0 on, or `GOODBOT_NO` for none of these.
+#define GOODBOT_ASK_WHICH_OBJECT 4
+
+// "Which of these tasks?": answer with the number of a choice, from 0 on, or `GOODBOT_NO` for none of these.
+#define GOODBOT_ASK_WHICH_TASK 5
+
+// Yes.
+#define GOODBOT_YES 0
+
+// No, or none of these.
+#define GOODBOT_NO -1
+
 // What came of a call.
 typedef enum goodbot_status {
   // Done.
@@ -169,6 +193,10 @@ typedef enum goodbot_status {
   GOODBOT_STATUS_STILL_HEARING = 23,
   // The session is not finished: call `goodbot_finish_on` until it is.
   GOODBOT_STATUS_STILL_FINISHING = 24,
+  // No question waits for an answer.
+  GOODBOT_STATUS_NOT_ASKED = 25,
+  // This is no answer to the question that was asked.
+  GOODBOT_STATUS_NO_ANSWER = 26,
 } goodbot_status;
 
 // The tables, by their positions in `goodbot_capacities`.
@@ -187,7 +215,7 @@ enum goodbot_capacity
   GOODBOT_CAPACITY_CELLS,
   // Grounded tasks of one session. At most 64, one bit each in a task set.
   GOODBOT_CAPACITY_TASKS,
-  // Trainer strategies told apart at once. At most 8.
+  // Trainer strategies told apart at once.
   GOODBOT_CAPACITY_STRATEGIES,
   // Joint beliefs: tasks times strategies.
   GOODBOT_CAPACITY_BELIEFS,
@@ -656,6 +684,42 @@ enum goodbot_status goodbot_task_text(struct goodbot *robot,
                                       uint32_t task,
                                       char *buffer,
                                       size_t bytes);
+
+// Proposes a question in the state in which things are now, which must have been planned for, where it teaches more than acting does.
+// `kappa` is what a question costs, in steps (8 is a good number, infinite: never ask), and `eta` the probability of a wrong answer (0.05).
+// It looks ahead with at most about `budget` node expansions; `WORKING` means: call again. `kind` is given `GOODBOT_ASK_NOTHING` and so
+// on, and `choices` how many choices there are; 1 where the answer is yes or no. A question may stay unanswered. It is not asked again in
+// this session, and after eight no more are.
+//
+// The caller sees to it:
+// `robot` is null or a handle; `kind` and `choices` are null or room for a number.
+enum goodbot_status goodbot_question(struct goodbot *robot,
+                                     float kappa,
+                                     float eta,
+                                     uint32_t budget,
+                                     uint32_t *kind,
+                                     uint32_t *choices);
+
+// Writes what a choice of the question that waits for its answer is about, with a 0 at its end: the name of an object such as `room1`, a
+// task such as `blockInRoom(block0,room1)`, or a kind of task such as `blockInRoom`. `BUFFER` where it does not fit, `NOT_ASKED` where no
+// question waits.
+//
+// The caller sees to it:
+// `robot` is null or a handle; `buffer` is null or room for `bytes` bytes.
+enum goodbot_status goodbot_question_text(struct goodbot *robot,
+                                          uint32_t choice,
+                                          char *buffer,
+                                          size_t bytes);
+
+// Takes in the trainer's answer to the question that was proposed last: `GOODBOT_YES`, `GOODBOT_NO`, or the number of a choice, from 0 on.
+// `NOT_ASKED` where no question waits for an answer, `NO_ANSWER` where this is none to it; it then goes on waiting. `evidence` is given
+// what came of it, `GOODBOT_EVIDENCE_USED` and so on.
+//
+// The caller sees to it:
+// `robot` is null or a handle, `evidence` null or room for a number.
+enum goodbot_status goodbot_answer(struct goodbot *robot,
+                                   int32_t answer,
+                                   uint32_t *evidence);
 
 // Bytes that `goodbot_save` would write now.
 //

@@ -4,7 +4,9 @@ use crate::robot::{Goodbot, World, give, with};
 use crate::status::GoodbotStatus;
 use crate::training::in_world;
 use core::ffi::c_char;
-use goodbot::oomdp::Domain;
+use goodbot::Agent;
+use goodbot::memory::AgentMemory;
+use goodbot::oomdp::{Domain, ObjectId};
 
 /// How many tasks the command may mean.
 ///
@@ -55,38 +57,57 @@ pub unsafe extern "C" fn goodbot_task_text(robot: *mut Goodbot, task: u32, buffe
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            if buffer.is_null() {
-                return Err(GoodbotStatus::Null.into());
-            }
-            let grounded = robot.agent.tasks().get(task as usize).ok_or(GoodbotStatus::Unknown)?;
-            let lifted = robot.agent.lifted().get(usize::from(grounded.lifted)).ok_or(GoodbotStatus::Unknown)?;
-            let mut writer = Writer { at: buffer, left: bytes };
-            in_world!(&robot.world, |domain, _state| {
-                for (position, part) in grounded.propositions(lifted).enumerate() {
-                    writer.put(if position > 0 { " & " } else { "" });
-                    writer.put(domain.world().schema.proposition_name(part.proposition));
-                    for (position, object) in
-                        domain.world().schema.parameters(part.proposition).iter().zip(part.arguments).map(|pair| pair.1).enumerate()
-                    {
-                        writer.put(if position > 0 { "," } else { "(" });
-                        writer.put(domain.world().objects.name(object));
-                    }
-                    writer.put(")");
-                }
-            });
+            let mut writer = Writer::new(buffer, bytes)?;
+            in_world!(&robot.world, |domain, _state| put_task(&mut writer, domain, &robot.agent, task as usize)?);
             writer.end()
         })
     }
 }
 
+/// Writes a task of the session under way.
+pub(crate) fn put_task<D: Domain + ?Sized>(
+    writer: &mut Writer,
+    domain: &D,
+    agent: &Agent<impl AgentMemory>,
+    task: usize,
+) -> Result<(), GoodbotStatus> {
+    let grounded = agent.tasks().get(task).ok_or(GoodbotStatus::Unknown)?;
+    let lifted = agent.lifted().get(usize::from(grounded.lifted)).ok_or(GoodbotStatus::Unknown)?;
+    for (position, part) in grounded.propositions(lifted).enumerate() {
+        writer.put(if position > 0 { " & " } else { "" });
+        writer.put(domain.world().schema.proposition_name(part.proposition));
+        for (position, object) in
+            domain.world().schema.parameters(part.proposition).iter().zip(part.arguments).map(|pair| pair.1).enumerate()
+        {
+            writer.put(if position > 0 { "," } else { "(" });
+            put_object(writer, domain, object);
+        }
+        writer.put(")");
+    }
+    Ok(())
+}
+
+/// Writes the name of an object.
+pub(crate) fn put_object<D: Domain + ?Sized>(writer: &mut Writer, domain: &D, object: ObjectId) {
+    writer.put(domain.world().objects.name(object));
+}
+
 /// Writes to a buffer of the caller's.
-struct Writer {
+pub(crate) struct Writer {
     at: *mut c_char,
     left: usize,
 }
 
 impl Writer {
-    fn put(&mut self, text: &str) {
+    /// Writes to so many bytes from here on.
+    ///
+    /// # Safety
+    /// They are the caller's room.
+    pub(crate) unsafe fn new(at: *mut c_char, left: usize) -> Result<Self, GoodbotStatus> {
+        if at.is_null() { Err(GoodbotStatus::Null) } else { Ok(Self { at, left }) }
+    }
+
+    pub(crate) fn put(&mut self, text: &str) {
         for byte in text.bytes() {
             self.byte(byte);
         }
@@ -103,7 +124,7 @@ impl Writer {
         }
     }
 
-    fn end(mut self) -> Result<GoodbotStatus, crate::status::Failure> {
+    pub(crate) fn end(mut self) -> Result<GoodbotStatus, crate::status::Failure> {
         self.byte(0);
         if self.at.is_null() { Err(GoodbotStatus::Buffer.into()) } else { Ok(GoodbotStatus::Ok) }
     }

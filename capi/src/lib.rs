@@ -11,6 +11,7 @@
 //! - [`home`]: the home environment;
 //! - [`table`]: robots of the caller's own: classes, objects, propositions and a step function or a table of steps;
 //! - [`training`]: hear, plan, decide, feedback, learn;
+//! - [`asking`]: questions to the trainer;
 //! - [`beliefs`]: what the robot takes a command to mean;
 //! - [`model`]: saving and restoring what was learned.
 
@@ -23,6 +24,7 @@
 extern crate std;
 
 pub mod arena;
+pub mod asking;
 pub mod beliefs;
 pub mod capacities;
 pub mod home;

@@ -61,6 +61,10 @@ pub enum GoodbotStatus {
     StillHearing = 23,
     /// The session is not finished: call `goodbot_finish_on` until it is.
     StillFinishing = 24,
+    /// No question waits for an answer.
+    NotAsked = 25,
+    /// This is no answer to the question that was asked.
+    NoAnswer = 26,
 }
 
 /// Why a call failed, with the table that was full, if one was.
@@ -94,6 +98,8 @@ impl From<AgentError> for Failure {
             AgentError::StillHearing => GoodbotStatus::StillHearing,
             AgentError::StillFinishing => GoodbotStatus::StillFinishing,
             AgentError::StillLearning => GoodbotStatus::StillLearning,
+            AgentError::NotAsked => GoodbotStatus::NotAsked,
+            AgentError::NoAnswer => GoodbotStatus::NoAnswer,
             AgentError::NotApplicable => GoodbotStatus::NotApplicable,
             AgentError::Strategy(_) | AgentError::Prior { .. } | AgentError::NoPrior | AgentError::Setting(_) => GoodbotStatus::Number,
             AgentError::Capacity(error) => return error.into(),
@@ -152,7 +158,7 @@ impl From<RestoreError> for Failure {
 /// What is wrong, as a sentence for people; a constant text that is never null.
 #[unsafe(no_mangle)]
 pub extern "C" fn goodbot_status_text(status: i32) -> *const core::ffi::c_char {
-    const TEXTS: [&core::ffi::CStr; 25] = [
+    const TEXTS: [&core::ffi::CStr; 27] = [
         c"done",
         c"not done yet; call again",
         c"a pointer is null that must not be",
@@ -178,6 +184,8 @@ pub extern "C" fn goodbot_status_text(status: i32) -> *const core::ffi::c_char {
         c"no action was done that could be judged; say that one was done first",
         c"the command is not heard to its end; hear on until it is",
         c"the session is not finished; finish on until it is",
+        c"no question waits for an answer; ask first",
+        c"this is no answer to that question; answer yes, no, or with the number of a choice",
     ];
     usize::try_from(status).ok().and_then(|status| TEXTS.get(status)).unwrap_or(&c"no such status").as_ptr()
 }

@@ -146,7 +146,7 @@ pub unsafe extern "C" fn goodbot_decide(robot: *mut Goodbot, action: *mut u8, pl
     }
 }
 
-fn write(evidence: Evidence) -> u32 {
+pub(crate) fn write(evidence: Evidence) -> u32 {
     match evidence {
         Evidence::Used => GOODBOT_EVIDENCE_USED,
         Evidence::SaysNothing => GOODBOT_EVIDENCE_NOTHING,

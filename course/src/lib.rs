@@ -40,6 +40,7 @@ pub mod error;
 pub mod exercise;
 pub mod layout;
 pub mod lesson;
+pub mod next_lesson;
 mod seed;
 pub mod trainer;
 

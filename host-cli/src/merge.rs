@@ -57,7 +57,9 @@ pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     let mut agent = Agent::new(memory, &tasks, Options::PAPER).map_err(|error| Failure::Input(error.to_string()))?;
     agent.restore(&first).map_err(|error| refused(&options.first, error))?;
     let added = agent.join(&second).map_err(|error| refused(&options.second, error))?;
-    if ours.options != theirs.options {
+    // What is believed of the trainer, and how, has nothing to do with how words were learned.
+    let learns = |options: &Options| (options.language, options.weights, options.least_weight);
+    if learns(&ours.options) != learns(&theirs.options) {
         say!("{}: trained with other settings; those of {} stay", options.second.display(), options.first.display());
     }
     let size = agent.saved_bytes().map_err(|error| Failure::Input(error.to_string()))?;

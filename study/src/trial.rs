@@ -7,7 +7,7 @@ use crate::agent::{Learner, Learns, Now};
 use crate::place::{CAPACITIES, Place, Umpire};
 use crate::trainer::habits::{Habits, Listening};
 use goodbot::AgentError;
-use goodbot::asking::{Answer, Question, Subject};
+use goodbot::asking::{Answer, Question};
 use goodbot::feedback::Feedback;
 use goodbot::home::HomeState;
 use goodbot::memory::HomeHeap;
@@ -187,13 +187,12 @@ fn ask(learner: &mut dyn Learner, place: &mut Place<'_, '_>, state: &HomeState, 
 /// What the trainer answers.
 fn answer(question: &Question, intended: usize, random: &mut Pcg32) -> Answer {
     let is_wrong = unit(random) < WRONG_ANSWERS;
-    let Subject::Which(tasks, count) = question.subject else {
+    let others = usize::from(question.subject.choices());
+    if others == 0 {
         return if question.yes.contains(intended) != is_wrong { Answer::Yes } else { Answer::No };
-    };
-    let right = tasks.iter().take(usize::from(count)).position(|&task| usize::from(task) == intended);
-    // One of the tasks, or at the end none of them.
-    let right = right.unwrap_or(usize::from(count));
-    let others = usize::from(count);
+    }
+    // One of the choices, or at the end none of them.
+    let right = question.choices.iter().take(others).position(|choice| choice.contains(intended)).unwrap_or(others);
     let chosen = if is_wrong { (right + 1 + below(others, random)) % (others + 1) } else { right };
     if chosen == others { Answer::No } else { Answer::This(chosen as u8) }
 }

@@ -138,6 +138,28 @@ impl Goodbot {
         json(&self.0.judge(feedback).map_err(thrown)?)
     }
 
+    /// Proposes a question where it teaches more than acting does: JSON, [`Question`](crate::view::Question), or `null` where there is nothing
+    /// to ask; empty while it is still looking ahead, with about `budget` looks a call. `kappa` is what a question costs, in steps (8),
+    /// and `eta` how often an answer is wrong (0.05). The plan must be done.
+    pub fn question(&mut self, kappa: f32, eta: f32, budget: u32) -> Thrown<String> {
+        match self.0.question(kappa, eta, budget).map_err(thrown)? {
+            None => Ok(String::new()),
+            Some(question) => json(&question),
+        }
+    }
+
+    /// The question that waits for its answer: JSON, [`Question`](crate::view::Question), or `null`.
+    #[wasm_bindgen(js_name = openQuestion)]
+    pub fn open_question(&self) -> Thrown<String> {
+        json(&self.0.open_question())
+    }
+
+    /// Takes in the answer to the question that was proposed last, `yes`, `no` (none of these) or the number of a choice from 1 on: JSON,
+    /// [`Told`](crate::view::Told).
+    pub fn answer(&mut self, answer: &str) -> Thrown<String> {
+        json(&self.0.answer(answer).map_err(thrown)?)
+    }
+
     /// What a simulated trainer who means the given task says to the last action.
     #[wasm_bindgen(js_name = simulatedFeedback)]
     pub fn simulated_feedback(&mut self, intended: usize) -> Thrown<String> {

@@ -7,6 +7,7 @@
 //! |---|---|
 //! | [`world`] | the home, the robot's mind and the session under way |
 //! | [`training`] | a session from a command to a robot that has learned |
+//! | [`asking`] | questions, and the trainer's answers |
 //! | [`replay`] | a session of a log, once more, with all that logs may say |
 //! | [`view`] | what the page draws: the scene, the beliefs, the evidence, the heat map |
 //! | [`words`] | which word of a command speaks for which task |
@@ -17,6 +18,7 @@
 
 #![deny(missing_docs)]
 
+pub mod asking;
 pub mod bindings;
 pub mod cells;
 pub mod course;

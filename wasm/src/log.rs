@@ -21,7 +21,7 @@ pub struct Recording {
     /// The trainer strategies to consider, where they are not the ones that every robot starts with.
     pub strategies: Option<Vec<StrategyLine>>,
     /// What was done.
-    pub steps: Vec<Step>,
+    pub steps: Vec<Line>,
 }
 
 /// A trainer strategy of a log.
@@ -32,6 +32,8 @@ pub struct StrategyLine {
     mu_minus: f32,
     epsilon: f32,
     prior: f32,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lags: Option<[f32; 3]>,
 }
 
 /// A step of a log.
@@ -41,6 +43,33 @@ pub struct Step {
     action: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     feedback: Option<&'static str>,
+}
+
+/// An answer of a log: its tasks, whether what is meant is among them, how often an answer is wrong, and how many others there were.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AnswerLine {
+    r#type: &'static str,
+    tasks: Vec<String>,
+    yes: bool,
+    eta: f32,
+    others: u8,
+}
+
+/// A line between those with which a session begins and ends.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Line {
+    /// A step.
+    Step(Step),
+    /// An answer.
+    Answer(AnswerLine),
+}
+
+impl AnswerLine {
+    /// An answer.
+    pub fn new(tasks: Vec<String>, yes: bool, eta: f32, others: u8) -> Self {
+        Self { r#type: "answer", tasks, yes, eta, others }
+    }
 }
 
 #[derive(Serialize)]
@@ -99,6 +128,7 @@ pub fn strategies(strategies: &[(Strategy, f32)], name: impl Fn(usize) -> String
         mu_minus: strategy.mu_minus(),
         epsilon: strategy.epsilon(),
         prior: *prior,
+        lags: Some(strategy.lags()).filter(|lags| *lags != Strategy::NO_LAG),
     };
     let is_paper = matches!(strategies, [(strategy, _)] if *strategy == Strategy::BALANCED);
     (!is_paper).then(|| strategies.iter().enumerate().map(line).collect())

@@ -7,10 +7,11 @@ use std::cell::RefCell;
 
 use goodbot::feedback::Strategy;
 use goodbot::oomdp::{action_named, apply};
-use goodbot::task::{GroundedTask, LiftedTask};
-use goodbot_formats::session::{Kind, RecordedSession};
+use goodbot::task::{GroundedTask, LiftedTask, TaskSet};
+use goodbot_formats::session::{Kind, RecordedSession, StrategyRecord};
+use goodbot_formats::task_text::GroundTaskText;
 
-use crate::log::Step;
+use crate::log::{AnswerLine, Line, Step};
 use crate::training::task_name;
 use crate::world::{Refusal, World};
 
@@ -78,7 +79,31 @@ impl World {
         *state = apply(rooms, state, done).unwrap_or(*state);
         if let Some(recording) = &mut self.recording {
             recording.kind = "demonstration";
-            recording.steps.push(Step::new(action.to_owned(), None));
+            recording.steps.push(Line::Step(Step::new(action.to_owned(), None)));
+        }
+        Ok(())
+    }
+
+    /// Takes in the answers of a recorded session that stand behind so many steps.
+    fn take_recorded_answers(&mut self, session: &RecordedSession, steps: usize) -> Result<(), Refusal> {
+        let names: Vec<String> = self.belief().tasks.into_iter().map(|task| task.name).collect();
+        for recorded in session.answers_after(steps) {
+            let answer = &recorded.answer;
+            let position = |name: &GroundTaskText| {
+                let name = name.to_string();
+                names.iter().position(|known| *known == name).ok_or_else(|| Refusal(format!("{name} is no task here")))
+            };
+            let tasks = answer.tasks.iter().map(position).collect::<Result<TaskSet, Refusal>>()?;
+            let (yes, eta, others) = (answer.yes, answer.eta as f32, answer.others);
+            let _ = self.mind.answered(tasks, yes, eta, others).map_err(Refusal::from)?;
+            if let Some(recording) = &mut self.recording {
+                recording.steps.push(Line::Answer(AnswerLine::new(
+                    answer.tasks.iter().map(ToString::to_string).collect(),
+                    yes,
+                    eta,
+                    others,
+                )));
+            }
         }
         Ok(())
     }
@@ -100,8 +125,15 @@ impl World {
             self.set_environment(&header.environment.to_json_line())?;
             if let Some(records) = &header.strategies {
                 let largest = records.iter().map(|record| record.prior).fold(0.0, f64::max);
-                let numbers = records.iter().flat_map(|record| [record.mu_plus, record.mu_minus, record.epsilon, record.prior / largest]);
-                self.set_strategies(&numbers.map(|number| number as f32).collect::<Vec<_>>())?;
+                let strategy = |record: &StrategyRecord| -> Result<(Strategy, f32), Refusal> {
+                    let strategy = Strategy::new(record.mu_plus as f32, record.mu_minus as f32, record.epsilon as f32);
+                    let lags = record.lags.map_or(Strategy::NO_LAG, |lags| lags.map(|lag| lag as f32));
+                    let strategy = strategy.and_then(|strategy| strategy.with_lags(lags)).map_err(Refusal::from)?;
+                    Ok((strategy, (record.prior / largest) as f32))
+                };
+                let strategies = records.iter().map(strategy).collect::<Result<Vec<_>, Refusal>>()?;
+                self.forget();
+                self.mind.set_strategies(&strategies).map_err(Refusal::from)?;
             }
             match &header.prior {
                 None => self.hear(&header.command)?,
@@ -114,7 +146,8 @@ impl World {
                 }
             }
         }
-        for (_, step) in &session.steps {
+        for (done, (_, step)) in session.steps.iter().enumerate() {
+            self.take_recorded_answers(session, done)?;
             while !self.plan(u32::MAX)? {}
             match step.feedback {
                 None => self.demonstrate(&step.action)?,
@@ -124,6 +157,7 @@ impl World {
                 }
             }
         }
+        self.take_recorded_answers(session, session.steps.len())?;
         if session.learn {
             self.finish()?;
             while !self.learn(u32::MAX) {}

@@ -13,7 +13,7 @@ use goodbot::random::unit;
 use goodbot::session;
 use goodbot::task::{GroundedTask, LiftedTask};
 
-use crate::log::{PULLING, Recording, Step, strategies};
+use crate::log::{Line, PULLING, Recording, Step, strategies};
 use crate::route::Lookahead;
 use crate::view::{Belief, Decided, Evidence, Heat, Route, Support, Task, TrainerStyle};
 use crate::words::support;
@@ -193,7 +193,7 @@ impl World {
         };
         let action = action_name(self.home(), action).to_owned();
         if let Some(recording) = &mut self.recording {
-            recording.steps.push(Step::new(action.clone(), Some(feedback.name())));
+            recording.steps.push(Line::Step(Step::new(action.clone(), Some(feedback.name()))));
         }
         let judgements = judgements.iter().map(words).collect();
         Ok(Evidence { action, feedback: feedback.name(), outcome, judgements, before, after: self.probabilities() })
@@ -214,7 +214,7 @@ impl World {
         unit(&mut self.random)
     }
 
-    fn probabilities(&self) -> Vec<f32> {
+    pub(crate) fn probabilities(&self) -> Vec<f32> {
         (0..self.agent().tasks().len()).map(|task| self.agent().belief().probability(task)).collect()
     }
 
@@ -274,8 +274,13 @@ impl World {
             Some(Task { name: task_name(home, lifted, task), words: task_words(home, lifted, task), probability })
         };
         let known = agent.belief().strategies();
-        let strategies =
-            (0..known.len()).map(|at| TrainerStyle { name: style_name(known, at), probability: agent.belief().strategy_probability(at) });
+        // What the words of a command say must not seem to change the trainer, not by one bit.
+        let has_evidence = agent.belief().has_evidence();
+        let style = |(at, &(_, begun)): (usize, &(Strategy, f32))| {
+            let probability = if has_evidence { agent.belief().strategy_probability(at) } else { begun };
+            TrainerStyle { name: style_name(known, at), probability }
+        };
+        let strategies = known.iter().enumerate().map(style);
         Belief { tasks: tasks.iter().enumerate().filter_map(named).collect(), strategies: strategies.collect() }
     }
 
@@ -374,7 +379,7 @@ pub(crate) fn task_name(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task:
 }
 
 /// The task as a person says it. Objects that look alike are told apart by their names.
-fn task_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
+pub(crate) fn task_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
     let parts = task.propositions(lifted).map(|part| {
         let [subject, room, _] = part.arguments;
         match part.proposition {
@@ -385,7 +390,8 @@ fn task_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &Grounded
     parts.collect::<Vec<_>>().join(" and ")
 }
 
-fn described(home: &Home<impl HomeMemory>, id: ObjectId) -> String {
+/// An object by its looks, and by its name where another looks alike.
+pub(crate) fn described(home: &Home<impl HomeMemory>, id: ObjectId) -> String {
     let objects = home.objects();
     let class = objects.get(id).map(|object| object.class);
     let looks = |id: ObjectId| (objects.value(id, COLOR), objects.value(id, SHAPE));

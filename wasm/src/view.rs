@@ -119,6 +119,30 @@ pub struct Evidence {
     pub after: Vec<f32>,
 }
 
+/// A question of the robot's.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Question {
+    /// The question as a person hears it: `Do you mean the red room?`
+    pub text: String,
+    /// What there is to choose from, beside "none of these"; nothing where the answer is yes or no.
+    pub choices: Vec<String>,
+    /// The tasks for which the answer is yes; where there is something to choose, all that can be chosen.
+    pub tasks: Vec<usize>,
+    /// What an answer is expected to tell, in bits.
+    pub information: f32,
+}
+
+/// What an answer said about each task.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Told {
+    /// What came of it: `used`, or `impossible` under every task.
+    pub outcome: &'static str,
+    /// The tasks' probabilities before.
+    pub before: Vec<f32>,
+    /// The tasks' probabilities after.
+    pub after: Vec<f32>,
+}
+
 /// Which word speaks for which task.
 #[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Support {

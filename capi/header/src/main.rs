@@ -6,7 +6,7 @@ use anyhow::{Context, Result, anyhow};
 use cbindgen::{Builder, Config};
 
 /// The sources whose items the header has, in its order.
-const SOURCES: [&str; 10] = [
+const SOURCES: [&str; 11] = [
     "status.rs",
     "version.rs",
     "capacities.rs",
@@ -16,6 +16,7 @@ const SOURCES: [&str; 10] = [
     "table/init.rs",
     "training.rs",
     "beliefs.rs",
+    "asking.rs",
     "model.rs",
 ];
 

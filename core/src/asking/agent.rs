@@ -1,10 +1,10 @@
 //! How an agent asks, and takes the answer.
 
 use super::looking_ahead::LookingAhead;
-use super::question::{Answer, Question, best};
+use super::question::{Answer, Candidates, Question};
 use super::settings::Asking;
 use crate::capacity::QUESTIONS_PER_SESSION;
-use crate::feedback::Words;
+use crate::feedback::{Words, binary_entropy};
 use crate::memory::AgentMemory;
 use crate::oomdp::{Domain, apply};
 use crate::planning::Progress;
@@ -93,8 +93,14 @@ impl<M: AgentMemory> Agent<M> {
         if self.asked.sets.is_full() || !asking.kappa.is_finite() || self.belief().probability(followed) >= asking.sure {
             return None;
         }
-        let variables = |lifted: u8| self.lifted().get(usize::from(lifted)).map_or(0, |lifted| lifted.variables().len());
-        let question = best(self.belief(), self.tasks(), variables, &self.asked.sets, asking)?;
+        let (belief, tasks, lifted, asked) = (self.belief(), self.tasks(), self.lifted(), self.asked.sets.as_slice());
+        let candidates = Candidates { belief, tasks, lifted, asked, asking };
+        let question = candidates.best()?;
+        // So many more questions like this one would make it sure.
+        let wanted = candidates.uncertainty() - binary_entropy(asking.sure);
+        if wanted * asking.kappa > asking.patience * question.information {
+            return None;
+        }
         Some(LookingAhead {
             question,
             worth: question.information / asking.kappa,

@@ -27,8 +27,8 @@
 //! let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
 //! agent.hear(&home, &state, "go to the green room")?;
 //! agent.plan_fully(&home, &state)?;
-//! // It knows no word: green or blue? A question that costs two steps tells more than two steps do.
-//! let asking = Asking { kappa: 2.0, ..Asking::DEFAULT };
+//! // It knows no word: green or blue? A question of yes and no that costs two steps tells more than two steps do.
+//! let asking = Asking { kappa: 2.0, choices: 0, ..Asking::DEFAULT };
 //! let question = agent.question(&home, &state, &asking)?.expect("worth asking");
 //! assert_eq!(agent.answer(Answer::Yes)?, Evidence::Used);
 //! let meant: f32 = question.yes.iter().map(|task| agent.belief().probability(task)).sum();

@@ -3,8 +3,9 @@
 use super::settings::Asking;
 use crate::feedback::BeliefRef;
 use crate::feedback::information::{binary_entropy, surprise};
-use crate::oomdp::ObjectId;
-use crate::task::{GroundedTask, TaskSet};
+use crate::oomdp::{ClassId, ObjectId};
+use crate::probability::{Scaled, total};
+use crate::task::{GroundedTask, LiftedTask, TaskSet};
 
 /// The most meanings that a question shows to choose from.
 pub const CHOICES: usize = 3;
@@ -18,8 +19,20 @@ pub enum Subject {
     Kind(u8),
     /// "Do you mean this?": a single task, by its position.
     Task(u8),
-    /// "Which of these, or none?": so many single tasks, by position.
-    Which([u8; CHOICES], u8),
+    /// "Which of these rooms, or none of these?": so many objects of one class.
+    WhichObject([ObjectId; CHOICES], u8),
+    /// "Which of these, or none of these?": so many single tasks, by position.
+    WhichTask([u8; CHOICES], u8),
+}
+
+impl Subject {
+    /// How many meanings it shows to choose from; 0 where the answer is yes or no.
+    pub const fn choices(self) -> u8 {
+        match self {
+            Self::WhichObject(_, count) | Self::WhichTask(_, count) => count,
+            Self::Object(_) | Self::Kind(_) | Self::Task(_) => 0,
+        }
+    }
 }
 
 /// A question.
@@ -27,8 +40,10 @@ pub enum Subject {
 pub struct Question {
     /// What it is about.
     pub subject: Subject,
-    /// The tasks for which the answer is yes; those that can be chosen where it asks which.
+    /// The tasks for which the answer is yes; where there is something to choose, all that can be chosen.
     pub yes: TaskSet,
+    /// The tasks of each choice.
+    pub choices: [TaskSet; CHOICES],
     /// What an answer is expected to tell, in bits.
     pub information: f32,
     /// The probability that an answer is wrong.
@@ -40,79 +55,155 @@ pub struct Question {
 pub enum Answer {
     /// Yes.
     Yes,
-    /// No; where the question was which, none of these.
+    /// No; where there is something to choose, none of these.
     No,
     /// This one, by its position among those to choose from.
     This(u8),
 }
 
 impl Question {
-    /// What the answer says: the tasks that it is about, whether it speaks for them, and how many other answers there were. Nothing where
-    /// it is no answer to this question.
+    /// What the answer says: the tasks that it is about, whether what is meant is among them, and how many other answers there were.
+    /// Nothing where it is no answer to this question.
     pub fn meaning(&self, answer: Answer) -> Option<(TaskSet, bool, u8)> {
-        match (self.subject, answer) {
-            (Subject::Which(_, count), Answer::No) => Some((self.yes, false, count)),
-            (Subject::Which(tasks, count), Answer::This(chosen)) if chosen < count => {
-                Some((TaskSet::of(usize::from(*tasks.get(usize::from(chosen))?)), true, count))
-            }
-            (Subject::Which(..), _) | (_, Answer::This(_)) => None,
-            (_, answer) => Some((self.yes, answer == Answer::Yes, 1)),
+        let count = self.subject.choices();
+        match answer {
+            Answer::This(chosen) if chosen < count => Some((*self.choices.get(usize::from(chosen))?, true, count)),
+            Answer::Yes if count == 0 => Some((self.yes, true, 1)),
+            Answer::No => Some((self.yes, false, count.max(1))),
+            Answer::Yes | Answer::This(_) => None,
         }
     }
 }
 
-/// The question that tells most, of those that were not asked yet.
-pub(super) fn best(
-    belief: BeliefRef<'_>,
-    tasks: &[GroundedTask],
-    variables: impl Fn(u8) -> usize,
-    asked: &[TaskSet],
-    asking: &Asking,
-) -> Option<Question> {
-    let all = TaskSet::first(tasks.len());
-    let whole = belief.whole();
-    let probability = |task: usize| belief.weight(task).over(whole);
-    let new = |yes: TaskSet| !yes.is_empty() && yes != all && asked.iter().all(|&known| known != yes && known != all.without(yes));
-    let mut best: Option<Question> = None;
-    let mut propose = |subject: Subject, yes: TaskSet, information: f32| {
-        if information > best.map_or(0.0, |best| best.information) && new(yes) {
-            best = Some(Question { subject, yes, information, eta: asking.eta });
+/// What is needed to find the question that tells most.
+#[derive(Clone, Copy)]
+pub(super) struct Candidates<'a> {
+    pub(super) belief: BeliefRef<'a>,
+    pub(super) tasks: &'a [GroundedTask],
+    pub(super) lifted: &'a [LiftedTask],
+    /// The tasks of what was asked already.
+    pub(super) asked: &'a [TaskSet],
+    pub(super) asking: &'a Asking,
+}
+
+impl<'a> Candidates<'a> {
+    /// The question that tells most, of those that were not asked yet.
+    pub(super) fn best(self) -> Option<Question> {
+        let mut best = None;
+        for (position, task) in self.tasks.iter().enumerate() {
+            self.propose(&mut best, Subject::Kind(task.lifted), self.with(|other| other.lifted == task.lifted));
+            for (object, _) in self.bound(task) {
+                self.propose(&mut best, Subject::Object(object), self.binding(object));
+            }
+            self.propose(&mut best, Subject::Task(position as u8), TaskSet::of(position));
         }
-    };
-    let told = |yes: TaskSet| {
-        let sure = yes.iter().fold(0.0, |sum, task| sum + probability(task));
-        binary_entropy(sure * (1.0 - asking.eta) + (1.0 - sure) * asking.eta) - binary_entropy(asking.eta)
-    };
-    for (position, task) in tasks.iter().enumerate() {
-        let of = |same: &dyn Fn(&GroundedTask) -> bool| {
-            tasks.iter().enumerate().filter(|(_, other)| same(other)).fold(TaskSet::EMPTY, |set, (at, _)| set.with(at))
-        };
-        let kind = of(&|other| other.lifted == task.lifted);
-        propose(Subject::Kind(task.lifted), kind, told(kind));
-        for &object in task.bindings.iter().take(variables(task.lifted)) {
-            let set = of(&|other| other.bindings.iter().take(variables(other.lifted)).any(|&bound| bound == object));
-            propose(Subject::Object(object), set, told(set));
+        let mut done: Option<ClassId> = None;
+        let classes = self.lifted.iter().flat_map(|lifted| lifted.variables().iter().copied());
+        for class in classes {
+            if done != Some(class) {
+                self.propose_objects(&mut best, class);
+                done = Some(class);
+            }
         }
-        propose(Subject::Task(position as u8), TaskSet::of(position), told(TaskSet::of(position)));
+        self.propose_tasks(&mut best);
+        best
     }
-    let (mut chosen, mut listed) = ([0; CHOICES], TaskSet::EMPTY);
-    for position in 0..usize::from(asking.choices).min(CHOICES) {
-        let likeliest = all.without(listed).iter().fold(None, |best: Option<usize>, task| match best {
-            Some(best) if probability(task) <= probability(best) => Some(best),
-            _ => Some(task),
-        });
-        let (Some(task), Some(slot)) = (likeliest, chosen.get_mut(position)) else { break };
-        *slot = task as u8;
-        listed = listed.with(task);
-        if position > 0 {
-            let others = position.saturating_add(1) as f32;
-            // Each wrong answer is as probable as any other.
-            let said = |sure: f32| surprise(sure * (1.0 - asking.eta) + (1.0 - sure) * (asking.eta / others));
-            let none = all.without(listed).iter().fold(0.0, |sum, task| sum + probability(task));
-            let answers = listed.iter().fold(said(none), |sum, task| sum + said(probability(task)));
-            let information = answers - binary_entropy(asking.eta) - asking.eta * libm::log2f(others);
-            propose(Subject::Which(chosen, position.saturating_add(1) as u8), listed, information);
+
+    /// All uncertainty about the task that is left, in bits.
+    pub(super) fn uncertainty(self) -> f32 {
+        let whole = self.belief.whole();
+        (0..self.tasks.len()).fold(0.0, |sum, task| sum + surprise(self.belief.weight(task).over(whole)))
+    }
+
+    fn probability(self, set: TaskSet) -> f32 {
+        let weight: Scaled = total(set.iter().map(|task| self.belief.weight(task)));
+        weight.over(self.belief.whole()).clamp(0.0, 1.0)
+    }
+
+    fn with(self, same: impl Fn(&GroundedTask) -> bool) -> TaskSet {
+        self.tasks.iter().enumerate().filter(|(_, task)| same(task)).map(|(position, _)| position).collect()
+    }
+
+    /// The objects that a task binds, with their classes.
+    fn bound(self, task: &GroundedTask) -> impl Iterator<Item = (ObjectId, ClassId)> + use<'a> {
+        let classes = self.lifted.get(usize::from(task.lifted)).map_or(&[][..], |lifted| lifted.variables());
+        task.bindings.into_iter().zip(classes.iter().copied())
+    }
+
+    fn binding(self, object: ObjectId) -> TaskSet {
+        self.with(|task| self.bound(task).any(|(bound, _)| bound == object))
+    }
+
+    fn is_new(self, yes: TaskSet) -> bool {
+        let others = TaskSet::first(self.tasks.len()).without(yes);
+        !yes.is_empty() && self.asked.iter().all(|&known| known != yes && known != others)
+    }
+
+    /// Proposes a question of yes and no.
+    fn propose(self, best: &mut Option<Question>, subject: Subject, yes: TaskSet) {
+        let (sure, eta) = (self.probability(yes), self.asking.eta);
+        let information = binary_entropy(sure * (1.0 - eta) + (1.0 - sure) * eta) - binary_entropy(eta);
+        self.take(best, Question { subject, yes, choices: [TaskSet::EMPTY; CHOICES], information, eta });
+    }
+
+    fn take(self, best: &mut Option<Question>, question: Question) {
+        if question.information > best.map_or(0.0, |best| best.information) && self.is_new(question.yes) {
+            *best = Some(question);
         }
     }
-    best
+
+    /// Proposes to choose among some sets of tasks that have no task in common. Each wrong answer is as probable as any other.
+    fn propose_choice(self, best: &mut Option<Question>, subject: Subject, choices: [TaskSet; CHOICES]) {
+        let count = usize::from(subject.choices());
+        let yes = choices.iter().take(count).fold(TaskSet::EMPTY, |all, &choice| all.union(choice));
+        let (others, eta) = (count as f32, self.asking.eta);
+        let said = |sure: f32| surprise(sure * (1.0 - eta) + (1.0 - sure) * (eta / others));
+        let none = self.probability(TaskSet::first(self.tasks.len()).without(yes));
+        let answers = choices.iter().take(count).fold(said(none), |sum, &choice| sum + said(self.probability(choice)));
+        let information = answers - binary_entropy(eta) - eta * libm::log2f(others);
+        self.take(best, Question { subject, yes, choices, information, eta });
+    }
+
+    /// Proposes to choose among the most probable objects of a class.
+    fn propose_objects(self, best: &mut Option<Question>, class: ClassId) {
+        let (mut objects, mut choices, mut listed) = ([ObjectId(0); CHOICES], [TaskSet::EMPTY; CHOICES], TaskSet::EMPTY);
+        for position in 0..usize::from(self.asking.choices).min(CHOICES) {
+            let of_class = self.tasks.iter().flat_map(|task| self.bound(task)).filter(|&(_, bound)| bound == class);
+            let mut next: Option<(ObjectId, TaskSet, f32)> = None;
+            for (object, _) in of_class {
+                let set = self.binding(object);
+                // A task with two of them could be chosen twice.
+                let sure = if set.common(listed).is_empty() { self.probability(set) } else { 0.0 };
+                if sure > next.map_or(0.0, |(.., most)| most) {
+                    next = Some((object, set, sure));
+                }
+            }
+            let (Some((object, set, _)), Some(slot), Some(choice)) = (next, objects.get_mut(position), choices.get_mut(position)) else {
+                break;
+            };
+            (*slot, *choice, listed) = (object, set, listed.union(set));
+            if position > 0 {
+                self.propose_choice(best, Subject::WhichObject(objects, position.saturating_add(1) as u8), choices);
+            }
+        }
+    }
+
+    /// Proposes to choose among the most probable tasks.
+    fn propose_tasks(self, best: &mut Option<Question>) {
+        let (mut tasks, mut choices, mut listed) = ([0; CHOICES], [TaskSet::EMPTY; CHOICES], TaskSet::EMPTY);
+        for position in 0..usize::from(self.asking.choices).min(CHOICES) {
+            let mut next: Option<(usize, f32)> = None;
+            for task in TaskSet::first(self.tasks.len()).without(listed).iter() {
+                let sure = self.probability(TaskSet::of(task));
+                if sure > next.map_or(0.0, |(_, most)| most) {
+                    next = Some((task, sure));
+                }
+            }
+            let (Some((task, _)), Some(slot), Some(choice)) = (next, tasks.get_mut(position), choices.get_mut(position)) else { break };
+            (*slot, *choice, listed) = (task as u8, TaskSet::of(task), listed.with(task));
+            if position > 0 {
+                self.propose_choice(best, Subject::WhichTask(tasks, position.saturating_add(1) as u8), choices);
+            }
+        }
+    }
 }

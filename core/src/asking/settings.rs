@@ -12,13 +12,15 @@ pub struct Asking {
     pub eta: f32,
     /// The robot is sure, and does not ask, where a task has this probability.
     pub sure: f32,
+    /// How many steps the trainer has patience for. Where questions until it is sure would cost more, the robot does not begin with them.
+    pub patience: f32,
     /// How many meanings a question may show to choose from, at most [`CHOICES`]; with less than 2, all questions are of yes and no.
     pub choices: u8,
 }
 
 impl Asking {
-    /// A question costs eight steps, and one answer in twenty is wrong.
-    pub const DEFAULT: Self = Self { kappa: 8.0, eta: 0.05, sure: 0.95, choices: CHOICES as u8 };
+    /// A question costs eight steps, one answer in twenty is wrong, and the trainer has patience for eighty steps.
+    pub const DEFAULT: Self = Self { kappa: 8.0, eta: 0.05, sure: 0.95, patience: 80.0, choices: CHOICES as u8 };
 
     /// Never ask.
     pub const NEVER: Self = Self { kappa: f32::INFINITY, ..Self::DEFAULT };
@@ -31,7 +33,8 @@ impl Asking {
         let sound = |sound: bool, error| if sound { Ok(()) } else { Err(error) };
         sound(self.kappa > 0.0, SettingError::Kappa(self.kappa))?;
         sound((0.0..0.5).contains(&self.eta), SettingError::Eta(self.eta))?;
-        sound((0.0..=1.0).contains(&self.sure), SettingError::Sure(self.sure))
+        sound((0.0..=1.0).contains(&self.sure), SettingError::Sure(self.sure))?;
+        sound(self.patience >= 0.0, SettingError::Patience(self.patience))
     }
 }
 

@@ -86,7 +86,7 @@ impl<'t> BeliefRef<'t> {
     }
 
     /// The prior of a task, in the unit of all.
-    pub(crate) fn prior(self, task: usize) -> Scaled {
+    pub fn prior(self, task: usize) -> Scaled {
         self.memory.priors.get(task).copied().filter(|_| task < self.count.tasks).unwrap_or(Scaled::ZERO)
     }
 
@@ -117,6 +117,13 @@ impl<'t> BeliefRef<'t> {
             return self.strategies().get(strategy).map_or(0.0, |&(_, probability)| probability);
         }
         total((0..self.count.tasks).map(|task| self.weight_with(task, strategy))).over(whole).clamp(0.0, 1.0)
+    }
+
+    /// Whether anything was observed since the start that tells tasks or strategies apart. Before that, the strategies are as probable as
+    /// [`strategies`](Self::strategies) says; [`strategy_probability`](Self::strategy_probability) is that but for rounding.
+    pub fn has_evidence(self) -> bool {
+        let is_as_begun = |(joint, &(_, probability)): (&Scaled, &(Strategy, f32))| *joint == Scaled::new(probability);
+        !(0..self.count.tasks).all(|task| self.row(task).iter().zip(self.strategies()).all(is_as_begun))
     }
 
     fn weight_with(self, task: usize, strategy: usize) -> Scaled {
@@ -215,6 +222,11 @@ impl<'t> Belief<'t> {
         self.count.tasks = count;
         self.settle();
         Ok(())
+    }
+
+    /// Forgets all evidence since the last start: the belief is about no tasks, and the strategies are as probable as they were then.
+    pub(crate) fn forget(&mut self) {
+        self.count.tasks = 0;
     }
 
     /// Settles the last piece of evidence: the next one counts beside it, and no longer replaces it.

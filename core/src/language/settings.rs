@@ -126,6 +126,8 @@ pub enum SettingError {
     Eta(f32),
     /// From where on the robot is sure: `Asking::sure`.
     Sure(f32),
+    /// For how many steps the trainer has patience: `Asking::patience`.
+    Patience(f32),
 }
 
 impl SettingError {
@@ -141,6 +143,7 @@ impl SettingError {
             Self::Kappa(_) => "Asking::kappa",
             Self::Eta(_) => "Asking::eta",
             Self::Sure(_) => "Asking::sure",
+            Self::Patience(_) => "Asking::patience",
         }
     }
 }
@@ -154,6 +157,7 @@ impl fmt::Display for SettingError {
             Self::LeastWeight(value) => write!(f, "{field} is {value}; it must be a number from 0 to less than 1"),
             Self::Drift(value) | Self::Sure(value) => write!(f, "{field} is {value}; it must be a number from 0 to 1"),
             Self::Kappa(value) => write!(f, "{field} is {value}; it must be a number above 0, or infinite"),
+            Self::Patience(value) => write!(f, "{field} is {value}; it must be a number of 0 or more"),
             Self::Eta(value) => write!(f, "{field} is {value}; it must be a number from 0 to less than 0.5"),
             Self::Ending(at_goal, elsewhere) => {
                 write!(f, "{field} is {at_goal} and {elsewhere}; each must be a number from 0 to less than 1")

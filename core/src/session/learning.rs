@@ -71,6 +71,14 @@ pub struct Finished {
 }
 
 impl<M: AgentMemory> Agent<M> {
+    /// Ends the session as if it had never been: what it showed of the trainer is forgotten too. The same command can then be heard again
+    /// and walked through anew, for instance to take a step back.
+    pub fn forget_evidence(&mut self) {
+        self.forget();
+        self.end_session();
+        self.belief_mut().forget();
+    }
+
     /// Ends the session without learning from it. What it made known of words and machine tokens is forgotten with the next command, so
     /// that the same session can still be taken up again with [`hear_again`](Self::hear_again).
     pub fn forget(&mut self) {

@@ -54,10 +54,11 @@ impl Options {
     /// The paper's, with Model 2 for short commands in few words: [`Settings::SMOOTHED`].
     pub const SMOOTHED: Self = Self { language: Settings::SMOOTHED, ..Self::PAPER };
 
-    /// The same for a robot that people train: what it believes of its trainer drifts a little, and the end of a session is evidence. The
-    /// strategies to expect of people are [`population::STRATEGIES`].
+    /// The same for a robot that people train: what it believes of its trainer drifts a little. The strategies to expect of people are
+    /// [`population::STRATEGIES`]. The end of a session stays no evidence: on recorded trainers it made beliefs worse
+    /// (`docs/trainers.md`); [`population::ENDING`] switches it on.
     pub const fn for_people(self) -> Self {
-        Self { drift: population::DRIFT, ending: population::ENDING, ..self }
+        Self { drift: population::DRIFT, ..self }
     }
 
     /// Whether an agent can learn with them.

@@ -1,11 +1,10 @@
 //! One session with a simulated trainer, with questions or without.
 
-use goodbot::asking::{Answer, Asking, Question, Subject};
+use goodbot::asking::{Answer, Asking, Question};
 use goodbot::feedback::{Feedback, LAGS, SimulatedTrainer, Strategy, population};
 use goodbot::home::paper_tasks;
 use goodbot::planning::Judgement;
 use goodbot::random::{below, unit};
-use goodbot::task::TaskSet;
 use goodbot::{Agent, AgentError, HeapMemory, Options};
 use goodbot_course::{CourseTrainer, Homes, Trainer, generator};
 use rand_core::Rng;
@@ -13,7 +12,7 @@ use rand_core::Rng;
 /// The robot has understood where the intended task is this probable.
 pub const UNDERSTOOD: f32 = 0.95;
 /// A session has so many steps at most.
-pub const MOST_STEPS: u32 = 80;
+pub const MOST_STEPS: u32 = Asking::DEFAULT.patience as u32;
 
 /// What a simulated trainer does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -127,11 +126,11 @@ pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result
 /// What a trainer answers who means the intended task, and is wrong with probability `eta`.
 fn answer(question: &Question, intended: usize, eta: f32, random: &mut impl Rng) -> Answer {
     let wrong = unit(random) < eta;
-    let Subject::Which(tasks, count) = question.subject else {
+    let count = usize::from(question.subject.choices());
+    if count == 0 {
         return if question.yes.contains(intended) != wrong { Answer::Yes } else { Answer::No };
-    };
-    let count = usize::from(count);
-    let right = tasks.iter().take(count).position(|&task| TaskSet::of(usize::from(task)).contains(intended)).unwrap_or(count);
+    }
+    let right = question.choices.iter().take(count).position(|choice| choice.contains(intended)).unwrap_or(count);
     let given = if wrong { (right + 1 + below(count, random)) % (count + 1) } else { right };
     if given == count { Answer::No } else { Answer::This(given as u8) }
 }

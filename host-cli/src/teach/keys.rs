@@ -39,6 +39,10 @@ pub enum Intent {
     Bad,
     /// Nothing; go on.
     Silence,
+    /// Yes, to a question.
+    Yes,
+    /// This one, to a question, by number from 1 on.
+    Choose(u8),
     /// Wait, or go on.
     Pause,
     /// One step.
@@ -144,6 +148,8 @@ fn as_key(code: KeyCode) -> Option<Intent> {
         KeyCode::Char('g') | KeyCode::Right | KeyCode::Up => Intent::Good,
         KeyCode::Char('b') | KeyCode::Left => Intent::Bad,
         KeyCode::Char(' ') | KeyCode::Down => Intent::Silence,
+        KeyCode::Char('y') => Intent::Yes,
+        KeyCode::Char(digit @ '1'..='3') => Intent::Choose(digit.to_digit(10)? as u8),
         KeyCode::Char('p') => Intent::Pause,
         KeyCode::Char('n') => Intent::Step,
         KeyCode::Char('f') => Intent::Finish,

@@ -20,7 +20,7 @@ pub fn task_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &Grou
 }
 
 /// An object by its looks; where another looks alike, by its name too.
-fn object_words(home: &Home<impl HomeMemory>, id: ObjectId) -> String {
+pub fn object_words(home: &Home<impl HomeMemory>, id: ObjectId) -> String {
     let objects = home.world().objects;
     let looks = |id: ObjectId| (objects.get(id).map(|object| object.class), objects.value(id, COLOR), objects.value(id, SHAPE));
     let (class, color, shape) = looks(id);

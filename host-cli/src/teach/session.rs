@@ -1,10 +1,13 @@
 //! The session under way: what was said, what was done, and what was said to that.
 
-use goodbot::feedback::Feedback;
+use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::HomeState;
 use goodbot::planning::Judgement;
+use goodbot::task::TaskSet;
 use goodbot_formats::environment::EnvironmentFile;
-use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, SessionHeader, StepRecord};
+use goodbot_formats::session::{
+    AnswerRecord, FeedbackWord, Kind, RecordedAnswer, RecordedSession, SessionHeader, StepRecord, StrategyRecord,
+};
 use goodbot_formats::task_text::GroundTaskText;
 use std::collections::VecDeque;
 
@@ -17,6 +20,21 @@ pub struct Step {
     pub feedback: Feedback,
     /// For each task, by position, whether the action was right.
     pub judgements: Vec<Judgement>,
+}
+
+/// An answer to a question.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Answered {
+    /// How many judged steps stand before it.
+    pub after: usize,
+    /// The tasks that it is about.
+    pub tasks: TaskSet,
+    /// Whether what is meant is among them.
+    pub yes: bool,
+    /// The probability that an answer is wrong.
+    pub eta: f32,
+    /// How many other answers there were.
+    pub others: u8,
 }
 
 /// What came of a word to a step.
@@ -45,6 +63,12 @@ pub struct Session {
     pub begun: HomeState,
     /// The steps that are still to be walked again.
     pub again: VecDeque<Step>,
+    /// What was answered.
+    pub answers: Vec<Answered>,
+    /// How many of the answers the robot has taken in, since the session is walked.
+    pub taken: usize,
+    /// What was believed of the trainer when it began.
+    pub strategies: Vec<(Strategy, f32)>,
     environment: EnvironmentFile,
     done: Vec<Step>,
 }
@@ -52,7 +76,18 @@ pub struct Session {
 impl Session {
     /// A session in which nothing was done yet.
     pub fn new(id: Option<String>, command: &str, environment: EnvironmentFile, intended: Option<usize>, begun: HomeState) -> Self {
-        Self { id, command: command.to_owned(), intended, begun, again: VecDeque::new(), environment, done: Vec::new() }
+        Self {
+            id,
+            command: command.to_owned(),
+            intended,
+            begun,
+            again: VecDeque::new(),
+            answers: Vec::new(),
+            taken: 0,
+            strategies: Vec::new(),
+            environment,
+            done: Vec::new(),
+        }
     }
 
     /// The steps that were judged.
@@ -80,11 +115,36 @@ impl Session {
     /// Begins anew with these steps, which are to be walked again.
     pub fn walk_again(&mut self, steps: Vec<Step>) {
         self.done.clear();
+        self.answers.retain(|answer| answer.after <= steps.len());
+        self.taken = 0;
         self.again = steps.into();
     }
 
-    /// The session as a log has it.
-    pub fn record(&self, intended: Option<&GroundTaskText>, learn: bool) -> RecordedSession {
+    /// The session as a log has it. `name` gives the name of a task by its position.
+    pub fn record(
+        &self,
+        intended: Option<&GroundTaskText>,
+        learn: bool,
+        name: impl Fn(usize) -> Option<GroundTaskText>,
+    ) -> RecordedSession {
+        let answer = |given: &Answered| {
+            let tasks = given.tasks.iter().filter_map(&name).collect();
+            let answer = AnswerRecord { tasks, yes: given.yes, eta: given.eta.into(), others: given.others };
+            RecordedAnswer { line: 1, after: given.after, answer }
+        };
+        let strategy = |(number, (strategy, prior)): (usize, &(Strategy, f32))| StrategyRecord {
+            name: format!("strategy {}", number + 1),
+            mu_plus: strategy.mu_plus().into(),
+            mu_minus: strategy.mu_minus().into(),
+            epsilon: strategy.epsilon().into(),
+            prior: (*prior).into(),
+            lags: Some(strategy.lags().map(f64::from)).filter(|lags| *lags != Strategy::NO_LAG.map(f64::from)),
+        };
+        let own = match self.strategies.as_slice() {
+            [] => true,
+            [(only, _)] => *only == Strategy::BALANCED,
+            _ => false,
+        };
         let step = |step: &Step| StepRecord { action: step.action.clone(), feedback: Some(word(step.feedback)) };
         let mut header = SessionHeader {
             id: self.id.clone(),
@@ -98,14 +158,14 @@ impl Session {
             actions: None,
             continues: false,
             prior: None,
-            strategies: None,
+            strategies: (!own).then(|| self.strategies.iter().enumerate().map(strategy).collect()),
         };
         header.set_meant(intended);
         RecordedSession {
             header,
             header_line: 1,
             steps: self.steps().iter().map(step).zip(2..).map(|(step, line)| (line, step)).collect(),
-            answers: vec![],
+            answers: self.answers.iter().map(answer).collect(),
             learn,
             end_line: self.done.len() + self.again.len() + 2,
         }

@@ -6,8 +6,10 @@ use crate::teach::classroom::Classroom;
 use crate::teach::lessons::random_home;
 use crate::teach::session::Judged;
 use crate::teach::trainer::{Meaning, Refusal};
+use goodbot::asking::{Answer, Asking};
 use goodbot::feedback::Feedback;
 use goodbot::planning::OptimalSet;
+use goodbot::session::Evidence;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use lines::Lines;
 use serde_json::{Map, Value, json};
@@ -43,6 +45,11 @@ const REQUESTS: &[(&str, &str)] = &[
     ("good", "reward the last step"),
     ("bad", "punish the last step"),
     ("silence", "say nothing to the last step"),
+    ("ask", "tell what the robot asks here, where a question teaches it more than its next steps do"),
+    (
+        "answer yes|no|NUMBER",
+        "answer the question that it asked last; where there is something to choose, by number, or no for none of these",
+    ),
     ("auto", "let a simulated trainer judge the last step; in lessons of the tour"),
     ("back", "take back the last step and what was said to it"),
     ("finish", "end the session and learn from it"),
@@ -124,6 +131,7 @@ impl Speaker<'_> {
         match request {
             "command" => self.command(rest),
             "home" => self.home(rest),
+            "answer" => self.reply(rest),
             _ if !rest.is_empty() => Err(Misunderstood {
                 message: if is_request(request) {
                     format!("{request:?} stands alone on its line")
@@ -136,6 +144,7 @@ impl Speaker<'_> {
             "good" => self.judge(Feedback::Reward),
             "bad" => self.judge(Feedback::Punish),
             "silence" => self.judge(Feedback::Neutral),
+            "ask" => self.ask(),
             "auto" => self.auto(),
             "back" => self.back(),
             "finish" => self.finish(),
@@ -245,6 +254,44 @@ impl Speaker<'_> {
         let mut answer = json!({"type": "judged", "action": action, "feedback": feedback.name(), "counted": matches!(judged, Judged::Counted | Judged::AsBefore)});
         self.add_tasks(&mut answer);
         Ok(vec![answer])
+    }
+
+    fn ask(&mut self) -> Answers {
+        if self.classroom.session().is_none() {
+            return Err(Misunderstood {
+                message: "no session is under way".to_owned(),
+                instead: "send a command first, such as: command go to the red room",
+            });
+        }
+        let trainer = &mut self.classroom.trainer;
+        trainer.plan_fully()?;
+        let asks = trainer.ask(&Asking::DEFAULT)?;
+        let meanings = trainer.meanings();
+        let of = |position: &usize| meanings.iter().find(|meaning| meaning.position == *position).map(|meaning| meaning.name.clone());
+        Ok(vec![match asks {
+            None => json!({"type": "question", "text": null}),
+            Some(asks) => {
+                let tasks: Vec<String> = asks.tasks.iter().filter_map(of).collect();
+                json!({"type": "question", "text": asks.text, "choices": asks.choices, "tasks": tasks})
+            }
+        }])
+    }
+
+    fn reply(&mut self, answer: &str) -> Answers {
+        let instead = "send ask first, and then answer yes, answer no, or answer and the number of a choice, such as: answer 1";
+        let given = match answer {
+            "yes" => Answer::Yes,
+            "no" => Answer::No,
+            number => match number.parse::<u8>().ok().and_then(|number| number.checked_sub(1)) {
+                Some(chosen) => Answer::This(chosen),
+                None => return Err(Misunderstood { message: format!("{number:?} is no answer"), instead }),
+            },
+        };
+        let trainer = &mut self.classroom.trainer;
+        let evidence = trainer.answer(given).map_err(|refusal| Misunderstood { message: refusal.0, instead })?;
+        let mut told = json!({"type": "answered", "answer": answer, "counted": evidence == Evidence::Used});
+        self.add_tasks(&mut told);
+        Ok(vec![told])
     }
 
     fn auto(&mut self) -> Answers {

@@ -2,15 +2,18 @@
 
 use super::{Refusal, refused};
 use crate::load::home as homes;
+use goodbot::feedback::population;
 use goodbot::home::{self, Home, HomeState, Moves};
 use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::environment::EnvironmentFile;
 
-/// A mind that has learned nothing yet.
+/// A mind that has learned nothing yet, and expects what real people do.
 pub fn new_mind(capacities: &Capacities) -> Result<Agent<AgentHeap>, Refusal> {
     let lifted = home::paper_tasks().map_err(refused)?;
-    Agent::new(AgentHeap::new(capacities), &lifted, Options::DEFAULT).map_err(refused)
+    let mut mind = Agent::new(AgentHeap::new(capacities), &lifted, Options::DEFAULT.for_people()).map_err(refused)?;
+    mind.set_strategies(&population::STRATEGIES).map_err(refused)?;
+    Ok(mind)
 }
 
 /// The home of an environment, and where everything is in it.

@@ -6,8 +6,9 @@
 //! What the trainer says counts at once, and of several words to one step the last one counts. To take a step back, the session is walked
 //! again up to there: the same actions and the same feedback give the same belief.
 //!
-//! - [`mind`]: the robot's mind and its home in memory; [`thoughts`]: what the robot thinks.
+//! - [`asking`]: what the robot asks; [`mind`]: the robot's mind and its home in memory; [`thoughts`]: what the robot thinks.
 
+mod asking;
 mod mind;
 mod thoughts;
 
@@ -155,7 +156,9 @@ impl Trainer {
         let environment = self.scene().environment;
         self.mind.hear(&self.rooms, &self.state, command).map_err(refused)?;
         let intended = intention.and_then(|intention| intention.find(&self.mind, &self.rooms));
-        self.session = Some(Session::new(id, command, environment, intended, self.state));
+        let mut session = Session::new(id, command, environment, intended, self.state);
+        session.strategies = self.mind.belief().strategies().to_vec();
+        self.session = Some(session);
         Ok(())
     }
 
@@ -165,11 +168,14 @@ impl Trainer {
         if self.mind.plan(&self.rooms, &self.state, budget).map_err(refused)? == Progress::Working {
             return Ok(false);
         }
-        let Some(step) = session.again.pop_front() else { return Ok(true) };
+        let step = session.again.pop_front();
+        self.answer_again()?;
+        let (Some(step), Some(session)) = (step, self.session.as_ref()) else { return Ok(true) };
         let (action, feedback, last) = (step.action, step.feedback, session.again.is_empty());
         self.perform(&action)?;
         self.judge(feedback)?;
         if last {
+            self.answer_again()?;
             return Ok(true);
         }
         self.acted = None;
@@ -287,6 +293,7 @@ impl Trainer {
         let session = session.as_mut().ok_or_else(no_session)?;
         (*state, *acted) = (session.begun, None);
         session.walk_again(steps);
+        mind.forget_evidence();
         mind.hear(rooms, state, &session.command).map_err(refused)
     }
 
@@ -319,7 +326,7 @@ impl Trainer {
 
     /// Ends the session, if one is under way, without learning from it. Gives its record where anything was judged.
     pub fn forget(&mut self) -> Option<RecordedSession> {
-        let record = self.record(false).ok().filter(|record| !record.steps.is_empty());
+        let record = self.record(false).ok().filter(|record| !record.steps.is_empty() || !record.answers.is_empty());
         self.acted = None;
         if self.session.take().is_some() {
             self.mind.forget();
@@ -330,6 +337,6 @@ impl Trainer {
     fn record(&self, learn: bool) -> Result<RecordedSession, Refusal> {
         let session = self.session.as_ref().ok_or_else(no_session)?;
         let intended = session.intended.and_then(|position| self.name_of(position));
-        Ok(session.record(intended.as_ref(), learn))
+        Ok(session.record(intended.as_ref(), learn, |position| self.name_of(position)))
     }
 }

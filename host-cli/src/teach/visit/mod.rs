@@ -12,6 +12,7 @@ use crate::teach::plain_names::percent;
 use crate::teach::prompt::Prompt;
 use crate::teach::session::{Judged, Step};
 use crate::teach::trainer::{Acted, Refusal, WordSupport};
+use goodbot::asking::{Answer, Asking};
 use goodbot::feedback::Feedback;
 use std::time::Duration;
 
@@ -231,6 +232,9 @@ impl Visit {
                     self.phase = Phase::Waiting(Some(now));
                 }
             }
+            Intent::Yes => self.answer(Answer::Yes)?,
+            Intent::Choose(number) => self.answer(Answer::This(number.saturating_sub(1)))?,
+            Intent::Step if self.classroom.trainer.open_question().is_some() => self.answer(Answer::No)?,
             Intent::Step if self.tested.is_some() => self.pass_test()?,
             Intent::Step => {
                 self.paused = self.pace != Pace::Step;
@@ -301,6 +305,33 @@ impl Visit {
         }
         if let (true, Phase::Waiting(_)) = (waits, self.phase) {
             self.phase = Phase::Waiting(Some(now + SECOND_THOUGHTS));
+        }
+        Ok(())
+    }
+
+    /// Answers the robot's question.
+    fn answer(&mut self, answer: Answer) -> Result<(), Refusal> {
+        if self.classroom.trainer.open_question().is_none() {
+            self.message = "It has asked nothing. It asks where an answer would tell it more than its next steps.".to_owned();
+            return Ok(());
+        }
+        let _ = self.classroom.trainer.answer(answer)?;
+        self.message = "It takes your answer into account.".to_owned();
+        Ok(())
+    }
+
+    /// Asks, where a question teaches more than the next steps do. It does not wait for the answer.
+    fn ask(&mut self) -> Result<(), Refusal> {
+        if self.auto || self.tested.is_some() {
+            return Ok(());
+        }
+        if let Some(asks) = self.classroom.trainer.ask(&Asking::DEFAULT)? {
+            let choices: Vec<String> = asks.choices.iter().zip(1..).map(|(choice, number)| format!("{number} {choice}")).collect();
+            self.message = if choices.is_empty() {
+                format!("It asks: {} y yes, n no.", asks.text)
+            } else {
+                format!("It asks: {} {}, n none of these.", asks.text, choices.join(", "))
+            };
         }
         Ok(())
     }

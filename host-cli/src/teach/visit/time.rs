@@ -42,6 +42,7 @@ impl Visit {
                 self.phase = Phase::Waiting(None);
                 return Ok(());
             }
+            self.ask()?;
             self.classroom.trainer.act()?;
         }
         self.stepping = false;

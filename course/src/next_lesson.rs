@@ -1,0 +1,71 @@
+//! Which lesson next: the one that teaches most of what the robot is to understand in the end.
+//!
+//! A word is needed as often as the wanted commands have it, and a lesson is worth the sum over its words of need(w) / (1 + heard(w))^2: what
+//! was heard often is known. Proposals by how unsure the robot is would pick crowded, ambiguous lessons instead.
+
+use goodbot::capacity::CapacityError;
+use goodbot::language::for_each_word;
+
+/// A lesson that is worth teaching next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NextLesson<'c> {
+    /// Its position among those that could be taught.
+    pub lesson: usize,
+    /// Its worth: more is better, 0 is nothing.
+    pub worth: f32,
+    /// The word that makes most of its worth: the reason to teach it.
+    pub word: &'c str,
+}
+
+/// The lesson to teach next: of `lessons`, commands that could be taught, the one that teaches most of the commands in `wanted`. `heard`
+/// tells in how many lessons a word was heard. Of equal ones it is the first: put the lesson in the simplest home first. `None` where no
+/// lesson has a word that is needed.
+///
+/// # Errors
+/// A [`CapacityError`] where a command has too many words, or one that is too long.
+///
+/// ```
+/// use goodbot_course::next_lesson::next_lesson;
+/// let wanted = ["take the bag to the red room", "go to the red room"];
+/// let lessons = ["go to the blue room", "go to the red room"];
+/// let next = next_lesson(&lessons, &wanted, |word| if word == "red" { 0 } else { 1 })?.expect("red is needed");
+/// assert_eq!((next.lesson, next.word), (1, "red"));
+/// // Where all is known well, nothing is worth much.
+/// assert!(next_lesson(&lessons, &wanted, |_| 99)?.expect("but something").worth < 0.01);
+/// # Ok::<(), goodbot::capacity::CapacityError>(())
+/// ```
+pub fn next_lesson<'c>(lessons: &[&'c str], wanted: &[&str], heard: impl Fn(&str) -> u32) -> Result<Option<NextLesson<'c>>, CapacityError> {
+    let mut best: Option<NextLesson<'c>> = None;
+    for (lesson, command) in lessons.iter().enumerate() {
+        let (mut worth, mut most, mut word) = (0.0, 0.0, "");
+        for said in command.split_whitespace() {
+            let part = need(said, wanted)? / square(heard(said).saturating_add(1));
+            worth += part;
+            if part > most {
+                (most, word) = (part, said);
+            }
+        }
+        if worth > best.map_or(0.0, |best| best.worth) {
+            best = Some(NextLesson { lesson, worth, word });
+        }
+    }
+    Ok(best)
+}
+
+/// How many of the wanted commands have this word.
+fn need(word: &str, wanted: &[&str]) -> Result<f32, CapacityError> {
+    let mut count = 0.0;
+    for command in wanted {
+        let mut found = false;
+        for_each_word(command, |said| {
+            found |= said.eq_ignore_ascii_case(word);
+            Ok(())
+        })?;
+        count += f32::from(u8::from(found));
+    }
+    Ok(count)
+}
+
+fn square(count: u32) -> f32 {
+    count as f32 * count as f32
+}

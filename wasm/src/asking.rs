@@ -1,0 +1,90 @@
+//! Questions of the robot's, as a page shows them, and the trainer's answers.
+
+use crate::log::{AnswerLine, Line};
+use crate::training::{described, task_name, task_words};
+use crate::view::{Question, Told};
+use crate::world::{Refusal, World};
+use goodbot::asking::{Answer, Asking, Considered, Subject};
+use goodbot::home::BLOCK_IN_ROOM;
+use goodbot::session::Evidence;
+
+impl World {
+    /// Proposes a question where it teaches more than acting does, with at most about `budget` looks: see
+    /// [`Agent::consider`](goodbot::Agent::consider). `kappa` is what a question costs, in steps, and `eta` how often an answer is wrong.
+    /// The plan must be done. `None`: call again.
+    ///
+    /// # Errors
+    /// Where no session is under way, the plan is not done, or a number is out of range.
+    pub fn question(&mut self, kappa: f32, eta: f32, budget: u32) -> Result<Option<Option<Question>>, Refusal> {
+        let asking = Asking { kappa, eta, ..Asking::DEFAULT };
+        let Self { mind, rooms, state, .. } = self;
+        Ok(match mind.consider(rooms, state, &asking, budget).map_err(Refusal::from)? {
+            Considered::Working => None,
+            Considered::Act => Some(None),
+            Considered::Ask(_) => Some(self.open_question()),
+        })
+    }
+
+    /// The question that waits for its answer.
+    pub fn open_question(&self) -> Option<Question> {
+        let (agent, home) = (self.agent(), self.home());
+        let question = agent.open_question()?;
+        let task = |task: u8| {
+            let grounded = agent.tasks().get(usize::from(task))?;
+            Some(task_words(home, agent.lifted().get(usize::from(grounded.lifted))?, grounded))
+        };
+        let (text, choices) = match question.subject {
+            Subject::Object(object) => (format!("Do you mean the {}?", described(home, object)), vec![]),
+            Subject::Kind(kind) => {
+                let carries = agent.lifted().get(usize::from(kind))?.propositions().iter().any(|part| part.proposition == BLOCK_IN_ROOM);
+                (if carries { "Shall I carry something?" } else { "Shall I go somewhere myself?" }.to_owned(), vec![])
+            }
+            Subject::Task(position) => (format!("Do you mean: {}?", task(position)?), vec![]),
+            Subject::WhichObject(objects, count) => {
+                let choices = objects.iter().take(usize::from(count)).map(|&object| format!("the {}", described(home, object)));
+                ("Which of these do you mean?".to_owned(), choices.collect())
+            }
+            Subject::WhichTask(tasks, count) => (
+                "Which of these do you mean?".to_owned(),
+                tasks.iter().take(usize::from(count)).filter_map(|&position| task(position)).collect(),
+            ),
+        };
+        Some(Question { text, choices, tasks: question.yes.iter().collect(), information: question.information })
+    }
+
+    /// Takes in the answer to the question that was proposed last: `yes`, `no` (none of these, where there is something to choose), or the
+    /// number of a choice, from 1 on.
+    ///
+    /// # Errors
+    /// Where no question waits for its answer, or this is none to it.
+    pub fn answer(&mut self, answer: &str) -> Result<Told, Refusal> {
+        let given = match answer {
+            "yes" => Answer::Yes,
+            "no" => Answer::No,
+            number => {
+                let number = number.parse::<u8>().ok().and_then(|number| number.checked_sub(1));
+                Answer::This(number.ok_or_else(|| Refusal(format!("{answer} is no answer; say yes, no or the number of a choice")))?)
+            }
+        };
+        let question = self.agent().open_question().copied();
+        let line = question.and_then(|question| {
+            let (tasks, yes, others) = question.meaning(given)?;
+            let (agent, home) = (self.agent(), self.home());
+            let name = |task: usize| {
+                let grounded = agent.tasks().get(task)?;
+                Some(task_name(home, agent.lifted().get(usize::from(grounded.lifted))?, grounded))
+            };
+            Some(AnswerLine::new(tasks.iter().filter_map(name).collect(), yes, question.eta, others))
+        });
+        let before = self.probabilities();
+        let outcome = match self.mind.answer(given).map_err(Refusal::from)? {
+            Evidence::Used => "used",
+            Evidence::SaysNothing => "says nothing",
+            Evidence::Impossible => "impossible",
+        };
+        if let (Some(recording), Some(line)) = (&mut self.recording, line) {
+            recording.steps.push(Line::Answer(line));
+        }
+        Ok(Told { outcome, before, after: self.probabilities() })
+    }
+}
