@@ -284,4 +284,9 @@ impl<M: HomeMemory> PushGrid for Home<M> {
     fn can_pull(&self) -> bool {
         self.moves == Moves::PushAndPull
     }
+
+    #[inline]
+    fn pushes_plainly(&self) -> bool {
+        true
+    }
 }

@@ -100,4 +100,11 @@ pub trait PushGrid: Domain {
     /// Whether the robot can move a piece to a cell without a free cell behind the piece, as by pulling. A robot that only pushes cannot
     /// get a piece out of a corner, and its planner need not search to know that.
     fn can_pull(&self) -> bool;
+
+    /// Whether a direction toward a cell with a piece pushes plainly: the piece goes to the next cell in that direction and the robot
+    /// follows, or nothing changes where that cell is wall or has a piece. The planner then makes such pushes itself, with bits, which is
+    /// faster than to ask [`step`](Domain::step). If in doubt, return `false`.
+    fn pushes_plainly(&self) -> bool {
+        false
+    }
 }

@@ -119,6 +119,46 @@ impl Bits {
         usize::from(up.cast_unsigned()).wrapping_mul(self.width).wrapping_add(usize::from(right.cast_unsigned()))
     }
 
+    /// The bits of a row of one word that lie ahead of these in a direction.
+    #[inline]
+    fn ahead(&self, bits: u64, direction: usize) -> u64 {
+        let width = self.width as u32;
+        match direction {
+            0 => bits.wrapping_shl(width),
+            1 => bits.wrapping_shr(width),
+            2 => bits << 1,
+            _ => bits >> 1,
+        }
+    }
+
+    /// Gives the bits beside those of one word, word by word; a word may be given several times, and words beyond the row too.
+    #[inline]
+    fn beside(&self, word: usize, bits: u64, mut give: impl FnMut(usize, u64)) {
+        let (far, near) = (self.width / 64, (self.width % 64) as u32);
+        let over = 63_u32.wrapping_sub(near);
+        let mut give = |word: usize, bits: u64| {
+            if bits != 0 {
+                give(word, bits);
+            }
+        };
+        let (up, up_over, down, down_over) = (bits << near, bits >> 1 >> over, bits >> near, bits << 1 << over);
+        // A word before the first wraps around, and is beyond the row too.
+        let (after, before) = (word.wrapping_add(1), word.wrapping_sub(1));
+        if far == 0 {
+            give(word, bits << 1 | bits >> 1 | up | down);
+            give(after, bits >> 63 | up_over);
+            give(before, bits << 63 | down_over);
+        } else {
+            give(word, bits << 1 | bits >> 1);
+            give(after, bits >> 63);
+            give(before, bits << 63);
+            give(word.wrapping_add(far), up);
+            give(after.wrapping_add(far), up_over);
+            give(word.wrapping_sub(far), down);
+            give(before.wrapping_sub(far), down_over);
+        }
+    }
+
     /// By how many bits a direction leads on.
     #[inline]
     fn shift(&self, direction: usize) -> isize {

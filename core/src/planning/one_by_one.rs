@@ -16,8 +16,6 @@ use crate::capacity::{Capacities, Capacity, CapacityError};
 use crate::oomdp::domain::MOST_COST;
 use crate::oomdp::{Action, ActionSet, Domain, SearchKind, cost, own_actions};
 
-const EMPTY: u64 = u64::MAX;
-
 /// Where a search state by state stands.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StateSearch {
@@ -65,10 +63,7 @@ impl StateSearch {
         let frontier = Frontier::new(slots, ring(domain), bytes(domain));
         let mut search = Self { frontier, slots, hashing, own_table, ahead: 0, horizon: u32::MAX };
         let (marks, table) = search.split(marks, hashed);
-        if hashing {
-            table.iter_mut().take(slots).for_each(|number| *number = EMPTY);
-        }
-        match search.slot(table, domain.number(state)) {
+        match search.slot(marks, table, domain.number(state)) {
             Some(slot) => {
                 search.frontier.finish(marks, slot);
                 for action in applicable.iter().filter(|&action| action != Action::NOOP) {
@@ -108,8 +103,10 @@ impl StateSearch {
         self.ahead > 0 && level < self.horizon
     }
 
+    /// The place of a state; `None` where there is no room for it. Whoever asks puts the state into the frontier: entries of the hash table
+    /// count only for what is there, so the table need not be emptied before a search.
     #[inline]
-    fn slot(&self, table: &mut [u64], number: u64) -> Option<usize> {
+    fn slot(&self, marks: &[u64], table: &mut [u64], number: u64) -> Option<usize> {
         if !self.hashing {
             return usize::try_from(number).ok().filter(|&slot| slot < self.slots);
         }
@@ -118,7 +115,7 @@ impl StateSearch {
         let mut slot = ((spread >> 32).wrapping_mul(self.slots as u64) >> 32) as usize;
         for _ in 0..64 {
             let entry = table.get_mut(..self.slots)?.get_mut(slot)?;
-            if *entry == EMPTY {
+            if !self.frontier.knows(marks, slot) {
                 *entry = number;
                 return Some(slot);
             }
@@ -147,7 +144,7 @@ impl StateSearch {
     ) {
         let Some(next) = domain.step(state, action).filter(|next| next != state) else { return };
         let cost = cost(domain, action);
-        let Some(slot) = self.slot(table, domain.number(&next)) else {
+        let Some(slot) = self.slot(marks, table, domain.number(&next)) else {
             self.horizon = self.horizon.min(level.saturating_add(u32::from(cost)));
             return;
         };

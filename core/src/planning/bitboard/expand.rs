@@ -1,6 +1,6 @@
 //! The states of one row at the distance under way, expanded together.
 
-use super::{CANDIDATES, FREE, RowSearch};
+use super::{CANDIDATES, FREE, RowSearch, Spot};
 use crate::oomdp::{Action, ActionSet, Piece, PushGrid};
 use crate::planning::bits::take_from;
 use crate::planning::goals::Goals;
@@ -20,19 +20,19 @@ impl RowSearch {
     ) -> Option<u32> {
         let row = self.take(marks)?;
         let (state, occupied) = self.state_of_row(grid, now, row, marks);
-        let touched = match (self.words, self.actions) {
+        let expansions = match (self.words, self.actions) {
             // Rows of one word are common: their loops are unrolled.
-            (1, 4) => self.spread_word::<4>(marks, row, occupied),
-            (1, 5) => self.spread_word::<5>(marks, row, occupied),
-            _ => self.spread_words(marks, grid, row, &state),
+            (1, 4) => self.expand_word::<4, G>(marks, grid, now, &state, row, occupied),
+            (1, 5) => self.expand_word::<5, G>(marks, grid, now, &state, row, occupied),
+            _ => {
+                self.spread_words(marks, grid, row, &state);
+                self.push(marks, grid, now, &state, row)
+            }
         };
         self.meet(marks, results, grid, goals, &state, row);
-        let expansions = if touched { self.push(marks, grid, now, &state, row) } else { 1 };
-        let done = self.row_at(row).wrapping_add(self.here.wrapping_mul(self.words));
-        for word in 0..self.words {
-            if let Some(bits) = marks.get_mut(done.wrapping_add(word)) {
-                *bits = 0;
-            }
+        let here = self.row_at(row).wrapping_add(self.here.wrapping_mul(self.words));
+        if let Some(here) = marks.get_mut(here..here.wrapping_add(self.words)) {
+            here.fill(0);
         }
         Some(expansions.max(self.words as u32))
     }
@@ -44,18 +44,27 @@ impl RowSearch {
         take_from(marks.get_mut(start..start.wrapping_add(self.set))?, &mut self.cursor)
     }
 
-    /// Opens what the robot's moves reach within a row of one word. Returns whether they touch an occupied cell.
+    /// Opens what the robot's moves reach within a row of one word, and moves the pieces that it can move from there. Returns how many
+    /// expansions that took.
     #[inline]
-    fn spread_word<const ACTIONS: usize>(&mut self, marks: &mut [u64], row: usize, occupied: u64) -> bool {
-        let Some((front, rows)) = marks.split_at_mut_checked(self.rows_at) else { return false };
-        let Some(planes) = rows.get_mut(row.wrapping_mul(ACTIONS.wrapping_add(2))..) else { return false };
-        let Some((planes, rest)) = planes.split_first_chunk_mut::<ACTIONS>() else { return false };
-        let Some([even, odd]) = rest.first_chunk_mut::<2>() else { return false };
+    fn expand_word<const ACTIONS: usize, G: PushGrid + ?Sized>(
+        &mut self,
+        marks: &mut [u64],
+        grid: &G,
+        now: &G::State,
+        state: &G::State,
+        row: usize,
+        occupied: u64,
+    ) -> u32 {
+        let free = marks.get(self.floor_plane_at(FREE)).copied().unwrap_or(0) & !occupied;
+        let Some(planes) = marks.get_mut(self.row_at(row)..) else { return 1 };
+        let Some((planes, rest)) = planes.split_first_chunk_mut::<ACTIONS>() else { return 1 };
+        let Some([even, odd]) = rest.first_chunk_mut::<2>() else { return 1 };
         let (here, next) = if self.here == ACTIONS { (*even, odd) } else { (*odd, even) };
-        let width = self.bits.width as u32;
+        let (width, first) = (self.bits.width as u32, *planes);
         let reached = beside_in_word(here, width);
         let known = planes.iter().fold(0, |all, plane| all | plane) & !*next;
-        let new = reached & front.get(self.floor_plane_at(FREE)).copied().unwrap_or(0) & !occupied & !known;
+        let new = reached & free & !known;
         if new != 0 {
             for plane in planes {
                 *plane |= beside_in_word(*plane & here, width) & new;
@@ -63,73 +72,141 @@ impl RowSearch {
             *next |= new;
             self.open(marks, row);
         }
-        reached & occupied != 0
+        if reached & occupied == 0 {
+            1
+        } else if self.others.is_empty() && grid.pushes_plainly() {
+            self.push_word(marks, grid, state, row, &first, here, occupied, free)
+        } else {
+            self.push(marks, grid, now, state, row)
+        }
     }
 
-    /// The same for a row of several words.
-    fn spread_words<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, row: usize, state: &G::State) -> bool {
-        let words = self.words;
-        let (here, next) = (self.here, self.next);
-        let Some((front, rows)) = marks.split_at_mut_checked(self.rows_at) else { return false };
-        let start = row.wrapping_mul(self.stride);
-        let Some(planes) = rows.get_mut(start..start.wrapping_add(self.stride)) else { return false };
-        let at = |plane: usize, word: usize| plane.wrapping_mul(words).wrapping_add(word);
-        let get = |planes: &[u64], at: usize| planes.get(at).copied().unwrap_or(0);
-        let (mut opened, mut touched) = (0, 0);
-        for word in 0..words {
-            let reached = self.beside(word, |word| get(planes, at(here, word)));
-            if reached == 0 {
-                continue;
-            }
-            let occupied = self.occupied(grid, state, word);
-            let known = (0..self.actions).fold(0, |all, action| all | get(planes, at(action, word))) & !get(planes, at(next, word));
-            let new = reached & get(front, self.floor_plane_at(FREE).wrapping_add(word)) & !occupied & !known;
-            touched |= reached & occupied;
-            if new == 0 {
-                continue;
-            }
-            for action in 0..self.actions {
-                let ways = self.beside(word, |word| get(planes, at(action, word)) & get(planes, at(here, word)));
-                if let Some(plane) = planes.get_mut(at(action, word)) {
-                    *plane |= ways & new;
+    /// Pushes the pieces in a row of one word. `first` are the planes of the first actions, `here` the states at the distance under way.
+    #[inline]
+    #[expect(clippy::too_many_arguments, reason = "what is known of the row")]
+    fn push_word<const ACTIONS: usize, G: PushGrid + ?Sized>(
+        &mut self,
+        marks: &mut [u64],
+        grid: &G,
+        state: &G::State,
+        row: usize,
+        first: &[u64; ACTIONS],
+        here: u64,
+        occupied: u64,
+        free: u64,
+    ) -> u32 {
+        let mut expansions = 1_u32;
+        for direction in 0..4 {
+            let mut beside = self.bits.ahead(here, direction) & occupied;
+            let can_go = self.bits.ahead(free, direction ^ 1);
+            while beside != 0 {
+                let (piece, bit) = (beside & beside.wrapping_neg(), beside.trailing_zeros() as usize);
+                beside ^= piece;
+                expansions = expansions.wrapping_add(1);
+                if piece & can_go == 0 {
+                    continue;
+                }
+                let robot = self.bits.ahead(piece, direction ^ 1);
+                let first = first.iter().rev().fold(0, |set, plane| set << 1 | u16::from(plane & robot != 0));
+                if let Some(row) = self.row_after_push(marks, grid, state, row, bit, direction) {
+                    self.reach(marks, Spot { row, bit }, ActionSet(first));
                 }
             }
-            if let Some(plane) = planes.get_mut(at(next, word)) {
-                *plane |= new;
-            }
-            opened |= new;
         }
-        if opened != 0 {
-            self.open(marks, row);
-        }
-        touched != 0
+        expansions
     }
 
-    /// The bits of a word that other moving pieces occupy.
+    /// The row to which a push of the piece on this bit leads.
     #[inline]
-    fn occupied<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State, word: usize) -> u64 {
-        self.pieces()
-            .filter_map(|piece| self.bit_of(grid, state, piece))
-            .fold(0, |bits, bit| bits | if bit / 64 == word { 1 << (bit % 64) } else { 0 })
+    fn row_after_push<G: PushGrid + ?Sized>(
+        &self,
+        marks: &[u64],
+        grid: &G,
+        state: &G::State,
+        row: usize,
+        bit: usize,
+        direction: usize,
+    ) -> Option<usize> {
+        let (floor, mut weight) = (grid.floor(), 1_usize);
+        for piece in self.pieces() {
+            let from = grid.cell(state, piece);
+            if self.bit_of(grid, state, piece) == Some(bit) {
+                let to = self.rank(&floor, floor.neighbour(from, direction), marks)?;
+                let by = to.wrapping_sub(self.rank(&floor, from, marks)?);
+                return Some(row.wrapping_add(by.wrapping_mul(weight)));
+            }
+            weight = weight.wrapping_mul(self.bits.cells);
+        }
+        None
+    }
+
+    /// Opens what the robot's moves reach within a row of several words.
+    #[inline(never)]
+    fn spread_words<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, row: usize, state: &G::State) {
+        let (words, free_at) = (self.words, self.floor_plane_at(FREE));
+        let Some((front, rows)) = marks.split_at_mut_checked(self.rows_at) else { return };
+        let Some(free) = front.get_mut(free_at..free_at.wrapping_add(words)) else { return };
+        let start = row.wrapping_mul(self.stride);
+        let Some(planes) = rows.get_mut(start..start.wrapping_add(self.stride)) else { return };
+        let Some((planes, frontier)) = planes.split_at_mut_checked(self.actions.wrapping_mul(words)) else { return };
+        let Some((even, odd)) = frontier.split_at_mut_checked(words) else { return };
+        let (here, next) = if self.here == self.actions { (even, odd) } else { (odd, even) };
+        // The pieces are walls for as long as this takes.
+        let mut walls = 0_u32;
+        for piece in self.pieces() {
+            if let Some(bit) = self.bit_of(grid, state, piece)
+                && let Some(word) = free.get_mut(bit / 64)
+            {
+                walls |= if *word >> (bit % 64) & 1 == 1 { piece.bit() } else { 0 };
+                *word &= !(1 << (bit % 64));
+            }
+        }
+        let mut opened = false;
+        for (word, &here) in here.iter().enumerate().filter(|(_, here)| **here != 0) {
+            self.bits.beside(word, here, |word, reached| {
+                let (Some(free), Some(next)) = (free.get(word), next.get_mut(word)) else { return };
+                let (mut new, mut at) = (reached & free, word);
+                opened |= new & *next != 0;
+                // What is open was reached at this distance, and everything else that has a first action was reached before.
+                new &= !*next;
+                while let Some(plane) = planes.get(at).filter(|_| new != 0) {
+                    new &= !plane;
+                    at = at.wrapping_add(words);
+                }
+                *next |= new;
+                opened |= new != 0;
+            });
+        }
+        if opened {
+            for (word, &here) in here.iter().enumerate().filter(|(_, here)| **here != 0) {
+                let mut plane_at = 0_usize;
+                for _ in 0..self.actions {
+                    let ways = planes.get(plane_at.wrapping_add(word)).copied().unwrap_or(0) & here;
+                    self.bits.beside(word, ways, |word, ways| {
+                        let (Some(free), Some(next)) = (free.get(word), next.get(word)) else { return };
+                        if let Some(plane) = planes.get_mut(plane_at.wrapping_add(word)) {
+                            *plane |= ways & free & next;
+                        }
+                    });
+                    plane_at = plane_at.wrapping_add(words);
+                }
+            }
+        }
+        for piece in self.pieces().filter(|piece| walls & piece.bit() != 0) {
+            if let Some(bit) = self.bit_of(grid, state, piece)
+                && let Some(word) = free.get_mut(bit / 64)
+            {
+                *word |= 1 << (bit % 64);
+            }
+        }
+        if opened {
+            self.open(marks, row);
+        }
     }
 
     #[inline]
     fn bit_of<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State, piece: Piece) -> Option<usize> {
         grid.floor().cells.get(grid.cell(state, piece).index()).map(|cell| self.bits.of(cell))
-    }
-
-    /// The bits of one word that are beside the bits of a plane of several words.
-    #[inline]
-    fn beside(&self, word: usize, plane: impl Fn(usize) -> u64) -> u64 {
-        // Words beyond the row count as empty.
-        let before = |by: usize| word.checked_sub(by).map_or(0, &plane);
-        let after = |by: usize| if word.wrapping_add(by) < self.words { plane(word.wrapping_add(by)) } else { 0 };
-        let (far, near) = (self.bits.width / 64, (self.bits.width % 64) as u32);
-        let over = 63_u32.wrapping_sub(near);
-        let bits = plane(word);
-        let up = before(far) << near | before(far.wrapping_add(1)) >> 1 >> over;
-        let down = after(far) >> near | after(far.wrapping_add(1)) << 1 << over;
-        bits << 1 | before(1) >> 63 | bits >> 1 | after(1) << 63 | up | down
     }
 
     /// Finds the tasks that hold in the row's states of the distance under way.

@@ -115,6 +115,14 @@ impl Frontier {
         self.put(marks, self.ring, slot);
     }
 
+    /// Whether a state was ever reached.
+    #[inline]
+    pub(super) fn knows(&self, marks: &[u64], slot: usize) -> bool {
+        let start = (slot / 64).wrapping_mul(self.stride());
+        let group = marks.get(start..start.wrapping_add(self.sets())).unwrap_or(&[]);
+        group.iter().fold(0, |all, word| all | word) >> (slot % 64) & 1 == 1
+    }
+
     /// Reaches a state on a way that is `cost` beyond the distance under way, and opens it there unless a shorter way is known.
     #[inline]
     pub(super) fn meet(&self, marks: &mut [u64], slot: usize, cost: usize) -> Arrival {
