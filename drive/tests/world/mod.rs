@@ -61,7 +61,7 @@ impl World {
     pub fn act(&mut self, action: Action, certainty: f32, random: &mut Pcg32) {
         self.drive.go(self.cell, action, certainty).unwrap();
         // One action in ten is held up: somebody stands in the way, the robot gives up, and goes back to the middle of its cell.
-        let held_up = random.next_u32() % 10 == 0;
+        let held_up = random.next_u32().is_multiple_of(10);
         for turn in 0.. {
             self.drive.heard();
             let step = self.drive.step(&self.grid, self.believed, TURN);
