@@ -322,13 +322,13 @@ fn states_out_of_a_table_s_range_are_refused() {
 #[test]
 fn every_status_has_a_sentence_of_its_own() {
     let sentence = |status| unsafe { CStr::from_ptr(goodbot_status_text(status)) }.to_str().unwrap();
-    let mut all: Vec<&str> = (0..=GoodbotStatus::StillFinishing as i32).map(sentence).collect();
-    for status in [-1, GoodbotStatus::StillFinishing as i32 + 1, i32::MIN, i32::MAX] {
+    let mut all: Vec<&str> = (0..=GoodbotStatus::NoAnswer as i32).map(sentence).collect();
+    for status in [-1, GoodbotStatus::NoAnswer as i32 + 1, i32::MIN, i32::MAX] {
         assert_eq!(sentence(status), "no such status");
     }
     all.sort_unstable();
     all.dedup();
-    assert_eq!(all.len(), GoodbotStatus::StillFinishing as usize + 1);
+    assert_eq!(all.len(), GoodbotStatus::NoAnswer as usize + 1);
     assert!(!all.contains(&"no such status"));
 }
 
@@ -341,6 +341,6 @@ fn the_tasks_of_a_home_are_gone_when_another_is_described() {
         assert_eq!(goodbot_home_begin(owned.robot), GoodbotStatus::Ok);
         assert_eq!((goodbot_task_count(owned.robot, &raw mut count), count), (GoodbotStatus::Ok, 0));
         assert_eq!(goodbot_most_likely(owned.robot, &raw mut task), GoodbotStatus::NoSession);
-        assert_eq!(goodbot_task_text(owned.robot, 0, text.as_mut_ptr(), 64), GoodbotStatus::Unknown);
+        assert_eq!(goodbot_task_text(owned.robot, 0, text.as_mut_ptr(), 64), GoodbotStatus::NoWorld);
     }
 }

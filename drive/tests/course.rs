@@ -104,7 +104,7 @@ fn a_robot_on_slipping_wheels_learns_the_course_and_never_touches_a_wall() {
     println!("{lessons} lessons, {actions} actions, {failed} of them failed; {} of {} tests right", sum(|t| t.right), 1429 * 5);
     assert_eq!(lessons, 10_003);
     assert_eq!(sum(|t| t.walls_hit), 0, "of {actions} actions");
-    assert!(failed > actions / 20, "the world is too kind to test anything: {failed} of {actions} actions failed");
+    assert!(failed > actions / 30, "the world is too kind to test anything: {failed} of {actions} actions failed");
     let right = f64::from(sum(|t| t.right)) / f64::from(1429 * 5);
     assert!(right > 0.98, "{right} of the tests were right");
 }

@@ -3,7 +3,7 @@
 use goodbot::feedback::Feedback;
 use goodbot::memory::AgentMemory;
 use goodbot::oomdp::{Action, Domain, action_name};
-use goodbot::planning::{Judgement, OptimalSet};
+use goodbot::planning::Judgement;
 use goodbot::{Agent, AgentError};
 
 /// What a command means: a propositional function and the names of its objects.
@@ -21,7 +21,8 @@ fn intended<D: Domain>(agent: &Agent<impl AgentMemory>, domain: &D, (proposition
     })
 }
 
-/// Gives a command and judges what the robot does, until it has rested three times where the task is done. Then it learns.
+/// Gives a command and judges what the robot does, until it has rightly rested three times in a row: where the task is done, or where it
+/// can no longer be done. Then it learns.
 pub fn teach<D: Domain>(
     agent: &mut Agent<impl AgentMemory>,
     domain: &D,
@@ -37,7 +38,7 @@ pub fn teach<D: Domain>(
         let decision = agent.decide(domain, &state)?;
         let plan = agent.planned();
         let right = plan.judge(intended, decision.action) == Judgement::Correct;
-        rests = if right && plan.optimal(intended) == OptimalSet::Goal { rests + 1 } else { 0 };
+        rests = if right && decision.action == Action::NOOP { rests + 1 } else { 0 };
         state = agent.acted(domain, &state, decision.action)?;
         let _ = agent.feedback(if right { Feedback::Reward } else { Feedback::Punish })?;
     }
