@@ -1,11 +1,11 @@
 //! Random homes of three storeys, and commands that say how.
 
+use goodbot::Agent;
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeError, HomeState, Moves};
 use goodbot::memory::{AgentMemory, HomeHeap};
 use goodbot::oomdp::ObjectId;
 use goodbot::random::below;
 use goodbot::task::{Part, Way};
-use goodbot::Agent;
 use rand_core::Rng;
 
 /// The colors of the rooms.

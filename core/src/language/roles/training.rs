@@ -19,6 +19,8 @@
 //! of a value and a word were seen about once and about twice, with 100 pairs seen more often, so that a few lessons, where all is seen once,
 //! are believed.
 //!
+//! Where tasks have ways, max(0, c - 1.5) stands in place of c and of the discount in T, and max(0, c - 1) in A; ten rounds in place of eight.
+//!
 //! `lift` multiplies `p0` and is set from the same counts, and pseudo-counts draw each row, so a round may lose likelihood where a plain EM
 //! would not. On none of four sets of recorded commands did one of 16 rounds lose any. After the rounds the [kind of task](super::kind) is
 //! trained.
