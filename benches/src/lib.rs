@@ -7,5 +7,6 @@ pub mod dijkstra;
 pub mod exports;
 pub mod homes;
 pub mod language;
+pub mod three_storeys;
 pub mod timing;
 pub mod works;

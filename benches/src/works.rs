@@ -2,6 +2,7 @@
 
 use crate::homes::{LARGE, Scene, Tasks, named, size};
 use crate::language::{model, sessions, train};
+use crate::three_storeys::ThreeStoreys;
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{self, Moves};
 use goodbot::language::Settings;
@@ -43,6 +44,12 @@ pub fn all() -> Vec<Work> {
     for (rooms, blocks) in [(3, 0), (3, 1), (6, 1), (12, 1), (3, 2), (6, 2), (3, 3), (6, 4), (12, 3)] {
         works.push(work(format!("plan, {}", named(rooms, blocks)), move || plan(rooms, blocks)));
     }
+    works.push(work("plan, three storeys with ways", || {
+        let mut scene = ThreeStoreys::new();
+        Box::new(move || {
+            black_box(scene.plan());
+        })
+    }));
     for (rooms, blocks) in [(3, 1), (12, 1), (3, 2)] {
         works.push(work(format!("sweep, {}", named(rooms, blocks)), move || whole_sweep(rooms, blocks)));
     }

@@ -8,6 +8,7 @@ use goodbot::language::Settings;
 use goodbot_benches::dijkstra::{HOMES, one_dijkstra_a_task};
 use goodbot_benches::homes::{LARGE, Scene, Tasks, size};
 use goodbot_benches::language::{model, sessions, train};
+use goodbot_benches::three_storeys::ThreeStoreys;
 use goodbot_benches::timing::{in_turn, ratio};
 
 #[test]
@@ -43,6 +44,20 @@ fn one_search_for_all_tasks_is_ten_times_faster_than_one_dijkstra_a_task_and_fin
     }
     let ratio = ratio((theirs, own));
     assert!(ratio > if cfg!(debug_assertions) { 5.0 } else { 10.0 }, "{ratio}");
+}
+
+#[test]
+fn ways_of_forty_tasks_are_planned_for_faster_than_by_one_dijkstra_a_task_and_with_the_same_distances() {
+    let mut scene = ThreeStoreys::new();
+    let plan = scene.plan();
+    let (expansions, ours) = (plan.expansions(), (0..40).map(|task| plan.distance(task)).collect::<Vec<_>>());
+    assert_eq!((scene.tasks(), ours), (40, scene.one_dijkstra_a_task()));
+    let other = ThreeStoreys::new();
+    let (slow, fast) = in_turn(&mut || drop(black_box(other.one_dijkstra_a_task())), &mut || {
+        black_box(scene.plan());
+    });
+    println!("{expansions} expansions, {fast:?}; one Dijkstra a task {slow:?}");
+    assert!(ratio((slow, fast)) > 3.0, "{slow:?} and {fast:?}");
 }
 
 #[test]

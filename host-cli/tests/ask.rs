@@ -3,7 +3,7 @@
 #[allow(dead_code, reason = "other tests need more of it")]
 mod program;
 
-use program::{Run, goodbot};
+use program::{Run, THREE_STOREYS, goodbot};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -226,4 +226,33 @@ fn quiet_leaves_remarks_out_and_failures_in() {
     assert!(goodbot(&["evaluate", "-"], twice.as_bytes()).messages.contains("copies"));
     assert_eq!(goodbot(&["evaluate", "-", "--quiet"], twice.as_bytes()).messages, "");
     assert!(!goodbot(&["--quiet", "inspect", "nothing"], b"").messages.is_empty());
+}
+
+#[test]
+fn a_way_that_was_taught_is_answered_in_words_and_planned_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let (home, model) = (folder.path().join("home.json"), folder.path().join("ways.goodbot"));
+    std::fs::write(&home, THREE_STOREYS).unwrap();
+    let session = |(number, command, way): (usize, String, String)| {
+        format!(
+            r#"{{"type":"session","version":1,"id":"w{number}","kind":"labelled","environment":{THREE_STOREYS},"command":"{command}","intended":["agentInRoom(agent0,room0)"]{way}}}
+{{"type":"end","learn":true}}
+"#
+        )
+    };
+    let colors = ["blue", "red", "yellow"].into_iter().enumerate();
+    let taught = colors.flat_map(|(room, color)| {
+        let room = format!("agentInRoom(agent0,room{})", room + 1);
+        [
+            (format!("go to the green room via the {color} room"), format!(r#","through":[["{room}"]]"#)),
+            (format!("go to the green room but avoid the {color} room"), format!(r#","avoiding":["{room}"]"#)),
+        ]
+    });
+    let twice: Vec<(String, String)> = taught.clone().chain(taught).collect();
+    let log: String = twice.into_iter().enumerate().map(|(number, (command, way))| session((number, command, way))).collect();
+    let (home, model) = (home.to_str().unwrap(), model.to_str().unwrap());
+    let learned = goodbot(&["learn", "-", "--routes", "--out", model], log.as_bytes());
+    assert_eq!(learned.code, 0, "{}", learned.messages);
+    let asked = goodbot(&["ask", "--with", model, "--routes", "-e", home, "go to the green room but avoid the red room"], b"");
+    assert!(asked.output.contains("go to the green room, but not through the red room"), "{}{}", asked.output, asked.messages);
 }

@@ -318,3 +318,36 @@ fn a_home_drawn_as_text_is_checked_too() {
     assert_eq!(run.code, 2);
     assert!(run.messages.starts_with("standard input:7: what block C is is not said"), "{}", run.messages);
 }
+
+/// A labelled session whose meaning has a way.
+fn way(more: &str) -> Vec<u8> {
+    let header = session(AGENT, "labelled", "around to the green room", &format!(r#","intended":["agentInRoom(agent0,room1)"]{more}"#));
+    log([&header, END])
+}
+
+#[test]
+fn a_way_through_a_room_that_is_not_there_is_refused() {
+    let run = check(&way(r#","through":[["agentInRoom(agent0,room7)"]]"#));
+    assert_eq!(run.code, 2);
+    assert!(run.messages.contains("through[0][0]") && run.messages.contains("room7"), "{}", run.messages);
+}
+
+#[test]
+fn a_way_that_avoids_its_own_goal_is_refused() {
+    let run = check(&way(r#","avoiding":["agentInRoom(agent0,room1)"]"#));
+    assert_eq!(run.code, 2);
+    let message = "avoids agentInRoom(agent0,room1), which it asks for as well; remove the one or the other";
+    assert!(run.messages.contains(message), "{}", run.messages);
+}
+
+#[test]
+fn nine_clauses_are_refused_in_a_log_and_as_a_kind_of_task() {
+    let clauses = vec![r#"["agentInRoom(agent0,room0)"]"#; 9].join(",");
+    let run = check(&way(&format!(r#","through":[{clauses}]"#)));
+    assert_eq!(run.code, 2);
+    assert!(run.messages.contains("has 10 propositions with its way, and 4 are the most; leave out clauses"), "{}", run.messages);
+    let kind = format!("agentInRoom(?a,?goal){}", " through agentInRoom(?a,?via)".repeat(9));
+    let run = goodbot(&["check", "--task", &kind, "-"], b"");
+    assert_eq!(run.code, 2);
+    assert!(run.messages.contains("PROPOSITIONS_PER_TASK"), "{}", run.messages);
+}

@@ -3,7 +3,7 @@
 #[allow(dead_code, reason = "other tests use the rest")]
 mod program;
 
-use program::{Run, goodbot};
+use program::{Run, THREE_STOREYS, goodbot};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
@@ -203,4 +203,22 @@ fn what_was_learned_from_a_log_and_what_was_taught_have_the_same_settings() {
     assert_eq!(goodbot(&["learn", "-", "--out", &learned], log.as_bytes()).code, 0);
     let merged = goodbot(&["merge", &learned, &taught, "--out", &both], b"");
     assert!(merged.code == 0 && !merged.messages.contains("other settings"), "{}", merged.messages);
+}
+
+#[test]
+fn with_routes_a_command_may_mean_a_way() {
+    let folder = TempDir::new().unwrap();
+    let home = folder.path().join("home.json");
+    std::fs::write(&home, THREE_STOREYS).unwrap();
+    let home = home.to_str().unwrap();
+    let heard = |arguments: &[&str]| {
+        let (run, answers) = teach(arguments, "command go to the green room but not through the yellow one\nstep\ngood\n");
+        assert_eq!((run.code, types(&answers)), (0, vec!["ready", "heard", "acted", "judged", "bye"]), "{}", run.messages);
+        answers[1]["tasks"].as_array().unwrap().clone()
+    };
+    let tasks = heard(&["--routes", home]);
+    let way = tasks.iter().find(|task| task["words"] == "go to the green room, but not through the yellow room").unwrap();
+    assert_eq!(way["task"], "agentInRoom(agent0,room0) avoiding agentInRoom(agent0,room3)");
+    assert!(tasks.iter().any(|task| task["words"] == "go to the green room, through the blue room or the red room"));
+    assert!(heard(&[home]).iter().all(|task| !task["words"].as_str().unwrap().contains("through")));
 }

@@ -1,9 +1,10 @@
 //! Tasks with a way against brute force over the product of the world and what has happened.
 
 use goodbot::home::{self, Area, Cell, HomeBuilder, Moves};
-use goodbot::memory::HomeMemory;
+use goodbot::memory::{AgentHeap, HomeMemory};
 use goodbot::oomdp::{Action, ActionSet, Domain, GroundProposition};
 use goodbot::planning::OptimalSet;
+use goodbot::session::Lessons;
 use goodbot::task::{GroundedTask, LiftedTask, Part, TaskSet, Way, WayState, ground};
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_tests::own_planner::OwnPlanner;
@@ -309,6 +310,31 @@ fn a_search_that_runs_out_of_memory_says_unknown_of_ways_and_never_anything_wron
         }
     }
     assert!(unknown > 0 && unknown < count, "{unknown} of {count}");
+}
+
+#[test]
+fn the_least_states_have_room_for_every_layer_of_a_way() {
+    let mut memory = HeapMemory::new(&ROOMY);
+    let size = Size { columns: 2, rows: 2, side: 3, blocks: 0 };
+    let (home, start) = random_home(&mut Pcg32::new(20, 20), size, Moves::Push, &mut memory.home);
+    let least = |texts: &[&str]| {
+        let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), &kinds(texts), Options::DEFAULT).unwrap();
+        agent.least_capacities(&home, &start, &Lessons::new(4, 8)).unwrap().states
+    };
+    let way = "agentInRoom(?a,?goal) through agentInRoom(?a,?via) through agentInRoom(?a,?other)";
+    let states = least(&[way]);
+    assert!(states > least(&["agentInRoom(?a,?goal)"]));
+    let lifted = kinds(&[way]);
+    let mut tasks = [GroundedTask::UNUSED; 64];
+    let count = ground(&home, &lifted, &start, &mut tasks).unwrap();
+    let unknown = |states: usize| {
+        let capacities = Capacities { states, hashed_states: 0, ..ROOMY };
+        let mut planner = OwnPlanner::new(&capacities, &home, &lifted, &tasks[..count], &start);
+        let plan = planner.plan_for_ways(&home, &start, &lifted, &tasks[..count], 50);
+        (0..count).filter(|&task| plan.optimal(task) == OptimalSet::Unknown).count()
+    };
+    assert_eq!(unknown(states), 0);
+    assert!(unknown(states / 4) > 0, "with a quarter of the states, far goals stay unknown");
 }
 
 #[test]

@@ -72,6 +72,18 @@ impl Goodbot {
         self.0.pulls()
     }
 
+    /// Whether commands may also mean ways: through a room, through one of two, and avoiding one. Where that changes, the robot is a new one.
+    #[wasm_bindgen(js_name = setWays)]
+    pub fn set_ways(&mut self, ways: bool) -> Thrown<()> {
+        self.0.set_ways(ways).map_err(thrown)
+    }
+
+    /// Whether commands may also mean ways.
+    #[wasm_bindgen(js_name = hasWays)]
+    pub fn has_ways(&self) -> bool {
+        self.0.has_ways()
+    }
+
     /// Whether the robot also learns how its trainer uses reward and punishment.
     #[wasm_bindgen(js_name = setLearnsStyle)]
     pub fn set_learns_style(&mut self, learns: bool) -> Thrown<()> {

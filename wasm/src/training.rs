@@ -7,11 +7,11 @@ use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
 use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, HomeState, Place, ROOM, SHAPE};
 use goodbot::language::{Model, for_each_piece, for_each_word};
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::{Action, Domain, ObjectId, action_name, action_named};
+use goodbot::oomdp::{Action, Domain, GroundProposition, ObjectId, action_name, action_named};
 use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::random::unit;
 use goodbot::session;
-use goodbot::task::{GroundedTask, LiftedTask};
+use goodbot::task::{GroundedTask, LiftedTask, Part, Way};
 
 use crate::log::{Line, PULLING, Recording, Step, strategies};
 use crate::route::Lookahead;
@@ -81,7 +81,9 @@ impl World {
                 let likely = mind.tasks().iter().enumerate().find(|&(position, _)| mind.belief().probability(position) > CLEARLY);
                 done = likely.filter(|_| understood).and_then(|(_, task)| {
                     let lifted = mind.lifted().get(usize::from(task.lifted))?;
-                    task.propositions(lifted).all(|part| home.holds(&part, state)).then(|| task_words(home, lifted, task))
+                    // What has a way is done by going it.
+                    let done = !lifted.has_way() && task.propositions(lifted).all(|part| home.holds(&part, state));
+                    done.then(|| task_words(home, lifted, task))
                 });
                 mind.forget();
                 if done.is_none() {
@@ -286,7 +288,7 @@ impl World {
 
     /// Begins to look where a task would lead from here: [`look`](Self::look) until that is done.
     pub fn look_ahead(&mut self, task: usize) {
-        self.ahead = Some(Lookahead::new(self.state, task));
+        self.ahead = Some(Lookahead::new(self.state, self.mind.tasks(), task));
     }
 
     /// Goes on looking ahead, with about `budget` looks. Gives whether it is done, and then the route; none where the task leads
@@ -370,24 +372,66 @@ const fn plan_word(plan: &OptimalSet) -> &'static str {
 
 /// The task as logs write it.
 pub(crate) fn task_name(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
-    let parts = task.propositions(lifted).map(|part| {
+    let name = |part: GroundProposition| {
         let parameters = home.world().schema.parameters(part.proposition).len();
         let names: Vec<&str> = part.arguments.iter().take(parameters).map(|&object| home.objects().name(object)).collect();
         format!("{}({})", home.world().schema.proposition_name(part.proposition), names.join(","))
-    });
-    parts.collect::<Vec<_>>().join(" & ")
+    };
+    let parts = task.propositions(lifted).map(name);
+    with_way(parts.collect::<Vec<_>>().join(" & "), lifted, task, &IN_LOGS, |(_, part)| name(part))
 }
 
 /// The task as a person says it. Objects that look alike are told apart by their names.
 pub(crate) fn task_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
-    let parts = task.propositions(lifted).map(|part| {
+    let goal = |part: GroundProposition| {
         let [subject, room, _] = part.arguments;
         match part.proposition {
             BLOCK_IN_ROOM => format!("take the {} to the {}", described(home, subject), described(home, room)),
             _ => format!("go to the {}", described(home, room)),
         }
-    });
-    parts.collect::<Vec<_>>().join(" and ")
+    };
+    let parts = task.propositions(lifted).map(goal);
+    let place = |part: GroundProposition| {
+        let [subject, room, _] = part.arguments;
+        match part.proposition {
+            BLOCK_IN_ROOM => format!("the {} with the {} in it", described(home, room), described(home, subject)),
+            _ => format!("the {}", described(home, room)),
+        }
+    };
+    with_way(parts.collect::<Vec<_>>().join(" and "), lifted, task, &IN_WORDS, |part| match part {
+        (Part::Before(_), part) => goal(part),
+        (_, part) => place(part),
+    })
+}
+
+/// What stands between the parts of a task with a way.
+struct Signs {
+    and: &'static str,
+    then: &'static str,
+    through: &'static str,
+    or: &'static str,
+    avoiding: &'static str,
+}
+
+const IN_LOGS: Signs = Signs { and: " & ", then: " then ", through: " through ", or: " or ", avoiding: " avoiding " };
+const IN_WORDS: Signs = Signs { and: " and ", then: ", then ", through: ", through ", or: " or ", avoiding: ", but not through " };
+
+/// A goal with the way to it.
+fn with_way(
+    goal: String,
+    lifted: &LiftedTask,
+    task: &GroundedTask,
+    signs: &Signs,
+    said: impl Fn((Part, GroundProposition)) -> String,
+) -> String {
+    let all = |wanted: Part| Way::of(task, lifted).parts().filter(|&(part, _)| part == wanted).map(&said).collect::<Vec<_>>();
+    let stages = (0..).map(|stage| all(Part::Before(stage))).take_while(|goals| !goals.is_empty());
+    let clauses = (0..).map(|clause| all(Part::Through(clause))).take_while(|places| !places.is_empty());
+    let mut words: String = stages.map(|goals| goals.join(signs.and) + signs.then).collect();
+    words.push_str(&goal);
+    words.extend(clauses.map(|places| signs.through.to_owned() + &places.join(signs.or)));
+    let avoiding = all(Part::Avoiding);
+    if avoiding.is_empty() { words } else { words + signs.avoiding + &avoiding.join(signs.or) }
 }
 
 /// An object by its looks, and by its name where another looks alike.

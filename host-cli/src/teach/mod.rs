@@ -74,6 +74,9 @@ pub struct TeachOptions {
     /// Seed of everything that is drawn: the same seed and the same words give the same visit [default: 1]
     #[arg(long, short = 's', value_name = "S", value_parser = crate::numbers::seed, allow_negative_numbers = true)]
     seed: Option<u64>,
+    /// Consider ways too: commands may mean to go through a room, through one of two, or to avoid one
+    #[arg(long, conflicts_with_all = ["tour", "picture"])]
+    routes: bool,
     /// How fast the robot goes
     #[arg(long, value_enum, default_value_t, conflicts_with = "lines")]
     speed: Pace,
@@ -143,7 +146,7 @@ fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Fail
     const LESSON: usize = 5;
     const STEPS: usize = 3;
     let refuse = |refusal: trainer::Refusal| Failure::Input(refusal.0);
-    let trainer = Trainer::new(&home(options)?, seed).map_err(refuse)?;
+    let trainer = Trainer::new(&home(options)?, seed, false).map_err(refuse)?;
     let tour = Tour::new(options.seed.filter(|_| options.tour), std::iter::empty());
     let mut visit = Visit::new(Classroom::new(trainer, None, Some(tour)).map_err(refuse)?, Pace::Normal, seed);
     let mut now = Duration::ZERO;
@@ -167,7 +170,7 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let refuse = |refusal: trainer::Refusal| Failure::Input(refusal.0);
     let home = home(options)?;
     let name = options.home.as_deref().map(input::name);
-    let trainer = Trainer::new(&home, options.seed.unwrap_or(1))
+    let trainer = Trainer::new(&home, options.seed.unwrap_or(1), options.routes)
         .map_err(|refusal| name.map_or_else(|| Failure::Input(refusal.to_string()), |name| Failure::Input(format!("{name}: {refusal}"))))?;
     let places = match (&options.model, &options.robot) {
         (Some(model), _) => Some(Places::beside(model, options.log.as_deref())),

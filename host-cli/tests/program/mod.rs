@@ -76,3 +76,6 @@ pub const END: &str = r#"{"type":"end","learn":true}"#;
 pub fn log<const N: usize>(lines: [&str; N]) -> Vec<u8> {
     (lines.join("\n") + "\n").into_bytes()
 }
+
+/// Three storeys: the robot below, in the middle of the pink room; blue, red and yellow between; green above.
+pub const THREE_STOREYS: &str = r#"{"version":1,"objects":[{"class":"room","name":"room0","left":0,"bottom":8,"right":12,"top":12,"color":"green"},{"class":"room","name":"room1","left":0,"bottom":4,"right":4,"top":8,"color":"blue"},{"class":"room","name":"room2","left":4,"bottom":4,"right":8,"top":8,"color":"red"},{"class":"room","name":"room3","left":8,"bottom":4,"right":12,"top":8,"color":"yellow"},{"class":"room","name":"room4","left":0,"bottom":0,"right":12,"top":4,"color":"pink"},{"class":"door","name":"door0","left":2,"bottom":4,"right":2,"top":4},{"class":"door","name":"door1","left":6,"bottom":4,"right":6,"top":4},{"class":"door","name":"door2","left":10,"bottom":4,"right":10,"top":4},{"class":"door","name":"door3","left":2,"bottom":8,"right":2,"top":8},{"class":"door","name":"door4","left":6,"bottom":8,"right":6,"top":8},{"class":"door","name":"door5","left":10,"bottom":8,"right":10,"top":8},{"class":"agent","name":"agent0","x":6,"y":2}]}"#;

@@ -8,9 +8,10 @@ use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::environment::EnvironmentFile;
 
-/// A mind that has learned nothing yet, and expects what real people do.
-pub fn new_mind(capacities: &Capacities) -> Result<Agent<AgentHeap>, Refusal> {
-    let lifted = home::paper_tasks().map_err(refused)?;
+/// A mind that has learned nothing yet, and expects what real people do. `ways` says whether commands may mean tasks with a way.
+pub fn new_mind(capacities: &Capacities, ways: bool) -> Result<Agent<AgentHeap>, Refusal> {
+    let paper = home::paper_tasks().map_err(refused)?;
+    let lifted = if ways { home::with_routes(&paper).map_err(refused)?.to_vec() } else { paper.to_vec() };
     let mut mind = Agent::new(AgentHeap::new(capacities), &lifted, Options::DEFAULT.for_people()).map_err(refused)?;
     mind.set_strategies(&population::STRATEGIES).map_err(refused)?;
     Ok(mind)

@@ -24,6 +24,7 @@ use goodbot::oomdp::{action_name, action_named};
 use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::session::{Evidence, Finished};
 use goodbot::snapshot::Contents;
+use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities};
 use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
@@ -82,17 +83,23 @@ pub struct Trainer {
 }
 
 impl Trainer {
-    /// A robot that has learned nothing yet, in a home. `seed` decides its draws among what is equally good.
-    pub fn new(file: &EnvironmentFile, seed: u64) -> Result<Self, Refusal> {
+    /// A robot that has learned nothing yet, in a home. `seed` decides its draws among what is equally good, `ways` whether commands may mean
+    /// ways too.
+    pub fn new(file: &EnvironmentFile, seed: u64, ways: bool) -> Result<Self, Refusal> {
         let (rooms, start) = build(file)?;
-        let mind = new_mind(&Capacities::STANDARD)?;
+        let mind = new_mind(&Capacities::STANDARD, ways)?;
         Ok(Self { mind, rooms, start, state: start, session: None, acted: None, random: generator(seed) })
+    }
+
+    /// Whether commands may mean ways too.
+    fn has_ways(&self) -> bool {
+        self.mind.lifted().iter().any(LiftedTask::has_way)
     }
 
     /// Replaces what the robot has learned by a model file. A session under way ends unlearned.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
         let contents = Contents::read(bytes).map_err(refused)?;
-        let mut mind = new_mind(&room_for(&contents))?;
+        let mut mind = new_mind(&room_for(&contents), self.has_ways())?;
         mind.restore(bytes).map_err(refused)?;
         mind.learn_fully();
         self.forget();
@@ -103,7 +110,7 @@ impl Trainer {
     /// A new robot, which has learned nothing, in the same home. A session under way ends unlearned.
     pub fn start_anew(&mut self) -> Result<(), Refusal> {
         self.forget();
-        self.mind = new_mind(&Capacities::STANDARD)?;
+        self.mind = new_mind(&Capacities::STANDARD, self.has_ways())?;
         Ok(())
     }
 
