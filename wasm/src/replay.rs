@@ -9,22 +9,23 @@ use goodbot::feedback::Strategy;
 use goodbot::oomdp::{action_named, apply};
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet};
 use goodbot_formats::session::{Kind, RecordedSession, StrategyRecord};
-use goodbot_formats::task_text::GroundTaskText;
 
 use crate::log::{AnswerLine, Line, Step};
 use crate::training::task_name;
 use crate::world::{Refusal, World};
 
 impl World {
-    /// Replaces the trainer strategies: for each its mu+, its mu-, its epsilon and how probable it is. A session under way ends unlearned.
+    /// Replaces the trainer strategies: for each its mu+, its mu-, its epsilon, how probable it is, and its three lags. A session under way
+    /// ends unlearned.
     ///
     /// # Errors
     /// What is no probability.
     pub fn set_strategies(&mut self, numbers: &[f32]) -> Result<(), Refusal> {
         let mut strategies = Vec::new();
-        for strategy in numbers.as_chunks().0 {
-            let &[mu_plus, mu_minus, epsilon, prior] = strategy;
-            strategies.push((Strategy::new(mu_plus, mu_minus, epsilon).map_err(Refusal::from)?, prior));
+        for strategy in numbers.as_chunks::<7>().0 {
+            let &[mu_plus, mu_minus, epsilon, prior, lags @ ..] = strategy;
+            let strategy = Strategy::new(mu_plus, mu_minus, epsilon).and_then(|strategy| strategy.with_lags(lags));
+            strategies.push((strategy.map_err(Refusal::from)?, prior));
         }
         self.forget();
         self.mind.set_strategies(&strategies).map_err(Refusal::from)
@@ -84,26 +85,30 @@ impl World {
         Ok(())
     }
 
+    /// Takes in an answer that is told in full, as a log has it: whether what is meant is among the tasks of these names, how often that is
+    /// wrong, and how many other answers there were.
+    ///
+    /// # Errors
+    /// A name that is no task's; what [`Agent::answered`](goodbot::Agent::answered) refuses.
+    pub fn answer_as(&mut self, names: Vec<String>, yes: bool, eta: f32, others: u8) -> Result<(), Refusal> {
+        let known = self.belief().tasks;
+        let position = |name: &String| {
+            known.iter().position(|task| task.name == *name).ok_or_else(|| Refusal(format!("{name} is no task here")))
+        };
+        let tasks = names.iter().map(position).collect::<Result<TaskSet, Refusal>>()?;
+        let _ = self.mind.answered(tasks, yes, eta, others).map_err(Refusal::from)?;
+        if let Some(recording) = &mut self.recording {
+            recording.steps.push(Line::Answer(AnswerLine::new(names, yes, eta, others)));
+        }
+        Ok(())
+    }
+
     /// Takes in the answers of a recorded session that stand behind so many steps.
     fn take_recorded_answers(&mut self, session: &RecordedSession, steps: usize) -> Result<(), Refusal> {
-        let names: Vec<String> = self.belief().tasks.into_iter().map(|task| task.name).collect();
         for recorded in session.answers_after(steps) {
             let answer = &recorded.answer;
-            let position = |name: &GroundTaskText| {
-                let name = name.to_string();
-                names.iter().position(|known| *known == name).ok_or_else(|| Refusal(format!("{name} is no task here")))
-            };
-            let tasks = answer.tasks.iter().map(position).collect::<Result<TaskSet, Refusal>>()?;
-            let (yes, eta, others) = (answer.yes, answer.eta as f32, answer.others);
-            let _ = self.mind.answered(tasks, yes, eta, others).map_err(Refusal::from)?;
-            if let Some(recording) = &mut self.recording {
-                recording.steps.push(Line::Answer(AnswerLine::new(
-                    answer.tasks.iter().map(ToString::to_string).collect(),
-                    yes,
-                    eta,
-                    others,
-                )));
-            }
+            let names = answer.tasks.iter().map(ToString::to_string).collect();
+            self.answer_as(names, answer.yes, answer.eta as f32, answer.others)?;
         }
         Ok(())
     }
@@ -162,7 +167,7 @@ impl World {
             self.finish()?;
             while !self.learn(u32::MAX) {}
         } else {
-            self.forget();
+            self.set_aside();
         }
         Ok(())
     }
