@@ -14,18 +14,21 @@ use crate::{process, project};
 /// Bytes of data on one line.
 const LINE: usize = 16;
 
-/// Builds the robot for the micro:bit. Returns the linked program.
-pub fn build() -> Result<PathBuf> {
+/// Where the linked program is.
+pub fn program() -> PathBuf {
+    toolchain::artifacts(Target::Thumbv6m, "release").join("microbit")
+}
+
+fn build() -> Result<()> {
     let mut cargo = toolchain::cross_cargo(Target::Thumbv6m)?;
     cargo.args(["--quiet", "--release", "--locked", "--package", "goodbot-microbit", "--manifest-path"]);
-    process::run(cargo.arg(project::root().join("firmware/Cargo.toml")))?;
-    Ok(toolchain::artifacts(Target::Thumbv6m, "release").join("microbit"))
+    process::run(cargo.arg(project::root().join("firmware/Cargo.toml")))
 }
 
 /// Builds it and writes `dist/goodbot.hex`. Returns where that is.
 pub fn deliver() -> Result<PathBuf> {
-    let program = std::fs::read(build()?)?;
-    let (hex, bytes) = intel_hex(&program)?;
+    build()?;
+    let (hex, bytes) = intel_hex(&std::fs::read(program())?)?;
     let path = project::root().join("dist/goodbot.hex");
     write(&path, &hex)?;
     println!("{}: {bytes} bytes of flash; drag it onto a micro:bit (first version)", path.display());
