@@ -129,7 +129,7 @@ impl Strategy {
     /// The mirror image: a trainer who rewards nearly every right action.
     pub const REWARD_ONLY: Self = Self { mu_plus: 0.05, mu_minus: 0.7, epsilon: 0.1, lags: Self::NO_LAG };
 
-    /// What unused memory holds: zeros, so that a static needs no room in flash.
+    /// What unused memory holds.
     pub const UNUSED: Self = Self { mu_plus: 0.0, mu_minus: 0.0, epsilon: 0.0, lags: [0.0; LAGS] };
 
     /// A strategy: the probability of silence after a correct action (`mu_plus`) and after an incorrect one (`mu_minus`), and of taking
