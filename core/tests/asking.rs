@@ -24,10 +24,10 @@ fn rooms<M: HomeMemory>(memory: M) -> (Home<M>, HomeState) {
     builder.build(Moves::Push).unwrap()
 }
 
-fn heard<'m>(
-    memory: &'m mut Memory,
+fn heard(
+    memory: &mut Memory,
     options: Options,
-) -> (Agent<&'m mut goodbot::memory::AgentArrays<Memory>>, Home<&'m mut goodbot::memory::HomeArrays<Memory>>, HomeState) {
+) -> (Agent<&mut goodbot::memory::AgentArrays<Memory>>, Home<&mut goodbot::memory::HomeArrays<Memory>>, HomeState) {
     let (home, start) = rooms(&mut memory.home);
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), options).unwrap();
     agent.hear(&home, &start, "go").unwrap();

@@ -1,0 +1,225 @@
+//! A micro:bit in the emulator: its serial line, its pins, its flash.
+
+use std::collections::BTreeMap;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::os::unix::net::UnixStream;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+/// What no answer takes.
+const LIMIT: Duration = Duration::from_secs(120);
+
+/// Where the robot stores what it learned.
+pub const SLOTS: u64 = 0x3_E000;
+pub const SLOTS_BYTES: usize = 0x2000;
+
+/// The pins of the buttons.
+pub const A: u32 = 17;
+pub const B: u32 = 26;
+
+/// What to run, and by which emulator.
+#[derive(Clone, Debug)]
+pub struct Setup {
+    pub emulator: PathBuf,
+    pub hex: PathBuf,
+}
+
+/// A board that is switched on; it is switched off when dropped.
+pub struct Board {
+    emulator: Child,
+    serial: BufReader<UnixStream>,
+    pins: BufReader<UnixStream>,
+    folder: PathBuf,
+}
+
+impl Board {
+    /// Switches a board on whose flash holds the program and, in the slots, these bytes.
+    pub fn on(setup: &Setup, slots: Option<&[u8]>) -> Self {
+        static COUNT: AtomicU32 = AtomicU32::new(0);
+        let name = format!("goodbot-{}-{}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
+        let folder = std::env::temp_dir().join(name);
+        std::fs::create_dir_all(&folder).unwrap();
+        let socket = |name: &str| format!("unix:{},server=on,wait=off", folder.join(name).display());
+        let mut emulator = Command::new(&setup.emulator);
+        emulator.args(["-M", "microbit", "-display", "none", "-monitor", "none", "-S"]);
+        emulator.arg("-device").arg(format!("loader,file={}", setup.hex.display()));
+        if let Some(slots) = slots {
+            let file = folder.join("slots");
+            std::fs::write(&file, slots).unwrap();
+            emulator.arg("-device").arg(format!("loader,file={},addr={SLOTS:#x},force-raw=on", file.display()));
+        }
+        emulator.args(["-serial", &socket("serial"), "-qtest", &socket("pins"), "-qtest-log", "/dev/null", "-gdb", &socket("gdb")]);
+        let emulator = emulator.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+        let (serial, pins) = (connect(&folder, "serial"), connect(&folder, "pins"));
+        let mut board = Self { emulator, serial, pins, folder };
+        // It waited for us, so that nothing it says is lost.
+        board.debugger().go_on_alone();
+        assert!(board.line().starts_with("goodbot on the micro:bit"));
+        board
+    }
+
+    /// The next line that it says.
+    pub fn line(&mut self) -> String {
+        let mut line = String::new();
+        self.serial.read_line(&mut line).unwrap_or_else(|error| panic!("the board says nothing more: {error}"));
+        line.trim_end().to_owned()
+    }
+
+    /// Lines up to the one that begins so.
+    pub fn lines_to(&mut self, beginning: &str) -> Vec<String> {
+        let mut lines = Vec::new();
+        loop {
+            lines.push(self.line());
+            if lines.last().unwrap().starts_with(beginning) {
+                return lines;
+            }
+        }
+    }
+
+    /// Says a line, without waiting for the answer.
+    pub fn say(&mut self, line: &str) {
+        self.serial.get_mut().write_all(format!("{line}\n").as_bytes()).unwrap();
+    }
+
+    /// Says a line, and returns the answer's lines before `ok`, or what is wrong.
+    pub fn ask(&mut self, line: &str) -> Result<Vec<String>, String> {
+        self.say(line);
+        let mut lines = Vec::new();
+        loop {
+            let said = self.line();
+            match said.strip_prefix("error: ") {
+                Some(problem) => return Err(problem.to_owned()),
+                None if said == "ok" => return Ok(lines),
+                None => lines.push(said),
+            }
+        }
+    }
+
+    /// The same, where nothing is wrong.
+    pub fn must(&mut self, line: &str) -> Vec<String> {
+        self.ask(line).unwrap_or_else(|problem| panic!("`{line}`: {problem}"))
+    }
+
+    fn pins(&mut self, request: &str) -> String {
+        self.pins.get_mut().write_all(format!("{request}\n").as_bytes()).unwrap();
+        let mut answer = String::new();
+        self.pins.read_line(&mut answer).unwrap();
+        answer.strip_prefix("OK").unwrap_or_else(|| panic!("`{request}`: {answer}")).trim().to_owned()
+    }
+
+    /// Presses a button, or lets it go.
+    pub fn button(&mut self, pin: u32, down: bool) {
+        self.pins(&format!("set_irq_in /machine/nrf51 unnamed-gpio-in {pin} {}", u32::from(!down)));
+    }
+
+    /// Presses buttons for so long.
+    pub fn press(&mut self, buttons: &[u32], milliseconds: u64) {
+        buttons.iter().for_each(|&pin| self.button(pin, true));
+        sleep(Duration::from_millis(milliseconds));
+        buttons.iter().for_each(|&pin| self.button(pin, false));
+    }
+
+    /// How bright each light is, from 0 to 16, by looking at the pins many times: rows from the top, each from the left.
+    pub fn lights(&mut self, looks: usize) -> [[f32; 5]; 5] {
+        /// The row's and the column's pin of each light, as the board is wired.
+        const WIRED: [[(u32, u32); 5]; 5] = [
+            [(13, 4), (14, 7), (13, 5), (14, 8), (13, 6)],
+            [(15, 7), (15, 8), (15, 9), (15, 10), (15, 11)],
+            [(14, 5), (13, 12), (14, 6), (15, 12), (14, 4)],
+            [(13, 11), (13, 10), (13, 9), (13, 8), (13, 7)],
+            [(15, 6), (14, 10), (15, 4), (14, 9), (15, 5)],
+        ];
+        let (mut rows, mut lit) = (BTreeMap::<u32, u32>::new(), BTreeMap::<(u32, u32), u32>::new());
+        for _ in 0..looks {
+            let answer = self.pins("readl 0x50000504");
+            let pins = u64::from_str_radix(answer.trim_start_matches("0x"), 16).unwrap();
+            let shown: Vec<u32> = (13..16).filter(|row| pins >> row & 1 == 1).collect();
+            let [row] = shown[..] else { panic!("rows {shown:?} are on at one time") };
+            *rows.entry(row).or_default() += 1;
+            (4..13).filter(|column| pins >> column & 1 == 0).for_each(|column| *lit.entry((row, column)).or_default() += 1);
+        }
+        let of = |map: Option<&u32>| map.copied().unwrap_or(0) as f32;
+        WIRED.map(|row| row.map(|light| 16.0 * of(lit.get(&light)) / of(rows.get(&light.0)).max(1.0)))
+    }
+
+    /// What is in the flash where the robot stores.
+    pub fn slots(&mut self) -> Vec<u8> {
+        let answer = self.pins(&format!("read {SLOTS:#x} {SLOTS_BYTES:#x}"));
+        let digits = answer.trim_start_matches("0x");
+        (0..digits.len()).step_by(2).map(|at| u8::from_str_radix(&digits[at..at + 2], 16).unwrap()).collect()
+    }
+
+    /// Stops the board.
+    pub fn debugger(&self) -> Debugger {
+        Debugger { line: connect(&self.folder, "gdb") }
+    }
+}
+
+impl Drop for Board {
+    fn drop(&mut self) {
+        let _ = self.emulator.kill();
+        let _ = self.emulator.wait();
+        let _ = std::fs::remove_dir_all(&self.folder);
+    }
+}
+
+/// Stops and starts the board's processor.
+pub struct Debugger {
+    line: BufReader<UnixStream>,
+}
+
+impl Debugger {
+    fn send(&mut self, packet: &str) {
+        let sum = packet.bytes().fold(0_u8, u8::wrapping_add);
+        self.line.get_mut().write_all(format!("${packet}#{sum:02x}").as_bytes()).unwrap();
+    }
+
+    /// The next packet, or nothing where none comes within the time.
+    fn packet(&mut self, limit: Duration) -> Option<String> {
+        self.line.get_mut().set_read_timeout(Some(limit)).unwrap();
+        let mut skipped = Vec::new();
+        self.line.read_until(b'$', &mut skipped).ok()?;
+        let mut packet = Vec::new();
+        self.line.get_mut().set_read_timeout(Some(LIMIT)).unwrap();
+        self.line.read_until(b'#', &mut packet).unwrap();
+        self.line.read_exact(&mut [0; 2]).unwrap();
+        self.line.get_mut().write_all(b"+").unwrap();
+        packet.pop();
+        Some(String::from_utf8(packet).unwrap())
+    }
+
+    /// Lets the board run, and turns away.
+    pub fn go_on_alone(mut self) {
+        self.send("D");
+        assert_eq!(self.packet(LIMIT).as_deref(), Some("OK"));
+    }
+
+    /// Stops the board from now on after each write to the slots.
+    pub fn watch_slots(&mut self) {
+        self.send(&format!("Z2,{SLOTS:x},{SLOTS_BYTES:x}"));
+        assert_eq!(self.packet(LIMIT).as_deref(), Some("OK"));
+    }
+
+    /// Lets the board run until it has written to the slots; false where it does not within the time.
+    pub fn next_write(&mut self, limit: Duration) -> bool {
+        self.send("c");
+        self.packet(limit).is_some_and(|packet| packet.contains("watch:"))
+    }
+}
+
+fn connect(folder: &Path, name: &str) -> BufReader<UnixStream> {
+    let start = Instant::now();
+    loop {
+        match UnixStream::connect(folder.join(name)) {
+            Ok(stream) => {
+                stream.set_read_timeout(Some(LIMIT)).unwrap();
+                return BufReader::new(stream);
+            }
+            Err(error) if start.elapsed() > LIMIT => panic!("{name}: {error}"),
+            Err(_) => sleep(Duration::from_millis(20)),
+        }
+    }
+}

@@ -1,0 +1,233 @@
+//! The tests. The trainer knows what is right by a robot of its own, which is told what a command means.
+
+use super::board::{A, B, Board, Setup};
+use goodbot::home::{Cell, HomeState};
+use goodbot::memory::HomeMemory;
+use goodbot::oomdp::{Action, Domain};
+use goodbot::planning::OptimalSet;
+use goodbot::{Agent, Capacities, Options, home};
+use goodbot_course::exercise::{Exercise, Intention, LESSONS, TESTS};
+use goodbot_course::{Homes, Layout};
+use std::collections::BTreeSet;
+use std::time::Duration;
+
+goodbot::memory! { struct Memory = Capacities::SMALL; }
+
+/// What a lesson takes at most.
+const MOST_ACTIONS: usize = 100;
+
+/// Describes a home to the board.
+fn describe(board: &mut Board, layout: &Layout) {
+    board.must("begin");
+    for (number, (area, color)) in layout.rooms.iter().flatten().enumerate() {
+        board.must(&format!("room room{number} {} {} {} {} {color}", area.left, area.bottom, area.right, area.top));
+    }
+    for (number, Cell { x, y }) in layout.doors.iter().flatten().enumerate() {
+        board.must(&format!("door door{number} {x} {y} {x} {y}"));
+    }
+    for (number, block) in layout.blocks.iter().flatten().enumerate() {
+        board.must(&format!("block block{number} {} {} {} {}", block.cell.x, block.cell.y, block.color, block.shape));
+    }
+    board.must(&format!("agent agent0 {} {}", layout.agent.x, layout.agent.y));
+    board.must("build");
+}
+
+/// The meant task as the board writes it.
+fn meant(layout: &Layout, intention: &Intention) -> String {
+    let room = layout.rooms.iter().flatten().position(|(_, color)| *color == intention.room).unwrap();
+    match intention.block {
+        None => format!("agentInRoom(agent0,room{room})"),
+        Some((color, shape)) => {
+            let block = layout.blocks.iter().flatten().position(|block| (block.color, block.shape) == (color, shape)).unwrap();
+            format!("blockInRoom(block{block},room{room})")
+        }
+    }
+}
+
+/// The task that an answer takes for the most likely.
+fn believed(answer: &[String]) -> &str {
+    answer.iter().find_map(|line| line.strip_prefix("believes ")?.split_once(" % ")).unwrap_or_else(|| panic!("{answer:?}")).1
+}
+
+/// Gives a lesson: each action is judged, until the robot has rested three times where it should.
+fn teach(board: &mut Board, exercise: &Exercise) {
+    let layout = Homes::FIXED.layout(exercise.home);
+    describe(board, layout);
+    let mut memory = Memory::new();
+    let (home, mut state) = layout.build(&mut memory.home).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+    let intended = exercise.pose(&mut agent, &home, &state).unwrap().unwrap();
+    board.must(&format!("say {}", exercise.command));
+    let mut rests = 0;
+    for _ in 0..MOST_ACTIONS {
+        agent.plan_fully(&home, &state).unwrap();
+        let right = agent.planned().optimal(intended);
+        let answer = board.must("act");
+        let did = answer.iter().find_map(|line| line.strip_prefix("did ")).unwrap_or_else(|| panic!("{answer:?}")).to_owned();
+        let action = action(&home, did.split(';').next().unwrap());
+        let correct = right.exact().or(right.onward()).is_some_and(|actions| actions.contains(action));
+        state = agent.acted(&home, &state, action).unwrap();
+        assert_eq!(did.split_once(';').unwrap().1, places(&home, &state), "the board and this machine move the robot alike");
+        board.must(if correct { "good" } else { "bad" });
+        rests = if right == OptimalSet::Goal && action == Action::NOOP { rests + 1 } else { 0 };
+        if rests == 3 {
+            break;
+        }
+    }
+    assert_eq!(rests, 3, "`{}` was not done within {MOST_ACTIONS} actions", exercise.command);
+    board.must("finish");
+}
+
+fn action<D: Domain>(domain: &D, name: &str) -> Action {
+    domain.actions().iter().position(|kind| kind.name == name).map_or(Action::NOOP, |position| Action(position as u8))
+}
+
+/// Where everything is, as the board writes it.
+fn places(home: &home::Home<impl HomeMemory>, state: &HomeState) -> String {
+    let mut text = String::new();
+    for &thing in [home.agent()].iter().chain(home.blocks()) {
+        let cell = home.block_cell(state, thing).unwrap_or_else(|| home.agent_cell(state));
+        text.push_str(&format!("; {} {} {}", home.objects().name(thing), cell.x, cell.y));
+    }
+    text.split_off(1)
+}
+
+pub fn the_papers_course_is_learned_over_the_serial_line(setup: &Setup) {
+    let mut board = Board::on(setup, None);
+    assert_eq!(board.line(), "nothing is stored");
+    board.must("pace 0");
+    for exercise in &LESSONS {
+        teach(&mut board, exercise);
+    }
+    let understands_all = |board: &mut Board| {
+        describe(board, &Homes::FIXED.test);
+        for test in &TESTS {
+            let answer = board.must(&format!("say {}", test.command));
+            assert_eq!(believed(&answer), meant(&Homes::FIXED.test, &test.intention), "{}", test.command);
+        }
+    };
+    understands_all(&mut board);
+    for line in board.must("memory") {
+        println!("{line}");
+    }
+    // The battery is empty; another one is put in.
+    let slots = board.slots();
+    drop(board);
+    let mut board = Board::on(setup, Some(&slots));
+    assert!(board.line().starts_with("stored: "));
+    assert_eq!(board.line(), format!("lessons {}", LESSONS.len()));
+    understands_all(&mut board);
+}
+
+pub fn a_lesson_is_given_with_the_buttons_alone(setup: &Setup) {
+    let mut board = Board::on(setup, None);
+    board.lines_to("nothing is stored");
+    // A long press chooses the next command, and then the robot acts by itself.
+    board.press(&[B], 1_500);
+    assert_eq!(board.line(), "next: go to the green room");
+    board.lines_to("did ");
+    board.press(&[B], 150);
+    assert!(board.lines_to("good").iter().all(|line| !line.starts_with("error")));
+    board.press(&[A], 150);
+    board.lines_to("bad");
+    board.press(&[A, B], 150);
+    board.lines_to("lessons 1");
+    assert!(board.line().starts_with("stored "));
+    // The list goes on.
+    board.press(&[A], 1_500);
+    assert_eq!(board.line(), "next: go to the blue room");
+}
+
+pub fn the_lights_show_the_rooms_the_robot_and_the_block(setup: &Setup) {
+    let mut board = Board::on(setup, None);
+    board.lines_to("nothing is stored");
+    board.must("pace 0");
+    let (mut brightest, mut dimmest) = (0.0_f32, 16.0_f32);
+    let mut together = [[0.0; 5]; 5];
+    const TIMES: usize = 40;
+    for _ in 0..TIMES {
+        let lights = board.lights(200);
+        (brightest, dimmest) = (brightest.max(lights[1][2]), dimmest.min(lights[1][2]));
+        for (sum, light) in together.iter_mut().flatten().zip(lights.iter().flatten()) {
+            *sum += light / TIMES as f32;
+        }
+    }
+    // The robot stands in the corner of the red room, where only the block's light is not steady.
+    assert!(brightest > 12.0 && dimmest < 4.0, "the block's light is between {dimmest} and {brightest}");
+    together[1][2] = 1.0;
+    let expected = [[16, 1, 1, 1, 1], [1, 1, 1, 1, 1], [0, 2, 0, 2, 0], [4, 4, 0, 8, 8], [4, 4, 0, 8, 8]];
+    for (found, expected) in together.iter().flatten().zip(expected.iter().flatten()) {
+        let expected = *expected as f32;
+        assert!((found - expected).abs() <= 0.5 + 0.2 * expected, "{expected} is expected, and found is {together:?}");
+    }
+}
+
+pub fn a_power_cut_while_it_stores_leaves_one_lesson_or_both(setup: &Setup) {
+    let mut board = Board::on(setup, None);
+    board.lines_to("nothing is stored");
+    board.must("pace 0");
+    let lesson = |board: &mut Board, command: &str| {
+        board.must("again");
+        board.must(&format!("say {command}"));
+        board.must("act");
+        board.must("good");
+    };
+    lesson(&mut board, "go to the green room");
+    board.must("finish");
+    lesson(&mut board, "go to the blue room");
+    let mut debugger = board.debugger();
+    debugger.watch_slots();
+    board.say("finish");
+    let mut cuts = Vec::new();
+    while debugger.next_write(Duration::from_secs(20)) {
+        cuts.push(board.slots());
+    }
+    assert!(cuts.len() > 50, "only {} writes were seen", cuts.len());
+    let last = cuts.len() - 1;
+    let mut known = BTreeSet::new();
+    for (number, slots) in cuts.iter().enumerate() {
+        // A few on the way, and every word of the header, which comes last.
+        if number % 40 != 0 && number + 6 < last {
+            continue;
+        }
+        let mut board = Board::on(setup, Some(slots));
+        assert!(board.line().starts_with("stored: "), "after write {number} of {last}");
+        let lessons = board.line();
+        assert!(known.last().is_none_or(|known| *known <= lessons), "after write {number}, {lessons} are left");
+        known.insert(lessons);
+    }
+    assert_eq!(known.into_iter().collect::<Vec<_>>(), ["lessons 1", "lessons 2"]);
+}
+
+pub fn what_is_said_wrongly_is_answered_and_changes_nothing(setup: &Setup) {
+    let mut board = Board::on(setup, None);
+    board.lines_to("nothing is stored");
+    board.must("pace 0");
+    for (said, problem) in [
+        ("dance", "no such request"),
+        ("pace", "needs a number"),
+        ("pace soon", "needs a number"),
+        ("act now", "more on the line"),
+        ("act", "give a command first"),
+        ("good", "give a command first"),
+        ("finish", "give a command first"),
+        ("say", "no word"),
+        ("say ...", "no word"),
+        ("room a 0 0 4 4 red", "say `begin` first"),
+        ("build", "say `begin` first"),
+        (&"x".repeat(97), "at most 96 bytes"),
+    ] {
+        let answer = board.ask(said).expect_err(said);
+        assert!(answer.contains(problem), "`{said}`: {answer}");
+    }
+    board.must("begin");
+    for (said, problem) in
+        [("room a 0 0 1 1 red", "two cells"), ("room a 0 0 999 4 red", "too far"), ("door", "door needs"), ("build", "no agent")]
+    {
+        let answer = board.ask(said).expect_err(said);
+        assert!(answer.contains(problem), "`{said}`: {answer}");
+    }
+    assert!(board.ask("say go").unwrap_err().contains("no home"));
+    board.must("home");
+    assert_eq!(board.must("say go to the green room").len(), 1);
+}
