@@ -47,8 +47,7 @@ export function beginRecorded(record, last) {
   world.setPulls((record.actions || []).includes('pull'));
   world.setEnvironment(JSON.stringify(record.environment));
   if (record.strategies) {
-    const priors = inUnit(record.strategies.map(one => one.prior));
-    world.setStrategies(Float32Array.from(record.strategies.flatMap((one, at) => [one.mu_plus, one.mu_minus, one.epsilon, priors[at], ...(one.lags || NO_LAG)])));
+    world.setStrategies(Float32Array.from(record.strategies.flatMap(one => [one.mu_plus, one.mu_minus, one.epsilon, one.prior, ...(one.lags || NO_LAG)])));
   }
   if (record.prior) world.hearWithPrior(record.command, Object.keys(record.prior).join('\n'), Float32Array.from(inUnit(Object.values(record.prior))));
   else world.hear(record.command);

@@ -1,6 +1,7 @@
 //! The surface for JavaScript: one class, `Goodbot`. Texts that are said to be JSON have the fields of the named struct of
 //! [`view`](crate::view). A refusal is thrown as an `Error` whose message is for people.
 
+use goodbot::feedback::Strategy;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -87,7 +88,13 @@ impl Goodbot {
     /// Replaces the trainer strategies by those of a log: seven numbers each, mu+, mu-, epsilon, how probable it is, and its three lags.
     #[wasm_bindgen(js_name = setStrategies)]
     pub fn set_strategies(&mut self, numbers: &[f32]) -> Thrown<()> {
-        self.0.set_strategies(numbers).map_err(thrown)
+        let mut strategies = Vec::new();
+        for strategy in numbers.as_chunks::<7>().0 {
+            let &[mu_plus, mu_minus, epsilon, prior, lags @ ..] = strategy;
+            let strategy = Strategy::new(mu_plus, mu_minus, epsilon).and_then(|strategy| strategy.with_lags(lags));
+            strategies.push((strategy.map_err(|error| thrown(Refusal::from(error)))?, prior));
+        }
+        self.0.set_strategies(&strategies).map_err(thrown)
     }
 
     /// Takes up the last command again in the same home, as a log has it: what was believed goes on.

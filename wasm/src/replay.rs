@@ -15,20 +15,22 @@ use crate::training::task_name;
 use crate::world::{Refusal, World};
 
 impl World {
-    /// Replaces the trainer strategies: for each its mu+, its mu-, its epsilon, how probable it is, and its three lags. A session under way
-    /// ends unlearned.
+    /// Takes the trainer strategies of a log, each with how probable it is, in any unit. Where they are what is believed already, to the last
+    /// bit, nothing changes: a log of this robot's own teaches it the same again. A session under way ends unlearned.
     ///
     /// # Errors
     /// What is no probability.
-    pub fn set_strategies(&mut self, numbers: &[f32]) -> Result<(), Refusal> {
-        let mut strategies = Vec::new();
-        for strategy in numbers.as_chunks::<7>().0 {
-            let &[mu_plus, mu_minus, epsilon, prior, lags @ ..] = strategy;
-            let strategy = Strategy::new(mu_plus, mu_minus, epsilon).and_then(|strategy| strategy.with_lags(lags));
-            strategies.push((strategy.map_err(Refusal::from)?, prior));
-        }
+    pub fn set_strategies(&mut self, strategies: &[(Strategy, f32)]) -> Result<(), Refusal> {
         self.forget();
-        self.mind.set_strategies(&strategies).map_err(Refusal::from)
+        let belief = self.agent().belief();
+        let known = belief.strategies().iter().enumerate().map(|(at, (strategy, _))| (*strategy, belief.strategy_probability(at)));
+        if known.eq(strategies.iter().copied()) {
+            return Ok(());
+        }
+        // The largest is 1, so that single precision never makes all of them 0.
+        let largest = strategies.iter().map(|(_, prior)| *prior).fold(0.0, f32::max);
+        let scaled: Vec<_> = strategies.iter().map(|(strategy, prior)| (*strategy, prior / largest)).collect();
+        self.mind.set_strategies(&scaled).map_err(Refusal::from)
     }
 
     /// Hears a command with a prior for each task by its name in logs, instead of what the words say; 0 for the tasks that are not named. A
@@ -129,16 +131,13 @@ impl World {
             self.set_pulls(header.action_names().any(|name| name == "pull"))?;
             self.set_environment(&header.environment.to_json_line())?;
             if let Some(records) = &header.strategies {
-                let largest = records.iter().map(|record| record.prior).fold(0.0, f64::max);
                 let strategy = |record: &StrategyRecord| -> Result<(Strategy, f32), Refusal> {
                     let strategy = Strategy::new(record.mu_plus as f32, record.mu_minus as f32, record.epsilon as f32);
                     let lags = record.lags.map_or(Strategy::NO_LAG, |lags| lags.map(|lag| lag as f32));
                     let strategy = strategy.and_then(|strategy| strategy.with_lags(lags)).map_err(Refusal::from)?;
-                    Ok((strategy, (record.prior / largest) as f32))
+                    Ok((strategy, record.prior as f32))
                 };
-                let strategies = records.iter().map(strategy).collect::<Result<Vec<_>, Refusal>>()?;
-                self.forget();
-                self.mind.set_strategies(&strategies).map_err(Refusal::from)?;
+                self.set_strategies(&records.iter().map(strategy).collect::<Result<Vec<_>, Refusal>>()?)?;
             }
             match &header.prior {
                 None => self.hear(&header.command)?,

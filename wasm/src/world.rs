@@ -72,7 +72,7 @@ impl fmt::Debug for World {
 /// A mind that has learned nothing yet, and expects what real people do.
 fn new_mind(capacities: &Capacities) -> Result<Agent<AgentHeap>, Refusal> {
     let lifted = home::paper_tasks().map_err(Refusal::from)?;
-    let mut mind = Agent::new(AgentHeap::new(capacities), &lifted, Options::DEFAULT.for_people()).map_err(Refusal::from)?;
+    let mut mind = Agent::new(AgentHeap::new(capacities), &lifted, Options::DEFAULT).map_err(Refusal::from)?;
     mind.set_strategies(&population::STRATEGIES).map_err(Refusal::from)?;
     Ok(mind)
 }
