@@ -6,6 +6,7 @@ use crate::home as home_of;
 use crate::options::{as_dict, capacities_of, options};
 use crate::place::{Place, in_place, task_name};
 use crate::robot::{self, Robot};
+use goodbot::asking::{Answer, Asking, Subject};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{self, SCHEMA};
 use goodbot::language::Meaning;
@@ -577,6 +578,63 @@ impl Agent {
             let action = place.action(action)?;
             let evidence = in_place!(&place, |domain, state| mind.core.demonstrated(domain, state, action));
             mind.settled(domain.py(), &place, evidence).map(evidence_name)
+        })
+    }
+
+    /// Proposes a question in a state that was planned for, or None where acting teaches as much: a dict of `about` (`object`, `kind`, `task`
+    /// or `which`), `tasks`, the names of those for which the answer is yes or that can be chosen, and `bits`, what an answer is expected to
+    /// tell. `kappa` is what a question costs in steps, `eta` how often an answer is wrong.
+    ///
+    /// >>> home = goodbot.Home.from_map("#########\n#ggg#rrr#\n##+###+##\n#bb@bbbb#\n#########")
+    /// >>> agent = goodbot.Agent()
+    /// >>> agent.hear(home, home.start, "over there")
+    /// >>> agent.plan(home, home.start)
+    /// True
+    /// >>> question = agent.ask(home, home.start, kappa=0.5)
+    /// >>> agent.answer("yes" if question["about"] != "which" else question["tasks"][0])
+    /// 'used'
+    #[pyo3(signature = (domain, state, *, kappa=8.0, eta=0.05))]
+    fn ask<'py>(
+        &self,
+        domain: &Bound<'py, PyAny>,
+        state: &Bound<'py, PyAny>,
+        kappa: f32,
+        eta: f32,
+    ) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let py = domain.py();
+        self.with(|mind| {
+            let place = mind.place(domain, state)?;
+            let asking = Asking { kappa, eta, ..Asking::DEFAULT };
+            let asked = in_place!(&place, |domain, state| mind.core.question(domain, state, &asking));
+            let Some(question) = mind.settled(py, &place, asked)? else { return Ok(None) };
+            let (about, tasks): (_, Vec<usize>) = match question.subject {
+                Subject::Object(_) => ("object", question.yes.iter().collect()),
+                Subject::Kind(_) => ("kind", question.yes.iter().collect()),
+                Subject::Task(_) => ("task", question.yes.iter().collect()),
+                Subject::Which(tasks, count) => ("which", tasks.iter().take(usize::from(count)).map(|&task| usize::from(task)).collect()),
+            };
+            let told = PyDict::new(py);
+            told.set_item("about", about)?;
+            told.set_item("tasks", tasks.iter().map(|&task| mind.task_text(py, task)).collect::<Vec<_>>())?;
+            told.set_item("bits", question.information)?;
+            Ok(Some(told))
+        })
+    }
+
+    /// Takes in the answer to the last question: `yes`, `no`, or the name of one of the tasks to choose from. Returns as `feedback`.
+    fn answer(&self, py: Python<'_>, answer: &str) -> PyResult<&'static str> {
+        self.with(|mind| {
+            let answer = match (answer, mind.core.open_question().map(|question| question.subject)) {
+                ("yes", _) => Answer::Yes,
+                ("no", _) => Answer::No,
+                (name, Some(Subject::Which(tasks, count))) => {
+                    let task = mind.position(py, name);
+                    let chosen = tasks.iter().take(usize::from(count)).position(|&choice| Some(usize::from(choice)) == task);
+                    Answer::This(chosen.ok_or_else(|| value(format!("{name} is none of the tasks to choose from")))? as u8)
+                }
+                (other, _) => return Err(value(format!("{other:?} is no answer; say yes or no"))),
+            };
+            mind.core.answer(answer).map(evidence_name).map_err(|refused| error::agent(py, refused))
         })
     }
 
