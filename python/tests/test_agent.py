@@ -215,8 +215,8 @@ def test_a_question_is_answered_and_tells_what_was_meant(home: goodbot.Home) -> 
     with pytest.raises(ValueError):
         agent.answer("perhaps")
     before = dict(zip(agent.tasks, agent.beliefs, strict=True))
-    chosen = question["tasks"][0]
-    assert agent.answer(chosen if question["about"] == "which" else "yes") == "used"
-    assert agent.beliefs[agent.tasks.index(chosen)] > before[chosen]
+    chosen = question["choices"][0]
+    assert agent.answer(0 if question["about"] == "which" else "yes") == "used"
+    assert all(agent.beliefs[agent.tasks.index(task)] > before[task] for task in chosen)
     with pytest.raises(goodbot.SessionError):
         agent.answer("yes")
