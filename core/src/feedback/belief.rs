@@ -192,8 +192,11 @@ impl<'t> Belief<'t> {
     /// A [`CapacityError`] where there is no room for so many tasks and strategies; the belief is then about no tasks.
     pub fn restart(&mut self, priors: impl ExactSizeIterator<Item = Scaled>, drift: f32) -> Result<(), CapacityError> {
         if self.count.tasks > 0 {
+            // Without evidence the marginals are what they were: rounding must not change them.
+            let has_evidence = self.read().has_evidence();
             for strategy in 0..self.count.strategies {
-                let marginal = self.read().strategy_probability(strategy);
+                let before = self.read().strategies().get(strategy).map_or(0.0, |&(_, probability)| probability);
+                let marginal = if has_evidence { self.read().strategy_probability(strategy) } else { before };
                 let expected = self.read().expected(strategy);
                 if let Some(slot) = self.memory.strategies.get_mut(strategy) {
                     slot.1 = (1.0 - drift) * marginal + drift * expected;
