@@ -194,9 +194,7 @@ impl Looks {
             [(13, 11), (13, 10), (13, 9), (13, 8), (13, 7)],
             [(15, 6), (14, 10), (15, 4), (14, 9), (15, 5)],
         ];
-        WIRED.map(|row| {
-            row.map(|light| Some(16.0 * self.lit.get(&light).copied().unwrap_or(0) as f32 / *self.rows.get(&light.0)? as f32))
-        })
+        WIRED.map(|row| row.map(|light| Some(16.0 * self.lit.get(&light).copied().unwrap_or(0) as f32 / *self.rows.get(&light.0)? as f32)))
     }
 }
 
