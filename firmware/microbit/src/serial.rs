@@ -67,17 +67,18 @@ pub fn read(take: impl FnOnce(Result<&str, &'static str>)) {
         *byte = came.load(Relaxed);
     }
     let text = bytes.get(..usize::from(LENGTH.load(Relaxed))).and_then(|bytes| core::str::from_utf8(bytes).ok());
-    let told = |flag: &AtomicBool| flag.load(Relaxed);
-    take(match text {
-        _ if told(&TOO_FAST) => Err("more was said before the answer came; say one line at a time"),
-        _ if told(&TOO_LONG) => Err("a line has at most 96 bytes; say it with fewer"),
-        Some(text) => Ok(text),
-        None => Err("a line is text in UTF-8"),
-    });
+    let (too_fast, too_long) = (TOO_FAST.load(Relaxed), TOO_LONG.load(Relaxed));
+    // The next line may come as soon as the answer to this one is sent, so there is room for it before.
     TOO_FAST.store(false, Relaxed);
     TOO_LONG.store(false, Relaxed);
     LENGTH.store(0, Relaxed);
     WHOLE.store(false, Relaxed);
+    take(match text {
+        _ if too_fast => Err("more was said before the answer came; say one line at a time"),
+        _ if too_long => Err("a line has at most 96 bytes; say it with fewer"),
+        Some(text) => Ok(text),
+        None => Err("a line is text in UTF-8"),
+    });
 }
 
 /// Sends a text, and waits until it is sent.

@@ -115,34 +115,44 @@ impl Board {
         self.pins(&format!("set_irq_in /machine/nrf51 unnamed-gpio-in {pin} {}", u32::from(!down)));
     }
 
-    /// Presses buttons for so long.
-    pub fn press(&mut self, buttons: &[u32], milliseconds: u64) {
+    /// Presses buttons for a short time of the board's own, which an emulator on a busy machine has at its own pace.
+    pub fn press(&mut self, buttons: &[u32]) {
         buttons.iter().for_each(|&pin| self.button(pin, true));
-        sleep(Duration::from_millis(milliseconds));
+        self.wait(60);
         buttons.iter().for_each(|&pin| self.button(pin, false));
+        self.wait(60);
     }
 
-    /// How bright each light is, from 0 to 16, by looking at the pins many times: rows from the top, each from the left.
-    pub fn lights(&mut self, looks: usize) -> [[f32; 5]; 5] {
-        /// The row's and the column's pin of each light, as the board is wired.
-        const WIRED: [[(u32, u32); 5]; 5] = [
-            [(13, 4), (14, 7), (13, 5), (14, 8), (13, 6)],
-            [(15, 7), (15, 8), (15, 9), (15, 10), (15, 11)],
-            [(14, 5), (13, 12), (14, 6), (15, 12), (14, 4)],
-            [(13, 11), (13, 10), (13, 9), (13, 8), (13, 7)],
-            [(15, 6), (14, 10), (15, 4), (14, 9), (15, 5)],
-        ];
-        let (mut rows, mut lit) = (BTreeMap::<u32, u32>::new(), BTreeMap::<(u32, u32), u32>::new());
-        for _ in 0..looks {
-            let answer = self.pins("readl 0x50000504");
-            let pins = u64::from_str_radix(answer.trim_start_matches("0x"), 16).unwrap();
+    /// Waits for about so many milliseconds of the board's own time, or longer: each of its rows of lights is on for four of them.
+    fn wait(&mut self, milliseconds: u32) {
+        let mut row = self.row();
+        for _ in 0..milliseconds / 4 {
+            let before = row;
+            while row == before {
+                row = self.row();
+            }
+        }
+    }
+
+    /// The pins of the lights.
+    fn light_pins(&mut self) -> u64 {
+        let answer = self.pins("readl 0x50000504");
+        u64::from_str_radix(answer.trim_start_matches("0x"), 16).unwrap()
+    }
+
+    fn row(&mut self) -> u64 {
+        self.light_pins() >> 13 & 0b111
+    }
+
+    /// Looks at the pins of the lights many times.
+    pub fn look(&mut self, looks: &mut Looks, times: usize) {
+        for _ in 0..times {
+            let pins = self.light_pins();
             let shown: Vec<u32> = (13..16).filter(|row| pins >> row & 1 == 1).collect();
             let [row] = shown[..] else { panic!("rows {shown:?} are on at one time") };
-            *rows.entry(row).or_default() += 1;
-            (4..13).filter(|column| pins >> column & 1 == 0).for_each(|column| *lit.entry((row, column)).or_default() += 1);
+            *looks.rows.entry(row).or_default() += 1;
+            (4..13).filter(|column| pins >> column & 1 == 0).for_each(|column| *looks.lit.entry((row, column)).or_default() += 1);
         }
-        let of = |map: Option<&u32>| map.copied().unwrap_or(0) as f32;
-        WIRED.map(|row| row.map(|light| 16.0 * of(lit.get(&light)) / of(rows.get(&light.0)).max(1.0)))
     }
 
     /// What is in the flash where the robot stores.
@@ -163,6 +173,28 @@ impl Drop for Board {
         let _ = self.emulator.kill();
         let _ = self.emulator.wait();
         let _ = std::fs::remove_dir_all(&self.folder);
+    }
+}
+
+/// How often each row was seen, and each light of it on.
+#[derive(Debug, Default)]
+pub struct Looks {
+    rows: BTreeMap<u32, u32>,
+    lit: BTreeMap<(u32, u32), u32>,
+}
+
+impl Looks {
+    /// How bright each light is, from 0 to 16: rows from the top, each from the left. `None` where its row was not seen.
+    pub fn lights(&self) -> [[Option<f32>; 5]; 5] {
+        /// The row's and the column's pin of each light, as the board is wired.
+        const WIRED: [[(u32, u32); 5]; 5] = [
+            [(13, 4), (14, 7), (13, 5), (14, 8), (13, 6)],
+            [(15, 7), (15, 8), (15, 9), (15, 10), (15, 11)],
+            [(14, 5), (13, 12), (14, 6), (15, 12), (14, 4)],
+            [(13, 11), (13, 10), (13, 9), (13, 8), (13, 7)],
+            [(15, 6), (14, 10), (15, 4), (14, 9), (15, 5)],
+        ];
+        WIRED.map(|row| row.map(|light| Some(16.0 * self.lit.get(&light).copied().unwrap_or(0) as f32 / *self.rows.get(&light.0)? as f32)))
     }
 }
 
