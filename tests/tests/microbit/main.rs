@@ -1,5 +1,5 @@
 //! The micro:bit's own file, `dist/goodbot.hex`, on an emulated board: lessons by its serial line and its buttons, its lights, and what is left
-//! of its knowledge when the power goes.
+//! of its knowledge when a store is torn.
 //!
 //! `cargo xtask test --only microbit` builds the file and says where it and the emulator are; without that, these tests are ignored.
 
