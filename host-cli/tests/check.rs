@@ -1,5 +1,6 @@
 //! `goodbot check`, and what `goodbot replay` says of the same files.
 
+#[allow(dead_code, reason = "other tests need more of it")]
 mod program;
 
 use program::{AGENT, END, ROOMS, Run, goodbot, goodbot_unheard, log, session, shown, step};
@@ -342,7 +343,7 @@ fn a_way_that_avoids_its_own_goal_is_refused() {
 
 #[test]
 fn nine_clauses_are_refused_in_a_log_and_as_a_kind_of_task() {
-    let clauses = vec![r#"["agentInRoom(agent0,room0)"]"#; 9].join(",");
+    let clauses = [r#"["agentInRoom(agent0,room0)"]"#; 9].join(",");
     let run = check(&way(&format!(r#","through":[{clauses}]"#)));
     assert_eq!(run.code, 2);
     assert!(run.messages.contains("has 10 propositions with its way, and 4 are the most; leave out clauses"), "{}", run.messages);

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use goodbot::feedback::population;
 use goodbot::home::Map;
 use goodbot::home::{self, Area, BLOCK, COLOR, Cell, DOOR, Home, HomeBuilder, HomeError, HomeState, Moves, ROOM, SHAPE};
 use goodbot::memory::{AgentHeap, HomeHeap, HomeMemory};
@@ -69,12 +70,14 @@ impl fmt::Debug for World {
     }
 }
 
-/// A robot that has learned nothing. `ways` says whether commands may mean tasks with a way.
+/// A mind that has learned nothing yet, and expects what real people do. `ways` says whether commands may mean tasks with a way.
 fn new_mind(capacities: &Capacities, ways: bool) -> Result<Agent<AgentHeap>, Refusal> {
     let paper = home::paper_tasks().map_err(Refusal::from)?;
     let routes = if ways { home::with_routes(&paper).map_err(Refusal::from)? } else { Default::default() };
     let lifted = if ways { routes.as_slice() } else { paper.as_slice() };
-    Agent::new(AgentHeap::new(capacities), lifted, Options::DEFAULT).map_err(Refusal::from)
+    let mut mind = Agent::new(AgentHeap::new(capacities), lifted, Options::DEFAULT).map_err(Refusal::from)?;
+    mind.set_strategies(&population::STRATEGIES).map_err(Refusal::from)?;
+    Ok(mind)
 }
 
 /// Builds the home of a file. The message of a refusal names the object.
