@@ -6,6 +6,7 @@ use crate::status::GoodbotStatus;
 use crate::training::{in_world, write};
 use core::ffi::c_char;
 use goodbot::asking::{Answer, Asking, Considered, Subject};
+use goodbot::task::{Piece, Wording};
 
 /// There is nothing to ask: act.
 pub const GOODBOT_ASK_NOTHING: u32 = 0;
@@ -103,10 +104,11 @@ pub unsafe extern "C" fn goodbot_question_text(robot: *mut Goodbot, choice: u32,
                 }
                 Subject::Kind(kind) => {
                     let lifted = agent.lifted().get(usize::from(kind)).ok_or(GoodbotStatus::Unknown)?;
-                    for (position, part) in lifted.propositions().iter().enumerate() {
-                        writer.put(if position > 0 { " & " } else { "" });
-                        writer.put(goodbot::oomdp::Domain::world(domain).schema.proposition_name(part.proposition));
-                    }
+                    let schema = goodbot::oomdp::Domain::world(domain).schema;
+                    Wording::FILES.tell(lifted.parts(), |piece| match piece {
+                        Piece::Between(sign) => writer.put(sign),
+                        Piece::Proposition(_, part) => writer.put(schema.proposition_name(part.proposition)),
+                    });
                 }
             });
             writer.end()

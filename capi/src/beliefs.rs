@@ -7,6 +7,7 @@ use core::ffi::c_char;
 use goodbot::Agent;
 use goodbot::memory::AgentMemory;
 use goodbot::oomdp::{Domain, ObjectId};
+use goodbot::task::{Piece, Wording};
 
 /// How many tasks the command may mean.
 ///
@@ -48,7 +49,8 @@ pub unsafe extern "C" fn goodbot_most_likely(robot: *mut Goodbot, task: *mut u32
     }
 }
 
-/// Writes a task as text, such as `blockInRoom(block0,room1)`, with a 0 at its end. `BUFFER` where it does not fit.
+/// Writes a task as text, such as `blockInRoom(block0,room1)` or, with a way, `agentInRoom(agent0,room1) avoiding agentInRoom(agent0,room2)`,
+/// with a 0 at its end. `BUFFER` where it does not fit.
 ///
 /// # Safety
 /// `robot` is null or a handle; `buffer` is null or room for `bytes` bytes.
@@ -73,17 +75,18 @@ pub(crate) fn put_task<D: Domain + ?Sized>(
 ) -> Result<(), GoodbotStatus> {
     let grounded = agent.tasks().get(task).ok_or(GoodbotStatus::Unknown)?;
     let lifted = agent.lifted().get(usize::from(grounded.lifted)).ok_or(GoodbotStatus::Unknown)?;
-    for (position, part) in grounded.propositions(lifted).enumerate() {
-        writer.put(if position > 0 { " & " } else { "" });
-        writer.put(domain.world().schema.proposition_name(part.proposition));
-        for (position, object) in
-            domain.world().schema.parameters(part.proposition).iter().zip(part.arguments).map(|pair| pair.1).enumerate()
-        {
-            writer.put(if position > 0 { "," } else { "(" });
-            put_object(writer, domain, object);
+    Wording::FILES.tell(grounded.parts(lifted), |piece| match piece {
+        Piece::Between(sign) => writer.put(sign),
+        Piece::Proposition(_, part) => {
+            writer.put(domain.world().schema.proposition_name(part.proposition));
+            let parameters = domain.world().schema.parameters(part.proposition).len();
+            for (position, &object) in part.arguments.iter().take(parameters).enumerate() {
+                writer.put(if position > 0 { "," } else { "(" });
+                put_object(writer, domain, object);
+            }
+            writer.put(")");
         }
-        writer.put(")");
-    }
+    });
     Ok(())
 }
 

@@ -4,6 +4,7 @@ use crate::arena::HomeArena;
 use crate::capacities::GoodbotCapacities;
 use crate::robot::{Goodbot, World, give, plot, settle, text, with};
 use crate::status::{Failure, GoodbotStatus};
+use crate::table::init::kinds_of_tasks;
 use core::ffi::c_char;
 use goodbot::home::{self, Area, Cell, HomeBuilder, Moves};
 use goodbot::task::LiftedTask;
@@ -32,6 +33,37 @@ pub unsafe extern "C" fn goodbot_init_home(
     let Ok(tasks): Result<[LiftedTask; 2], _> = home::paper_tasks() else { return GoodbotStatus::Other };
     // SAFETY: `robot` is not null.
     unsafe { settle(plot, &tasks, |home| Ok(World::Nothing(home)), robot) }
+}
+
+/// As `goodbot_init_home`, for commands that may mean tasks of these kinds, `GOODBOT_MOST_TASKS` at most: `agentInRoom(?a, ?goal)`,
+/// `blockInRoom(?o, ?r)`, or with a way, `agentInRoom(?a, ?goal) avoiding agentInRoom(?a, ?not)`, `... through agentInRoom(?a, ?via)`,
+/// `... through agentInRoom(?a, ?via) or agentInRoom(?a, ?other)`. The texts are not needed afterwards.
+///
+/// # Safety
+/// As for `goodbot_init_home`; `tasks` is null or points to `task_count` texts, each null or ended by a 0.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_init_home_tasks(
+    memory: *mut core::ffi::c_void,
+    bytes: usize,
+    capacities: *const GoodbotCapacities,
+    tasks: *const *const c_char,
+    task_count: u32,
+    robot: *mut *mut Goodbot,
+) -> GoodbotStatus {
+    if robot.is_null() {
+        return GoodbotStatus::Null;
+    }
+    // SAFETY: the caller's promise, and `robot` is not null.
+    unsafe {
+        let tasks = match kinds_of_tasks(tasks, task_count, &home::SCHEMA) {
+            Ok(tasks) => tasks,
+            Err(failure) => return failure.status,
+        };
+        match plot(memory.cast(), bytes, capacities) {
+            Ok(plot) => settle(plot, &tasks, |home| Ok(World::Nothing(home)), robot),
+            Err(status) => status,
+        }
+    }
 }
 
 /// Begins to describe a home. What was learned stays; a session under way ends unlearned.

@@ -5,7 +5,7 @@
 mod robots;
 
 use goodbot_capi::beliefs::*;
-use goodbot_capi::capacities::GoodbotCapacity;
+use goodbot_capi::capacities::{GoodbotCapacity, goodbot_size};
 use goodbot_capi::home::*;
 use goodbot_capi::model::*;
 use goodbot_capi::robot::{goodbot_full, goodbot_seed};
@@ -13,7 +13,7 @@ use goodbot_capi::status::{GoodbotStatus, goodbot_status_text};
 use goodbot_capi::table::description::*;
 use goodbot_capi::table::init::{goodbot_table_set_state, goodbot_table_state};
 use goodbot_capi::training::*;
-use robots::{Lift, at_home, describe, hear_and_plan, in_homes, of_table, small};
+use robots::{Lift, Owned, at_home, describe, hear_and_plan, in_homes, of_table, small};
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
 
@@ -237,6 +237,32 @@ fn a_text_fills_its_buffer_and_never_leaves_it() {
         assert_eq!(status, if room < length { GoodbotStatus::Buffer } else { GoodbotStatus::Ok });
         assert!(text[room..].iter().all(|&byte| byte == 0x55));
     }
+}
+
+#[test]
+fn a_home_can_have_tasks_with_a_way_and_their_texts_tell_it() {
+    let capacities = small();
+    let bytes = unsafe { goodbot_size(&raw const capacities) };
+    let mut owned = Owned { memory: vec![0; bytes.div_ceil(8)], bytes, capacities, robot: null_mut() };
+    let mut init = |tasks: &[&CStr]| unsafe {
+        let tasks: Vec<_> = tasks.iter().map(|task| task.as_ptr()).collect();
+        let (memory, count) = (owned.memory.as_mut_ptr().cast(), tasks.len() as u32);
+        goodbot_init_home_tasks(memory, bytes, &raw const capacities, tasks.as_ptr(), count, &raw mut owned.robot)
+    };
+    assert_eq!(init(&[c"agentInRoom(?a, ?goal) avoiding agentInRoom(?a, ?goal)"]), GoodbotStatus::World);
+    assert_eq!(init(&[c"agentInRoom(?a, ?goal)"; GOODBOT_MOST_TASKS + 1]), GoodbotStatus::Number);
+    assert_eq!(init(&[c"agentInRoom(?a, ?goal)", c"agentInRoom(?a, ?goal) through blockInRoom(?o, ?goal)"]), GoodbotStatus::Ok);
+    let robot = owned.robot;
+    assert_eq!(describe(robot), GoodbotStatus::Ok);
+    hear_and_plan(robot, c"take the chair along to the green room");
+    let texts: Vec<String> = (0..2)
+        .map(|task| {
+            let mut text = [0; 96];
+            assert_eq!(unsafe { goodbot_task_text(robot, task, text.as_mut_ptr(), text.len()) }, GoodbotStatus::Ok);
+            unsafe { CStr::from_ptr(text.as_ptr()) }.to_str().unwrap().to_owned()
+        })
+        .collect();
+    assert_eq!(texts, ["agentInRoom(agent0,room1)", "agentInRoom(agent0,room1) through blockInRoom(block0,room1)"]);
 }
 
 #[test]

@@ -220,3 +220,15 @@ def test_a_question_is_answered_and_tells_what_was_meant(home: goodbot.Home) -> 
     assert all(agent.beliefs[agent.tasks.index(task)] > before[task] for task in chosen)
     with pytest.raises(goodbot.SessionError):
         agent.answer("yes")
+
+
+def test_tasks_with_a_way_are_told_with_it(home: goodbot.Home) -> None:
+    kinds = ["agentInRoom(?a, ?goal)", "agentInRoom(?a, ?goal) avoiding agentInRoom(?a, ?not)"]
+    agent = goodbot.Agent(kinds)
+    agent.hear(home, home.start, "go to the red room but avoid the blue room")
+    assert len(set(agent.tasks)) == len(agent.tasks)
+    around = [name for name in agent.tasks if " avoiding " in name]
+    assert around and all(name.startswith("agentInRoom(agent0,") for name in around)
+    agent.hear(home, home.start, "go", prior={around[0]: 1.0})
+    assert agent.most_likely == around[0]
+    assert set(home.tasks(kinds=kinds)) == set(agent.tasks)

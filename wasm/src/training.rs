@@ -11,7 +11,7 @@ use goodbot::oomdp::{Action, Domain, GroundProposition, ObjectId, action_name, a
 use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::random::unit;
 use goodbot::session;
-use goodbot::task::{GroundedTask, LiftedTask, Part, Way};
+use goodbot::task::{GroundedTask, LiftedTask, Part, Piece, Wording};
 
 use crate::log::{Line, PULLING, Recording, Step, strategies};
 use crate::route::Lookahead;
@@ -373,66 +373,35 @@ const fn plan_word(plan: &OptimalSet) -> &'static str {
 
 /// The task as logs write it.
 pub(crate) fn task_name(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
-    let name = |part: GroundProposition| {
+    told(lifted, task, &Wording::FILES, |_, part| {
         let parameters = home.world().schema.parameters(part.proposition).len();
         let names: Vec<&str> = part.arguments.iter().take(parameters).map(|&object| home.objects().name(object)).collect();
         format!("{}({})", home.world().schema.proposition_name(part.proposition), names.join(","))
-    };
-    let parts = task.propositions(lifted).map(name);
-    with_way(parts.collect::<Vec<_>>().join(" & "), lifted, task, &IN_LOGS, |(_, part)| name(part))
+    })
 }
 
 /// The task as a person says it. Objects that look alike are told apart by their names.
 pub(crate) fn task_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
-    let goal = |part: GroundProposition| {
-        let [subject, room, _] = part.arguments;
-        match part.proposition {
-            BLOCK_IN_ROOM => format!("take the {} to the {}", described(home, subject), described(home, room)),
-            _ => format!("go to the {}", described(home, room)),
+    told(lifted, task, &Wording::PEOPLE, |part, proposition| {
+        let [subject, room, _] = proposition.arguments;
+        let is_goal = matches!(part, Part::Goal | Part::Before(_));
+        match (is_goal, proposition.proposition) {
+            (true, BLOCK_IN_ROOM) => format!("take the {} to the {}", described(home, subject), described(home, room)),
+            (true, _) => format!("go to the {}", described(home, room)),
+            (false, BLOCK_IN_ROOM) => format!("the {} with the {} in it", described(home, room), described(home, subject)),
+            (false, _) => format!("the {}", described(home, room)),
         }
-    };
-    let parts = task.propositions(lifted).map(goal);
-    let place = |part: GroundProposition| {
-        let [subject, room, _] = part.arguments;
-        match part.proposition {
-            BLOCK_IN_ROOM => format!("the {} with the {} in it", described(home, room), described(home, subject)),
-            _ => format!("the {}", described(home, room)),
-        }
-    };
-    with_way(parts.collect::<Vec<_>>().join(" and "), lifted, task, &IN_WORDS, |part| match part {
-        (Part::Before(_), part) => goal(part),
-        (_, part) => place(part),
     })
 }
 
-/// What stands between the parts of a task with a way.
-struct Signs {
-    and: &'static str,
-    then: &'static str,
-    through: &'static str,
-    or: &'static str,
-    avoiding: &'static str,
-}
-
-const IN_LOGS: Signs = Signs { and: " & ", then: " then ", through: " through ", or: " or ", avoiding: " avoiding " };
-const IN_WORDS: Signs = Signs { and: " and ", then: ", then ", through: ", through ", or: " or ", avoiding: ", but not through " };
-
-/// A goal with the way to it.
-fn with_way(
-    goal: String,
-    lifted: &LiftedTask,
-    task: &GroundedTask,
-    signs: &Signs,
-    said: impl Fn((Part, GroundProposition)) -> String,
-) -> String {
-    let all = |wanted: Part| Way::of(task, lifted).parts().filter(|&(part, _)| part == wanted).map(&said).collect::<Vec<_>>();
-    let stages = (0..).map(|stage| all(Part::Before(stage))).take_while(|goals| !goals.is_empty());
-    let clauses = (0..).map(|clause| all(Part::Through(clause))).take_while(|places| !places.is_empty());
-    let mut words: String = stages.map(|goals| goals.join(signs.and) + signs.then).collect();
-    words.push_str(&goal);
-    words.extend(clauses.map(|places| signs.through.to_owned() + &places.join(signs.or)));
-    let avoiding = all(Part::Avoiding);
-    if avoiding.is_empty() { words } else { words + signs.avoiding + &avoiding.join(signs.or) }
+/// A task with its way; `said` writes a proposition.
+fn told(lifted: &LiftedTask, task: &GroundedTask, wording: &Wording, said: impl Fn(Part, GroundProposition) -> String) -> String {
+    let mut text = String::new();
+    wording.tell(task.parts(lifted), |piece| match piece {
+        Piece::Between(sign) => text.push_str(sign),
+        Piece::Proposition(part, proposition) => text.push_str(&said(part, proposition)),
+    });
+    text
 }
 
 /// An object by its looks, and by its name where another looks alike.

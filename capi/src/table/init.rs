@@ -88,10 +88,7 @@ unsafe fn init(
         if table.start >= table.state_count {
             return Err(GoodbotStatus::Number.into());
         }
-        let mut tasks: Vec<LiftedTask, GOODBOT_MOST_TASKS> = Vec::new();
-        for &task in list(table.tasks, table.task_count, GOODBOT_MOST_TASKS)? {
-            tasks.push(LiftedTask::parse(text(task)?, &schema)?).map_err(|_| GoodbotStatus::Number)?;
-        }
+        let tasks = kinds_of_tasks(table.tasks, table.task_count, &schema)?;
         let world = |mut memory: HomeArena| {
             let objects = objects(table, &mut memory)?;
             let (holds, context, states) = (table.holds, table.context, table.state_count);
@@ -99,6 +96,25 @@ unsafe fn init(
         };
         Ok(settle(plot, &tasks, world, robot))
     }
+}
+
+/// The kinds of tasks that commands may mean.
+///
+/// # Safety
+/// `tasks` is null or points to so many texts, each null or ended by a 0.
+pub(crate) unsafe fn kinds_of_tasks(
+    tasks: *const *const c_char,
+    count: u32,
+    schema: &Schema<'_>,
+) -> Result<Vec<LiftedTask, GOODBOT_MOST_TASKS>, Failure> {
+    let mut kinds = Vec::new();
+    // SAFETY: the caller's promise.
+    for &task in unsafe { list(tasks, count, GOODBOT_MOST_TASKS)? } {
+        // SAFETY: the caller's promise.
+        let kind = LiftedTask::parse(unsafe { text(task)? }, schema)?;
+        kinds.push(kind).map_err(|_| GoodbotStatus::Number)?;
+    }
+    Ok(kinds)
 }
 
 /// # Safety

@@ -1,7 +1,7 @@
 //! Grounded tasks: a lifted task with its variables bound to objects.
 
 use super::lifted::LiftedProposition;
-use super::way::{Way, WayState};
+use super::way::{Part, Way, WayState};
 use super::{LiftedTask, TaskSet};
 use crate::capacity::{Capacity, CapacityError, VARIABLES_PER_TASK};
 use crate::oomdp::{Domain, GroundProposition, ObjectId, Objects};
@@ -27,6 +27,12 @@ impl GroundedTask {
     pub fn propositions(&self, lifted: &LiftedTask) -> impl Iterator<Item = GroundProposition> {
         let task = *self;
         lifted.propositions().iter().map(move |&part| task.grounded(part))
+    }
+
+    /// The goal's propositions and, behind them, what its way asks, with the objects in them. `lifted` is the task that it grounds.
+    pub fn parts<'l>(&self, lifted: &'l LiftedTask) -> impl Iterator<Item = (Part, GroundProposition)> + Clone + use<'l> {
+        let task = *self;
+        lifted.parts().map(move |(part, proposition)| (part, task.grounded(proposition)))
     }
 
     /// A proposition of the lifted task, with the objects in it.

@@ -6,6 +6,7 @@
 //! - `machine_command`: a task and a constraint as the sentence that a command is translated from;
 //! - `role`: what an object is to a task;
 //! - [`way`]: what must hold, or must not, before the goal;
+//! - `wording`: the order in which a task is told, with its way;
 //! - [`description`]: a task and its scene by roles, which the role model reads.
 
 pub(crate) mod constraint;
@@ -15,6 +16,7 @@ pub(crate) mod lifted;
 pub(crate) mod machine_command;
 pub(crate) mod role;
 pub mod way;
+pub(crate) mod wording;
 
 pub use constraint::{Fact, Facts, facts};
 pub(crate) use grounded::ground_unless;
@@ -23,6 +25,7 @@ pub use lifted::{LiftedProposition, LiftedTask, NO_VARIABLE, TaskTextError};
 pub use machine_command::{Expression, TokenOrder, Tokens};
 pub use role::{Marker, NoMarker, Role, RoleKind, VALUE_SORTS, is_marker};
 pub use way::{Clause, Part, Way, WayState};
+pub use wording::{Piece, Wording};
 
 /// A set of a session's tasks, one bit each, by position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

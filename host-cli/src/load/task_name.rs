@@ -3,7 +3,7 @@
 use goodbot::home::{AGENT, COLOR, Home, SHAPE};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Domain, GroundProposition, ObjectId};
-use goodbot::task::{GroundedTask, LiftedTask, Part, Way};
+use goodbot::task::{GroundedTask, LiftedTask, Part, Piece, Way, Wording};
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText, TaskTextError, WayText};
 
 /// The text of a task: `blockInRoom(block0,room1)`. `lifted` is the task that it grounds.
@@ -44,32 +44,22 @@ pub fn in_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &Ground
         let subject = if goes { "go".to_owned() } else { format!("take {}", thing(home, subject)) };
         format!("{subject} to {}", thing(home, place))
     };
-    let goal = task.propositions(lifted).map(part).collect::<Vec<_>>().join(" and ");
-    way_in_words(goal, lifted, task, part, |it| place_in_words(home, it, |object| thing(home, object)))
+    way_in_words(lifted, task, part, |it| place_in_words(home, it, |object| thing(home, object)))
 }
 
-/// A goal in words, with its way: `go to the green room, but not through the yellow room`. `goal_words` says an earlier goal, `place` what is
-/// gone through.
+/// A task in words, with its way: `go to the green room, but not through the yellow room`. `goal` says a goal, `place` what is gone through.
 pub fn way_in_words(
-    goal: String,
     lifted: &LiftedTask,
     task: &GroundedTask,
-    goal_words: impl Fn(GroundProposition) -> String,
+    goal: impl Fn(GroundProposition) -> String,
     place: impl Fn(GroundProposition) -> String,
 ) -> String {
-    let way: Vec<(Part, GroundProposition)> = Way::of(task, lifted).parts().collect();
-    let all = |wanted: Part, words: &dyn Fn(GroundProposition) -> String| -> Vec<String> {
-        way.iter().filter(|&&(part, _)| part == wanted).map(|&(_, it)| words(it)).collect()
-    };
-    let stages = (0..).map(|stage| all(Part::Before(stage), &goal_words)).take_while(|goals| !goals.is_empty());
-    let clauses = (0..).map(|clause| all(Part::Through(clause), &place)).take_while(|places| !places.is_empty());
-    let avoiding = all(Part::Avoiding, &place);
-    let mut words: String = stages.map(|goals| format!("{}, then ", goals.join(" and "))).collect();
-    words.push_str(&goal);
-    words.extend(clauses.map(|places| format!(", through {}", places.join(" or "))));
-    if !avoiding.is_empty() {
-        words.push_str(&format!(", but not through {}", avoiding.join(" or ")));
-    }
+    let mut words = String::new();
+    Wording::PEOPLE.tell(task.parts(lifted), |piece| match piece {
+        Piece::Between(sign) => words.push_str(sign),
+        Piece::Proposition(Part::Goal | Part::Before(_), it) => words.push_str(&goal(it)),
+        Piece::Proposition(Part::Through(_) | Part::Avoiding, it) => words.push_str(&place(it)),
+    });
     words
 }
 

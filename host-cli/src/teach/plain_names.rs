@@ -17,8 +17,7 @@ pub fn task_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &Grou
             format!("go to the {room}")
         }
     };
-    let goals = task.propositions(lifted).map(goal).collect::<Vec<_>>().join(" and ");
-    way_in_words(goals, lifted, task, goal, |it| place_in_words(home, it, |object| format!("the {}", object_words(home, object))))
+    way_in_words(lifted, task, goal, |it| place_in_words(home, it, |object| format!("the {}", object_words(home, object))))
 }
 
 /// An object by its looks; where another looks alike, by its name too.

@@ -6,6 +6,7 @@ use crate::teach::session::Answered;
 use goodbot::asking::{Answer, Asking, Question, Subject};
 use goodbot::home::BLOCK_IN_ROOM;
 use goodbot::session::Evidence;
+use goodbot::task::{LiftedTask, Part};
 
 /// A question as a person hears it.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,10 +42,7 @@ impl Trainer {
         let which = "Which of these do you mean?".to_owned();
         let (text, choices) = match question.subject {
             Subject::Object(object) => (format!("Do you mean the {}?", object_words(&self.rooms, object)), vec![]),
-            Subject::Kind(kind) => {
-                let carries = agent.lifted().get(usize::from(kind))?.propositions().iter().any(|part| part.proposition == BLOCK_IN_ROOM);
-                (if carries { "Shall I carry something?" } else { "Shall I go somewhere myself?" }.to_owned(), vec![])
-            }
+            Subject::Kind(kind) => (kind_question(agent.lifted(), agent.lifted().get(usize::from(kind))?), vec![]),
             Subject::Task(position) => (format!("Do you mean: {}?", task(position)?), vec![]),
             Subject::WhichObject(objects, count) => {
                 let named = objects.iter().take(usize::from(count)).map(|&object| format!("the {}", object_words(&self.rooms, object)));
@@ -76,5 +74,51 @@ impl Trainer {
             let _ = self.mind.answered(answer.tasks, answer.yes, answer.eta, answer.others).map_err(refused)?;
         }
         Ok(())
+    }
+}
+
+/// Asks for a kind of task, one of those that the command may mean: `Shall I go somewhere myself, and not through a certain room?`.
+fn kind_question(all: &[LiftedTask], kind: &LiftedTask) -> String {
+    let carries = kind.propositions().iter().any(|part| part.proposition == BLOCK_IN_ROOM);
+    let mut text = if carries { "Shall I carry something" } else { "Shall I go somewhere myself" }.to_owned();
+    let through = kind.way().filter(|(part, _)| matches!(part, Part::Through(_))).count();
+    if kind.way().any(|(part, _)| matches!(part, Part::Before(_))) {
+        text.push_str(", after something else");
+    }
+    match through {
+        0 => {}
+        1 => text.push_str(", through a certain room"),
+        _ => text.push_str(", through one of two rooms"),
+    }
+    if kind.way().any(|(part, _)| part == Part::Avoiding) {
+        text.push_str(", and not through a certain room");
+    }
+    if !kind.has_way() && all.iter().any(LiftedTask::has_way) {
+        text.push_str(", whichever way");
+    }
+    text + "?"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use goodbot::home::{paper_tasks, with_routes};
+
+    #[test]
+    fn kinds_of_tasks_are_asked_for_with_their_ways_where_commands_may_mean_ways() {
+        let paper = paper_tasks().unwrap();
+        let ask = |all: &[LiftedTask]| all.iter().map(|kind| kind_question(all, kind)).collect::<Vec<_>>();
+        assert_eq!(ask(&paper), ["Shall I go somewhere myself?", "Shall I carry something?"]);
+        let with_ways = ask(&with_routes(&paper).unwrap());
+        assert_eq!(with_ways[0], "Shall I go somewhere myself, whichever way?");
+        let go = with_ways.iter().filter(|text| text.starts_with("Shall I go")).skip(1).collect::<Vec<_>>();
+        assert_eq!(
+            go,
+            [
+                "Shall I go somewhere myself, through a certain room?",
+                "Shall I go somewhere myself, and not through a certain room?",
+                "Shall I go somewhere myself, through one of two rooms?",
+            ]
+        );
     }
 }

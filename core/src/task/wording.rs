@@ -1,0 +1,70 @@
+//! The order in which a task is told, with its way: earlier goals, the goal, what it goes through, and what it avoids.
+
+use super::Part;
+use crate::capacity::PROPOSITIONS_PER_TASK;
+
+/// What stands between the parts of a task.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Wording {
+    and: &'static str,
+    then: &'static str,
+    through: &'static str,
+    or: &'static str,
+    avoiding: &'static str,
+}
+
+/// A piece of a task as it is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Piece<T> {
+    /// What stands between two propositions, or before one.
+    Between(&'static str),
+    /// A proposition, and what it is to the task.
+    Proposition(Part, T),
+}
+
+impl Wording {
+    /// As files write it: `agentInRoom(agent0,room0) avoiding agentInRoom(agent0,room2)`.
+    pub const FILES: Self = Self { and: " & ", then: " then ", through: " through ", or: " or ", avoiding: " avoiding " };
+    /// As people say it: `go to the green room, but not through the red room`.
+    pub const PEOPLE: Self = Self { and: " and ", then: ", then ", through: ", through ", or: " or ", avoiding: ", but not through " };
+
+    /// Gives the pieces of a task in order; `parts` are those of a [lifted](super::LiftedTask::parts) or a
+    /// [grounded](super::GroundedTask::parts) task.
+    ///
+    /// ```
+    /// use goodbot::home::SCHEMA;
+    /// use goodbot::task::{LiftedTask, Piece, Wording};
+    /// let task = LiftedTask::parse("agentInRoom(?a, ?goal) avoiding agentInRoom(?a, ?not)", &SCHEMA)?;
+    /// let mut kind = String::new();
+    /// Wording::FILES.tell(task.parts(), |piece| match piece {
+    ///     Piece::Between(sign) => kind.push_str(sign),
+    ///     Piece::Proposition(_, part) => kind.push_str(SCHEMA.proposition_name(part.proposition)),
+    /// });
+    /// assert_eq!(kind, "agentInRoom avoiding agentInRoom");
+    /// # Ok::<(), goodbot::task::TaskTextError>(())
+    /// ```
+    pub fn tell<T>(&self, parts: impl Iterator<Item = (Part, T)> + Clone, mut give: impl FnMut(Piece<T>)) {
+        let mut list = |wanted: Part, before: &'static str, between: &'static str| {
+            let mut sign = before;
+            for (part, proposition) in parts.clone().filter(|&(part, _)| part == wanted) {
+                if !sign.is_empty() {
+                    give(Piece::Between(sign));
+                }
+                give(Piece::Proposition(part, proposition));
+                sign = between;
+            }
+        };
+        let most = PROPOSITIONS_PER_TASK as u8;
+        let mut before = "";
+        for stage in 0..most {
+            list(Part::Before(stage), before, self.and);
+            before = self.then;
+        }
+        let has_stages = parts.clone().any(|(part, _)| matches!(part, Part::Before(_)));
+        list(Part::Goal, if has_stages { self.then } else { "" }, self.and);
+        for clause in 0..most {
+            list(Part::Through(clause), self.through, self.or);
+        }
+        list(Part::Avoiding, self.avoiding, self.or);
+    }
+}
