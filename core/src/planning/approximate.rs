@@ -79,7 +79,7 @@ impl Approximation {
             let extra = if self.pass == 0 { 0 } else { Piece(self.pass as u8).bit() };
             let Some(own) = own.filter(|own| own & extra == 0) else { continue };
             let view = View { moving: own | extra | Piece::ROBOT.bit(), ..View::WHOLE };
-            match RowSearch::layout(grid, goals, group, view, marks.len()) {
+            match RowSearch::layout(grid, goals, group, view, None, marks.len()) {
                 Some(search) => return Some((group, search)),
                 None if self.pass == 0 => self.too_large = self.too_large.union(group),
                 None => {}

@@ -8,6 +8,9 @@
 //! A row has one plane of bits for each action, the states to which a shortest way begins with it, and two for the frontier: the distance
 //! under way and the next. A robot with four actions takes six bits for each cell of the floor.
 //!
+//! Where tasks have a way that the robot's cell decides, there are as many rows for each layer of the way. A cell that brings the way on
+//! takes the state to the row of another layer, and from a cell that must be avoided no move leads on.
+//!
 //! The approximate plans use the same search in a smaller [`View`] of the floor.
 
 mod expand;
@@ -16,7 +19,7 @@ use super::bits::{entry, entry_words, set_entry};
 use super::goals::Goals;
 use super::one_by_one::StateSearch;
 use crate::oomdp::{Action, ActionSet, CellId, Divider, Floor, FloorCell, Piece, PushGrid, own_actions};
-use crate::task::TaskSet;
+use crate::task::{Part, TaskSet, Way, WayState};
 
 /// A part of the way to a task's goal: one piece goes to a cell.
 #[derive(Clone, Copy, Debug)]
@@ -172,15 +175,65 @@ impl Bits {
     }
 }
 
+/// A way that the robot's cell decides.
+#[derive(Clone, Copy, Debug)]
+struct WayPlanes {
+    /// The plane of the cells that need not be avoided. Behind it come those where each clause `through` is met, and where each earlier goal
+    /// holds.
+    first: usize,
+    clauses: u8,
+    stages: u8,
+    /// How many layers there are; the way of the last is behind.
+    layers: usize,
+}
+
+impl WayPlanes {
+    /// The way, where its planes begin at `first`; `None` where the robot's cell does not decide it.
+    fn new<G: PushGrid + ?Sized>(grid: &G, way: &Way<'_>, first: usize) -> Option<Self> {
+        let is_decided = way.parts().all(|(_, part)| grid.piece_of(&part) == Some(Piece::ROBOT));
+        let clauses = way.pending(WayState::START).count() as u8;
+        is_decided.then(|| Self { first, clauses, stages: way.stages(), layers: usize::from(way.layers()) })
+    }
+
+    /// How many planes it has.
+    const fn count(&self) -> usize {
+        1_usize.wrapping_add(self.clauses as usize).wrapping_add(self.stages as usize)
+    }
+
+    /// The plane of the cells where a part of the way holds.
+    fn plane(&self, part: Part) -> usize {
+        self.first.wrapping_add(match part {
+            Part::Goal | Part::Avoiding => 0,
+            Part::Through(clause) => 1_usize.wrapping_add(usize::from(clause)),
+            Part::Before(stage) => 1_usize.wrapping_add(usize::from(self.clauses)).wrapping_add(usize::from(stage)),
+        })
+    }
+
+    /// Whether a clause is met in a layer.
+    const fn has_passed(layer: usize, clause: u8) -> bool {
+        layer.wrapping_shr(clause as u32) & 1 == 1
+    }
+
+    /// How many earlier goals were reached in a layer.
+    const fn stage(&self, layer: usize) -> u8 {
+        layer.wrapping_shr(self.clauses as u32) as u8
+    }
+}
+
 /// How the marks are laid out, and where the search stands.
 ///
-/// First, for a window, the cells by their rank in it; then planes over the floor: its cells, those of them that are free, and for each
-/// task that asks for the robot's cell, the cells where it may hold; then four bit sets over the rows; then the rows.
+/// First, for a window, the cells by their rank in it; then planes over the floor: its cells, those of them that are free, for each task that
+/// asks for the robot's cell, the cells where it may hold, and those of the way; then four bit sets over the rows; then the rows, those of
+/// the first layer first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RowSearch {
     view: View,
     /// The moving pieces but the robot, one bit each.
     pieces: u32,
+    /// The way of the tasks, if they have one.
+    way: Option<WayPlanes>,
+    /// Rows of a layer.
+    rows: usize,
     bits: Bits,
     /// Words of a plane.
     words: usize,
@@ -228,9 +281,16 @@ struct Spot {
 
 impl RowSearch {
     /// How a search for these tasks is laid out in so many words; `None` where it does not fit, where an action does not cost 1 or a task
-    /// asks for more than single pieces' cells, or where states are sooner expanded one by one.
+    /// asks for more than single pieces' cells, or where states are sooner expanded one by one. `way` is the one that all these tasks go.
     #[inline(never)]
-    pub(super) fn layout<G: PushGrid + ?Sized>(grid: &G, goals: &Goals<'_>, tasks: TaskSet, view: View, words: usize) -> Option<Self> {
+    pub(super) fn layout<G: PushGrid + ?Sized>(
+        grid: &G,
+        goals: &Goals<'_>,
+        tasks: TaskSet,
+        view: View,
+        way: Option<&Way<'_>>,
+        words: usize,
+    ) -> Option<Self> {
         let floor = grid.floor();
         if !goals.table.of_several().common(tasks).is_empty() || grid.actions().iter().any(|kind| kind.cost != 1) {
             return None;
@@ -250,17 +310,26 @@ impl RowSearch {
         let actions = own_actions(grid).count();
         let plane = bits.len.div_ceil(64);
         let stride = plane.checked_mul(actions.saturating_add(2))?;
-        let set = rows.div_ceil(64);
         let floor_at = if is_whole { 0 } else { entry_words(bits.cells) };
-        let sets_at = plane.checked_mul(2_usize.wrapping_add(of_robot.0.count_ones() as usize))?.checked_add(floor_at)?;
+        let planes = 2_usize.wrapping_add(of_robot.0.count_ones() as usize);
+        let way = match way {
+            None => None,
+            Some(way) => Some(WayPlanes::new(grid, way, planes)?),
+        };
+        let (layers, way_planes) = way.map_or((1, 0), |way| (way.layers, way.count()));
+        let all_rows = rows.checked_mul(layers)?;
+        let set = all_rows.div_ceil(64);
+        let sets_at = plane.checked_mul(planes.wrapping_add(way_planes))?.checked_add(floor_at)?;
         let rows_at = set.checked_mul(SETS)?.checked_add(sets_at)?;
-        if rows.checked_mul(stride)?.checked_add(rows_at)? > words {
+        if all_rows.checked_mul(stride)?.checked_add(rows_at)? > words {
             return None;
         }
         let is_direction = |action: &Action| floor.directions.contains(action);
         Some(Self {
             view,
             pieces,
+            way,
+            rows,
             bits,
             words: plane,
             actions,
@@ -283,7 +352,7 @@ impl RowSearch {
 
     /// The words that a search of the whole floor for these tasks takes, `None` where it is no search for rows.
     pub(super) fn words_needed<G: PushGrid + ?Sized>(grid: &G, goals: &Goals<'_>, tasks: TaskSet) -> Option<usize> {
-        let search = Self::layout(grid, goals, tasks, View::WHOLE, usize::MAX)?;
+        let search = Self::layout(grid, goals, tasks, View::WHOLE, None, usize::MAX)?;
         let rows = search.bits.cells.checked_pow(search.pieces.count_ones())?;
         rows.checked_mul(search.stride)?.checked_add(search.rows_at)
     }
@@ -311,18 +380,71 @@ impl RowSearch {
         2_usize.wrapping_add(before.0.count_ones() as usize)
     }
 
+    /// The way of the tasks. Without the feature `ways` this is known to be none, and takes no code.
+    #[inline]
+    fn way(&self) -> Option<WayPlanes> {
+        self.way.filter(|_| cfg!(feature = "ways"))
+    }
+
+    /// The layer of a row.
+    #[inline]
+    fn layer(&self, row: usize) -> usize {
+        if self.way().is_some() { row.checked_div(self.rows).unwrap_or(0) } else { 0 }
+    }
+
+    /// Where a row is among those of its layer.
+    #[inline]
+    fn row_in_layer(&self, row: usize) -> usize {
+        row.wrapping_sub(self.layer(row).wrapping_mul(self.rows))
+    }
+
+    /// The same place in another layer; `to` is in the first.
+    #[inline]
+    fn in_layer(&self, to: Spot, layer: usize) -> Spot {
+        Spot { row: to.row.wrapping_add(layer.wrapping_mul(self.rows)), ..to }
+    }
+
+    /// A word of a plane over the floor.
+    #[inline]
+    fn floor_word(&self, marks: &[u64], plane: usize, word: usize) -> u64 {
+        marks.get(self.floor_plane_at(plane).wrapping_add(word)).copied().unwrap_or(0)
+    }
+
+    /// The bits of one word of a layer that bring the way on.
+    fn leaving(&self, marks: &[u64], way: &WayPlanes, layer: usize, word: usize) -> u64 {
+        let clauses = (0..way.clauses).filter(|&clause| !WayPlanes::has_passed(layer, clause)).map(Part::Through);
+        let stage = Some(way.stage(layer)).filter(|&stage| stage < way.stages).map(Part::Before);
+        clauses.chain(stage).fold(0, |all, part| all | self.floor_word(marks, way.plane(part), word))
+    }
+
+    /// The place of a state whose robot has come to its cell: perhaps in another layer.
+    fn come_to(&self, marks: &[u64], to: Spot) -> Spot {
+        let Some(way) = self.way() else { return to };
+        let layer = self.layer(to.row);
+        let holds = |part| self.floor_word(marks, way.plane(part), to.bit / 64) >> (to.bit % 64) & 1 == 1;
+        let mut stage = way.stage(layer);
+        while stage < way.stages && holds(Part::Before(stage)) {
+            stage = stage.wrapping_add(1);
+        }
+        let passed = (0..way.clauses).filter(|&clause| WayPlanes::has_passed(layer, clause) || holds(Part::Through(clause)));
+        let after = passed
+            .fold(usize::from(stage).wrapping_shl(u32::from(way.clauses)), |after, clause| after | 1_usize.wrapping_shl(u32::from(clause)));
+        Spot { row: to.row.wrapping_add(after.wrapping_sub(layer).wrapping_mul(self.rows)), ..to }
+    }
+
     #[inline]
     const fn row_at(&self, row: usize) -> usize {
         self.rows_at.wrapping_add(row.wrapping_mul(self.stride))
     }
 
-    /// Lays out the marks, which hold zeros, and opens the successors of `state`.
+    /// Lays out the marks, which hold zeros, and opens the successors of `state`. `way` is the one of the layout, and how far it has come.
     #[inline(never)]
     pub(super) fn begin<G: PushGrid + ?Sized>(
         &mut self,
         grid: &G,
         goals: &Goals<'_>,
         state: &G::State,
+        way: Option<(&Way<'_>, WayState)>,
         marks: &mut [u64],
         applicable: ActionSet,
     ) {
@@ -345,20 +467,39 @@ impl RowSearch {
             }
             let here = self.view.allowed(goals, grid, state, Piece::ROBOT, id);
             here.common(self.of_robot).iter().for_each(|task| mark(self.plane_of(task)));
+            if let (Some((way, _)), Some(planes)) = (way, self.way()) {
+                let there = grid.put(state, Piece::ROBOT, id);
+                let holds = |part| grid.holds(&part, &there);
+                if !way.is_violated(|part| holds(*part)) {
+                    mark(planes.first);
+                }
+                way.parts()
+                    .filter(|&(part, it)| matches!(part, Part::Through(_)) && holds(it))
+                    .for_each(|(part, _)| mark(planes.plane(part)));
+                let all_hold = |stage: &Part| way.parts().all(|(part, it)| part != *stage || holds(it));
+                (0..planes.stages).map(Part::Before).filter(all_hold).for_each(|stage| mark(planes.plane(stage)));
+            }
         }
         let candidates = self.set_at(CANDIDATES);
         marks.get_mut(candidates..candidates.wrapping_add(self.set)).unwrap_or(&mut []).fill(u64::MAX);
+        let layer = way.map_or(0, |(way, now)| usize::from(way.layer(now)));
         if let Some(start) = self.spot(grid, state, state, marks) {
+            let start = self.in_layer(start, layer);
             // Reached by any action, it is not reached again.
             self.reach(marks, start, ActionSet::of(Action(0)));
             let plane = self.row_at(start.row).wrapping_add(self.next.wrapping_mul(self.words));
             if let Some(open) = marks.get_mut(plane.wrapping_add(start.bit / 64)) {
                 *open = 0;
             }
+            let onward = self.way().is_none_or(|way| self.floor_word(marks, way.first, start.bit / 64) >> (start.bit % 64) & 1 == 1);
+            if !onward {
+                return;
+            }
         }
         for action in applicable.iter().filter(|&action| action != Action::NOOP) {
             let next = grid.step(state, action).filter(|next| next != state);
             if let Some(next) = next.and_then(|next| self.spot(grid, state, &next, marks)) {
+                let next = self.come_to(marks, self.in_layer(next, layer));
                 self.reach(marks, next, ActionSet::of(action));
             }
         }
@@ -409,7 +550,7 @@ impl RowSearch {
     /// A state of a row, with the robot on any cell, and the bits that other moving pieces occupy in the row's first word.
     #[inline]
     fn state_of_row<G: PushGrid + ?Sized>(&self, grid: &G, now: &G::State, row: usize, marks: &[u64]) -> (G::State, u64) {
-        let (mut state, mut rest, mut occupied, cells) = (*now, row as u64, 0, grid.floor().cells);
+        let (mut state, mut rest, mut occupied, cells) = (*now, self.row_in_layer(row) as u64, 0, grid.floor().cells);
         let last = self.pieces.checked_ilog2().unwrap_or(0);
         for piece in self.pieces() {
             // The last digit is what is left.

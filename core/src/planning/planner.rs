@@ -5,7 +5,8 @@
 //! 2. the exact search for all tasks without a way: by rows of bits where the domain is a floor with pieces and the rows fit, else state by
 //!    state. Where the states do not fit either, it looks as far as its hash table reaches, so that near goals are found exactly all the
 //!    same;
-//! 3. for the tasks of each way that is still to be gone, an exact search state by state in the product of world and way;
+//! 3. for the tasks of each way that is still to be gone, an exact search in the product of world and way: by rows of bits where the robot's
+//!    cell decides how the way goes on, else state by state;
 //! 4. on a floor with pieces, the tasks without a way that are still open get an approximate plan. Those with one stay unknown.
 
 use super::Progress;
@@ -95,7 +96,8 @@ enum Marked {
     Rows(RowSearch),
     States(StateSearch),
     /// The search for the tasks that go the way of this one.
-    Way(StateSearch, u8),
+    WayRows(RowSearch, u8),
+    WayStates(StateSearch, u8),
 }
 
 impl Marked {
@@ -104,8 +106,8 @@ impl Marked {
         match core::mem::replace(self, Self::Nothing) {
             Self::Anything => marks.fill(0),
             Self::Nothing => {}
-            Self::Rows(rows) => rows.clear(marks),
-            Self::States(states) | Self::Way(states, _) => states.clear(marks),
+            Self::Rows(rows) | Self::WayRows(rows, _) => rows.clear(marks),
+            Self::States(states) | Self::WayStates(states, _) => states.clear(marks),
         }
     }
 }
@@ -221,8 +223,8 @@ impl Planner {
         self.marked = Marked::Nothing;
         if !open.is_empty() {
             let rows = D::Search::grid(domain).and_then(|grid| {
-                let mut rows = RowSearch::layout(grid, &goals, open, View::WHOLE, marks.len())?;
-                rows.begin(grid, &goals, state, marks, results.found.applicable);
+                let mut rows = RowSearch::layout(grid, &goals, open, View::WHOLE, None, marks.len())?;
+                rows.begin(grid, &goals, state, None, marks, results.found.applicable);
                 Some(rows)
             });
             self.marked = match rows {
@@ -256,9 +258,11 @@ impl Planner {
         let (goals, marks, hashed, mut results) = tables.split(&self.goals, &mut self.found);
         while *left > 0 {
             let expansions = match &mut self.marked {
-                Marked::Rows(rows) => D::Search::grid(domain).and_then(|grid| rows.expand(marks, &mut results, grid, &goals, state)),
+                Marked::Rows(rows) | Marked::WayRows(rows, _) => {
+                    D::Search::grid(domain).and_then(|grid| rows.expand(marks, &mut results, grid, &goals, state))
+                }
                 Marked::States(states) => states.expand(marks, hashed, &mut results, domain, &goals),
-                Marked::Way(states, task) => ways
+                Marked::WayStates(states, task) => ways
                     .product(domain, usize::from(*task))
                     .and_then(|(product, _)| states.expand(marks, hashed, &mut results, &product, &goals)),
                 Marked::Anything | Marked::Nothing => None,
@@ -273,8 +277,8 @@ impl Planner {
             }
             results.end_level();
             let ahead = match &mut self.marked {
-                Marked::Rows(rows) => rows.next_level(),
-                Marked::States(states) | Marked::Way(states, _) => states.next_level(results.found.level),
+                Marked::Rows(rows) | Marked::WayRows(rows, _) => rows.next_level(),
+                Marked::States(states) | Marked::WayStates(states, _) => states.next_level(results.found.level),
                 Marked::Anything | Marked::Nothing => false,
             };
             if !ahead || results.found.sought.is_empty() {
@@ -289,23 +293,34 @@ impl Planner {
     fn next_search<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State) -> u32 {
         if let Stage::Exact { waiting, with_ways } = self.stage {
             let ways = tables.ways;
-            let complete = !matches!(&self.marked, Marked::States(states) | Marked::Way(states, _) if !states.is_complete());
+            let complete = !matches!(&self.marked, Marked::States(states) | Marked::WayStates(states, _) if !states.is_complete());
             if complete {
                 let searched = match &self.marked {
-                    Marked::Way(_, task) => ways.group(usize::from(*task), with_ways),
+                    Marked::WayRows(_, task) | Marked::WayStates(_, task) => ways.group(usize::from(*task), with_ways),
                     _ => self.found.unknown.without(with_ways),
                 };
                 self.found.rule_out(searched.common(self.found.unknown));
             }
-            if let Some((first, (product, way))) = waiting.iter().next().and_then(|first| Some((first, ways.product(domain, first)?))) {
+            if let Some((first, (product, now))) = waiting.iter().next().and_then(|first| Some((first, ways.product(domain, first)?))) {
                 let group = ways.group(first, waiting);
                 self.stage = Stage::Exact { waiting: waiting.without(group), with_ways };
                 self.marked.clear(tables.marks);
-                let (_, marks, hashed, results) = tables.split(&self.goals, &mut self.found);
+                let (goals, marks, hashed, results) = tables.split(&self.goals, &mut self.found);
                 (results.found.level, results.found.sought) = (0, group);
-                let states = StateSearch::begin(&product, &(*state, way), marks, hashed, results.found.applicable);
-                self.marked = Marked::Way(states, first as u8);
-                return 1;
+                let applicable = results.found.applicable;
+                let rows = D::Search::grid(domain).and_then(|grid| {
+                    let mut rows = RowSearch::layout(grid, &goals, group, View::WHOLE, Some(product.way()), marks.len())?;
+                    rows.begin(grid, &goals, state, Some((product.way(), now)), marks, applicable);
+                    Some(rows)
+                });
+                let work;
+                (self.marked, work) = match rows {
+                    Some(rows) => {
+                        (Marked::WayRows(rows, first as u8), D::Search::grid(domain).map_or(1, |grid| grid.floor().cells.len() as u32))
+                    }
+                    None => (Marked::WayStates(StateSearch::begin(&product, &(*state, now), marks, hashed, applicable), first as u8), 1),
+                };
+                return work;
             }
             self.stage = Stage::Approximate(Approximation::new(self.found.unknown.without(with_ways)));
             // What is left of those with ways stays unknown.
@@ -329,7 +344,7 @@ impl Planner {
         match approximation.next(grid, &goals, state, open, marks) {
             Some((tasks, mut rows)) => {
                 (results.found.level, results.found.sought) = (0, tasks);
-                rows.begin(grid, &goals, state, marks, results.found.applicable);
+                rows.begin(grid, &goals, state, None, marks, results.found.applicable);
                 self.marked = Marked::Rows(rows);
             }
             None => self.stage = Stage::Done,

@@ -72,6 +72,13 @@ pub(super) struct Product<'d, 't, D: ?Sized> {
     layers: u64,
 }
 
+impl<'t, D: ?Sized> Product<'_, 't, D> {
+    /// The way.
+    pub(super) const fn way(&self) -> &Way<'t> {
+        &self.way
+    }
+}
+
 impl<D: Domain + ?Sized> Domain for Product<'_, '_, D> {
     type State = (D::State, WayState);
     type Search = OneByOne;

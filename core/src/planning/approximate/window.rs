@@ -116,7 +116,7 @@ impl<G: PushGrid + ?Sized> Errand<'_, G> {
     fn search(&self, words: usize, piece: Piece, window: u32, to: Option<CellId>) -> Option<(RowSearch, Subgoal)> {
         let subgoal = Subgoal { task: self.task, piece, to };
         let view = View { moving: Piece::ROBOT.bit() | piece.bit(), window, subgoal: Some(subgoal) };
-        RowSearch::layout(self.grid, self.goals, TaskSet::of(self.task), view, words).map(|search| (search, subgoal))
+        RowSearch::layout(self.grid, self.goals, TaskSet::of(self.task), view, None, words).map(|search| (search, subgoal))
     }
 
     /// The way of one piece alone, around the others: to a cell, or to where the task asks it to be.

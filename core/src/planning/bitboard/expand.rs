@@ -1,6 +1,6 @@
 //! The states of one row at the distance under way, expanded together.
 
-use super::{CANDIDATES, FREE, RowSearch, Spot};
+use super::{CANDIDATES, FREE, RowSearch, Spot, WayPlanes};
 use crate::oomdp::{Action, ActionSet, Piece, PushGrid};
 use crate::planning::bits::take_from;
 use crate::planning::goals::Goals;
@@ -20,6 +20,10 @@ impl RowSearch {
     ) -> Option<u32> {
         let row = self.take(marks)?;
         let (state, occupied) = self.state_of_row(grid, now, row, marks);
+        self.meet(marks, results, grid, goals, &state, row);
+        if let Some(way) = self.way() {
+            self.stay_where_avoided(marks, &way, row);
+        }
         let expansions = match (self.words, self.actions) {
             // Rows of one word are common: their loops are unrolled.
             (1, 4) => self.expand_word::<4, G>(marks, grid, now, &state, row, occupied),
@@ -29,12 +33,53 @@ impl RowSearch {
                 self.push(marks, grid, now, &state, row)
             }
         };
-        self.meet(marks, results, grid, goals, &state, row);
+        if let Some(way) = self.way() {
+            self.change_layers(marks, &way, row);
+        }
         let here = self.row_at(row).wrapping_add(self.here.wrapping_mul(self.words));
         if let Some(here) = marks.get_mut(here..here.wrapping_add(self.words)) {
             here.fill(0);
         }
         Some(expansions.max(self.words as u32))
+    }
+
+    /// No move leads on from the cells that must be avoided.
+    fn stay_where_avoided(&self, marks: &mut [u64], way: &WayPlanes, row: usize) {
+        let here = self.row_at(row).wrapping_add(self.here.wrapping_mul(self.words));
+        for word in 0..self.words {
+            let onward = self.floor_word(marks, way.first, word);
+            if let Some(here) = marks.get_mut(here.wrapping_add(word)) {
+                *here &= onward;
+            }
+        }
+    }
+
+    /// What was opened in a row on cells that bring the way on goes to the row of another layer.
+    fn change_layers(&mut self, marks: &mut [u64], way: &WayPlanes, row: usize) {
+        let layer = self.layer(row);
+        for word in 0..self.words {
+            let planes = self.row_at(row).wrapping_add(word);
+            let next = planes.wrapping_add(self.next.wrapping_mul(self.words));
+            let mut leaving = marks.get(next).copied().unwrap_or(0) & self.leaving(marks, way, layer, word);
+            while leaving != 0 {
+                let bit = leaving & leaving.wrapping_neg();
+                leaving ^= bit;
+                let (mut first, mut at) = (ActionSet::EMPTY, planes);
+                for action in 0..self.actions {
+                    if let Some(plane) = marks.get_mut(at) {
+                        first = ActionSet(first.0 | u16::from(*plane & bit != 0) << action);
+                        *plane &= !bit;
+                    }
+                    at = at.wrapping_add(self.words);
+                }
+                if let Some(open) = marks.get_mut(next) {
+                    *open &= !bit;
+                }
+                let to = Spot { row, bit: word.wrapping_mul(64).wrapping_add(bit.trailing_zeros() as usize) };
+                let to = self.come_to(marks, to);
+                self.reach(marks, to, first);
+            }
+        }
     }
 
     /// Takes the next row that has a state at the distance under way.
@@ -109,7 +154,8 @@ impl RowSearch {
                 let robot = self.bits.ahead(piece, direction ^ 1);
                 let first = first.iter().rev().fold(0, |set, plane| set << 1 | u16::from(plane & robot != 0));
                 if let Some(row) = self.row_after_push(marks, grid, state, row, bit, direction) {
-                    self.reach(marks, Spot { row, bit }, ActionSet(first));
+                    let to = self.come_to(marks, Spot { row, bit });
+                    self.reach(marks, to, ActionSet(first));
                 }
             }
         }
@@ -221,6 +267,10 @@ impl RowSearch {
         row: usize,
     ) {
         let (words, actions, sought) = (self.words, self.actions, results.found.sought);
+        // A goal holds in the last layer alone.
+        if self.way().is_some_and(|way| self.layer(row).wrapping_add(1) < way.layers) {
+            return;
+        }
         let mut tasks = sought.common(self.only_robot);
         let candidates = self.set_at(CANDIDATES).wrapping_add(row / 64);
         if marks.get(candidates).is_some_and(|word| word >> (row % 64) & 1 == 1) {
@@ -279,6 +329,7 @@ impl RowSearch {
                     expansions = expansions.wrapping_add(1);
                     let next = grid.step(&here, action).filter(|next| *next != here);
                     if let Some(next) = next.and_then(|next| self.spot(grid, now, &next, marks)) {
+                        let next = self.come_to(marks, self.in_layer(next, self.layer(row)));
                         self.reach(marks, next, first);
                     }
                 }
