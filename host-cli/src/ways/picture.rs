@@ -1,0 +1,30 @@
+//! The shares of commands that robots understood, after more and more lessons.
+
+use super::{Robots, Test, WaysOptions};
+use crate::canvas::{BLUE, GREEN, INK, draw as canvas};
+use plotters::prelude::*;
+use std::error::Error;
+
+/// A line for robots that never ask, and one for those that do; upright strokes are 95 % intervals over robots.
+pub fn draw(robots: &[Robots; 2], options: &WaysOptions) -> Result<String, Box<dyn Error>> {
+    canvas((720, 440), |area| {
+        let mut chart = ChartBuilder::on(area)
+            .caption(format!("Commands that say how, understood by {} robots after lessons", options.runs), ("sans-serif", 18))
+            .margin(16)
+            .x_label_area_size(44)
+            .y_label_area_size(56)
+            .build_cartesian_2d(0.0..options.lessons.max(1) as f64, 0.0..100.0)?;
+        chart.configure_mesh().x_desc("lessons").y_desc(format!("% right of {} commands", options.tests)).draw()?;
+        for (robots, color, name) in [(&robots[0], BLUE, "never asks"), (&robots[1], GREEN, "asks")] {
+            let at =
+                |test: &Test, shift: f64| (test.lessons as f64, (100.0 * (test.share.mean + shift * test.share.half)).clamp(0.0, 100.0));
+            let line = LineSeries::new(robots.tests.iter().map(|test| at(test, 0.0)), color.stroke_width(2));
+            chart.draw_series(line)?.label(name).legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], color.stroke_width(2)));
+            let intervals = robots.tests.iter().map(|test| PathElement::new([at(test, -1.0), at(test, 1.0)], color.stroke_width(1)));
+            chart.draw_series(intervals)?;
+            chart.draw_series(robots.tests.iter().map(|test| Circle::new(at(test, 0.0), 3, color.filled())))?;
+        }
+        chart.configure_series_labels().position(SeriesLabelPosition::UpperLeft).border_style(INK).background_style(WHITE).draw()?;
+        Ok(())
+    })
+}
