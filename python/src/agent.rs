@@ -9,7 +9,7 @@ use crate::robot::{self, Robot};
 use goodbot::asking::{Answer, Asking, Subject};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{self, SCHEMA};
-use goodbot::language::Meaning;
+use goodbot::language::{Meaning, Synonyms};
 use goodbot::memory::AgentHeap;
 use goodbot::oomdp::{Action, Domain, Schema};
 use goodbot::planning::{OptimalSet, Progress};
@@ -615,14 +615,14 @@ impl Agent {
                 Subject::Task(_) => "task",
                 Subject::WhichObject(..) | Subject::WhichTask(..) => "which",
             };
-            let choices = match question.subject.choices() {
-                0 => std::slice::from_ref(&question.yes),
-                count => &question.choices[..usize::from(count)],
-            };
             let names = |tasks: &TaskSet| tasks.iter().map(|task| mind.task_text(py, task)).collect::<Vec<_>>();
+            let choices: Vec<_> = match question.subject.choices() {
+                0 => vec![names(&question.yes)],
+                count => question.choices.iter().take(usize::from(count)).map(names).collect(),
+            };
             let told = PyDict::new(py);
             told.set_item("about", about)?;
-            told.set_item("choices", choices.iter().map(names).collect::<Vec<_>>())?;
+            told.set_item("choices", choices)?;
             told.set_item("bits", question.information)?;
             Ok(Some(told))
         })
@@ -759,6 +759,13 @@ impl Agent {
             let language = mind.core.language();
             Ok(language.words().iter().take(language.tables().words()).map(|(_, text)| text.to_owned()).collect())
         })
+    }
+
+    /// A command in words that were learned, as far as a table has them: for `hear`. Each line of `synonyms` has words that mean the same, with
+    /// blanks between them; what follows a `#` is a comment. A word that was learned stays, and so does one whose line has no such word.
+    fn in_known_words(&self, py: Python<'_>, command: &str, synonyms: &str) -> PyResult<String> {
+        let table = Synonyms::new(synonyms).map_err(value)?;
+        self.with(|mind| table.in_known_words(mind.core.language(), command).map_err(|error| error::full(py, error)))
     }
 
     /// The machine tokens that the words are explained by.
