@@ -15,6 +15,10 @@ pub struct NextLesson<'c> {
     pub worth: f32,
     /// The word that makes most of its worth: the reason to teach it.
     pub word: &'c str,
+    /// How many of the wanted commands have that word.
+    pub needed: u32,
+    /// In how many lessons it was heard.
+    pub heard: u32,
 }
 
 /// The lesson to teach next: of `lessons`, commands that could be taught, the one that teaches most of the commands in `wanted`. `heard`
@@ -29,7 +33,7 @@ pub struct NextLesson<'c> {
 /// let wanted = ["take the bag to the red room", "go to the red room"];
 /// let lessons = ["go to the blue room", "go to the red room"];
 /// let next = next_lesson(&lessons, &wanted, |word| if word == "red" { 0 } else { 1 })?.expect("red is needed");
-/// assert_eq!((next.lesson, next.word), (1, "red"));
+/// assert_eq!((next.lesson, next.word, next.needed, next.heard), (1, "red", 2, 0));
 /// // Where all is known well, nothing is worth much.
 /// assert!(next_lesson(&lessons, &wanted, |_| 99)?.expect("but something").worth < 0.01);
 /// # Ok::<(), goodbot::capacity::CapacityError>(())
@@ -37,31 +41,34 @@ pub struct NextLesson<'c> {
 pub fn next_lesson<'c>(lessons: &[&'c str], wanted: &[&str], heard: impl Fn(&str) -> u32) -> Result<Option<NextLesson<'c>>, CapacityError> {
     let mut best: Option<NextLesson<'c>> = None;
     for (lesson, command) in lessons.iter().enumerate() {
-        let (mut worth, mut most, mut word) = (0.0, 0.0, "");
-        for said in command.split_whitespace() {
-            let part = need(said, wanted)? / square(heard(said).saturating_add(1));
-            worth += part;
+        let mut next = NextLesson { lesson, worth: 0.0, word: "", needed: 0, heard: 0 };
+        let mut most = 0.0;
+        for word in command.split_whitespace() {
+            let (needed, heard) = (need(word, wanted)?, heard(word));
+            let part = needed as f32 / square(heard.saturating_add(1));
+            next.worth += part;
             if part > most {
-                (most, word) = (part, said);
+                most = part;
+                next = NextLesson { word, needed, heard, ..next };
             }
         }
-        if worth > best.map_or(0.0, |best| best.worth) {
-            best = Some(NextLesson { lesson, worth, word });
+        if next.worth > best.map_or(0.0, |best| best.worth) {
+            best = Some(next);
         }
     }
     Ok(best)
 }
 
 /// How many of the wanted commands have this word.
-fn need(word: &str, wanted: &[&str]) -> Result<f32, CapacityError> {
-    let mut count = 0.0;
+fn need(word: &str, wanted: &[&str]) -> Result<u32, CapacityError> {
+    let mut count = 0_u32;
     for command in wanted {
         let mut found = false;
         for_each_word(command, |said| {
             found |= said.eq_ignore_ascii_case(word);
             Ok(())
         })?;
-        count += f32::from(u8::from(found));
+        count = count.saturating_add(u32::from(found));
     }
     Ok(count)
 }

@@ -94,9 +94,8 @@ impl World {
     /// A name that is no task's; what [`Agent::answered`](goodbot::Agent::answered) refuses.
     pub fn answer_as(&mut self, names: Vec<String>, yes: bool, eta: f32, others: u8) -> Result<(), Refusal> {
         let known = self.belief().tasks;
-        let position = |name: &String| {
-            known.iter().position(|task| task.name == *name).ok_or_else(|| Refusal(format!("{name} is no task here")))
-        };
+        let position =
+            |name: &String| known.iter().position(|task| task.name == *name).ok_or_else(|| Refusal(format!("{name} is no task here")));
         let tasks = names.iter().map(position).collect::<Result<TaskSet, Refusal>>()?;
         let _ = self.mind.answered(tasks, yes, eta, others).map_err(Refusal::from)?;
         if let Some(recording) = &mut self.recording {

@@ -4,10 +4,10 @@
 //! [`World::learn`] until it is done, or [`World::forget`].
 
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy, population};
-use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, HomeState, Place, ROOM, SHAPE};
+use goodbot::home::{Home, HomeState, Place, ROOM};
 use goodbot::language::{Model, for_each_piece, for_each_word};
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::{Action, Domain, ObjectId, action_name, action_named};
+use goodbot::oomdp::{Action, Domain, action_name, action_named};
 use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::random::unit;
 use goodbot::session;
@@ -50,7 +50,7 @@ impl World {
         self.record(command, false)
     }
 
-    /// What the command most likely means, in words, where that is done already; `None` where something is left to do. The mind knows no
+    /// The name of the task that the command most likely means, where that is done already; `None` where something is left to do. The mind knows no
     /// task that holds where it hears, so it hears from where one thing is in another room, from each of them: what is meant must come
     /// before everything else, and every word must be known. A session under way ends unlearned.
     ///
@@ -72,7 +72,7 @@ impl World {
                 let likely = mind.tasks().iter().enumerate().find(|&(position, _)| mind.belief().probability(position) > CLEARLY);
                 done = likely.filter(|_| understood).and_then(|(_, task)| {
                     let lifted = mind.lifted().get(usize::from(task.lifted))?;
-                    task.propositions(lifted).all(|part| home.holds(&part, state)).then(|| task_words(home, lifted, task))
+                    task.propositions(lifted).all(|part| home.holds(&part, state)).then(|| task_name(home, lifted, task))
                 });
                 mind.forget_evidence();
                 if done.is_none() {
@@ -271,7 +271,7 @@ impl World {
         let named = |(position, task): (usize, &GroundedTask)| {
             let lifted = agent.lifted().get(usize::from(task.lifted))?;
             let probability = agent.belief().probability(position);
-            Some(Task { name: task_name(home, lifted, task), words: task_words(home, lifted, task), probability })
+            Some(Task { name: task_name(home, lifted, task), probability })
         };
         Belief { tasks: tasks.iter().enumerate().filter_map(named).collect(), trainer: self.trainer() }
     }
@@ -377,27 +377,4 @@ pub(crate) fn task_name(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task:
         format!("{}({})", home.world().schema.proposition_name(part.proposition), names.join(","))
     });
     parts.collect::<Vec<_>>().join(" & ")
-}
-
-/// The task as a person says it. Objects that look alike are told apart by their names.
-pub(crate) fn task_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
-    let parts = task.propositions(lifted).map(|part| {
-        let [subject, room, _] = part.arguments;
-        match part.proposition {
-            BLOCK_IN_ROOM => format!("take the {} to the {}", described(home, subject), described(home, room)),
-            _ => format!("go to the {}", described(home, room)),
-        }
-    });
-    parts.collect::<Vec<_>>().join(" and ")
-}
-
-/// An object by its looks, and by its name where another looks alike.
-pub(crate) fn described(home: &Home<impl HomeMemory>, id: ObjectId) -> String {
-    let objects = home.objects();
-    let class = objects.get(id).map(|object| object.class);
-    let looks = |id: ObjectId| (objects.value(id, COLOR), objects.value(id, SHAPE));
-    let (color, shape) = looks(id);
-    let kind = if class == Some(ROOM) { "room" } else { shape };
-    let alike = objects.iter().filter(|&(other, object)| Some(object.class) == class && looks(other) == (color, shape)).count();
-    if alike > 1 { format!("{color} {kind} ({})", objects.name(id)) } else { format!("{color} {kind}") }
 }

@@ -53,7 +53,7 @@ fn what_is_done_already_is_told_and_nothing_else_is() {
         world.reset();
         train(&mut world, command, &format!("agentInRoom(agent0,room{task})"));
     }
-    assert_eq!(world.already("go to the red room").unwrap().as_deref(), Some("go to the red room"), "the last session ended there");
+    assert_eq!(world.already("go to the red room").unwrap().as_deref(), Some("agentInRoom(agent0,room2)"), "the last session ended there");
     assert_eq!(world.already("go to the green room").unwrap(), None);
     world.reset();
     assert_eq!(world.already("go to the red room").unwrap(), None);
@@ -69,7 +69,7 @@ fn a_robot_that_was_trained_understands_the_command_it_was_trained_on() {
     world.hear("go to the red room").unwrap();
     let tasks = world.belief().tasks;
     let best = tasks.iter().max_by(|a, b| a.probability.total_cmp(&b.probability)).unwrap();
-    assert_eq!(best.words, "go to the red room");
+    assert_eq!(best.name, "agentInRoom(agent0,room2)");
     let support = world.support().unwrap();
     let red = support.words.iter().position(|word| word == "red").unwrap();
     let task = tasks.iter().position(|task| task.name == best.name).unwrap();
@@ -292,4 +292,16 @@ fn an_answer_to_no_question_or_of_no_kind_is_refused() {
     assert!(world.answer("0").is_err());
     assert!(world.answer("99").is_err());
     assert!(world.open_question().is_some(), "the question still waits");
+}
+
+#[test]
+fn the_next_lesson_is_the_one_with_the_word_that_was_heard_least() {
+    let mut world = world("A");
+    train(&mut world, "go to the green room", "agentInRoom(agent0,room1)");
+    let next =
+        world.next_lesson("go to the green room\ngo to the red room", "go to the green room\ntake it to the red room").unwrap().unwrap();
+    assert_eq!((next.lesson, next.word.as_str(), next.needed, next.heard), (1, "red", 1, 0));
+    let known = world.next_lesson("go to the green room", "Green!").unwrap().unwrap();
+    assert_eq!((known.word.as_str(), known.heard), ("green", 1));
+    assert_eq!(world.next_lesson("go to the green room", "coffee").unwrap(), None);
 }

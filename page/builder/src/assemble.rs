@@ -12,29 +12,35 @@ use lzma_rust2::{LzmaOptions, LzmaWriter};
 pub struct Page {
     /// All of it.
     pub html: String,
-    /// The module, packed, as text.
-    pub module: String,
+    /// The module and the texts of all languages, packed, as text.
+    pub packed: String,
     /// The page's scripts with the glue, made small.
     pub script: String,
     /// How it looks.
     pub style: String,
 }
 
-/// Puts style, scripts and module into the `index.html` of `folder`.
-pub fn assemble(folder: &Path, wasm: &[u8], script: &str) -> Result<Page> {
+/// Puts style, scripts, module and texts into the `index.html` of `folder`.
+pub fn assemble(folder: &Path, wasm: &[u8], texts: &[u8], script: &str) -> Result<Page> {
     let read = |name: &str| std::fs::read_to_string(folder.join(name)).with_context(|| format!("page/{name} cannot be read"));
     let script = escaped(script);
     let style = without_comments(&read("style.css")?);
-    let module = STANDARD.encode(packed(wasm)?);
+    let packed = STANDARD.encode(packed(&[wasm, texts].concat())?);
     let mut html = read("index.html")?;
-    for (mark, text) in [("/*SIZE*/", &wasm.len().to_string()), ("/*STYLE*/", &style), ("/*SCRIPT*/", &script), ("<!--MODULE-->", &module)]
-    {
+    let [module_size, texts_size] = [wasm.len().to_string(), texts.len().to_string()];
+    for (mark, text) in [
+        ("/*MODULE-SIZE*/", &module_size),
+        ("/*TEXTS-SIZE*/", &texts_size),
+        ("/*STYLE*/", &style),
+        ("/*SCRIPT*/", &script),
+        ("<!--PACKED-->", &packed),
+    ] {
         if html.matches(mark).count() != 1 {
             bail!("page/index.html must have {mark} once");
         }
         html = html.replacen(mark, text, 1);
     }
-    Ok(Page { html: without_comments(&html), module, script, style })
+    Ok(Page { html: without_comments(&html), packed, script, style })
 }
 
 /// A text's lines without those that hold nothing but a comment, and without indentation.

@@ -57,6 +57,20 @@ pub fn cross_cargo_as(target: Target, subcommand: &str) -> Result<Command> {
     Ok(command)
 }
 
+/// Arguments for [`cross_cargo`] by which a profile's panics end at once, without the code that words their messages. That can be had only
+/// where the standard library is built too; a ready-made one brings its messages along, and there are none then.
+pub fn without_panic_messages(profile: &str) -> Result<Vec<String>> {
+    Ok(match way()? {
+        Way::Rustup => Vec::new(),
+        Way::BuildStd => vec![
+            "-Zpanic-immediate-abort".to_owned(),
+            "-Zbuild-std-features=optimize_for_size".to_owned(),
+            "--config".to_owned(),
+            format!("profile.{profile}.panic=\"immediate-abort\""),
+        ],
+    })
+}
+
 /// Where [`cross_cargo`] leaves what it builds with a profile.
 pub fn artifacts(target: Target, profile: &str) -> PathBuf {
     folder().join(target.triple()).join(profile)
