@@ -24,10 +24,10 @@ fn rooms<M: HomeMemory>(memory: M) -> (Home<M>, HomeState) {
     builder.build(Moves::Push).unwrap()
 }
 
-fn heard<'m>(
-    memory: &'m mut Memory,
+fn heard(
+    memory: &mut Memory,
     options: Options,
-) -> (Agent<&'m mut goodbot::memory::AgentArrays<Memory>>, Home<&'m mut goodbot::memory::HomeArrays<Memory>>, HomeState) {
+) -> (Agent<&mut goodbot::memory::AgentArrays<Memory>>, Home<&mut goodbot::memory::HomeArrays<Memory>>, HomeState) {
     let (home, start) = rooms(&mut memory.home);
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), options).unwrap();
     agent.hear(&home, &start, "go").unwrap();
@@ -255,4 +255,18 @@ fn of_equally_short_ways_it_takes_the_one_that_tells_more() {
     };
     let onward = decision.plan.onward().unwrap();
     assert!(onward.iter().all(|other| told(decision.action) >= told(other) - 1e-6));
+}
+
+#[test]
+fn commands_without_a_word_leave_what_is_believed_of_the_trainer_to_the_last_bit() {
+    let mut memory = Memory::new();
+    let (home, start) = rooms(&mut memory.home);
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+    agent.set_strategies(&population::STRATEGIES).unwrap();
+    let believed = |agent: &Agent<_>| agent.belief().strategies().to_vec();
+    let before = believed(&agent);
+    for _ in 0..10 {
+        agent.hear(&home, &start, "go to the red room").unwrap();
+        assert_eq!(believed(&agent), before);
+    }
 }

@@ -28,3 +28,9 @@ pub fn deepest() -> u32 {
 pub fn statics() -> u32 {
     (&raw const __ebss as usize).wrapping_sub(&raw const __sdata as usize) as u32
 }
+
+/// Bytes of the whole stack.
+#[allow(dead_code, reason = "only the micro:bit tells it")]
+pub fn whole() -> u32 {
+    (&raw const _stack_start as usize).wrapping_sub(&raw const _stack_end as usize) as u32
+}

@@ -67,7 +67,10 @@ test('a press that comes as the question does is no answer', async () => {
   await page.check('#set-questions');
   await play(page, 'Test');
   await page.fill('#command', 'abrakadabra');
-  await page.evaluate(() => new MutationObserver(() => document.querySelector('#answers button')?.click()).observe(document.getElementById('answers'), { childList: true }));
+  await page.evaluate(() => new MutationObserver((_, observer) => {
+    const button = document.querySelector('#answers button');
+    if (button) { observer.disconnect(); button.click(); }
+  }).observe(document.getElementById('answers'), { childList: true }));
   await page.click('#say-it');
   await page.locator('#answers button').first().waitFor();
   assert.deepEqual(await answers(page), []);

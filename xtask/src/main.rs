@@ -57,6 +57,8 @@ enum Task {
     Footprint(footprint::Options),
     /// Writes the C header capi/include/goodbot.h.
     Capi,
+    /// Writes the file to drag onto a BBC micro:bit, `dist/goodbot.hex`.
+    Microbit,
     /// Builds the C library, and puts it with its header into dist/c.
     Library {
         /// For this processor, such as thumbv7em-none-eabihf, instead of this machine.
@@ -94,6 +96,7 @@ fn run() -> Result<ExitCode> {
             "docs/planning-cost.svg",
         ]))?,
         Task::Capi => capi::header::write()?,
+        Task::Microbit => drop(firmware::microbit::deliver()?),
         Task::Library { target } => capi::library::deliver(target)?,
         Task::Footprint(options) => return footprint::run(&options),
     }

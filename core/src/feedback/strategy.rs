@@ -130,7 +130,7 @@ impl Strategy {
     pub const REWARD_ONLY: Self = Self { mu_plus: 0.05, mu_minus: 0.7, epsilon: 0.1, lags: Self::NO_LAG };
 
     /// What unused memory holds.
-    pub const UNUSED: Self = Self { mu_plus: 0.0, mu_minus: 0.0, epsilon: 0.0, lags: Self::NO_LAG };
+    pub const UNUSED: Self = Self { mu_plus: 0.0, mu_minus: 0.0, epsilon: 0.0, lags: [0.0; LAGS] };
 
     /// A strategy: the probability of silence after a correct action (`mu_plus`) and after an incorrect one (`mu_minus`), and of taking
     /// one for the other (`epsilon`), each in [0, 1]. It has no lag.

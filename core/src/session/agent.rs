@@ -433,12 +433,17 @@ impl<M: AgentMemory> Agent<M> {
         self.check_planned(domain, state)?;
         let task = self.likeliest(draw).ok_or(AgentError::NoSession)?;
         let plan = self.planned().optimal(task);
-        let words = self.options.telling.then(|| Words::expected(self.belief()));
+        let words = self.words_expected();
         let action = self.onward(task, words.as_ref(), draw);
         // A domain that changes unseen is no domain; whatever it does, no action is decided on that cannot be done.
         apply(domain, state, action).ok_or(AgentError::NotPlanned)?;
         self.followed = Some(task);
         Ok(Decision { action, task, plan })
+    }
+
+    /// What the trainer's words are expected to tell, where actions are chosen by it.
+    fn words_expected(&self) -> Option<Words> {
+        (cfg!(feature = "asking") && self.options.telling).then(|| Words::expected(self.belief()))
     }
 
     /// The action that leads on to a task's goal in the state that was planned for: of several one that is drawn, where `words` are given

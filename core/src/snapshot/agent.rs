@@ -4,7 +4,8 @@ use super::contents::Contents;
 use super::error::{RestoreError, SaveError};
 use super::writing::Writing;
 use crate::capacity::{Capacity, CapacityError};
-use crate::memory::AgentMemory;
+use crate::feedback::BeliefRef;
+use crate::memory::{AgentMemory, AgentTables};
 use crate::session::Agent;
 
 impl<M: AgentMemory> Agent<M> {
@@ -15,6 +16,42 @@ impl<M: AgentMemory> Agent<M> {
     /// [`SaveError`]; the buffer may then hold anything.
     pub fn save(&self, buffer: &mut [u8]) -> Result<usize, SaveError> {
         self.writing().write(buffer)
+    }
+
+    /// Saves as [`save`](Self::save) does, into the memory that planning and training have in turn, so that no buffer is needed: what was
+    /// planned is forgotten. That memory has 8 bytes for each of [`workspace_words`](crate::Capacities::workspace_words).
+    ///
+    /// ```
+    /// use goodbot::{Agent, Options, home};
+    /// goodbot::memory! { struct Memory = goodbot::Capacities::TINY; }
+    /// let mut memory = Memory::new();
+    /// let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
+    /// let mut buffer = [0; 3_072];
+    /// let length = agent.save(&mut buffer)?;
+    /// assert_eq!(agent.save_in_place()?, &buffer[..length]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SaveError`]: where the model takes more than that memory has, and [`SaveError::StillLearning`] while training needs it.
+    pub fn save_in_place(&mut self) -> Result<&[u8], SaveError> {
+        if self.language().is_training() {
+            return Err(SaveError::StillLearning);
+        }
+        self.workspace_to_training();
+        let sizes = self.language().sizes(self.belief().most_strategies());
+        let (vocabulary, options) = (self.vocabulary(), self.options);
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let writing = Writing {
+            vocabulary,
+            options,
+            language: self.language.read(language.read(), workspace.len()),
+            strategies: Some(BeliefRef::new(session.belief.read(), self.belief)),
+            sizes,
+        };
+        let buffer: &mut [u8] = bytemuck::cast_slice_mut(workspace);
+        let length = writing.write(buffer)?;
+        Ok(buffer.get(..length).unwrap_or(&[]))
     }
 
     /// Bytes that [`save`](Self::save) would write now.

@@ -16,6 +16,8 @@ pub enum SaveError {
     },
     /// A setting or a weight is one that could not be restored: not a number, negative, or beyond any use.
     Unsound,
+    /// The last session is still being learned from, in the memory that the model would be written to.
+    StillLearning,
 }
 
 impl fmt::Display for SaveError {
@@ -23,6 +25,7 @@ impl fmt::Display for SaveError {
         match self {
             Self::Buffer { needed, given } => write!(f, "the model takes {needed} bytes and the buffer has {given}; give it a larger one"),
             Self::Unsound => f.write_str("a setting or a weight is not a number, negative or too large; correct it before saving"),
+            Self::StillLearning => f.write_str("the last session is still being learned from; learn on until it is done, or give a buffer"),
         }
     }
 }

@@ -71,6 +71,20 @@ impl<F: NorFlash> TwoSlots<F> {
         if slot == 0 { self.start } else { self.start.saturating_add(self.slot_bytes) }
     }
 
+    fn model_start(&self, slot: usize) -> u32 {
+        self.slot_start(slot).saturating_add(Self::header_bytes() as u32)
+    }
+
+    /// Where in the flash the newest complete model begins, and how many bytes it has; nothing where none was ever stored. Where the
+    /// processor reads its flash as memory, the model can be restored from there without a buffer.
+    ///
+    /// # Errors
+    /// [`StorageError::Flash`].
+    pub fn find(&mut self) -> Result<Option<(u32, usize)>, StorageError<F::Error>> {
+        let newest = self.newest()?;
+        Ok(newest.map(|(slot, header)| (self.model_start(slot), header.length as usize)))
+    }
+
     /// Loads the newest complete model to the front of the buffer. Gives its length, and nothing where none was ever stored.
     ///
     /// # Errors
@@ -170,8 +184,7 @@ impl<F: NorFlash> TwoSlots<F> {
     }
 
     fn read_model(&mut self, slot: usize, length: u32, take: impl FnMut(&[u8])) -> Result<(), StorageError<F::Error>> {
-        let from = self.slot_start(slot).saturating_add(Self::header_bytes() as u32);
-        self.read(from, length as usize, take)
+        self.read(self.model_start(slot), length as usize, take)
     }
 
     /// Gives `length` bytes from `at` on, part by part, as the flash can read them.

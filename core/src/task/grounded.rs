@@ -67,8 +67,12 @@ pub(crate) fn expect_change<D: Domain + ?Sized>(domain: &D, lifted: &[LiftedTask
         world.objects.get(object).is_some_and(|object| carries(object.class))
     };
     let stays = |part: &GroundProposition| part.arguments.first().is_some_and(|&object| is_thing(object)) && domain.holds(part, state);
-    for group in tasks.chunk_by_mut(|one, other| one.lifted == other.lifted) {
-        let Some(lifted) = group.first().and_then(|task| lifted.get(usize::from(task.lifted))) else { continue };
+    let mut rest = tasks;
+    while let Some(first) = rest.first().map(|task| task.lifted) {
+        let count = rest.iter().take_while(|task| task.lifted == first).count();
+        let Some((group, others)) = rest.split_at_mut_checked(count) else { return };
+        rest = others;
+        let Some(lifted) = lifted.get(usize::from(first)) else { continue };
         if lifted.propositions().len() < 2 {
             continue;
         }

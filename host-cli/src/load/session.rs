@@ -196,7 +196,7 @@ impl Checker<'_> {
             let known: Result<Vec<_>, _> = atoms.iter().map(|atom| known_atom(home, atom)).collect();
             known.map(|known| known.iter().map(|atom| home.holds(atom, start)).collect::<Vec<bool>>())
         };
-        let all = [&[meant.atoms().to_vec()], way.before.as_slice(), way.through.as_slice(), &[way.avoiding.clone()]].concat();
+        let all = [&[meant.atoms().to_vec()], way.before.as_slice(), way.through.as_slice(), std::slice::from_ref(&way.avoiding)].concat();
         if all.iter().any(|atoms| holds(atoms).is_err()) {
             return;
         }

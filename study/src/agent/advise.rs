@@ -32,9 +32,9 @@ pub struct Settings {
 }
 
 /// The settings that were chosen for the table.
-pub const TABULAR: Settings = Settings { form: Form::Tabular, consistency: 0.9, best: true };
+pub const TABULAR: Settings = Settings { form: Form::Tabular, consistency: 0.8, best: false };
 /// The settings that were chosen for shared features.
-pub const SHARED: Settings = Settings { form: Form::Shared(Words::Single), consistency: 0.9, best: true };
+pub const SHARED: Settings = Settings { form: Form::Shared(Words::Neighbours), consistency: 0.55, best: true };
 
 /// All settings that are tried for these forms.
 pub fn grid(forms: &[Form]) -> Vec<Settings> {

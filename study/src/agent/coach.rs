@@ -36,9 +36,9 @@ pub struct Settings {
 }
 
 /// The settings that were chosen for the table.
-pub const TABULAR: Settings = Settings { form: Form::Tabular, rate: 1.0, trace: 0.0, best: true };
+pub const TABULAR: Settings = Settings { form: Form::Tabular, rate: 1.0, trace: 0.0, best: false };
 /// The settings that were chosen for shared features.
-pub const SHARED: Settings = Settings { form: Form::Shared(Words::Single), rate: 1.0, trace: 0.0, best: true };
+pub const SHARED: Settings = Settings { form: Form::Shared(Words::Single), rate: 3.0, trace: 0.0, best: false };
 
 /// All settings that are tried for these forms.
 pub fn grid(forms: &[Form]) -> Vec<Settings> {

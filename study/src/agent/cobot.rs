@@ -36,9 +36,9 @@ pub struct Settings {
 }
 
 /// The settings that were chosen for the table.
-pub const TABULAR: Settings = Settings { form: Form::Tabular, rate: 0.3, discount: 0.0, tries: 0.0 };
+pub const TABULAR: Settings = Settings { form: Form::Tabular, rate: 0.6, discount: 0.0, tries: 0.1 };
 /// The settings that were chosen for shared features.
-pub const SHARED: Settings = Settings { form: Form::Shared(Words::Single), rate: 0.3, discount: 0.0, tries: 0.0 };
+pub const SHARED: Settings = Settings { form: Form::Shared(Words::Neighbours), rate: 0.3, discount: 0.5, tries: 0.1 };
 
 /// All settings that are tried for these forms.
 pub fn grid(forms: &[Form]) -> Vec<Settings> {

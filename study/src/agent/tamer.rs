@@ -33,9 +33,9 @@ pub struct Settings {
 }
 
 /// The settings that were chosen for the table.
-pub const TABULAR: Settings = Settings { form: Form::Tabular, rate: 0.5, credit: [1.0, 0.0, 0.0], again: 0 };
+pub const TABULAR: Settings = Settings { form: Form::Tabular, rate: 0.8, credit: [1.0, 0.0, 0.0], again: 0 };
 /// The settings that were chosen for shared features.
-pub const SHARED: Settings = Settings { form: Form::Shared(Words::Single), rate: 0.2, credit: [1.0, 0.0, 0.0], again: 10 };
+pub const SHARED: Settings = Settings { form: Form::Shared(Words::Neighbours), rate: 0.3, credit: [1.0, 0.0, 0.0], again: 10 };
 
 const RATES: [f32; 4] = [0.02, 0.1, 0.3, 0.8];
 const CREDITS: [[f32; 3]; 3] = [[1.0, 0.0, 0.0], [0.7, 0.3, 0.0], [0.5, 0.3, 0.2]];

@@ -3,11 +3,13 @@
 //! - [`board`]: the boards and how the emulator is told of them;
 //! - [`image`]: one linked firmware, its sizes and symbols;
 //! - [`trial`]: everything that was built and run, once in a run of this program;
+//! - [`microbit`]: the file for a BBC micro:bit, to be dragged onto it;
 //! - [`digests`]: the same run on this machine and in WebAssembly.
 
 pub mod board;
 pub mod digests;
 pub mod image;
+pub mod microbit;
 pub mod trial;
 
 pub use trial::{Trial, images, trials};

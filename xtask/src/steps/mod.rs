@@ -54,6 +54,7 @@ pub const ALL: &[Step] = &[
     capi::GUIDE,
     firmware::COURSE,
     firmware::TICK,
+    firmware::MICROBIT,
     firmware::SAME_BITS,
     firmware::NO_PANIC,
     firmware::FOOTPRINT,

@@ -1,0 +1,26 @@
+//! What the fault handler, which all boards share, needs of a board.
+
+use crate::lights::{self, FULL};
+use crate::serial;
+
+/// Says a text on the serial line.
+pub fn print(text: &str) {
+    serial::print(text);
+}
+
+/// Ends for good: every light is on until somebody presses reset.
+pub fn exit(_code: u8) -> ! {
+    serial::say(&["error: the robot has stopped; press reset, it still knows what it stored"]);
+    lights::show(&[[FULL; 5]; 5]);
+    // SAFETY: nothing else runs any more.
+    let board = unsafe { nrf51_pac::Peripherals::steal() };
+    for moment in (0..=u32::MAX).cycle() {
+        lights::refresh(&board, moment);
+    }
+    loop {}
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    exit(101)
+}

@@ -1,0 +1,72 @@
+//! The two buttons. Whoever holds one long means neither good nor bad.
+
+use nrf51_pac::Peripherals;
+
+const BUTTON_A: usize = 17;
+const BUTTON_B: usize = 26;
+
+/// A press shorter than this, in milliseconds, is only the contact's own trembling.
+const SHORTEST: u32 = 20;
+/// From here on a press is a long one.
+const LONG: u32 = 800;
+
+/// What somebody did with the buttons.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Press {
+    /// A alone.
+    A,
+    /// B alone.
+    B,
+    /// Both at one time.
+    Both,
+    /// One of them, for a long time; told while it is still held.
+    Long,
+}
+
+/// What is pressed, and since when.
+#[derive(Debug)]
+pub struct Buttons {
+    since: Option<u32>,
+    a: bool,
+    b: bool,
+    told: bool,
+}
+
+impl Buttons {
+    /// Makes the pins inputs; the board pulls them up.
+    pub fn begin(board: &Peripherals) -> Self {
+        for pin in [BUTTON_A, BUTTON_B] {
+            if let Some(pin) = board.GPIO.pin_cnf.get(pin) {
+                pin.write(|pin| pin.dir().input().input().connect().pull().pullup());
+            }
+        }
+        Self { since: None, a: false, b: false, told: false }
+    }
+
+    /// Looks at the buttons; to be called often.
+    pub fn poll(&mut self, board: &Peripherals, now: u32) -> Option<Press> {
+        let (a, b) = down(board);
+        if !a && !b {
+            let held = now.wrapping_sub(self.since.take()?);
+            return match (self.a, self.b) {
+                _ if self.told || held < SHORTEST => None,
+                (true, true) => Some(Press::Both),
+                (true, false) => Some(Press::A),
+                _ => Some(Press::B),
+            };
+        }
+        let Some(since) = self.since else {
+            *self = Self { since: Some(now), a, b, told: false };
+            return None;
+        };
+        (self.a, self.b) = (self.a || a, self.b || b);
+        let long = !self.told && self.a != self.b && now.wrapping_sub(since) >= LONG;
+        self.told |= long;
+        long.then_some(Press::Long)
+    }
+}
+
+fn down(board: &Peripherals) -> (bool, bool) {
+    let pins = board.GPIO.in_.read().bits();
+    (pins & 1 << BUTTON_A == 0, pins & 1 << BUTTON_B == 0)
+}

@@ -1,0 +1,136 @@
+//! The last pages of the flash, where what was learned outlives the battery.
+
+use crate::memory::{Agent, CAPACITIES};
+use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
+use goodbot::snapshot::{RestoreError, most_bytes};
+use goodbot::storage::{SLOT_HEADER_BYTES, StorageError, TwoSlots};
+use nrf51_pac::NVMC;
+
+const PAGE: u32 = 1_024;
+const FLASH: u32 = 256 * 1_024;
+/// Where the two slots are: the linker keeps the program from here.
+const START: u32 = 0x3_E000;
+const SLOT: u32 = 4 * PAGE;
+
+/// The most that a model of this robot takes has room in a slot, and in the memory where it is written.
+const MODEL: usize = most_bytes(&CAPACITIES);
+const _: () = assert!(MODEL <= SLOT as usize - SLOT_HEADER_BYTES && MODEL <= 8 * CAPACITIES.workspace_words() && START + 2 * SLOT == FLASH);
+
+/// The processor's own flash.
+#[derive(Debug)]
+struct Flash;
+
+/// What the flash refuses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Refused;
+
+impl NorFlashError for Refused {
+    fn kind(&self) -> NorFlashErrorKind {
+        NorFlashErrorKind::OutOfBounds
+    }
+}
+
+impl ErrorType for Flash {
+    type Error = Refused;
+}
+
+/// Checks that a range lies where models are stored.
+fn check(from: u32, bytes: usize) -> Result<(), Refused> {
+    let end = u64::from(from) + bytes as u64;
+    if from >= START && end <= u64::from(FLASH) { Ok(()) } else { Err(Refused) }
+}
+
+fn controller() -> &'static nrf51_pac::nvmc::RegisterBlock {
+    // SAFETY: the registers exist for ever, and only this module uses them.
+    unsafe { &*NVMC::ptr() }
+}
+
+fn wait() {
+    while controller().ready.read().ready().is_busy() {}
+}
+
+impl ReadNorFlash for Flash {
+    const READ_SIZE: usize = 1;
+
+    fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), Refused> {
+        check(offset, bytes.len())?;
+        for (byte, at) in bytes.iter_mut().zip(offset..) {
+            // SAFETY: this is within the flash, which is always readable, and no part of the program.
+            *byte = unsafe { (at as *const u8).read_volatile() };
+        }
+        Ok(())
+    }
+
+    fn capacity(&self) -> usize {
+        FLASH as usize
+    }
+}
+
+impl NorFlash for Flash {
+    const WRITE_SIZE: usize = 4;
+    const ERASE_SIZE: usize = PAGE as usize;
+
+    fn erase(&mut self, from: u32, to: u32) -> Result<(), Refused> {
+        check(from, to.saturating_sub(from) as usize)?;
+        controller().config.write(|config| config.wen().een());
+        for page in (from..to).step_by(PAGE as usize) {
+            // SAFETY: a page that holds no part of the program.
+            controller().erasepage().write(|at| unsafe { at.bits(page) });
+            wait();
+        }
+        controller().config.write(|config| config.wen().ren());
+        Ok(())
+    }
+
+    fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), Refused> {
+        check(offset, bytes.len())?;
+        let (words, rest) = bytes.as_chunks::<4>();
+        if !offset.is_multiple_of(4) || !rest.is_empty() {
+            return Err(Refused);
+        }
+        controller().config.write(|config| config.wen().wen());
+        for (word, at) in words.iter().zip((offset..).step_by(4)) {
+            // SAFETY: an aligned word of the flash that holds no part of the program.
+            unsafe { (at as *mut u32).write_volatile(u32::from_le_bytes(*word)) };
+            wait();
+        }
+        controller().config.write(|config| config.wen().ren());
+        Ok(())
+    }
+}
+
+fn slots() -> Result<TwoSlots<Flash>, StorageError<Refused>> {
+    TwoSlots::new(Flash, START, SLOT)
+}
+
+/// Stores what the robot knows, and returns its bytes. There is no room for a buffer beside the robot's tables.
+#[inline(never)]
+pub fn store(agent: &mut Agent) -> Result<usize, &'static str> {
+    let model = agent.save_in_place().map_err(|_| "what was learned cannot be stored; say `forget` to begin anew")?;
+    slots().and_then(|mut slots| slots.store(model)).map_err(|error| match error {
+        StorageError::NotKept => "the flash did not keep what was learned; the older knowledge is still there",
+        _ => "the flash refused to store; the older knowledge is still there",
+    })?;
+    Ok(model.len())
+}
+
+/// Takes back what was stored, and returns its bytes; 0 where nothing was. The robot must then learn to the end.
+#[inline(never)]
+pub fn restore(agent: &mut Agent) -> Result<usize, &'static str> {
+    let Some((at, length)) = slots().and_then(|mut slots| slots.find()).map_err(|_| "the flash cannot be read")? else { return Ok(0) };
+    check(at, length).map_err(|_| "the flash cannot be read")?;
+    // SAFETY: this is within the flash, which is always readable, and nobody writes to it meanwhile.
+    let model = unsafe { core::slice::from_raw_parts(at as *const u8, length) };
+    agent.restore(model).map_err(|error| match error {
+        RestoreError::Version { .. } => "what is stored was written by a newer version",
+        RestoreError::OtherDomain => "what is stored was learned by another kind of robot",
+        RestoreError::Capacity(_) => "what is stored is too large for this robot",
+        _ => "what is stored is damaged",
+    })?;
+    Ok(length)
+}
+
+/// Forgets what is stored.
+pub fn erase() -> Result<(), &'static str> {
+    Flash.erase(START, START + 2 * SLOT).map_err(|_| "the flash refused to erase")
+}

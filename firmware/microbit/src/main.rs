@@ -1,0 +1,76 @@
+//! A robot on a BBC micro:bit (the first version: nRF51822, 16 KiB of RAM). Its home is on the lights; button B is good, A is bad, both are
+//! the end of a lesson, and a long press chooses the next command. `docs/microbit.md` tells what people see.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`robot`] | what the robot is doing, and what people ask of it |
+//! | [`request`] | what can be said on the serial line |
+//! | [`house`] | the home that it has by itself, and the commands to teach it |
+//! | [`picture`] | what the lights show |
+//! | [`memory`] | how much it remembers |
+//! | [`flash`] | what it learned, where it outlives the battery |
+//! | [`clock`], [`lights`], [`buttons`], [`serial`] | the board's parts |
+//! | `board`, `fault`, [`stack`] | a stack that runs over, which must stop the robot and change nothing |
+
+#![no_std]
+#![no_main]
+
+mod board;
+mod buttons;
+mod clock;
+#[path = "../../src/fault.rs"]
+mod fault;
+mod flash;
+mod house;
+mod lights;
+mod memory;
+mod picture;
+mod request;
+mod robot;
+mod serial;
+#[path = "../../src/stack.rs"]
+mod stack;
+
+use buttons::Buttons;
+use goodbot::memory::{AgentArrays, HomeArrays};
+use memory::{Agent, RobotMemory};
+use nrf51_pac::Peripherals;
+use robot::Robot;
+
+static mut AGENT: Agent = Agent::without_tasks(AgentArrays::new());
+static mut ROOMS: HomeArrays<RobotMemory> = HomeArrays::new();
+
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    // SAFETY: this function runs once; the interrupts' handlers keep to what is theirs.
+    let (agent, rooms, board) = unsafe { (&mut *(&raw mut AGENT), &mut *(&raw mut ROOMS), Peripherals::steal()) };
+    lights::begin(&board);
+    serial::begin(&board);
+    clock::begin(&board);
+    let mut buttons = Buttons::begin(&board);
+    serial::say(&["goodbot on the micro:bit; say help"]);
+    let mut robot = Robot::new(agent, rooms);
+    robot.remember();
+    loop {
+        let now = clock::now();
+        if let Some(press) = buttons.poll(&board, now) {
+            robot.pressed(press, now);
+        }
+        listen(&mut robot, now);
+        robot.work(now);
+        robot.store();
+        lights::show(&robot.shows(now));
+        if robot.listens() {
+            // SAFETY: waits for an interrupt; the clock's comes every quarter of a millisecond.
+            unsafe { core::arch::asm!("wfi", options(nomem, nostack, preserves_flags)) };
+        }
+    }
+}
+
+/// By itself, so that the line is on the stack while nothing else is.
+#[inline(never)]
+fn listen(robot: &mut Robot<'_>, now: u32) {
+    if robot.listens() {
+        serial::read(|said| robot.asked(said.and_then(request::read), now));
+    }
+}

@@ -1,0 +1,230 @@
+//! The tests. The trainer knows what is right by a robot of its own, which is told what a command means.
+
+use super::board::{A, B, Board, Looks, Setup};
+use goodbot::home::{Cell, HomeState};
+use goodbot::memory::HomeMemory;
+use goodbot::oomdp::{Action, Domain};
+use goodbot::planning::OptimalSet;
+use goodbot::{Agent, Capacities, Options, home};
+use goodbot_course::exercise::{Exercise, Intention, LESSONS, TESTS};
+use goodbot_course::{Homes, Layout};
+use std::collections::BTreeSet;
+use std::time::{Duration, Instant};
+
+goodbot::memory! { struct Memory = Capacities::SMALL; }
+
+/// What a lesson takes at most.
+const MOST_ACTIONS: usize = 100;
+
+/// Describes a home to the board.
+fn describe(board: &mut Board, layout: &Layout) {
+    board.must("begin");
+    for (number, (area, color)) in layout.rooms.iter().flatten().enumerate() {
+        board.must(&format!("room room{number} {} {} {} {} {color}", area.left, area.bottom, area.right, area.top));
+    }
+    for (number, Cell { x, y }) in layout.doors.iter().flatten().enumerate() {
+        board.must(&format!("door door{number} {x} {y} {x} {y}"));
+    }
+    for (number, block) in layout.blocks.iter().flatten().enumerate() {
+        board.must(&format!("block block{number} {} {} {} {}", block.cell.x, block.cell.y, block.color, block.shape));
+    }
+    board.must(&format!("agent agent0 {} {}", layout.agent.x, layout.agent.y));
+    board.must("build");
+}
+
+/// The meant task as the board writes it.
+fn meant(layout: &Layout, intention: &Intention) -> String {
+    let room = layout.rooms.iter().flatten().position(|(_, color)| *color == intention.room).unwrap();
+    match intention.block {
+        None => format!("agentInRoom(agent0,room{room})"),
+        Some((color, shape)) => {
+            let block = layout.blocks.iter().flatten().position(|block| (block.color, block.shape) == (color, shape)).unwrap();
+            format!("blockInRoom(block{block},room{room})")
+        }
+    }
+}
+
+/// The task that an answer takes for the most likely.
+fn believed(answer: &[String]) -> &str {
+    answer.iter().find_map(|line| line.strip_prefix("believes ")?.split_once(" % ")).unwrap_or_else(|| panic!("{answer:?}")).1
+}
+
+/// Gives a lesson: each action is judged, until the robot has rested three times where it should.
+fn teach(board: &mut Board, exercise: &Exercise) {
+    let layout = Homes::FIXED.layout(exercise.home);
+    describe(board, layout);
+    let mut memory = Memory::new();
+    let (home, mut state) = layout.build(&mut memory.home).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+    let intended = exercise.pose(&mut agent, &home, &state).unwrap().unwrap();
+    board.must(&format!("say {}", exercise.command));
+    let mut rests = 0;
+    for _ in 0..MOST_ACTIONS {
+        agent.plan_fully(&home, &state).unwrap();
+        let right = agent.planned().optimal(intended);
+        let answer = board.must("act");
+        let did = answer.iter().find_map(|line| line.strip_prefix("did ")).unwrap_or_else(|| panic!("{answer:?}")).to_owned();
+        let action = action(&home, did.split(';').next().unwrap());
+        let correct = right.exact().or(right.onward()).is_some_and(|actions| actions.contains(action));
+        state = agent.acted(&home, &state, action).unwrap();
+        assert_eq!(did.split_once(';').unwrap().1, places(&home, &state), "the board and this machine move the robot alike");
+        board.must(if correct { "good" } else { "bad" });
+        rests = if right == OptimalSet::Goal && action == Action::NOOP { rests + 1 } else { 0 };
+        if rests == 3 {
+            break;
+        }
+    }
+    assert_eq!(rests, 3, "`{}` was not done within {MOST_ACTIONS} actions", exercise.command);
+    board.must("finish");
+}
+
+fn action<D: Domain>(domain: &D, name: &str) -> Action {
+    domain.actions().iter().position(|kind| kind.name == name).map_or(Action::NOOP, |position| Action(position as u8))
+}
+
+/// Where everything is, as the board writes it.
+fn places(home: &home::Home<impl HomeMemory>, state: &HomeState) -> String {
+    let mut text = String::new();
+    for &thing in [home.agent()].iter().chain(home.blocks()) {
+        let cell = home.block_cell(state, thing).unwrap_or_else(|| home.agent_cell(state));
+        text.push_str(&format!("; {} {} {}", home.objects().name(thing), cell.x, cell.y));
+    }
+    text.split_off(1)
+}
+
+pub fn the_papers_course_is_learned_over_the_serial_line(setup: &Setup) {
+    let mut board = Board::on(setup, None);
+    assert_eq!(board.line(), "nothing is stored");
+    board.must("pace 0");
+    for exercise in &LESSONS {
+        teach(&mut board, exercise);
+    }
+    let understands_all = |board: &mut Board| {
+        describe(board, &Homes::FIXED.test);
+        for test in &TESTS {
+            let answer = board.must(&format!("say {}", test.command));
+            assert_eq!(believed(&answer), meant(&Homes::FIXED.test, &test.intention), "{}", test.command);
+        }
+    };
+    understands_all(&mut board);
+    for line in board.must("memory") {
+        println!("{line}");
+    }
+    // The battery is empty; another one is put in.
+    let slots = board.slots();
+    drop(board);
+    let mut board = Board::on(setup, Some(&slots));
+    assert!(board.line().starts_with("stored: "));
+    assert_eq!(board.line(), format!("lessons {}", LESSONS.len()));
+    understands_all(&mut board);
+}
+
+pub fn a_lesson_is_given_with_the_buttons_alone(setup: &Setup) {
+    let mut board = Board::on(setup, None);
+    board.lines_to("nothing is stored");
+    // A long press chooses the next command, and then the robot acts by itself.
+    board.button(B, true);
+    assert_eq!(board.line(), "next: go to the green room");
+    board.button(B, false);
+    board.lines_to("did ");
+    board.press(&[B]);
+    assert!(board.lines_to("good").iter().all(|line| !line.starts_with("error")));
+    board.press(&[A]);
+    board.lines_to("bad");
+    board.press(&[A, B]);
+    board.lines_to("lessons 1");
+    assert!(board.line().starts_with("stored "));
+    // The list goes on.
+    board.button(A, true);
+    assert_eq!(board.line(), "next: go to the blue room");
+}
+
+pub fn the_lights_show_the_rooms_the_robot_and_the_block(setup: &Setup) {
+    let mut board = Board::on(setup, None);
+    board.lines_to("nothing is stored");
+    board.must("pace 0");
+    let (mut brightest, mut dimmest) = (0.0_f32, 16.0_f32);
+    let mut all = Looks::default();
+    let start = Instant::now();
+    while start.elapsed() < Duration::from_secs(6) {
+        let mut looks = Looks::default();
+        board.look(&mut looks, 200);
+        board.look(&mut all, 200);
+        if let Some(block) = looks.lights()[1][2] {
+            (brightest, dimmest) = (brightest.max(block), dimmest.min(block));
+        }
+    }
+    // The robot stands in the corner of the red room, where only the block's light is not steady.
+    assert!(brightest > 12.0 && dimmest < 4.0, "the block's light is between {dimmest} and {brightest}");
+    let expected = [[16, 1, 1, 1, 1], [1, 1, 0, 1, 1], [0, 2, 0, 2, 0], [4, 4, 0, 8, 8], [4, 4, 0, 8, 8]];
+    for (row, lights) in all.lights().iter().enumerate() {
+        for (column, found) in lights.iter().enumerate().filter(|&(column, _)| (row, column) != (1, 2)) {
+            let (found, expected) = (found.unwrap(), expected[row][column] as f32);
+            let exact = expected == 0.0 || expected == 16.0;
+            // A look may fall into the moment in which the rows change.
+            let error = if exact { 0.25 } else { 0.6 + 0.25 * expected };
+            assert!((found - expected).abs() <= error, "light {column} of row {row} is {found}, not {expected}");
+        }
+    }
+}
+
+pub fn a_store_that_was_torn_in_the_middle_leaves_one_lesson_or_both(setup: &Setup) {
+    let mut board = Board::on(setup, None);
+    board.lines_to("nothing is stored");
+    board.must("pace 0");
+    let mut lesson = |command: &str| {
+        board.must("again");
+        board.must(&format!("say {command}"));
+        board.must("act");
+        board.must("good");
+        board.must("finish");
+        board.slots()
+    };
+    let before = lesson("go to the green room");
+    let after = lesson("go to the blue room");
+    // What differs was written; the power goes after a part of it.
+    let written: Vec<usize> = (0..before.len()).filter(|&at| before[at] != after[at]).collect();
+    assert!(written.len() > 50, "only {} bytes were written", written.len());
+    let mut known = BTreeSet::new();
+    for part in [0, written.len() / 3, written.len() - 1, written.len()] {
+        let mut torn = before.clone();
+        written.iter().take(part).for_each(|&at| torn[at] = after[at]);
+        let mut board = Board::on(setup, Some(&torn));
+        assert!(board.line().starts_with("stored: "), "after {part} of {} bytes", written.len());
+        known.insert(board.line());
+    }
+    assert_eq!(known.into_iter().collect::<Vec<_>>(), ["lessons 1", "lessons 2"]);
+}
+
+pub fn what_is_said_wrongly_is_answered_and_changes_nothing(setup: &Setup) {
+    let mut board = Board::on(setup, None);
+    board.lines_to("nothing is stored");
+    board.must("pace 0");
+    for (said, problem) in [
+        ("dance", "no such request"),
+        ("pace", "needs a number"),
+        ("pace soon", "needs a number"),
+        ("act now", "more on the line"),
+        ("act", "give a command first"),
+        ("good", "give a command first"),
+        ("finish", "give a command first"),
+        ("say", "no word"),
+        ("say ...", "no word"),
+        ("room a 0 0 4 4 red", "say `begin` first"),
+        ("build", "say `begin` first"),
+        (&"x".repeat(97), "at most 96 bytes"),
+    ] {
+        let answer = board.ask(said).expect_err(said);
+        assert!(answer.contains(problem), "`{said}`: {answer}");
+    }
+    board.must("begin");
+    for (said, problem) in
+        [("room a 0 0 1 1 red", "two cells"), ("room a 0 0 999 4 red", "too far"), ("door", "door needs"), ("build", "no agent")]
+    {
+        let answer = board.ask(said).expect_err(said);
+        assert!(answer.contains(problem), "`{said}`: {answer}");
+    }
+    assert!(board.ask("say go").unwrap_err().contains("no home"));
+    board.must("home");
+    assert_eq!(board.must("say go to the green room").len(), 1);
+}

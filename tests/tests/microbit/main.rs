@@ -1,0 +1,40 @@
+//! The micro:bit's own file, `dist/goodbot.hex`, on an emulated board: lessons by its serial line and its buttons, its lights, and what is left
+//! of its knowledge when a store is torn.
+//!
+//! `cargo xtask test --only microbit` builds the file and says where it and the emulator are; without that, these tests are ignored.
+
+#[cfg(unix)]
+mod board;
+#[cfg(unix)]
+mod lessons;
+
+use std::process::ExitCode;
+
+#[cfg(unix)]
+fn main() -> ExitCode {
+    use libtest_mimic::{Arguments, Failed, Trial};
+    let place = |name: &str| std::env::var_os(name).map(std::path::PathBuf::from);
+    let setup = place("GOODBOT_MICROBIT").zip(place("GOODBOT_QEMU")).map(|(hex, emulator)| board::Setup { emulator, hex });
+    let test = |name: &str, run: fn(&board::Setup)| {
+        let setup = setup.clone();
+        let absent = setup.is_none();
+        let run = move || setup.as_ref().map(run).ok_or(Failed::from("GOODBOT_MICROBIT and GOODBOT_QEMU are not set"));
+        Trial::test(name, run).with_ignored_flag(absent).with_kind("needs an emulated board")
+    };
+    let tests = vec![
+        test("the_papers_course_is_learned_over_the_serial_line", lessons::the_papers_course_is_learned_over_the_serial_line),
+        test("a_lesson_is_given_with_the_buttons_alone", lessons::a_lesson_is_given_with_the_buttons_alone),
+        test("the_lights_show_the_rooms_the_robot_and_the_block", lessons::the_lights_show_the_rooms_the_robot_and_the_block),
+        test(
+            "a_store_that_was_torn_in_the_middle_leaves_one_lesson_or_both",
+            lessons::a_store_that_was_torn_in_the_middle_leaves_one_lesson_or_both,
+        ),
+        test("what_is_said_wrongly_is_answered_and_changes_nothing", lessons::what_is_said_wrongly_is_answered_and_changes_nothing),
+    ];
+    libtest_mimic::run(&Arguments::from_args(), tests).exit_code()
+}
+
+#[cfg(not(unix))]
+fn main() -> ExitCode {
+    ExitCode::SUCCESS
+}

@@ -1,0 +1,72 @@
+//! The file for a BBC micro:bit, to be dragged onto it.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use ihex::Record;
+use object::Endianness;
+use object::elf::PT_LOAD;
+use object::read::elf::{ElfFile32, ProgramHeader};
+
+use crate::toolchain::{self, Target};
+use crate::{process, project};
+
+/// Bytes of data on one line.
+const LINE: usize = 16;
+
+/// Where the linked program is.
+pub fn program() -> PathBuf {
+    toolchain::artifacts(Target::Thumbv6m, "release").join("microbit")
+}
+
+fn build() -> Result<()> {
+    let mut cargo = toolchain::cross_cargo(Target::Thumbv6m)?;
+    cargo.args(["--quiet", "--release", "--locked", "--package", "goodbot-microbit", "--manifest-path"]);
+    process::run(cargo.arg(project::root().join("firmware/Cargo.toml")))
+}
+
+/// Builds it and writes `dist/goodbot.hex`. Returns where that is.
+pub fn deliver() -> Result<PathBuf> {
+    build()?;
+    let (hex, bytes) = intel_hex(&std::fs::read(program())?)?;
+    let path = project::root().join("dist/goodbot.hex");
+    write(&path, &hex)?;
+    println!("{}: {bytes} bytes of flash; drag it onto a micro:bit (first version)", path.display());
+    Ok(path)
+}
+
+fn write(path: &Path, text: &str) -> Result<()> {
+    std::fs::create_dir_all(path.parent().unwrap_or(Path::new(".")))?;
+    std::fs::write(path, text).with_context(|| format!("{} cannot be written", path.display()))
+}
+
+/// What a linked program puts into the flash, as Intel HEX, and how many bytes that is.
+fn intel_hex(program: &[u8]) -> Result<(String, usize)> {
+    let (mut records, mut written, mut upper) = (Vec::new(), 0, None);
+    for (address, bytes) in in_flash(program)? {
+        for (at, line) in (address..).step_by(LINE).zip(bytes.chunks(LINE)) {
+            // Each record says the lower half of its address.
+            if upper != Some(at >> 16) {
+                upper = Some(at >> 16);
+                records.push(Record::ExtendedLinearAddress((at >> 16) as u16));
+            }
+            records.push(Record::Data { offset: at as u16, value: line.to_vec() });
+            written += line.len();
+        }
+    }
+    records.push(Record::EndOfFile);
+    Ok((ihex::create_object_file_representation(&records)? + "\n", written))
+}
+
+/// The addresses in the flash, and the bytes there. What begins in the RAM with a value stands in the flash too: its physical address.
+fn in_flash(program: &[u8]) -> Result<Vec<(u32, &[u8])>> {
+    let elf = ElfFile32::<Endianness>::parse(program).context("the linked program cannot be read")?;
+    let endian = elf.endian();
+    let mut parts = Vec::new();
+    for header in elf.elf_program_headers().iter().filter(|header| header.p_type(endian) == PT_LOAD) {
+        let bytes = header.data(endian, program).ok().context("the linked program is cut off")?;
+        parts.push((header.p_paddr(endian), bytes));
+    }
+    parts.sort_unstable();
+    Ok(parts)
+}
