@@ -2,9 +2,17 @@
 //!
 //! A word is needed as often as the wanted commands have it, and a lesson is worth the sum over its words of need(w) / (1 + heard(w))^2: what
 //! was heard often is known. Proposals by how unsure the robot is would pick crowded, ambiguous lessons instead.
+//!
+//! [`Homes::teachable`](crate::Homes::teachable) lists what can be taught in the course's homes, the simplest home first.
 
+use goodbot::Agent;
 use goodbot::capacity::CapacityError;
-use goodbot::language::for_each_word;
+use goodbot::language::{Model, for_each_piece, for_each_word, word_form};
+use goodbot::memory::AgentMemory;
+use goodbot::symbols::Symbol;
+
+/// A word that was heard in so many lessons is known.
+const OFTEN: u32 = 6;
 
 /// A lesson that is worth teaching next.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +27,13 @@ pub struct NextLesson<'c> {
     pub needed: u32,
     /// In how many lessons it was heard.
     pub heard: u32,
+}
+
+impl NextLesson<'_> {
+    /// Whether even the word that makes most of its worth was heard so often that there is little left to teach.
+    pub const fn is_known(&self) -> bool {
+        self.heard >= OFTEN
+    }
 }
 
 /// The lesson to teach next: of `lessons`, commands that could be taught, the one that teaches most of the commands in `wanted`. `heard`
@@ -65,12 +80,46 @@ fn need(word: &str, wanted: &[&str]) -> Result<u32, CapacityError> {
     for command in wanted {
         let mut found = false;
         for_each_word(command, |said| {
-            found |= said.eq_ignore_ascii_case(word);
-            Ok(())
+            for_each_word(word, |form| {
+                found |= said == form;
+                Ok(())
+            })
         })?;
         count = count.saturating_add(u32::from(found));
     }
     Ok(count)
+}
+
+/// In how many of the sessions that it has learned from the agent heard a word, or, where it keeps the first letters of words, one that
+/// begins so.
+///
+/// ```
+/// use goodbot::{Agent, Options, home};
+/// use goodbot_course::next_lesson::times_heard;
+/// goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
+/// let mut memory = Memory::new();
+/// let agent = Agent::new(memory.agent, &home::paper_tasks()?, Options::PAPER)?;
+/// assert_eq!(times_heard(&agent, "red"), 0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn times_heard(agent: &Agent<impl AgentMemory>, word: &str) -> u32 {
+    let data = agent.language().bitext();
+    let sessions = u16::try_from(data.sessions()).unwrap_or(u16::MAX);
+    (0..sessions).map(|session| u32::from(has(agent, data.sentence(session), word))).sum()
+}
+
+/// Whether a command has a word: all its pieces, where the language cuts words.
+fn has(agent: &Agent<impl AgentMemory>, sentence: &[Symbol], word: &str) -> bool {
+    let options = agent.options().language;
+    let (mut any, mut all) = (false, true);
+    let take = |piece: &str| {
+        let known = agent.language().words().find(word_form(piece, options.letters_kept()));
+        any = true;
+        all &= known.is_some_and(|piece| sentence.contains(&piece));
+        Ok(())
+    };
+    let cut = if options.model == Model::Roles { for_each_piece(word, take) } else { for_each_word(word, take) };
+    cut.is_ok() && any && all
 }
 
 fn square(count: u32) -> f32 {

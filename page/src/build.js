@@ -1,5 +1,5 @@
 // The editor: rooms, doors, blocks and the robot, by pointer on the plan and by numbers in a list.
-import { download, readFile } from './bytes.js';
+import { download, readFile } from './files.js';
 import { Goodbot, parsed, world } from './core.js';
 import { listed, named, t } from './language.js';
 import { CELL, Frame, houseDrawing, thingDrawing } from './plan.js';

@@ -1,5 +1,5 @@
 // What an address carries behind its #: a home with settings, or a robot with all that it knows.
-import { fromAddress, fromBase64, toAddress } from './bytes.js';
+import { fromAddress, fromBase64, toAddress } from './base64.js';
 import { world } from './core.js';
 import { names, t } from './language.js';
 import { RULES, SPEEDS } from './session.js';

@@ -1,5 +1,5 @@
 // A session log, gone through once more: the robot learns from its sessions one after the other.
-import { readFile } from './bytes.js';
+import { readFile } from './files.js';
 import { world } from './core.js';
 import { t } from './language.js';
 import { render } from './render.js';

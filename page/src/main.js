@@ -1,7 +1,6 @@
-// The beginning.
-import { fromBase64 } from './bytes.js';
+// The page is set up.
 import { drawnElsewhere, setUpBuild } from './build.js';
-import { readParts, startCore, world } from './core.js';
+import { startCore, world } from './core.js';
 import { speakLanguage, t, takeLanguages, writePage } from './language.js';
 import { readLink } from './link.js';
 import { setUpNext } from './next.js';
@@ -63,8 +62,7 @@ async function takeOver() {
   state.heat = { now: heatNow(), before: null };
 }
 
-async function main() {
-  const { languages, module } = readParts(fromBase64($('packed').textContent.trim()), $('packed').dataset);
+async function main(module, languages) {
   takeLanguages(languages);
   restoreSettings();
   speakLanguage(state.settings.language);
@@ -88,7 +86,10 @@ async function main() {
   document.body.classList.add('ready');
 }
 
-main().catch(error => {
+/** Begins, with what was packed: the core's module, and the texts of all languages.
+ * @param {Uint8Array} module
+ * @param {Record<string, any>} languages */
+export const begin = (module, languages) => main(module, languages).catch(error => {
   $('page').replaceChildren(make('p', { class: 'card', role: 'alert' }, t('noRobot')));
   document.body.classList.add('ready');
   console.info(error);

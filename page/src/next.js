@@ -11,25 +11,17 @@ import { logOf } from './store.js';
 import { enterHome } from './tour.js';
 import { sessionsWord, taskWords } from './words.js';
 
-// A word that was heard so often is known.
-const OFTEN = 6;
-
 /** @typedef {{ command: string, home: string | null }} Lesson a command, and the home to teach it in; null is the one where the robot is */
 
 /** All that can be taught in the course's homes, the simplest home first.
  * @returns {Lesson[]} */
 function lessonsOfCourse() {
   const found = new Map();
-  for (const [, home] of [...course.homes].sort(([, a], [, b]) => a.objects.length - b.objects.length)) {
+  for (const { home: name, intended } of course.teachable) {
+    const home = Object.fromEntries(course.homes)[name];
     const of = kind => home.objects.filter(object => object.class === kind);
-    const scene = { rooms: of('room'), blocks: of('block') };
-    const inside = (room, thing) => thing.x > room.left && thing.x < room.right && thing.y > room.bottom && thing.y < room.top;
-    const tasks = [...of('agent').map(agent => ['agentInRoom', agent]), ...of('block').map(block => ['blockInRoom', block])]
-      .flatMap(([kind, thing]) => scene.rooms.filter(room => !inside(room, thing)).map(room => kind + '(' + thing.name + ',' + room.name + ')'));
-    for (const task of tasks) {
-      const command = taskWords(task, scene);
-      if (!found.has(command)) found.set(command, { command, home: JSON.stringify(home) });
-    }
+    const command = taskWords(intended, { rooms: of('room'), blocks: of('block') });
+    if (!found.has(command)) found.set(command, { command, home: JSON.stringify(home) });
   }
   return [...found.values()];
 }
@@ -65,7 +57,7 @@ export function renderNext() {
   const key = JSON.stringify([state.robot.id, state.robot.changed, state.sessions, $('wanted').value, document.documentElement.lang]);
   if (key === shown.key) return;
   const found = next();
-  const well = found && found.why.heard >= OFTEN;
+  const well = found?.why.known;
   shown = { key, lesson: found && !well ? found.lesson : null };
   $('next-lesson').hidden = $('teach-next').hidden = !shown.lesson;
   $('next-lesson').textContent = shown.lesson ? t('next.lesson', shown.lesson) : '';

@@ -1,5 +1,5 @@
 // The robots of this browser: which one learns here, their names, copies, and the deleted ones.
-import { readFile } from './bytes.js';
+import { readFile } from './files.js';
 import { world } from './core.js';
 import { render } from './render.js';
 import { heatNow, leaveSession, refresh } from './session.js';

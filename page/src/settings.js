@@ -1,6 +1,6 @@
 // Settings, shortcuts, and what is kept and shared.
 import { answer } from './asking.js';
-import { download } from './bytes.js';
+import { download } from './files.js';
 import { world } from './core.js';
 import { names, speakLanguage, t, writePage } from './language.js';
 import { homeLink, isSetting, robotLink } from './link.js';

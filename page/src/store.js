@@ -1,6 +1,6 @@
 // What lasts: robots with what they know, their logs, and what can be undone. Several tabs may use them at once: what one has learned,
 // the others take over, and a session that ends in one is learned on top of what another learned meanwhile.
-import { fromBase64, toBase64 } from './bytes.js';
+import { fromBase64, toBase64 } from './base64.js';
 import { world } from './core.js';
 import { t } from './language.js';
 import { LEARN_BUDGET } from './session.js';

@@ -1,5 +1,5 @@
 // The guided tour: the paper's seven lessons and five tests, with a score.
-import { download } from './bytes.js';
+import { download } from './files.js';
 import { course, world } from './core.js';
 import { named, t } from './language.js';
 import { ideaWords, meanings } from './learned.js';

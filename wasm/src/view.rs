@@ -167,6 +167,8 @@ pub struct NextLesson {
     pub needed: u32,
     /// In how many sessions the robot has heard it.
     pub heard: u32,
+    /// Whether that is so often that there is little left to teach.
+    pub known: bool,
 }
 
 /// What an answer said about each task.

@@ -12,29 +12,23 @@ use lzma_rust2::{LzmaOptions, LzmaWriter};
 pub struct Page {
     /// All of it.
     pub html: String,
-    /// The module and the texts of all languages, packed, as text.
+    /// What is packed, as text.
     pub packed: String,
-    /// The page's scripts with the glue, made small.
+    /// The script that expands it.
     pub script: String,
     /// How it looks.
     pub style: String,
 }
 
-/// Puts style, scripts, module and texts into the `index.html` of `folder`.
-pub fn assemble(folder: &Path, wasm: &[u8], texts: &[u8], script: &str) -> Result<Page> {
+/// Puts the style, the script that begins, and the packed parts into the `index.html` of `folder`.
+pub fn assemble(folder: &Path, parts: &[&[u8]], script: &str) -> Result<Page> {
     let read = |name: &str| std::fs::read_to_string(folder.join(name)).with_context(|| format!("page/{name} cannot be read"));
     let script = escaped(script);
     let style = without_comments(&read("style.css")?);
-    let packed = STANDARD.encode(packed(&[wasm, texts].concat())?);
+    let packed = STANDARD.encode(packed(&parts.concat())?);
     let mut html = read("index.html")?;
-    let [module_size, texts_size] = [wasm.len().to_string(), texts.len().to_string()];
-    for (mark, text) in [
-        ("/*MODULE-SIZE*/", &module_size),
-        ("/*TEXTS-SIZE*/", &texts_size),
-        ("/*STYLE*/", &style),
-        ("/*SCRIPT*/", &script),
-        ("<!--PACKED-->", &packed),
-    ] {
+    let sizes = parts.iter().map(|part| part.len().to_string()).collect::<Vec<_>>().join(" ");
+    for (mark, text) in [("/*SIZES*/", &sizes), ("/*STYLE*/", &style), ("/*SCRIPT*/", &script), ("<!--PACKED-->", &packed)] {
         if html.matches(mark).count() != 1 {
             bail!("page/index.html must have {mark} once");
         }

@@ -1,7 +1,8 @@
 //! The trainer page as one HTML file: `goodbot-page MODULE OUT NODE [--with-panic-messages]`, as `cargo xtask page` calls it.
 //!
 //! The JavaScript glue of the WebAssembly module is generated, and both are put into `page/index.html` together with the page's own style
-//! and scripts. The module and the texts of all languages are packed with LZMA, and the page unpacks them. NODE runs what checks the scripts' types and joins the scripts.
+//! and scripts. The module, the scripts and the texts of all languages are packed with LZMA; one small script expands them in the page. NODE
+//! runs what checks the scripts' types and joins them.
 
 mod assemble;
 mod budget;
@@ -27,14 +28,15 @@ fn main() -> Result<()> {
     let folder = module.with_extension("page");
     let wasm = generate(module, &folder)?;
     let source = Path::new(PAGE).canonicalize().with_context(|| format!("{PAGE} is not there"))?;
-    let script = scripts::bundle(&source, &folder, node)?;
+    let scripts = scripts::bundle(&source, &folder, node)?;
     let texts = languages::read(&source.join("languages"))?;
-    let page = assemble::assemble(&source, &wasm, &texts, &script)?;
+    let parts = [("the module", wasm.as_slice()), ("the scripts with the glue", scripts.others.as_bytes()), ("the texts", &texts)];
+    let page = assemble::assemble(&source, &parts.map(|(_, part)| part), &scripts.begin)?;
     if let Some(dist) = out.parent() {
         std::fs::create_dir_all(dist).with_context(|| format!("{} cannot be made", dist.display()))?;
     }
     std::fs::write(out, &page.html).with_context(|| format!("{} cannot be written", out.display()))?;
-    budget::check(&page, wasm.len(), texts.len(), with_messages)
+    budget::check(&page, &parts, with_messages)
 }
 
 /// Generates the module as the page has it, and beside it in `folder` its glue and the glue's types.

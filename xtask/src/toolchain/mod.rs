@@ -62,12 +62,14 @@ pub fn cross_cargo_as(target: Target, subcommand: &str) -> Result<Command> {
 pub fn without_panic_messages(profile: &str) -> Result<Vec<String>> {
     Ok(match way()? {
         Way::Rustup => Vec::new(),
-        Way::BuildStd => vec![
-            "-Zpanic-immediate-abort".to_owned(),
-            "-Zbuild-std-features=optimize_for_size".to_owned(),
-            "--config".to_owned(),
+        // Not by -Z: what stands behind the subcommand would replace what stands before it.
+        Way::BuildStd => [
+            "unstable.panic-immediate-abort=true".to_owned(),
+            "unstable.build-std-features=[\"optimize_for_size\"]".to_owned(),
             format!("profile.{profile}.panic=\"immediate-abort\""),
-        ],
+        ]
+        .map(|setting| format!("--config={setting}"))
+        .to_vec(),
     })
 }
 
