@@ -6,9 +6,11 @@ const packed = /** @type {HTMLElement} */ (document.getElementById('packed'));
 const sizes = String(packed.dataset.sizes).split(' ').map(Number);
 const whole = unpack(fromBase64(String(packed.textContent).trim()), sizes.reduce((sum, size) => sum + size));
 let at = 0;
-const [module, scripts, texts] = sizes.map(size => whole.slice(at, at += size));
-const [script, languages] = [scripts, texts].map(part => new TextDecoder().decode(part));
-const element = document.createElement('script');
-element.textContent = script;
-document.body.append(element);
+const [module, ...parts] = sizes.map(size => whole.slice(at, at += size));
+const [style, script, languages] = parts.map(part => new TextDecoder().decode(part));
+for (const [tag, text] of [['style', style], ['script', script]]) {
+  const element = document.createElement(tag);
+  element.textContent = text;
+  document.head.append(element);
+}
 /** @type {any} */ (globalThis).goodbotPage.begin(module, JSON.parse(languages));

@@ -8,7 +8,7 @@ let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
-const LANGUAGES = { de: ['Deutsch', 'Sag ihm: „geh in den grünen Raum“'], en: ['English', 'Tell it: “go to the green room”'], es: ['Español', 'Dile: «ve a la habitación verde»'], fr: ['Français', 'Dis-lui : « va dans la pièce verte »'], zh: ['中文', '告诉它：“去绿色的房间”'] };
+const LANGUAGES = { de: ['Deutsch', 'Sag ihm: „geh in den grünen Raum“'], en: ['English', 'Tell it: “go to the green room”'], es: ['Español', 'Dile: «ve a la habitación verde»'], fr: ['Français', 'Dis-lui\u00a0: «\u00a0va dans la pièce verte\u00a0»'], zh: ['中文', '告诉它：“去绿色的房间”'] };
 
 const settled = page => page.evaluate(() => new Promise(done => { requestAnimationFrame(() => setTimeout(done, 50)); }));
 

@@ -16,25 +16,30 @@ pub struct Page {
     pub packed: String,
     /// The script that expands it.
     pub script: String,
-    /// How it looks.
-    pub style: String,
 }
 
-/// Puts the style, the script that begins, and the packed parts into the `index.html` of `folder`.
+/// How the page of `folder` looks.
+pub fn style(folder: &Path) -> Result<String> {
+    Ok(without_comments(&read(folder, "style.css")?))
+}
+
+fn read(folder: &Path, name: &str) -> Result<String> {
+    std::fs::read_to_string(folder.join(name)).with_context(|| format!("page/{name} cannot be read"))
+}
+
+/// Puts the script that begins and the packed parts into the `index.html` of `folder`.
 pub fn assemble(folder: &Path, parts: &[&[u8]], script: &str) -> Result<Page> {
-    let read = |name: &str| std::fs::read_to_string(folder.join(name)).with_context(|| format!("page/{name} cannot be read"));
     let script = escaped(script);
-    let style = without_comments(&read("style.css")?);
     let packed = STANDARD.encode(packed(&parts.concat())?);
-    let mut html = read("index.html")?;
+    let mut html = read(folder, "index.html")?;
     let sizes = parts.iter().map(|part| part.len().to_string()).collect::<Vec<_>>().join(" ");
-    for (mark, text) in [("/*SIZES*/", &sizes), ("/*STYLE*/", &style), ("/*SCRIPT*/", &script), ("<!--PACKED-->", &packed)] {
+    for (mark, text) in [("/*SIZES*/", &sizes), ("/*SCRIPT*/", &script), ("<!--PACKED-->", &packed)] {
         if html.matches(mark).count() != 1 {
             bail!("page/index.html must have {mark} once");
         }
         html = html.replacen(mark, text, 1);
     }
-    Ok(Page { html: without_comments(&html), packed, script, style })
+    Ok(Page { html: without_comments(&html), packed, script })
 }
 
 /// A text's lines without those that hold nothing but a comment, and without indentation.

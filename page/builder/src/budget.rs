@@ -16,13 +16,12 @@ const PANIC_MESSAGES: usize = 20_000;
 /// Says what the page is made of. It is an error if it is too large. `parts` are what is packed into it.
 pub fn check(page: &Page, parts: &[(&str, &[u8])], with_panic_messages: bool) -> Result<()> {
     let most_gzipped = MOST_GZIPPED + if with_panic_messages { PANIC_MESSAGES } else { 0 };
-    let Page { html, packed, script, style } = page;
+    let Page { html, packed, script } = page;
     let whole = gzipped(html)?;
     println!("dist/goodbot.html: {} bytes (at most {MOST_BYTES}), gzipped {whole} (at most {most_gzipped})", html.len());
     let listed = parts.iter().map(|(name, part)| format!("{name} ({} bytes)", part.len())).collect::<Vec<_>>().join(", ");
     println!("  {listed}; packed together: {} bytes, gzipped {}", packed.len(), gzipped(packed)?);
     println!("  the script that expands them: {} bytes, gzipped {}", script.len(), gzipped(script)?);
-    println!("  the style: {} bytes, gzipped {}", style.len(), gzipped(style)?);
     if html.len() > MOST_BYTES || whole > most_gzipped {
         bail!("the page is too large");
     }
@@ -40,7 +39,7 @@ mod tests {
     use super::*;
 
     fn page(bytes: usize) -> Page {
-        Page { html: " ".repeat(bytes), packed: String::new(), script: String::new(), style: String::new() }
+        Page { html: " ".repeat(bytes), packed: String::new(), script: String::new() }
     }
 
     #[test]

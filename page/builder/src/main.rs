@@ -1,8 +1,8 @@
 //! The trainer page as one HTML file: `goodbot-page MODULE OUT NODE [--with-panic-messages]`, as `cargo xtask page` calls it.
 //!
 //! The JavaScript glue of the WebAssembly module is generated, and both are put into `page/index.html` together with the page's own style
-//! and scripts. The module, the scripts and the texts of all languages are packed with LZMA; one small script expands them in the page. NODE
-//! runs what checks the scripts' types and joins them.
+//! and scripts. The module, the style, the scripts and the texts of all languages are packed with LZMA; one small script expands them in
+//! the page. NODE runs what checks the scripts' types and joins them.
 
 mod assemble;
 mod budget;
@@ -30,7 +30,14 @@ fn main() -> Result<()> {
     let source = Path::new(PAGE).canonicalize().with_context(|| format!("{PAGE} is not there"))?;
     let scripts = scripts::bundle(&source, &folder, node)?;
     let texts = languages::read(&source.join("languages"))?;
-    let parts = [("the module", wasm.as_slice()), ("the scripts with the glue", scripts.others.as_bytes()), ("the texts", &texts)];
+    let style = assemble::style(&source)?;
+    // In the order in which page/src/begin.js takes them.
+    let parts = [
+        ("the module", wasm.as_slice()),
+        ("the style", style.as_bytes()),
+        ("the scripts with the glue", scripts.others.as_bytes()),
+        ("the texts", &texts),
+    ];
     let page = assemble::assemble(&source, &parts.map(|(_, part)| part), &scripts.begin)?;
     if let Some(dist) = out.parent() {
         std::fs::create_dir_all(dist).with_context(|| format!("{} cannot be made", dist.display()))?;
