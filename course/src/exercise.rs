@@ -1,5 +1,6 @@
 //! The commands of the course, what each means, and where it is given.
 
+use core::fmt;
 use goodbot::home::{AGENT_IN_ROOM, BLOCK_IN_ROOM, COLOR, SHAPE};
 use goodbot::memory::AgentMemory;
 use goodbot::oomdp::{Domain, ObjectId, PropositionId};
@@ -46,6 +47,22 @@ impl Intention {
     }
 }
 
+/// As a person says it: `take the blue chair to the green room`.
+///
+/// ```
+/// use goodbot_course::{Intention, LESSONS};
+/// assert_eq!(Intention::take("blue", "chair", "green").to_string(), "take the blue chair to the green room");
+/// assert!(LESSONS.iter().all(|lesson| lesson.intention.to_string() == lesson.command));
+/// ```
+impl fmt::Display for Intention {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.block {
+            Some((color, shape)) => write!(f, "take the {color} {shape} to the {} room", self.room),
+            None => write!(f, "go to the {} room", self.room),
+        }
+    }
+}
+
 /// The homes of the course, by the letters of the paper's drawings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HomeName {
@@ -63,6 +80,11 @@ pub enum HomeName {
     F,
     /// All tests: four rooms, a purple chair and a blue bag.
     Test,
+}
+
+impl HomeName {
+    /// All of them.
+    pub const ALL: [Self; 7] = [Self::A, Self::B, Self::C, Self::D, Self::E, Self::F, Self::Test];
 }
 
 /// A command, what it means, and where it is given.

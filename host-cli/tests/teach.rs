@@ -46,6 +46,43 @@ fn words_are_shown_in_full() {
 }
 
 #[test]
+fn what_to_teach_next_is_the_word_that_is_wanted_and_was_heard_least_where_it_can_be_taught() {
+    let lesson = "command go to the red room\nstep\ngood\nfinish\n";
+    let folder = TempDir::new().unwrap();
+    let wanted = folder.path().join("wanted.txt");
+    std::fs::write(&wanted, "go to the red room\n\n  take the blue chair to the yellow room\n").unwrap();
+    let (_, told) = teach(&["--wanted", wanted.to_str().unwrap()], &format!("{lesson}next\n"));
+    let next = told.iter().find(|answer| answer["type"] == "next").unwrap();
+    assert_eq!(next["command"], "take the blue chair to the yellow room");
+    assert_eq!((&next["word"], &next["needed"], &next["heard"]), (&json!("take"), &json!(1), &json!(0)));
+    assert_eq!(next["reason"], "\"take\" is in 1 of the commands that it is to understand, and it has never heard that word");
+    let (run, answers) = teach(&[], &format!("home {}\ncommand {}\n", next["home"], next["command"].as_str().unwrap()));
+    assert_eq!(run.code, 0, "it can be taught there: {}", run.messages);
+    assert!(answers[2]["tasks"].as_array().unwrap().iter().any(|task| task["words"] == next["command"]));
+
+    // Without a file it is what was said; one's own words are proposed where the robot is.
+    let (_, told) = teach(&[], "next\ncommand zorp blik\nstep\ngood\nfinish\nnext\n");
+    let next: Vec<&Value> = told.iter().filter(|answer| answer["type"] == "next").collect();
+    assert_eq!(next[0]["command"], Value::Null);
+    assert_eq!((&next[1]["command"], &next[1]["home"], &next[1]["heard"]), (&json!("zorp blik"), &Value::Null, &json!(1)));
+    let often = format!("{}next\n", "command zorp blik\nstep\ngood\nfinish\n".repeat(6));
+    let (_, told) = teach(&[], &often);
+    assert_eq!(told[told.len() - 2]["reason"], "it has heard every word of these commands often");
+}
+
+#[test]
+fn a_file_that_wants_nothing_is_refused() {
+    let folder = TempDir::new().unwrap();
+    let file = folder.path().join("wanted.txt");
+    let refused = |path: &std::path::Path| goodbot(&["teach", "--wanted", path.to_str().unwrap()], b"");
+    assert!(refused(&file).messages.contains("wanted.txt: cannot be read"));
+    std::fs::write(&file, "\n \n").unwrap();
+    let run = refused(&file);
+    assert_eq!(run.code, 2);
+    assert!(run.messages.contains("wanted.txt: has no command; write one on each line"), "{}", run.messages);
+}
+
+#[test]
 fn the_same_seed_and_the_same_lines_give_the_same_answers() {
     let lines = "command go to the red room\nstep\ngood\nstep\nbad\nstep\nfinish\nhome random\ncommand go\nstep\nstep\n";
     let of = |seed| teach(&["--seed", seed, "--random"], lines).0.output;

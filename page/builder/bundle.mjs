@@ -1,13 +1,15 @@
-// Joins the page's scripts and the module's glue into one small script: `node bundle.mjs GLUE OUT`.
+// Joins the page's scripts into two small ones, the beginning and all others with the module's glue: `node bundle.mjs GLUE BEGIN OTHERS`.
 import { resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 
-const [glue, outfile] = process.argv.slice(2);
+const [glue, begin, others] = process.argv.slice(2);
+const source = name => [fileURLToPath(new URL('../src/' + name, import.meta.url))];
+const small = { bundle: true, format: 'iife', minify: true, charset: 'utf8', legalComments: 'none', logLevel: 'warning' };
+await build({ ...small, entryPoints: source('begin.js'), outfile: begin });
 await build({
-  entryPoints: [fileURLToPath(new URL('../src/main.js', import.meta.url))],
+  ...small, entryPoints: source('main.js'), outfile: others, globalName: 'goodbotPage',
   alias: { 'goodbot-wasm': resolve(glue) },
   // The glue's own way to fetch the module from beside itself is never taken.
   define: { 'import.meta.url': 'undefined' },
-  bundle: true, format: 'iife', minify: true, charset: 'utf8', legalComments: 'none', logLevel: 'warning', outfile,
 });

@@ -1,10 +1,11 @@
 // Questions of the robot's: where an answer teaches it more than its next steps do, it asks, and waits.
 import { parsed, world } from './core.js';
 import { render } from './render.js';
+import { listed, t } from './language.js';
 import { keepSession, pause, wake } from './session.js';
 import { speak } from './speech.js';
 import { $, announce, attempt, inParts, make, state } from './state.js';
-import { objectWords } from './words.js';
+import { beliefNow, objectWords } from './words.js';
 
 // What a question costs, in steps, and how often an answer is wrong: as the core and `goodbot teach` have them.
 const KAPPA = 8;
@@ -27,7 +28,7 @@ export async function askTrainer(session) {
   state.route = null;
   const focused = document.activeElement;
   render();
-  announce([questionWords(question), ...choicesOf(question)].join(' '));
+  announce([questionWords(question), listed(['', ...choicesOf(question)].slice(choicesOf(question).length ? 1 : 0), 'or')].join(' '));
   speak(questionWords(question));
   if (focused === $('good') || focused === $('bad')) $('answers').focus({ preventScroll: true });
   const before = session.answers;
@@ -46,7 +47,7 @@ export function answer(given) {
   if (attempt(() => world.answer(given)) === undefined) return;
   session.answers += 1;
   session.question = null;
-  state.belief = parsed(world.belief());
+  state.belief = beliefNow();
   keepSession(session);
   goOn(session);
 }
@@ -61,17 +62,17 @@ const isChoice = question => question.about === 'whichObject' || question.about 
 /** The question as a person hears it.
  * @param {import('goodbot-wasm').Question} question */
 export function questionWords({ about, objects, choices }) {
-  if (about === 'object') return 'Do you mean the ' + objectWords(objects[0]) + '?';
-  if (about === 'carrying') return 'Shall I carry something?';
-  if (about === 'moving') return 'Shall I go somewhere myself?';
-  if (about === 'task') return 'Do you mean: ' + state.belief.tasks[choices[0]].words + '?';
-  return 'Which of these do you mean?';
+  if (about === 'object') return t('ask.object', { thing: objectWords(objects[0]) });
+  if (about === 'carrying') return t('ask.carrying');
+  if (about === 'moving') return t('ask.moving');
+  if (about === 'task') return t('ask.task', { task: state.belief.tasks[choices[0]].words });
+  return t('ask.which');
 }
 
 /** What there is to choose, beside none of these.
  * @param {import('goodbot-wasm').Question} question
  * @returns {string[]} */
-const choicesOf = ({ about, objects, choices }) => (about === 'whichObject' ? objects.map(name => 'the ' + objectWords(name))
+const choicesOf = ({ about, objects, choices }) => (about === 'whichObject' ? objects.map(name => objectWords(name, 1))
   : about === 'whichTask' ? choices.map(task => state.belief.tasks[task].words) : []);
 
 export function renderQuestion() {
@@ -79,7 +80,7 @@ export function renderQuestion() {
   const question = session?.question;
   $('answers').hidden = !question;
   $('good').closest('.judge').hidden = Boolean(question);
-  const key = question ? JSON.stringify(question) : '';
+  const key = question ? JSON.stringify(question) + document.documentElement.lang : '';
   if (!session || !question || $('answers').dataset.key === key) {
     if (!question) $('answers').dataset.key = '';
     return;
@@ -91,6 +92,6 @@ export function renderQuestion() {
   $('answers').className = choices.length ? 'which' : '';
   $('answers').replaceChildren(
     ...choices.map((words, at) => button(String(at + 1), at + 1, words)),
-    ...(choices.length ? [button('no', 'n', 'none of these')] : [button('yes', 'y', 'Yes'), button('no', 'n', 'No')]),
-    make('button', { type: 'button', class: 'quiet', id: 'unanswered', onclick: () => goOn(session) }, 'Go on without an answer'));
+    ...(choices.length ? [button('no', 'n', t('ask.none'))] : [button('yes', 'y', t('ask.yes')), button('no', 'n', t('ask.no'))]),
+    make('button', { type: 'button', class: 'quiet', id: 'unanswered', onclick: () => goOn(session) }, t('ask.skip')));
 }

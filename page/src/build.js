@@ -1,19 +1,17 @@
 // The editor: rooms, doors, blocks and the robot, by pointer on the plan and by numbers in a list.
-import { download, readFile } from './bytes.js';
+import { download, readFile } from './files.js';
 import { Goodbot, parsed, world } from './core.js';
+import { listed, named, t } from './language.js';
 import { CELL, Frame, houseDrawing, thingDrawing } from './plan.js';
 import { render } from './render.js';
 import * as shelf from './shelf.js';
 import { $, all, draw, make, state, tell } from './state.js';
 import { fromTextMap, toTextMap } from './textmap.js';
 import { enterHome } from './tour.js';
+import { colorWords, labelWords, objectWords, shapeWords } from './words.js';
 
 const PALETTE = ['red', 'green', 'blue', 'yellow', 'purple', 'orange', 'tan', 'teal', 'magenta'];
 const FORMS = ['chair', 'bag', 'backpack', 'basket', 'star'];
-const TOOLS = {
-  move: 'Drag things and rooms; drag a chosen room’s corner to resize it. Colours and shapes are in the list.',
-  room: 'Drag from corner to corner. Rooms that touch share a wall.', door: 'Tap a wall between two rooms.', block: 'Tap where it shall stand.', agent: 'Tap where it shall stand.',
-};
 const build = {
   /** @type {{ version: number, objects: any[] }} */
   file: { version: 1, objects: [] },
@@ -152,10 +150,10 @@ export function renderBuild() {
       x: frame.x(box.left) - CELL / 2, y: frame.y(box.top) - CELL / 2, width: (box.right - box.left + 1) * CELL, height: (box.top - box.bottom + 1) * CELL, class: 'chosen',
     }));
   }
-  $('build-help').textContent = TOOLS[build.tool];
+  $('build-help').textContent = named('build.help.' + build.tool) || '';
   const closed = build.error ? [] : unreachable(scene);
-  $('build-error').textContent = build.error ? 'Not a home yet: ' + build.error + '.'
-    : closed.length ? 'This is a home, but the robot cannot get into ' + closed.join(' or ') + '. Draw a door.' : 'This is a home. The robot is in it.';
+  $('build-error').textContent = build.error ? t('build.notYet', { why: build.error })
+    : closed.length ? t('build.closed', { rooms: listed(closed, 'or') }) : t('build.fine');
   $('build-error').className = build.error || closed.length ? 'wrong' : 'fine';
   for (const tool of all('[data-tool]')) tool.setAttribute('aria-pressed', tool.dataset.tool === build.tool);
   $('build-undo').disabled = !build.past.length;
@@ -171,7 +169,7 @@ function renderObjects() {
   const active = /** @type {HTMLElement | null} */ (document.activeElement);
   const focused = active && active.dataset.field;
   $('objects').replaceChildren(...build.file.objects.map((object, index) => {
-    const title = object.class === 'agent' ? 'robot' : object.class === 'door' ? object.name : (object.color + ' ' + (object.shape || 'room'));
+    const title = object.class === 'agent' ? t('build.robot') : object.class === 'door' ? object.name : labelWords({ color: object.color, shape: object.shape || 'room' });
     const row = make('details', { name: 'object', open: index === build.chosen }, make('summary', { 'data-field': index + '.summary' }, title, make('small', {}, ' ' + (title === object.name ? '' : object.name))));
     // Not by the event that it was opened: that comes late, and may speak of what has gone.
     row.firstChild.addEventListener('click', event => {
@@ -185,16 +183,16 @@ function renderObjects() {
       const options = { color: PALETTE, shape: FORMS }[field];
       const key = index + '.' + field;
       const input = options
-        ? make('select', { 'data-field': key }, ...[...new Set([...options, value])].map(option => make('option', { value: option, selected: option === value }, option)))
+        ? make('select', { 'data-field': key }, ...[...new Set([...options, value])].map(option => make('option', { value: option, selected: option === value }, field === 'color' ? colorWords(option) : shapeWords(option))))
         : make('input', { type: typeof value === 'number' ? 'number' : 'text', value, 'data-field': key });
       input.addEventListener('change', () => {
         object[field] = typeof value === 'number' ? Math.round(Number(input.value)) : input.value;
         build.chosen = index;
         changed();
       });
-      fields.append(make('label', {}, { color: 'colour' }[field] || field, input));
+      fields.append(make('label', {}, named('field.' + field) || field, input));
     }
-    fields.append(make('button', { type: 'button', class: 'small', onclick: () => { build.file.objects.splice(index, 1); build.chosen = null; changed(); } }, 'Remove'));
+    fields.append(make('button', { type: 'button', class: 'small', onclick: () => { build.file.objects.splice(index, 1); build.chosen = null; changed(); } }, t('build.remove')));
     row.append(fields);
     return row;
   }));
@@ -253,14 +251,14 @@ function unreachable(scene) {
     const [x, y] = cell.split(',').map(Number);
     return x > room.left && x < room.right && y > room.bottom && y < room.top;
   });
-  return scene.rooms.filter(room => !entered(room)).map(room => 'the ' + room.color + ' room');
+  return scene.rooms.filter(room => !entered(room)).map(room => objectWords(room.name));
 }
 
 function parsedHome(text) {
   try {
     return JSON.parse(text);
   } catch {
-    throw new Error('a bracket, a quote or a comma of the JSON is missing or too many');
+    throw new Error(t('build.badJson'));
   }
 }
 
@@ -349,13 +347,13 @@ export function setUpBuild() {
       const isJson = text.trim().startsWith('{');
       const file = isJson ? parsedHome(text) : fromTextMap(text);
       const error = Goodbot.check(JSON.stringify(file));
-      if (error) throw new Error(/ field |invalid |expected /.test(error) ? 'something in it is missing, misspelt or of the wrong kind; “Show as JSON” shows how it is written' : error);
+      if (error) throw new Error(/ field |invalid |expected /.test(error) ? t('build.malformed') : error);
       build.file = file;
       build.chosen = null;
       changed();
-      tell('The home is taken over.');
+      tell(t('build.taken'));
     } catch (error) {
-      tell('This text is no home: ' + error.message, true);
+      tell(t('build.noHome', { why: error.message }), true);
     }
   };
   $('import').addEventListener('click', () => take($('home-text').value));

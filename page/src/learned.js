@@ -1,7 +1,8 @@
 // What the robot has learned, in words: which word means what, by its dictionary.
 import { parsed, world } from './core.js';
+import { listed, named, t } from './language.js';
 import { state } from './state.js';
-import { tokenWords } from './words.js';
+import { beliefNow, colorWords, quoted, shapeWords } from './words.js';
 
 // A word is said to mean an idea where it is expected for it this often, and this many times as often as for the next idea.
 const OFTEN = 0.3;
@@ -21,13 +22,16 @@ export function meanings(heat) {
   return found;
 }
 
+// roomIsGreen becomes “room is green”: names of ideas that the page has no words for.
+const tokenWords = token => token.replace(/([A-Z])/g, ' $1').toLowerCase();
+
 /** An idea as a person says it.
  * @param {string} token */
 export function ideaWords(token) {
   const [, kind, value] = token.match(/^(color|shape)(.+)$/) || [];
-  if (kind === 'color') return 'the colour ' + value.toLowerCase();
-  if (kind === 'shape') return 'a ' + value.toLowerCase();
-  return { agentInRoom: 'going to a room', blockInRoom: 'taking a thing to a room' }[token] || tokenWords(token);
+  if (kind === 'color') return t('idea.color', { 0: colorWords(value.toLowerCase()) });
+  if (kind === 'shape') return t('idea.shape', { 0: shapeWords(value.toLowerCase()) });
+  return named('idea.' + token) || tokenWords(token);
 }
 
 /** What the last session taught: a sentence, and the words that became clear.
@@ -35,9 +39,9 @@ export function ideaWords(token) {
 export function lessonLearned(heardNew) {
   const [before, now] = [meanings(state.heat.before), meanings(state.heat.now)];
   const clear = [...now].filter(([word, token]) => before.get(word) !== token);
-  if (clear.length) return 'Now I know: ' + clear.map(([word, token]) => '“' + word + '” means ' + ideaWords(token)).join('; ') + '.';
-  if (heardNew.length) return 'New words: ' + heardNew.join(', ') + '. What each of them means, more lessons will tell.';
-  return now.size ? 'I am surer now of what I knew: ' + [...now.keys()].join(', ') + '.' : 'I have heard these words once more. What each of them means, more lessons will tell.';
+  if (clear.length) return t('learned.nowKnown', { list: listed(clear.map(([word, token]) => t('learned.means', { word, idea: ideaWords(token) }))) });
+  if (heardNew.length) return t('learned.newWords', { words: listed(heardNew) });
+  return now.size ? t('learned.surer', { words: listed([...now.keys()]) }) : t('learned.onceMore');
 }
 
 /** The words of the command under way that the robot has not learned from. */
@@ -59,7 +63,7 @@ export function ideas() {
   const found = { agent: /** @type {string[]} */ ([]), block: /** @type {string[]} */ ([]) };
   try {
     world.hear('?a');
-    const { tasks } = parsed(world.belief());
+    const { tasks } = beliefNow();
     const started = performance.now();
     tasks.forEach((task, at) => {
       const kind = task.name.startsWith('agent') ? 'agent' : 'block';

@@ -1,6 +1,7 @@
 // What an address carries behind its #: a home with settings, or a robot with all that it knows.
-import { fromAddress, fromBase64, toAddress } from './bytes.js';
+import { fromAddress, fromBase64, toAddress } from './base64.js';
 import { world } from './core.js';
+import { names, t } from './language.js';
 import { RULES, SPEEDS } from './session.js';
 import { state, tell } from './state.js';
 
@@ -58,7 +59,7 @@ export async function readRobot() {
   try {
     const bytes = fromAddress(text);
     if (bytes[0] > ROBOT_VERSION) {
-      tell('This robot comes from a newer page than this one. Open it with the newest page.', true);
+      tell(t('link.newer'), true);
       return null;
     }
     const packed = bytes.slice(5);
@@ -66,9 +67,9 @@ export async function readRobot() {
     const whole = await through(packed, new DecompressionStream('deflate-raw'));
     const length = whole[0] << 8 | whole[1];
     const { name, home, pull } = JSON.parse(new TextDecoder().decode(whole.slice(2, 2 + length)));
-    return { name: String(name).slice(0, 40) || 'A robot', home, pull: pull === true, model: whole.slice(2 + length) };
+    return { name: String(name).slice(0, 40) || t('robots.some'), home, pull: pull === true, model: whole.slice(2 + length) };
   } catch {
-    tell('The link to this robot is damaged: it may have been cut off. Ask for it once more.', true);
+    tell(t('link.damagedRobot'), true);
     return null;
   }
 }
@@ -79,6 +80,7 @@ export function isSetting(name, value) {
   if (name === 'speed') return Object.hasOwn(SPEEDS, value);
   if (name === 'rule') return Object.hasOwn(RULES, value);
   if (name === 'theme') return ['auto', 'light', 'dark'].includes(value);
+  if (name === 'language') return names().some(([code]) => code === value);
   return typeof value === 'boolean';
 }
 
@@ -100,7 +102,7 @@ export function readLink() {
     if (state.settings.style !== world.learnsStyle()) world.setLearnsStyle(state.settings.style);
     return true;
   } catch {
-    tell('The link is damaged: it may have been cut off. Ask for it once more.', true);
+    tell(t('link.damaged'), true);
     return false;
   }
 }

@@ -1,6 +1,7 @@
 // A session log, gone through once more: the robot learns from its sessions one after the other.
-import { readFile } from './bytes.js';
+import { readFile } from './files.js';
 import { world } from './core.js';
+import { t } from './language.js';
 import { render } from './render.js';
 import { LEARN_BUDGET, PLAN_BUDGET, heatNow, leaveSession, refresh } from './session.js';
 import { inParts, nextFrame, state, tell } from './state.js';
@@ -17,13 +18,13 @@ const LOG_FIELDS = {
 
 function checkRecord(record) {
   const fields = LOG_FIELDS[record.type];
-  if (!fields) throw new Error('“type” is neither session, step, answer nor end');
+  if (!fields) throw new Error(t('log.type'));
   const strange = Object.keys(record).find(field => !fields.includes(field));
-  if (strange) throw new Error('there is no field “' + strange + '”');
-  if (record.type === 'session' && record.version !== 1) throw new Error('“version” is not 1');
-  if (record.type === 'session' && !['feedback', 'demonstration'].includes(record.kind)) throw new Error('“kind” is neither feedback nor demonstration');
-  const action = (record.actions || []).find(name => !(name in ACTIONS));
-  if (action) throw new Error(action + ' is no action here');
+  if (strange) throw new Error(t('log.field', { name: strange }));
+  if (record.type === 'session' && record.version !== 1) throw new Error(t('log.version'));
+  if (record.type === 'session' && !['feedback', 'demonstration'].includes(record.kind)) throw new Error(t('log.kind'));
+  const action = (record.actions || []).find(name => !ACTIONS.includes(name));
+  if (action) throw new Error(t('log.action', { name: action }));
 }
 
 // Probabilities in any unit: the largest becomes 1, so that single precision never makes all of them 0.
@@ -39,7 +40,7 @@ export const answerRecorded = record => world.answerAs(record.tasks.join('\n'), 
 export function beginRecorded(record, last) {
   if (record.continues) {
     if (!last || last.command !== record.command || JSON.stringify(last.environment) !== JSON.stringify(record.environment)) {
-      throw new Error('it continues a session that does not stand before it');
+      throw new Error(t('log.continues'));
     }
     world.hearAgain(record.command);
     return;
@@ -69,7 +70,7 @@ export async function learnFrom(lines) {
       const record = JSON.parse(line);
       checkRecord(record);
       own.push(line);
-      if ((record.type === 'session') !== (session === null)) throw new Error(session ? 'the session before has no end' : 'no session has begun');
+      if ((record.type === 'session') !== (session === null)) throw new Error(t(session ? 'log.noEnd' : 'log.noBeginning'));
       if (record.type === 'session') {
         beginRecorded(record, last);
         session = record;
@@ -96,7 +97,7 @@ export async function learnFrom(lines) {
         }
         [session, last] = [null, session];
         state.sessions = world.sessions();
-        state.progress = 'Line ' + number + ' of ' + lines.length + '.';
+        state.progress = t('say.line', { n: number, of: lines.length });
         if (performance.now() - shown > 100) {
           render();
           await nextFrame();
@@ -104,11 +105,11 @@ export async function learnFrom(lines) {
         }
       }
     } catch (error) {
-      throw new Error('line ' + number + ' of this log cannot be used: ' + error.message);
+      throw new Error(t('log.line', { n: number, why: error.message }));
     }
   }
-  if (session) throw new Error('the last session of this log has no end');
-  if (!last) throw new Error('there is no session in this log');
+  if (session) throw new Error(t('log.lastOpen'));
+  if (!last) throw new Error(t('log.empty'));
   return learned;
 }
 
@@ -119,16 +120,16 @@ export async function loadLog(input) {
   state.phase = 'learning';
   render();
   try {
-    await change('learning from the log ' + name, async () => {
+    await change(t('undo.log', { name }), async () => {
       const learned = await learnFrom(content.trimEnd().split('\n'));
       return learned.length ? learned.join('\n') + '\n' : '';
     });
-    tell('The robot has gone through the log: it now knows ' + sessionsWord() + '.');
+    tell(t('log.done', { sessions: sessionsWord() }));
   } catch (error) {
     world.forget();
     await inParts(() => world.learn(LEARN_BUDGET));
     await open(state.robot);
-    tell('Nothing was learned: ' + error.message + '. The robot knows what it knew before.', true);
+    tell(t('log.failed', { why: error.message }), true);
   }
   state.phase = 'none';
   state.progress = '';

@@ -1,8 +1,9 @@
-// The beginning.
-import { fromBase64 } from './bytes.js';
+// The page is set up.
 import { drawnElsewhere, setUpBuild } from './build.js';
 import { startCore, world } from './core.js';
+import { speakLanguage, t, takeLanguages, writePage } from './language.js';
 import { readLink } from './link.js';
+import { setUpNext } from './next.js';
 import { watchSize } from './plan.js';
 import { nameHome, setMode, setUpPlay } from './play.js';
 import { render } from './render.js';
@@ -18,8 +19,6 @@ import { renderHeat } from './thoughts.js';
 import { beginStop, enterStop, restartTour, watchTour } from './tour.js';
 import { isThere } from './words.js';
 
-const NO_ROBOT = 'This browser cannot run the robot. A browser of the last four years can, where WebAssembly is not switched off.';
-
 function setUp() {
   $('logo').append(...robotDrawing());
   setUpPlay();
@@ -27,6 +26,7 @@ function setUp() {
   setUpShortcuts();
   setUpSpeech();
   setUpBuild();
+  setUpNext();
   watchSize();
   for (const button of all('button[data-mode]')) button.addEventListener('click', () => setMode(button.dataset.mode));
   for (const [id, action] of Object.entries({
@@ -62,11 +62,14 @@ async function takeOver() {
   state.heat = { now: heatNow(), before: null };
 }
 
-async function main() {
-  startCore(fromBase64($('module').textContent.trim()), Number($('module').dataset.size));
+async function main(module, languages) {
+  takeLanguages(languages);
+  restoreSettings();
+  speakLanguage(state.settings.language);
+  writePage();
+  startCore(module);
   // For the curious, at the browser's console, and for tests.
   Object.assign(window, { goodbot: world });
-  restoreSettings();
   await openLast();
   const home = shelf.get('home');
   if (home) attempt(() => world.setEnvironment(home));
@@ -83,8 +86,11 @@ async function main() {
   document.body.classList.add('ready');
 }
 
-main().catch(error => {
-  $('page').replaceChildren(make('p', { class: 'card', role: 'alert' }, NO_ROBOT));
+/** Begins, with what was packed: the core's module, and the texts of all languages.
+ * @param {Uint8Array} module
+ * @param {Record<string, any>} languages */
+export const begin = (module, languages) => main(module, languages).catch(error => {
+  $('page').replaceChildren(make('p', { class: 'card', role: 'alert' }, t('noRobot')));
   document.body.classList.add('ready');
   console.info(error);
 });

@@ -1,7 +1,8 @@
 // The floor plan: a drawing as by hand, seen from above.
+import { t } from './language.js';
 import { blockDrawing, colorOf, robotDrawing } from './robot.js';
 import { $, draw, make, state } from './state.js';
-import { describeScene } from './words.js';
+import { colorWords, describeScene, labelWords } from './words.js';
 
 export const CELL = 48;
 
@@ -130,16 +131,25 @@ export function houseDrawing(frame, scene) {
   });
   house.append(draw('path', { d: thick, class: 'wall' }), draw('path', { d: thin, class: 'wall again' }));
   for (const room of scene.rooms) {
-    house.append(draw('text', { x: frame.x(room.left) + 12, y: frame.y(room.top) + 23, class: 'roomname' }, room.color, draw('tspan', { class: 'kind' }, ' room')));
+    house.append(draw('text', { x: frame.x(room.left) + 12, y: frame.y(room.top) + 23, class: 'roomname' }, ...roomName(room)));
   }
   return house;
+}
+
+// What a room is called: what tells it from others, and the word “room”, which is left out where there is no place for it.
+function roomName(room) {
+  const [name, color] = [labelWords({ ...room, shape: 'room' }), colorWords(room.color)];
+  const at = name.indexOf(color);
+  if (at < 0) return [name];
+  const rest = [name.slice(0, at), name.slice(at + color.length)].map(kind => (kind ? draw('tspan', { class: 'kind' }, kind) : null));
+  return [rest[0], color, rest[1]];
 }
 
 export function thingDrawing(frame, thing, isRobot) {
   const group = draw('g', { class: isRobot ? 'robot' : 'block', 'data-name': thing.name });
   group.style.transform = 'translate(' + frame.x(thing.x) + 'px,' + frame.y(thing.y) + 'px)';
   group.append(...(isRobot ? robotDrawing() : blockDrawing(thing)).filter(part => part !== null));
-  if (!isRobot && state.settings.names) group.append(draw('text', { y: 24, class: 'blockname' }, thing.color + ' ' + thing.shape));
+  if (!isRobot && state.settings.names) group.append(draw('text', { y: 24, class: 'blockname' }, labelWords(thing)));
   return group;
 }
 
@@ -148,7 +158,7 @@ const plan = { frame: /** @type {any} */ (null), key: '', things: new Map(), ahe
 
 export function renderPlan() {
   const scene = state.scene;
-  const key = JSON.stringify([scene.bounds, scene.rooms, scene.doors, scene.blocks.map(block => [block.name, block.color, block.shape]), state.settings.names]);
+  const key = JSON.stringify([scene.bounds, scene.rooms, scene.doors, scene.blocks.map(block => [block.name, block.color, block.shape]), state.settings.names, document.documentElement.lang]);
   const root = $('plan');
   if (key !== plan.key) {
     plan.key = key;
@@ -170,7 +180,7 @@ export function renderPlan() {
   }
   renderAhead();
   renderAsked();
-  root.setAttribute('aria-label', 'Floor plan. ' + describeScene(scene)[0]);
+  root.setAttribute('aria-label', t('plan.about', { text: describeScene(scene)[0] }));
   $('twin').replaceChildren(...describeScene(scene).map(line => make('li', {}, line)));
   $('textmap').textContent = scene.map;
   const robot = plan.things.get(scene.agent.name);

@@ -1,18 +1,20 @@
 // Free play: any command in any home, and how one gets from one tab to another.
 import { enterBuild } from './build.js';
 import { Goodbot, course, parsed, world } from './core.js';
+import { t } from './language.js';
 import { ideas, spaced } from './learned.js';
 import { render } from './render.js';
 import { leaveSession, refresh, startSession } from './session.js';
 import * as shelf from './shelf.js';
 import { $, announce, attempt, make, state } from './state.js';
 import { enterHome, enterStop, homeNamed } from './tour.js';
+import { taskWords } from './words.js';
 
 // Commands that make sense here, for those who do not know what to say.
 export function renderIdeas() {
   $('ideas').hidden = Boolean(state.session);
   if (state.session || state.phase !== 'none' || state.mode !== 'play') return;
-  const key = JSON.stringify([state.scene, world.pulls()]);
+  const key = JSON.stringify([state.scene, world.pulls(), document.documentElement.lang]);
   if ($('ideas').dataset.key === key) return;
   $('ideas').dataset.key = key;
   $('ideas').replaceChildren(...ideas().map(idea => make('button', { type: 'button', class: 'idea', onclick: () => { $('command').value = idea; tellRobot(idea); } }, idea)));
@@ -39,7 +41,7 @@ function tellRobot(command) {
     startSession(words);
     return;
   }
-  state.said = ['I am there already: ' + done + '.', ''];
+  state.said = [t('say.done', { task: taskWords(done) }), ''];
   announce(state.said[0]);
   render();
   $('else').focus();
@@ -52,9 +54,16 @@ export function nameHome() {
   $('home').value = known ? known[0] : home === JSON.stringify(shelf.read('drawing', {}).home) ? 'own' : 'random';
 }
 
+/** Writes the list of homes. */
+export function writeHomes() {
+  const { value } = $('home');
+  $('home').replaceChildren(...course.homes.map(([name]) => make('option', { value: name }, name === 'Test' ? t('home.tests') : t('home.course', { name }))),
+    make('option', { value: 'random' }, t('home.random')), make('option', { value: 'own' }, t('home.own')));
+  if (value) $('home').value = value;
+}
+
 export function setUpPlay() {
-  for (const [name] of course.homes) $('home').append(make('option', { value: name }, name === 'Test' ? 'The tests’ home' : 'Home ' + name + ' of the course'));
-  $('home').append(make('option', { value: 'random' }, 'Another, at random'), make('option', { value: 'own' }, 'Your own'));
+  writeHomes();
   const choose = async () => {
     const { value } = $('home');
     if (!await leaveSession()) return;

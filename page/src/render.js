@@ -1,7 +1,9 @@
 // The one place from which everything is drawn.
 import { renderQuestion } from './asking.js';
 import { renderBuild } from './build.js';
+import { t } from './language.js';
 import { unknownWords } from './learned.js';
+import { renderNext } from './next.js';
 import { renderPlan } from './plan.js';
 import { renderIdeas } from './play.js';
 import { renderRoster } from './roster.js';
@@ -17,12 +19,14 @@ export function render() {
   const busy = state.phase === 'learning';
   document.body.dataset.mode = state.mode;
   document.body.dataset.phase = state.phase;
+  document.documentElement.toggleAttribute('data-presenter', state.settings.presenter && state.mode !== 'build');
   document.body.toggleAttribute('data-session', Boolean(session));
   for (const button of all('button[data-mode]')) button.setAttribute('aria-pressed', button.dataset.mode === state.mode);
   renderPlan();
   renderTour();
   renderBuild();
   renderThoughts();
+  renderNext();
   renderRoster();
   renderSettings();
   const [head, rest] = speech();
@@ -40,23 +44,23 @@ export function render() {
     $(id).setAttribute('aria-disabled', !active);
     const given = Boolean(session && session.feedback === (id === 'good' ? 'reward' : 'punish'));
     $(id).setAttribute('aria-pressed', given);
-    $(id).querySelector('small').textContent = given && session?.decided ? acted(session.decided.action).split(' where')[0] : '';
+    $(id).querySelector('small').textContent = given && session?.decided ? acted(session.decided.action === 'noop' ? 'stayed' : session.decided.action) : '';
   }
-  const to = !session || !session.decided ? 'Your word goes to the robot’s last step.' : session.looking ? 'A test: no feedback.'
-    : 'It ' + acted(session.decided.action) + '. ' + ({ reward: 'You said Good.', punish: 'You said Bad.' }[session.feedback] || 'Good or Bad?');
+  const to = !session || !session.decided ? t('train.to') : session.looking ? t('told.testTold')
+    : t(session.feedback === 'reward' ? 'train.saidGood' : session.feedback === 'punish' ? 'train.saidBad' : 'train.silent', { it: t('it', { did: acted(session.decided.action) }) });
   $('to').replaceChildren(to);
-  $('pause').textContent = session && session.paused ? 'Go on' : 'Pause';
+  $('pause').textContent = t(session && session.paused ? 'train.goOn' : 'train.pause');
   $('pause').disabled = $('next').disabled = !session || busy;
   for (const id of ['pause', 'next']) $(id).hidden = !session || Boolean(session.question);
   for (const id of ['finish', 'drop']) $(id).hidden = !session || session.looking || state.tour.watching;
-  $('finish').textContent = isThere() ? 'Yes, that was it!' : 'Finish and learn';
+  $('finish').textContent = t(isThere() ? 'train.thatWasIt' : 'train.finish');
   $('finish').classList.toggle('big', isThere());
   $('finish').disabled = $('drop').disabled = !session || busy || Boolean(session && session.looking);
-  for (const [id, points, verb] of /** @type {const} */ ([['undo', state.robot.past, 'Undo: '], ['redo', state.robot.future, 'Do again: ']])) {
+  for (const [id, points] of /** @type {const} */ ([['undo', state.robot.past], ['redo', state.robot.future]])) {
     const point = points.at(-1);
     $(id).hidden = !point || Boolean(session) || busy;
-    $(id).textContent = point ? verb + (point.what.length > 44 ? point.what.slice(0, 43) + '…' : point.what) : '';
-    $(id).title = points.length > 1 ? points.length + ' steps in all' : '';
+    $(id).textContent = point ? t(id, { what: point.what.length > 44 ? point.what.slice(0, 43) + '…' : point.what }) : '';
+    $(id).title = points.length > 1 ? t('undo.steps', { n: points.length }) : '';
   }
   for (const element of all('.place')) element.hidden = Boolean(session);
   $('choose').hidden = $('home').value !== 'random' || Boolean(session);
@@ -75,5 +79,5 @@ export function render() {
 // The command, with the words underlined that the robot does not know.
 export function heardWords(command) {
   const unknown = new Set(unknownWords());
-  return command.split(/([^\p{L}\p{M}\p{N}'’]+)/u).map(part => (unknown.has(part.toLowerCase()) ? make('u', { title: 'not known yet' }, part) : part));
+  return command.split(/([^\p{L}\p{M}\p{N}'’]+)/u).map(part => (unknown.has(part.toLowerCase()) ? make('u', { title: t('unknownWord') }, part) : part));
 }

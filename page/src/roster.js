@@ -1,16 +1,15 @@
 // The robots of this browser: which one learns here, their names, copies, and the deleted ones.
-import { readFile } from './bytes.js';
+import { readFile } from './files.js';
 import { world } from './core.js';
 import { render } from './render.js';
 import { heatNow, leaveSession, refresh } from './session.js';
+import { listed, t } from './language.js';
 import { readRobot } from './link.js';
 import { refused } from './shelf.js';
 import { $, make, state, tell } from './state.js';
 import { add, copy, freeName, logOf, newRecord, open, patch, robots, takeModel } from './store.js';
 import { enterStop } from './tour.js';
 import { sessionsWord } from './words.js';
-
-const sessionsOf = robot => robot.sessions + (robot.sessions === 1 ? ' session' : ' sessions');
 
 /** Says who learns here, and what of it is not kept. */
 export function renderRoster() {
@@ -19,24 +18,24 @@ export function renderRoster() {
   $('who').textContent = state.robot.name;
   $('robots').replaceChildren(...all.filter(robot => !robot.deleted).map(robot => {
     const here = robot.id === state.robot.id;
-    const name = make('input', { value: robot.name, maxlength: 40, 'aria-label': 'Name of ' + robot.name });
+    const name = make('input', { value: robot.name, maxlength: 40, 'aria-label': t('robots.nameOf', robot) });
     name.addEventListener('change', () => rename(robot, name.value));
-    return make('li', { class: here ? 'here' : '' }, name, make('small', {}, sessionsOf(robot)),
-      make('button', { type: 'button', class: 'small', 'aria-pressed': String(here), 'aria-label': (here ? 'Learns here: ' : 'Switch to ') + robot.name, onclick: () => switchTo(robot) }, here ? 'Learns here' : 'Switch'),
-      make('button', { type: 'button', class: 'small quiet', 'aria-label': 'Copy ' + robot.name, onclick: () => copyRobot(robot) }, 'Copy'),
-      make('button', { type: 'button', class: 'small quiet', 'aria-label': 'Delete ' + robot.name, onclick: () => deleteRobot(robot) }, 'Delete'));
+    return make('li', { class: here ? 'here' : '' }, name, make('small', {}, sessionsWord(robot.sessions)),
+      make('button', { type: 'button', class: 'small', 'aria-pressed': String(here), 'aria-label': t(here ? 'robots.hereOf' : 'robots.switchTo', robot), onclick: () => switchTo(robot) }, t(here ? 'robots.here' : 'robots.switch')),
+      make('button', { type: 'button', class: 'small quiet', 'aria-label': t('robots.copyOf', robot), onclick: () => copyRobot(robot) }, t('robots.copy')),
+      make('button', { type: 'button', class: 'small quiet', 'aria-label': t('robots.deleteOf', robot), onclick: () => deleteRobot(robot) }, t('robots.delete')));
   }));
   const deleted = all.filter(robot => robot.deleted);
   $('deleted').hidden = !deleted.length;
-  $('deleted').replaceChildren('Deleted, and kept for thirty days: ', ...deleted.map(robot => make('button', { type: 'button', class: 'small', onclick: () => bringBack(robot) }, 'Bring back ' + robot.name)));
+  $('deleted').replaceChildren(t('robots.deleted'), ' ', ...deleted.map(robot => make('button', { type: 'button', class: 'small', onclick: () => bringBack(robot) }, t('robots.back', robot))));
   const lost = refused();
-  const kinds = [[/^robot/, 'what the robot has learned'], [/^log/, 'how it was taught'], [/^(drawing|home)/, 'your home'], [/^settings/, 'your settings']]
+  const kinds = [[/^robot/, t('kept.robot')], [/^log/, t('kept.log')], [/^(drawing|home)/, t('kept.home')], [/^settings/, t('kept.settings')]]
     .filter(([kind]) => lost.some(key => /** @type {RegExp} */ (kind).test(key))).map(([, words]) => words);
   $('unkept').hidden = !kinds.length;
-  $('unkept').textContent = kinds.length ? 'This browser does not keep ' + kinds.join(', ') + ': its storage is blocked or full. Save it as a file before you leave (under “Settings, keeping, sharing”).' : '';
-  $('kept').textContent = guest ? 'This robot is not kept.' : lost.some(key => key.startsWith('robot')) ? 'Not kept: save the model as a file.' : 'Kept in this browser: ' + sessionsWord() + '.';
+  $('unkept').textContent = kinds.length ? t('kept.not', { what: listed(/** @type {string[]} */ (kinds)) }) : '';
+  $('kept').textContent = guest ? t('kept.guest') : lost.some(key => key.startsWith('robot')) ? t('kept.blocked') : t('kept.yes', { sessions: sessionsWord() });
   $('guest').hidden = !guest;
-  $('guest-words').textContent = state.visitor ? 'Meet ' + state.robot.name + '. It knows ' + (state.heat.now?.words.length || 0) + ' words. It is a visitor, and your robots are as they were.' : 'This robot is only shown. Yours waits.';
+  $('guest-words').textContent = state.visitor ? t('guest.visitor', { name: state.robot.name, n: state.heat.now?.words.length || 0 }) : t('guest.shown');
   $('keep-guest').hidden = !guest || state.sessions === 0 || state.tour.watching;
 }
 
@@ -55,11 +54,11 @@ export async function switchTo(robot) {
   try {
     await open(robot);
   } catch (error) {
-    tell('“' + robot.name + '” cannot be used here: ' + error.message + '. It stays kept.', true);
+    tell(t('robots.cannot', { name: robot.name, why: error.message }), true);
     return;
   }
   shown();
-  tell(robot.name + ' learns here now.');
+  tell(t('robots.learnsHere', robot));
 }
 
 function rename(robot, name) {
@@ -72,7 +71,7 @@ function rename(robot, name) {
 async function copyRobot(robot) {
   const twin = copy(robot, freeName(robot.name));
   render();
-  tell(twin.name + ' knows what ' + robot.name + ' knows.');
+  tell(t('robots.copied', { twin: twin.name, name: robot.name }));
 }
 
 async function deleteRobot(robot) {
@@ -86,23 +85,23 @@ async function deleteRobot(robot) {
     shown();
   }
   render();
-  tell(robot.name + ' is deleted. “Bring back” is below the list.');
+  tell(t('robots.isDeleted', robot));
 }
 
 function bringBack(robot) {
   patch(robot, { deleted: 0 });
   render();
-  tell(robot.name + ' is back.');
+  tell(t('robots.isBack', robot));
 }
 
 /** A robot that has learned nothing becomes the one of this tab. The others stay. */
 export async function newRobot() {
   world.restart();
-  const robot = newRecord(freeName('Robot 1'));
+  const robot = newRecord(freeName(t('robots.first')));
   add(robot);
   await open(robot);
   shown();
-  tell('A new robot, ' + robot.name + '. It knows no word. The others are under “Your robots”.');
+  tell(t('robots.isNew', robot));
 }
 
 /** A robot that is shown and not kept, unless somebody says so. `home` is the one that waits. */
@@ -131,7 +130,7 @@ export async function meet() {
   } catch {
     await open(mine);
     state.mode = 'tour';
-    tell('The robot of this link cannot be used here. Ask for the link once more.', true);
+    tell(t('guest.cannot'), true);
     return false;
   }
   state.visitor = true;
@@ -144,7 +143,7 @@ export async function endGuest() {
   if (!await leaveSession() || !state.mine) return;
   await open(robots().find(robot => robot.id === state.mine?.id) || state.mine);
   shown();
-  tell(state.robot.name + ' is here again.');
+  tell(t('robots.isHere', state.robot));
 }
 
 /** The robot that was only shown becomes one of one's own. */
@@ -154,7 +153,7 @@ export async function keepGuest() {
   add(robot, log);
   await open(robot);
   render();
-  tell(robot.name + ' is kept, under “Your robots”.');
+  tell(t('robots.isKept', robot));
 }
 
 /** A model from a file is one more robot. */
@@ -168,9 +167,9 @@ export async function loadModel(input) {
     const robot = newRecord(freeName(name));
     add(robot);
     await open(robot);
-    tell('A new robot from the file, ' + robot.name + ', knows ' + sessionsWord() + '. The others are under “Your robots”.');
+    tell(t('robots.fromFile', { name: robot.name, sessions: sessionsWord() }));
   } catch (error) {
-    tell('This file is no model that can be used: ' + error.message + '. The robot keeps what it knew.', true);
+    tell(t('robots.noModel', { why: error.message }), true);
     return;
   } finally {
     state.phase = 'none';

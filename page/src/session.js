@@ -2,6 +2,7 @@
 import { parsed, world } from './core.js';
 import { askTrainer } from './asking.js';
 import { ask } from './dialog.js';
+import { t } from './language.js';
 import { lessonLearned, spaced, unknownWords } from './learned.js';
 import { answerRecorded, beginRecorded, learnFrom } from './logs.js';
 import { renderPlan } from './plan.js';
@@ -10,22 +11,22 @@ import { ofTab } from './shelf.js';
 import { $, announce, attempt, inParts, nextFrame, percent, state, tell } from './state.js';
 import { change, travel } from './store.js';
 import { attend, enterStop } from './tour.js';
-import { acted, ranked, sessionsWord, speech } from './words.js';
+import { acted, beliefNow, quoted, ranked, sessionsWord, speech } from './words.js';
 
 export const SPEEDS = {
-  step: { label: 'step by step', delay: () => Infinity },
-  slow: { label: 'slow', delay: () => 2600 },
-  normal: { label: 'normal speed', delay: () => 1400 },
-  fast: { label: 'fast', delay: () => 380 },
-  once: { label: 'at once', delay: () => 0 },
-  confidence: { label: 'by confidence', delay: sure => 350 + 2900 * RULES[state.settings.rule].wait(sure) },
+  step: { delay: () => Infinity },
+  slow: { delay: () => 2600 },
+  normal: { delay: () => 1400 },
+  fast: { delay: () => 380 },
+  once: { delay: () => 0 },
+  confidence: { delay: sure => 350 + 2900 * RULES[state.settings.rule].wait(sure) },
 };
 
 // How long the robot waits, from 0 to 1, the less sure it is of its next action (the authors' three rules).
 export const RULES = {
-  linear: { label: 'linear', wait: sure => 1 - sure },
-  sigmoid: { label: 'sigmoid', wait: sure => 1 / (1 + Math.exp(12 * (sure - 0.6))) },
-  threshold: { label: 'threshold', wait: sure => (sure < 0.7 ? 1 : 0) },
+  linear: { wait: sure => 1 - sure },
+  sigmoid: { wait: sure => 1 / (1 + Math.exp(12 * (sure - 0.6))) },
+  threshold: { wait: sure => (sure < 0.7 ? 1 : 0) },
 };
 
 export const PLAN_BUDGET = 20000;
@@ -38,7 +39,7 @@ const MOST_STEPS = 300;
 
 export function refresh() {
   state.scene = parsed(world.scene());
-  state.belief = parsed(world.belief());
+  state.belief = beliefNow();
 }
 
 // Begins a session. `intended` is the name of a task for a trainer who gives the feedback by itself; `looking` walks without feedback.
@@ -61,7 +62,7 @@ export function startSession(command, { intended = null, looking = false } = {})
   session.heardNew = state.sessions > 0 ? unknownWords() : [...new Set(state.support?.words)];
   keepSession(session);
   const best = ranked()[0];
-  announce('The robot heard: ' + command + '. Most likely: ' + best.words + ', ' + percent(best.probability) + '.');
+  announce(t('told.heard', { command, task: best.words, sure: percent(best.probability) }));
   go(session);
   if (!state.tour.watching && state.settings.speed !== 'once') {
     // On a small screen the plan and the buttons are what matters now; by keyboard, the keys.
@@ -102,7 +103,7 @@ const hasWords = session => !session.looking && session.intended === null && (se
 export async function leaveSession() {
   const { session } = state;
   if (state.phase === 'learning') {
-    tell('One moment: the robot is still learning.');
+    tell(t('judge.learning'));
     return false;
   }
   if (!session) return true;
@@ -111,7 +112,7 @@ export async function leaveSession() {
     return true;
   }
   if (!session.paused && !session.question) togglePause();
-  const answer = await ask('A session is under way: “' + session.command + '”. What shall become of it?', { learn: 'Finish and learn', drop: 'Do not learn', stay: 'Go on with it' });
+  const answer = await ask(t('leave.ask', { command: session.command }), { learn: t('leave.learn'), drop: t('leave.drop'), stay: t('leave.stay') });
   if (answer === 'learn') await finishSession();
   else if (answer === 'drop') stopSession();
   return answer !== 'stay';
@@ -135,8 +136,7 @@ export async function takeUpSession() {
     const [first, ...steps] = kept.steps.map(parsed);
     state.mode = kept.mode;
     if (kept.at !== null && kept.at !== state.tour.at) return false;
-    // The robot goes on with what it believes of its trainer, as it is kept with it.
-    beginRecorded({ ...first, strategies: undefined }, null);
+    beginRecorded(first, null);
     session = newSession(first.command, {});
     refresh();
     session.heard = ranked();
@@ -163,7 +163,7 @@ export async function takeUpSession() {
   $('command').value = session.command;
   if (state.mode === 'tour') attend(session);
   go(session);
-  tell('Your session goes on where it was.');
+  tell(t('session.goesOn'));
   return true;
 }
 
@@ -218,7 +218,7 @@ async function go(session) {
     const delay = waitOf(session, auto);
     session.delay = delay;
     render();
-    if (delay > 300) announce('The robot ' + acted(decided.action) + '. ' + speech().join(' '));
+    if (delay > 300) announce(t('told.did', { did: acted(decided.action), speech: speech().join(' ') }));
     if (session.intended !== null && !session.looking) {
       if (delay > 0) await pause(session, delay * 0.55);
       if (session.over) return undefined;
@@ -262,7 +262,7 @@ function commit(session) {
   session.steps += 1;
   session.rests = session.decided.action === 'noop' ? session.rests + 1 : 0;
   session.given = false;
-  state.belief = parsed(world.belief());
+  state.belief = beliefNow();
   keepSession(session);
 }
 
@@ -283,7 +283,7 @@ async function ended(session) {
 // The trainer's word on the last action. The last one before the next action counts.
 export function giveFeedback(feedback) {
   const session = state.session;
-  if (!session) tell('Nothing to judge yet: first tell the robot what to do.');
+  if (!session) tell(t('judge.nothing'));
   if (!session || session.looking || !session.decided || session.question || state.phase === 'planning' || state.phase === 'learning') return;
   // The same word once more takes it back; a double tap does not.
   if (session.given && session.feedback === feedback && performance.now() - session.said > 600) {
@@ -294,7 +294,7 @@ export function giveFeedback(feedback) {
   session.feedback = feedback;
   session.given = true;
   keepSession(session);
-  announce((feedback === 'reward' ? 'Good' : 'Bad') + ': ' + acted(session.decided.action) + '.');
+  announce(t('judge.given', { word: t(feedback === 'reward' ? 'train.good' : 'train.bad'), did: acted(session.decided.action) }));
   render();
   const waits = session.decided.action === 'noop' || state.settings.speed === 'step';
   if (waits && !session.paused && session.intended === null && !session.looking) {
@@ -311,7 +311,7 @@ export function takeBack() {
   session.feedback = null;
   session.given = false;
   keepSession(session);
-  announce('Taken back.');
+  announce(t('judge.back'));
   render();
 }
 
@@ -333,7 +333,7 @@ export function togglePause() {
     state.phase = 'waiting';
     wake(session);
   }
-  announce(session.paused ? 'Paused.' : 'Going on.');
+  announce(t(session.paused ? 'judge.paused' : 'judge.goingOn'));
   render();
 }
 
@@ -365,7 +365,7 @@ export async function finishSession() {
   render();
   if (session.onLearn) session.onLearn();
   try {
-    await change('“' + session.command + '”', async stale => {
+    await change(quoted(session.command), async stale => {
       // Another tab has taught this robot meanwhile: this session comes on top of that.
       if (stale) {
         const home = world.environment();
@@ -378,23 +378,23 @@ export async function finishSession() {
       return own;
     });
   } catch (error) {
-    tell('The robot could not learn from this session: ' + error.message + '.', true);
+    tell(t('session.failed', { why: error.message }), true);
   }
   ofTab.put('session', null);
   state.heat = { now: heatNow(), before: heat };
-  state.said = ['Thank you.', lessonLearned(session.heardNew)];
+  state.said = [t('say.thanks'), lessonLearned(session.heardNew)];
   state.session = null;
   state.phase = 'none';
   render();
   if (session.onEnd) session.onEnd();
-  else tell('Learned. ' + lessonLearned(session.heardNew));
+  else tell(t('learned.told', { text: lessonLearned(session.heardNew) }));
 }
 
 export function finishWithoutLearning() {
   if (!state.session || state.tour.watching) return;
   stopSession();
   render();
-  tell('Finished without learning: the robot knows what it knew before.');
+  tell(t('session.dropped'));
 }
 
 /** Takes back what was done last, or does it again.
@@ -406,7 +406,7 @@ export async function undo(from) {
   try {
     what = await travel(from);
   } catch (error) {
-    tell('This cannot be undone: ' + error.message + '.', true);
+    tell(t('undo.cannot', { why: error.message }), true);
     return;
   } finally {
     state.phase = 'none';
@@ -419,7 +419,7 @@ export async function undo(from) {
   refresh();
   if (state.mode === 'tour') enterStop(state.tour.at);
   render();
-  tell((from === 'past' ? 'Undone: ' : 'Done again: ') + what + '. The robot knows ' + sessionsWord() + '.');
+  tell(t(from === 'past' ? 'undo.done' : 'redo.done', { what, sessions: sessionsWord() }));
 }
 
 export const heatNow = () => parsed(world.heat());

@@ -1,9 +1,11 @@
 // Settings, shortcuts, and what is kept and shared.
 import { answer } from './asking.js';
-import { download } from './bytes.js';
+import { download } from './files.js';
 import { world } from './core.js';
+import { names, speakLanguage, t, writePage } from './language.js';
 import { homeLink, isSetting, robotLink } from './link.js';
 import { loadLog } from './logs.js';
+import { writeHomes } from './play.js';
 import { render } from './render.js';
 import { keepGuest, endGuest, loadModel, newRobot } from './roster.js';
 import { RULES, SPEEDS, finishSession, giveFeedback, leaveSession, refresh, stepOnce, takeBack, thatWasIt, togglePause, wake } from './session.js';
@@ -11,10 +13,10 @@ import { setUpShare, share } from './share.js';
 import * as shelf from './shelf.js';
 import { $, attempt, make, state, tell } from './state.js';
 import { change, logOf } from './store.js';
-import { enterHome } from './tour.js';
+import { enterHome, enterStop } from './tour.js';
 import { isThere } from './words.js';
 
-const SWITCHES = ['questions', 'voice', 'style', 'shortcuts', 'ghost', 'names', 'pull'];
+const SWITCHES = ['presenter', 'questions', 'voice', 'style', 'shortcuts', 'ghost', 'names', 'pull'];
 
 export function renderSettings() {
   const { settings } = state;
@@ -23,13 +25,24 @@ export function renderSettings() {
   $('rule-field').hidden = settings.speed !== 'confidence';
   for (const name of SWITCHES) $('set-' + name).checked = settings[name];
   $('theme').value = settings.theme;
+  $('language').value = document.documentElement.lang;
   document.documentElement.dataset.theme = settings.theme;
   document.body.classList.toggle('no-shortcuts', !settings.shortcuts);
 }
 
+const LOOKS = ['auto', 'light', 'dark'];
+
+// What can be chosen from, in words.
+function writeOptions() {
+  for (const [id, prefix, options] of /** @type {[string, string, string[]][]} */ ([['speed', 'speed.', Object.keys(SPEEDS)], ['rule', 'rule.', Object.keys(RULES)], ['theme', 'look.', LOOKS]])) {
+    $(id).replaceChildren(...options.map(value => make('option', { value }, t(/** @type {import('./language.js').Key} */ (prefix + value)))));
+  }
+  $('language').replaceChildren(...names().map(([value, name]) => make('option', { value, lang: value }, name)));
+}
+
 export function setUpSettings() {
-  for (const [id, options] of /** @type {[string, Record<string, any>][]} */ ([['speed', SPEEDS], ['rule', RULES]])) {
-    $(id).append(...Object.entries(options).map(([value, option]) => make('option', { value }, option.label)));
+  writeOptions();
+  for (const id of ['speed', 'rule']) {
     $(id).addEventListener('change', () => {
       state.settings[id] = $(id).value;
       keepSetting(id);
@@ -45,7 +58,7 @@ export function setUpSettings() {
       if (ends && !await leaveSession()) return render();
       state.settings[name] = value;
       if (name === 'style') {
-        await change('the change of “learns how I use Good and Bad”', async () => {
+        await change(t('undo.style'), async () => {
           attempt(() => world.setLearnsStyle(value));
           return '';
         });
@@ -61,6 +74,23 @@ export function setUpSettings() {
     keepSetting('theme');
     render();
   });
+  $('end-presenter').addEventListener('click', () => {
+    state.settings.presenter = false;
+    keepSetting('presenter');
+    render();
+  });
+  $('language').addEventListener('change', () => {
+    state.settings.language = $('language').value;
+    keepSetting('language');
+    speakLanguage(state.settings.language);
+    writePage();
+    writeOptions();
+    writeHomes();
+    [state.said, state.verdict] = [null, ''];
+    refresh();
+    if (state.mode === 'tour' && !state.session && state.phase === 'none') enterStop(state.tour.at);
+    render();
+  });
   $('save-model').addEventListener('click', () => {
     const bytes = attempt(() => world.save());
     if (bytes) download(fileName() + '.goodbot', bytes, 'application/octet-stream');
@@ -70,10 +100,10 @@ export function setUpSettings() {
   $('save-log').addEventListener('click', () => {
     const log = logOf(state.robot);
     if (log) download(fileName() + '.jsonl', log, 'application/jsonl');
-    else tell('There is no log: no session has been learned from here.');
+    else tell(t('settings.noLog'));
   });
-  $('share').addEventListener('click', () => share(homeLink(), 'This home and these settings', 'Who opens this link sees this home. It brings no robot along.'));
-  $('meet').addEventListener('click', async () => share(await robotLink(), 'Meet ' + state.robot.name, 'Who opens this link meets your robot, with all that it knows. Their own robots stay as they are.'));
+  $('share').addEventListener('click', () => share(homeLink(), t('settings.link'), t('link.home')));
+  $('meet').addEventListener('click', async () => share(await robotLink(), t('link.meet', state.robot), t('link.robot')));
   setUpShare();
   $('new-robot').addEventListener('click', async () => {
     if (await leaveSession()) await newRobot();

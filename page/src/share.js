@@ -1,5 +1,6 @@
 // A link to copy, and the same as a QR code.
 import { generate } from 'lean-qr';
+import { t } from './language.js';
 import { $, draw, tell } from './state.js';
 
 // What fits a QR code that a phone still reads from a screen.
@@ -11,7 +12,7 @@ const MOST_LETTERS = 2200;
  * @param {string} about */
 export function share(link, title, about) {
   $('shared-title').textContent = title;
-  $('shared-about').textContent = about + (location.protocol === 'file:' ? ' It leads to the file on this machine: for others, put the page on a web server first.' : '');
+  $('shared-about').textContent = about + (location.protocol === 'file:' ? ' ' + t('link.file') : '');
   $('link').value = link;
   drawCode(link);
   $('shared').showModal();
@@ -32,7 +33,7 @@ export function setUpShare() {
     try {
       await navigator.clipboard.writeText($('link').value);
       $('shared').close();
-      tell('The link is copied.');
+      tell(t('link.copied'));
     } catch {
       $('link').focus();
       $('link').select();

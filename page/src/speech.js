@@ -1,7 +1,7 @@
 // Spoken commands, where the browser can recognise speech, and what the robot says aloud, where somebody has switched that on.
+import { named, t } from './language.js';
 import { $, announce, state, tell } from './state.js';
 
-const SPEECH_ERRORS = { 'not-allowed': 'the microphone may not be used here', network: 'this browser needs a network for that', 'no-speech': 'nothing was said' };
 /** @type {any} */
 const browser = window;
 const Recognition = browser.SpeechRecognition || browser.webkitSpeechRecognition;
@@ -23,13 +23,13 @@ export function setUpSpeech() {
   button.hidden = false;
   button.addEventListener('click', () => {
     const recognition = new Recognition();
-    recognition.lang = 'en';
+    recognition.lang = document.documentElement.lang;
     recognition.onresult = event => {
       $('command').value = event.results[0][0].transcript.toLowerCase();
       $('command').focus();
-      announce('Heard: ' + $('command').value);
+      announce(t('speech.heard', { text: $('command').value }));
     };
-    recognition.onerror = event => tell('Nothing was heard: ' + (SPEECH_ERRORS[event.error] || event.error) + '.', true);
+    recognition.onerror = event => tell(t('speech.nothing', { why: named('speech.' + event.error) || event.error }), true);
     recognition.onend = () => button.setAttribute('aria-pressed', 'false');
     button.setAttribute('aria-pressed', 'true');
     recognition.start();

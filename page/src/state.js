@@ -2,13 +2,14 @@
 
 /**
  * @typedef {import('goodbot-wasm').Scene} Scene
- * @typedef {import('goodbot-wasm').Belief} Belief
+ * @typedef {import('goodbot-wasm').Task & { words: string }} Task
+ * @typedef {{ tasks: Task[], trainer: import('goodbot-wasm').TrainerStyle }} Belief
  * @typedef {import('goodbot-wasm').Decided} Decided
  * @typedef {import('goodbot-wasm').Evidence} Evidence
  * @typedef {import('goodbot-wasm').Support} Support
  * @typedef {import('goodbot-wasm').Heat} Heat
  * @typedef {import('goodbot-wasm').Route} Route
- * @typedef {import('goodbot-wasm').Task & { index: number }} Ranked
+ * @typedef {Task & { index: number }} Ranked
  */
 
 /**
@@ -68,7 +69,7 @@ export const state = {
   sessions: 0,
   tour: { at: 0, done: /** @type {string[]} */ ([]), watching: false },
   settings: /** @type {Record<string, any>} */ ({
-    speed: 'normal', rule: 'linear', style: true, questions: true, voice: false, shortcuts: true, ghost: true, names: true, theme: 'auto', pull: false,
+    speed: 'normal', rule: 'linear', style: true, questions: true, voice: false, presenter: false, shortcuts: true, ghost: true, names: true, theme: 'auto', language: 'auto', pull: false,
   }),
 };
 

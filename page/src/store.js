@@ -1,7 +1,8 @@
 // What lasts: robots with what they know, their logs, and what can be undone. Several tabs may use them at once: what one has learned,
 // the others take over, and a session that ends in one is learned on top of what another learned meanwhile.
-import { fromBase64, toBase64 } from './bytes.js';
+import { fromBase64, toBase64 } from './base64.js';
 import { world } from './core.js';
+import { t } from './language.js';
 import { LEARN_BUDGET } from './session.js';
 import * as shelf from './shelf.js';
 import { inParts, state, tell } from './state.js';
@@ -201,7 +202,7 @@ function keptByOlderVersions() {
   const model = shelf.get('model');
   if (!model) return null;
   const tour = shelf.read('tour', {});
-  const robot = { ...newRecord('Robot 1'), model, sessions: 1, tour: { at: tour.at | 0, done: Array.isArray(tour.done) ? tour.done : [] } };
+  const robot = { ...newRecord(t('robots.first')), model, sessions: 1, tour: { at: tour.at | 0, done: Array.isArray(tour.done) ? tour.done : [] } };
   add(robot, shelf.get('log') || '');
   for (const key of ['model', 'log', 'tour', 'undo']) shelf.put(key, null);
   return robot;
@@ -221,10 +222,10 @@ export async function openLast() {
       await open(choice);
       return;
     } catch (error) {
-      tell('“' + choice.name + '” was kept by another version of this page and cannot be used here. It stays kept.', true);
+      tell(t('robots.older', choice), true);
     }
   }
-  const fresh = newRecord(freeName('Robot 1'));
+  const fresh = newRecord(freeName(t('robots.first')));
   add(fresh);
   await open(fresh);
 }

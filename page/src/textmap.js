@@ -1,5 +1,7 @@
 // The home as a text map: the core's drawing, and notes of what the letters cannot say. Cells count from the drawing's south-west corner.
 
+import { t } from './language.js';
+
 export function toTextMap(scene) {
   const { left, bottom } = scene.bounds;
   const notes = [...scene.rooms.map(room => ['room', room.color, room.left - left, room.bottom - bottom, room.right - left, room.top - bottom]),
@@ -17,10 +19,10 @@ function checkSigns(drawing) {
   let robots = 0;
   drawing.forEach((row, index) => {
     [...row].forEach((letter, column) => {
-      const where = ' (line ' + (index + 1) + ', column ' + (column + 1) + ')';
-      if (!/[#+@ .a-zA-Z]/.test(letter)) throw new Error('“' + letter + '”' + where + ' is no sign of a map; use # for walls, + for doors, @ for the robot, and letters');
+      const where = t('map.where', { y: index + 1, x: column + 1 });
+      if (!/[#+@ .a-zA-Z]/.test(letter)) throw new Error(t('map.sign', { letter, where }));
       robots += Number(letter === '@');
-      if (robots > 1) throw new Error('there is a second @' + where + ', but only one robot');
+      if (robots > 1) throw new Error(t('map.second', { where }));
     });
   });
 }
@@ -39,13 +41,13 @@ export function fromTextMap(text) {
     else if (note) notes[note[1] + note[3]] = note[2];
     else drawing.push(row);
   }
-  if (!drawing.length) throw new Error('there is no drawing; write # for walls, + for doors, @ for the robot');
+  if (!drawing.length) throw new Error(t('map.empty'));
   // What is noted of a thing, or else what its letter means.
   const meaning = (kind, place, letter, example) => {
     const key = [kind, ...place].join(' ');
     const found = notes[key] || said[letter];
     delete notes[key];
-    if (!found) throw new Error('what ' + letter + ' means is not said; add a line such as “' + letter + ': ' + example + '”');
+    if (!found) throw new Error(t('map.letter', { letter, example }));
     return found;
   };
   const height = drawing.length;
@@ -76,7 +78,7 @@ export function fromTextMap(text) {
         const [cx, cy] = open.pop();
         [left, bottom, right, top] = [Math.min(left, cx), Math.min(bottom, cy), Math.max(right, cx), Math.max(top, cy)];
         if (/[a-z]/.test(at(cx, cy))) {
-          if (floor !== '.' && floor !== at(cx, cy)) throw new Error('one room has two colours, ' + floor + ' and ' + at(cx, cy) + '; draw a wall or a door between them');
+          if (floor !== '.' && floor !== at(cx, cy)) throw new Error(t('map.colors', { one: floor, other: at(cx, cy) }));
           floor = at(cx, cy);
         }
         for (const [nx, ny] of [[cx + 1, cy], [cx - 1, cy], [cx, cy + 1], [cx, cy - 1]]) {
@@ -91,7 +93,7 @@ export function fromTextMap(text) {
     }
   }
   const [idle] = Object.keys(notes);
-  if (idle) throw new Error('no ' + idle.replace(' ', ' is drawn at ') + '; mend the numbers, or leave the line out');
+  if (idle) throw new Error(t('map.idle', { kind: idle.split(' ')[0], place: idle.split(' ').slice(1).join(' ') }));
   const named = (list, name) => list.map((each, index) => ({ ...each, name: name + index }));
   return { version: 1, objects: [...named(objects, 'room'), ...named(doors, 'door'), ...named(blocks, 'block'), ...(agent ? [agent] : [])] };
 }

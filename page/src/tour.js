@@ -1,6 +1,7 @@
 // The guided tour: the paper's seven lessons and five tests, with a score.
-import { download } from './bytes.js';
+import { download } from './files.js';
 import { course, world } from './core.js';
+import { named, t } from './language.js';
 import { ideaWords, meanings } from './learned.js';
 import { picture } from './picture.js';
 import { heardWords, render } from './render.js';
@@ -9,21 +10,15 @@ import { leaveSession, refresh, startSession, stopSession } from './session.js';
 import * as shelf from './shelf.js';
 import { $, announce, attempt, make, percent, state } from './state.js';
 import { keepTour } from './store.js';
+import { taskWords } from './words.js';
 
+// The course's commands are what the language says for their tasks.
 const stops = () => [...course.lessons.map(stop => ({ ...stop, test: false })), ...course.tests.map(stop => ({ ...stop, test: true }))];
 export const homeNamed = name => JSON.stringify(course.homes.find(([other]) => other === name)?.[1]);
 
-const HINTS = [
-  'It knows no word yet, so it will just try something. Press Good when it goes the right way, Bad when it does not.',
-  'A new room, the same house. Does it already know what “room” means?',
-  'New colours. It has to ask your thumbs again – but not for long.',
-  'By now, “go to the” should be clear.',
-  'Something new: there is a chair, and it can be pushed.',
-  'A bag this time. It pushes; it cannot pull.',
-  'The last lesson. It may well need no correction at all.',
-];
-
 const stopAt = () => stops()[state.tour.at];
+// The home must be that of the lesson or test.
+const commandOf = stop => taskWords(stop.intended);
 
 export function enterStop(at) {
   stopSession();
@@ -33,7 +28,7 @@ export function enterStop(at) {
   // After the last test the robot stays where the tests were.
   enterHome(homeNamed(stop ? stop.home : 'Test'));
   keepTour();
-  $('command').value = stop ? stop.command : '';
+  $('command').value = stop ? commandOf(stop) : '';
   render();
 }
 
@@ -62,11 +57,11 @@ export function beginStop(auto) {
   if (!stop) return;
   world.reset();
   refresh();
-  const session = startSession(stop.command, { intended: stop.test ? null : auto ? stop.intended : null, looking: stop.test });
+  const session = startSession(commandOf(stop), { intended: stop.test ? null : auto ? stop.intended : null, looking: stop.test });
   if (!session) return;
-  const right = attend(session);
+  attend(session);
   const heard = session.heard[0];
-  if (stop.test) announce('Test: ' + stop.command + '. The robot thinks: ' + heard.words + '. ' + (right ? 'Right.' : 'Wrong.'));
+  if (stop.test) announce(t('tour.testTold', { command: session.command, task: heard.words }));
 }
 
 /** Lets the tour go on when this session ends. Returns whether the command was understood at once: it came first, and more likely than not. */
@@ -88,25 +83,23 @@ function passStop(understood, meant, best, session) {
   const { said } = state;
   enterStop(state.tour.at + 1);
   state.said = said;
-  if (!stop.test) state.verdict = name + (earned ? ': understood at once. ★' : ': learned.');
-  else if (understood) state.verdict = name + ': understood. ★ It thought “' + best.words + '”, and was ' + percent(best.probability) + ' sure.';
-  else if (meant) state.verdict = name + ': a lucky guess. It thought “' + best.words + '”, but was only ' + percent(best.probability) + ' sure: that does not count.';
-  else state.verdict = name + ': not understood. It thought “' + best.words + '” (' + percent(best.probability) + ' sure).';
+  const verdict = !stop.test ? (earned ? 'tour.starLesson' : 'tour.plainLesson') : understood ? 'tour.starTest' : meant ? 'tour.luckyTest' : 'tour.wrongTest';
+  state.verdict = t(verdict, { name, task: best.words, sure: percent(best.probability) });
   if (stop.test) state.said = null;
   announce(state.verdict);
   if (state.tour.watching && stopAt()) setTimeout(() => { if (state.tour.watching && !state.session) beginStop(true); }, state.settings.speed === 'once' ? 0 : 900);
   else {
     state.tour.watching = false;
-    if (!stopAt()) announce('The tour is over. ' + scoreWords());
+    if (!stopAt()) announce(t('tour.over', { score: scoreWords() }));
     render();
     if (!state.settings.speed.startsWith('once')) $(stopAt() ? 'lesson' : 'onward').focus({ preventScroll: true });
   }
   render();
 }
 
-const nameOf = at => (at < course.lessons.length ? 'Lesson ' + (at + 1) : 'Test ' + (at - course.lessons.length + 1));
+const nameOf = at => (at < course.lessons.length ? t('tour.lesson', { n: at + 1 }) : t('tour.test', { n: at - course.lessons.length + 1 }));
 const rightTests = () => course.tests.filter((_, at) => state.tour.done[course.lessons.length + at] === 'right').length;
-const scoreWords = () => rightTests() + ' of ' + course.tests.length + ' tests understood';
+const scoreWords = () => t('tour.score', { right: rightTests(), of: course.tests.length });
 
 /** Shows the whole tour, with a robot that is only shown: one's own waits. */
 export async function watchTour() {
@@ -117,7 +110,7 @@ export async function watchTour() {
     return;
   }
   if (!await leaveSession()) return;
-  await beginGuest('A shown robot');
+  await beginGuest(t('tour.shownRobot'));
   enterStop(0);
   state.tour.watching = true;
   beginStop(true);
@@ -137,32 +130,34 @@ export function renderTour() {
   const lessons = course.lessons.length;
   $('tour').hidden = state.mode !== 'tour';
   if (state.mode !== 'tour') return;
+  $('dots').dataset.about = t('tour.dotsShort');
   $('dots').replaceChildren(...all.map((each, index) => {
-    const status = done[index] ? (done[index] === 'right' ? 'understood at once' : each.test ? 'not understood' : 'learned') : index === at ? 'now' : 'to come';
-    const name = (each.test ? 'Test ' + (index - lessons + 1) : 'Lesson ' + (index + 1)) + ': ' + status;
+    const status = t(done[index] ? (done[index] === 'right' ? 'tour.status.right' : each.test ? 'tour.status.wrong' : 'tour.status.learned') : index === at ? 'tour.status.now' : 'tour.status.later');
+    const name = t('tour.dot', { name: nameOf(index), status });
     return make('li', {}, make('button', {
       type: 'button', class: [each.test ? 'test' : 'lesson', index === at ? 'now' : '', done[index] || ''].join(' '), 'aria-current': index === at ? 'step' : null, title: name, 'aria-label': name, onclick: () => jumpTo(index),
     }, done[index] === 'right' ? '★' : done[index] ? (each.test ? '✗' : '✓') : each.test ? '?' : index + 1));
   }));
   $('score').textContent = stop && done.length > lessons ? scoreWords() : '';
   if (!stop) {
-    $('tour-title').textContent = 'The tour is over: ' + scoreWords() + '.';
-    $('tour-hint').textContent = rightTests() === course.tests.length ? 'Your robot understands commands that it has never heard. Now say what you like, in the free play.'
-      : 'Some words are still unclear to it. Train on in the free play, or begin the tour again.';
+    $('tour-title').textContent = t('tour.over', { score: scoreWords() });
+    $('tour-hint').textContent = t(rightTests() === course.tests.length ? 'tour.allRight' : 'tour.notAll');
   } else {
-    const name = stop.test ? 'Test ' + (at - lessons + 1) + ' of ' + course.tests.length : 'Lesson ' + (at + 1) + ' of ' + lessons;
-    $('tour-title').replaceChildren(...(state.session ? [name + ': “', ...heardWords(state.session.command), '”'] : [name]));
-    $('tour-hint').textContent = stop.test ? 'It has never heard this command. It gets no feedback now: does it understand?' : HINTS[at];
+    const name = stop.test ? t('tour.testOf', { n: at - lessons + 1, of: course.tests.length }) : t('tour.lessonOf', { n: at + 1, of: lessons });
+    // The command stands where the language has it, with its words underlined.
+    const [before, after] = t('tour.said', { name, command: '\0' }).split('\0');
+    $('tour-title').replaceChildren(...(state.session ? [before, ...heardWords(state.session.command), after] : [name]));
+    $('tour-hint').textContent = stop.test ? t('tour.hint.test') : named('tour.hint.' + (at + 1)) || '';
   }
   $('verdict').hidden = !state.verdict || Boolean(state.session);
   $('verdict').textContent = state.verdict;
   renderCard(!stop);
   $('lesson').hidden = !stop || watching || Boolean(state.session);
-  $('lesson').textContent = stop ? (stop.test ? 'Ask: “' : 'Tell it: “') + stop.command + '”' : '';
+  $('lesson').textContent = stop ? t(stop.test ? 'tour.ask' : 'tour.tell', { command: commandOf(stop) }) : '';
   $('onward').hidden = Boolean(stop) || watching;
   $('auto').hidden = !stop || stop.test || watching || Boolean(state.session);
   $('watch').hidden = Boolean(state.session) && !watching;
-  $('watch').textContent = watching ? 'Stop watching' : 'Watch the whole tour';
+  $('watch').textContent = t(watching ? 'tour.stop' : 'tour.watch');
   $('again').hidden = watching || Boolean(state.session) || (at === 0 && !done.length) || state.robot.log !== undefined;
 }
 
@@ -172,7 +167,7 @@ function renderCard(over) {
   if (!over) return;
   const known = [...meanings(state.heat.now)];
   $('card').replaceChildren(
-    make('p', {}, 'It knows ' + known.length + ' words well: '),
+    make('p', {}, t('card.knows', { n: known.length })),
     make('ul', {}, ...known.map(([word, token]) => make('li', {}, make('b', {}, word), ' ' + ideaWords(token)))),
-    make('button', { type: 'button', class: 'small', onclick: () => download('my-robot.svg', picture(state.robot.name, scoreWords(), known), 'image/svg+xml') }, 'Save this as a picture'));
+    make('button', { type: 'button', class: 'small', onclick: () => download('my-robot.svg', picture(state.robot.name, scoreWords(), known), 'image/svg+xml') }, t('card.save')));
 }

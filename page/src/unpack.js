@@ -1,5 +1,5 @@
 // Expands the module: an LZMA stream without a header, with three bits of literal context and none of position (lc = 3, lp = pb = 0),
-// as xtask writes it. It is a fifth denser than what browsers expand by themselves. The names are those of the format's specification.
+// as the page’s builder writes it. It is a fifth denser than what browsers expand by themselves. The names are those of the format's specification.
 
 export function unpack(packed, size) {
   const out = new Uint8Array(size);

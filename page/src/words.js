@@ -1,27 +1,84 @@
 // The page in words: what a screen reader reads, and what the status line says.
 import { questionWords } from './asking.js';
+import { parsed, world } from './core.js';
+import { listed, named, t } from './language.js';
 import { unknownWords } from './learned.js';
 import { percent, state } from './state.js';
 
-export const ACTIONS = { north: 'moved north', south: 'moved south', east: 'moved east', west: 'moved west', pull: 'pulled', noop: 'stayed where it is' };
-export const acted = action => ACTIONS[action] || action;
+/** @typedef {import('./language.js').Key} Key */
+
+export const ACTIONS = ['north', 'south', 'east', 'west', 'pull', 'noop'];
+/** What an action is called, done.
+ * @param {string} action */
+export const acted = action => named('did.' + action) || action;
+
+// A colour or a shape as it was entered, and in the language where it knows it. Colours may have a second form.
+const formsOf = color => (named('color.' + color.toLowerCase()) || color).split('|');
+const inForm = (text, thing) => {
+  const [m, f] = formsOf(thing.color);
+  return text.replace('{m}', m).replace('{f}', f || m).replace('{shape}', shapeWords(thing.shape));
+};
+export const shapeWords = shape => named('shape.' + shape.toLowerCase()) || shape;
+export const colorWords = color => formsOf(color)[0];
+
+/** A room or a block with its article: `form` 0 is what something is done to, 1 what is something.
+ * @param {{ color: string, shape: string }} thing */
+function thingWords(thing, form = 0) {
+  const forms = (named('thing.' + thing.shape.toLowerCase()) || t('thing.other')).split('|');
+  return inForm(forms[form] || forms[0], thing);
+}
+
+/** A room or a block as it is written on the plan.
+ * @param {{ color: string, shape: string }} thing */
+export const labelWords = thing => inForm(named('label.' + thing.shape.toLowerCase()) || t('label.other'), thing);
+
+const asThing = room => ({ ...room, shape: 'room' });
+
+/** A room or a block by its looks, and by its name where another looks alike.
+ * @param {string} name
+ * @param {number} form
+ * @param {{ rooms: any[], blocks: any[] }} scene */
+export function objectWords(name, form = 0, { rooms, blocks } = state.scene) {
+  const kind = rooms.some(room => room.name === name) ? rooms.map(asThing) : blocks;
+  const thing = kind.find(one => one.name === name);
+  if (!thing) return name;
+  const alike = kind.filter(one => one.color === thing.color && one.shape === thing.shape).length;
+  return thingWords(thing, form) + (alike > 1 ? ' (' + name + ')' : '');
+}
+
+/** A task as a person says it, by its name in logs.
+ * @param {string} name
+ * @param {{ rooms: any[], blocks: any[] }} scene */
+export function taskWords(name, scene = state.scene) {
+  const object = one => objectWords(one, 0, scene);
+  return listed(name.split(' & ').map(part => {
+    const [, kind, first, room] = part.match(/^(\w+)\((\w+),(\w+)\)/) || [];
+    return kind === 'blockInRoom' ? t('task.take', { thing: object(first), room: object(room) }) : t('task.go', { room: object(room) });
+  }), 'and');
+}
+
+/** What the robot believes now. */
+export function beliefNow() {
+  const belief = parsed(world.belief());
+  return { ...belief, tasks: belief.tasks.map(task => ({ ...task, words: taskWords(task.name) })) };
+}
 
 function roomAt(scene, x, y) {
   const inside = scene.rooms.find(room => x > room.left && x < room.right && y > room.bottom && y < room.top);
-  return inside ? 'the ' + inside.color + ' room' : 'a doorway';
+  return inside ? thingWords(asThing(inside), 1) : t('plan.doorway');
 }
 
 // The floor plan as sentences.
 export function describeScene(scene) {
-  const at = thing => 'column ' + (thing.x - scene.bounds.left + 1) + ', row ' + (scene.bounds.top - thing.y + 1) + ', in ' + roomAt(scene, thing.x, thing.y);
-  const lines = ['The robot is at ' + at(scene.agent) + '.'];
-  for (const block of scene.blocks) lines.push('The ' + block.color + ' ' + block.shape + ' is at ' + at(block) + '.');
-  for (const room of scene.rooms) {
-    lines.push('The ' + room.color + ' room spans columns ' + (room.left - scene.bounds.left + 1) + ' to ' + (room.right - scene.bounds.left + 1) +
-      ' and rows ' + (scene.bounds.top - room.top + 1) + ' to ' + (scene.bounds.top - room.bottom + 1) + ', walls included.');
-  }
-  for (const door of scene.doors) lines.push('A door is at column ' + (door.left - scene.bounds.left + 1) + ', row ' + (scene.bounds.top - door.top + 1) + '.');
-  return lines;
+  const at = thing => ({ x: thing.x - scene.bounds.left + 1, y: scene.bounds.top - thing.y + 1, room: roomAt(scene, thing.x, thing.y) });
+  return [
+    t('plan.robotAt', at(scene.agent)),
+    ...scene.blocks.map(block => t('plan.thingAt', { ...at(block), thing: thingWords(block, 1) })),
+    ...scene.rooms.map(room => t('plan.room', {
+      x0: room.left - scene.bounds.left + 1, x1: room.right - scene.bounds.left + 1, y0: scene.bounds.top - room.top + 1, y1: scene.bounds.top - room.bottom + 1, room: thingWords(asThing(room), 1),
+    })),
+    ...scene.doors.map(door => t('plan.door', { x: door.left - scene.bounds.left + 1, y: scene.bounds.top - door.top + 1 })),
+  ];
 }
 
 // The tasks, the most likely first; among equals the one that the robot follows.
@@ -31,46 +88,36 @@ export function ranked() {
     .sort((a, b) => b.probability - a.probability || Number(b.index === followed) - Number(a.index === followed) || a.index - b.index);
 }
 
-// roomIsGreen becomes “room is green”.
-export const tokenWords = token => token.replace(/([A-Z])/g, ' $1').toLowerCase();
-
 // A word of which the robot may have kept the first letters only.
 export const wordShown = (word, letters) => (letters && [...word].length >= letters ? word + '…' : word);
 
-/** A room or a block by its looks, and by its name where another looks alike.
- * @param {string} name */
-export function objectWords(name) {
-  const { rooms, blocks } = state.scene;
-  const kind = rooms.some(room => room.name === name) ? rooms.map(room => ({ ...room, shape: 'room' })) : blocks;
-  const looks = thing => thing.color + ' ' + thing.shape;
-  const thing = kind.find(one => one.name === name);
-  if (!thing) return name;
-  return looks(thing) + (kind.filter(one => looks(one) === looks(thing)).length > 1 ? ' (' + name + ')' : '');
-}
+export const quoted = word => t('say.quoted', { 0: word });
 
-// What the robot says of itself.
+/** What the robot says of itself: what matters, and the rest.
+ * @returns {[string, string]} */
 export function speech() {
   const session = state.session;
-  if (state.phase === 'learning') return ['Thinking it over …', state.progress || 'I am learning from our session.'];
+  if (state.phase === 'learning') return [t('say.thinking'), state.progress || t('say.learning')];
   if (!session) {
-    if (state.said) return state.said;
-    if (state.sessions === 0) return ['Hello! I know no word yet.', 'Tell me something, and judge me while I try.'];
-    return ['Ready. Tell me what to do.', 'I have learned from ' + sessionsWord() + '.'];
+    if (state.said) return /** @type {[string, string]} */ (state.said);
+    if (state.sessions === 0) return [t('say.hello'), t('say.helloMore')];
+    return [t('say.ready'), t('say.learnedFrom', { sessions: sessionsWord() })];
   }
   const best = ranked()[0];
   if (!best) return ['…', ''];
   const unknown = unknownWords();
-  const strange = unknown.length ? ' I do not know ' + unknown.map(word => '“' + word + '”').join(', ') + '.' : '';
+  const strange = unknown.length ? ' ' + t('say.strange', { words: listed(unknown.map(quoted)) }) : '';
   if (session.question) return [questionWords(session.question), strange.trim()];
+  const task = best.words;
   if (session.decided && session.decided.action === 'noop') {
     const plan = session.decided.plans[session.decided.task];
-    if (plan === 'goal' && session.steps === 0) return ['I am there already: ' + best.words + '.', 'Was that it, or did you mean something else?' + strange];
-    if (plan === 'goal') return ['Here I am: ' + best.words + '.', 'Was that it?' + strange];
-    if (plan === 'dead end') return ['I am stuck.', 'From here I cannot ' + best.words + ' any more.'];
-    return ['I am lost.', 'This home is too large for me to plan that.'];
+    if (plan === 'goal' && session.steps === 0) return [t('say.done', { task }), t('say.doneMore') + strange];
+    if (plan === 'goal') return [t('say.here', { task }), t('say.hereMore') + strange];
+    if (plan === 'dead end') return [t('say.stuck'), t('say.stuckMore', { task })];
+    return [t('say.lost'), t('say.lostMore')];
   }
-  const sure = best.probability > 0.8 ? 'You mean' : best.probability > 0.45 ? 'I think you mean' : 'Perhaps you mean';
-  return [sure + ': ' + best.words + (sure === 'You mean' ? '.' : '?'), percent(best.probability) + ' sure of it.' + strange];
+  const said = best.probability > 0.8 ? 'say.sure' : best.probability > 0.45 ? 'say.think' : 'say.perhaps';
+  return [t(said, { task }), t('say.howSure', { sure: percent(best.probability) }) + strange];
 }
 
 /** Whether the robot rests where it believes to be meant. */
@@ -79,4 +126,4 @@ export function isThere() {
   return Boolean(decided && !state.session?.question && decided.action === 'noop' && decided.plans[decided.task] === 'goal');
 }
 
-export const sessionsWord = () => state.sessions + (state.sessions === 1 ? ' session' : ' sessions');
+export const sessionsWord = (n = state.sessions) => t('sessions', { n });

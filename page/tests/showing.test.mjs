@@ -126,7 +126,7 @@ test('colours are named, not only shown, and names on things can be switched off
   assert.deepEqual((await page.locator('#plan .roomname').allTextContents()).sort(), ['green room', 'red room', 'yellow room']);
   assert.deepEqual(await page.locator('#plan .blockname').allTextContents(), ['blue chair']);
   await page.getByText('The floor plan in words').click();
-  assert.match(await page.textContent('#twin'), /The blue chair is at column \d+, row \d+, in the \w+ room/);
+  assert.match(await page.textContent('#twin'), /At column \d+, row \d+, in the \w+ room: the blue chair/);
   await opened(page, 'Settings, keeping, sharing');
   await page.uncheck('#set-names');
   assert.equal(await page.locator('#plan .blockname').count(), 0);

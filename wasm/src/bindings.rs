@@ -73,18 +73,6 @@ impl Goodbot {
         self.0.pulls()
     }
 
-    /// Whether commands may also mean ways: through a room, through one of two, and avoiding one. Where that changes, the robot is a new one.
-    #[wasm_bindgen(js_name = setWays)]
-    pub fn set_ways(&mut self, ways: bool) -> Thrown<()> {
-        self.0.set_ways(ways).map_err(thrown)
-    }
-
-    /// Whether commands may also mean ways.
-    #[wasm_bindgen(js_name = hasWays)]
-    pub fn has_ways(&self) -> bool {
-        self.0.has_ways()
-    }
-
     /// Whether the robot expects what real people do, and learns how its trainer uses reward and punishment.
     #[wasm_bindgen(js_name = setLearnsStyle)]
     pub fn set_learns_style(&mut self, learns: bool) -> Thrown<()> {
@@ -97,7 +85,7 @@ impl Goodbot {
         self.0.learns_style()
     }
 
-    /// Replaces the trainer strategies by those of a log: seven numbers each, mu+, mu-, epsilon, how probable it is, and its three lags.
+    /// Takes the trainer strategies of a log: seven numbers each, mu+, mu-, epsilon, how probable it is, and its three lags.
     #[wasm_bindgen(js_name = setStrategies)]
     pub fn set_strategies(&mut self, numbers: &[f32]) -> Thrown<()> {
         let mut strategies = Vec::new();
@@ -126,7 +114,7 @@ impl Goodbot {
         self.0.demonstrate(action).map_err(thrown)
     }
 
-    /// What the command most likely means where that is done already, in words; nothing where something is left to do.
+    /// The name of the task that the command most likely means where that is done already; nothing where something is left to do.
     pub fn already(&mut self, command: &str) -> Thrown<Option<String>> {
         self.0.already(command).map_err(thrown)
     }
@@ -165,6 +153,13 @@ impl Goodbot {
             None => Ok(String::new()),
             Some(question) => json(&question),
         }
+    }
+
+    /// Which of `lessons`, a command on each line, the one in the simplest home first, teaches most of the commands in `wanted`: JSON,
+    /// [`NextLesson`](crate::view::NextLesson), or `null` where none has a word that is wanted.
+    #[wasm_bindgen(js_name = nextLesson)]
+    pub fn next_lesson(&self, lessons: &str, wanted: &str) -> Thrown<String> {
+        json(&self.0.next_lesson(lessons, wanted).map_err(thrown)?)
     }
 
     /// The question that waits for its answer: JSON, [`Question`](crate::view::Question), or `null`.

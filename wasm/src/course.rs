@@ -2,7 +2,7 @@
 
 use goodbot::memory::HomeHeap;
 use goodbot_course::layout::Layout;
-use goodbot_course::{Exercise, Homes, LESSONS, TESTS, generator};
+use goodbot_course::{Exercise, HomeName, Homes, Intention, LESSONS, TESTS, generator};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use serde::Serialize;
 use tsify::Tsify;
@@ -16,6 +16,8 @@ pub struct Course {
     pub lessons: Vec<Posed>,
     /// The five tests.
     pub tests: Vec<Posed>,
+    /// All that can be taught in these homes, the simplest home first.
+    pub teachable: Vec<Posed>,
     /// The homes alone, by name: `A` to `F`, and `Test`.
     #[tsify(type = "[string, { version: number, objects: any[] }][]")]
     pub homes: Vec<(String, EnvironmentFile)>,
@@ -43,11 +45,13 @@ pub fn random(seed: u64) -> Course {
 }
 
 fn course(homes: &Homes) -> Course {
-    let posed = |exercise: &Exercise| Posed {
-        command: exercise.command.to_owned(),
-        home: format!("{:?}", exercise.home),
-        intended: intended(exercise, homes.layout(exercise.home)),
+    let meant = |home: HomeName, intention: &Intention| Posed {
+        command: intention.to_string(),
+        home: format!("{home:?}"),
+        intended: intended(intention, homes.layout(home)),
     };
+    let posed = |exercise: &Exercise| meant(exercise.home, &exercise.intention);
+    let teachable = homes.teachable().map(|(home, intention)| meant(home, &intention)).collect();
     let mut named: Vec<(String, EnvironmentFile)> = Vec::new();
     for exercise in LESSONS.iter().chain(&TESTS) {
         let name = format!("{:?}", exercise.home);
@@ -55,12 +59,11 @@ fn course(homes: &Homes) -> Course {
             named.push((name, environment(homes.layout(exercise.home))));
         }
     }
-    Course { lessons: LESSONS.iter().map(posed).collect(), tests: TESTS.iter().map(posed).collect(), homes: named }
+    Course { lessons: LESSONS.iter().map(posed).collect(), tests: TESTS.iter().map(posed).collect(), teachable, homes: named }
 }
 
 /// The task meant, as logs write it.
-fn intended(exercise: &Exercise, layout: &Layout) -> String {
-    let intention = &exercise.intention;
+fn intended(intention: &Intention, layout: &Layout) -> String {
     let room = layout.rooms.iter().flatten().position(|(_, color)| *color == intention.room).unwrap_or(0);
     match intention.block {
         None => format!("agentInRoom(agent0,room{room})"),

@@ -8,6 +8,7 @@
 //! | [`world`] | the home, the robot's mind and the session under way |
 //! | [`training`] | a session from a command to a robot that has learned |
 //! | [`asking`] | questions, and the trainer's answers |
+//! | [`next`] | which lesson next |
 //! | [`replay`] | a session of a log, once more, with all that logs may say |
 //! | [`view`] | what the page draws: the scene, the beliefs, the evidence, the heat map |
 //! | [`words`] | which word of a command speaks for which task |
@@ -23,6 +24,7 @@ pub mod bindings;
 pub mod cells;
 pub mod course;
 mod log;
+pub mod next;
 pub mod replay;
 pub mod route;
 pub mod training;

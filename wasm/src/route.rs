@@ -3,9 +3,9 @@
 use goodbot::capacity::CapacityError;
 use goodbot::home::{Home, HomeState};
 use goodbot::memory::{AgentHeap, AgentMemory, AgentTables, HomeMemory};
-use goodbot::oomdp::{Domain, apply};
-use goodbot::planning::{OptimalSet, PlanTables, Planner, Progress, Ways};
-use goodbot::task::{GroundedTask, LiftedTask, TaskSet, Way};
+use goodbot::oomdp::apply;
+use goodbot::planning::{OptimalSet, PlanTables, Planner, Progress};
+use goodbot::task::{GroundedTask, LiftedTask, TaskSet};
 
 use crate::cells::SCOUT;
 
@@ -19,13 +19,12 @@ const MOST_STEPS: usize = 300;
 pub struct Scout {
     memory: AgentHeap,
     planner: Planner,
-    lifted: Vec<LiftedTask>,
 }
 
 impl Default for Scout {
     /// A scout who has not looked yet.
     fn default() -> Self {
-        Self { memory: AgentHeap::new(&SCOUT), planner: Planner::new(), lifted: Vec::new() }
+        Self { memory: AgentHeap::new(&SCOUT), planner: Planner::new() }
     }
 }
 
@@ -46,7 +45,6 @@ impl Scout {
         tasks: &[GroundedTask],
         state: &HomeState,
     ) -> Result<(), CapacityError> {
-        self.lifted = lifted.to_vec();
         self.planner.set_tasks(&mut Self::tables(&mut self.memory), home, lifted, tasks, state)
     }
 }
@@ -55,8 +53,6 @@ impl Scout {
 #[derive(Debug)]
 pub struct Lookahead {
     states: Vec<HomeState>,
-    /// The tasks, with how far their ways have come in the last of the states.
-    tasks: Vec<GroundedTask>,
     task: usize,
     left: u32,
     searching: bool,
@@ -64,18 +60,18 @@ pub struct Lookahead {
 }
 
 impl Lookahead {
-    /// A look from a state to where one of these tasks is done.
-    pub fn new(state: HomeState, tasks: &[GroundedTask], task: usize) -> Self {
-        Self { states: vec![state], tasks: tasks.to_vec(), task, left: MOST_EXPANSIONS, searching: false, arrived: false }
+    /// A look from a state to where a task is done.
+    pub fn new(state: HomeState, task: usize) -> Self {
+        Self { states: vec![state], task, left: MOST_EXPANSIONS, searching: false, arrived: false }
     }
 
     /// Goes on, with at most about `budget` expansions. A look that is done may lead nowhere.
     pub fn advance<M: HomeMemory>(&mut self, scout: &mut Scout, home: &Home<M>, budget: u32) -> Progress {
         let mut budget = budget.max(1);
-        let Scout { memory, planner, lifted } = scout;
+        let Scout { memory, planner } = scout;
         while budget > 0 && !self.arrived {
             let Some(here) = self.states.last().copied() else { return Progress::Done };
-            let mut tables = Scout::tables(memory).with_ways(Ways { lifted, tasks: &self.tasks });
+            let mut tables = Scout::tables(memory);
             let mut before = 0;
             if self.searching {
                 before = planner.plan(tables.optimal, tables.distances).expansions();
@@ -102,11 +98,6 @@ impl Lookahead {
             };
             let Some(next) = next.filter(|_| self.left > 0 && self.states.len() < MOST_STEPS) else { return Progress::Done };
             self.states.push(next);
-            if let Some(task) = self.tasks.get_mut(self.task)
-                && let Some(lifted) = lifted.get(usize::from(task.lifted))
-            {
-                task.way = Way::of(task, lifted).advance(task.way, |part| home.holds(part, &next));
-            }
             self.searching = false;
         }
         Progress::Working

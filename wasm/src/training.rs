@@ -4,14 +4,14 @@
 //! [`World::learn`] until it is done, or [`World::forget`].
 
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy, population};
-use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, HomeState, Place, ROOM, SHAPE};
+use goodbot::home::{Home, HomeState, Place, ROOM};
 use goodbot::language::{Model, for_each_piece, for_each_word};
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::{Action, Domain, GroundProposition, ObjectId, action_name, action_named};
+use goodbot::oomdp::{Action, Domain, action_name, action_named};
 use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::random::unit;
 use goodbot::session;
-use goodbot::task::{GroundedTask, LiftedTask, Part, Piece, Wording};
+use goodbot::task::{GroundedTask, LiftedTask};
 
 use crate::log::{Line, PULLING, Recording, Step, strategies};
 use crate::route::Lookahead;
@@ -50,7 +50,7 @@ impl World {
         self.record(command, false)
     }
 
-    /// What the command most likely means, in words, where that is done already; `None` where something is left to do. The mind knows no
+    /// The name of the task that the command most likely means, where that is done already; `None` where something is left to do. The mind knows no
     /// task that holds where it hears, so it hears from where one thing is in another room, from each of them: what is meant must come
     /// before everything else, and every word must be known. A session under way ends unlearned.
     ///
@@ -72,9 +72,7 @@ impl World {
                 let likely = mind.tasks().iter().enumerate().find(|&(position, _)| mind.belief().probability(position) > CLEARLY);
                 done = likely.filter(|_| understood).and_then(|(_, task)| {
                     let lifted = mind.lifted().get(usize::from(task.lifted))?;
-                    // What has a way is done by going it.
-                    let done = !lifted.has_way() && task.propositions(lifted).all(|part| home.holds(&part, state));
-                    done.then(|| task_words(home, lifted, task))
+                    task.propositions(lifted).all(|part| home.holds(&part, state)).then(|| task_name(home, lifted, task))
                 });
                 mind.forget_evidence();
                 if done.is_none() {
@@ -273,7 +271,7 @@ impl World {
         let named = |(position, task): (usize, &GroundedTask)| {
             let lifted = agent.lifted().get(usize::from(task.lifted))?;
             let probability = agent.belief().probability(position);
-            Some(Task { name: task_name(home, lifted, task), words: task_words(home, lifted, task), probability })
+            Some(Task { name: task_name(home, lifted, task), probability })
         };
         Belief { tasks: tasks.iter().enumerate().filter_map(named).collect(), trainer: self.trainer() }
     }
@@ -297,7 +295,7 @@ impl World {
 
     /// Begins to look where a task would lead from here: [`look`](Self::look) until that is done.
     pub fn look_ahead(&mut self, task: usize) {
-        self.ahead = Some(Lookahead::new(self.state, self.mind.tasks(), task));
+        self.ahead = Some(Lookahead::new(self.state, task));
     }
 
     /// Goes on looking ahead, with about `budget` looks. Gives whether it is done, and then the route; none where the task leads
@@ -373,44 +371,10 @@ const fn plan_word(plan: &OptimalSet) -> &'static str {
 
 /// The task as logs write it.
 pub(crate) fn task_name(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
-    told(lifted, task, &Wording::FILES, |_, part| {
+    let parts = task.propositions(lifted).map(|part| {
         let parameters = home.world().schema.parameters(part.proposition).len();
         let names: Vec<&str> = part.arguments.iter().take(parameters).map(|&object| home.objects().name(object)).collect();
         format!("{}({})", home.world().schema.proposition_name(part.proposition), names.join(","))
-    })
-}
-
-/// The task as a person says it. Objects that look alike are told apart by their names.
-pub(crate) fn task_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
-    told(lifted, task, &Wording::PEOPLE, |part, proposition| {
-        let [subject, room, _] = proposition.arguments;
-        let is_goal = matches!(part, Part::Goal | Part::Before(_));
-        match (is_goal, proposition.proposition) {
-            (true, BLOCK_IN_ROOM) => format!("take the {} to the {}", described(home, subject), described(home, room)),
-            (true, _) => format!("go to the {}", described(home, room)),
-            (false, BLOCK_IN_ROOM) => format!("the {} with the {} in it", described(home, room), described(home, subject)),
-            (false, _) => format!("the {}", described(home, room)),
-        }
-    })
-}
-
-/// A task with its way; `said` writes a proposition.
-fn told(lifted: &LiftedTask, task: &GroundedTask, wording: &Wording, said: impl Fn(Part, GroundProposition) -> String) -> String {
-    let mut text = String::new();
-    wording.tell(task.parts(lifted), |piece| match piece {
-        Piece::Between(sign) => text.push_str(sign),
-        Piece::Proposition(part, proposition) => text.push_str(&said(part, proposition)),
     });
-    text
-}
-
-/// An object by its looks, and by its name where another looks alike.
-pub(crate) fn described(home: &Home<impl HomeMemory>, id: ObjectId) -> String {
-    let objects = home.objects();
-    let class = objects.get(id).map(|object| object.class);
-    let looks = |id: ObjectId| (objects.value(id, COLOR), objects.value(id, SHAPE));
-    let (color, shape) = looks(id);
-    let kind = if class == Some(ROOM) { "room" } else { shape };
-    let alike = objects.iter().filter(|&(other, object)| Some(object.class) == class && looks(other) == (color, shape)).count();
-    if alike > 1 { format!("{color} {kind} ({})", objects.name(id)) } else { format!("{color} {kind}") }
+    parts.collect::<Vec<_>>().join(" & ")
 }

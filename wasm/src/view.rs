@@ -65,8 +65,6 @@ pub struct Scene {
 pub struct Task {
     /// As logs write it: `agentInRoom(agent0,room1)`.
     pub name: String,
-    /// As a person says it: `go to the green room`.
-    pub words: String,
     /// How probable it is now.
     pub probability: f32,
 }
@@ -156,6 +154,21 @@ pub struct Question {
     pub tasks: Vec<usize>,
     /// What an answer is expected to tell, in bits.
     pub information: f32,
+}
+
+/// A lesson that is worth teaching next, and why.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Tsify)]
+pub struct NextLesson {
+    /// Its position among those that could be taught.
+    pub lesson: usize,
+    /// The word that makes most of its worth.
+    pub word: String,
+    /// How many of the wanted commands have that word.
+    pub needed: u32,
+    /// In how many sessions the robot has heard it.
+    pub heard: u32,
+    /// Whether that is so often that there is little left to teach.
+    pub known: bool,
 }
 
 /// What an answer said about each task.

@@ -9,7 +9,6 @@ use goodbot::memory::{AgentHeap, HomeHeap, HomeMemory};
 use goodbot::oomdp::{Action, ObjectId};
 use goodbot::planning::Judgement;
 use goodbot::snapshot::{Contents, SAVED};
-use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use rand_pcg::Pcg32;
@@ -70,12 +69,10 @@ impl fmt::Debug for World {
     }
 }
 
-/// A mind that has learned nothing yet, and expects what real people do. `ways` says whether commands may mean tasks with a way.
-fn new_mind(capacities: &Capacities, ways: bool) -> Result<Agent<AgentHeap>, Refusal> {
-    let paper = home::paper_tasks().map_err(Refusal::from)?;
-    let routes = if ways { home::with_routes(&paper).map_err(Refusal::from)? } else { Default::default() };
-    let lifted = if ways { routes.as_slice() } else { paper.as_slice() };
-    let mut mind = Agent::new(AgentHeap::new(capacities), lifted, Options::DEFAULT).map_err(Refusal::from)?;
+/// A mind that has learned nothing yet, and expects what real people do.
+fn new_mind(capacities: &Capacities) -> Result<Agent<AgentHeap>, Refusal> {
+    let lifted = home::paper_tasks().map_err(Refusal::from)?;
+    let mut mind = Agent::new(AgentHeap::new(capacities), &lifted, Options::DEFAULT).map_err(Refusal::from)?;
     mind.set_strategies(&population::STRATEGIES).map_err(Refusal::from)?;
     Ok(mind)
 }
@@ -128,7 +125,7 @@ impl World {
         let moves = Moves::Push;
         let (rooms, start) = build(&file, moves)?;
         Ok(Self {
-            mind: new_mind(&MIND, false)?,
+            mind: new_mind(&MIND)?,
             scout: Scout::default(),
             rooms,
             file,
@@ -189,29 +186,9 @@ impl World {
     /// None where the built-in strategies are sound.
     pub fn restart(&mut self) -> Result<(), Refusal> {
         let learns_style = self.learns_style();
-        self.mind = new_mind(&MIND, self.has_ways())?;
+        self.mind = new_mind(&MIND)?;
         (self.recording, self.acted, self.state, self.gave_way) = (None, None, self.start, 0);
         self.set_learns_style(learns_style)
-    }
-
-    /// Whether commands may also mean ways: through a room, through one of two, and avoiding one. Where that changes, the robot is a new one,
-    /// which has learned nothing.
-    ///
-    /// # Errors
-    /// Where the module was built without ways.
-    pub fn set_ways(&mut self, ways: bool) -> Result<(), Refusal> {
-        if ways == self.has_ways() {
-            return Ok(());
-        }
-        let learns_style = self.learns_style();
-        self.mind = new_mind(&MIND, ways)?;
-        (self.recording, self.acted, self.ahead, self.state, self.gave_way) = (None, None, None, self.start, 0);
-        self.set_learns_style(learns_style)
-    }
-
-    /// Whether commands may also mean ways.
-    pub fn has_ways(&self) -> bool {
-        self.mind.lifted().iter().any(LiftedTask::has_way)
     }
 
     /// What the robot has learned, as the bytes of a model file.
@@ -233,7 +210,7 @@ impl World {
     /// Why the file cannot be used; what the robot knew then stays.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
         let contents = Contents::read(bytes).map_err(Refusal::from)?;
-        let mut mind = new_mind(&room_for(&contents), self.has_ways())?;
+        let mut mind = new_mind(&room_for(&contents))?;
         mind.restore(bytes).map_err(Refusal::from)?;
         self.forget();
         self.mind = mind;

@@ -53,7 +53,7 @@ fn what_is_done_already_is_told_and_nothing_else_is() {
         world.reset();
         train(&mut world, command, &format!("agentInRoom(agent0,room{task})"));
     }
-    assert_eq!(world.already("go to the red room").unwrap().as_deref(), Some("go to the red room"), "the last session ended there");
+    assert_eq!(world.already("go to the red room").unwrap().as_deref(), Some("agentInRoom(agent0,room2)"), "the last session ended there");
     assert_eq!(world.already("go to the green room").unwrap(), None);
     world.reset();
     assert_eq!(world.already("go to the red room").unwrap(), None);
@@ -69,7 +69,7 @@ fn a_robot_that_was_trained_understands_the_command_it_was_trained_on() {
     world.hear("go to the red room").unwrap();
     let tasks = world.belief().tasks;
     let best = tasks.iter().max_by(|a, b| a.probability.total_cmp(&b.probability)).unwrap();
-    assert_eq!(best.words, "go to the red room");
+    assert_eq!(best.name, "agentInRoom(agent0,room2)");
     let support = world.support().unwrap();
     let red = support.words.iter().position(|word| word == "red").unwrap();
     let task = tasks.iter().position(|task| task.name == best.name).unwrap();
@@ -136,64 +136,6 @@ fn a_home_that_is_none_is_refused_by_the_name_of_what_is_wrong() {
     let json = r#"{"version":1,"objects":[{"class":"room","name":"hall","left":0,"bottom":0,"right":4,"top":4,"color":"red"},{"class":"agent","name":"robbie","x":0,"y":2}]}"#;
     let refusal = check(json).unwrap_err();
     assert!(refusal.0.starts_with("robbie: it stands in a wall"), "{refusal}");
-}
-
-/// Three storeys: the robot below, in the middle of the pink room; blue, red and yellow between; green above.
-const THREE_STOREYS: &str = r#"{"version":1,"objects":[
-    {"class":"room","name":"room0","left":0,"bottom":8,"right":12,"top":12,"color":"green"},
-    {"class":"room","name":"room1","left":0,"bottom":4,"right":4,"top":8,"color":"blue"},
-    {"class":"room","name":"room2","left":4,"bottom":4,"right":8,"top":8,"color":"red"},
-    {"class":"room","name":"room3","left":8,"bottom":4,"right":12,"top":8,"color":"yellow"},
-    {"class":"room","name":"room4","left":0,"bottom":0,"right":12,"top":4,"color":"pink"},
-    {"class":"door","name":"door0","left":2,"bottom":4,"right":2,"top":4},
-    {"class":"door","name":"door1","left":6,"bottom":4,"right":6,"top":4},
-    {"class":"door","name":"door2","left":10,"bottom":4,"right":10,"top":4},
-    {"class":"door","name":"door3","left":2,"bottom":8,"right":2,"top":8},
-    {"class":"door","name":"door4","left":6,"bottom":8,"right":6,"top":8},
-    {"class":"door","name":"door5","left":10,"bottom":8,"right":10,"top":8},
-    {"class":"agent","name":"agent0","x":6,"y":2}]}"#;
-
-/// The x of the cells in which the ghost passes the storey between.
-fn passes(world: &mut World, words: &str) -> Vec<i32> {
-    let task = world.belief().tasks.iter().position(|task| task.words == words).unwrap_or_else(|| panic!("no task is {words}"));
-    world.look_ahead(task);
-    let route = loop {
-        if let (true, route) = world.look(1_000) {
-            break route.unwrap();
-        }
-    };
-    assert!(route.cells.last().unwrap()[1] > 8, "{words}: it ends in the room above");
-    let mut passed: Vec<i32> = route.cells.iter().filter(|cell| (5..8).contains(&cell[1])).map(|cell| cell[0]).collect();
-    passed.dedup();
-    passed
-}
-
-#[test]
-fn the_ghost_goes_the_way_that_was_meant() {
-    let mut world = World::new(7).unwrap();
-    world.set_ways(true).unwrap();
-    world.set_environment(THREE_STOREYS).unwrap();
-    world.hear("go to the green room but avoid the red room").unwrap();
-    assert_eq!(passes(&mut world, "go to the green room"), [6]);
-    assert_eq!(passes(&mut world, "go to the green room, through the blue room"), [2]);
-    let around = passes(&mut world, "go to the green room, but not through the red room");
-    assert!(around == [2] || around == [10], "{around:?}");
-    let name = "agentInRoom(agent0,room0) avoiding agentInRoom(agent0,room2)";
-    assert!(world.belief().tasks.iter().any(|task| task.name == name));
-}
-
-#[test]
-fn a_robot_that_learned_keeps_its_words_where_ways_are_as_they_were() {
-    let mut world = world("A");
-    assert!(!world.has_ways());
-    train(&mut world, "go to the green room", "agentInRoom(agent0,room1)");
-    let learned = world.heat();
-    world.set_ways(false).unwrap();
-    assert_eq!(world.heat(), learned);
-    world.set_ways(true).unwrap();
-    assert!(world.has_ways() && world.heat() != learned);
-    world.restart().unwrap();
-    assert!(world.has_ways(), "a new robot considers the same tasks");
 }
 
 #[test]
@@ -350,4 +292,16 @@ fn an_answer_to_no_question_or_of_no_kind_is_refused() {
     assert!(world.answer("0").is_err());
     assert!(world.answer("99").is_err());
     assert!(world.open_question().is_some(), "the question still waits");
+}
+
+#[test]
+fn the_next_lesson_is_the_one_with_the_word_that_was_heard_least() {
+    let mut world = world("A");
+    train(&mut world, "go to the green room", "agentInRoom(agent0,room1)");
+    let next =
+        world.next_lesson("go to the green room\ngo to the red room", "go to the green room\ntake it to the red room").unwrap().unwrap();
+    assert_eq!((next.lesson, next.word.as_str(), next.needed, next.heard), (1, "red", 1, 0));
+    let known = world.next_lesson("go to the green room", "Green!").unwrap().unwrap();
+    assert_eq!((known.word.as_str(), known.heard), ("green", 1));
+    assert_eq!(world.next_lesson("go to the green room", "coffee").unwrap(), None);
 }

@@ -13,9 +13,15 @@ pub fn build() -> Result<PathBuf> {
     let node = NODE.path()?;
     npm::packages()?;
     let mut command = toolchain::cross_cargo(Target::Wasm32)?;
-    process::run(command.args(["--profile", "page", "--package", "goodbot-wasm"]))?;
+    let small = toolchain::without_panic_messages("page")?;
+    process::run(command.args(["--profile", "page", "--package", "goodbot-wasm"]).args(&small))?;
     let module = toolchain::artifacts(Target::Wasm32, "page").join("goodbot_wasm.wasm");
     let page = project::root().join("dist/goodbot.html");
-    process::run(project::cargo().args(["run", "--package", "goodbot-page", "--"]).args([&module, &page, &node]))?;
+    process::run(
+        project::cargo()
+            .args(["run", "--package", "goodbot-page", "--"])
+            .args([&module, &page, &node])
+            .args(small.is_empty().then_some("--with-panic-messages")),
+    )?;
     Ok(page)
 }

@@ -8,7 +8,7 @@ pub mod fixed;
 pub mod random;
 pub mod solvable;
 
-use crate::exercise::HomeName;
+use crate::exercise::{HomeName, Intention};
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeError, HomeState, Moves};
 use goodbot::memory::HomeMemory;
 
@@ -70,6 +70,21 @@ impl Layout {
         builder.agent("agent0", self.agent)?;
         builder.build(Moves::Push)
     }
+
+    /// What can be taught here: to go to each room, and to take each block to each room, but for what is so already.
+    pub fn teachable(&self) -> impl Iterator<Item = Intention> + '_ {
+        let others = |cell: Cell| self.rooms.iter().flatten().filter(move |(area, _)| !area.holds_strictly(cell)).map(|&(_, color)| color);
+        let take = move |block: &BlockPlan| {
+            let BlockPlan { color, shape, cell } = *block;
+            others(cell).map(move |room| Intention::take(color, shape, room))
+        };
+        others(self.agent).map(Intention::go).chain(self.blocks.iter().flatten().flat_map(take))
+    }
+
+    /// How many things there are.
+    fn size(&self) -> usize {
+        self.rooms.iter().flatten().count() + self.doors.iter().flatten().count() + self.blocks.iter().flatten().count()
+    }
 }
 
 /// The seven homes of a course.
@@ -94,5 +109,19 @@ impl Homes {
             HomeName::F => f,
             HomeName::Test => &self.test,
         }
+    }
+
+    /// What can be taught in these homes, the simplest home first: the home, and what is meant.
+    ///
+    /// ```
+    /// use goodbot_course::{HomeName, Homes};
+    /// let lessons: Vec<String> = Homes::FIXED.teachable().map(|(home, meant)| format!("{home:?}: {meant}")).collect();
+    /// assert_eq!(lessons[0], "A: go to the green room");
+    /// assert!(lessons.contains(&"D: take the blue chair to the yellow room".to_owned()));
+    /// ```
+    pub fn teachable(&self) -> impl Iterator<Item = (HomeName, Intention)> + '_ {
+        let mut homes = HomeName::ALL;
+        homes.sort_unstable_by_key(|&home| (self.layout(home).size(), home as usize));
+        homes.into_iter().flat_map(|home| self.layout(home).teachable().map(move |meant| (home, meant)))
     }
 }

@@ -3,6 +3,7 @@
 use super::full_words::FullWords;
 use super::kept::{Kept, Past};
 use super::lessons::{Tour, is_lesson};
+use super::next_lesson::{Next, propose};
 use super::session::Session;
 use super::trainer::{Meaning, Refusal, Trainer};
 use goodbot_formats::environment::EnvironmentFile;
@@ -16,6 +17,10 @@ pub struct Classroom {
     pub tour: Option<Tour>,
     /// The words that were said.
     pub words: FullWords,
+    /// What it is to understand in the end; where nothing is given, what was said so far.
+    pub wanted: Vec<String>,
+    /// The commands that were said, each once.
+    said: Vec<String>,
     kept: Option<Kept>,
     /// What the robot knew before each session of a visit of which nothing is kept.
     before: Vec<Vec<u8>>,
@@ -34,11 +39,17 @@ pub struct Tested {
     pub right: bool,
 }
 
+fn add_once(said: &mut Vec<String>, command: &str) {
+    if !said.iter().any(|other| other == command) {
+        said.push(command.to_owned());
+    }
+}
+
 impl Classroom {
     /// A robot as its files have it. Where a tour is given, it stands in the tour's home.
     pub fn new(mut trainer: Trainer, kept: Option<(Kept, Past)>, tour: Option<Tour>) -> Result<Self, Refusal> {
         let mut words = FullWords::new(trainer.word_letters());
-        let mut sessions = 0;
+        let (mut sessions, mut said) = (0, Vec::new());
         let kept = match kept {
             None => None,
             Some((kept, past)) => {
@@ -49,10 +60,12 @@ impl Classroom {
                 words = FullWords::new(trainer.word_letters());
                 past.commands.iter().for_each(|command| words.hear(command));
                 sessions = past.sessions;
+                past.commands.into_iter().for_each(|command| add_once(&mut said, &command));
                 Some(kept)
             }
         };
-        let mut classroom = Self { trainer, tour, words, kept, before: Vec::new(), learning: None, learned: Vec::new(), sessions };
+        let (wanted, before, learning, learned) = (Vec::new(), Vec::new(), None, Vec::new());
+        let mut classroom = Self { trainer, tour, words, wanted, said, kept, before, learning, learned, sessions };
         classroom.enter_tour()?;
         Ok(classroom)
     }
@@ -76,7 +89,13 @@ impl Classroom {
         let id = stop.map_or_else(|| Some(format!("said-{}", self.sessions + 1)), |stop| stop.id());
         self.trainer.hear(command, id, stop.map(|stop| &stop.exercise.intention))?;
         self.words.hear(command);
+        add_once(&mut self.said, command);
         Ok(())
+    }
+
+    /// What to teach next.
+    pub fn next_lesson(&self) -> Result<Next, Refusal> {
+        propose(&self.trainer, if self.wanted.is_empty() { &self.said } else { &self.wanted })
     }
 
     /// The result of a test whose command has just been heard.

@@ -61,6 +61,8 @@ pub enum Intent {
     Pace,
     /// Let a simulated trainer judge.
     Auto,
+    /// What to teach next.
+    NextLesson,
     /// Another home.
     AnotherHome,
     /// Put everything back.
@@ -129,7 +131,8 @@ fn in_command(code: KeyCode) -> Option<Intent> {
         KeyCode::Char('?') => Intent::Explain,
         KeyCode::Char(letter) => Intent::Write(letter),
         KeyCode::Enter => Intent::Say,
-        KeyCode::Esc | KeyCode::Tab => Intent::ToKeys,
+        KeyCode::Esc => Intent::ToKeys,
+        KeyCode::Tab => Intent::NextLesson,
         KeyCode::Backspace => Intent::Edit(Edit::Back),
         KeyCode::Delete => Intent::Edit(Edit::Delete),
         KeyCode::Left => Intent::Edit(Edit::Left),
@@ -162,7 +165,8 @@ fn as_key(code: KeyCode) -> Option<Intent> {
         KeyCode::Char('h') => Intent::AnotherHome,
         KeyCode::Char('r') => Intent::PutBack,
         KeyCode::Char('q') => Intent::Leave,
-        KeyCode::Enter | KeyCode::Tab | KeyCode::Esc => Intent::ToCommand,
+        KeyCode::Tab => Intent::NextLesson,
+        KeyCode::Enter | KeyCode::Esc => Intent::ToCommand,
         _ => return None,
     })
 }

@@ -116,6 +116,16 @@ fn environment(layout: &Layout) -> Option<EnvironmentFile> {
     Some(scene(&home, &state).environment)
 }
 
+/// All that can be taught in the tour's homes as drawn, the simplest home first: the home, and the command.
+pub fn course_lessons() -> impl Iterator<Item = (HomeName, String)> {
+    Homes::FIXED.teachable().map(|(home, meant)| (home, meant.to_string()))
+}
+
+/// A home of the tour as drawn.
+pub fn home_named(name: HomeName) -> Option<EnvironmentFile> {
+    environment(Homes::FIXED.layout(name))
+}
+
 /// The home to begin with where none is named: four rooms, a chair and a bag.
 pub fn first_home() -> Option<EnvironmentFile> {
     environment(&Homes::FIXED.test)

@@ -1,7 +1,7 @@
 //! `goodbot teach`: train the robot, on a screen or in lines.
 //!
 //! - [`trainer`]: one robot, its home and the session under way; all that is asked of the core ([`scene`], [`session`]);
-//! - [`kept`]: what is kept where; [`lessons`]: the tour; [`classroom`]: these together;
+//! - [`kept`]: what is kept where; [`lessons`]: the tour; [`next_lesson`]: what to teach next; [`classroom`]: these together;
 //! - [`protocol`]: lines in, JSON out;
 //! - [`visit`]: what keys do and what happens by itself; [`keys`], [`prompt`], [`pace`]; drawn by [`screen`] in the colours of [`palette`],
 //!   on a [`terminal`] or as a [`picture`].
@@ -11,6 +11,7 @@ pub mod full_words;
 mod kept;
 mod keys;
 mod lessons;
+mod next_lesson;
 mod pace;
 mod palette;
 mod picture;
@@ -37,7 +38,7 @@ use lessons::Tour;
 use pace::Pace;
 use palette::Palette;
 use std::io::{IsTerminal, Write, stdin, stdout};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 use trainer::Trainer;
 use visit::{Phase, Visit};
@@ -60,6 +61,7 @@ Examples:
   goodbot teach --tour                 the paper's seven lessons and five tests
   goodbot teach home.json              a home of your own; a drawing does too
   goodbot teach --random --seed 7      a home at random
+  goodbot teach --wanted commands.txt  what it is to understand in the end; tab proposes the next lesson
   printf 'command go to the red room\\nstep\\ngood\\nfinish\\n' | goodbot teach --seed 1")]
 pub struct TeachOptions {
     /// A home: an environment (JSON), or a drawing [default: four rooms, a chair and a bag]
@@ -89,6 +91,9 @@ pub struct TeachOptions {
     /// The log to which its sessions are added [default: beside the model, ending in .jsonl]
     #[arg(long, value_name = "FILE", requires = "model", value_hint = ValueHint::FilePath)]
     log: Option<PathBuf>,
+    /// What it is to understand in the end, a command on each line: decides what to teach next [default: what was said so far]
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    wanted: Option<PathBuf>,
     /// Read requests as lines, also in a terminal
     #[arg(long)]
     lines: bool,
@@ -181,7 +186,21 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let kept = places.map(Kept::open).transpose()?;
     let learned = kept.iter().flat_map(|(_, past)| past.learned.iter().map(String::as_str));
     let tour = options.tour.then(|| Tour::new(options.seed, learned));
-    Classroom::new(trainer, kept, tour).map_err(refuse)
+    let mut classroom = Classroom::new(trainer, kept, tour).map_err(refuse)?;
+    classroom.wanted = options.wanted.as_deref().map(wanted).transpose()?.unwrap_or_default();
+    Ok(classroom)
+}
+
+/// The commands of a file, one on each line.
+fn wanted(path: &Path) -> Result<Vec<String>, Failure> {
+    let name = path.display();
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| Failure::Input(format!("{name}: cannot be read ({error}); it is a text with a command on each line")))?;
+    let commands: Vec<String> = text.lines().map(str::trim).filter(|line| !line.is_empty()).map(str::to_owned).collect();
+    if commands.is_empty() {
+        return Err(Failure::Input(format!("{name}: has no command; write one on each line")));
+    }
+    Ok(commands)
 }
 
 fn home(options: &TeachOptions) -> Result<EnvironmentFile, Failure> {

@@ -12,29 +12,34 @@ use lzma_rust2::{LzmaOptions, LzmaWriter};
 pub struct Page {
     /// All of it.
     pub html: String,
-    /// The module, packed, as text.
-    pub module: String,
-    /// The page's scripts with the glue, made small.
+    /// What is packed, as text.
+    pub packed: String,
+    /// The script that expands it.
     pub script: String,
-    /// How it looks.
-    pub style: String,
 }
 
-/// Puts style, scripts and module into the `index.html` of `folder`.
-pub fn assemble(folder: &Path, wasm: &[u8], script: &str) -> Result<Page> {
-    let read = |name: &str| std::fs::read_to_string(folder.join(name)).with_context(|| format!("page/{name} cannot be read"));
+/// How the page of `folder` looks.
+pub fn style(folder: &Path) -> Result<String> {
+    Ok(without_comments(&read(folder, "style.css")?))
+}
+
+fn read(folder: &Path, name: &str) -> Result<String> {
+    std::fs::read_to_string(folder.join(name)).with_context(|| format!("page/{name} cannot be read"))
+}
+
+/// Puts the script that begins and the packed parts into the `index.html` of `folder`.
+pub fn assemble(folder: &Path, parts: &[&[u8]], script: &str) -> Result<Page> {
     let script = escaped(script);
-    let style = without_comments(&read("style.css")?);
-    let module = STANDARD.encode(packed(wasm)?);
-    let mut html = read("index.html")?;
-    for (mark, text) in [("/*SIZE*/", &wasm.len().to_string()), ("/*STYLE*/", &style), ("/*SCRIPT*/", &script), ("<!--MODULE-->", &module)]
-    {
+    let packed = STANDARD.encode(packed(&parts.concat())?);
+    let mut html = read(folder, "index.html")?;
+    let sizes = parts.iter().map(|part| part.len().to_string()).collect::<Vec<_>>().join(" ");
+    for (mark, text) in [("/*SIZES*/", &sizes), ("/*SCRIPT*/", &script), ("<!--PACKED-->", &packed)] {
         if html.matches(mark).count() != 1 {
             bail!("page/index.html must have {mark} once");
         }
         html = html.replacen(mark, text, 1);
     }
-    Ok(Page { html: without_comments(&html), module, script, style })
+    Ok(Page { html: without_comments(&html), packed, script })
 }
 
 /// A text's lines without those that hold nothing but a comment, and without indentation.

@@ -1,10 +1,12 @@
-//! The trainer page as one HTML file: `goodbot-page MODULE OUT NODE`, as `cargo xtask page` calls it.
+//! The trainer page as one HTML file: `goodbot-page MODULE OUT NODE [--with-panic-messages]`, as `cargo xtask page` calls it.
 //!
 //! The JavaScript glue of the WebAssembly module is generated, and both are put into `page/index.html` together with the page's own style
-//! and scripts. The module is packed with LZMA, and the page unpacks it. NODE runs what checks the scripts' types and joins the scripts.
+//! and scripts. The module, the style, the scripts and the texts of all languages are packed with LZMA; one small script expands them in
+//! the page. NODE runs what checks the scripts' types and joins them.
 
 mod assemble;
 mod budget;
+mod languages;
 mod scripts;
 
 use std::path::{Path, PathBuf};
@@ -17,18 +19,31 @@ const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
 fn main() -> Result<()> {
     let arguments: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
-    let [module, out, node] = arguments.as_slice() else { bail!("usage: goodbot-page MODULE OUT NODE") };
+    let (paths, with_messages) = match arguments.as_slice() {
+        [paths @ .., flag] if flag.as_os_str() == "--with-panic-messages" => (paths, true),
+        paths => (paths, false),
+    };
+    let [module, out, node] = paths else { bail!("usage: goodbot-page MODULE OUT NODE [--with-panic-messages]") };
     // Beside the module: nothing of it is kept.
     let folder = module.with_extension("page");
     let wasm = generate(module, &folder)?;
     let source = Path::new(PAGE).canonicalize().with_context(|| format!("{PAGE} is not there"))?;
-    let script = scripts::bundle(&source, &folder, node)?;
-    let page = assemble::assemble(&source, &wasm, &script)?;
+    let scripts = scripts::bundle(&source, &folder, node)?;
+    let texts = languages::read(&source.join("languages"))?;
+    let style = assemble::style(&source)?;
+    // In the order in which page/src/begin.js takes them.
+    let parts = [
+        ("the module", wasm.as_slice()),
+        ("the style", style.as_bytes()),
+        ("the scripts with the glue", scripts.others.as_bytes()),
+        ("the texts", &texts),
+    ];
+    let page = assemble::assemble(&source, &parts.map(|(_, part)| part), &scripts.begin)?;
     if let Some(dist) = out.parent() {
         std::fs::create_dir_all(dist).with_context(|| format!("{} cannot be made", dist.display()))?;
     }
     std::fs::write(out, &page.html).with_context(|| format!("{} cannot be written", out.display()))?;
-    budget::check(&page, wasm.len())
+    budget::check(&page, &parts, with_messages)
 }
 
 /// Generates the module as the page has it, and beside it in `folder` its glue and the glue's types.

@@ -6,8 +6,16 @@ use std::process::Command;
 use anyhow::{Context, Result, bail};
 use serde_json::json;
 
-/// The scripts of `page/src` with the module's glue, small, as one text. `generated` has the glue.
-pub fn bundle(page: &Path, generated: &Path, node: &Path) -> Result<String> {
+/// The page's scripts, small.
+pub struct Scripts {
+    /// The one that expands what is packed.
+    pub begin: String,
+    /// All others, with the module's glue.
+    pub others: String,
+}
+
+/// Joins the scripts of `page/src` with the module's glue, which `generated` has.
+pub fn bundle(page: &Path, generated: &Path, node: &Path) -> Result<Scripts> {
     let config = generated.join("tsconfig.json");
     // The scripts call the module `goodbot-wasm`, wherever it was generated.
     let settings = json!({
@@ -18,10 +26,12 @@ pub fn bundle(page: &Path, generated: &Path, node: &Path) -> Result<String> {
     std::fs::write(&config, settings.to_string()).with_context(|| format!("{} cannot be written", config.display()))?;
     let packages = page.join("node_modules");
     run(Command::new(node).arg(packages.join("typescript/bin/tsc")).arg("--project").arg(&config), "the types in page/src are wrong")?;
-    let small = generated.join("page.min.js");
-    let glue = generated.join("goodbot_wasm.js");
-    run(Command::new(node).arg(page.join("builder/bundle.mjs")).arg(glue).arg(&small), "the scripts in page/src cannot be joined")?;
-    std::fs::read_to_string(&small).with_context(|| format!("{} was not written", small.display()))
+    let [begin, others] = ["begin.min.js", "others.min.js"].map(|name| generated.join(name));
+    let mut bundle = Command::new(node);
+    bundle.arg(page.join("builder/bundle.mjs")).arg(generated.join("goodbot_wasm.js")).args([&begin, &others]);
+    run(&mut bundle, "the scripts in page/src cannot be joined")?;
+    let read = |small: &Path| std::fs::read_to_string(small).with_context(|| format!("{} was not written", small.display()));
+    Ok(Scripts { begin: read(&begin)?, others: read(&others)? })
 }
 
 fn run(command: &mut Command, failure: &str) -> Result<()> {

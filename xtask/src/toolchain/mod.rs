@@ -57,6 +57,22 @@ pub fn cross_cargo_as(target: Target, subcommand: &str) -> Result<Command> {
     Ok(command)
 }
 
+/// Arguments for [`cross_cargo`] by which a profile's panics end at once, without the code that words their messages. That can be had only
+/// where the standard library is built too; a ready-made one brings its messages along, and there are none then.
+pub fn without_panic_messages(profile: &str) -> Result<Vec<String>> {
+    Ok(match way()? {
+        Way::Rustup => Vec::new(),
+        // Not by -Z: what stands behind the subcommand would replace what stands before it.
+        Way::BuildStd => [
+            "unstable.panic-immediate-abort=true".to_owned(),
+            "unstable.build-std-features=[\"optimize_for_size\"]".to_owned(),
+            format!("profile.{profile}.panic=\"immediate-abort\""),
+        ]
+        .map(|setting| format!("--config={setting}"))
+        .to_vec(),
+    })
+}
+
 /// Where [`cross_cargo`] leaves what it builds with a profile.
 pub fn artifacts(target: Target, profile: &str) -> PathBuf {
     folder().join(target.triple()).join(profile)

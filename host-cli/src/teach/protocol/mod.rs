@@ -4,6 +4,7 @@ mod lines;
 
 use crate::teach::classroom::Classroom;
 use crate::teach::lessons::random_home;
+use crate::teach::next_lesson::Next;
 use crate::teach::session::Judged;
 use crate::teach::trainer::{Meaning, Refusal};
 use goodbot::asking::{Answer, Asking};
@@ -55,6 +56,7 @@ const REQUESTS: &[(&str, &str)] = &[
     ("finish", "end the session and learn from it"),
     ("forget", "end the session and do not learn from it"),
     ("undo", "take back what the last session taught"),
+    ("next", "tell what to teach next, and why"),
     ("home JSON", "move to another home, one environment on one line; or: home random SEED"),
     ("reset", "put everything back to where it was"),
     ("state", "tell where everything is and what the robot believes"),
@@ -157,6 +159,7 @@ impl Speaker<'_> {
             }
             "state" => Ok(vec![self.state()]),
             "words" => Ok(vec![self.words()]),
+            "next" => self.next_lesson(),
             "help" => {
                 let requests: Map<String, Value> = REQUESTS.iter().map(|(request, what)| ((*request).to_owned(), json!(what))).collect();
                 Ok(vec![json!({"type": "help", "requests": requests})])
@@ -292,6 +295,21 @@ impl Speaker<'_> {
         let mut told = json!({"type": "answered", "answer": answer, "counted": evidence == Evidence::Used});
         self.add_tasks(&mut told);
         Ok(vec![told])
+    }
+
+    fn next_lesson(&self) -> Answers {
+        let none = |reason: &str| json!({"type": "next", "command": null, "reason": reason});
+        Ok(vec![match self.classroom.next_lesson()? {
+            Next::NothingWanted => none("no command was said yet, and --wanted names none"),
+            Next::LittleLeft => none("it has heard every word of these commands often"),
+            Next::Lesson(proposal) => {
+                let home = proposal.home.as_ref().and_then(|home| serde_json::from_str::<Value>(&home.to_json_line()).ok());
+                json!({
+                    "type": "next", "command": proposal.command, "home": home, "word": proposal.word, "needed": proposal.needed,
+                    "heard": proposal.heard, "reason": proposal.reason(),
+                })
+            }
+        }])
     }
 
     fn auto(&mut self) -> Answers {

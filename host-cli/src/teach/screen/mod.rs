@@ -127,10 +127,15 @@ fn draw_prompt(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palett
 fn keys(visit: &Visit) -> Vec<(&'static str, &'static str)> {
     match (visit.focus(), visit.phase()) {
         (Focus::Page, _) => vec![("any key", "back"), ("↑ ↓", "move")],
-        (Focus::Command, _) => vec![("enter", "say it"), ("?", "explain"), ("esc", "keys"), ("ctrl-c", "leave")],
+        (Focus::Command, _) => {
+            let mut keys = vec![("enter", "say it")];
+            keys.extend((visit.stop().is_none()).then_some(("tab", "what next")));
+            keys.extend([("?", "explain"), ("esc", "keys"), ("ctrl-c", "leave")]);
+            keys
+        }
         (Focus::Keys, Phase::Idle) => {
             let mut keys = vec![("enter", "write"), ("u", "undo"), ("w", "words"), ("r", "put back")];
-            keys.extend((visit.stop().is_none()).then_some(("h", "home")));
+            keys.extend((visit.stop().is_none()).then_some([("h", "home"), ("tab", "what next")]).into_iter().flatten());
             keys.extend([("s", "speed"), ("?", "explain"), ("q", "leave")]);
             keys
         }

@@ -10,7 +10,7 @@ use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Clear, Paragraph, Wrap};
 
-const KEYS: [(&str, &str); 14] = [
+const KEYS: [(&str, &str); 15] = [
     ("g → ↑", "good: its last step was right"),
     ("b ←", "bad: its last step was wrong"),
     ("space ↓", "neither; go on"),
@@ -23,6 +23,7 @@ const KEYS: [(&str, &str); 14] = [
     ("s", "speed: step by step, slow, normal, fast, at once, by confidence"),
     ("w", "words: what it calls things"),
     ("h, r", "between sessions: another home; put everything back"),
+    ("tab", "between sessions: what to teach next, and why"),
     ("enter, esc", "write a command; stop writing"),
     ("q, ctrl-c", "leave; all that was learned is kept"),
 ];

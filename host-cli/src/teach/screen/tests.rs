@@ -57,6 +57,22 @@ fn nothing_is_told_by_a_colour_alone() {
 }
 
 #[test]
+fn tab_proposes_a_lesson_goes_where_it_can_be_taught_and_says_why() {
+    let mut visit = visit(&first_home().unwrap(), false);
+    visit.take(Intent::NextLesson, Duration::ZERO);
+    assert_eq!(visit.message, "Teach it something first. Then this proposes the lesson that teaches it most.");
+    visit.classroom.wanted = vec!["take the yellow bag to the red room".to_owned()];
+    visit.take(Intent::NextLesson, Duration::ZERO);
+    assert!(visit.message.starts_with("To teach next, as \"take\" is in 1 of the commands"), "{}", visit.message);
+    let proposed = visit.prompt.text();
+    visit.take(Intent::Say, Duration::ZERO);
+    assert!(visit.classroom.trainer.meanings().iter().any(|meaning| meaning.words == proposed), "{proposed} can be meant here");
+    visit.take(Intent::NextLesson, Duration::ZERO);
+    assert!(visit.message.starts_with("First end this session"));
+    assert_eq!(visit.classroom.session().map(|session| session.command.clone()), Some(proposed));
+}
+
+#[test]
 fn every_size_can_be_drawn_on() {
     let mut visit = first_lesson();
     for page in [None, Some((crate::teach::visit::Page::Explanation, 3)), Some((crate::teach::visit::Page::Words, u16::MAX))] {

@@ -28,6 +28,7 @@ use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities};
 use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
+use goodbot_course::next_lesson::times_heard;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::RecordedSession;
 use mind::{build, new_mind};
@@ -44,7 +45,8 @@ impl fmt::Display for Refusal {
     }
 }
 
-fn refused(error: impl fmt::Display) -> Refusal {
+/// An error of the core as a refusal.
+pub fn refused(error: impl fmt::Display) -> Refusal {
     Refusal(error.to_string())
 }
 
@@ -154,6 +156,11 @@ impl Trainer {
     /// How many sessions the robot has learned from.
     pub fn lessons_learned(&self) -> usize {
         self.mind.language().bitext().sessions()
+    }
+
+    /// In how many of the sessions that it has learned from the robot heard a word.
+    pub fn times_heard(&self, word: &str) -> u32 {
+        times_heard(&self.mind, word)
     }
 
     /// Hears a command where everything is now. A session under way ends unlearned. `intention` is what the trainer means, where that is

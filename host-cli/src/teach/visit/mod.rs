@@ -7,6 +7,7 @@ use crate::messages::counted;
 use crate::teach::classroom::{Classroom, Tested};
 use crate::teach::keys::{Focus, Intent};
 use crate::teach::lessons::{Stop, Tour, random_home};
+use crate::teach::next_lesson::Next;
 use crate::teach::pace::Pace;
 use crate::teach::plain_names::percent;
 use crate::teach::prompt::Prompt;
@@ -207,9 +208,11 @@ impl Visit {
                 }
             }
             Intent::Undo => self.undo()?,
-            Intent::AnotherHome | Intent::PutBack if in_session || self.phase == Phase::Learning => {
+            Intent::NextLesson | Intent::AnotherHome | Intent::PutBack if in_session || self.phase == Phase::Learning => {
                 self.message = "First end this session: f finishes and learns, d finishes without learning.".to_owned();
             }
+            Intent::NextLesson if self.stop().is_some() => self.message = "In the tour the lessons are given.".to_owned(),
+            Intent::NextLesson => self.propose()?,
             Intent::AnotherHome if self.stop().is_some() => self.message = "In the tour the homes are given.".to_owned(),
             Intent::AnotherHome => {
                 self.homes = self.homes.wrapping_add(1);
@@ -261,6 +264,23 @@ impl Visit {
             }
             Intent::Suspend | Intent::Redraw | Intent::Edit(_) => {}
         }
+        Ok(())
+    }
+
+    /// Writes what to teach next, goes where it can be taught, and says why.
+    fn propose(&mut self) -> Result<(), Refusal> {
+        self.message = match self.classroom.next_lesson()? {
+            Next::NothingWanted => "Teach it something first. Then this proposes the lesson that teaches it most.".to_owned(),
+            Next::LittleLeft => "It has heard every word of these commands often. There is little left to teach.".to_owned(),
+            Next::Lesson(proposal) => {
+                if let Some(home) = &proposal.home {
+                    self.classroom.enter(home)?;
+                }
+                self.typing = true;
+                self.prompt.set(&proposal.command);
+                sentence(&format!("to teach next, as {}", proposal.reason()))
+            }
+        };
         Ok(())
     }
 

@@ -1,0 +1,64 @@
+//! What to teach next, and why.
+
+use super::lessons::{course_lessons, home_named};
+use super::trainer::{Refusal, Trainer, refused};
+use goodbot_course::next_lesson::next_lesson;
+use goodbot_formats::environment::EnvironmentFile;
+
+/// A lesson that is proposed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Proposal {
+    /// What to say.
+    pub command: String,
+    /// Where; `None` where the robot is now.
+    pub home: Option<EnvironmentFile>,
+    /// The word that it teaches most of.
+    pub word: String,
+    /// How many of the wanted commands have that word.
+    pub needed: u32,
+    /// In how many sessions the robot has heard it.
+    pub heard: u32,
+}
+
+impl Proposal {
+    /// Why.
+    pub fn reason(&self) -> String {
+        let Self { word, needed, heard, .. } = self;
+        let heard = match heard {
+            0 => "it has never heard that word".to_owned(),
+            1 => "it has heard that word in 1 session only".to_owned(),
+            more => format!("it has heard that word in {more} sessions only"),
+        };
+        format!("\"{word}\" is in {needed} of the commands that it is to understand, and {heard}")
+    }
+}
+
+/// What came of looking for a lesson.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Next {
+    /// This one.
+    Lesson(Proposal),
+    /// Every word of what is wanted was heard often.
+    LittleLeft,
+    /// Nothing is wanted yet.
+    NothingWanted,
+}
+
+/// The lesson that teaches most of what is wanted, of all that can be taught in the course's homes, and of the wanted commands themselves.
+pub fn propose(trainer: &Trainer, wanted: &[String]) -> Result<Next, Refusal> {
+    if wanted.is_empty() {
+        return Ok(Next::NothingWanted);
+    }
+    let mut lessons: Vec<_> = course_lessons().map(|(home, command)| (Some(home), command)).collect();
+    let own: Vec<_> = wanted.iter().filter(|command| lessons.iter().all(|(_, other)| other != *command)).cloned().collect();
+    lessons.extend(own.into_iter().map(|command| (None, command)));
+    let [commands, wanted]: [Vec<&str>; 2] =
+        [lessons.iter().map(|(_, command)| command.as_str()).collect(), wanted.iter().map(String::as_str).collect()];
+    let found = next_lesson(&commands, &wanted, |word| trainer.times_heard(word)).map_err(refused)?;
+    let Some((next, (home, command))) = found.filter(|next| !next.is_known()).and_then(|next| Some((next, lessons.get(next.lesson)?)))
+    else {
+        return Ok(Next::LittleLeft);
+    };
+    let home = home.and_then(home_named);
+    Ok(Next::Lesson(Proposal { command: command.clone(), home, word: next.word.to_owned(), needed: next.needed, heard: next.heard }))
+}

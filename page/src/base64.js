@@ -1,0 +1,18 @@
+// Bytes as letters.
+
+/** @param {Uint8Array} bytes */
+export function toBase64(bytes) {
+  let text = '';
+  for (let at = 0; at < bytes.length; at += 8192) text += String.fromCharCode(...bytes.subarray(at, at + 8192));
+  return btoa(text);
+}
+
+/** @param {string} text */
+export const fromBase64 = text => Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
+
+/** Base64 as it may stand in an address.
+ * @param {Uint8Array} bytes */
+export const toAddress = bytes => toBase64(bytes).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+
+/** @param {string} text */
+export const fromAddress = text => fromBase64(text.replaceAll('-', '+').replaceAll('_', '/'));

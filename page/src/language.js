@@ -1,0 +1,66 @@
+// The texts of the interface, in the language that the browser prefers or somebody has chosen. They stand in page/languages, one file each.
+import { make } from './state.js';
+
+/** @typedef {keyof typeof import('../languages/en.json')} Key */
+
+/** @type {Record<string, Record<string, any>>} */
+let languages = {};
+/** @type {Record<string, any>} */
+let texts = {};
+let plural = new Intl.PluralRules('en');
+
+/** Takes all languages: the keys once, and for each code the texts in their order.
+ * @param {Record<string, any[]>} all */
+export function takeLanguages({ keys, ...all }) {
+  languages = Object.fromEntries(Object.entries(all).map(([code, texts]) => [code, Object.fromEntries(keys.map((key, at) => [key, texts[at]]))]));
+}
+
+/** The languages: code and name. */
+export const names = () => Object.entries(languages).map(([code, all]) => [code, all.name]);
+
+/** Speaks this language; where it is none of ours, the first of ours that the browser prefers.
+ * @param {string} code */
+export function speakLanguage(code) {
+  const preferred = [code, ...(navigator.languages || [navigator.language])].map(one => String(one).toLowerCase().split('-')[0]);
+  const chosen = preferred.find(one => Object.hasOwn(languages, one)) || 'en';
+  texts = languages[chosen];
+  plural = new Intl.PluralRules(chosen);
+  document.documentElement.lang = chosen;
+}
+
+/** A text, with values for what stands in braces. Where it depends on a number, that is `n`.
+ * @param {Key} key
+ * @param {Record<string, any>} values */
+export function t(key, values = {}) {
+  const found = texts[key];
+  const text = typeof found === 'object' ? found[plural.select(values.n)] ?? found.other : found;
+  return text.replace(/\{(\w+)\}/g, (whole, name) => values[name] ?? whole);
+}
+
+/** The text of a name that comes from elsewhere, such as a colour; `undefined` where there is none.
+ * @param {string} key
+ * @returns {string | undefined} */
+export const named = key => (typeof texts[key] === 'string' ? texts[key] : undefined);
+
+/** Several as one text, as the language joins them.
+ * @param {string[]} parts
+ * @param {Key} last what stands before the last one */
+export const listed = (parts, last = 'listOf') => parts.reduce((list, part, at) => (last !== 'listOf' && at === parts.length - 1 ? list + t(last) + part : t('listOf', { 0: list, 1: part })));
+
+/** A text with its emphasis, as nodes.
+ * @param {string} text */
+function rich(text) {
+  return text.split(/(<(?:b|em|cite)>.*?<\/\w+>)/).map(part => {
+    const [, tag, inside] = part.match(/^<(\w+)>(.*)<\/\w+>$/) || [];
+    return tag ? make(tag, tag === 'cite' ? { lang: 'en' } : {}, inside) : part;
+  });
+}
+
+/** Writes the texts of the page that stay. */
+export function writePage() {
+  document.title = t('title');
+  for (const element of document.querySelectorAll('[data-t]')) element.replaceChildren(...rich(t(/** @type {Key} */ (element.getAttribute('data-t')))));
+  for (const attribute of ['aria-label', 'title', 'placeholder']) {
+    for (const element of document.querySelectorAll('[data-t-' + attribute + ']')) element.setAttribute(attribute, t(/** @type {Key} */ (element.getAttribute('data-t-' + attribute))));
+  }
+}

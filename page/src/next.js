@@ -1,0 +1,82 @@
+// What to teach next: the lesson that teaches most of what the robot is to understand in the end, and why.
+import { course, parsed, world } from './core.js';
+import { t } from './language.js';
+import { spaced } from './learned.js';
+import { nameHome } from './play.js';
+import { render } from './render.js';
+import { leaveSession, startSession } from './session.js';
+import * as shelf from './shelf.js';
+import { $, attempt, state } from './state.js';
+import { logOf } from './store.js';
+import { enterHome } from './tour.js';
+import { sessionsWord, taskWords } from './words.js';
+
+/** @typedef {{ command: string, home: string | null }} Lesson a command, and the home to teach it in; null is the one where the robot is */
+
+/** All that can be taught in the course's homes, the simplest home first.
+ * @returns {Lesson[]} */
+function lessonsOfCourse() {
+  const found = new Map();
+  for (const { home: name, intended } of course.teachable) {
+    const home = Object.fromEntries(course.homes)[name];
+    const of = kind => home.objects.filter(object => object.class === kind);
+    const command = taskWords(intended, { rooms: of('room'), blocks: of('block') });
+    if (!found.has(command)) found.set(command, { command, home: JSON.stringify(home) });
+  }
+  return [...found.values()];
+}
+
+// The commands that this robot has learned from.
+function taught() {
+  const sessions = logOf(state.robot).split('\n').filter(line => line.includes('"type":"session"'));
+  return [...new Set(sessions.map(line => attempt(() => parsed(line).command) || ''))].filter(Boolean);
+}
+
+const wanted = () => {
+  const own = $('wanted').value.split('\n').map(line => line.trim()).filter(Boolean);
+  return (own.length ? own : taught()).map(spaced);
+};
+
+/** The lesson to teach next.
+ * @returns {{ lesson: Lesson, why: import('goodbot-wasm').NextLesson } | null} */
+function next() {
+  const all = wanted();
+  const ofCourse = lessonsOfCourse();
+  const own = all.filter(command => !ofCourse.some(lesson => spaced(lesson.command) === command)).map(command => ({ command, home: null }));
+  const lessons = [...ofCourse, ...own];
+  const why = all.length ? attempt(() => parsed(world.nextLesson(lessons.map(lesson => spaced(lesson.command)).join('\n'), all.join('\n')))) : null;
+  return why ? { lesson: lessons[why.lesson], why } : null;
+}
+
+let shown = { key: '', lesson: /** @type {Lesson | null} */ (null) };
+
+export function renderNext() {
+  const hidden = state.mode !== 'play' || Boolean(state.session) || state.phase !== 'none' || state.sessions === 0;
+  $('next-card').hidden = hidden;
+  if (hidden) return;
+  const key = JSON.stringify([state.robot.id, state.robot.changed, state.sessions, $('wanted').value, document.documentElement.lang]);
+  if (key === shown.key) return;
+  const found = next();
+  const well = found?.why.known;
+  shown = { key, lesson: found && !well ? found.lesson : null };
+  $('next-lesson').hidden = $('teach-next').hidden = !shown.lesson;
+  $('next-lesson').textContent = shown.lesson ? t('next.lesson', shown.lesson) : '';
+  const { word, needed, heard } = found?.why || { word: '', needed: 0, heard: 0 };
+  $('next-why').textContent = !found ? t('next.none') : well ? t('next.well') : t(heard ? 'next.heard' : 'next.new', { word, needed, heard: sessionsWord(heard) });
+}
+
+export function setUpNext() {
+  $('wanted').value = shelf.get('wanted') || '';
+  $('wanted').addEventListener('input', () => {
+    shelf.put('wanted', $('wanted').value || null);
+    renderNext();
+  });
+  $('teach-next').addEventListener('click', async () => {
+    const { lesson } = shown;
+    if (!lesson || !await leaveSession()) return;
+    if (lesson.home) enterHome(lesson.home);
+    nameHome();
+    $('command').value = lesson.command;
+    if (!startSession(lesson.command)) render();
+  });
+}

@@ -1,0 +1,149 @@
+import assert from 'node:assert/strict';
+import { createRequire } from 'node:module';
+import { after, before, test } from 'node:test';
+import { close, launch, learned, open, opened, play, reload } from './browser.mjs';
+
+const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser.close());
+
+const LANGUAGES = { de: ['Deutsch', 'Sag ihm: „geh in den grünen Raum“'], en: ['English', 'Tell it: “go to the green room”'], es: ['Español', 'Dile: «ve a la habitación verde»'], fr: ['Français', 'Dis-lui\u00a0: «\u00a0va dans la pièce verte\u00a0»'], zh: ['中文', '告诉它：“去绿色的房间”'] };
+
+const settled = page => page.evaluate(() => new Promise(done => { requestAnimationFrame(() => setTimeout(done, 50)); }));
+
+test('the browser’s language is spoken, and one that we do not have is English', async () => {
+  for (const [locale, code] of [['de-AT', 'de'], ['zh-CN', 'zh'], ['pt-BR', 'en']]) {
+    const page = await open(browser, { locale });
+    assert.equal(await page.getAttribute('html', 'lang'), code);
+    assert.equal(await page.textContent('#lesson'), LANGUAGES[code][1]);
+    await close(page);
+  }
+});
+
+test('a language can be chosen, at once and after a reload', async () => {
+  const page = await open(browser);
+  assert.deepEqual(await page.locator('#language option').allTextContents(), Object.values(LANGUAGES).map(([name]) => name));
+  for (const [code, [, tells]] of Object.entries(LANGUAGES)) {
+    await page.selectOption('#language', code);
+    assert.equal(await page.getAttribute('html', 'lang'), code);
+    assert.equal(await page.textContent('#lesson'), tells);
+  }
+  await reload(page);
+  assert.equal(await page.textContent('#lesson'), LANGUAGES.zh[1]);
+  await close(page);
+});
+
+for (const code of Object.keys(LANGUAGES)) {
+  test('the tour in ' + LANGUAGES[code][0] + ': the robot learns the words of the language', async () => {
+    const page = await open(browser, { locale: code });
+    await page.selectOption('#speed', 'once');
+    await page.click('#watch');
+    await page.locator('#card:visible').waitFor({ timeout: 60000 });
+    const right = await page.locator('#dots .test.right').count();
+    assert.ok(right >= 4, right + ' of 5 tests');
+    assert.ok((await page.locator('#card li').count()) >= 5);
+    await close(page);
+  });
+}
+
+// All that can be read or heard: texts, names for listeners, hints, what stands in empty fields.
+const said = page => page.evaluate(() => {
+  const texts = [document.title];
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  for (let node = walker.nextNode(); node; node = walker.nextNode()) if (!node.parentElement.closest('script, style, noscript, cite, [lang=en], pre, #language, kbd')) texts.push(node.textContent);
+  for (const element of document.querySelectorAll('[aria-label], [title], [placeholder]')) texts.push(...['aria-label', 'title', 'placeholder'].map(name => element.getAttribute(name) || ''));
+  return texts.filter(text => text.trim());
+});
+
+test('in Chinese, no English is left anywhere', async () => {
+  const page = await open(browser, { locale: 'zh-CN' });
+  const look = async where => {
+    await page.evaluate(() => { for (const details of document.querySelectorAll('details')) details.open = true; });
+    await settled(page);
+    const english = (await said(page)).filter(text => /[A-Za-z]{3,}/.test(text.replace(/goodbot|WebAssembly|JSON|MacGlashan|session|step|answer|end|feedback|demonstration/g, '')));
+    assert.deepEqual(english, [], where);
+  };
+  await look('the tour');
+  await page.selectOption('#speed', 'step');
+  await page.click('#lesson');
+  await page.waitForFunction(() => document.body.dataset.phase === 'waiting');
+  await page.click('#good');
+  await look('a lesson');
+  await page.click('#finish');
+  await learned(page, 1);
+  await look('after a lesson');
+  await page.check('#set-questions');
+  await page.click('[data-mode=play]');
+  await page.selectOption('#home', 'Test');
+  await settled(page);
+  await look('free play');
+  await page.fill('#command', '随便');
+  await page.click('#say-it');
+  await page.locator('#answers button').first().waitFor();
+  await look('a question');
+  await page.click('#drop');
+  await page.click('#share');
+  await look('a link');
+  await page.click('#close-link');
+  await page.click('#new-robot');
+  await settled(page);
+  await look('a new robot');
+  await close(page);
+});
+
+for (const [code, width] of [['de', 360], ['es', 360], ['fr', 360], ['zh', 360], ['de', 1280], ['fr', 1280]]) {
+  test('axe finds nothing to object to in ' + code + ', ' + width + ' pixels wide', async () => {
+    const page = await open(browser, { locale: code, viewport: { width, height: 800 }, bypassCSP: true });
+    const check = async where => {
+      await page.evaluate(() => { for (const details of document.querySelectorAll('.mind > details, .stage > details')) details.open = true; });
+      await page.waitForTimeout(300);
+      const { violations } = await page.evaluate(() => window.axe.run(document));
+      assert.deepEqual(violations.flatMap(violation => violation.nodes.map(node => where + ': ' + violation.id + ' at ' + node.target)), []);
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+      assert.ok(wide <= width, where + ': the page is ' + wide + ' pixels wide');
+      const cut = await page.evaluate(() => [...document.querySelectorAll('button, #say, #to')].filter(element => element.offsetParent && !element.closest('#ideas') && element.scrollWidth > element.clientWidth + 1).map(element => element.textContent));
+      assert.deepEqual(cut, [], where + ': cut off');
+    };
+    await page.addScriptTag({ path: axe });
+    await check('tour');
+    await page.selectOption('#speed', 'step');
+    await page.click('#lesson');
+    await page.waitForFunction(() => document.body.dataset.phase === 'waiting');
+    await check('lesson');
+    await page.click('#drop');
+    await page.click('[data-mode=build]');
+    await check('build');
+    await close(page);
+  });
+}
+
+test('a command may be in any language, whatever the page speaks', async () => {
+  const page = await open(browser, { locale: 'de' });
+  await play(page, 'A');
+  await page.selectOption('#speed', 'step');
+  await page.fill('#command', '빨간 방으로 가');
+  await page.click('#say-it');
+  await page.waitForFunction(() => document.body.dataset.phase === 'waiting');
+  await page.click('#finish');
+  await learned(page, 1);
+  const { words } = await page.evaluate(() => JSON.parse(window.goodbot.heat()));
+  assert.ok(words.includes('빨간'), words.join(' '));
+  await close(page);
+});
+
+test('a language that is changed in a session leaves the session as it is', async () => {
+  const page = await open(browser);
+  await play(page, 'A');
+  await page.selectOption('#speed', 'step');
+  await page.fill('#command', 'go to the red room');
+  await page.click('#say-it');
+  await page.getByText('Good or Bad?').waitFor();
+  await page.click('#good');
+  await opened(page, 'Step by step');
+  await page.waitForFunction(() => document.querySelectorAll('#steps tr').length > 0);
+  await page.selectOption('#language', 'fr');
+  assert.match(await page.textContent('#bars'), /va dans la pièce rouge/);
+  assert.ok(await page.locator('#steps tr').count() > 0);
+  await close(page);
+});
