@@ -212,6 +212,36 @@ pub unsafe extern "C" fn goodbot_least_capacities(
     }
 }
 
+/// How full each table was at most since the robot was made, those of its world as they are now: memory of these capacities has room for the
+/// same life once more. Those of planning are 0: a plan says what it needs by `FULL`.
+///
+/// # Safety
+/// `robot` is null or a handle, `capacities` null or points to memory for it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_usage(robot: *mut Goodbot, capacities: *mut GoodbotCapacities) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let world = match &robot.world {
+                World::Home(home, _) => home.usage(),
+                World::Table(domain, _) => domain.usage(),
+                _ => Capacities::NONE,
+            };
+            give(capacities, (&robot.agent.most_used().at_least(world)).into())
+        })
+    }
+}
+
+/// How many sessions it has learned from and still keeps.
+///
+/// # Safety
+/// `robot` is null or a handle, `count` null or room for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_session_count(robot: *mut Goodbot, count: *mut u32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe { with(robot, |robot| give(count, robot.agent.language().bitext().sessions() as u32)) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

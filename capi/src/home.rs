@@ -31,7 +31,7 @@ pub unsafe extern "C" fn goodbot_init_home(
     };
     let Ok(tasks): Result<[LiftedTask; 2], _> = home::paper_tasks() else { return GoodbotStatus::Other };
     // SAFETY: `robot` is not null.
-    unsafe { settle(plot, &tasks, |home| Ok(World::Nothing(home)), robot) }
+    unsafe { settle(plot, &tasks, |home| Ok(World::Nothing(home)), robot) }.unwrap_or_else(|failure| failure.status)
 }
 
 /// Begins to describe a home. What was learned stays; a session under way ends unlearned.

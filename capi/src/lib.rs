@@ -13,7 +13,8 @@
 //! - [`training`]: hear, plan, decide, feedback, learn;
 //! - [`asking`]: questions to the trainer;
 //! - [`beliefs`]: what the robot takes a command to mean;
-//! - [`model`]: saving and restoring what was learned.
+//! - [`model`]: saving and restoring what was learned;
+//! - [`storage`]: the same in a flash, where it outlives power cuts.
 
 #![no_std]
 #![deny(missing_docs)]
@@ -31,6 +32,7 @@ pub mod home;
 pub mod model;
 pub mod robot;
 pub mod status;
+pub mod storage;
 pub mod table;
 pub mod training;
 pub mod version;

@@ -94,21 +94,15 @@ pub(crate) unsafe fn settle(
     tasks: &[LiftedTask],
     world: impl FnOnce(HomeArena) -> Result<World, Failure>,
     robot: *mut *mut Goodbot,
-) -> GoodbotStatus {
-    let agent = match Agent::new(plot.agent, tasks, Options::DEFAULT) {
-        Ok(agent) => agent,
-        Err(error) => return Failure::from(error).status,
-    };
-    let world = match world(plot.home) {
-        Ok(world) => world,
-        Err(failure) => return failure.status,
-    };
+) -> Result<GoodbotStatus, Failure> {
+    let agent = Agent::new(plot.agent, tasks, Options::DEFAULT)?;
+    let world = world(plot.home)?;
     // SAFETY: `plot` made sure of the room; the rest is the caller's promise.
     unsafe {
         plot.at.write(Goodbot { magic: MAGIC, full: None, random: Pcg32::new(0, 0x2014), agent, world });
         robot.write(plot.at.as_ptr());
     }
-    GoodbotStatus::Ok
+    Ok(GoodbotStatus::Ok)
 }
 
 /// Does something with the robot, if the handle is one; remembers which table was full.

@@ -100,6 +100,22 @@ pub unsafe extern "C" fn goodbot_begin_hearing(robot: *mut Goodbot, command: *co
     }
 }
 
+/// Hears the last command again, where everything stands as it stood when the session began: the belief goes on. An ended session, learned
+/// from or forgotten, is taken up again by this; `NO_SESSION` where the last one did not begin so.
+///
+/// # Safety
+/// `robot` is null or a handle.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_hear_again(robot: *mut Goodbot) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            in_world!(&robot.world, |domain, state| robot.agent.hear_again(domain, state)?);
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
 /// Goes on hearing the command, at most about `budget` table cells of work. `WORKING` means: call again.
 ///
 /// # Safety
