@@ -30,7 +30,7 @@ pub struct GoodbotFlash {
 
 /// The flash refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Refused;
+pub struct Refused;
 
 impl NorFlashError for Refused {
     fn kind(&self) -> NorFlashErrorKind {
