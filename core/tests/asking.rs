@@ -256,3 +256,17 @@ fn of_equally_short_ways_it_takes_the_one_that_tells_more() {
     let onward = decision.plan.onward().unwrap();
     assert!(onward.iter().all(|other| told(decision.action) >= told(other) - 1e-6));
 }
+
+#[test]
+fn commands_without_a_word_leave_what_is_believed_of_the_trainer_to_the_last_bit() {
+    let mut memory = Memory::new();
+    let (home, start) = rooms(&mut memory.home);
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+    agent.set_strategies(&population::STRATEGIES).unwrap();
+    let believed = |agent: &Agent<_>| agent.belief().strategies().to_vec();
+    let before = believed(&agent);
+    for _ in 0..10 {
+        agent.hear(&home, &start, "go to the red room").unwrap();
+        assert_eq!(believed(&agent), before);
+    }
+}

@@ -15,6 +15,7 @@ use crate::questions::QuestionsOptions;
 use crate::replay::ReplayArgs;
 use crate::study::StudyOptions;
 use crate::teach::TeachOptions;
+use crate::ways::WaysOptions;
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use std::path::PathBuf;
 
@@ -91,6 +92,8 @@ pub enum Command {
     Replay(ReplayArgs),
     /// Simulate sessions with questions and without: what they cost and what they save
     Questions(QuestionsOptions),
+    /// Simulate how commands that say how are learned from reward and punishment: through a room, or avoiding one
+    Ways(WaysOptions),
     /// Find what trainers to expect, from what real ones said
     FitTrainers(FitOptions),
     Check(CheckArgs),

@@ -31,6 +31,7 @@ mod refusal;
 mod replay;
 mod study;
 mod teach;
+mod ways;
 mod whole_file;
 
 use clap::{CommandFactory, Parser};
@@ -59,6 +60,7 @@ fn main() -> ExitCode {
         Command::Ask(options) => ask::run(&options),
         Command::Inspect(options) => inspect::run(&options),
         Command::Questions(options) => questions::run(&options),
+        Command::Ways(options) => ways::run(&options),
         Command::FitTrainers(options) => fit_trainers::run(&options),
         Command::Replay(args) => return replay::run(&args),
         Command::Check(args) => return check::run(&args),

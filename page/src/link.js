@@ -5,7 +5,7 @@ import { RULES, SPEEDS } from './session.js';
 import { state, tell } from './state.js';
 
 // The settings that a link carries; the look and the keys are everybody's own.
-const SHARED = ['speed', 'rule', 'style', 'pull', 'ghost', 'names'];
+const SHARED = ['speed', 'rule', 'questions', 'style', 'pull', 'ghost', 'names'];
 
 /** The address of this page with the home and the settings. */
 export function homeLink() {

@@ -11,12 +11,13 @@ import { ACTIONS, sessionsWord } from './words.js';
 const LOG_FIELDS = {
   session: ['type', 'version', 'id', 'kind', 'environment', 'command', 'intended', 'actions', 'prior', 'strategies', 'continues'],
   step: ['type', 'action', 'feedback'],
+  answer: ['type', 'tasks', 'yes', 'eta', 'others'],
   end: ['type', 'learn'],
 };
 
 function checkRecord(record) {
   const fields = LOG_FIELDS[record.type];
-  if (!fields) throw new Error('“type” is neither session, step nor end');
+  if (!fields) throw new Error('“type” is neither session, step, answer nor end');
   const strange = Object.keys(record).find(field => !fields.includes(field));
   if (strange) throw new Error('there is no field “' + strange + '”');
   if (record.type === 'session' && record.version !== 1) throw new Error('“version” is not 1');
@@ -27,6 +28,12 @@ function checkRecord(record) {
 
 // Probabilities in any unit: the largest becomes 1, so that single precision never makes all of them 0.
 const inUnit = numbers => numbers.map(number => number / Math.max(...numbers));
+
+// A word is meant for the last step.
+const NO_LAG = [1, 0, 0];
+
+/** Takes in an answer as the log has it. */
+export const answerRecorded = record => world.answerAs(record.tasks.join('\n'), record.yes, record.eta, record.others ?? 1);
 
 // Begins a session as the log has it; `last` is the one before.
 export function beginRecorded(record, last) {
@@ -40,8 +47,7 @@ export function beginRecorded(record, last) {
   world.setPulls((record.actions || []).includes('pull'));
   world.setEnvironment(JSON.stringify(record.environment));
   if (record.strategies) {
-    const priors = inUnit(record.strategies.map(one => one.prior));
-    world.setStrategies(Float32Array.from(record.strategies.flatMap((one, at) => [one.mu_plus, one.mu_minus, one.epsilon, priors[at]])));
+    world.setStrategies(Float32Array.from(record.strategies.flatMap(one => [one.mu_plus, one.mu_minus, one.epsilon, one.prior, ...(one.lags || NO_LAG)])));
   }
   if (record.prior) world.hearWithPrior(record.command, Object.keys(record.prior).join('\n'), Float32Array.from(inUnit(Object.values(record.prior))));
   else world.hear(record.command);
@@ -69,6 +75,8 @@ export async function learnFrom(lines) {
         session = record;
         if (!record.continues) unlearned = [];
         own = [line];
+      } else if (record.type === 'answer') {
+        answerRecorded(record);
       } else if (record.type === 'step') {
         await inParts(() => world.plan(PLAN_BUDGET));
         if (session.kind === 'demonstration') world.demonstrate(record.action);
@@ -83,7 +91,7 @@ export async function learnFrom(lines) {
           learned.push(...unlearned, ...own);
           unlearned = [];
         } else {
-          world.forget();
+          world.setAside();
           unlearned.push(...own);
         }
         [session, last] = [null, session];

@@ -144,7 +144,7 @@ export function thingDrawing(frame, thing, isRobot) {
 }
 
 // The plan as it stands in the page. It is built anew for another home; else things only move.
-const plan = { frame: /** @type {any} */ (null), key: '', things: new Map(), ahead: /** @type {any} */ (null) };
+const plan = { frame: /** @type {any} */ (null), key: '', things: new Map(), ahead: /** @type {any} */ (null), asked: /** @type {any} */ (null) };
 
 export function renderPlan() {
   const scene = state.scene;
@@ -162,12 +162,14 @@ export function renderPlan() {
     plan.things = new Map();
     plan.things.set(scene.agent.name, thingDrawing(plan.frame, scene.agent, true));
     for (const block of scene.blocks) plan.things.set(block.name, thingDrawing(plan.frame, block, false));
-    root.append(...plan.things.values());
+    plan.asked = draw('g', {});
+    root.append(...plan.things.values(), plan.asked);
   }
   for (const thing of [...scene.blocks, scene.agent]) {
     plan.things.get(thing.name).style.transform = 'translate(' + plan.frame.x(thing.x) + 'px,' + plan.frame.y(thing.y) + 'px)';
   }
   renderAhead();
+  renderAsked();
   root.setAttribute('aria-label', 'Floor plan. ' + describeScene(scene)[0]);
   $('twin').replaceChildren(...describeScene(scene).map(line => make('li', {}, line)));
   $('textmap').textContent = scene.map;
@@ -177,6 +179,18 @@ export function renderPlan() {
   robot.setAttribute('class', 'robot ' + ({ reward: 'happy', punish: 'sad' }[feeling] || '') + (state.phase === 'learning' || state.phase === 'planning' ? ' thinking' : '') +
     (session && session.decided ? ' looks-' + session.decided.action : ''));
   robot.style.setProperty('--sure', session && session.decided ? session.decided.confidence.toFixed(2) : 0);
+}
+
+// A mark on each of the things that the robot asks about: the number of the answer, or a question mark.
+function renderAsked() {
+  const question = state.session?.question;
+  const marks = question ? question.objects.map((name, at) => {
+    const room = state.scene.rooms.find(one => one.name === name);
+    const thing = state.scene.blocks.find(one => one.name === name);
+    const [x, y] = room ? [plan.frame.x(room.right) - 30, plan.frame.y(room.top) + 30] : thing ? [plan.frame.x(thing.x) + 16, plan.frame.y(thing.y) - 16] : [0, 0];
+    return draw('g', { class: 'badge', transform: 'translate(' + x + ' ' + y + ')' }, draw('circle', { r: 15 }), draw('text', { y: 6.5 }, question.objects.length > 1 ? at + 1 : '?'));
+  }) : [];
+  plan.asked.replaceChildren(...marks);
 }
 
 // Footprints to where the most likely task leads, and a ghost of what will stand there.

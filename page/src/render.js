@@ -1,4 +1,5 @@
 // The one place from which everything is drawn.
+import { renderQuestion } from './asking.js';
 import { renderBuild } from './build.js';
 import { unknownWords } from './learned.js';
 import { renderPlan } from './plan.js';
@@ -34,7 +35,7 @@ export function render() {
   $('heard').hidden = !session;
   if (session) $('heard').replaceChildren(...heardWords(session.command));
   $('say-it').disabled = Boolean(session) || busy;
-  const active = session && session.decided && state.phase !== 'planning' && !busy && !session.looking;
+  const active = session && session.decided && state.phase !== 'planning' && !busy && !session.looking && !session.question;
   for (const id of ['good', 'bad']) {
     $(id).setAttribute('aria-disabled', !active);
     const given = Boolean(session && session.feedback === (id === 'good' ? 'reward' : 'punish'));
@@ -46,7 +47,7 @@ export function render() {
   $('to').replaceChildren(to);
   $('pause').textContent = session && session.paused ? 'Go on' : 'Pause';
   $('pause').disabled = $('next').disabled = !session || busy;
-  for (const id of ['pause', 'next']) $(id).hidden = !session;
+  for (const id of ['pause', 'next']) $(id).hidden = !session || Boolean(session.question);
   for (const id of ['finish', 'drop']) $(id).hidden = !session || session.looking || state.tour.watching;
   $('finish').textContent = isThere() ? 'Yes, that was it!' : 'Finish and learn';
   $('finish').classList.toggle('big', isThere());
@@ -60,6 +61,7 @@ export function render() {
   for (const element of all('.place')) element.hidden = Boolean(session);
   $('choose').hidden = $('home').value !== 'random' || Boolean(session);
   renderIdeas();
+  renderQuestion();
   const wait = $('wait');
   wait.style.animation = 'none';
   if (session && state.phase === 'waiting' && session.delay > 300 && session.delay < Infinity && !session.paused) {
@@ -67,7 +69,7 @@ export function render() {
     wait.style.animation = 'fill ' + session.delay + 'ms linear ' + (session.since - performance.now()) + 'ms both';
   }
   // Who works by keyboard is not left on a button that has gone.
-  if (focused && focused !== document.body && (focused.disabled || focused.closest('[hidden]'))) (session ? $('good') : $('lesson').offsetParent ? $('lesson') : $('command').offsetParent ? $('command') : $('main')).focus({ preventScroll: true });
+  if (focused && focused !== document.body && (focused.disabled || focused.closest('[hidden]'))) (session?.question ? $('answers') : session ? $('good') : $('lesson').offsetParent ? $('lesson') : $('command').offsetParent ? $('command') : $('main')).focus({ preventScroll: true });
 }
 
 // The command, with the words underlined that the robot does not know.

@@ -1,8 +1,9 @@
 // A training session: hear, act, take feedback, until the trainer ends it. The core plans and learns in parts, between two frames.
 import { parsed, world } from './core.js';
+import { askTrainer } from './asking.js';
 import { ask } from './dialog.js';
 import { lessonLearned, spaced, unknownWords } from './learned.js';
-import { beginRecorded, learnFrom } from './logs.js';
+import { answerRecorded, beginRecorded, learnFrom } from './logs.js';
 import { renderPlan } from './plan.js';
 import { render } from './render.js';
 import { ofTab } from './shelf.js';
@@ -77,7 +78,7 @@ function newSession(command, { intended = null, looking = false }) {
   const task = state.belief.tasks.findIndex(task => task.name === intended);
   return {
     command, intended: task < 0 ? null : task, looking, heard: [], decided: null, feedback: null, given: false, rests: 0, steps: 0, delay: 0, since: 0,
-    paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], over: false, onEnd: null, onLearn: null,
+    paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, over: false, onEnd: null, onLearn: null,
   };
 }
 
@@ -95,7 +96,7 @@ async function lookAhead(session) {
 }
 
 /** Whether the trainer has said anything in this session that would be lost with it. */
-const hasWords = session => !session.looking && session.intended === null && (session.given || state.evidence.some(evidence => evidence.feedback !== 'neutral'));
+const hasWords = session => !session.looking && session.intended === null && (session.given || session.answers > 0 || state.evidence.some(evidence => evidence.feedback !== 'neutral'));
 
 /** Whether the session under way may be left: asks, where words were said in it. */
 export async function leaveSession() {
@@ -109,7 +110,7 @@ export async function leaveSession() {
     stopSession();
     return true;
   }
-  if (!session.paused) togglePause();
+  if (!session.paused && !session.question) togglePause();
   const answer = await ask('A session is under way: “' + session.command + '”. What shall become of it?', { learn: 'Finish and learn', drop: 'Do not learn', stay: 'Go on with it' });
   if (answer === 'learn') await finishSession();
   else if (answer === 'drop') stopSession();
@@ -117,7 +118,7 @@ export async function leaveSession() {
 }
 
 // Writes the session down after each step, for a reload of this tab.
-function keepSession(session) {
+export function keepSession(session) {
   if (session.looking || session.intended !== null || state.robot.log !== undefined) return;
   const steps = attempt(() => world.log().trimEnd().split('\n').slice(0, -1)) || [];
   if (session.given && session.decided) steps.push(JSON.stringify({ type: 'step', action: session.decided.action, feedback: session.feedback }));
@@ -134,12 +135,18 @@ export async function takeUpSession() {
     const [first, ...steps] = kept.steps.map(parsed);
     state.mode = kept.mode;
     if (kept.at !== null && kept.at !== state.tour.at) return false;
-    beginRecorded(first, null);
+    // The robot goes on with what it believes of its trainer, as it is kept with it.
+    beginRecorded({ ...first, strategies: undefined }, null);
     session = newSession(first.command, {});
     refresh();
     session.heard = ranked();
     state.support = parsed(world.support());
     for (const step of steps) {
+      if (step.type === 'answer') {
+        answerRecorded(step);
+        session.answers += 1;
+        continue;
+      }
       await inParts(() => world.plan(PLAN_BUDGET));
       world.actAs(step.action);
       state.evidence.push(parsed(world.judge(step.feedback)));
@@ -181,7 +188,7 @@ export function wake(session) {
 }
 
 // Waits for so many milliseconds, or until somebody wakes the session.
-function pause(session, milliseconds) {
+export function pause(session, milliseconds) {
   return new Promise(resolve => {
     session.wake = resolve;
     if (milliseconds < Infinity) setTimeout(() => { if (session.wake === resolve) wake(session); }, milliseconds);
@@ -195,6 +202,9 @@ async function go(session) {
     await inParts(() => session.over || attempt(() => world.plan(PLAN_BUDGET)) !== false);
     clearTimeout(slow);
     if (session.over) return undefined;
+    const answered = await askTrainer(session);
+    if (session.over) return undefined;
+    if (answered) continue;
     const decided = attempt(() => parsed(world.act()));
     if (!decided) return stopSession(), render();
     session.decided = decided;
@@ -274,7 +284,7 @@ async function ended(session) {
 export function giveFeedback(feedback) {
   const session = state.session;
   if (!session) tell('Nothing to judge yet: first tell the robot what to do.');
-  if (!session || session.looking || !session.decided || state.phase === 'planning' || state.phase === 'learning') return;
+  if (!session || session.looking || !session.decided || session.question || state.phase === 'planning' || state.phase === 'learning') return;
   // The same word once more takes it back; a double tap does not.
   if (session.given && session.feedback === feedback && performance.now() - session.said > 600) {
     takeBack();
@@ -296,7 +306,7 @@ export function giveFeedback(feedback) {
 /** Withdraws the word on the last step. */
 export function takeBack() {
   const session = state.session;
-  if (!session || !session.given || state.phase === 'learning') return;
+  if (!session || !session.given || session.question || state.phase === 'learning') return;
   clearTimeout(session.soon);
   session.feedback = null;
   session.given = false;
@@ -308,7 +318,7 @@ export function takeBack() {
 /** The robot is where it was meant to be: that is good, and the session is over. */
 export async function thatWasIt() {
   const session = state.session;
-  if (!session || !session.decided || session.looking) return;
+  if (!session || !session.decided || session.looking || session.question) return;
   session.feedback = 'reward';
   session.given = true;
   await finishSession();
@@ -316,7 +326,7 @@ export async function thatWasIt() {
 
 export function togglePause() {
   const session = state.session;
-  if (!session) return;
+  if (!session || session.question) return;
   session.paused = !session.paused;
   if (session.paused) state.phase = 'paused';
   else {
@@ -329,7 +339,7 @@ export function togglePause() {
 
 export function stepOnce() {
   const session = state.session;
-  if (!session || !session.decided) return;
+  if (!session || !session.decided || session.question) return;
   session.stepping = true;
   if (state.settings.speed !== 'step') session.paused = true;
   wake(session);

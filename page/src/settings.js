@@ -1,4 +1,5 @@
 // Settings, shortcuts, and what is kept and shared.
+import { answer } from './asking.js';
 import { download } from './bytes.js';
 import { world } from './core.js';
 import { homeLink, isSetting, robotLink } from './link.js';
@@ -13,7 +14,7 @@ import { change, logOf } from './store.js';
 import { enterHome } from './tour.js';
 import { isThere } from './words.js';
 
-const SWITCHES = ['style', 'shortcuts', 'ghost', 'names', 'pull'];
+const SWITCHES = ['questions', 'voice', 'style', 'shortcuts', 'ghost', 'names', 'pull'];
 
 export function renderSettings() {
   const { settings } = state;
@@ -103,11 +104,15 @@ const KEYS_PRESSED = {
   p: togglePause, n: stepOnce, f: () => (isThere() ? thatWasIt() : finishSession()), Backspace: takeBack,
 };
 
+// Where the robot asks.
+const ANSWERS = { y: 'yes', n: 'no', 1: '1', 2: '2', 3: '3' };
+
 export function setUpShortcuts() {
   document.addEventListener('keydown', event => {
     if (!state.settings.shortcuts || event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || !state.session) return;
     if (/** @type {Element} */ (event.target).closest('input:not([type=checkbox]), select, textarea, [role=slider], .scroll, dialog')) return;
-    const action = KEYS_PRESSED[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const action = state.session.question && key in ANSWERS ? () => answer(ANSWERS[key]) : KEYS_PRESSED[key];
     if (!action) return;
     event.preventDefault();
     action();

@@ -31,6 +31,9 @@
  * @property {number} soon
  * @property {number} said when the word on the last step was said
  * @property {string[]} heardNew the words that were new to the robot
+ * @property {import('goodbot-wasm').Question | null} question what the robot asks, and waits for
+ * @property {number} asked when it asked
+ * @property {number} answers how many answers it was given
  * @property {boolean} over
  * @property {(() => void) | null} onEnd what comes after it
  * @property {(() => void) | null} onLearn what comes before it is learned from
@@ -40,10 +43,10 @@ export const state = {
   // tour, play or build
   mode: 'tour',
   scene: /** @type {Scene} */ (/** @type {unknown} */ (null)),
-  belief: /** @type {Belief} */ ({ tasks: [], strategies: [] }),
+  belief: /** @type {Belief} */ (/** @type {unknown} */ ({ tasks: [] })),
   support: /** @type {Support | null} */ (null),
   heat: { now: /** @type {Heat | null} */ (null), before: /** @type {Heat | null} */ (null) },
-  // none, planning, waiting, paused or learning
+  // none, planning, asking, waiting, paused or learning
   phase: 'none',
   session: /** @type {Session | null} */ (null),
   route: /** @type {Route | null} */ (null),
@@ -65,7 +68,7 @@ export const state = {
   sessions: 0,
   tour: { at: 0, done: /** @type {string[]} */ ([]), watching: false },
   settings: /** @type {Record<string, any>} */ ({
-    speed: 'normal', rule: 'linear', style: false, shortcuts: true, ghost: true, names: true, theme: 'auto', pull: false,
+    speed: 'normal', rule: 'linear', style: true, questions: true, voice: false, shortcuts: true, ghost: true, names: true, theme: 'auto', pull: false,
   }),
 };
 

@@ -23,7 +23,7 @@ function renderBars() {
   const session = state.session;
   $('sure').textContent = session && session.decided
     ? 'It just ' + acted(session.decided.action) + '.' + (state.settings.speed === 'confidence' ? ' Sure of this step, whichever room you mean: ' + percent(session.decided.confidence) + '.' : '')
-    : session ? 'It is making a plan …' : 'Tell it something, and its guesses appear here.';
+    : session?.question ? 'It waits for your answer.' : session ? 'It is making a plan …' : 'Tell it something, and its guesses appear here.';
   $('bars').replaceChildren(...tasks.slice(0, SHOWN_TASKS).map((task, rank) => {
     const marks = state.evidence.slice(-12).map(evidence => markOf(evidence, task.index));
     const row = make('li', { class: rank === 0 ? 'best' : '' },
@@ -95,13 +95,13 @@ export function renderHeat() {
       ...heat.words.map((_, column) => cell(heat.cells[row * heat.words.length + column], 0, strongest, words[column] + ', given ' + tokenWords(token)))))));
 }
 
-const STYLE_WORDS = { balanced: 'says Good and Bad alike', 'R+/P-': 'says Good more than Bad', 'R-/P+': 'says Bad more than Good' };
 
 function renderStyle() {
-  const styles = state.belief.strategies;
-  $('style-about').textContent = styles.length > 1 ? 'What it believes of you as a trainer: you are one who …'
+  const { learned, good, bad, mistakes, late } = state.belief.trainer;
+  $('style-about').textContent = learned ? 'What it believes of you as a trainer. It began with what other people do.'
     : 'It takes you to say Good and Bad alike, and to be silent seven times in ten. In the settings it can learn your style instead.';
-  $('style').replaceChildren(...(styles.length > 1 ? styles : []).map(style => make('li', {},
-    make('span', { class: 'label' }, STYLE_WORDS[style.name] || style.name), make('span', { class: 'value' }, percent(style.probability)),
-    make('span', { class: 'track', 'aria-hidden': 'true' }, make('span', { class: 'bar', style: 'width:' + (style.probability * 100).toFixed(1) + '%' })))));
+  const shares = [['you say something to a right step', good], ['you say something to a wrong step', bad], ['you take a step for the wrong kind', mistakes], ['your word is for a step before the last one', late]];
+  $('style').replaceChildren(...(learned ? shares : []).map(([words, share]) => make('li', {},
+    make('span', { class: 'label' }, words), make('span', { class: 'value' }, percent(share)),
+    make('span', { class: 'track', 'aria-hidden': 'true' }, make('span', { class: 'bar', style: 'width:' + (Number(share) * 100).toFixed(1) + '%' })))));
 }

@@ -1,4 +1,5 @@
 // The page in words: what a screen reader reads, and what the status line says.
+import { questionWords } from './asking.js';
 import { unknownWords } from './learned.js';
 import { percent, state } from './state.js';
 
@@ -36,6 +37,17 @@ export const tokenWords = token => token.replace(/([A-Z])/g, ' $1').toLowerCase(
 // A word of which the robot may have kept the first letters only.
 export const wordShown = (word, letters) => (letters && [...word].length >= letters ? word + '…' : word);
 
+/** A room or a block by its looks, and by its name where another looks alike.
+ * @param {string} name */
+export function objectWords(name) {
+  const { rooms, blocks } = state.scene;
+  const kind = rooms.some(room => room.name === name) ? rooms.map(room => ({ ...room, shape: 'room' })) : blocks;
+  const looks = thing => thing.color + ' ' + thing.shape;
+  const thing = kind.find(one => one.name === name);
+  if (!thing) return name;
+  return looks(thing) + (kind.filter(one => looks(one) === looks(thing)).length > 1 ? ' (' + name + ')' : '');
+}
+
 // What the robot says of itself.
 export function speech() {
   const session = state.session;
@@ -49,6 +61,7 @@ export function speech() {
   if (!best) return ['…', ''];
   const unknown = unknownWords();
   const strange = unknown.length ? ' I do not know ' + unknown.map(word => '“' + word + '”').join(', ') + '.' : '';
+  if (session.question) return [questionWords(session.question), strange.trim()];
   if (session.decided && session.decided.action === 'noop') {
     const plan = session.decided.plans[session.decided.task];
     if (plan === 'goal' && session.steps === 0) return ['I am there already: ' + best.words + '.', 'Was that it, or did you mean something else?' + strange];
@@ -63,7 +76,7 @@ export function speech() {
 /** Whether the robot rests where it believes to be meant. */
 export function isThere() {
   const decided = state.session?.decided;
-  return Boolean(decided && decided.action === 'noop' && decided.plans[decided.task] === 'goal');
+  return Boolean(decided && !state.session?.question && decided.action === 'noop' && decided.plans[decided.task] === 'goal');
 }
 
 export const sessionsWord = () => state.sessions + (state.sessions === 1 ? ' session' : ' sessions');

@@ -311,6 +311,8 @@ const FULL = () => {
 test('where storage is blocked, the page says so, and the log can be saved', async () => {
   const context = await browser.newContext({ acceptDownloads: true });
   const page = await openIn(context, '', BLOCKED);
+  await opened(page, 'Settings, keeping, sharing');
+  await page.uncheck('#set-questions');
   await play(page, 'A');
   await teach(page, 'go to the red room');
   assert.match(await page.textContent('#unkept'), /does not keep what the robot has learned, how it was taught/);

@@ -6,6 +6,7 @@ use crate::home as home_of;
 use crate::options::{as_dict, capacities_of, options};
 use crate::place::{Place, in_place, task_name};
 use crate::robot::{self, Robot};
+use goodbot::asking::{Answer, Asking, Subject};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{self, SCHEMA};
 use goodbot::language::Meaning;
@@ -15,7 +16,7 @@ use goodbot::planning::{OptimalSet, Progress};
 use goodbot::session::Evidence;
 use goodbot::snapshot::{Contents, SAVED};
 use goodbot::symbols::Symbol;
-use goodbot::task::LiftedTask;
+use goodbot::task::{LiftedTask, TaskSet};
 use goodbot::{Agent as Core, AgentError, Capacities, Options};
 use pyo3::exceptions::PyFileExistsError;
 use pyo3::prelude::*;
@@ -578,6 +579,67 @@ impl Agent {
             let evidence = in_place!(&place, |domain, state| mind.core.demonstrated(domain, state, action));
             mind.settled(domain.py(), &place, evidence).map(evidence_name)
         })
+    }
+
+    /// Proposes a question in a state that was planned for, or None where acting teaches as much.
+    ///
+    /// A dict of `about` (`object`, `kind`, `task`, or `which` where there is something to choose), `choices`, a list of names of tasks for
+    /// each choice (one list where the answer is yes or no), and `bits`, what an answer is expected to tell. `kappa` is what a question costs
+    /// in steps, `eta` how often an answer is wrong.
+    ///
+    /// >>> home = goodbot.Home.from_map("#########\n#ggg#rrr#\n##+###+##\n#bb@bbbb#\n#########")
+    /// >>> agent = goodbot.Agent()
+    /// >>> agent.hear(home, home.start, "over there")
+    /// >>> agent.plan(home, home.start)
+    /// True
+    /// >>> question = agent.ask(home, home.start, kappa=0.5)
+    /// >>> agent.answer(0 if question["about"] == "which" else "yes")
+    /// 'used'
+    #[pyo3(signature = (domain, state, *, kappa=8.0, eta=0.05))]
+    fn ask<'py>(
+        &self,
+        domain: &Bound<'py, PyAny>,
+        state: &Bound<'py, PyAny>,
+        kappa: f32,
+        eta: f32,
+    ) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let py = domain.py();
+        self.with(|mind| {
+            let place = mind.place(domain, state)?;
+            let asking = Asking { kappa, eta, ..Asking::DEFAULT };
+            let asked = in_place!(&place, |domain, state| mind.core.question(domain, state, &asking));
+            let Some(question) = mind.settled(py, &place, asked)? else { return Ok(None) };
+            let about = match question.subject {
+                Subject::Object(_) => "object",
+                Subject::Kind(_) => "kind",
+                Subject::Task(_) => "task",
+                Subject::WhichObject(..) | Subject::WhichTask(..) => "which",
+            };
+            let choices = match question.subject.choices() {
+                0 => std::slice::from_ref(&question.yes),
+                count => &question.choices[..usize::from(count)],
+            };
+            let names = |tasks: &TaskSet| tasks.iter().map(|task| mind.task_text(py, task)).collect::<Vec<_>>();
+            let told = PyDict::new(py);
+            told.set_item("about", about)?;
+            told.set_item("choices", choices.iter().map(names).collect::<Vec<_>>())?;
+            told.set_item("bits", question.information)?;
+            Ok(Some(told))
+        })
+    }
+
+    /// Takes in the answer to the last question: `"yes"`, `"no"` (which also means none of these), or the position of a choice, from 0 on.
+    /// Returns as `feedback`.
+    fn answer(&self, answer: &Bound<'_, PyAny>) -> PyResult<&'static str> {
+        let py = answer.py();
+        let said = match answer.extract::<String>().as_deref() {
+            Ok("yes") => Answer::Yes,
+            Ok("no") => Answer::No,
+            _ => Answer::This(
+                answer.extract().map_err(|_| value(format!("{answer} is no answer; say \"yes\", \"no\" or the position of a choice")))?,
+            ),
+        };
+        self.with(|mind| mind.core.answer(said).map(evidence_name).map_err(|refused| error::agent(py, refused)))
     }
 
     /// Ends the session and learns from it. Returns how many older sessions gave way because memory was full.

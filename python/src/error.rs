@@ -56,6 +56,7 @@ pub fn agent(py: Python<'_>, error: AgentError) -> PyErr {
         | AgentError::NotApplicable
         | AgentError::Prior { .. }
         | AgentError::NoPrior
+        | AgentError::NoAnswer
         | AgentError::Strategy(_)
         | AgentError::Setting(_) => value(error),
         _ => SessionError::new_err(error.to_string()),

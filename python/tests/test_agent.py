@@ -203,3 +203,20 @@ def test_demonstrations_teach_too(home: goodbot.Home) -> None:
         state = home.step(state, action) or state
     assert agent.finish(home) == 0
     assert agent.sessions == 1
+
+
+def test_a_question_is_answered_and_tells_what_was_meant(home: goodbot.Home) -> None:
+    agent = goodbot.Agent()
+    agent.hear(home, home.start, "over there")
+    agent.plan(home, home.start)
+    assert agent.ask(home, home.start, kappa=float("inf")) is None
+    question = agent.ask(home, home.start, kappa=0.5)
+    assert question is not None and question["bits"] > 0
+    with pytest.raises(ValueError):
+        agent.answer("perhaps")
+    before = dict(zip(agent.tasks, agent.beliefs, strict=True))
+    chosen = question["choices"][0]
+    assert agent.answer(0 if question["about"] == "which" else "yes") == "used"
+    assert all(agent.beliefs[agent.tasks.index(task)] > before[task] for task in chosen)
+    with pytest.raises(goodbot.SessionError):
+        agent.answer("yes")

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import _thread
+import signal
 import threading
 import time
+from collections.abc import Iterator
 
 import pytest
 
@@ -69,6 +71,15 @@ def interrupted(agent: goodbot.Agent, hall: goodbot.Home, after: float) -> bool:
     return False
 
 
+@pytest.fixture
+def interruptible() -> Iterator[None]:
+    """A shell starts what runs in its background deaf to ctrl-C; here it is heard."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.usefixtures("interruptible")
 def test_planning_stops_on_ctrl_c_and_goes_on_when_asked_to(hall: goodbot.Home) -> None:
     # On a busy machine the interruption may come when all is done.
     agents = (heard(hall) for _ in range(20))

@@ -1,11 +1,12 @@
 //! Questions of the robot's, as a page shows them, and the trainer's answers.
 
 use crate::log::{AnswerLine, Line};
-use crate::training::{described, task_name, task_words};
-use crate::view::{Question, Told};
+use crate::training::task_name;
+use crate::view::{About, Question, Told};
 use crate::world::{Refusal, World};
 use goodbot::asking::{Answer, Asking, Considered, Subject};
 use goodbot::home::BLOCK_IN_ROOM;
+use goodbot::oomdp::ObjectId;
 use goodbot::session::Evidence;
 
 impl World {
@@ -29,27 +30,26 @@ impl World {
     pub fn open_question(&self) -> Option<Question> {
         let (agent, home) = (self.agent(), self.home());
         let question = agent.open_question()?;
-        let task = |task: u8| {
-            let grounded = agent.tasks().get(usize::from(task))?;
-            Some(task_words(home, agent.lifted().get(usize::from(grounded.lifted))?, grounded))
-        };
-        let (text, choices) = match question.subject {
-            Subject::Object(object) => (format!("Do you mean the {}?", described(home, object)), vec![]),
+        let name = |object: ObjectId| home.objects().name(object).to_owned();
+        let yes: Vec<usize> = question.yes.iter().collect();
+        let (about, objects) = match question.subject {
+            Subject::Object(object) => (About::Object, vec![name(object)]),
             Subject::Kind(kind) => {
                 let carries = agent.lifted().get(usize::from(kind))?.propositions().iter().any(|part| part.proposition == BLOCK_IN_ROOM);
-                (if carries { "Shall I carry something?" } else { "Shall I go somewhere myself?" }.to_owned(), vec![])
+                (if carries { About::Carrying } else { About::Moving }, vec![])
             }
-            Subject::Task(position) => (format!("Do you mean: {}?", task(position)?), vec![]),
+            Subject::Task(_) => (About::Task, vec![]),
             Subject::WhichObject(objects, count) => {
-                let choices = objects.iter().take(usize::from(count)).map(|&object| format!("the {}", described(home, object)));
-                ("Which of these do you mean?".to_owned(), choices.collect())
+                (About::WhichObject, objects.iter().take(usize::from(count)).map(|&object| name(object)).collect())
             }
-            Subject::WhichTask(tasks, count) => (
-                "Which of these do you mean?".to_owned(),
-                tasks.iter().take(usize::from(count)).filter_map(|&position| task(position)).collect(),
-            ),
+            Subject::WhichTask(..) => (About::WhichTask, vec![]),
         };
-        Some(Question { text, choices, tasks: question.yes.iter().collect(), information: question.information })
+        let choices = match question.subject {
+            Subject::WhichTask(tasks, count) => tasks.iter().take(usize::from(count)).map(|&task| usize::from(task)).collect(),
+            Subject::Task(task) => vec![usize::from(task)],
+            _ => vec![],
+        };
+        Some(Question { about, objects, choices, tasks: yes, information: question.information })
     }
 
     /// Takes in the answer to the question that was proposed last: `yes`, `no` (none of these, where there is something to choose), or the

@@ -1,6 +1,7 @@
 //! The surface for JavaScript: one class, `Goodbot`. Texts that are said to be JSON have the fields of the named struct of
 //! [`view`](crate::view). A refusal is thrown as an `Error` whose message is for people.
 
+use goodbot::feedback::Strategy;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -72,7 +73,7 @@ impl Goodbot {
         self.0.pulls()
     }
 
-    /// Whether the robot also learns how its trainer uses reward and punishment.
+    /// Whether the robot expects what real people do, and learns how its trainer uses reward and punishment.
     #[wasm_bindgen(js_name = setLearnsStyle)]
     pub fn set_learns_style(&mut self, learns: bool) -> Thrown<()> {
         self.0.set_learns_style(learns).map_err(thrown)
@@ -84,10 +85,16 @@ impl Goodbot {
         self.0.learns_style()
     }
 
-    /// Replaces the trainer strategies by those of a log: four numbers each, mu+, mu-, epsilon and how probable it is.
+    /// Replaces the trainer strategies by those of a log: seven numbers each, mu+, mu-, epsilon, how probable it is, and its three lags.
     #[wasm_bindgen(js_name = setStrategies)]
     pub fn set_strategies(&mut self, numbers: &[f32]) -> Thrown<()> {
-        self.0.set_strategies(numbers).map_err(thrown)
+        let mut strategies = Vec::new();
+        for strategy in numbers.as_chunks::<7>().0 {
+            let &[mu_plus, mu_minus, epsilon, prior, lags @ ..] = strategy;
+            let strategy = Strategy::new(mu_plus, mu_minus, epsilon).and_then(|strategy| strategy.with_lags(lags));
+            strategies.push((strategy.map_err(|error| thrown(Refusal::from(error)))?, prior));
+        }
+        self.0.set_strategies(&strategies).map_err(thrown)
     }
 
     /// Takes up the last command again in the same home, as a log has it: what was believed goes on.
@@ -160,6 +167,13 @@ impl Goodbot {
         json(&self.0.answer(answer).map_err(thrown)?)
     }
 
+    /// Takes in an answer as a log has it: the names of its tasks on a line each, whether what is meant is among them, how often that is wrong,
+    /// and how many other answers there were.
+    #[wasm_bindgen(js_name = answerAs)]
+    pub fn answer_as(&mut self, tasks: &str, yes: bool, eta: f32, others: u8) -> Thrown<()> {
+        self.0.answer_as(tasks.lines().map(str::to_owned).collect(), yes, eta, others).map_err(thrown)
+    }
+
     /// What a simulated trainer who means the given task says to the last action.
     #[wasm_bindgen(js_name = simulatedFeedback)]
     pub fn simulated_feedback(&mut self, intended: usize) -> Thrown<String> {
@@ -185,6 +199,12 @@ impl Goodbot {
     /// Ends the session without learning from it.
     pub fn forget(&mut self) {
         self.0.forget();
+    }
+
+    /// Ends the session without learning from it, so that `hearAgain` can take it up again.
+    #[wasm_bindgen(js_name = setAside)]
+    pub fn set_aside(&mut self) {
+        self.0.set_aside();
     }
 
     /// The session under way as lines of a log that is not learned from.

@@ -121,9 +121,9 @@ impl Recording {
 pub const PULLING: &[&str] = &["north", "south", "east", "west", "pull"];
 
 /// The strategies as logs have them; `None` for the paper's one, which every robot starts with.
-pub fn strategies(strategies: &[(Strategy, f32)], name: impl Fn(usize) -> String) -> Option<Vec<StrategyLine>> {
-    let line = |(at, (strategy, prior)): (usize, &(Strategy, f32))| StrategyLine {
-        name: name(at),
+pub fn strategies(strategies: &[(Strategy, f32)]) -> Option<Vec<StrategyLine>> {
+    let line = |(number, (strategy, prior)): (usize, &(Strategy, f32))| StrategyLine {
+        name: format!("strategy {}", number + 1),
         mu_plus: strategy.mu_plus(),
         mu_minus: strategy.mu_minus(),
         epsilon: strategy.epsilon(),

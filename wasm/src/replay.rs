@@ -9,25 +9,28 @@ use goodbot::feedback::Strategy;
 use goodbot::oomdp::{action_named, apply};
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet};
 use goodbot_formats::session::{Kind, RecordedSession, StrategyRecord};
-use goodbot_formats::task_text::GroundTaskText;
 
 use crate::log::{AnswerLine, Line, Step};
 use crate::training::task_name;
 use crate::world::{Refusal, World};
 
 impl World {
-    /// Replaces the trainer strategies: for each its mu+, its mu-, its epsilon and how probable it is. A session under way ends unlearned.
+    /// Takes the trainer strategies of a log, each with how probable it is, in any unit. Where they are what is believed already, to the last
+    /// bit, nothing changes: a log of this robot's own teaches it the same again. A session under way ends unlearned.
     ///
     /// # Errors
     /// What is no probability.
-    pub fn set_strategies(&mut self, numbers: &[f32]) -> Result<(), Refusal> {
-        let mut strategies = Vec::new();
-        for strategy in numbers.as_chunks().0 {
-            let &[mu_plus, mu_minus, epsilon, prior] = strategy;
-            strategies.push((Strategy::new(mu_plus, mu_minus, epsilon).map_err(Refusal::from)?, prior));
-        }
+    pub fn set_strategies(&mut self, strategies: &[(Strategy, f32)]) -> Result<(), Refusal> {
         self.forget();
-        self.mind.set_strategies(&strategies).map_err(Refusal::from)
+        let belief = self.agent().belief();
+        let known = belief.strategies().iter().enumerate().map(|(at, (strategy, _))| (*strategy, belief.strategy_probability(at)));
+        if known.eq(strategies.iter().copied()) {
+            return Ok(());
+        }
+        // The largest is 1, so that single precision never makes all of them 0.
+        let largest = strategies.iter().map(|(_, prior)| *prior).fold(0.0, f32::max);
+        let scaled: Vec<_> = strategies.iter().map(|(strategy, prior)| (*strategy, prior / largest)).collect();
+        self.mind.set_strategies(&scaled).map_err(Refusal::from)
     }
 
     /// Hears a command with a prior for each task by its name in logs, instead of what the words say; 0 for the tasks that are not named. A
@@ -84,26 +87,29 @@ impl World {
         Ok(())
     }
 
+    /// Takes in an answer that is told in full, as a log has it: whether what is meant is among the tasks of these names, how often that is
+    /// wrong, and how many other answers there were.
+    ///
+    /// # Errors
+    /// A name that is no task's; what [`Agent::answered`](goodbot::Agent::answered) refuses.
+    pub fn answer_as(&mut self, names: Vec<String>, yes: bool, eta: f32, others: u8) -> Result<(), Refusal> {
+        let known = self.belief().tasks;
+        let position =
+            |name: &String| known.iter().position(|task| task.name == *name).ok_or_else(|| Refusal(format!("{name} is no task here")));
+        let tasks = names.iter().map(position).collect::<Result<TaskSet, Refusal>>()?;
+        let _ = self.mind.answered(tasks, yes, eta, others).map_err(Refusal::from)?;
+        if let Some(recording) = &mut self.recording {
+            recording.steps.push(Line::Answer(AnswerLine::new(names, yes, eta, others)));
+        }
+        Ok(())
+    }
+
     /// Takes in the answers of a recorded session that stand behind so many steps.
     fn take_recorded_answers(&mut self, session: &RecordedSession, steps: usize) -> Result<(), Refusal> {
-        let names: Vec<String> = self.belief().tasks.into_iter().map(|task| task.name).collect();
         for recorded in session.answers_after(steps) {
             let answer = &recorded.answer;
-            let position = |name: &GroundTaskText| {
-                let name = name.to_string();
-                names.iter().position(|known| *known == name).ok_or_else(|| Refusal(format!("{name} is no task here")))
-            };
-            let tasks = answer.tasks.iter().map(position).collect::<Result<TaskSet, Refusal>>()?;
-            let (yes, eta, others) = (answer.yes, answer.eta as f32, answer.others);
-            let _ = self.mind.answered(tasks, yes, eta, others).map_err(Refusal::from)?;
-            if let Some(recording) = &mut self.recording {
-                recording.steps.push(Line::Answer(AnswerLine::new(
-                    answer.tasks.iter().map(ToString::to_string).collect(),
-                    yes,
-                    eta,
-                    others,
-                )));
-            }
+            let names = answer.tasks.iter().map(ToString::to_string).collect();
+            self.answer_as(names, answer.yes, answer.eta as f32, answer.others)?;
         }
         Ok(())
     }
@@ -124,16 +130,13 @@ impl World {
             self.set_pulls(header.action_names().any(|name| name == "pull"))?;
             self.set_environment(&header.environment.to_json_line())?;
             if let Some(records) = &header.strategies {
-                let largest = records.iter().map(|record| record.prior).fold(0.0, f64::max);
                 let strategy = |record: &StrategyRecord| -> Result<(Strategy, f32), Refusal> {
                     let strategy = Strategy::new(record.mu_plus as f32, record.mu_minus as f32, record.epsilon as f32);
                     let lags = record.lags.map_or(Strategy::NO_LAG, |lags| lags.map(|lag| lag as f32));
                     let strategy = strategy.and_then(|strategy| strategy.with_lags(lags)).map_err(Refusal::from)?;
-                    Ok((strategy, (record.prior / largest) as f32))
+                    Ok((strategy, record.prior as f32))
                 };
-                let strategies = records.iter().map(strategy).collect::<Result<Vec<_>, Refusal>>()?;
-                self.forget();
-                self.mind.set_strategies(&strategies).map_err(Refusal::from)?;
+                self.set_strategies(&records.iter().map(strategy).collect::<Result<Vec<_>, Refusal>>()?)?;
             }
             match &header.prior {
                 None => self.hear(&header.command)?,
@@ -162,7 +165,7 @@ impl World {
             self.finish()?;
             while !self.learn(u32::MAX) {}
         } else {
-            self.forget();
+            self.set_aside();
         }
         Ok(())
     }

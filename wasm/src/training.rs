@@ -3,7 +3,7 @@
 //! [`World::hear`], then over and over [`World::plan`] until it is done, [`World::act`], [`World::judge`]; at the end [`World::finish`] and
 //! [`World::learn`] until it is done, or [`World::forget`].
 
-use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
+use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy, population};
 use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, HomeState, Place, ROOM, SHAPE};
 use goodbot::language::{Model, for_each_piece, for_each_word};
 use goodbot::memory::HomeMemory;
@@ -19,28 +19,19 @@ use crate::view::{Belief, Decided, Evidence, Heat, Route, Support, Task, Trainer
 use crate::words::support;
 use crate::world::{Acted, Refusal, World, thing};
 
-/// The authors' strategies for a robot that also learns how its trainer uses feedback: name, mu+, mu-, prior.
-const STYLES: [(&str, f32, f32, f32); 3] = [("balanced", 0.75, 0.75, 0.32), ("R+/P-", 0.75, 0.85, 0.36), ("R-/P+", 0.85, 0.75, 0.32)];
-const EPSILON: f32 = 0.1;
-
 /// How probable a task that is done already must be for a robot that does nothing.
 const CLEARLY: f32 = 0.6;
 
 impl World {
-    /// Whether the robot also learns how its trainer uses reward and punishment. A session under way ends unlearned.
+    /// Whether the robot expects what real people do, and learns how its trainer uses reward and punishment; else it expects the paper's
+    /// balanced trainer. A session under way ends unlearned.
     ///
     /// # Errors
     /// None where the built-in strategies are sound.
     pub fn set_learns_style(&mut self, learns: bool) -> Result<(), Refusal> {
         self.forget();
-        let mut strategies = vec![(Strategy::BALANCED, 1.0)];
-        if learns {
-            strategies.clear();
-            for (_, mu_plus, mu_minus, prior) in STYLES {
-                strategies.push((Strategy::new(mu_plus, mu_minus, EPSILON).map_err(Refusal::from)?, prior));
-            }
-        }
-        self.mind.set_strategies(&strategies).map_err(Refusal::from)
+        let strategies: &[(Strategy, f32)] = if learns { &population::STRATEGIES } else { &[(Strategy::BALANCED, 1.0)] };
+        self.mind.set_strategies(strategies).map_err(Refusal::from)
     }
 
     /// Whether the robot learns how its trainer uses reward and punishment.
@@ -83,7 +74,7 @@ impl World {
                     let lifted = mind.lifted().get(usize::from(task.lifted))?;
                     task.propositions(lifted).all(|part| home.holds(&part, state)).then(|| task_words(home, lifted, task))
                 });
-                mind.forget();
+                mind.forget_evidence();
                 if done.is_none() {
                     break;
                 }
@@ -102,7 +93,7 @@ impl World {
         let Self { mind, scout, rooms, state, .. } = self;
         scout.set_tasks(rooms, mind.lifted(), mind.tasks(), state).map_err(Refusal::from)?;
         let known = mind.belief().strategies();
-        let strategies = if continues { None } else { strategies(known, |at| style_name(known, at)) };
+        let strategies = if continues { None } else { strategies(known) };
         let command = command.to_owned();
         self.recording = Some(Recording { command, environment, actions, continues, kind: "feedback", strategies, steps: Vec::new() });
         Ok(())
@@ -241,8 +232,17 @@ impl World {
         self.mind.learn(budget) == Progress::Done
     }
 
-    /// Ends the session, if one is under way, without learning from it.
+    /// Ends the session, if one is under way, without learning from it: of the trainer, too, the robot believes what it believed before.
     pub fn forget(&mut self) {
+        if self.recording.take().is_some() {
+            self.mind.forget_evidence();
+        }
+        (self.acted, self.ahead) = (None, None);
+    }
+
+    /// Ends the session, if one is under way, without learning from it, so that it can be taken up again with
+    /// [`hear_again`](Self::hear_again).
+    pub fn set_aside(&mut self) {
         if self.recording.take().is_some() {
             self.mind.forget();
         }
@@ -273,15 +273,24 @@ impl World {
             let probability = agent.belief().probability(position);
             Some(Task { name: task_name(home, lifted, task), words: task_words(home, lifted, task), probability })
         };
-        let known = agent.belief().strategies();
+        Belief { tasks: tasks.iter().enumerate().filter_map(named).collect(), trainer: self.trainer() }
+    }
+
+    /// What is believed of the trainer, over all strategies.
+    fn trainer(&self) -> TrainerStyle {
+        let belief = self.agent().belief();
         // What the words of a command say must not seem to change the trainer, not by one bit.
-        let has_evidence = agent.belief().has_evidence();
-        let style = |(at, &(_, begun)): (usize, &(Strategy, f32))| {
-            let probability = if has_evidence { agent.belief().strategy_probability(at) } else { begun };
-            TrainerStyle { name: style_name(known, at), probability }
-        };
-        let strategies = known.iter().enumerate().map(style);
-        Belief { tasks: tasks.iter().enumerate().filter_map(named).collect(), strategies: strategies.collect() }
+        let has_evidence = belief.has_evidence();
+        let mut style = TrainerStyle { learned: self.learns_style(), good: 0.0, bad: 0.0, mistakes: 0.0, late: 0.0 };
+        for (at, &(strategy, begun)) in belief.strategies().iter().enumerate() {
+            let share = if has_evidence { belief.strategy_probability(at) } else { begun };
+            let [_, late, later] = strategy.lags();
+            style.good += share * (1.0 - strategy.mu_plus());
+            style.bad += share * (1.0 - strategy.mu_minus());
+            style.mistakes += share * strategy.epsilon();
+            style.late += share * (late + later);
+        }
+        style
     }
 
     /// Begins to look where a task would lead from here: [`look`](Self::look) until that is done.
@@ -339,14 +348,6 @@ impl World {
             letters: self.agent().options().language.letters_kept(),
         }
     }
-}
-
-/// The name of a strategy in logs, which a model file does not keep.
-fn style_name(known: &[(Strategy, f32)], at: usize) -> String {
-    let Some((strategy, _)) = known.get(at) else { return String::new() };
-    let alike =
-        |(_, mu_plus, mu_minus, _): &&(&str, f32, f32, f32)| Strategy::new(*mu_plus, *mu_minus, EPSILON).is_ok_and(|it| it == *strategy);
-    STYLES.iter().find(alike).map_or_else(|| format!("style{at}"), |style| style.0.to_owned())
 }
 
 fn route(home: &Home<impl HomeMemory>, states: &[HomeState]) -> Option<Route> {

@@ -71,13 +71,19 @@ pub struct Task {
     pub probability: f32,
 }
 
-/// A way in which the trainer may use reward and punishment.
-#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
+/// How the trainer uses reward and punishment, as far as the robot knows: probabilities.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Tsify)]
 pub struct TrainerStyle {
-    /// Its name in logs.
-    pub name: String,
-    /// How probable it is now.
-    pub probability: f32,
+    /// Whether the robot learns that; else it takes the paper's balanced trainer for certain.
+    pub learned: bool,
+    /// How often something is said to a right step.
+    pub good: f32,
+    /// How often something is said to a wrong step.
+    pub bad: f32,
+    /// How often a step is taken for the wrong kind.
+    pub mistakes: f32,
+    /// How often a word is meant for a step before the last one.
+    pub late: f32,
 }
 
 /// What the robot believes.
@@ -85,8 +91,8 @@ pub struct TrainerStyle {
 pub struct Belief {
     /// The tasks, in an order that stays for the session.
     pub tasks: Vec<Task>,
-    /// The trainer's strategies.
-    pub strategies: Vec<TrainerStyle>,
+    /// How the trainer uses reward and punishment.
+    pub trainer: TrainerStyle,
 }
 
 /// What the robot does next.
@@ -119,13 +125,33 @@ pub struct Evidence {
     pub after: Vec<f32>,
 }
 
-/// A question of the robot's.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+/// What a question is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub enum About {
+    /// Whether this room or block is meant.
+    Object,
+    /// Whether something is to be carried.
+    Carrying,
+    /// Whether the robot itself is to go somewhere.
+    Moving,
+    /// Whether this task is meant.
+    Task,
+    /// Which of these rooms or blocks is meant.
+    WhichObject,
+    /// Which of these tasks is meant.
+    WhichTask,
+}
+
+/// A question of the robot's. The answer is yes or no where it is not about which of several; there it is one of them, or none.
+#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Question {
-    /// The question as a person hears it: `Do you mean the red room?`
-    pub text: String,
-    /// What there is to choose from, beside "none of these"; nothing where the answer is yes or no.
-    pub choices: Vec<String>,
+    /// What it is about.
+    pub about: About,
+    /// The names of the rooms or blocks that it is about.
+    pub objects: Vec<String>,
+    /// The tasks that it is about, by position.
+    pub choices: Vec<usize>,
     /// The tasks for which the answer is yes; where there is something to choose, all that can be chosen.
     pub tasks: Vec<usize>,
     /// What an answer is expected to tell, in bits.
@@ -133,7 +159,7 @@ pub struct Question {
 }
 
 /// What an answer said about each task.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Told {
     /// What came of it: `used`, or `impossible` under every task.
     pub outcome: &'static str,

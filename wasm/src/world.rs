@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use goodbot::feedback::population;
 use goodbot::home::Map;
 use goodbot::home::{self, Area, BLOCK, COLOR, Cell, DOOR, Home, HomeBuilder, HomeError, HomeState, Moves, ROOM, SHAPE};
 use goodbot::memory::{AgentHeap, HomeHeap, HomeMemory};
@@ -68,9 +69,12 @@ impl fmt::Debug for World {
     }
 }
 
+/// A mind that has learned nothing yet, and expects what real people do.
 fn new_mind(capacities: &Capacities) -> Result<Agent<AgentHeap>, Refusal> {
     let lifted = home::paper_tasks().map_err(Refusal::from)?;
-    Agent::new(AgentHeap::new(capacities), &lifted, Options::DEFAULT).map_err(Refusal::from)
+    let mut mind = Agent::new(AgentHeap::new(capacities), &lifted, Options::DEFAULT).map_err(Refusal::from)?;
+    mind.set_strategies(&population::STRATEGIES).map_err(Refusal::from)?;
+    Ok(mind)
 }
 
 /// Builds the home of a file. The message of a refusal names the object.

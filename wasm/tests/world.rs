@@ -1,6 +1,7 @@
 //! The world that the page shows, as examples.
 
 use goodbot_formats::session::SessionReader;
+use goodbot_wasm::view::About;
 use goodbot_wasm::world::check;
 use goodbot_wasm::{World, course};
 
@@ -219,7 +220,10 @@ fn a_recorded_prior_leaves_what_is_believed_of_the_trainer_to_the_last_bit() {
     let mut world = world("A");
     world.set_learns_style(true).unwrap();
     train(&mut world, "go to the red room", "agentInRoom(agent0,room2)");
-    let believed = |world: &World| world.belief().strategies.iter().map(|style| style.probability.to_bits()).collect::<Vec<_>>();
+    let believed = |world: &World| {
+        let style = world.belief().trainer;
+        [style.good, style.bad, style.mistakes, style.late].map(f32::to_bits)
+    };
     let mut other = World::new(7).unwrap();
     other.restore(&world.save().unwrap()).unwrap();
     other.set_environment(&world.environment()).unwrap();
@@ -228,4 +232,64 @@ fn a_recorded_prior_leaves_what_is_believed_of_the_trainer_to_the_last_bit() {
     world.hear("go to the red room").unwrap();
     other.hear_with_prior("go to the red room", [("agentInRoom(agent0,room1)", 1.0)].into_iter()).unwrap();
     assert_eq!(believed(&other), believed(&world));
+}
+
+#[test]
+fn what_is_dropped_leaves_the_robot_as_it_was_and_its_trainer_too() {
+    let mut world = world("D");
+    train(&mut world, "take the blue chair to the yellow room", "blockInRoom(block0,room2)");
+    world.hear("go to the yellow room").unwrap();
+    world.forget();
+    let before = world.save().unwrap();
+    world.hear("go to the yellow room").unwrap();
+    for _ in 0..3 {
+        while !world.plan(1_000).unwrap() {}
+        world.act().unwrap();
+        world.judge("punish").unwrap();
+    }
+    world.forget();
+    assert_eq!(world.save().unwrap(), before);
+}
+
+/// Hears unknown words where much could be meant, until the robot asks.
+fn asked(world: &mut World) -> goodbot_wasm::view::Question {
+    world.hear("abrakadabra").unwrap();
+    while !world.plan(1_000).unwrap() {}
+    loop {
+        if let Some(question) = world.question(8.0, 0.05, 1_000).unwrap() {
+            return question.expect("it has something to ask");
+        }
+    }
+}
+
+#[test]
+fn an_answer_stands_in_the_log_and_the_log_believes_the_same() {
+    let mut first = world("Test");
+    let question = asked(&mut first);
+    let choice = question.about == About::WhichObject || question.about == About::WhichTask;
+    first.answer(if choice { "1" } else { "yes" }).unwrap();
+    let believed = first.belief().tasks;
+    let log = first.log(false).unwrap();
+    let answer = log.lines().find(|line| line.contains("\"answer\"")).unwrap();
+    let sessions: Vec<_> = SessionReader::new(log.as_bytes()).collect::<Result<_, _>>().unwrap();
+    assert_eq!(sessions[0].answers.len(), 1);
+    let mut second = world("Test");
+    second.hear("abrakadabra").unwrap();
+    let recorded = &sessions[0].answers[0].answer;
+    let names: Vec<String> = recorded.tasks.iter().map(ToString::to_string).collect();
+    second.answer_as(names, recorded.yes, recorded.eta as f32, recorded.others).unwrap();
+    assert_eq!(second.belief().tasks, believed, "{answer}");
+    assert!(second.log(false).unwrap().contains(answer));
+    assert!(second.answer_as(vec!["agentInRoom(agent0,room9)".to_owned()], true, 0.05, 1).unwrap_err().0.contains("room9"));
+}
+
+#[test]
+fn an_answer_to_no_question_or_of_no_kind_is_refused() {
+    let mut world = world("Test");
+    assert!(world.answer("yes").is_err());
+    asked(&mut world);
+    assert!(world.answer("perhaps").unwrap_err().0.contains("perhaps"));
+    assert!(world.answer("0").is_err());
+    assert!(world.answer("99").is_err());
+    assert!(world.open_question().is_some(), "the question still waits");
 }

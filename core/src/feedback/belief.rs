@@ -119,6 +119,12 @@ impl<'t> BeliefRef<'t> {
         total((0..self.count.tasks).map(|task| self.weight_with(task, strategy))).over(whole).clamp(0.0, 1.0)
     }
 
+    /// What the next session begins with: without evidence the probability that the strategy had, which rounding must not change.
+    pub(crate) fn carried(self, strategy: usize, has_evidence: bool) -> f32 {
+        let before = self.strategies().get(strategy).map_or(0.0, |&(_, probability)| probability);
+        if has_evidence { self.strategy_probability(strategy) } else { before }
+    }
+
     /// Whether anything was observed since the start that tells tasks or strategies apart. Before that, the strategies are as probable as
     /// [`strategies`](Self::strategies) says; [`strategy_probability`](Self::strategy_probability) is that but for rounding.
     pub fn has_evidence(self) -> bool {
@@ -192,8 +198,9 @@ impl<'t> Belief<'t> {
     /// A [`CapacityError`] where there is no room for so many tasks and strategies; the belief is then about no tasks.
     pub fn restart(&mut self, priors: impl ExactSizeIterator<Item = Scaled>, drift: f32) -> Result<(), CapacityError> {
         if self.count.tasks > 0 {
+            let has_evidence = self.read().has_evidence();
             for strategy in 0..self.count.strategies {
-                let marginal = self.read().strategy_probability(strategy);
+                let marginal = self.read().carried(strategy, has_evidence);
                 let expected = self.read().expected(strategy);
                 if let Some(slot) = self.memory.strategies.get_mut(strategy) {
                     slot.1 = (1.0 - drift) * marginal + drift * expected;

@@ -222,8 +222,8 @@ impl<'t> LanguageRef<'t> {
     /// q_l(e) pi_t Pr(e|t) / Z_l^(1/2),   Z_l the sum of pi_t Pr(e|t) over the tasks of the kind,
     /// ```
     ///
-    /// and leaves half of what of the words is not known to what is probable without words, the tasks' `prior`. Model 2 leaves them as they
-    /// are.
+    /// with Z_l^(3/4) where tasks have ways, whose kinds differ by few words; and leaves half of what of the words is not known to what is
+    /// probable without words, the tasks' `prior`. Model 2 leaves them as they are.
     pub fn weigh_kinds(
         self,
         sentence: &[Option<Symbol>],
@@ -242,6 +242,7 @@ impl<'t> LanguageRef<'t> {
             }
             let whole = total(weights.iter().enumerate().filter(|&(task, _)| form(task) == token).map(|(_, &weight)| weight));
             let root = whole.square_root();
+            let root = if self.tables.layout().has_ways() { root.times(root.square_root()) } else { root };
             let kind = self.kind_of_task(sentence, token);
             for (_, weight) in weights.iter_mut().enumerate().filter(|&(task, _)| form(task) == token) {
                 *weight = weight.divided_by(root).scaled_by(kind);

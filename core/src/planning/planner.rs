@@ -184,6 +184,10 @@ impl Planner {
         let words = D::Search::grid(domain).and_then(|grid| RowSearch::words_needed(grid, &seen, TaskSet::first(tasks.len())));
         let states = words.map(Capacities::states_of).or_else(|| one_by_one::states_needed(domain));
         let states = states.or(D::Search::grid(domain).map(|_| 0));
+        // A way has a copy of the world for each state that it can be in.
+        let ways = Ways { lifted, tasks };
+        let of_way = |task| ways.product(domain, task).and_then(|(product, _)| one_by_one::states_needed(&product));
+        let states = states.map(|states| ways.all().iter().filter_map(of_way).fold(states, usize::max));
         Ok((parts, states.ok_or(CapacityError::new(Capacity::States, 0, usize::MAX))?))
     }
 

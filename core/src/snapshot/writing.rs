@@ -62,7 +62,7 @@ impl Serialize for Writing<'_> {
         let strategies = || {
             let known = self.strategies.map_or(&[][..], BeliefRef::strategies);
             known.iter().enumerate().map(|(position, &(strategy, before))| {
-                let probability = self.strategies.map_or(before, |belief| belief.strategy_probability(position));
+                let probability = self.strategies.map_or(before, |belief| belief.carried(position, belief.has_evidence()));
                 StrategyRecord::new(strategy, probability)
             })
         };

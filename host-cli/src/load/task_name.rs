@@ -38,13 +38,46 @@ pub fn task_name<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &Gro
 
 /// A task in a person's words: `go to the green room`, `take the blue chair to the red room`.
 pub fn in_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
-    let part = |part: goodbot::oomdp::GroundProposition| {
+    let part = |part: GroundProposition| {
         let [subject, place, _] = part.arguments;
         let goes = home.world().objects.get(subject).is_some_and(|known| known.class == AGENT);
         let subject = if goes { "go".to_owned() } else { format!("take {}", thing(home, subject)) };
         format!("{subject} to {}", thing(home, place))
     };
-    task.propositions(lifted).map(part).collect::<Vec<_>>().join(" and ")
+    let goal = task.propositions(lifted).map(part).collect::<Vec<_>>().join(" and ");
+    way_in_words(goal, lifted, task, part, |it| place_in_words(home, it, |object| thing(home, object)))
+}
+
+/// A goal in words, with its way: `go to the green room, but not through the yellow room`. `goal_words` says an earlier goal, `place` what is
+/// gone through.
+pub fn way_in_words(
+    goal: String,
+    lifted: &LiftedTask,
+    task: &GroundedTask,
+    goal_words: impl Fn(GroundProposition) -> String,
+    place: impl Fn(GroundProposition) -> String,
+) -> String {
+    let way: Vec<(Part, GroundProposition)> = Way::of(task, lifted).parts().collect();
+    let all = |wanted: Part, words: &dyn Fn(GroundProposition) -> String| -> Vec<String> {
+        way.iter().filter(|&&(part, _)| part == wanted).map(|&(_, it)| words(it)).collect()
+    };
+    let stages = (0..).map(|stage| all(Part::Before(stage), &goal_words)).take_while(|goals| !goals.is_empty());
+    let clauses = (0..).map(|clause| all(Part::Through(clause), &place)).take_while(|places| !places.is_empty());
+    let avoiding = all(Part::Avoiding, &place);
+    let mut words: String = stages.map(|goals| format!("{}, then ", goals.join(" and "))).collect();
+    words.push_str(&goal);
+    words.extend(clauses.map(|places| format!(", through {}", places.join(" or "))));
+    if !avoiding.is_empty() {
+        words.push_str(&format!(", but not through {}", avoiding.join(" or ")));
+    }
+    words
+}
+
+/// What a way goes through: a room, or a room with something else than the robot in it. `said` names an object.
+pub fn place_in_words(home: &Home<impl HomeMemory>, part: GroundProposition, said: impl Fn(ObjectId) -> String) -> String {
+    let [subject, place, _] = part.arguments;
+    let goes = home.world().objects.get(subject).is_some_and(|known| known.class == AGENT);
+    if goes { said(place) } else { format!("{} with {} in it", said(place), said(subject)) }
 }
 
 /// An object by its looks, and by its name where others look the same.

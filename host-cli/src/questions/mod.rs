@@ -2,7 +2,7 @@
 //!
 //! - [`simulation`]: one session.
 
-mod simulation;
+pub mod simulation;
 
 use crate::messages::bar;
 use crate::outcome::Failure;

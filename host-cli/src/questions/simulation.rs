@@ -124,7 +124,7 @@ pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result
 }
 
 /// What a trainer answers who means the intended task, and is wrong with probability `eta`.
-fn answer(question: &Question, intended: usize, eta: f32, random: &mut impl Rng) -> Answer {
+pub fn answer(question: &Question, intended: usize, eta: f32, random: &mut impl Rng) -> Answer {
     let wrong = unit(random) < eta;
     let count = usize::from(question.subject.choices());
     if count == 0 {

@@ -1,13 +1,14 @@
 //! Tasks, objects and ideas as a person calls them.
 
+use crate::load::task_name::{place_in_words, way_in_words};
 use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, ROOM, SHAPE};
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::{Domain, ObjectId};
+use goodbot::oomdp::{Domain, GroundProposition, ObjectId};
 use goodbot::task::{GroundedTask, LiftedTask};
 
-/// A task as a person says it: `take the yellow bag to the blue room`.
+/// A task as a person says it: `take the yellow bag to the blue room`, `go to the green room, but not through the yellow room`.
 pub fn task_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
-    let parts = task.propositions(lifted).map(|part| {
+    let goal = |part: GroundProposition| {
         let [subject, room, _] = part.arguments;
         let room = object_words(home, room);
         if part.proposition == BLOCK_IN_ROOM {
@@ -15,8 +16,9 @@ pub fn task_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &Grou
         } else {
             format!("go to the {room}")
         }
-    });
-    parts.collect::<Vec<_>>().join(" and ")
+    };
+    let goals = task.propositions(lifted).map(goal).collect::<Vec<_>>().join(" and ");
+    way_in_words(goals, lifted, task, goal, |it| place_in_words(home, it, |object| format!("the {}", object_words(home, object))))
 }
 
 /// An object by its looks; where another looks alike, by its name too.

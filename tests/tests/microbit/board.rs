@@ -1,7 +1,7 @@
 //! A micro:bit in the emulator: its serial line, its pins, its flash.
 
 use std::collections::BTreeMap;
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{BufRead, BufReader, Write};
 use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -42,21 +42,20 @@ impl Board {
         let name = format!("goodbot-{}-{}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
         let folder = std::env::temp_dir().join(name);
         std::fs::create_dir_all(&folder).unwrap();
-        let socket = |name: &str| format!("unix:{},server=on,wait=off", folder.join(name).display());
+        // It waits for the serial line, so that nothing it says is lost.
+        let socket = |name: &str, wait: &str| format!("unix:{},server=on,wait={wait}", folder.join(name).display());
         let mut emulator = Command::new(&setup.emulator);
-        emulator.args(["-M", "microbit", "-display", "none", "-monitor", "none", "-S"]);
+        emulator.args(["-M", "microbit", "-display", "none", "-monitor", "none"]);
         emulator.arg("-device").arg(format!("loader,file={}", setup.hex.display()));
         if let Some(slots) = slots {
             let file = folder.join("slots");
             std::fs::write(&file, slots).unwrap();
             emulator.arg("-device").arg(format!("loader,file={},addr={SLOTS:#x},force-raw=on", file.display()));
         }
-        emulator.args(["-serial", &socket("serial"), "-qtest", &socket("pins"), "-qtest-log", "/dev/null", "-gdb", &socket("gdb")]);
+        emulator.args(["-serial", &socket("serial", "on"), "-qtest", &socket("pins", "off"), "-qtest-log", "/dev/null"]);
         let emulator = emulator.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
         let (serial, pins) = (connect(&folder, "serial"), connect(&folder, "pins"));
         let mut board = Self { emulator, serial, pins, folder };
-        // It waited for us, so that nothing it says is lost.
-        board.debugger().go_on_alone();
         assert!(board.line().starts_with("goodbot on the micro:bit"));
         board
     }
@@ -161,11 +160,6 @@ impl Board {
         let digits = answer.trim_start_matches("0x");
         (0..digits.len()).step_by(2).map(|at| u8::from_str_radix(&digits[at..at + 2], 16).unwrap()).collect()
     }
-
-    /// Stops the board.
-    pub fn debugger(&self) -> Debugger {
-        Debugger { line: connect(&self.folder, "gdb") }
-    }
 }
 
 impl Drop for Board {
@@ -195,50 +189,6 @@ impl Looks {
             [(15, 6), (14, 10), (15, 4), (14, 9), (15, 5)],
         ];
         WIRED.map(|row| row.map(|light| Some(16.0 * self.lit.get(&light).copied().unwrap_or(0) as f32 / *self.rows.get(&light.0)? as f32)))
-    }
-}
-
-/// Stops and starts the board's processor.
-pub struct Debugger {
-    line: BufReader<UnixStream>,
-}
-
-impl Debugger {
-    fn send(&mut self, packet: &str) {
-        let sum = packet.bytes().fold(0_u8, u8::wrapping_add);
-        self.line.get_mut().write_all(format!("${packet}#{sum:02x}").as_bytes()).unwrap();
-    }
-
-    /// The next packet, or nothing where none comes within the time.
-    fn packet(&mut self, limit: Duration) -> Option<String> {
-        self.line.get_mut().set_read_timeout(Some(limit)).unwrap();
-        let mut skipped = Vec::new();
-        self.line.read_until(b'$', &mut skipped).ok()?;
-        let mut packet = Vec::new();
-        self.line.get_mut().set_read_timeout(Some(LIMIT)).unwrap();
-        self.line.read_until(b'#', &mut packet).unwrap();
-        self.line.read_exact(&mut [0; 2]).unwrap();
-        self.line.get_mut().write_all(b"+").unwrap();
-        packet.pop();
-        Some(String::from_utf8(packet).unwrap())
-    }
-
-    /// Lets the board run, and turns away.
-    pub fn go_on_alone(mut self) {
-        self.send("D");
-        assert_eq!(self.packet(LIMIT).as_deref(), Some("OK"));
-    }
-
-    /// Stops the board from now on after each write to the slots.
-    pub fn watch_slots(&mut self) {
-        self.send(&format!("Z2,{SLOTS:x},{SLOTS_BYTES:x}"));
-        assert_eq!(self.packet(LIMIT).as_deref(), Some("OK"));
-    }
-
-    /// Lets the board run until it has written to the slots; false where it does not within the time.
-    pub fn next_write(&mut self, limit: Duration) -> bool {
-        self.send("c");
-        self.packet(limit).is_some_and(|packet| packet.contains("watch:"))
     }
 }
 

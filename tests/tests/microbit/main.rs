@@ -1,5 +1,5 @@
 //! The micro:bit's own file, `dist/goodbot.hex`, on an emulated board: lessons by its serial line and its buttons, its lights, and what is left
-//! of its knowledge when the power goes.
+//! of its knowledge when a store is torn.
 //!
 //! `cargo xtask test --only microbit` builds the file and says where it and the emulator are; without that, these tests are ignored.
 
@@ -25,7 +25,10 @@ fn main() -> ExitCode {
         test("the_papers_course_is_learned_over_the_serial_line", lessons::the_papers_course_is_learned_over_the_serial_line),
         test("a_lesson_is_given_with_the_buttons_alone", lessons::a_lesson_is_given_with_the_buttons_alone),
         test("the_lights_show_the_rooms_the_robot_and_the_block", lessons::the_lights_show_the_rooms_the_robot_and_the_block),
-        test("a_power_cut_while_it_stores_leaves_one_lesson_or_both", lessons::a_power_cut_while_it_stores_leaves_one_lesson_or_both),
+        test(
+            "a_store_that_was_torn_in_the_middle_leaves_one_lesson_or_both",
+            lessons::a_store_that_was_torn_in_the_middle_leaves_one_lesson_or_both,
+        ),
         test("what_is_said_wrongly_is_answered_and_changes_nothing", lessons::what_is_said_wrongly_is_answered_and_changes_nothing),
     ];
     libtest_mimic::run(&Arguments::from_args(), tests).exit_code()

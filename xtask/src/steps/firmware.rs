@@ -32,7 +32,7 @@ pub const TICK: Step = Step::new("tick", "a control loop with a fixed tick misse
 /// The micro:bit's own file.
 pub const MICROBIT: Step = Step::new(
     "microbit",
-    "the micro:bit's file learns by serial line and buttons on an emulated board, and outlives power cuts",
+    "the micro:bit's file learns by serial line and buttons on an emulated board, and outlives a torn store",
     in_hand,
     "the tests are in tests/tests/microbit, the firmware in firmware/microbit",
 );

@@ -19,6 +19,8 @@
 //! of a value and a word were seen about once and about twice, with 100 pairs seen more often, so that a few lessons, where all is seen once,
 //! are believed.
 //!
+//! Where tasks have ways, max(0, c - 1.5) stands in place of c and of the discount in T, and max(0, c - 1) in A; ten rounds in place of eight.
+//!
 //! `lift` multiplies `p0` and is set from the same counts, and pseudo-counts draw each row, so a round may lose likelihood where a plain EM
 //! would not. On none of four sets of recorded commands did one of 16 rounds lose any. After the rounds the [kind of task](super::kind) is
 //! trained.
@@ -41,8 +43,12 @@ const OF_SHARE: f32 = 8.0;
 const LEAST_SHARE: f32 = 0.001;
 const OF_CUE: f32 = 1.0;
 const OF_NAMING: f32 = 0.5;
-/// Where tasks have ways, a word must have named a value more often than this to count as naming it.
-const DISCOUNT: f32 = 1.0;
+/// Where tasks have ways, so much is taken off each expected count of a word, for a value and for a kind of task: what a word was heard with
+/// once says nothing of it.
+const OF_VALUES: f32 = 1.5;
+const OF_FORMS: f32 = 1.0;
+/// Where tasks have ways, so many rounds for each that is set.
+const ROUNDS_WITH_WAYS: f32 = 1.25;
 const OF_STOP: f32 = 1.0;
 const OF_MOVES: f32 = 4.0;
 
@@ -226,10 +232,11 @@ impl Work<'_, '_> {
         }
     }
 
-    /// How many rounds: with many sessions half as many again, in which few would be learned by heart. Models that tell ways have no more.
+    /// How many rounds: with many sessions half as many again, in which few would be learned by heart. Models that tell ways have as many
+    /// with few sessions.
     fn rounds(&self, rounds: u32) -> u32 {
-        let more = if self.layout.has_ways() { 0.0 } else { 0.5 * self.layout.many() };
-        (rounds as f32 * (1.0 + more)) as u32
+        let of_each = if self.layout.has_ways() { ROUNDS_WITH_WAYS } else { 1.0 + 0.5 * self.layout.many() };
+        (rounds as f32 * of_each) as u32
     }
 
     fn cells(&self, pair: &Pair) -> usize {
@@ -304,8 +311,9 @@ impl Work<'_, '_> {
         let is_value = token.is_some_and(|token| self.layout.form(token).is_none());
         let mut discount = if is_value && seen.named > 0.0 { seen.discount() } else { 0.0 };
         // Models that tell ways have a discount of their own, which goes to no other word.
-        if is_value && self.layout.has_ways() {
-            counts.iter_mut().for_each(|count| *count = (*count - DISCOUNT).max(0.0));
+        if token.is_some() && self.layout.has_ways() {
+            let once = if is_value { OF_VALUES } else { OF_FORMS };
+            counts.iter_mut().for_each(|count| *count = (*count - once).max(0.0));
             discount = 0.0;
         }
         let (mut whole, mut kinds) = (OF_COMMON, 0.0);
@@ -351,7 +359,8 @@ impl Work<'_, '_> {
         let (values, counts) = (get_mut(self.a.values, range.clone()), get_mut(self.a.counts, range));
         let Some((seen, expected)) = counts.split_at_mut_checked(RoleKind::COUNT) else { return };
         for ((value, seen), expected) in values.iter_mut().zip(seen).zip(expected) {
-            *value *= square_root((core::mem::take(seen) + OF_CUE) / (core::mem::take(expected) + OF_CUE));
+            let ratio = (core::mem::take(seen) + OF_CUE) / (core::mem::take(expected) + OF_CUE);
+            *value *= square_root(ratio * square_root(ratio));
         }
     }
 

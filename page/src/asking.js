@@ -1,0 +1,96 @@
+// Questions of the robot's: where an answer teaches it more than its next steps do, it asks, and waits.
+import { parsed, world } from './core.js';
+import { render } from './render.js';
+import { keepSession, pause, wake } from './session.js';
+import { speak } from './speech.js';
+import { $, announce, attempt, inParts, make, state } from './state.js';
+import { objectWords } from './words.js';
+
+// What a question costs, in steps, and how often an answer is wrong: as the core and `goodbot teach` have them.
+const KAPPA = 8;
+const ETA = 0.05;
+const BUDGET = 4000;
+// Who is still pressing Good does not answer by that.
+const TOO_SOON = 350;
+
+/** Asks, if that is worth more than the next steps: in the free play, somebody who has not switched it off. Returns whether there was an
+ * answer; the robot may also be told to go on without one.
+ * @param {import('./state.js').Session} session */
+export async function askTrainer(session) {
+  if (!state.settings.questions || state.mode !== 'play' || session.looking || session.intended !== null) return false;
+  const found = await inParts(() => (session.over ? 'null' : attempt(() => world.question(KAPPA, ETA, BUDGET)) ?? 'null'));
+  /** @type {import('goodbot-wasm').Question | null} */
+  const question = session.over ? null : parsed(found);
+  if (!question) return false;
+  Object.assign(session, { question, asked: performance.now(), delay: 0 });
+  state.phase = 'asking';
+  state.route = null;
+  const focused = document.activeElement;
+  render();
+  announce([questionWords(question), ...choicesOf(question)].join(' '));
+  speak(questionWords(question));
+  if (focused === $('good') || focused === $('bad')) $('answers').focus({ preventScroll: true });
+  const before = session.answers;
+  await pause(session, Infinity);
+  session.question = null;
+  return session.answers > before;
+}
+
+/** The trainer's answer: `yes`, `no` (none of these, where there is something to choose), or the number of a choice.
+ * @param {string} given */
+export function answer(given) {
+  const session = state.session;
+  if (!session?.question || performance.now() - session.asked < TOO_SOON) return;
+  if (given !== 'no' && (given === 'yes') === isChoice(session.question)) return;
+  if (Number(given) > choicesOf(session.question).length) return;
+  if (attempt(() => world.answer(given)) === undefined) return;
+  session.answers += 1;
+  session.question = null;
+  state.belief = parsed(world.belief());
+  keepSession(session);
+  goOn(session);
+}
+
+function goOn(session) {
+  wake(session);
+  if ($('answers').contains(document.activeElement)) $('good').focus({ preventScroll: true });
+}
+
+const isChoice = question => question.about === 'whichObject' || question.about === 'whichTask';
+
+/** The question as a person hears it.
+ * @param {import('goodbot-wasm').Question} question */
+export function questionWords({ about, objects, choices }) {
+  if (about === 'object') return 'Do you mean the ' + objectWords(objects[0]) + '?';
+  if (about === 'carrying') return 'Shall I carry something?';
+  if (about === 'moving') return 'Shall I go somewhere myself?';
+  if (about === 'task') return 'Do you mean: ' + state.belief.tasks[choices[0]].words + '?';
+  return 'Which of these do you mean?';
+}
+
+/** What there is to choose, beside none of these.
+ * @param {import('goodbot-wasm').Question} question
+ * @returns {string[]} */
+const choicesOf = ({ about, objects, choices }) => (about === 'whichObject' ? objects.map(name => 'the ' + objectWords(name))
+  : about === 'whichTask' ? choices.map(task => state.belief.tasks[task].words) : []);
+
+export function renderQuestion() {
+  const session = state.session;
+  const question = session?.question;
+  $('answers').hidden = !question;
+  $('good').closest('.judge').hidden = Boolean(question);
+  const key = question ? JSON.stringify(question) : '';
+  if (!session || !question || $('answers').dataset.key === key) {
+    if (!question) $('answers').dataset.key = '';
+    return;
+  }
+  $('answers').dataset.key = key;
+  $('answers').setAttribute('aria-label', questionWords(question));
+  const button = (given, letter, words) => make('button', { type: 'button', 'data-answer': given, onclick: () => answer(given) }, make('span', {}, words), make('kbd', {}, letter));
+  const choices = choicesOf(question);
+  $('answers').className = choices.length ? 'which' : '';
+  $('answers').replaceChildren(
+    ...choices.map((words, at) => button(String(at + 1), at + 1, words)),
+    ...(choices.length ? [button('no', 'n', 'none of these')] : [button('yes', 'y', 'Yes'), button('no', 'n', 'No')]),
+    make('button', { type: 'button', class: 'quiet', id: 'unanswered', onclick: () => goOn(session) }, 'Go on without an answer'));
+}
