@@ -615,14 +615,14 @@ impl Agent {
                 Subject::Task(_) => "task",
                 Subject::WhichObject(..) | Subject::WhichTask(..) => "which",
             };
-            let choices = match question.subject.choices() {
-                0 => std::slice::from_ref(&question.yes),
-                count => &question.choices[..usize::from(count)],
-            };
             let names = |tasks: &TaskSet| tasks.iter().map(|task| mind.task_text(py, task)).collect::<Vec<_>>();
+            let choices: Vec<_> = match question.subject.choices() {
+                0 => vec![names(&question.yes)],
+                count => question.choices.iter().take(usize::from(count)).map(names).collect(),
+            };
             let told = PyDict::new(py);
             told.set_item("about", about)?;
-            told.set_item("choices", choices.iter().map(names).collect::<Vec<_>>())?;
+            told.set_item("choices", choices)?;
             told.set_item("bits", question.information)?;
             Ok(Some(told))
         })

@@ -114,15 +114,19 @@ impl<'t> BeliefRef<'t> {
     pub fn strategy_probability(self, strategy: usize) -> f32 {
         let whole = self.whole();
         if whole.is_zero() {
-            return self.strategies().get(strategy).map_or(0.0, |&(_, probability)| probability);
+            return self.begun_with(strategy);
         }
         total((0..self.count.tasks).map(|task| self.weight_with(task, strategy))).over(whole).clamp(0.0, 1.0)
     }
 
     /// What the next session begins with: without evidence the probability that the strategy had, which rounding must not change.
     pub(crate) fn carried(self, strategy: usize, has_evidence: bool) -> f32 {
-        let before = self.strategies().get(strategy).map_or(0.0, |&(_, probability)| probability);
-        if has_evidence { self.strategy_probability(strategy) } else { before }
+        if has_evidence { self.strategy_probability(strategy) } else { self.begun_with(strategy) }
+    }
+
+    /// The probability that a strategy had when this session began.
+    fn begun_with(self, strategy: usize) -> f32 {
+        self.strategies().get(strategy).map_or(0.0, |&(_, probability)| probability)
     }
 
     /// Whether anything was observed since the start that tells tasks or strategies apart. Before that, the strategies are as probable as

@@ -59,10 +59,11 @@ impl Serialize for Writing<'_> {
         payload.serialize_field("vocabulary", &self.vocabulary)?;
         payload.serialize_field("sizes", &self.sizes)?;
         payload.serialize_field("options", &ByteString(options))?;
+        let has_evidence = self.strategies.is_some_and(BeliefRef::has_evidence);
         let strategies = || {
             let known = self.strategies.map_or(&[][..], BeliefRef::strategies);
             known.iter().enumerate().map(|(position, &(strategy, before))| {
-                let probability = self.strategies.map_or(before, |belief| belief.carried(position, belief.has_evidence()));
+                let probability = self.strategies.map_or(before, |belief| belief.carried(position, has_evidence));
                 StrategyRecord::new(strategy, probability)
             })
         };

@@ -137,52 +137,40 @@ impl Exercise {
 /// Says a meaning in one of several ways.
 fn words(home: &ThreeStoreys<'_>, goal: usize, how: How, random: &mut impl Rng) -> String {
     let goal = home.color(goal);
-    let one_of = |said: [String; 4], random: &mut _| said.into_iter().nth(below(4, random)).unwrap_or_default();
-    match how {
-        How::Any => one_of(
-            [
-                format!("go to the {goal} room"),
-                format!("enter the {goal} room"),
-                format!("move into the {goal} room"),
-                format!("go into the {goal} room"),
-            ],
-            random,
-        ),
+    let said = match how {
+        How::Any => [
+            format!("go to the {goal} room"),
+            format!("enter the {goal} room"),
+            format!("move into the {goal} room"),
+            format!("go into the {goal} room"),
+        ],
         How::Through(via) => {
             let via = home.color(via);
-            one_of(
-                [
-                    format!("go through the {via} room to the {goal} room"),
-                    format!("go to the {goal} room via the {via} room"),
-                    format!("move through the {via} room into the {goal} room"),
-                    format!("enter the {goal} room by going through the {via} room"),
-                ],
-                random,
-            )
+            [
+                format!("go through the {via} room to the {goal} room"),
+                format!("go to the {goal} room via the {via} room"),
+                format!("move through the {via} room into the {goal} room"),
+                format!("enter the {goal} room by going through the {via} room"),
+            ]
         }
         How::Either(one, other) => {
             let (one, other) = (home.color(one), home.color(other));
-            one_of(
-                [
-                    format!("go through the {one} or {other} room to the {goal} room"),
-                    format!("go to the {goal} room via the {one} or the {other} room"),
-                    format!("move through the {other} or {one} room into the {goal} room"),
-                    format!("enter the {goal} room by going through the {other} or {one} room"),
-                ],
-                random,
-            )
+            [
+                format!("go through the {one} or {other} room to the {goal} room"),
+                format!("go to the {goal} room via the {one} or the {other} room"),
+                format!("move through the {other} or {one} room into the {goal} room"),
+                format!("enter the {goal} room by going through the {other} or {one} room"),
+            ]
         }
         How::Avoiding(not) => {
             let not = home.color(not);
-            one_of(
-                [
-                    format!("go to the {goal} room without entering the {not} room"),
-                    format!("go to the {goal} room but avoid the {not} room"),
-                    format!("avoid the {not} room and enter the {goal} room"),
-                    format!("move into the {goal} room but do not go through the {not} room"),
-                ],
-                random,
-            )
+            [
+                format!("go to the {goal} room without entering the {not} room"),
+                format!("go to the {goal} room but avoid the {not} room"),
+                format!("avoid the {not} room and enter the {goal} room"),
+                format!("move into the {goal} room but do not go through the {not} room"),
+            ]
         }
-    }
+    };
+    said.into_iter().nth(below(4, random)).unwrap_or_default()
 }
