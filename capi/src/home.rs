@@ -54,7 +54,7 @@ fn plan(robot: &mut Goodbot) -> Result<&mut HomeBuilder<HomeArena>, Failure> {
     match &mut robot.world {
         World::Plan(builder) => Ok(builder),
         World::Nothing(_) => Err(GoodbotStatus::NoWorld.into()),
-        World::Home(..) | World::Table(..) | World::Changing => Err(GoodbotStatus::World.into()),
+        _ => Err(GoodbotStatus::World.into()),
     }
 }
 

@@ -25,17 +25,23 @@
 extern crate std;
 
 pub mod arena;
+#[cfg(feature = "asking")]
 pub mod asking;
 pub mod beliefs;
 pub mod capacities;
+#[cfg(feature = "home")]
 pub mod home;
 pub mod model;
 pub mod robot;
 pub mod status;
 pub mod storage;
+#[cfg(feature = "table")]
 pub mod table;
 pub mod training;
 pub mod version;
+
+#[cfg(not(any(feature = "home", feature = "table")))]
+compile_error!("without the features home and table no robot can be made; choose one at least");
 
 /// Never called: nothing here panics. The compiler asks for it all the same.
 #[cfg(all(feature = "alone", not(test)))]

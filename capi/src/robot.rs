@@ -3,10 +3,12 @@
 use crate::arena::{AgentArena, Arena, HomeArena};
 use crate::capacities::GoodbotCapacities;
 use crate::status::{Failure, GoodbotStatus};
+#[cfg(feature = "table")]
 use crate::table::TableDomain;
 use core::ffi::{CStr, c_char};
 use core::ptr::NonNull;
 use goodbot::capacity::CapacityError;
+#[cfg(feature = "home")]
 use goodbot::home::{Home, HomeBuilder, HomeState};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
@@ -28,21 +30,27 @@ pub struct Goodbot {
 #[derive(Debug)]
 pub enum World {
     /// Nothing yet.
+    #[cfg(feature = "home")]
     Nothing(HomeArena),
     /// A home that is being described.
+    #[cfg(feature = "home")]
     Plan(HomeBuilder<HomeArena>),
     /// A home, and where things stand now.
+    #[cfg(feature = "home")]
     Home(Home<HomeArena>, HomeState),
-    /// The caller's own.
-    Table(TableDomain, u32),
     /// It is being changed for another; no call ends so.
+    #[cfg(feature = "home")]
     Changing,
+    /// The caller's own.
+    #[cfg(feature = "table")]
+    Table(TableDomain, u32),
 }
 
+#[cfg(feature = "home")]
 impl Goodbot {
     /// The home's memory for a new description; the world there was is gone, and with it a session under way.
     pub(crate) fn empty_home(&mut self) -> Result<HomeArena, Failure> {
-        if let World::Table(..) | World::Changing = self.world {
+        if !matches!(self.world, World::Nothing(_) | World::Plan(_) | World::Home(..)) {
             return Err(GoodbotStatus::World.into());
         }
         self.agent.leave();
@@ -50,7 +58,7 @@ impl Goodbot {
             World::Nothing(memory) => Ok(memory),
             World::Plan(builder) => Ok(builder.into_memory()),
             World::Home(home, _) => Ok(home.into_memory()),
-            World::Table(..) | World::Changing => Err(GoodbotStatus::World.into()),
+            _ => Err(GoodbotStatus::World.into()),
         }
     }
 }

@@ -39,8 +39,11 @@ pub const GOODBOT_EVIDENCE_IMPOSSIBLE: u32 = 2;
 macro_rules! in_world {
     ($world:expr, |$domain:ident, $state:ident| $run:expr) => {
         match $world {
+            #[cfg(feature = "home")]
             World::Home($domain, $state) => $run,
+            #[cfg(feature = "table")]
             World::Table($domain, $state) => $run,
+            #[cfg(feature = "home")]
             World::Nothing(_) | World::Plan(_) | World::Changing => return Err(GoodbotStatus::NoWorld.into()),
         }
     };

@@ -65,6 +65,16 @@ fn a_full_table_is_named_with_what_it_holds() {
     let (status, text) = explained(&Lift::new().table(), &capacities);
     assert_eq!(status, GoodbotStatus::Full);
     assert_eq!(text, "objects[3].name: objects holds 3 and 4 are needed; raise it");
+    // All that is needed, though the second of four objects has no room: raised once, it fits.
+    let mut capacities = small();
+    capacities.entries[GoodbotCapacity::Names as usize] = 2;
+    assert_eq!(explained(&Lift::new().table(), &capacities).1, "objects[1].name: names holds 2 and 7 are needed; raise it");
+    capacities.entries[GoodbotCapacity::Names as usize] = 7;
+    assert_eq!(explained(&Lift::new().table(), &capacities), (GoodbotStatus::Ok, String::new()));
+    capacities.entries[GoodbotCapacity::NameBytes as usize] = 30;
+    assert_eq!(explained(&Lift::new().table(), &capacities).1, "objects[3].name: name_bytes holds 30 and 37 are needed; raise it");
+    capacities.entries[GoodbotCapacity::NameBytes as usize] = 37;
+    assert_eq!(explained(&Lift::new().table(), &capacities), (GoodbotStatus::Ok, String::new()));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::description::{
     GOODBOT_CANNOT, GOODBOT_MOST_ACTIONS, GOODBOT_MOST_ARGUMENTS, GOODBOT_MOST_ATTRIBUTES, GOODBOT_MOST_CARRIERS, GOODBOT_MOST_CLASSES,
-    GOODBOT_MOST_PROPOSITIONS, GOODBOT_MOST_TASKS, GoodbotTable,
+    GOODBOT_MOST_PROPOSITIONS, GOODBOT_MOST_TASKS, GoodbotObject, GoodbotTable,
 };
 use super::domain::{Parts, Steps, TableDomain};
 use crate::arena::{Arena, HomeArena, after};
@@ -11,6 +11,7 @@ use crate::capacities::GoodbotCapacities;
 use crate::robot::{Goodbot, World, give, plot, settle, text, with};
 use crate::status::{At, Failure, GoodbotStatus, Place, text_of};
 use core::ffi::{c_char, c_void};
+use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{ActionKind, Attribute, Carrier, Class, ClassId, ObjectCount, ObjectSet, Proposition, Schema};
 use goodbot::task::LiftedTask;
@@ -294,10 +295,30 @@ unsafe fn objects(table: &GoodbotTable, memory: &mut HomeArena) -> Result<Object
                     *slot = text(value).at(part("values"))?;
                 }
             }
-            objects.add(class, text(object.name).at(part("name"))?, &values).at(part("name"))?;
+            let name = text(object.name).at(part("name"))?;
+            objects.add(class, name, &values).map_err(|error| whole(error.into(), given)).at(part("name"))?;
         }
     }
     Ok(objects.count())
+}
+
+/// A table that is full, with what all objects need and not only the one that found it so: it is raised once.
+///
+/// # Safety
+/// What the objects point to is there and stays.
+unsafe fn whole(failure: Failure, objects: &'static [GoodbotObject]) -> Failure {
+    let Some(full) = failure.full else { return failure };
+    let names = objects.iter().flat_map(|object| core::iter::once(object.name).chain(object.values)).filter(|name| !name.is_null());
+    // SAFETY: the caller's promise.
+    let names = names.filter_map(|name| unsafe { text(name) }.ok()).filter(|name| !name.is_empty());
+    let different = names.clone().enumerate().filter(|(before, name)| names.clone().take(*before).all(|earlier| earlier != *name));
+    let needed = match full.capacity {
+        Capacity::Objects => objects.len(),
+        Capacity::Names => different.count(),
+        Capacity::NameBytesTogether => different.map(|(_, name)| name.len()).sum(),
+        _ => return failure,
+    };
+    Failure { full: Some(CapacityError::new(full.capacity, full.limit as usize, needed)), ..failure }
 }
 
 /// Says which state things are in, as sensed.
@@ -309,6 +330,7 @@ pub unsafe extern "C" fn goodbot_table_set_state(robot: *mut Goodbot, state: u32
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
+            #[allow(irrefutable_let_patterns, reason = "without the feature home there is nothing else")]
             let World::Table(domain, now) = &mut robot.world else { return Err(GoodbotStatus::World.into()) };
             if state >= domain.states() {
                 return Err(GoodbotStatus::Number.into());
@@ -328,6 +350,7 @@ pub unsafe extern "C" fn goodbot_table_state(robot: *mut Goodbot, state: *mut u3
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
+            #[allow(irrefutable_let_patterns, reason = "without the feature home there is nothing else")]
             let World::Table(_, now) = &robot.world else { return Err(GoodbotStatus::World.into()) };
             give(state, *now)
         })

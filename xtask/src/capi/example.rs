@@ -23,7 +23,7 @@ fn capi(file: &str) -> PathBuf {
 
 /// Builds every example with the host's compiler, with both sanitizers, and runs it.
 pub fn on_host() -> Result<()> {
-    let library = library::build(None)?;
+    let library = library::build(None, &library::FEATURES)?;
     for example in EXAMPLES {
         let binary = library.with_file_name(example);
         let mut gcc = GCC.command()?;
@@ -38,7 +38,7 @@ pub fn on_host() -> Result<()> {
 /// Builds every example for the Cortex-M4F and runs it in the emulator.
 pub fn on_board() -> Result<()> {
     let target = Target::Thumbv7emHf;
-    let library = library::build(Some(target))?;
+    let library = library::build(Some(target), &library::FEATURES)?;
     let built = library::artifacts(target);
     for example in EXAMPLES {
         let binary = built.join(format!("{example}.elf"));
