@@ -10,7 +10,7 @@
        goodbot_done                             it was done; goodbot_home_place where things then are elsewhere than described
        goodbot_feedback                         what the trainer says to it, until the next action is done
      goodbot_finish, goodbot_learn ...          the session is learned from; goodbot_forget if it shall not be
-     goodbot_save                               what it has learned, as bytes
+     goodbot_save                               what it has learned, as bytes; goodbot_store and goodbot_load for a flash
 
    What holds for all of them:
 
@@ -197,6 +197,10 @@ typedef enum goodbot_status {
   GOODBOT_STATUS_NOT_ASKED = 25,
   // This is no answer to the question that was asked.
   GOODBOT_STATUS_NO_ANSWER = 26,
+  // The flash refused, or did not keep what was written; the older model is still there.
+  GOODBOT_STATUS_FLASH = 27,
+  // Nothing is stored.
+  GOODBOT_STATUS_NOTHING_STORED = 28,
 } goodbot_status;
 
 // The tables, by their positions in `goodbot_capacities`.
@@ -423,6 +427,20 @@ enum goodbot_status goodbot_least_capacities(struct goodbot *robot,
                                              const struct goodbot_lessons *lessons,
                                              struct goodbot_capacities *capacities);
 
+// How full each table was at most since the robot was made, those of its world as they are now: memory of these capacities has room for the
+// same life once more. Those of planning are 0: a plan says what it needs by `FULL`.
+//
+// The caller sees to it:
+// `robot` is null or a handle, `capacities` null or points to memory for it.
+enum goodbot_status goodbot_usage(struct goodbot *robot,
+                                  struct goodbot_capacities *capacities);
+
+// How many sessions it has learned from and still keeps.
+//
+// The caller sees to it:
+// `robot` is null or a handle, `count` null or room for a number.
+enum goodbot_status goodbot_session_count(struct goodbot *robot, uint32_t *count);
+
 // Begins the robot's own random choices anew: the same seed, the same choices.
 //
 // The caller sees to it:
@@ -537,6 +555,20 @@ enum goodbot_status goodbot_init_table(void *memory,
                                        const struct goodbot_table *table,
                                        struct goodbot **robot);
 
+// Does what `goodbot_init_table` does, in the same memory, and writes what is wrong with the description, with a 0 at its end: which list,
+// which item by its position, which field, what stands there and what may; or which table is full, how much it holds and how much is
+// needed. An empty text where nothing is wrong. Gives what `goodbot_init_table` gives, or `BUFFER` where the text does not fit; 200 bytes
+// are enough.
+//
+// The caller sees to it:
+// As `goodbot_init_table`; `text` is null or room for `text_bytes` bytes.
+enum goodbot_status goodbot_explain_table(void *memory,
+                                          size_t bytes,
+                                          const struct goodbot_capacities *capacities,
+                                          const struct goodbot_table *table,
+                                          char *text,
+                                          size_t text_bytes);
+
 // Says which state things are in, as sensed.
 //
 // The caller sees to it:
@@ -571,6 +603,13 @@ enum goodbot_status goodbot_hear(struct goodbot *robot, const char *command);
 // `robot` is null or a handle, `command` null or a C string in UTF-8.
 enum goodbot_status goodbot_begin_hearing(struct goodbot *robot,
                                           const char *command);
+
+// Hears the last command again, where everything stands as it stood when the session began: the belief goes on. An ended session, learned
+// from or forgotten, is taken up again by this; `NO_SESSION` where the last one did not begin so.
+//
+// The caller sees to it:
+// `robot` is null or a handle.
+enum goodbot_status goodbot_hear_again(struct goodbot *robot);
 
 // Goes on hearing the command, at most about `budget` table cells of work. `WORKING` means: call again.
 //

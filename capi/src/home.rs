@@ -5,8 +5,11 @@ use crate::capacities::GoodbotCapacities;
 use crate::robot::{Goodbot, World, give, plot, settle, text, with};
 use crate::status::{Failure, GoodbotStatus};
 use core::ffi::c_char;
+use goodbot::capacity::BLOCKS;
 use goodbot::home::{self, Area, Cell, HomeBuilder, Moves};
+use goodbot::oomdp::ObjectId;
 use goodbot::task::LiftedTask;
+use heapless::Vec;
 
 /// Makes a robot that will live in homes, in the caller's memory: `bytes` bytes, aligned to 8, as many as `goodbot_size` says. It
 /// understands commands to go to a room and to bring a block to a room.
@@ -176,6 +179,43 @@ pub unsafe extern "C" fn goodbot_home_place(robot: *mut Goodbot, name: *const c_
             let World::Home(home, state) = &mut robot.world else { return Err(GoodbotStatus::NoWorld.into()) };
             let object = home.objects().find(text(name)?).ok_or(GoodbotStatus::Unknown)?;
             *state = home.placed(state, &[(object, Cell::new(x, y))]).ok_or(GoodbotStatus::Number)?;
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+/// Where something was sensed.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct GoodbotSensed {
+    /// The robot's own name or a block's.
+    pub name: *const c_char,
+    /// The cell.
+    pub x: i32,
+    /// The cell.
+    pub y: i32,
+}
+
+/// Says where the robot itself and blocks are, all at once, as sensed: also where two of them have changed places. What is not named stays
+/// where it was. `UNKNOWN` names nothing that moves, `NUMBER` a cell that is wall, or one cell for two things; nothing is changed then.
+///
+/// # Safety
+/// `robot` is null or a handle; `sensed` is null or points to `count` of them; the names are null or C strings.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_home_sense(robot: *mut Goodbot, sensed: *const GoodbotSensed, count: u32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let World::Home(home, state) = &mut robot.world else { return Err(GoodbotStatus::NoWorld.into()) };
+            if sensed.is_null() {
+                return Err(GoodbotStatus::Null.into());
+            }
+            let mut things: Vec<(ObjectId, Cell), { BLOCKS + 1 }> = Vec::new();
+            for &GoodbotSensed { name, x, y } in core::slice::from_raw_parts(sensed, count as usize) {
+                let object = home.objects().find(text(name)?).filter(|&object| home.piece(object).is_some());
+                things.push((object.ok_or(GoodbotStatus::Unknown)?, Cell::new(x, y))).map_err(|_| GoodbotStatus::Number)?;
+            }
+            *state = home.placed(state, &things).ok_or(GoodbotStatus::Number)?;
             Ok(GoodbotStatus::Ok)
         })
     }
