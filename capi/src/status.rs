@@ -152,7 +152,11 @@ impl From<AgentError> for Failure {
             AgentError::NotAsked => GoodbotStatus::NotAsked,
             AgentError::NoAnswer => GoodbotStatus::NoAnswer,
             AgentError::NotApplicable => GoodbotStatus::NotApplicable,
-            AgentError::Strategy(_) | AgentError::Prior { .. } | AgentError::NoPrior | AgentError::Setting(_) => GoodbotStatus::Number,
+            AgentError::Strategy(_)
+            | AgentError::Prior { .. }
+            | AgentError::NoPrior
+            | AgentError::Weight { .. }
+            | AgentError::Setting(_) => GoodbotStatus::Number,
             AgentError::Capacity(error) => return error.into(),
             _ => GoodbotStatus::Other,
         }

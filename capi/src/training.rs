@@ -6,7 +6,8 @@ use core::ffi::c_char;
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::oomdp::{Action, apply};
 use goodbot::planning::{OptimalSet, Progress};
-use goodbot::session::{Evidence, Finished};
+use goodbot::session::{Evidence, Finished, Hypothesis};
+use heapless::Vec;
 
 /// The action of doing nothing, which every robot has.
 pub const GOODBOT_NOOP: u8 = 15;
@@ -83,6 +84,49 @@ pub unsafe extern "C" fn goodbot_hear(robot: *mut Goodbot, command: *const c_cha
             let command = text(command)?;
             in_world!(&robot.world, |domain, state| robot.agent.hear(domain, state, command)?);
             Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+/// What a recogniser of speech may have heard: one entry of its n-best list.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct GoodbotHypothesis {
+    /// The command, in UTF-8.
+    pub command: *const c_char,
+    /// How probable the recogniser takes it to be, in any unit: a number of 0 or more.
+    pub weight: f32,
+}
+
+/// Most transcripts of one command.
+pub const GOODBOT_MOST_HYPOTHESES: usize = 16;
+
+/// Hears one command of which several transcripts are given, `count` of them: the one is taken that is most probable by its weight and by
+/// what it could mean here. `chosen` is given its position, and the session is as if it alone had been heard. It takes the time of hearing
+/// each, and one once more.
+///
+/// # Safety
+/// `robot` is null or a handle; `hypotheses` is null or points to `count` of them; the commands are null or C strings; `chosen` is null or
+/// room for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_hear_one_of(
+    robot: *mut Goodbot,
+    hypotheses: *const GoodbotHypothesis,
+    count: u32,
+    chosen: *mut u32,
+) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            if hypotheses.is_null() || chosen.is_null() {
+                return Err(GoodbotStatus::Null.into());
+            }
+            let mut given: Vec<Hypothesis<'_>, GOODBOT_MOST_HYPOTHESES> = Vec::new();
+            for &GoodbotHypothesis { command, weight } in core::slice::from_raw_parts(hypotheses, count as usize) {
+                given.push(Hypothesis { command: text(command)?, weight }).map_err(|_| GoodbotStatus::Number)?;
+            }
+            let position = in_world!(&robot.world, |domain, state| robot.agent.hear_one_of(domain, state, &given)?);
+            give(chosen, position as u32)
         })
     }
 }
