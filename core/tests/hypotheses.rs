@@ -22,13 +22,22 @@ fn rooms<M: HomeMemory>(memory: M) -> (Home<M>, HomeState) {
 }
 
 /// Runs with a robot that has learned what "red room" and "green room" mean, and with one that has learned nothing.
-fn with_robots(options: Options, run: impl Fn(&mut Robot<'_>, &mut Robot<'_>, &Home<&mut goodbot::memory::HomeArrays<Memory>>, &HomeState)) {
+fn with_robots(
+    options: Options,
+    run: impl Fn(&mut Robot<'_>, &mut Robot<'_>, &Home<&mut goodbot::memory::HomeArrays<Memory>>, &HomeState),
+) {
     let (mut taught, mut new, mut rooms_memory) = (Memory::new(), Memory::new(), Memory::new());
     let (home, start) = rooms(&mut rooms_memory.home);
     let tasks = home::paper_tasks().unwrap();
     let [mut taught, mut new] = [&mut taught.agent, &mut new.agent].map(|memory| Agent::new(memory, &tasks, options).unwrap());
-    for (command, task) in [("go to the green room", 0), ("go to the red room", 1), ("walk to the green room", 0), ("walk to the red room", 1)] {
-        taught.hear_with_prior(&home, &start, command, |grounded, _| f32::from(u8::from(home.objects().name(grounded.bindings[1]) == ["room1", "room2"][task]))).unwrap();
+    for (command, task) in
+        [("go to the green room", 0), ("go to the red room", 1), ("walk to the green room", 0), ("walk to the red room", 1)]
+    {
+        taught
+            .hear_with_prior(&home, &start, command, |grounded, _| {
+                f32::from(u8::from(home.objects().name(grounded.bindings[1]) == ["room1", "room2"][task]))
+            })
+            .unwrap();
         let _ = taught.finish(&home).unwrap();
         taught.learn_fully();
     }
@@ -51,6 +60,14 @@ fn what_can_be_meant_here_wins_over_a_slightly_better_sound() {
 }
 
 #[test]
+fn a_robot_that_has_learned_nothing_takes_the_best_sound() {
+    with_robots(Options::DEFAULT, |_, robot, home, start| {
+        let list = heard(&[("go to the red room please", 0.3), ("goat", 0.3), ("go to the green room", 0.4)]);
+        assert_eq!(robot.hear_one_of(home, start, &list), Ok(2));
+    });
+}
+
+#[test]
 fn a_much_better_sound_wins_among_what_can_be_meant() {
     with_robots(Options::DEFAULT, |robot, _, home, start| {
         for (weights, chosen) in [([0.9, 0.1], 0), ([0.1, 0.9], 1)] {
@@ -66,7 +83,11 @@ fn the_session_is_as_if_the_chosen_transcript_alone_had_been_heard() {
     with_robots(drifting, |robot, _, home, start| {
         robot.hear(home, start, "go to the red room").unwrap();
         let alone: Vec<u32> = (0..robot.tasks().len()).map(|task| robot.belief().probability(task).to_bits()).collect();
-        for list in [&[("go to the red room", 1.0)][..], &[("go to the red room", 0.9), ("xyzzy", 0.1)], &[("xyzzy", 0.1), ("go to the red room", 0.9)]] {
+        for list in [
+            &[("go to the red room", 1.0)][..],
+            &[("go to the red room", 0.9), ("xyzzy", 0.1)],
+            &[("xyzzy", 0.1), ("go to the red room", 0.9)],
+        ] {
             let _ = robot.hear_one_of(home, start, &heard(list)).unwrap();
             let now: Vec<u32> = (0..robot.tasks().len()).map(|task| robot.belief().probability(task).to_bits()).collect();
             assert_eq!(now, alone, "{list:?}");

@@ -72,5 +72,8 @@ fn bad_use_and_bad_files_are_refused() {
     }
     let without_agent = format!(r#"{{"version":1,"objects":[{ROOMS}]}}"#);
     let run = size(&["-"], &without_agent);
-    assert_eq!((run.code, run.messages.trim_end()), (2, "error: standard input: field \"objects\": there is no agent; add one, inside a room"));
+    assert_eq!(
+        (run.code, run.messages.trim_end()),
+        (2, "error: standard input: field \"objects\": there is no agent; add one, inside a room")
+    );
 }

@@ -198,13 +198,15 @@ impl<M: AgentMemory> Agent<M> {
             let done = match (self.options.language.model.is_roles(), &mut scene) {
                 (true, Some(scene)) => self.read_on(domain, scene, &mut position, &mut left)?,
                 (true, None) => true,
-                (false, _) => self.for_each_constraint(domain, &mut position, &mut left, &mut |candidates, language, sentence, tokens, _| {
-                    let found = match candidates.read().find(tokens) {
-                        Some(found) => found,
-                        None => candidates.add(tokens, language.likelihood(sentence, tokens))?,
-                    };
-                    Ok(candidates.read().entries().get(found).map_or(Scaled::ZERO, |entry| entry.likelihood))
-                })?,
+                (false, _) => {
+                    self.for_each_constraint(domain, &mut position, &mut left, &mut |candidates, language, sentence, tokens, _| {
+                        let found = match candidates.read().find(tokens) {
+                            Some(found) => found,
+                            None => candidates.add(tokens, language.likelihood(sentence, tokens))?,
+                        };
+                        Ok(candidates.read().entries().get(found).map_or(Scaled::ZERO, |entry| entry.likelihood))
+                    })?
+                }
             };
             if done {
                 let prior = position.sum.scaled_by(self.task(position.task).prior);

@@ -5,6 +5,11 @@ use super::error::AgentError;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
 use crate::probability::Scaled;
+use crate::symbols::Symbol;
+
+/// The probability of one word among all that were never heard: a person's everyday words are some ten thousand. The language model alone
+/// says how probable it is that any of them comes.
+const ONE_UNHEARD: f32 = 1e-4;
 
 /// What a recogniser of speech may have heard: one entry of its n-best list.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,8 +22,9 @@ pub struct Hypothesis<'h> {
 
 impl<M: AgentMemory> Agent<M> {
     /// Hears one command of which several transcripts are given: the one is taken that is most probable by its weight and by what it could
-    /// mean here, Pr(e|s) = sum over tasks t of Pr(t|s) Pr(e|t). Returns its position; of equals the first. The session is as if it alone had
-    /// been heard by [`hear`](Self::hear). A transcript that cannot be heard is passed over where another can.
+    /// mean here, Pr(e|s) = sum over tasks t of Pr(t|s) Pr(e|t), where each word that was never heard is one of ten thousand. Returns its
+    /// position; of equals the one of more weight, and of these the first. The session is as if it alone had been heard by
+    /// [`hear`](Self::hear). A transcript that cannot be heard is passed over where another can.
     ///
     /// It takes the time of hearing each, and one once more.
     ///
@@ -62,14 +68,15 @@ impl<M: AgentMemory> Agent<M> {
                 return Err(AgentError::Weight { hypothesis: position.min(usize::from(u8::MAX)) as u8, value: hypothesis.weight });
             }
         }
-        let (mut best, mut error): (Option<(usize, Scaled)>, _) = (None, AgentError::EmptyCommand);
+        let (mut best, mut error): (Option<(usize, Scaled, f32)>, _) = (None, AgentError::EmptyCommand);
         let mut last = None;
         for (position, hypothesis) in hypotheses.iter().enumerate().filter(|(_, hypothesis)| hypothesis.weight > 0.0) {
             match self.hear_anew(domain, state, hypothesis.command, best.is_some()) {
                 Ok(()) => {
                     let weight = self.explained().scaled_by(hypothesis.weight);
-                    if best.is_none_or(|(_, most)| weight.exceeds(most)) {
-                        best = Some((position, weight));
+                    let is_better = |(_, most, sound)| weight.exceeds(most) || (weight == most && hypothesis.weight > sound);
+                    if best.is_none_or(is_better) {
+                        best = Some((position, weight, hypothesis.weight));
                     }
                 }
                 // The next transcript would fare no better.
@@ -78,7 +85,7 @@ impl<M: AgentMemory> Agent<M> {
             }
             last = Some(position);
         }
-        let Some((best, _)) = best else { return Err(error) };
+        let Some((best, ..)) = best else { return Err(error) };
         if last != Some(best)
             && let Some(hypothesis) = hypotheses.get(best)
         {
@@ -98,7 +105,13 @@ impl<M: AgentMemory> Agent<M> {
     /// Pr(e|s) of the command that was just heard; 0 where nothing explains it.
     fn explained(&self) -> Scaled {
         let belief = self.belief();
+        let known = self.language().tables().words();
+        let is_unheard = |word: &&Option<Symbol>| word.is_none_or(|word| word.index() >= known);
+        let unheard = if known == 0 { 0 } else { self.sentence.iter().filter(is_unheard).count() };
         let says_nothing = self.tasks().iter().enumerate().all(|(position, task)| belief.prior(position) == Scaled::new(task.prior));
-        if says_nothing { Scaled::ZERO } else { belief.whole() }
+        if known > 0 && says_nothing {
+            return Scaled::ZERO;
+        }
+        (0..unheard).fold(belief.whole(), |whole, _| whole.scaled_by(ONE_UNHEARD))
     }
 }

@@ -89,17 +89,36 @@ fn to_json(needs: &Needs) -> serde_json::Value {
 fn print(out: &mut impl Write, needs: &Needs) -> Result<(), Failure> {
     let lessons = &needs.lessons;
     let [homes, sessions] = [(needs.homes, "home"), (lessons.sessions, "session")].map(|(n, it)| counted(n, it));
-    writeln!(out, "A robot in {homes} that keeps {sessions} of at most {}, {} different:", counted(lessons.words, "word"), lessons.different_words)?;
+    writeln!(
+        out,
+        "A robot in {homes} that keeps {sessions} of at most {}, {} different:",
+        counted(lessons.words, "word"),
+        lessons.different_words
+    )?;
     writeln!(out)?;
-    writeln!(out, "  RAM    {:>7} bytes on a 32-bit controller, and a stack of {} bytes as it is measured in docs/footprint.md", needs.ram(), needs::STACK)?;
-    writeln!(out, "  flash  {:>7} bytes at most for what it learns; two slots of {} outlive power cuts", needs.model_bytes(), needs.slot_bytes())?;
+    writeln!(
+        out,
+        "  RAM    {:>7} bytes on a 32-bit controller, and a stack of {} bytes as it is measured in docs/footprint.md",
+        needs.ram(),
+        needs::STACK
+    )?;
+    writeln!(
+        out,
+        "  flash  {:>7} bytes at most for what it learns; two slots of {} outlive power cuts",
+        needs.model_bytes(),
+        needs.slot_bytes()
+    )?;
     writeln!(out, "                 for the program: see docs/footprint.md")?;
     if let Some(kept) = needs.kept {
         writeln!(out, "  tried  {kept:>7} of {} sessions of the log were kept in that memory", needs.taught)?;
     }
     if needs.exact_states != Some(needs.capacities.states) {
         let exact = needs.exact_states.map_or("more than can be counted".to_owned(), |states| states.to_string());
-        writeln!(out, "\nThe states are cut to {}: for exact plans it would be {exact}. Plans for far goals are approximate.", needs.capacities.states)?;
+        writeln!(
+            out,
+            "\nThe states are cut to {}: for exact plans it would be {exact}. Plans for far goals are approximate.",
+            needs.capacities.states
+        )?;
     }
     writeln!(out, "\nIn Rust:\n\n{}", source::rust(&needs.capacities))?;
     writeln!(out, "In C:\n\n{}", source::c(&needs.capacities, needs.ram()))?;

@@ -12,10 +12,8 @@ pub fn rust(capacities: &Capacities) -> String {
 
 /// As C, with `bytes` bytes for a robot in homes.
 pub fn c(capacities: &Capacities, bytes: usize) -> String {
-    let entries: String = Capacity::ALL
-        .iter()
-        .map(|&capacity| format!("    [{}] = {},\n", c_name(capacity), capacities.get(capacity)))
-        .collect();
+    let entries: String =
+        Capacity::ALL.iter().map(|&capacity| format!("    [{}] = {},\n", c_name(capacity), capacities.get(capacity))).collect();
     format!(
         "static const goodbot_capacities capacities = {{ {{\n{entries}}} }};\n\
          /* For a robot in homes where a pointer has four bytes; goodbot_size(&capacities) says how many are needed. */\n\

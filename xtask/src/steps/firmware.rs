@@ -4,7 +4,7 @@ use anyhow::{Result, bail};
 
 use super::{Run, Step, WORKSPACE};
 use crate::firmware::image::{BINARIES, panics};
-use crate::firmware::{digests, images, microbit, trials};
+use crate::firmware::{digests, images, microbit, trials, wheels};
 use crate::programs::QEMU;
 use crate::{footprint, project};
 
@@ -80,6 +80,7 @@ fn course(_: &mut Run) -> Result<()> {
             }
         }
     }
+    println!("the lessons on wheels: {}", wheels::drive()?);
     Ok(())
 }
 
