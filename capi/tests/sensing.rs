@@ -8,7 +8,7 @@ use goodbot_capi::home::*;
 use goodbot_capi::robot::Goodbot;
 use goodbot_capi::status::GoodbotStatus;
 use goodbot_capi::training::*;
-use robots::{at_home, hear_and_plan, in_homes, small};
+use robots::{Lift, at_home, hear_and_plan, in_homes, of_table, small};
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
 
@@ -74,5 +74,15 @@ fn a_lesson_goes_on_from_where_a_push_left_things() {
         assert_eq!(goodbot_decide(robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
         assert_eq!(goodbot_done(robot, action), GoodbotStatus::Ok);
         assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::Ok);
+    }
+}
+
+#[test]
+fn a_robot_of_one_s_own_is_in_no_home() {
+    let lift = Lift::new();
+    let owned = of_table(&lift.table()).unwrap();
+    unsafe {
+        assert_eq!(goodbot_home_begin(owned.robot), GoodbotStatus::World);
+        assert_eq!(goodbot_home_sense(owned.robot, &sensed(c"lift0", 1, 1), 1), GoodbotStatus::NoWorld);
     }
 }

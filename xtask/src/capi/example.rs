@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 
 use super::{header, library};
 use crate::firmware::board::{Board, emulate};
-use crate::firmware::image::panics;
+use crate::firmware::image::{flash, panics};
 use crate::programs::{ARM_GCC, GCC};
 use crate::toolchain::Target;
 use crate::{process, project};
@@ -58,6 +58,28 @@ pub fn on_board() -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// Programs in C, with their bytes of flash on the Cortex-M4F, each with the library that it needs.
+pub fn sizes() -> Result<Vec<(&'static str, u64)>> {
+    let target = Target::Thumbv7emHf;
+    let mut sizes = Vec::new();
+    let programs: [(&str, &str, &[&str]); 3] = [
+        ("every function, all features (capi/examples/home.c)", "home", &library::FEATURES),
+        ("a robot in homes, `home` (capi/examples/home.c)", "home", &["home"]),
+        ("a robot of one's own, `table` (capi/examples/lift.c)", "lift", &["table"]),
+    ];
+    for (name, example, features) in programs {
+        let library = library::build(Some(target), features)?;
+        let binary = library::artifacts(target).join(format!("{example}-size.elf"));
+        let mut gcc = cross_gcc(example, &library, &binary)?;
+        if features.len() == library::FEATURES.len() {
+            gcc.args(header::functions()?.iter().map(|function| format!("-Wl,--undefined={function}")));
+        }
+        process::run(&mut gcc)?;
+        sizes.push((name, flash(&binary)?));
+    }
+    Ok(sizes)
 }
 
 fn must_not_panic(binary: &Path) -> Result<()> {
