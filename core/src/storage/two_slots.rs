@@ -125,7 +125,8 @@ macro_rules! two_slots {
                 self.read_model(slot, header.length, |bytes| {
                     let end = written.saturating_add(bytes.len());
                     if let Some(part) = room.get_mut(written..end) {
-                        part.copy_from_slice(bytes);
+                        // As long as each other: a copy that checks it could panic.
+                    part.iter_mut().zip(bytes).for_each(|(slot, byte)| *slot = *byte);
                     }
                     written = end;
                 })$($await)*?;

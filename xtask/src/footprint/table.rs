@@ -15,10 +15,9 @@ Flash is code, constants and the interrupt table, the course's own texts and hom
 ";
 
 const OF_C: &str = "
-In C, for the Cortex-M4F, with the C library that has what the program needs (`cargo xtask library --features`), the start-up code, and
-newlib's `printf` where the program prints:
+What the C library adds to a program on the Cortex-M4F, with the features named (`cargo xtask library --features`):
 
-| program | flash |
+| what is linked | flash |
 |---|---:|
 ";
 
