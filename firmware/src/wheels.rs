@@ -4,6 +4,7 @@
 #![no_std]
 #![no_main]
 
+#[allow(dead_code, reason = "nothing is counted here")]
 mod board;
 mod fault;
 mod memory;
