@@ -3,7 +3,7 @@
 use crate::robot::{Goodbot, World, give, text, with};
 use crate::status::{Failure, GoodbotStatus};
 use core::ffi::c_char;
-use goodbot::feedback::{Feedback, Strategy};
+use goodbot::feedback::{Feedback, LAGS, Strategy};
 use goodbot::oomdp::{Action, apply};
 use goodbot::planning::{OptimalSet, Progress};
 use goodbot::session::{Evidence, Finished, Hypothesis};
@@ -67,6 +67,54 @@ pub unsafe extern "C" fn goodbot_trainer(robot: *mut Goodbot, mu_plus: f32, mu_m
         with(robot, |robot| {
             let strategy = Strategy::new(mu_plus, mu_minus, epsilon).map_err(|_| GoodbotStatus::Number)?;
             robot.agent.set_strategies(&[(strategy, 1.0)])?;
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+/// How late words come at most, in actions, and one more.
+pub const GOODBOT_LAGS: usize = 3;
+const _: () = assert!(GOODBOT_LAGS == LAGS);
+
+/// A way to reward and punish, for `goodbot_trainers`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct GoodbotStrategy {
+    /// The probability of silence after a right action.
+    pub mu_plus: f32,
+    /// The probability of silence after a wrong action.
+    pub mu_minus: f32,
+    /// The probability of taking one for the other.
+    pub epsilon: f32,
+    /// The probability that a word is about the last action, the one before, and the one before that: 1, 0 and 0 where no word is late.
+    pub lags: [f32; GOODBOT_LAGS],
+    /// How probable it is that the trainer is such a one, in any unit.
+    pub prior: f32,
+}
+
+/// Most strategies of `goodbot_trainers`; the capacity `STRATEGIES` may allow fewer.
+pub const GOODBOT_MOST_STRATEGIES: usize = 16;
+
+/// Says in which ways the trainer may reward and punish, `count` of them: the robot finds out which. A session under way ends unlearned.
+/// `FULL` where they are more than the capacity `STRATEGIES`, `NUMBER` where there are none, a number is out of range, or all priors are 0;
+/// the strategies are then what they were.
+///
+/// # Safety
+/// `robot` is null or a handle, `strategies` null or points to `count` of them.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_trainers(robot: *mut Goodbot, strategies: *const GoodbotStrategy, count: u32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            if strategies.is_null() {
+                return Err(GoodbotStatus::Null.into());
+            }
+            let mut given: Vec<(Strategy, f32), GOODBOT_MOST_STRATEGIES> = Vec::new();
+            for &GoodbotStrategy { mu_plus, mu_minus, epsilon, lags, prior } in core::slice::from_raw_parts(strategies, count as usize) {
+                let strategy = Strategy::new(mu_plus, mu_minus, epsilon).and_then(|strategy| strategy.with_lags(lags));
+                given.push((strategy.map_err(|_| GoodbotStatus::Number)?, prior)).map_err(|_| GoodbotStatus::Number)?;
+            }
+            robot.agent.set_strategies(&given)?;
             Ok(GoodbotStatus::Ok)
         })
     }
