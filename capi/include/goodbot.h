@@ -7,10 +7,10 @@
      goodbot_home_begin ... goodbot_home_build  where it is
      goodbot_hear                               a command: a session begins
        goodbot_plan ..., goodbot_decide         an action; you do it
-       goodbot_done                             it was done; goodbot_home_place where things then are elsewhere than described
+       goodbot_done                             it was done; goodbot_home_sense where things then are elsewhere than described
        goodbot_feedback                         what the trainer says to it, until the next action is done
      goodbot_finish, goodbot_learn ...          the session is learned from; goodbot_forget if it shall not be
-     goodbot_save                               what it has learned, as bytes
+     goodbot_save                               what it has learned, as bytes; goodbot_store and goodbot_load for a flash
 
    What holds for all of them:
 
@@ -18,6 +18,8 @@
    - Memory is yours, aligned to 8. It must stay where it is and hold nothing else; nothing has to be given back.
    - Texts are UTF-8 and end with 0. They are copied, but for those that a goodbot_table points to.
    - Nothing is global: robots do not know of each other. One robot is one thread's at a time.
+   - No function may be called from an interrupt handler while another may be under way: the handler sets a flag, the control loop looks at
+     it and calls goodbot_feedback.
    - goodbot_plan, goodbot_learn, goodbot_hear_on and goodbot_finish_on do as much as their budget says and no more. goodbot_hear and
      goodbot_finish do all at once; the others are short, as docs/footprint.md counts. */
 
@@ -117,6 +119,9 @@
 // It is impossible whatever the task and the trainer, and was ignored.
 #define GOODBOT_EVIDENCE_IMPOSSIBLE 2
 
+// Most transcripts of one command.
+#define GOODBOT_MOST_HYPOTHESES 16
+
 // There is nothing to ask: act.
 #define GOODBOT_ASK_NOTHING 0
 
@@ -140,6 +145,10 @@
 
 // No, or none of these.
 #define GOODBOT_NO -1
+
+// `goodbot_flash.write` is called for whole units of so many bytes, each at a multiple of it: a flash that writes fewer at once, or as many,
+// will do.
+#define GOODBOT_FLASH_UNIT 256
 
 // What came of a call.
 typedef enum goodbot_status {
@@ -197,6 +206,10 @@ typedef enum goodbot_status {
   GOODBOT_STATUS_NOT_ASKED = 25,
   // This is no answer to the question that was asked.
   GOODBOT_STATUS_NO_ANSWER = 26,
+  // The flash refused, or did not keep what was written; the older model is still there.
+  GOODBOT_STATUS_FLASH = 27,
+  // Nothing is stored.
+  GOODBOT_STATUS_NOTHING_STORED = 28,
 } goodbot_status;
 
 // The tables, by their positions in `goodbot_capacities`.
@@ -284,6 +297,16 @@ typedef struct goodbot_lessons {
   // Bytes that those words take together.
   uint32_t word_bytes;
 } goodbot_lessons;
+
+// Where something was sensed.
+typedef struct goodbot_sensed {
+  // The robot's own name or a block's.
+  const char *name;
+  // The cell.
+  int32_t x;
+  // The cell.
+  int32_t y;
+} goodbot_sensed;
 
 // Which class carries an attribute, and what stands before the capitalised value: `roomIs` makes `roomIsRed`.
 typedef struct goodbot_carrier {
@@ -383,6 +406,30 @@ typedef struct goodbot_table {
   void *context;
 } goodbot_table;
 
+// What a recogniser of speech may have heard: one entry of its n-best list.
+typedef struct goodbot_hypothesis {
+  // The command, in UTF-8.
+  const char *command;
+  // How probable the recogniser takes it to be, in any unit: a number of 0 or more.
+  float weight;
+} goodbot_hypothesis;
+
+// A flash of the caller's: two slots, one after the other. Each function gives false where the flash refused, and must not call goodbot.
+typedef struct goodbot_flash {
+  // Handed to each function.
+  void *context;
+  // Reads `bytes` bytes from `at` on.
+  bool (*read)(void *context, uint32_t at, uint8_t *to, uint32_t bytes);
+  // Writes `bytes` bytes from `at` on, where all is erased.
+  bool (*write)(void *context, uint32_t at, const uint8_t *from, uint32_t bytes);
+  // Erases one slot: `bytes` bytes from `at` on.
+  bool (*erase)(void *context, uint32_t at, uint32_t bytes);
+  // Where the first slot begins: a multiple of what the flash erases at once, and of `GOODBOT_FLASH_UNIT`.
+  uint32_t start;
+  // Bytes of each slot: a multiple of the same, and at least `GOODBOT_FLASH_UNIT` more than the model.
+  uint32_t slot_bytes;
+} goodbot_flash;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -422,6 +469,20 @@ size_t goodbot_table_size(const struct goodbot_capacities *capacities);
 enum goodbot_status goodbot_least_capacities(struct goodbot *robot,
                                              const struct goodbot_lessons *lessons,
                                              struct goodbot_capacities *capacities);
+
+// How full each table was at most since the robot was made, those of its world as they are now: memory of these capacities has room for the
+// same life once more. Those of planning are 0: a plan says what it needs by `FULL`.
+//
+// The caller sees to it:
+// `robot` is null or a handle, `capacities` null or points to memory for it.
+enum goodbot_status goodbot_usage(struct goodbot *robot,
+                                  struct goodbot_capacities *capacities);
+
+// How many sessions it has learned from and still keeps.
+//
+// The caller sees to it:
+// `robot` is null or a handle, `count` null or room for a number.
+enum goodbot_status goodbot_session_count(struct goodbot *robot, uint32_t *count);
 
 // Begins the robot's own random choices anew: the same seed, the same choices.
 //
@@ -516,6 +577,15 @@ enum goodbot_status goodbot_home_place(struct goodbot *robot,
                                        int32_t x,
                                        int32_t y);
 
+// Says where the robot itself and blocks are, all at once, as sensed: also where two of them have changed places. What is not named stays
+// where it was. `UNKNOWN` names nothing that moves, `NUMBER` a cell that is wall, or one cell for two things; nothing is changed then.
+//
+// The caller sees to it:
+// `robot` is null or a handle; `sensed` is null or points to `count` of them; the names are null or C strings.
+enum goodbot_status goodbot_home_sense(struct goodbot *robot,
+                                       const struct goodbot_sensed *sensed,
+                                       uint32_t count);
+
 // Where the robot itself or a block is.
 //
 // The caller sees to it:
@@ -536,6 +606,20 @@ enum goodbot_status goodbot_init_table(void *memory,
                                        const struct goodbot_capacities *capacities,
                                        const struct goodbot_table *table,
                                        struct goodbot **robot);
+
+// Does what `goodbot_init_table` does, in the same memory, and writes what is wrong with the description, with a 0 at its end: which list,
+// which item by its position, which field, what stands there and what may; or which table is full, how much it holds and how much is
+// needed. An empty text where nothing is wrong. Gives what `goodbot_init_table` gives, or `BUFFER` where the text does not fit; 200 bytes
+// are enough.
+//
+// The caller sees to it:
+// As `goodbot_init_table`; `text` is null or room for `text_bytes` bytes.
+enum goodbot_status goodbot_explain_table(void *memory,
+                                          size_t bytes,
+                                          const struct goodbot_capacities *capacities,
+                                          const struct goodbot_table *table,
+                                          char *text,
+                                          size_t text_bytes);
 
 // Says which state things are in, as sensed.
 //
@@ -565,12 +649,31 @@ enum goodbot_status goodbot_trainer(struct goodbot *robot,
 // `robot` is null or a handle, `command` null or a C string in UTF-8.
 enum goodbot_status goodbot_hear(struct goodbot *robot, const char *command);
 
+// Hears one command of which several transcripts are given, `count` of them: the one is taken that is most probable by its weight and by
+// what it could mean here. `chosen` is given its position, and the session is as if it alone had been heard. It takes the time of hearing
+// each, and one once more.
+//
+// The caller sees to it:
+// `robot` is null or a handle; `hypotheses` is null or points to `count` of them; the commands are null or C strings; `chosen` is null or
+// room for a number.
+enum goodbot_status goodbot_hear_one_of(struct goodbot *robot,
+                                        const struct goodbot_hypothesis *hypotheses,
+                                        uint32_t count,
+                                        uint32_t *chosen);
+
 // Begins to hear a command as `goodbot_hear` does, but in parts: call `goodbot_hear_on` until it is done.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `command` null or a C string in UTF-8.
 enum goodbot_status goodbot_begin_hearing(struct goodbot *robot,
                                           const char *command);
+
+// Hears the last command again, where everything stands as it stood when the session began: the belief goes on. An ended session, learned
+// from or forgotten, is taken up again by this; `NO_SESSION` where the last one did not begin so.
+//
+// The caller sees to it:
+// `robot` is null or a handle.
+enum goodbot_status goodbot_hear_again(struct goodbot *robot);
 
 // Goes on hearing the command, at most about `budget` table cells of work. `WORKING` means: call again.
 //
@@ -744,6 +847,27 @@ enum goodbot_status goodbot_save(struct goodbot *robot,
 enum goodbot_status goodbot_restore(struct goodbot *robot,
                                     const uint8_t *model,
                                     size_t bytes);
+
+// Stores all that was learned in the older of two slots, without a buffer; a plan under way is forgotten. `stored` is null, or is given the
+// model's bytes. Whenever the power goes, a whole model is left: this one, or the one of before. `STILL_LEARNING` until `goodbot_learn` is
+// done, `FLASH` where the flash refused or did not keep what was written, `BUFFER` where a slot is too small, `NUMBER` where the slots do
+// not lie as they must.
+//
+// The caller sees to it:
+// `robot` is null or a handle, `flash` null or points to a flash, `stored` null or room for a number.
+enum goodbot_status goodbot_store(struct goodbot *robot,
+                                  const struct goodbot_flash *flash,
+                                  size_t *stored);
+
+// Takes over the newest model of two slots, as `goodbot_restore` does: call `goodbot_learn` until it is done. `buffer` is room for it, free
+// again afterwards. `NOTHING_STORED` where there is none; otherwise as `goodbot_store` and `goodbot_restore`.
+//
+// The caller sees to it:
+// `robot` is null or a handle, `flash` null or points to a flash, `buffer` null or room for `bytes` bytes.
+enum goodbot_status goodbot_load(struct goodbot *robot,
+                                 const struct goodbot_flash *flash,
+                                 uint8_t *buffer,
+                                 size_t bytes);
 
 #ifdef __cplusplus
 }  // extern "C"

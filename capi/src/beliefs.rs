@@ -116,6 +116,17 @@ impl Writer {
         }
     }
 
+    /// Writes a number in decimal.
+    pub(crate) fn number(&mut self, number: u32) {
+        let mut power = 1_000_000_000_u32;
+        while power > 0 {
+            if number >= power || power == 1 {
+                self.byte(b'0'.wrapping_add((number / power % 10) as u8));
+            }
+            power /= 10;
+        }
+    }
+
     fn byte(&mut self, byte: u8) {
         if self.left > 0 {
             // SAFETY: `left` bytes from `at` on are the caller's room.

@@ -3,6 +3,7 @@
 use crate::arena::{after, after_agent, after_home};
 use crate::robot::{Goodbot, World, give, with};
 use crate::status::GoodbotStatus;
+#[cfg(feature = "table")]
 use crate::table;
 use crate::training::in_world;
 use goodbot::Capacities;
@@ -107,12 +108,33 @@ const _: () = assert!(bytes(&Capacities::SMALL, true) <= PROMISED.0 + GOODBOT_TA
 /// Bytes that a robot takes, in memory that is aligned to 8.
 pub const fn bytes(capacities: &Capacities, table: bool) -> usize {
     let at = after_agent(after_home(after::<Goodbot>(0, 1), capacities), capacities);
+    #[cfg(feature = "table")]
     let at = if table { table::after_storage(at) } else { at };
+    #[cfg(not(feature = "table"))]
+    let _ = table;
     match at.checked_next_multiple_of(8) {
         Some(bytes) => bytes,
         None => usize::MAX,
     }
 }
+
+/// Bytes that are enough for a robot where a pointer has four bytes, told on a machine where it may have eight.
+pub const fn bytes_32(capacities: &Capacities, table: bool) -> usize {
+    // The tables have no pointers. What comes between them depends on how long they are.
+    const BETWEEN: usize = 16;
+    let own = GOODBOT_SMALL_BYTES_32.saturating_sub(of_tables(&Capacities::SMALL));
+    let own = if table { own.saturating_add(GOODBOT_TABLE_BYTES) } else { own };
+    (of_tables(capacities).saturating_add(own).saturating_add(BETWEEN) / 8).saturating_mul(8)
+}
+
+const fn of_tables(capacities: &Capacities) -> usize {
+    after_agent(after_home(0, capacities), capacities)
+}
+
+#[cfg(target_pointer_width = "32")]
+const _: () = assert!(bytes(&Capacities::TINY, false) <= bytes_32(&Capacities::TINY, false));
+#[cfg(target_pointer_width = "32")]
+const _: () = assert!(bytes(&Capacities::STANDARD, true) <= bytes_32(&Capacities::STANDARD, true));
 
 impl From<&Capacities> for GoodbotCapacities {
     fn from(from: &Capacities) -> Self {
@@ -210,6 +232,39 @@ pub unsafe extern "C" fn goodbot_least_capacities(
             give(capacities, (&least).into())
         })
     }
+}
+
+/// How full each table was at most since the robot was made, those of its world as they are now: memory of these capacities has room for the
+/// same life once more. Those of planning are 0: a plan says what it needs by `FULL`.
+///
+/// # Safety
+/// `robot` is null or a handle, `capacities` null or points to memory for it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_usage(robot: *mut Goodbot, capacities: *mut GoodbotCapacities) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let world = match &robot.world {
+                #[cfg(feature = "home")]
+                World::Home(home, _) => home.usage(),
+                #[cfg(feature = "table")]
+                World::Table(domain, _) => domain.usage(),
+                #[cfg(feature = "home")]
+                World::Nothing(_) | World::Plan(_) | World::Changing => Capacities::NONE,
+            };
+            give(capacities, (&robot.agent.most_used().at_least(world)).into())
+        })
+    }
+}
+
+/// How many sessions it has learned from and still keeps.
+///
+/// # Safety
+/// `robot` is null or a handle, `count` null or room for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_session_count(robot: *mut Goodbot, count: *mut u32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe { with(robot, |robot| give(count, robot.agent.language().bitext().sessions() as u32)) }
 }
 
 #[cfg(test)]

@@ -4,10 +4,13 @@ use crate::arena::HomeArena;
 use crate::capacities::GoodbotCapacities;
 use crate::robot::{Goodbot, World, give, plot, settle, text, with};
 use crate::status::{Failure, GoodbotStatus};
-use crate::table::init::kinds_of_tasks;
+use crate::tasks::kinds_of_tasks;
 use core::ffi::c_char;
+use goodbot::capacity::BLOCKS;
 use goodbot::home::{self, Area, Cell, HomeBuilder, Moves};
+use goodbot::oomdp::ObjectId;
 use goodbot::task::LiftedTask;
+use heapless::Vec;
 
 /// Makes a robot that will live in homes, in the caller's memory: `bytes` bytes, aligned to 8, as many as `goodbot_size` says. It
 /// understands commands to go to a room and to bring a block to a room.
@@ -32,7 +35,7 @@ pub unsafe extern "C" fn goodbot_init_home(
     };
     let Ok(tasks): Result<[LiftedTask; 2], _> = home::paper_tasks() else { return GoodbotStatus::Other };
     // SAFETY: `robot` is not null.
-    unsafe { settle(plot, &tasks, |home| Ok(World::Nothing(home)), robot) }
+    unsafe { settle(plot, &tasks, |home| Ok(World::Nothing(home)), robot) }.unwrap_or_else(|failure| failure.status)
 }
 
 /// As `goodbot_init_home`, for commands that may mean tasks of these kinds, `GOODBOT_MOST_TASKS` at most: `agentInRoom(?a, ?goal)`,
@@ -86,7 +89,7 @@ fn plan(robot: &mut Goodbot) -> Result<&mut HomeBuilder<HomeArena>, Failure> {
     match &mut robot.world {
         World::Plan(builder) => Ok(builder),
         World::Nothing(_) => Err(GoodbotStatus::NoWorld.into()),
-        World::Home(..) | World::Table(..) | World::Changing => Err(GoodbotStatus::World.into()),
+        _ => Err(GoodbotStatus::World.into()),
     }
 }
 
@@ -208,6 +211,43 @@ pub unsafe extern "C" fn goodbot_home_place(robot: *mut Goodbot, name: *const c_
             let World::Home(home, state) = &mut robot.world else { return Err(GoodbotStatus::NoWorld.into()) };
             let object = home.objects().find(text(name)?).ok_or(GoodbotStatus::Unknown)?;
             *state = home.placed(state, &[(object, Cell::new(x, y))]).ok_or(GoodbotStatus::Number)?;
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+/// Where something was sensed.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct GoodbotSensed {
+    /// The robot's own name or a block's.
+    pub name: *const c_char,
+    /// The cell.
+    pub x: i32,
+    /// The cell.
+    pub y: i32,
+}
+
+/// Says where the robot itself and blocks are, all at once, as sensed: also where two of them have changed places. What is not named stays
+/// where it was. `UNKNOWN` names nothing that moves, `NUMBER` a cell that is wall, or one cell for two things; nothing is changed then.
+///
+/// # Safety
+/// `robot` is null or a handle; `sensed` is null or points to `count` of them; the names are null or C strings.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_home_sense(robot: *mut Goodbot, sensed: *const GoodbotSensed, count: u32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let World::Home(home, state) = &mut robot.world else { return Err(GoodbotStatus::NoWorld.into()) };
+            if sensed.is_null() {
+                return Err(GoodbotStatus::Null.into());
+            }
+            let mut things: Vec<(ObjectId, Cell), { BLOCKS + 1 }> = Vec::new();
+            for &GoodbotSensed { name, x, y } in core::slice::from_raw_parts(sensed, count as usize) {
+                let object = home.objects().find(text(name)?).filter(|&object| home.piece(object).is_some());
+                things.push((object.ok_or(GoodbotStatus::Unknown)?, Cell::new(x, y))).map_err(|_| GoodbotStatus::Number)?;
+            }
+            *state = home.placed(state, &things).ok_or(GoodbotStatus::Number)?;
             Ok(GoodbotStatus::Ok)
         })
     }

@@ -10,10 +10,12 @@
 //! - [`robot`]: the handle;
 //! - [`home`]: the home environment;
 //! - [`table`]: robots of the caller's own: classes, objects, propositions and a step function or a table of steps;
+//! - [`tasks`]: the kinds of tasks that a robot can be told;
 //! - [`training`]: hear, plan, decide, feedback, learn;
 //! - [`asking`]: questions to the trainer;
 //! - [`beliefs`]: what the robot takes a command to mean;
-//! - [`model`]: saving and restoring what was learned.
+//! - [`model`]: saving and restoring what was learned;
+//! - [`storage`]: the same in a flash, where it outlives power cuts.
 
 #![no_std]
 #![deny(missing_docs)]
@@ -24,16 +26,24 @@
 extern crate std;
 
 pub mod arena;
+#[cfg(feature = "asking")]
 pub mod asking;
 pub mod beliefs;
 pub mod capacities;
+#[cfg(feature = "home")]
 pub mod home;
 pub mod model;
 pub mod robot;
 pub mod status;
+pub mod storage;
+#[cfg(feature = "table")]
 pub mod table;
+pub mod tasks;
 pub mod training;
 pub mod version;
+
+#[cfg(not(any(feature = "home", feature = "table")))]
+compile_error!("without the features home and table no robot can be made; choose one at least");
 
 /// Never called: nothing here panics. The compiler asks for it all the same.
 #[cfg(all(feature = "alone", not(test)))]

@@ -3,10 +3,12 @@
 use crate::arena::{AgentArena, Arena, HomeArena};
 use crate::capacities::GoodbotCapacities;
 use crate::status::{Failure, GoodbotStatus};
+#[cfg(feature = "table")]
 use crate::table::TableDomain;
 use core::ffi::{CStr, c_char};
 use core::ptr::NonNull;
 use goodbot::capacity::CapacityError;
+#[cfg(feature = "home")]
 use goodbot::home::{Home, HomeBuilder, HomeState};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
@@ -28,21 +30,27 @@ pub struct Goodbot {
 #[derive(Debug)]
 pub enum World {
     /// Nothing yet.
+    #[cfg(feature = "home")]
     Nothing(HomeArena),
     /// A home that is being described.
+    #[cfg(feature = "home")]
     Plan(HomeBuilder<HomeArena>),
     /// A home, and where things stand now.
+    #[cfg(feature = "home")]
     Home(Home<HomeArena>, HomeState),
-    /// The caller's own.
-    Table(TableDomain, u32),
     /// It is being changed for another; no call ends so.
+    #[cfg(feature = "home")]
     Changing,
+    /// The caller's own.
+    #[cfg(feature = "table")]
+    Table(TableDomain, u32),
 }
 
+#[cfg(feature = "home")]
 impl Goodbot {
     /// The home's memory for a new description; the world there was is gone, and with it a session under way.
     pub(crate) fn empty_home(&mut self) -> Result<HomeArena, Failure> {
-        if let World::Table(..) | World::Changing = self.world {
+        if !matches!(self.world, World::Nothing(_) | World::Plan(_) | World::Home(..)) {
             return Err(GoodbotStatus::World.into());
         }
         self.agent.leave();
@@ -50,7 +58,7 @@ impl Goodbot {
             World::Nothing(memory) => Ok(memory),
             World::Plan(builder) => Ok(builder.into_memory()),
             World::Home(home, _) => Ok(home.into_memory()),
-            World::Table(..) | World::Changing => Err(GoodbotStatus::World.into()),
+            _ => Err(GoodbotStatus::World.into()),
         }
     }
 }
@@ -94,21 +102,15 @@ pub(crate) unsafe fn settle(
     tasks: &[LiftedTask],
     world: impl FnOnce(HomeArena) -> Result<World, Failure>,
     robot: *mut *mut Goodbot,
-) -> GoodbotStatus {
-    let agent = match Agent::new(plot.agent, tasks, Options::DEFAULT) {
-        Ok(agent) => agent,
-        Err(error) => return Failure::from(error).status,
-    };
-    let world = match world(plot.home) {
-        Ok(world) => world,
-        Err(failure) => return failure.status,
-    };
+) -> Result<GoodbotStatus, Failure> {
+    let agent = Agent::new(plot.agent, tasks, Options::DEFAULT)?;
+    let world = world(plot.home)?;
     // SAFETY: `plot` made sure of the room; the rest is the caller's promise.
     unsafe {
         plot.at.write(Goodbot { magic: MAGIC, full: None, random: Pcg32::new(0, 0x2014), agent, world });
         robot.write(plot.at.as_ptr());
     }
-    GoodbotStatus::Ok
+    Ok(GoodbotStatus::Ok)
 }
 
 /// Does something with the robot, if the handle is one; remembers which table was full.
@@ -135,6 +137,24 @@ pub(crate) unsafe fn with(robot: *mut Goodbot, run: impl FnOnce(&mut Goodbot) ->
             failure.status
         }
     }
+}
+
+/// Items of the caller's.
+///
+/// # Safety
+/// `items` is null or points to `count` items that stay.
+pub(crate) unsafe fn list<T>(items: *const T, count: u32, most: usize, place: Place, counted: Place) -> Result<&'static [T], Failure> {
+    if count == 0 {
+        return Ok(&[]);
+    }
+    if items.is_null() {
+        return Err(GoodbotStatus::Null).at(place);
+    }
+    if count as usize > most {
+        return Err(GoodbotStatus::Number).at(counted.number(count, 0, most as u32));
+    }
+    // SAFETY: the caller's promise.
+    Ok(unsafe { core::slice::from_raw_parts(items, count as usize) })
 }
 
 /// A text of the caller's.

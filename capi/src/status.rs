@@ -65,24 +65,75 @@ pub enum GoodbotStatus {
     NotAsked = 25,
     /// This is no answer to the question that was asked.
     NoAnswer = 26,
+    /// The flash refused, or did not keep what was written; the older model is still there.
+    Flash = 27,
+    /// Nothing is stored.
+    NothingStored = 28,
 }
 
-/// Why a call failed, with the table that was full, if one was.
+/// Why a call failed, with the table that was full, if one was, and the part of a description that is wrong, if it is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Failure {
     pub(crate) status: GoodbotStatus,
     pub(crate) full: Option<CapacityError>,
+    pub(crate) place: Option<Place>,
+}
+
+/// A part of the caller's description: `objects[3].name`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The list or field of the table.
+    pub(crate) list: &'static str,
+    /// Which item of the list.
+    pub(crate) item: Option<usize>,
+    /// The item's field.
+    pub(crate) field: &'static str,
+    /// What stands there, where it is a number.
+    pub(crate) found: Option<u32>,
+    /// The least and the most that may stand there.
+    pub(crate) allowed: Option<(u32, u32)>,
+}
+
+impl Place {
+    /// A field of the table itself.
+    pub(crate) const fn of(list: &'static str) -> Self {
+        Self { list, item: None, field: "", found: None, allowed: None }
+    }
+
+    /// A field of an item of a list.
+    pub(crate) const fn item(list: &'static str, item: usize, field: &'static str) -> Self {
+        Self { item: Some(item), field, ..Self::of(list) }
+    }
+
+    /// The number that stands there, and the least and the most that may.
+    pub(crate) const fn number(self, found: u32, least: u32, most: u32) -> Self {
+        Self { found: Some(found), allowed: Some((least, most)), ..self }
+    }
+}
+
+/// Says where something went wrong, where that is not said yet.
+pub(crate) trait At<T> {
+    fn at(self, place: Place) -> Result<T, Failure>;
+}
+
+impl<T, E: Into<Failure>> At<T> for Result<T, E> {
+    fn at(self, place: Place) -> Result<T, Failure> {
+        self.map_err(|error| {
+            let failure = error.into();
+            Failure { place: failure.place.or(Some(place)), ..failure }
+        })
+    }
 }
 
 impl From<GoodbotStatus> for Failure {
     fn from(status: GoodbotStatus) -> Self {
-        Self { status, full: None }
+        Self { status, full: None, place: None }
     }
 }
 
 impl From<CapacityError> for Failure {
     fn from(error: CapacityError) -> Self {
-        Self { status: GoodbotStatus::Full, full: Some(error) }
+        Self { status: GoodbotStatus::Full, full: Some(error), place: None }
     }
 }
 
@@ -101,7 +152,11 @@ impl From<AgentError> for Failure {
             AgentError::NotAsked => GoodbotStatus::NotAsked,
             AgentError::NoAnswer => GoodbotStatus::NoAnswer,
             AgentError::NotApplicable => GoodbotStatus::NotApplicable,
-            AgentError::Strategy(_) | AgentError::Prior { .. } | AgentError::NoPrior | AgentError::Setting(_) => GoodbotStatus::Number,
+            AgentError::Strategy(_)
+            | AgentError::Prior { .. }
+            | AgentError::NoPrior
+            | AgentError::Weight { .. }
+            | AgentError::Setting(_) => GoodbotStatus::Number,
             AgentError::Capacity(error) => return error.into(),
             _ => GoodbotStatus::Other,
         }
@@ -140,6 +195,7 @@ impl From<SaveError> for Failure {
     fn from(error: SaveError) -> Self {
         match error {
             SaveError::Buffer { .. } => GoodbotStatus::Buffer.into(),
+            SaveError::StillLearning => GoodbotStatus::StillLearning.into(),
             _ => GoodbotStatus::Other.into(),
         }
     }
@@ -158,7 +214,11 @@ impl From<RestoreError> for Failure {
 /// What is wrong, as a sentence for people; a constant text that is never null.
 #[unsafe(no_mangle)]
 pub extern "C" fn goodbot_status_text(status: i32) -> *const core::ffi::c_char {
-    const TEXTS: [&core::ffi::CStr; 27] = [
+    text_of(status).as_ptr()
+}
+
+pub(crate) fn text_of(status: i32) -> &'static core::ffi::CStr {
+    const TEXTS: [&core::ffi::CStr; 29] = [
         c"done",
         c"not done yet; call again",
         c"a pointer is null that must not be",
@@ -186,6 +246,8 @@ pub extern "C" fn goodbot_status_text(status: i32) -> *const core::ffi::c_char {
         c"the session is not finished; finish on until it is",
         c"no question waits for an answer; ask first",
         c"this is no answer to that question; answer yes, no, or with the number of a choice",
+        c"the flash refused, or did not keep what was written; the older model is still there",
+        c"nothing is stored",
     ];
-    usize::try_from(status).ok().and_then(|status| TEXTS.get(status)).unwrap_or(&c"no such status").as_ptr()
+    usize::try_from(status).ok().and_then(|status| TEXTS.get(status)).copied().unwrap_or(c"no such status")
 }

@@ -3,10 +3,11 @@
 use crate::robot::{Goodbot, World, give, text, with};
 use crate::status::{Failure, GoodbotStatus};
 use core::ffi::c_char;
-use goodbot::feedback::{Feedback, Strategy};
+use goodbot::feedback::{Feedback, LAGS, Strategy};
 use goodbot::oomdp::{Action, apply};
 use goodbot::planning::{OptimalSet, Progress};
-use goodbot::session::{Evidence, Finished};
+use goodbot::session::{Evidence, Finished, Hypothesis};
+use heapless::Vec;
 
 /// The action of doing nothing, which every robot has.
 pub const GOODBOT_NOOP: u8 = 15;
@@ -39,8 +40,11 @@ pub const GOODBOT_EVIDENCE_IMPOSSIBLE: u32 = 2;
 macro_rules! in_world {
     ($world:expr, |$domain:ident, $state:ident| $run:expr) => {
         match $world {
+            #[cfg(feature = "home")]
             World::Home($domain, $state) => $run,
+            #[cfg(feature = "table")]
             World::Table($domain, $state) => $run,
+            #[cfg(feature = "home")]
             World::Nothing(_) | World::Plan(_) | World::Changing => return Err(GoodbotStatus::NoWorld.into()),
         }
     };
@@ -68,6 +72,54 @@ pub unsafe extern "C" fn goodbot_trainer(robot: *mut Goodbot, mu_plus: f32, mu_m
     }
 }
 
+/// How late words come at most, in actions, and one more.
+pub const GOODBOT_LAGS: usize = 3;
+const _: () = assert!(GOODBOT_LAGS == LAGS);
+
+/// A way to reward and punish, for `goodbot_trainers`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct GoodbotStrategy {
+    /// The probability of silence after a right action.
+    pub mu_plus: f32,
+    /// The probability of silence after a wrong action.
+    pub mu_minus: f32,
+    /// The probability of taking one for the other.
+    pub epsilon: f32,
+    /// The probability that a word is about the last action, the one before, and the one before that: 1, 0 and 0 where no word is late.
+    pub lags: [f32; GOODBOT_LAGS],
+    /// How probable it is that the trainer is such a one, in any unit.
+    pub prior: f32,
+}
+
+/// Most strategies of `goodbot_trainers`; the capacity `STRATEGIES` may allow fewer.
+pub const GOODBOT_MOST_STRATEGIES: usize = 16;
+
+/// Says in which ways the trainer may reward and punish, `count` of them: the robot finds out which. A session under way ends unlearned.
+/// `FULL` where they are more than the capacity `STRATEGIES`, `NUMBER` where there are none, a number is out of range, or all priors are 0;
+/// the strategies are then what they were.
+///
+/// # Safety
+/// `robot` is null or a handle, `strategies` null or points to `count` of them.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_trainers(robot: *mut Goodbot, strategies: *const GoodbotStrategy, count: u32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            if strategies.is_null() {
+                return Err(GoodbotStatus::Null.into());
+            }
+            let mut given: Vec<(Strategy, f32), GOODBOT_MOST_STRATEGIES> = Vec::new();
+            for &GoodbotStrategy { mu_plus, mu_minus, epsilon, lags, prior } in core::slice::from_raw_parts(strategies, count as usize) {
+                let strategy = Strategy::new(mu_plus, mu_minus, epsilon).and_then(|strategy| strategy.with_lags(lags));
+                given.push((strategy.map_err(|_| GoodbotStatus::Number)?, prior)).map_err(|_| GoodbotStatus::Number)?;
+            }
+            robot.agent.set_strategies(&given)?;
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
 /// Hears a command: a session begins in the state in which things are now.
 ///
 /// # Safety
@@ -84,6 +136,49 @@ pub unsafe extern "C" fn goodbot_hear(robot: *mut Goodbot, command: *const c_cha
     }
 }
 
+/// What a recogniser of speech may have heard: one entry of its n-best list.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct GoodbotHypothesis {
+    /// The command, in UTF-8.
+    pub command: *const c_char,
+    /// How probable the recogniser takes it to be, in any unit: a number of 0 or more.
+    pub weight: f32,
+}
+
+/// Most transcripts of one command.
+pub const GOODBOT_MOST_HYPOTHESES: usize = 16;
+
+/// Hears one command of which several transcripts are given, `count` of them: the one is taken that is most probable by its weight and by
+/// what it could mean here. `chosen` is given its position, and the session is as if it alone had been heard. It takes the time of hearing
+/// each, and one once more.
+///
+/// # Safety
+/// `robot` is null or a handle; `hypotheses` is null or points to `count` of them; the commands are null or C strings; `chosen` is null or
+/// room for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_hear_one_of(
+    robot: *mut Goodbot,
+    hypotheses: *const GoodbotHypothesis,
+    count: u32,
+    chosen: *mut u32,
+) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            if hypotheses.is_null() || chosen.is_null() {
+                return Err(GoodbotStatus::Null.into());
+            }
+            let mut given: Vec<Hypothesis<'_>, GOODBOT_MOST_HYPOTHESES> = Vec::new();
+            for &GoodbotHypothesis { command, weight } in core::slice::from_raw_parts(hypotheses, count as usize) {
+                given.push(Hypothesis { command: text(command)?, weight }).map_err(|_| GoodbotStatus::Number)?;
+            }
+            let position = in_world!(&robot.world, |domain, state| robot.agent.hear_one_of(domain, state, &given)?);
+            give(chosen, position as u32)
+        })
+    }
+}
+
 /// Begins to hear a command as `goodbot_hear` does, but in parts: call `goodbot_hear_on` until it is done.
 ///
 /// # Safety
@@ -95,6 +190,22 @@ pub unsafe extern "C" fn goodbot_begin_hearing(robot: *mut Goodbot, command: *co
         with(robot, |robot| {
             let command = text(command)?;
             in_world!(&robot.world, |domain, state| robot.agent.begin_hearing(domain, state, command)?);
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+/// Hears the last command again, where everything stands as it stood when the session began: the belief goes on. An ended session, learned
+/// from or forgotten, is taken up again by this; `NO_SESSION` where the last one did not begin so.
+///
+/// # Safety
+/// `robot` is null or a handle.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_hear_again(robot: *mut Goodbot) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            in_world!(&robot.world, |domain, state| robot.agent.hear_again(domain, state)?);
             Ok(GoodbotStatus::Ok)
         })
     }

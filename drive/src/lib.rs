@@ -2,7 +2,8 @@
 //!
 //! - [`pose`]: where the robot is, from how far each wheel has rolled;
 //! - [`grid`]: the cell of a pose, and the cell that an action leads to;
-//! - [`drive`]: the wheel speeds that carry out an action.
+//! - [`drive`]: the wheel speeds that carry out an action;
+//! - `simulation`, with the feature of that name: a robot whose wheels slip, to try all of it with.
 //!
 //! Lengths are metres, angles radians, times seconds. East is along x, north along y, and headings turn from east to north. Sines and
 //! square roots are those of `micromath`: approximate, small, and the same on every target. They are called by the name of their trait,
@@ -37,6 +38,8 @@
 pub mod drive;
 pub mod grid;
 pub mod pose;
+#[cfg(feature = "simulation")]
+pub mod simulation;
 
 pub use drive::{Drive, DriveError, Limits, Motion, Step, Wheels};
 pub use grid::{EAST, Grid, NORTH, SOUTH, WEST};

@@ -1,8 +1,6 @@
 //! Robots whose wheels slip and whose sensors are noisy go through the paper's lessons: they learn what they would learn without, and they
 //! never touch a wall.
 
-mod world;
-
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::Home;
 use goodbot::memory::{AgentMemory, HomeMemory};
@@ -10,8 +8,8 @@ use goodbot::oomdp::Action;
 use goodbot::planning::OptimalSet;
 use goodbot::{Agent, Options, home};
 use goodbot_course::{CourseTrainer, Exercise, Homes, LESSONS, TESTS, Trainer, generator};
+use goodbot_drive::simulation::World;
 use rand_pcg::Pcg32;
-use world::World;
 
 goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
 
@@ -38,7 +36,7 @@ fn lesson(
     let mut state = start;
     agent.hear(home, &state, exercise.command).unwrap();
     let intended = exercise.intention.find(agent, home).unwrap();
-    let mut world = World::new(home, &state);
+    let mut world = World::new(home, &state).unwrap();
     let mut rests = 0;
     for _ in 0..300 {
         agent.plan_fully(home, &state).unwrap();
@@ -51,7 +49,7 @@ fn lesson(
         rests = if right == OptimalSet::Goal && decision.action == Action::NOOP { rests + 1 } else { 0 };
         let expected = agent.acted(home, &state, decision.action).unwrap();
         if expected != state {
-            world.act(decision.action, agent.belief().probability(decision.task), random);
+            world.act(home, decision.action, agent.belief().probability(decision.task), random).unwrap();
         }
         let feedback: Feedback = CourseTrainer::BALANCED.feedback(correct, random);
         let _ = agent.feedback(feedback).unwrap();

@@ -13,6 +13,7 @@ use crate::paper::sweep::Sweep;
 use crate::paper::trainer::{BelievedChoice, TrainerChoice};
 use crate::questions::QuestionsOptions;
 use crate::replay::ReplayArgs;
+use crate::size::SizeOptions;
 use crate::study::StudyOptions;
 use crate::teach::TeachOptions;
 use crate::ways::WaysOptions;
@@ -97,6 +98,8 @@ pub enum Command {
     /// Find what trainers to expect, from what real ones said
     FitTrainers(FitOptions),
     Check(CheckArgs),
+    /// Print the memory that a robot needs for homes and lessons, as source for a controller
+    Size(SizeOptions),
     Merge(MergeArgs),
     Study(StudyOptions),
     /// Print a home or a session log to begin with

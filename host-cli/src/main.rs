@@ -29,6 +29,7 @@ mod paper;
 mod questions;
 mod refusal;
 mod replay;
+mod size;
 mod study;
 mod teach;
 mod ways;
@@ -64,6 +65,7 @@ fn main() -> ExitCode {
         Command::FitTrainers(options) => fit_trainers::run(&options),
         Command::Replay(args) => return replay::run(&args),
         Command::Check(args) => return check::run(&args),
+        Command::Size(options) => size::run(&options),
         Command::Merge(options) => merge::run(&options),
         Command::Evaluate(options) => evaluate::run(&options),
         Command::Study(options) => study::run(&options),

@@ -3,11 +3,13 @@
 use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
-use goodbot::storage::{StorageError, TwoSlots};
+use goodbot::storage::{StorageError, TwoSlots, TwoSlotsAsync};
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_tests::school::{self, train};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use std::pin::pin;
+use std::task::{Context, Poll, Waker};
 
 /// A NOR flash of `ERASE`-byte blocks that is written `WRITE` bytes at a time and read `READ` at a time, and whose power goes after so many
 /// bytes of writing and erasing.
@@ -251,4 +253,92 @@ fn slots_off_the_erase_blocks_or_beyond_the_flash_are_refused() {
     for (start, slot) in [(1, 256), (0, 255), (0, 512), (256, 512), (u32::MAX, 256), (0, 0), (0, u32::MAX)] {
         assert_eq!(TwoSlots::new(Flash::<1, 4, 256>::new(3), start, slot).map(|_| ()), Err(StorageError::Geometry), "{start} {slot}");
     }
+}
+
+/// The same flash as a controller has it that goes on with other things while the flash is at work: every call is waited for once.
+struct Slow(Flash<1, 4, 256>);
+
+async fn wait() {
+    let mut waited = false;
+    std::future::poll_fn(|context| {
+        context.waker().wake_by_ref();
+        if std::mem::replace(&mut waited, true) { Poll::Ready(()) } else { Poll::Pending }
+    })
+    .await
+}
+
+impl ErrorType for Slow {
+    type Error = Refusal;
+}
+
+impl embedded_storage_async::nor_flash::ReadNorFlash for Slow {
+    const READ_SIZE: usize = 1;
+
+    async fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), Refusal> {
+        wait().await;
+        ReadNorFlash::read(&mut self.0, offset, bytes)
+    }
+
+    fn capacity(&self) -> usize {
+        ReadNorFlash::capacity(&self.0)
+    }
+}
+
+impl embedded_storage_async::nor_flash::NorFlash for Slow {
+    const WRITE_SIZE: usize = 4;
+    const ERASE_SIZE: usize = 256;
+
+    async fn erase(&mut self, from: u32, to: u32) -> Result<(), Refusal> {
+        wait().await;
+        NorFlash::erase(&mut self.0, from, to)
+    }
+
+    async fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), Refusal> {
+        wait().await;
+        NorFlash::write(&mut self.0, offset, bytes)
+    }
+}
+
+/// Polls so many times at most; nothing where that was not enough.
+fn poll<T>(future: impl Future<Output = T>, times: usize) -> Option<T> {
+    let mut future = pin!(future);
+    let mut context = Context::from_waker(Waker::noop());
+    (0..times).find_map(|_| match future.as_mut().poll(&mut context) {
+        Poll::Ready(done) => Some(done),
+        Poll::Pending => None,
+    })
+}
+
+#[test]
+fn a_flash_that_is_waited_for_keeps_what_the_other_form_finds() {
+    let models = models(2);
+    let mut slots = TwoSlotsAsync::new(Slow(Flash::new(8)), 0, 1_024).unwrap();
+    for model in &models {
+        assert_eq!(poll(slots.store(model), usize::MAX), Some(Ok(())));
+        let mut buffer = [0; 1_024];
+        assert_eq!(poll(slots.load(&mut buffer), usize::MAX), Some(Ok(Some(model.len()))));
+        assert_eq!(&buffer[..model.len()], model);
+    }
+    let mut other = TwoSlots::new(slots.into_flash().0, 0, 1_024).unwrap();
+    assert_eq!(load(&mut other).as_ref(), Some(&models[1]));
+}
+
+#[test]
+fn a_store_that_is_given_up_after_any_wait_leaves_the_old_or_the_new_model() {
+    let models = models(2);
+    let mut given_up = 0;
+    for polls in 0.. {
+        let mut slots = TwoSlotsAsync::new(Slow(Flash::new(8)), 0, 1_024).unwrap();
+        assert_eq!(poll(slots.store(&models[0]), usize::MAX), Some(Ok(())));
+        let stored = poll(slots.store(&models[1]), polls);
+        let mut after = TwoSlots::new(slots.into_flash().0, 0, 1_024).unwrap();
+        let found = load(&mut after);
+        if stored.is_some() {
+            assert_eq!(found.as_ref(), Some(&models[1]));
+            break;
+        }
+        assert!(found.as_ref() == Some(&models[0]) || found.as_ref() == Some(&models[1]), "given up after {polls} polls");
+        given_up += 1;
+    }
+    assert!(given_up > 10, "{given_up} waits are too few to try anything");
 }

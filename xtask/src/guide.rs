@@ -98,7 +98,7 @@ pub fn follow() -> Result<()> {
 
 fn in_c(part: &str, folder: &Path) -> Result<()> {
     let blocks = blocks(part);
-    std::fs::copy(library::build(None)?, folder.join("libgoodbot.a"))?;
+    std::fs::copy(library::build(None, &library::FEATURES)?, folder.join("libgoodbot.a"))?;
     std::fs::copy(project::root().join("capi/include/goodbot.h"), folder.join("goodbot.h"))?;
     std::fs::write(folder.join("robot.c"), program(&blocks, "c"))?;
     expect(promised(part)?, &process::capture(&mut shell(commands(&blocks, "gcc")?, folder))?)?;

@@ -64,6 +64,9 @@ enum Task {
         /// For this processor, such as thumbv7em-none-eabihf, instead of this machine.
         #[arg(long)]
         target: Option<toolchain::Target>,
+        /// What it is to have; what is left out takes no flash
+        #[arg(long, value_delimiter = ',', value_name = "LIST", default_values = capi::library::FEATURES)]
+        features: Vec<String>,
     },
 }
 
@@ -97,7 +100,7 @@ fn run() -> Result<ExitCode> {
         ]))?,
         Task::Capi => capi::header::write()?,
         Task::Microbit => drop(firmware::microbit::deliver()?),
-        Task::Library { target } => capi::library::deliver(target)?,
+        Task::Library { target, features } => capi::library::deliver(target, &features)?,
         Task::Footprint(options) => return footprint::run(&options),
     }
     Ok(ExitCode::SUCCESS)

@@ -6,7 +6,7 @@ use anyhow::{Context, Result, anyhow};
 use cbindgen::{Builder, Config};
 
 /// The sources whose items the header has, in its order.
-const SOURCES: [&str; 11] = [
+const SOURCES: [&str; 12] = [
     "status.rs",
     "version.rs",
     "capacities.rs",
@@ -18,6 +18,7 @@ const SOURCES: [&str; 11] = [
     "beliefs.rs",
     "asking.rs",
     "model.rs",
+    "storage.rs",
 ];
 
 fn main() -> Result<()> {

@@ -14,8 +14,6 @@ pub const GOODBOT_MOST_PROPOSITIONS: usize = 8;
 pub const GOODBOT_MOST_ARGUMENTS: usize = 3;
 /// Most actions, doing nothing not counted.
 pub const GOODBOT_MOST_ACTIONS: usize = 15;
-/// Most tasks.
-pub const GOODBOT_MOST_TASKS: usize = 8;
 /// In a table of steps: the action cannot be done there.
 pub const GOODBOT_CANNOT: u16 = 0xffff;
 

@@ -3,6 +3,7 @@
 use super::description::{GOODBOT_CANNOT, GoodbotHolds, GoodbotStep};
 use crate::arena::HomeArena;
 use core::ffi::c_void;
+use goodbot::Capacities;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{
     Action, ActionKind, Attribute, Class, Domain, GroundProposition, ObjectCount, Objects, OneByOne, Proposition, Schema, World,
@@ -34,6 +35,13 @@ impl TableDomain {
     /// How many states there are.
     pub fn states(&self) -> u32 {
         self.states
+    }
+
+    /// How full the tables of objects and names are.
+    pub fn usage(&self) -> Capacities {
+        let mut used = Capacities::NONE;
+        self.world().objects.usage(&mut used);
+        used
     }
 }
 

@@ -2,18 +2,19 @@
 
 use super::description::{
     GOODBOT_CANNOT, GOODBOT_MOST_ACTIONS, GOODBOT_MOST_ARGUMENTS, GOODBOT_MOST_ATTRIBUTES, GOODBOT_MOST_CARRIERS, GOODBOT_MOST_CLASSES,
-    GOODBOT_MOST_PROPOSITIONS, GOODBOT_MOST_TASKS, GoodbotTable,
+    GOODBOT_MOST_PROPOSITIONS, GoodbotObject, GoodbotTable,
 };
 use super::domain::{Parts, Steps, TableDomain};
 use crate::arena::{Arena, HomeArena, after};
+use crate::beliefs::Writer;
 use crate::capacities::GoodbotCapacities;
-use crate::robot::{Goodbot, World, give, plot, settle, text, with};
-use crate::status::{Failure, GoodbotStatus};
+use crate::robot::{Goodbot, World, give, list, plot, settle, text, with};
+use crate::status::{At, Failure, GoodbotStatus, Place, text_of};
+use crate::tasks::kinds_of_tasks;
 use core::ffi::{c_char, c_void};
+use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{ActionKind, Attribute, Carrier, Class, ClassId, ObjectCount, ObjectSet, Proposition, Schema};
-use goodbot::task::LiftedTask;
-use heapless::Vec;
 
 const NO_CARRIER: Carrier<'static> = Carrier { class: ClassId(0), prefix: "" };
 const NO_ATTRIBUTE: Attribute<'static> = Attribute { name: "", carriers: &[] };
@@ -27,24 +28,6 @@ pub(crate) const fn after_storage(at: usize) -> usize {
     let at = after::<ClassId>(at, GOODBOT_MOST_PROPOSITIONS * GOODBOT_MOST_ARGUMENTS);
     let at = after::<Proposition<'static>>(at, GOODBOT_MOST_PROPOSITIONS);
     after::<ActionKind<'static>>(at, GOODBOT_MOST_ACTIONS)
-}
-
-/// Items of the caller's.
-///
-/// # Safety
-/// `items` is null or points to `count` items that stay.
-unsafe fn list<T>(items: *const T, count: u32, most: usize) -> Result<&'static [T], GoodbotStatus> {
-    if count == 0 {
-        return Ok(&[]);
-    }
-    if items.is_null() {
-        return Err(GoodbotStatus::Null);
-    }
-    if count as usize > most {
-        return Err(GoodbotStatus::Number);
-    }
-    // SAFETY: the caller's promise.
-    Ok(unsafe { core::slice::from_raw_parts(items, count as usize) })
 }
 
 /// Makes a robot of the caller's own, in the caller's memory: `bytes` bytes, aligned to 8, as many as `goodbot_table_size` says. The
@@ -68,6 +51,80 @@ pub unsafe extern "C" fn goodbot_init_table(
     }
 }
 
+/// Does what `goodbot_init_table` does, in the same memory, and writes what is wrong with the description, with a 0 at its end: which list,
+/// which item by its position, which field, what stands there and what may; or which table is full, how much it holds and how much is
+/// needed. An empty text where nothing is wrong. Gives what `goodbot_init_table` gives, or `BUFFER` where the text does not fit; 200 bytes
+/// are enough.
+///
+/// # Safety
+/// As `goodbot_init_table`; `text` is null or room for `text_bytes` bytes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_explain_table(
+    memory: *mut c_void,
+    bytes: usize,
+    capacities: *const GoodbotCapacities,
+    table: *const GoodbotTable,
+    text: *mut c_char,
+    text_bytes: usize,
+) -> GoodbotStatus {
+    let mut robot = core::ptr::null_mut();
+    // SAFETY: the caller's promise.
+    let (made, writer) = unsafe { (init(memory, bytes, capacities, table, &raw mut robot), Writer::new(text, text_bytes)) };
+    let mut writer = match writer {
+        Ok(writer) => writer,
+        Err(status) => return status,
+    };
+    let status = match made {
+        Ok(status) => status,
+        Err(failure) => {
+            explain(&mut writer, &failure);
+            failure.status
+        }
+    };
+    match writer.end() {
+        Ok(_) => status,
+        Err(failure) => failure.status,
+    }
+}
+
+/// Writes where a failure comes from, and what it is.
+fn explain(writer: &mut Writer, failure: &Failure) {
+    if let Some(Place { list, item, field, found, allowed }) = failure.place {
+        writer.put(list);
+        if let Some(item) = item {
+            writer.put("[");
+            writer.number(item as u32);
+            writer.put("]");
+        }
+        if !field.is_empty() {
+            writer.put(".");
+            writer.put(field);
+        }
+        if let Some(found) = found {
+            writer.put(" is ");
+            writer.number(found);
+        }
+        if let Some((least, most)) = allowed {
+            writer.put(" and must be from ");
+            writer.number(least);
+            writer.put(" to ");
+            writer.number(most);
+        }
+        writer.put(": ");
+    }
+    match failure.full {
+        Some(full) => {
+            writer.put(full.capacity.name());
+            writer.put(" holds ");
+            writer.number(full.limit);
+            writer.put(" and ");
+            writer.number(full.given);
+            writer.put(" are needed; raise it");
+        }
+        None => writer.put(text_of(failure.status as i32).to_str().unwrap_or("")),
+    }
+}
+
 /// # Safety
 /// As [`goodbot_init_table`].
 unsafe fn init(
@@ -80,13 +137,13 @@ unsafe fn init(
     // SAFETY: the caller's promise, for all that follows.
     unsafe {
         let Some(table) = table.as_ref().filter(|_| !robot.is_null()) else { return Err(GoodbotStatus::Null.into()) };
-        let mut plot = plot(memory.cast(), bytes, capacities)?;
+        let mut plot = plot(memory.cast(), bytes, capacities).at(Place::of("the memory given"))?;
         let (classes, attributes, propositions) = schema(table, &mut plot.arena)?;
         let schema = Schema { classes, attributes, propositions };
         let actions = actions(table, &mut plot.arena)?;
         let steps = steps(table)?;
         if table.start >= table.state_count {
-            return Err(GoodbotStatus::Number.into());
+            return Err(GoodbotStatus::Number).at(Place::of("start").number(table.start, 0, table.state_count.saturating_sub(1)));
         }
         let tasks = kinds_of_tasks(table.tasks, table.task_count, &schema)?;
         let world = |mut memory: HomeArena| {
@@ -94,27 +151,8 @@ unsafe fn init(
             let (holds, context, states) = (table.holds, table.context, table.state_count);
             Ok(World::Table(TableDomain { schema, memory, objects, actions, steps, holds, context, states }, table.start))
         };
-        Ok(settle(plot, &tasks, world, robot))
+        settle(plot, &tasks, world, robot)
     }
-}
-
-/// The kinds of tasks that commands may mean.
-///
-/// # Safety
-/// `tasks` is null or points to so many texts, each null or ended by a 0.
-pub(crate) unsafe fn kinds_of_tasks(
-    tasks: *const *const c_char,
-    count: u32,
-    schema: &Schema<'_>,
-) -> Result<Vec<LiftedTask, GOODBOT_MOST_TASKS>, Failure> {
-    let mut kinds = Vec::new();
-    // SAFETY: the caller's promise.
-    for &task in unsafe { list(tasks, count, GOODBOT_MOST_TASKS)? } {
-        // SAFETY: the caller's promise.
-        let kind = LiftedTask::parse(unsafe { text(task)? }, schema)?;
-        kinds.push(kind).map_err(|_| GoodbotStatus::Number)?;
-    }
-    Ok(kinds)
 }
 
 /// # Safety
@@ -132,30 +170,38 @@ unsafe fn schema(table: &GoodbotTable, arena: &mut Arena) -> Result<Parts, Failu
     let (mut carriers, mut parameters) = unsafe { (carriers.stay(), parameters.stay()) };
     // SAFETY: as above.
     unsafe {
-        for (slot, &name) in classes.iter_mut().zip(list(table.classes, table.class_count, GOODBOT_MOST_CLASSES)?) {
-            slot.name = text(name)?;
+        let given = list(table.classes, table.class_count, GOODBOT_MOST_CLASSES, Place::of("classes"), Place::of("class_count"))?;
+        for (number, (slot, &name)) in classes.iter_mut().zip(given).enumerate() {
+            slot.name = text(name).at(Place::item("classes", number, ""))?;
         }
-        let class =
-            |position: u8| if u32::from(position) < table.class_count { Ok(ClassId(position)) } else { Err(GoodbotStatus::Unknown) };
-        for (slot, attribute) in attributes.iter_mut().zip(list(table.attributes, table.attribute_count, GOODBOT_MOST_ATTRIBUTES)?) {
-            let given = list(attribute.carriers, attribute.carrier_count, GOODBOT_MOST_CARRIERS)?;
-            let (own, rest) = carriers.split_at_mut_checked(given.len()).ok_or(GoodbotStatus::Number)?;
+        let (place, counted) = (Place::of("attributes"), Place::of("attribute_count"));
+        let given = list(table.attributes, table.attribute_count, GOODBOT_MOST_ATTRIBUTES, place, counted)?;
+        for (number, (slot, attribute)) in attributes.iter_mut().zip(given).enumerate() {
+            let part = |field| Place::item("attributes", number, field);
+            let given = list(attribute.carriers, attribute.carrier_count, GOODBOT_MOST_CARRIERS, part("carriers"), part("carrier_count"))?;
+            let left = carriers.len() as u32;
+            let too_many = part("carrier_count").number(attribute.carrier_count, 0, left);
+            let (own, rest) = carriers.split_at_mut_checked(given.len()).ok_or(GoodbotStatus::Number).at(too_many)?;
             for (slot, carrier) in own.iter_mut().zip(given) {
-                *slot = Carrier { class: class(carrier.object_class)?, prefix: text(carrier.prefix)? };
+                let prefix = text(carrier.prefix).at(part("carriers"))?;
+                *slot = Carrier { class: class(table, carrier.object_class, part("carriers"))?, prefix };
             }
-            (*slot, carriers) = (Attribute { name: text(attribute.name)?, carriers: own }, rest);
+            (*slot, carriers) = (Attribute { name: text(attribute.name).at(part("name"))?, carriers: own }, rest);
         }
-        let given = list(table.propositions, table.proposition_count, GOODBOT_MOST_PROPOSITIONS)?;
-        for (slot, proposition) in propositions.iter_mut().zip(given) {
+        let (place, counted) = (Place::of("propositions"), Place::of("proposition_count"));
+        let given = list(table.propositions, table.proposition_count, GOODBOT_MOST_PROPOSITIONS, place, counted)?;
+        for (number, (slot, proposition)) in propositions.iter_mut().zip(given).enumerate() {
+            let part = |field| Place::item("propositions", number, field);
             let count = proposition.parameter_count as usize;
             if count == 0 || count > GOODBOT_MOST_ARGUMENTS {
-                return Err(GoodbotStatus::Number.into());
+                let most = GOODBOT_MOST_ARGUMENTS as u32;
+                return Err(GoodbotStatus::Number).at(part("parameter_count").number(proposition.parameter_count, 1, most));
             }
-            let (own, rest) = parameters.split_at_mut_checked(count).ok_or(GoodbotStatus::Number)?;
+            let (own, rest) = parameters.split_at_mut_checked(count).ok_or(GoodbotStatus::Number).at(part("parameters"))?;
             for (slot, &parameter) in own.iter_mut().zip(&proposition.parameters) {
-                *slot = class(parameter)?;
+                *slot = class(table, parameter, part("parameters"))?;
             }
-            (*slot, parameters) = (Proposition { name: text(proposition.name)?, parameters: own }, rest);
+            (*slot, parameters) = (Proposition { name: text(proposition.name).at(part("name"))?, parameters: own }, rest);
         }
     }
     let used = |count: u32| ..count as usize;
@@ -164,36 +210,47 @@ unsafe fn schema(table: &GoodbotTable, arena: &mut Arena) -> Result<Parts, Failu
     Ok((classes, attributes, propositions.get(used(table.proposition_count)).unwrap_or(&[])))
 }
 
+/// The class of this position.
+fn class(table: &GoodbotTable, position: u8, place: Place) -> Result<ClassId, Failure> {
+    let found = u32::from(position);
+    let known = if found < table.class_count { Ok(ClassId(position)) } else { Err(GoodbotStatus::Unknown) };
+    known.at(place.number(found, 0, table.class_count.saturating_sub(1)))
+}
+
 unsafe fn actions(table: &GoodbotTable, arena: &mut Arena) -> Result<&'static [ActionKind<'static>], Failure> {
     let actions = arena.table(GOODBOT_MOST_ACTIONS, ActionKind { name: "", cost: 1 }).ok_or(GoodbotStatus::Memory)?;
     // SAFETY: the caller's promise: its memory stays as long as the robot is used.
     let actions = unsafe { actions.stay() };
+    let (place, counted) = (Place::of("actions"), Place::of("action_count"));
     // SAFETY: the caller's promise.
-    for (slot, action) in actions.iter_mut().zip(unsafe { list(table.actions, table.action_count, GOODBOT_MOST_ACTIONS) }?) {
+    let given = unsafe { list(table.actions, table.action_count, GOODBOT_MOST_ACTIONS, place, counted) }?;
+    for (number, (slot, action)) in actions.iter_mut().zip(given).enumerate() {
         if !(1..=16).contains(&action.cost) {
-            return Err(GoodbotStatus::Number.into());
+            return Err(GoodbotStatus::Number).at(Place::item("actions", number, "cost").number(action.cost, 1, 16));
         }
         // SAFETY: as above.
-        *slot = ActionKind { name: unsafe { text(action.name) }?, cost: action.cost as u8 };
+        let name = unsafe { text(action.name) }.at(Place::item("actions", number, "name"))?;
+        *slot = ActionKind { name, cost: action.cost as u8 };
     }
     Ok(actions.get(..table.action_count as usize).unwrap_or(&[]))
 }
 
 unsafe fn steps(table: &GoodbotTable) -> Result<Steps, Failure> {
     if table.holds.is_none() {
-        return Err(GoodbotStatus::Null.into());
+        return Err(GoodbotStatus::Null).at(Place::of("holds"));
     }
     if !table.next.is_null() {
         // The table's entries cannot name more states.
-        if table.state_count > u32::from(GOODBOT_CANNOT) {
-            return Err(GoodbotStatus::Number.into());
+        let most = u32::from(GOODBOT_CANNOT);
+        if table.state_count > most {
+            return Err(GoodbotStatus::Number).at(Place::of("state_count").number(table.state_count, 1, most));
         }
-        let entries = table.state_count.checked_mul(table.action_count).ok_or(GoodbotStatus::Number)?;
+        let entries = table.state_count.checked_mul(table.action_count).ok_or(GoodbotStatus::Number).at(Place::of("state_count"))?;
         // SAFETY: the caller's promise.
-        return Ok(Steps::Table(unsafe { list(table.next, entries, entries as usize) }?));
+        return Ok(Steps::Table(unsafe { list(table.next, entries, entries as usize, Place::of("next"), Place::of("next")) }?));
     }
     if table.step.is_none() {
-        return Err(GoodbotStatus::Null.into());
+        return Err(GoodbotStatus::Null).at(Place::of("next and step"));
     }
     Ok(Steps::Function(table.step))
 }
@@ -202,21 +259,41 @@ unsafe fn objects(table: &GoodbotTable, memory: &mut HomeArena) -> Result<Object
     let mut objects = ObjectSet::new(memory.lend().objects);
     // SAFETY: the caller's promise, for all that follows.
     unsafe {
-        for object in list(table.objects, table.object_count, usize::from(u8::MAX))? {
-            if u32::from(object.object_class) >= table.class_count {
-                return Err(GoodbotStatus::Unknown.into());
-            }
+        let given = list(table.objects, table.object_count, usize::from(u8::MAX), Place::of("objects"), Place::of("object_count"))?;
+        for (number, object) in given.iter().enumerate() {
+            let part = |field| Place::item("objects", number, field);
+            let class = class(table, object.object_class, part("object_class"))?;
             let mut values = [""; GOODBOT_MOST_ATTRIBUTES];
             for (slot, &value) in values.iter_mut().zip(&object.values) {
                 let value: *const c_char = value;
                 if !value.is_null() {
-                    *slot = text(value)?;
+                    *slot = text(value).at(part("values"))?;
                 }
             }
-            objects.add(ClassId(object.object_class), text(object.name)?, &values)?;
+            let name = text(object.name).at(part("name"))?;
+            objects.add(class, name, &values).map_err(|error| whole(error.into(), given)).at(part("name"))?;
         }
     }
     Ok(objects.count())
+}
+
+/// A table that is full, with what all objects need and not only the one that found it so: it is raised once.
+///
+/// # Safety
+/// What the objects point to is there and stays.
+unsafe fn whole(failure: Failure, objects: &'static [GoodbotObject]) -> Failure {
+    let Some(full) = failure.full else { return failure };
+    let names = objects.iter().flat_map(|object| core::iter::once(object.name).chain(object.values)).filter(|name| !name.is_null());
+    // SAFETY: the caller's promise.
+    let names = names.filter_map(|name| unsafe { text(name) }.ok()).filter(|name| !name.is_empty());
+    let different = names.clone().enumerate().filter(|(before, name)| names.clone().take(*before).all(|earlier| earlier != *name));
+    let needed = match full.capacity {
+        Capacity::Objects => objects.len(),
+        Capacity::Names => different.count(),
+        Capacity::NameBytesTogether => different.map(|(_, name)| name.len()).sum(),
+        _ => return failure,
+    };
+    Failure { full: Some(CapacityError::new(full.capacity, full.limit as usize, needed)), ..failure }
 }
 
 /// Says which state things are in, as sensed.
@@ -228,6 +305,7 @@ pub unsafe extern "C" fn goodbot_table_set_state(robot: *mut Goodbot, state: u32
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
+            #[allow(irrefutable_let_patterns, reason = "without the feature home there is nothing else")]
             let World::Table(domain, now) = &mut robot.world else { return Err(GoodbotStatus::World.into()) };
             if state >= domain.states() {
                 return Err(GoodbotStatus::Number.into());
@@ -247,6 +325,7 @@ pub unsafe extern "C" fn goodbot_table_state(robot: *mut Goodbot, state: *mut u3
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
+            #[allow(irrefutable_let_patterns, reason = "without the feature home there is nothing else")]
             let World::Table(_, now) = &robot.world else { return Err(GoodbotStatus::World.into()) };
             give(state, *now)
         })

@@ -6,7 +6,7 @@
 use super::bitext::BitextRef;
 use super::roles::Layout;
 use super::roles::training::{Part, Work};
-use super::settings::{Model, Settings};
+use super::settings::Settings;
 use super::tables::{Tables, TablesRef};
 use crate::planning::Progress;
 use crate::symbols::Symbol;
@@ -40,7 +40,7 @@ impl Training {
     /// Begins: the tables take their new sizes. The caller has made sure that they fit.
     pub(super) fn begin(tables: &mut Tables<'_>, bitext: BitextRef<'_>, words: usize, tokens: usize, settings: &Settings) -> Self {
         (tables.trained.words, tables.trained.tokens) = (words, tokens);
-        if settings.model == Model::Roles {
+        if settings.model.is_roles() {
             tables.trained.layout = Layout::of(bitext, words, tokens);
             tables.clear_counts();
             if words == 0 {

@@ -5,7 +5,7 @@ use super::em::Training;
 use super::likelihood::{length_likelihood, likelihood};
 use super::roles::forward::{Reading, likelihood_on};
 use super::roles::{self, Layout, Meaning};
-use super::settings::{Model, SettingError, Settings, is_weight};
+use super::settings::{SettingError, Settings, is_weight};
 use super::spelling::variant;
 use super::tables::{ParameterTables, ParameterTablesRef, Tables, TablesRef, Trained};
 use super::tokenizer::{Sentence, for_each_piece, for_each_word, word_form};
@@ -192,7 +192,7 @@ impl<'t> LanguageRef<'t> {
     /// Pr(e|m), times Pr(n|l) where [`Settings::length`] says so. For the role model, `command` is a
     /// [description](crate::task::description).
     pub fn likelihood(self, sentence: &[Option<Symbol>], command: &[Symbol]) -> Scaled {
-        if self.settings.model == Model::Roles {
+        if self.settings.model.is_roles() {
             let (translations, alignments) = self.tables.cells();
             return roles::forward::likelihood(self.tables.layout(), translations, alignments, sentence, command, |_, _| {});
         }
@@ -203,7 +203,7 @@ impl<'t> LanguageRef<'t> {
     /// Tells how probable each word of a command is after those before it, by its position, where `description` was meant. Nothing for
     /// Model 2 and before anything is learned.
     pub fn word_by_word(self, sentence: &[Option<Symbol>], description: &[Symbol], tell: impl FnMut(usize, f32)) {
-        if self.settings.model == Model::Roles {
+        if self.settings.model.is_roles() {
             let (translations, alignments) = self.tables.cells();
             let _ = roles::forward::likelihood(self.tables.layout(), translations, alignments, sentence, description, tell);
         }
@@ -231,7 +231,7 @@ impl<'t> LanguageRef<'t> {
         prior: impl Fn(usize) -> f32,
         weights: &mut [Scaled],
     ) {
-        if self.settings.model == Model::Model2 || self.tables.words() == 0 {
+        if !self.settings.model.is_roles() || self.tables.words() == 0 {
             return;
         }
         let count = weights.len();
@@ -376,7 +376,7 @@ impl<'t> LanguageMut<'t> {
     pub fn hear_into(&mut self, command: &str, sentence: &mut Sentence) -> Result<(), CapacityError> {
         sentence.clear();
         let full = CapacityError::full(Capacity::WordsPerCommand, WORDS_PER_COMMAND);
-        if self.settings.model == Model::Roles {
+        if self.settings.model.is_roles() {
             let letters = usize::from(self.settings.word_letters);
             return for_each_piece(command, |word| {
                 let known = variant(self.words.read(), *self.learned_words, word, letters);
@@ -455,7 +455,7 @@ impl<'t> LanguageMut<'t> {
     /// A [`CapacityError`] where the tables have no room.
     pub(crate) fn data_replaced(&mut self) -> Result<(), CapacityError> {
         (*self.learned_words, *self.learned_tokens) = (self.words.len(), self.tokens.len());
-        if self.settings.model == Model::Roles {
+        if self.settings.model.is_roles() {
             self.tables.trained.length_pairs = 0;
             self.tables.trained.wanted = Layout::of(self.bitext.read(), self.words.len(), self.tokens.len());
             return self.tables.read().fits_roles(self.tokens.len(), &self.tables.trained.wanted);
@@ -469,7 +469,7 @@ impl<'t> LanguageMut<'t> {
     /// # Errors
     /// A [`CapacityError`] where the tables have no room.
     pub(super) fn want(&mut self, command: &[Symbol], words: usize) -> Result<(), CapacityError> {
-        if self.settings.model == Model::Model2 {
+        if !self.settings.model.is_roles() {
             return self.tables.add_lengths(command.len(), words);
         }
         let mut wanted = self.tables.trained.wanted;
@@ -504,7 +504,7 @@ impl<'t> LanguageMut<'t> {
     }
 
     pub(crate) fn is_model_2(&self) -> bool {
-        self.settings.model == Model::Model2
+        !self.settings.model.is_roles()
     }
 
     /// Tells for each word of a command, the last first, what it was taken for where `description` was meant: its position, a meaning, and

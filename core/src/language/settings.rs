@@ -11,11 +11,24 @@ pub const MOST_WEIGHT: f32 = 1e6;
 /// Which model words are understood by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Model {
-    /// IBM Model 2, the paper's: every word stands for one token of a machine command, or for none.
+    /// IBM Model 2, the paper's: every word stands for one token of a machine command, or for none. With the feature `model2`, which is on
+    /// by default.
     #[default]
     Model2,
     /// [`roles`](super::roles): every word is background, speaks of the kind of task, or names a value of something in a role.
     Roles,
+}
+
+impl Model {
+    /// Whether it is the role model. Without the feature `model2` every model in use is, and the compiler leaves out what others need.
+    pub(crate) const fn is_roles(self) -> bool {
+        !cfg!(feature = "model2") || matches!(self, Self::Roles)
+    }
+
+    /// Whether it is built in.
+    pub(crate) const fn is_there(self) -> bool {
+        cfg!(feature = "model2") || matches!(self, Self::Roles)
+    }
 }
 
 /// How the language model is trained.
@@ -81,10 +94,7 @@ impl Settings {
     /// assert_eq!((Settings::SMOOTHED.letters_kept(), Settings::DEFAULT.letters_kept()), (4, 0));
     /// ```
     pub const fn letters_kept(&self) -> usize {
-        match self.model {
-            Model::Model2 => self.word_letters as usize,
-            Model::Roles => 0,
-        }
+        if self.model.is_roles() { 0 } else { self.word_letters as usize }
     }
 
     /// Whether a model can be trained with them.
@@ -93,6 +103,7 @@ impl Settings {
     /// A [`SettingError`] that names the first that is out of range.
     pub fn check(&self) -> Result<(), SettingError> {
         let sound = |sound: bool, error| if sound { Ok(()) } else { Err(error) };
+        sound(self.model.is_there(), SettingError::Model(self.model))?;
         sound(is_weight(self.smoothing), SettingError::Smoothing(self.smoothing))?;
         sound(is_weight(self.alignment_prior), SettingError::AlignmentPrior(self.alignment_prior))?;
         sound(self.rounds <= MOST_ROUNDS, SettingError::Rounds(self.rounds))
@@ -108,6 +119,8 @@ pub(crate) fn is_weight(value: f32) -> bool {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SettingError {
+    /// [`Settings::model`]: it was not built in.
+    Model(Model),
     /// [`Settings::smoothing`].
     Smoothing(f32),
     /// [`Settings::alignment_prior`].
@@ -134,6 +147,7 @@ impl SettingError {
     /// The field to correct.
     pub const fn field(self) -> &'static str {
         match self {
+            Self::Model(_) => "Settings::model",
             Self::Smoothing(_) => "Settings::smoothing",
             Self::AlignmentPrior(_) => "Settings::alignment_prior",
             Self::Rounds(_) => "Settings::rounds",
@@ -152,6 +166,7 @@ impl fmt::Display for SettingError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let field = self.field();
         match self {
+            Self::Model(_) => write!(f, "{field} is Model 2, which needs goodbot's feature model2; build with it, or take the role model"),
             Self::Smoothing(value) | Self::AlignmentPrior(value) => write!(f, "{field} is {value}; it must be a number from 0 to 1000000"),
             Self::Rounds(value) => write!(f, "{field} is {value}; it must be 1000 at most"),
             Self::LeastWeight(value) => write!(f, "{field} is {value}; it must be a number from 0 to less than 1"),

@@ -249,8 +249,8 @@ impl<'t> Objects<'t> {
         ends.iter().for_each(|&end| take(u32::from(end)));
     }
 
-    /// How many names and bytes of them there are.
-    pub(crate) fn usage(self, used: &mut Capacities) {
+    /// How many objects, names and bytes of them there are.
+    pub fn usage(self, used: &mut Capacities) {
         (used.objects, used.names, used.name_bytes) = (self.count.objects, self.count.names, self.names().byte_len());
     }
 }

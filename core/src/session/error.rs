@@ -42,6 +42,13 @@ pub enum AgentError {
     },
     /// The priors of all tasks are 0.
     NoPrior,
+    /// The weight of a transcript is negative or not a number.
+    Weight {
+        /// The transcript, by its position.
+        hypothesis: u8,
+        /// Its weight.
+        value: f32,
+    },
     /// A trainer strategy was refused.
     Strategy(BeliefError),
     /// An option is out of range.
@@ -87,6 +94,9 @@ impl fmt::Display for AgentError {
             Self::NotAsked => "no question was asked that waits for an answer; ask first",
             Self::NoAnswer => "this is no answer to that question; answer yes, no, or one of the tasks that it names",
             Self::Prior { task, value } => return write!(f, "the prior of task {task} is {value}; it must be a number of 0 or more"),
+            Self::Weight { hypothesis, value } => {
+                return write!(f, "the weight of transcript {hypothesis} is {value}; it must be a number of 0 or more");
+            }
             Self::NoPrior => "every task's prior is 0; give one of them more",
             Self::Strategy(error) => return error.fmt(f),
             Self::Setting(error) => return error.fmt(f),

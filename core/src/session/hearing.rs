@@ -6,7 +6,7 @@ use super::error::AgentError;
 use crate::capacity::{CapacityError, LIFTED_TASKS};
 use crate::feedback::Belief;
 use crate::language::roles::forward::Reading;
-use crate::language::{LanguageMut, LanguageRef, Meaning, Model};
+use crate::language::{LanguageMut, LanguageRef, Meaning};
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::{Domain, Schema, digest};
 use crate::planning::Progress;
@@ -145,7 +145,7 @@ impl<M: AgentMemory> Agent<M> {
         if count == 0 {
             return Err(AgentError::NoTask);
         }
-        if self.options.language.model == Model::Roles {
+        if self.options.language.model.is_roles() {
             expect_change(domain, &self.lifted, state, tables.session.tasks.get_mut(..count).unwrap_or(&mut []));
         }
         self.plan_for(domain, count, state)?;
@@ -195,15 +195,18 @@ impl<M: AgentMemory> Agent<M> {
             if left == 0 {
                 return Ok(Progress::Working);
             }
-            let done = match (self.options.language.model, &mut scene) {
-                (Model::Roles, Some(scene)) => self.read_on(domain, scene, &mut position, &mut left)?,
-                _ => self.for_each_constraint(domain, &mut position, &mut left, &mut |candidates, language, sentence, tokens, _| {
-                    let found = match candidates.read().find(tokens) {
-                        Some(found) => found,
-                        None => candidates.add(tokens, language.likelihood(sentence, tokens))?,
-                    };
-                    Ok(candidates.read().entries().get(found).map_or(Scaled::ZERO, |entry| entry.likelihood))
-                })?,
+            let done = match (self.options.language.model.is_roles(), &mut scene) {
+                (true, Some(scene)) => self.read_on(domain, scene, &mut position, &mut left)?,
+                (true, None) => true,
+                (false, _) => {
+                    self.for_each_constraint(domain, &mut position, &mut left, &mut |candidates, language, sentence, tokens, _| {
+                        let found = match candidates.read().find(tokens) {
+                            Some(found) => found,
+                            None => candidates.add(tokens, language.likelihood(sentence, tokens))?,
+                        };
+                        Ok(candidates.read().entries().get(found).map_or(Scaled::ZERO, |entry| entry.likelihood))
+                    })?
+                }
             };
             if done {
                 let prior = position.sum.scaled_by(self.task(position.task).prior);
@@ -296,10 +299,10 @@ impl<M: AgentMemory> Agent<M> {
         left: &mut u32,
         mut each: impl FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError>,
     ) -> Result<bool, AgentError> {
-        match (self.options.language.model, scene) {
-            (Model::Roles, Some(scene)) => self.with_description(domain, scene, position, left, each).map(|()| true),
-            (Model::Roles, None) => Ok(true),
-            (Model::Model2, _) => self.for_each_constraint(domain, position, left, &mut each),
+        match (self.options.language.model.is_roles(), scene) {
+            (true, Some(scene)) => self.with_description(domain, scene, position, left, each).map(|()| true),
+            (true, None) => Ok(true),
+            (false, _) => self.for_each_constraint(domain, position, left, &mut each),
         }
     }
 

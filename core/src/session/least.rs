@@ -4,7 +4,6 @@ use super::agent::{Agent, Position};
 use super::candidates::CandidateCount;
 use super::error::AgentError;
 use crate::capacity::{Capacities, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
-use crate::language::Model;
 use crate::language::forgetting::with_free_part;
 use crate::language::roles::Layout;
 use crate::memory::{AgentMemory, AgentTables};
@@ -94,6 +93,13 @@ struct MachineCommands {
     length_pairs: usize,
 }
 
+/// What was found of the worlds that were looked at.
+struct Survey {
+    least: Capacities,
+    /// What the descriptions speak of.
+    layout: Layout,
+}
+
 impl<M: AgentMemory> Agent<M> {
     /// Returns the least capacities with which this robot, with its tasks, options and strategies, is refused nothing and nothing gives way,
     /// in sessions that start from any state of the domain. `state` is one of them.
@@ -104,8 +110,8 @@ impl<M: AgentMemory> Agent<M> {
     ///   where the goal is far.
     /// - `hashed_states` and `goal_entries` are 0: no robot needs them. The goal entries save time: see
     ///   [`Capacities::goal_entries`].
-    /// - A robot that lives in several domains needs at most the sum of theirs ([`Capacities::plus`]), and at least the largest of each
-    ///   ([`Capacities::at_least`]).
+    /// - A robot that lives in several worlds of one kind asks [`least_capacities_of_all`](Self::least_capacities_of_all). For several kinds,
+    ///   it needs at most the sum of theirs ([`Capacities::plus`]), and at least the largest of each ([`Capacities::at_least`]).
     ///
     /// ```
     /// use goodbot::{Agent, Capacities, HeapMemory, Options, home, session::Lessons};
@@ -134,13 +140,49 @@ impl<M: AgentMemory> Agent<M> {
         state: &D::State,
         lessons: &Lessons,
     ) -> Result<Capacities, AgentError> {
+        self.least_capacities_of_all(core::iter::once((domain, state)), lessons)
+    }
+
+    /// Returns the least capacities with which this robot is refused nothing and nothing gives way, whichever of these worlds a session takes
+    /// place in. See [`least_capacities`](Self::least_capacities).
+    ///
+    /// ```
+    /// use goodbot::home::{Area, Cell, HomeBuilder, Moves};
+    /// use goodbot::{Agent, Capacities, HeapMemory, Options, home, session::Lessons};
+    /// let mut homes = vec![];
+    /// for color in ["red", "blue"] {
+    ///     let mut builder = HomeBuilder::new(HeapMemory::new(&Capacities::STANDARD).home);
+    ///     builder.room("room0", Area::new(0, 0, 8, 4), color)?;
+    ///     builder.agent("agent0", Cell::new(4, 2))?;
+    ///     homes.push(builder.build(Moves::Push)?);
+    /// }
+    /// let roomy = HeapMemory::new(&Capacities::STANDARD);
+    /// let mut agent = Agent::new(roomy.agent, &home::paper_tasks()?, Options::DEFAULT)?;
+    /// let (one, both) = (&homes[..1], &homes[..]);
+    /// let mut tokens = |homes: &[(_, _)]| {
+    ///     let least = agent.least_capacities_of_all(homes.iter().map(|(home, state)| (home, state)), &Lessons::new(8, 7));
+    ///     least.map(|least| least.tokens)
+    /// };
+    /// // The second home has one colour that the first has not.
+    /// assert_eq!(tokens(both)?, tokens(one)? + 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`least_capacities`](Self::least_capacities).
+    pub fn least_capacities_of_all<'d, D: Domain + ?Sized + 'd>(
+        &mut self,
+        worlds: impl IntoIterator<Item = (&'d D, &'d D::State)>,
+        lessons: &Lessons,
+    ) -> Result<Capacities, AgentError> {
         self.end_session();
         self.language_mut().forget_unlearned();
         let learned = self.language().usage_of_tokens();
-        let result = self.sum_up(domain, state, lessons, learned);
+        let mut survey = Survey { least: Capacities::NONE, layout: Layout::NONE };
+        let result = worlds.into_iter().try_for_each(|(domain, state)| self.sum_up(domain, state, lessons, learned, &mut survey));
         self.end_session();
         self.language_mut().forget_unlearned();
-        result
+        result.map(|()| survey.least)
     }
 
     fn sum_up<D: Domain + ?Sized>(
@@ -149,27 +191,27 @@ impl<M: AgentMemory> Agent<M> {
         state: &D::State,
         lessons: &Lessons,
         (known, known_bytes): (usize, usize),
-    ) -> Result<Capacities, AgentError> {
+        survey: &mut Survey,
+    ) -> Result<(), AgentError> {
         let AgentTables { mut session, .. } = self.memory.lend();
         let tasks = ground_unless(domain.world().objects, &self.lifted, session.tasks, |_, _| false)?;
         let grounded = session.tasks.get(..tasks).unwrap_or(&[]);
         let (ground_propositions, states) = Planner::needs(&mut session.goals, domain, &self.lifted, grounded, state)?;
         self.task_count = tasks;
         let words = lessons.words.min(WORDS_PER_COMMAND);
-        let (mut layout, mut longest) = (Layout::NONE, 0);
-        let mut commands = match self.options.language.model {
-            Model::Model2 => self.machine_commands(domain, lessons.sessions, words)?,
-            Model::Roles => {
-                for task in 0..tasks {
-                    longest = longest.max(self.longest_description(domain, task, &mut layout)?);
-                }
-                MachineCommands::default()
+        let (layout, mut longest) = (&mut survey.layout, 0);
+        let mut commands = MachineCommands::default();
+        if self.options.language.model.is_roles() {
+            for task in 0..tasks {
+                longest = longest.max(self.longest_description(domain, task, layout)?);
             }
-        };
+        } else {
+            commands = self.machine_commands(domain, lessons.sessions, words)?;
+        }
         let language = self.language();
         let (tokens, token_bytes) = language.usage_of_tokens();
         let (tokens, token_bytes) = (tokens.saturating_sub(known), token_bytes.saturating_sub(known_bytes));
-        if self.options.language.model == Model::Roles {
+        if self.options.language.model.is_roles() {
             // Where the robot and its things are at the start decides what a task's description says: each session can have its own.
             layout.see_length(words);
             let descriptions = lessons.sessions.saturating_mul(tasks);
@@ -178,11 +220,19 @@ impl<M: AgentMemory> Agent<M> {
                 candidate_tokens: tasks.saturating_mul(longest),
                 commands: descriptions,
                 command_tokens: descriptions.saturating_mul(longest),
-                alignments: layout.with(lessons.different_words, tokens).cells(),
+                alignments: (*layout).with(lessons.different_words, tokens).cells(),
                 length_pairs: 0,
             };
         }
         let strategies = self.belief().strategies().len();
+        let before = survey.least;
+        if !self.options.language.model.is_roles() {
+            // Other worlds have other machine commands.
+            commands.commands = commands.commands.saturating_add(before.commands);
+            commands.command_tokens = commands.command_tokens.saturating_add(before.command_tokens);
+            commands.alignments = commands.alignments.saturating_add(before.alignments);
+            commands.length_pairs = commands.length_pairs.saturating_add(before.length_pairs);
+        }
         let mut least = Capacities {
             cells: D::Search::grid(domain).map_or(0, cells),
             tasks,
@@ -207,7 +257,8 @@ impl<M: AgentMemory> Agent<M> {
             ..Capacities::NONE
         };
         domain.world().objects.usage(&mut least);
-        Ok(least)
+        survey.least = before.at_least(least);
+        Ok(())
     }
 
     /// Model 2's machine commands are the same whatever the state.

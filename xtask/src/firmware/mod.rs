@@ -5,6 +5,7 @@
 //! - [`trial`]: everything that was built and run, once in a run of this program;
 //! - [`microbit`]: the file for a BBC micro:bit, to be dragged onto it;
 //! - [`ways`]: the first plan for tasks with ways;
+//! - [`wheels`]: the lessons on wheels that slip;
 //! - [`digests`]: the same run on this machine and in WebAssembly.
 
 pub mod board;
@@ -13,5 +14,6 @@ pub mod image;
 pub mod microbit;
 pub mod trial;
 pub mod ways;
+pub mod wheels;
 
 pub use trial::{Trial, images, trials};

@@ -4,7 +4,7 @@ use anyhow::{Result, bail};
 
 use super::{Run, Step, WORKSPACE};
 use crate::firmware::image::{BINARIES, panics};
-use crate::firmware::{digests, images, microbit, trials, ways};
+use crate::firmware::{digests, images, microbit, trials, ways, wheels};
 use crate::programs::QEMU;
 use crate::{footprint, project};
 
@@ -91,6 +91,7 @@ fn course(_: &mut Run) -> Result<()> {
     if to_plan > MOST_TO_PLAN_WAYS {
         bail!("three storeys: instructions for the first plan: {to_plan}, and {MOST_TO_PLAN_WAYS} are the most");
     }
+    println!("the lessons on wheels: {}", wheels::drive()?);
     Ok(())
 }
 

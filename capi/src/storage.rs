@@ -1,0 +1,146 @@
+//! What was learned in a flash of the caller's, where a power cut at any moment leaves a whole model.
+
+use crate::robot::{Goodbot, give, with};
+use crate::status::{Failure, GoodbotStatus};
+use core::ffi::c_void;
+use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
+use goodbot::storage::{StorageError, TwoSlots};
+
+/// `goodbot_flash.write` is called for whole units of so many bytes, each at a multiple of it: a flash that writes fewer at once, or as many,
+/// will do.
+pub const GOODBOT_FLASH_UNIT: usize = 256;
+
+/// A flash of the caller's: two slots, one after the other. Each function gives false where the flash refused, and must not call goodbot.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct GoodbotFlash {
+    /// Handed to each function.
+    pub context: *mut c_void,
+    /// Reads `bytes` bytes from `at` on.
+    pub read: Option<unsafe extern "C" fn(context: *mut c_void, at: u32, to: *mut u8, bytes: u32) -> bool>,
+    /// Writes `bytes` bytes from `at` on, where all is erased.
+    pub write: Option<unsafe extern "C" fn(context: *mut c_void, at: u32, from: *const u8, bytes: u32) -> bool>,
+    /// Erases one slot: `bytes` bytes from `at` on.
+    pub erase: Option<unsafe extern "C" fn(context: *mut c_void, at: u32, bytes: u32) -> bool>,
+    /// Where the first slot begins: a multiple of what the flash erases at once, and of `GOODBOT_FLASH_UNIT`.
+    pub start: u32,
+    /// Bytes of each slot: a multiple of the same, and at least `GOODBOT_FLASH_UNIT` more than the model.
+    pub slot_bytes: u32,
+}
+
+/// The flash refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Refused;
+
+impl NorFlashError for Refused {
+    fn kind(&self) -> NorFlashErrorKind {
+        NorFlashErrorKind::Other
+    }
+}
+
+fn done(done: bool) -> Result<(), Refused> {
+    if done { Ok(()) } else { Err(Refused) }
+}
+
+impl ErrorType for GoodbotFlash {
+    type Error = Refused;
+}
+
+impl ReadNorFlash for GoodbotFlash {
+    const READ_SIZE: usize = 1;
+
+    fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), Refused> {
+        let read = self.read.ok_or(Refused)?;
+        // SAFETY: the caller's function, for as many bytes as there are.
+        done(unsafe { read(self.context, offset, bytes.as_mut_ptr(), bytes.len() as u32) })
+    }
+
+    fn capacity(&self) -> usize {
+        (self.start as usize).saturating_add((self.slot_bytes as usize).saturating_mul(2))
+    }
+}
+
+impl NorFlash for GoodbotFlash {
+    const WRITE_SIZE: usize = GOODBOT_FLASH_UNIT;
+    const ERASE_SIZE: usize = GOODBOT_FLASH_UNIT;
+
+    fn erase(&mut self, from: u32, _to: u32) -> Result<(), Refused> {
+        let erase = self.erase.ok_or(Refused)?;
+        // SAFETY: the caller's function. What is erased is always the front of a slot; the whole slot is whole blocks of any flash.
+        done(unsafe { erase(self.context, from, self.slot_bytes) })
+    }
+
+    fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), Refused> {
+        let write = self.write.ok_or(Refused)?;
+        // SAFETY: the caller's function, for as many bytes as there are.
+        done(unsafe { write(self.context, offset, bytes.as_ptr(), bytes.len() as u32) })
+    }
+}
+
+impl From<StorageError<Refused>> for Failure {
+    fn from(error: StorageError<Refused>) -> Self {
+        match error {
+            StorageError::Geometry => GoodbotStatus::Number,
+            StorageError::Size { .. } => GoodbotStatus::Buffer,
+            StorageError::NotAModel(error) => return error.into(),
+            _ => GoodbotStatus::Flash,
+        }
+        .into()
+    }
+}
+
+/// The slots of a flash whose functions are all there.
+///
+/// # Safety
+/// `flash` is null or points to a flash.
+unsafe fn slots(flash: *const GoodbotFlash) -> Result<TwoSlots<GoodbotFlash>, Failure> {
+    // SAFETY: the caller's promise.
+    let Some(&flash) = (unsafe { flash.as_ref() }) else { return Err(GoodbotStatus::Null.into()) };
+    if flash.read.is_none() || flash.write.is_none() || flash.erase.is_none() {
+        return Err(GoodbotStatus::Null.into());
+    }
+    Ok(TwoSlots::new(flash, flash.start, flash.slot_bytes)?)
+}
+
+/// Stores all that was learned in the older of two slots, without a buffer; a plan under way is forgotten. `stored` is null, or is given the
+/// model's bytes. Whenever the power goes, a whole model is left: this one, or the one of before. `STILL_LEARNING` until `goodbot_learn` is
+/// done, `FLASH` where the flash refused or did not keep what was written, `BUFFER` where a slot is too small, `NUMBER` where the slots do
+/// not lie as they must.
+///
+/// # Safety
+/// `robot` is null or a handle, `flash` null or points to a flash, `stored` null or room for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_store(robot: *mut Goodbot, flash: *const GoodbotFlash, stored: *mut usize) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let mut slots = slots(flash)?;
+            let model = robot.agent.save_in_place()?;
+            slots.store(model)?;
+            if stored.is_null() { Ok(GoodbotStatus::Ok) } else { give(stored, model.len()) }
+        })
+    }
+}
+
+/// Takes over the newest model of two slots, as `goodbot_restore` does: call `goodbot_learn` until it is done. `buffer` is room for it, free
+/// again afterwards. `NOTHING_STORED` where there is none; otherwise as `goodbot_store` and `goodbot_restore`.
+///
+/// # Safety
+/// `robot` is null or a handle, `flash` null or points to a flash, `buffer` null or room for `bytes` bytes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_load(robot: *mut Goodbot, flash: *const GoodbotFlash, buffer: *mut u8, bytes: usize) -> GoodbotStatus {
+    // SAFETY: the caller's promise. The room is filled first: a slice of bytes that were never written must not be.
+    unsafe {
+        with(robot, |robot| {
+            let mut slots = slots(flash)?;
+            if buffer.is_null() {
+                return Err(GoodbotStatus::Null.into());
+            }
+            buffer.write_bytes(0, bytes);
+            let buffer = core::slice::from_raw_parts_mut(buffer, bytes);
+            let length = slots.load(buffer)?.ok_or(GoodbotStatus::NothingStored)?;
+            robot.agent.restore(buffer.get(..length).unwrap_or(&[]))?;
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}

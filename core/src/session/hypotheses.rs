@@ -1,0 +1,117 @@
+//! Which of several transcripts a person said: a recogniser of speech gives the sound, the scene gives what is possible there.
+
+use super::agent::Agent;
+use super::error::AgentError;
+use crate::memory::AgentMemory;
+use crate::oomdp::Domain;
+use crate::probability::Scaled;
+use crate::symbols::Symbol;
+
+/// The probability of one word among all that were never heard: a person's everyday words are some ten thousand. The language model alone
+/// says how probable it is that any of them comes.
+const ONE_UNHEARD: f32 = 1e-4;
+
+/// What a recogniser of speech may have heard: one entry of its n-best list.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hypothesis<'h> {
+    /// The command.
+    pub command: &'h str,
+    /// How probable the recogniser takes it to be, in any unit: a number of 0 or more.
+    pub weight: f32,
+}
+
+impl<M: AgentMemory> Agent<M> {
+    /// Hears one command of which several transcripts are given: the one is taken that is most probable by its weight and by what it could
+    /// mean here, Pr(e|s) = sum over tasks t of Pr(t|s) Pr(e|t), where each word that was never heard is one of ten thousand. Returns its
+    /// position; of equals the one of more weight, and of these the first. The session is as if it alone had been heard by
+    /// [`hear`](Self::hear). A transcript that cannot be heard is passed over where another can.
+    ///
+    /// It takes the time of hearing each, and one once more.
+    ///
+    /// ```
+    /// use goodbot::session::Hypothesis;
+    /// # use goodbot::home::{self, Area, Cell, HomeBuilder, Moves};
+    /// # use goodbot::feedback::Feedback;
+    /// # use goodbot::planning::Progress;
+    /// # use goodbot::{Agent, Capacities, HeapMemory, Options};
+    /// # let memory = HeapMemory::new(&Capacities::STANDARD);
+    /// # let mut builder = HomeBuilder::new(memory.home);
+    /// # builder.room("room0", Area::new(0, 0, 8, 4), "red")?;
+    /// # builder.room("room1", Area::new(0, 4, 8, 8), "green")?;
+    /// # builder.door("door0", Area::new(2, 4, 2, 4))?;
+    /// # builder.agent("agent0", Cell::new(2, 3))?;
+    /// # let (home, state) = builder.build(Moves::Push)?;
+    /// let mut agent = Agent::new(memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
+    /// // A robot that has learned "go to the green room".
+    /// # for _ in 0..3 {
+    /// #     agent.hear(&home, &state, "go to the green room")?;
+    /// #     let _ = agent.finish(&home)?;
+    /// #     while agent.learn(u32::MAX) == Progress::Working {}
+    /// # }
+    /// // The recogniser is a little surer of the wrong transcript.
+    /// let heard = [Hypothesis { command: "goat tooth a grin broom", weight: 0.5 }, Hypothesis { command: "go to the green room", weight: 0.4 }];
+    /// assert_eq!(agent.hear_one_of(&home, &state, &heard)?, 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`AgentError::Weight`] where a weight is negative or not a number, [`AgentError::EmptyCommand`] where there is no transcript, or all
+    /// weights are 0, and as [`hear`](Self::hear) where none can be heard. No session is then under way.
+    pub fn hear_one_of<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        state: &D::State,
+        hypotheses: &[Hypothesis<'_>],
+    ) -> Result<usize, AgentError> {
+        for (position, hypothesis) in hypotheses.iter().enumerate() {
+            if !(0.0..=f32::MAX).contains(&hypothesis.weight) {
+                return Err(AgentError::Weight { hypothesis: position.min(usize::from(u8::MAX)) as u8, value: hypothesis.weight });
+            }
+        }
+        let (mut best, mut error): (Option<(usize, Scaled, f32)>, _) = (None, AgentError::EmptyCommand);
+        let mut last = None;
+        for (position, hypothesis) in hypotheses.iter().enumerate().filter(|(_, hypothesis)| hypothesis.weight > 0.0) {
+            match self.hear_anew(domain, state, hypothesis.command, best.is_some()) {
+                Ok(()) => {
+                    let weight = self.explained().scaled_by(hypothesis.weight);
+                    let is_better = |(_, most, sound)| weight.exceeds(most) || (weight == most && hypothesis.weight > sound);
+                    if best.is_none_or(is_better) {
+                        best = Some((position, weight, hypothesis.weight));
+                    }
+                }
+                // The next transcript would fare no better.
+                Err(found @ (AgentError::StillLearning | AgentError::NoTask)) => return Err(found),
+                Err(found) => error = found,
+            }
+            last = Some(position);
+        }
+        let Some((best, ..)) = best else { return Err(error) };
+        if last != Some(best)
+            && let Some(hypothesis) = hypotheses.get(best)
+        {
+            self.hear_anew(domain, state, hypothesis.command, true)?;
+        }
+        Ok(best)
+    }
+
+    /// Hears a command, `again` in the same session: what is believed of the trainer has drifted already.
+    fn hear_anew<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str, again: bool) -> Result<(), AgentError> {
+        if again {
+            self.belief_mut().restart(core::iter::empty(), 0.0)?;
+        }
+        self.hear(domain, state, command)
+    }
+
+    /// Pr(e|s) of the command that was just heard; 0 where nothing explains it.
+    fn explained(&self) -> Scaled {
+        let belief = self.belief();
+        let known = self.language().tables().words();
+        let is_unheard = |word: &&Option<Symbol>| word.is_none_or(|word| word.index() >= known);
+        let unheard = if known == 0 { 0 } else { self.sentence.iter().filter(is_unheard).count() };
+        let says_nothing = self.tasks().iter().enumerate().all(|(position, task)| belief.prior(position) == Scaled::new(task.prior));
+        if known > 0 && says_nothing {
+            return Scaled::ZERO;
+        }
+        (0..unheard).fold(belief.whole(), |whole, _| whole.scaled_by(ONE_UNHEARD))
+    }
+}

@@ -1,0 +1,126 @@
+//! `goodbot size`: the memory that a robot needs, as source for a controller.
+//!
+//! - [`needs`]: from homes and lessons to capacities, and what they take;
+//! - [`source`]: the same as Rust and as C.
+
+mod needs;
+mod source;
+
+use crate::learner::Learner;
+use crate::load::kinds::TaskKinds;
+use crate::messages::counted;
+use crate::outcome::Failure;
+use clap::{Args, ValueHint};
+use goodbot::capacity::{Capacity, WORDS_PER_COMMAND};
+use needs::Needs;
+use serde_json::json;
+use std::io::Write;
+
+/// The options of `goodbot size`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+With these capacities nothing is refused and no lesson gives way, in any of the homes, from any state. The homes of a log count too. Where a \
+log is named, a robot is trained on it in that memory, and says how many sessions it kept.
+
+Without a log, commands are taken to have as many different words as they have words, of 12 letters each: a log of yours shows that fewer will do.
+
+Examples:
+  goodbot size home.json --log log.jsonl
+  goodbot size home.json --sessions 20 --words 6
+  goodbot size --log log.jsonl --sessions 100 --json")]
+pub struct SizeOptions {
+    /// Homes that the robot is to live in, as JSON or drawn as text; - is standard input
+    #[arg(value_name = "HOME", value_hint = ValueHint::FilePath, required_unless_present = "log")]
+    homes: Vec<String>,
+    /// Sessions that it is to keep, with their homes; may be given several times
+    #[arg(long, short = 'l', value_name = "LOG", value_hint = ValueHint::FilePath)]
+    log: Vec<String>,
+    /// How many sessions it is to keep before older ones may give way, 1 to 65535 [default: those of the log, or 16]
+    #[arg(long, value_name = "N", value_parser = sessions, allow_negative_numbers = true)]
+    sessions: Option<usize>,
+    /// The most words of one command, 1 to 64 [default: those of the log, or 8]
+    #[arg(long, value_name = "N", value_parser = words, allow_negative_numbers = true)]
+    words: Option<usize>,
+    #[command(flatten)]
+    kinds: TaskKinds,
+    /// What learns: the default, or as in the paper
+    #[arg(long, value_enum, value_name = "NAME", default_value_t)]
+    learner: Learner,
+    /// Print a line of JSON
+    #[arg(long)]
+    json: bool,
+}
+
+fn sessions(text: &str) -> Result<usize, String> {
+    crate::numbers::between(text, 1, usize::from(u16::MAX))
+}
+
+fn words(text: &str) -> Result<usize, String> {
+    crate::numbers::between(text, 1, WORDS_PER_COMMAND)
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// [`Failure`].
+pub fn run(options: &SizeOptions) -> Result<(), Failure> {
+    let needs = Needs::find(options)?;
+    let mut out = std::io::stdout().lock();
+    if options.json {
+        writeln!(out, "{}", to_json(&needs))?;
+    } else {
+        print(&mut out, &needs)?;
+    }
+    Ok(out.flush()?)
+}
+
+fn to_json(needs: &Needs) -> serde_json::Value {
+    let capacities: serde_json::Map<_, _> =
+        Capacity::ALL.iter().map(|&capacity| (capacity.name().to_owned(), json!(needs.capacities.get(capacity)))).collect();
+    let lessons = &needs.lessons;
+    json!({
+        "type": "size", "homes": needs.homes, "sessions": lessons.sessions, "words": lessons.words,
+        "different_words": lessons.different_words, "word_bytes": lessons.word_bytes, "capacities": capacities,
+        "exact_states": needs.exact_states, "ram": { "controller": needs.ram(), "stack": needs::STACK },
+        "flash": { "model": needs.model_bytes(), "slot": needs.slot_bytes() }, "kept": needs.kept,
+    })
+}
+
+fn print(out: &mut impl Write, needs: &Needs) -> Result<(), Failure> {
+    let lessons = &needs.lessons;
+    let [homes, sessions] = [(needs.homes, "home"), (lessons.sessions, "session")].map(|(n, it)| counted(n, it));
+    writeln!(
+        out,
+        "A robot in {homes} that keeps {sessions} of at most {}, {} different:",
+        counted(lessons.words, "word"),
+        lessons.different_words
+    )?;
+    writeln!(out)?;
+    writeln!(
+        out,
+        "  RAM    {:>7} bytes on a 32-bit controller, and a stack of {} bytes as it is measured in docs/footprint.md",
+        needs.ram(),
+        needs::STACK
+    )?;
+    writeln!(
+        out,
+        "  flash  {:>7} bytes at most for what it learns; two slots of {} outlive power cuts",
+        needs.model_bytes(),
+        needs.slot_bytes()
+    )?;
+    writeln!(out, "                 for the program: see docs/footprint.md")?;
+    if let Some(kept) = needs.kept {
+        writeln!(out, "  tried  {kept:>7} of {} sessions of the log were kept in that memory", needs.taught)?;
+    }
+    if needs.exact_states != Some(needs.capacities.states) {
+        let exact = needs.exact_states.map_or("more than can be counted".to_owned(), |states| states.to_string());
+        writeln!(
+            out,
+            "\nThe states are cut to {}: for exact plans it would be {exact}. Plans for far goals are approximate.",
+            needs.capacities.states
+        )?;
+    }
+    writeln!(out, "\nIn Rust:\n\n{}", source::rust(&needs.capacities))?;
+    writeln!(out, "In C:\n\n{}", source::c(&needs.capacities, needs.ram()))?;
+    Ok(())
+}
