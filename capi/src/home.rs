@@ -63,7 +63,7 @@ pub unsafe extern "C" fn goodbot_init_home_tasks(
             Err(failure) => return failure.status,
         };
         match plot(memory.cast(), bytes, capacities) {
-            Ok(plot) => settle(plot, &tasks, |home| Ok(World::Nothing(home)), robot),
+            Ok(plot) => settle(plot, &tasks, |home| Ok(World::Nothing(home)), robot).unwrap_or_else(|failure| failure.status),
             Err(status) => status,
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::arena::{AgentArena, Arena, HomeArena};
 use crate::capacities::GoodbotCapacities;
-use crate::status::{Failure, GoodbotStatus};
+use crate::status::{At, Failure, GoodbotStatus, Place};
 #[cfg(feature = "table")]
 use crate::table::TableDomain;
 use core::ffi::{CStr, c_char};

@@ -12,6 +12,7 @@ use goodbot_capi::robot::{goodbot_full, goodbot_seed};
 use goodbot_capi::status::{GoodbotStatus, goodbot_status_text};
 use goodbot_capi::table::description::*;
 use goodbot_capi::table::init::{goodbot_table_set_state, goodbot_table_state};
+use goodbot_capi::tasks::GOODBOT_MOST_TASKS;
 use goodbot_capi::training::*;
 use robots::{Lift, Owned, at_home, describe, hear_and_plan, in_homes, of_table, small};
 use std::ffi::CStr;

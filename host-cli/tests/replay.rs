@@ -1,5 +1,6 @@
 //! `goodbot replay`.
 
+#[allow(dead_code, reason = "other tests need more of it")]
 mod program;
 
 use goodbot_formats::posterior::PosteriorLine;

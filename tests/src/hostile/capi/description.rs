@@ -4,9 +4,10 @@ use super::super::Bytes;
 use super::machine::{Machine, holds, step};
 use super::texts::Text;
 use goodbot_capi::table::description::{
-    GOODBOT_MOST_ACTIONS, GOODBOT_MOST_ATTRIBUTES, GOODBOT_MOST_CARRIERS, GOODBOT_MOST_CLASSES, GOODBOT_MOST_PROPOSITIONS,
-    GOODBOT_MOST_TASKS, GoodbotAction, GoodbotAttribute, GoodbotCarrier, GoodbotObject, GoodbotProposition, GoodbotTable,
+    GOODBOT_MOST_ACTIONS, GOODBOT_MOST_ATTRIBUTES, GOODBOT_MOST_CARRIERS, GOODBOT_MOST_CLASSES, GOODBOT_MOST_PROPOSITIONS, GoodbotAction,
+    GoodbotAttribute, GoodbotCarrier, GoodbotObject, GoodbotProposition, GoodbotTable,
 };
+use goodbot_capi::tasks::GOODBOT_MOST_TASKS;
 use std::ffi::c_char;
 
 /// A description and all that it points to.
