@@ -289,3 +289,47 @@ fn a_robot_of_more_states_than_any_memory_is_refused_at_once() {
     let ring = Ring { objects: objects.into_objects(), places: 1 << 52 };
     assert!(states_needed(&ring).unwrap() > 1 << 52);
 }
+
+#[test]
+fn a_state_whose_number_is_not_below_the_count_is_refused() {
+    let mut ring_memory = memory(0, 0);
+    let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
+    objects.add(ClassId(0), "goal", &[]).unwrap();
+    let ring = Ring { objects: objects.into_objects(), places: 40 };
+    let mut memory = memory(64, 0);
+    let mut agent = Agent::new(&mut memory.agent, &[LiftedTask::single(PropositionId(0), &RING).unwrap()], Options::PAPER).unwrap();
+    assert_eq!(agent.hear(&ring, &40, "go"), Err(AgentError::StateNumber));
+    assert_eq!(agent.hear(&ring, &39, "go"), Ok(()));
+}
+
+#[test]
+fn tasks_of_another_robot_are_refused() {
+    let mut ring_memory = memory(0, 0);
+    let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
+    objects.add(ClassId(0), "goal", &[]).unwrap();
+    let ring = Ring { objects: objects.into_objects(), places: 40 };
+    let mut memory = memory(64, 0);
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    assert_eq!(agent.hear(&ring, &0, "go"), Err(AgentError::OtherVocabulary));
+}
+
+#[test]
+fn states_that_cannot_be_counted_ask_for_a_hash_table() {
+    let mut ring_memory = memory(0, 0);
+    let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
+    objects.add(ClassId(0), "goal", &[]).unwrap();
+    let ring = Ring { objects: objects.into_objects(), places: u64::MAX };
+    let mut memory = memory(640, 0);
+    let mut agent = Agent::new(&mut memory.agent, &[LiftedTask::single(PropositionId(0), &RING).unwrap()], Options::PAPER).unwrap();
+    let refused = agent.hear(&ring, &0, "go").unwrap_err();
+    assert_eq!(refused.to_string(), "no room: Capacities::hashed_states is 0, and 1 or more were given; raise it");
+}
+
+#[test]
+fn what_is_fixed_is_not_to_be_raised() {
+    let long = CapacityError::new(Capacity::NameBytes, 48, 69);
+    assert_eq!(
+        long.to_string(),
+        "no room: capacity::NAME_BYTES is 48, and 69 or more were given; it is fixed: give fewer, or shorter ones"
+    );
+}

@@ -32,7 +32,9 @@ const fn clamp(count: usize) -> u32 {
 
 impl fmt::Display for CapacityError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "no room: {} is {}, and {} or more were given; raise it", self.capacity.field(), self.limit, self.given)
+        let field = self.capacity.field();
+        let remedy = if field.starts_with("Capacities") { "raise it" } else { "it is fixed: give fewer, or shorter ones" };
+        write!(f, "no room: {field} is {}, and {} or more were given; {remedy}", self.limit, self.given)
     }
 }
 

@@ -213,6 +213,9 @@ pub(super) fn check<D: Domain + ?Sized>(domain: &D, marks: usize, hashed: usize)
     if hashed > 0 || D::Search::grid(domain).is_some() || StateSearch::fits(domain, marks) {
         return Ok(());
     }
-    let given = states_needed(domain).unwrap_or(usize::MAX);
-    Err(CapacityError::new(Capacity::States, Frontier::room(marks, 2, 1, 0), given))
+    match states_needed(domain) {
+        Some(needed) => Err(CapacityError::new(Capacity::States, Frontier::room(marks, 2, 1, 0), needed)),
+        // No table has room for states that cannot be counted: they are searched by hashing.
+        None => Err(CapacityError::full(Capacity::HashedStates, hashed)),
+    }
 }

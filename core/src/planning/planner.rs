@@ -190,7 +190,7 @@ impl Planner {
         let ways = Ways { lifted, tasks };
         let of_way = |task| ways.product(domain, task).and_then(|(product, _)| one_by_one::states_needed(&product));
         let states = states.map(|states| ways.all().iter().filter_map(of_way).fold(states, usize::max));
-        Ok((parts, states.ok_or(CapacityError::new(Capacity::States, 0, usize::MAX))?))
+        Ok((parts, states.ok_or(CapacityError::full(Capacity::HashedStates, 0))?))
     }
 
     /// Ends what is under way, because the marks are lent to something else. They may then hold anything.

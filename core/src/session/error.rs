@@ -13,6 +13,10 @@ pub enum AgentError {
     EmptyCommand,
     /// There is no task to do here: none is permissible, or all are done already.
     NoTask,
+    /// The tasks are written in the vocabulary of another robot: read them with this domain's schema.
+    OtherVocabulary,
+    /// The number of the state is not below the domain's `state_count`.
+    StateNumber,
     /// No session is under way: hear a command first.
     NoSession,
     /// The plan for this state is not done: call `plan` until it is.
@@ -82,7 +86,11 @@ impl fmt::Display for AgentError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::EmptyCommand => "the command has no word; say what to do",
-            Self::NoTask => "there is nothing to do here: every task is done already or needs objects that are not here",
+            Self::NoTask => {
+                "there is nothing to do here: every task is done already or needs objects that are not here, or no kind of task was given"
+            }
+            Self::OtherVocabulary => "the tasks are written in another robot's vocabulary; read them with this domain's schema",
+            Self::StateNumber => "the number of this state is not below state_count; state_count must be more than every number of a state",
             Self::NoSession => "no session is under way; give a command first",
             Self::NotPlanned => "the plan for this state is not done; plan on until it is",
             Self::OtherDomain => "the session was begun in another environment; give a command in this one",

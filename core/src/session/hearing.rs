@@ -8,7 +8,7 @@ use crate::feedback::Belief;
 use crate::language::roles::forward::Reading;
 use crate::language::{LanguageMut, LanguageRef, Meaning};
 use crate::memory::{AgentMemory, AgentTables};
-use crate::oomdp::{Domain, Schema, digest};
+use crate::oomdp::{Domain, Schema, digest, vocabulary};
 use crate::planning::Progress;
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
@@ -23,7 +23,8 @@ type Each<'e> = dyn FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>
 
 impl<M: AgentMemory> Agent<M> {
     /// Hears a command in the state that the session starts from: the tasks possible here get their prior from the language model,
-    /// Pr(t|e,s) proportional to the sum over l of Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c).
+    /// Pr(t|e,s) proportional to the sum over l of Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c). A session under way
+    /// ends, and what was said in it is not learned from: [`finish`](Self::finish) it before.
     ///
     /// # Errors
     /// [`AgentError`]; no session is then under way (but for [`AgentError::StillLearning`], which changes nothing), and what was learned is
@@ -140,6 +141,13 @@ impl<M: AgentMemory> Agent<M> {
         language.hear_into(command, &mut self.sentence)?;
         if self.sentence.is_empty() {
             return Err(AgentError::EmptyCommand);
+        }
+        if domain.number(state) >= domain.state_count() {
+            return Err(AgentError::StateNumber);
+        }
+        let vocabulary = vocabulary::digest(&domain.world().schema);
+        if self.lifted.iter().any(|lifted| lifted.vocabulary() != vocabulary) {
+            return Err(AgentError::OtherVocabulary);
         }
         let count = ground(domain, &self.lifted, state, tables.session.tasks)?;
         if count == 0 {
