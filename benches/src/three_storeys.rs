@@ -11,7 +11,8 @@ use pathfinding::directed::dijkstra::dijkstra;
 
 const MEMORY: Capacities = Capacities { states: 4_096, hashed_states: 0, ..Capacities::STANDARD };
 
-/// The home: the robot below, three rooms between, one above; and 40 tasks: each room, through one, through one of two, avoiding one.
+/// The home: the robot below, three rooms between, one above; and 50 tasks: each room, through one, through one of two, avoiding one; and back
+/// to where the robot is, through one or one of two.
 #[derive(Debug)]
 pub struct ThreeStoreys {
     home: Home<HomeHeap>,

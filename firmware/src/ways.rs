@@ -16,15 +16,15 @@ use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 
 goodbot::memory! {
-    /// Room for a floor of 105 cells and for the 40 tasks of such a home.
+    /// Room for a floor of 105 cells and for the 50 tasks of such a home.
     pub struct RobotMemory = Capacities {
         cells: 105,
         goal_entries: 105,
         states: 640,
-        tasks: 40,
+        tasks: 50,
         strategies: 1,
-        beliefs: 40,
-        candidates: 40,
+        beliefs: 50,
+        candidates: 50,
         candidate_tokens: 1_000,
         ..Capacities::SMALL
     };

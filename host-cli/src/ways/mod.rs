@@ -29,7 +29,7 @@ use std::path::PathBuf;
 #[command(after_help = "\
 A robot that knows no word is told to go somewhere, through a room, through one of two, or without entering one. Each lesson has a new home of \
 three storeys, and the paper's balanced trainer, who is silent seven times out of ten. A test has commands in homes of its own, without any \
-feedback; a command is right where the most likely of about 40 tasks is the one meant. The second row is a robot that asks.
+feedback; a command is right where the most likely of about 50 tasks is the one meant. The second row is a robot that asks.
 
 Examples:
   goodbot ways --runs 200 --lessons 30

@@ -13,7 +13,7 @@ use crate::{footprint, project};
 const MOST_RAM: u64 = 32 * 1024;
 const MOST_FLASH: u64 = 108 * 1024;
 const MOST_TO_ACT: u64 = 1_000_000;
-/// Instructions that the first plan for the 40 tasks of a home of three storeys may take there.
+/// Instructions that the first plan for the 50 tasks of a home of three storeys may take there.
 const MOST_TO_PLAN_WAYS: u64 = 3_000_000;
 /// The micro:bit's RAM, and its instructions: its floats are made of them.
 const MICROBIT_RAM: u64 = 16 * 1024;
