@@ -1,7 +1,8 @@
-//! Which kind of task the words speak of: a log-linear model over the words and the lifted task alone, never over what is in the scene.
+//! Which kind of task the words speak of: a log-linear model over the words, how many they are, and the lifted task alone, never over what
+//! is in the scene.
 //!
-//! q_l(e) is proportional to exp(b_l + the sum of w_l over the command's different words), trained by batches of all sessions towards each
-//! session's share of the lifted task, with a step of its own for every weight (AdaGrad) and a pull towards 0. The role model then only says
+//! q_l(e) is proportional to exp(b_l + u_l n / 8 + the sum of w_l over the command's different words), n the number of its words: to tell of
+//! two goals takes more of them. It is trained by batches of all sessions towards each session's share of the lifted task, with a step of its own for every weight (AdaGrad) and a pull towards 0. The role model then only says
 //! which of a kind's tasks is meant, and half as much about the kind:
 //!
 //! ```text
@@ -22,15 +23,21 @@ const RATE: f32 = 0.3;
 /// A weight is a priori normal around 0 with the variance 1 / PULL. With more, the kinds that seven lessons teach are too unsure.
 const PULL: f32 = 0.5;
 
+/// So many words of a command weigh as much as one different word.
+const WORDS_OF_LENGTH: f32 = 8.0;
+/// What each row has behind its words: the constant, and the weight of the length.
+pub(super) const BEHIND_WORDS: usize = 2;
+
 type Forms = [f32; LIFTED_TASKS];
 
 /// q_l(e) for each lifted task that training has seen.
-fn shares(layout: &Layout, alignments: &[f32], words: impl Iterator<Item = usize> + Clone) -> Forms {
+fn shares(layout: &Layout, alignments: &[f32], words: impl Iterator<Item = usize> + Clone, length: f32) -> Forms {
     let mut shares: Forms = [0.0; LIFTED_TASKS];
-    let count = layout.forms().len();
+    let (count, constant) = (layout.forms().len(), layout.words());
     for (form, slot) in shares.iter_mut().enumerate().take(count) {
         let row = get(alignments, layout.kind_of_task(form));
-        *slot = cell(row, layout.words()) + words.clone().map(|word| cell(row, word)).sum::<f32>();
+        let of_length = length * cell(row, constant.saturating_add(1));
+        *slot = cell(row, constant) + of_length + words.clone().map(|word| cell(row, word)).sum::<f32>();
     }
     let most = shares.iter().take(count).fold(f32::MIN, |most, &score| most.max(score));
     let mut whole = 0.0;
@@ -48,21 +55,29 @@ fn different(sentence: &[Symbol]) -> impl Iterator<Item = usize> + Clone + '_ {
     sentence.iter().enumerate().filter(move |&(position, word)| first(position, word)).map(|(_, word)| word.index())
 }
 
+fn length(words: usize) -> f32 {
+    words as f32 / WORDS_OF_LENGTH
+}
+
 /// q_l(e) of the lifted task of a token; `sentence` has the known words alone, besides which there are so many `new` ones. A lifted task
 /// that training has not seen counts as one more session, and one for each new word.
 pub(crate) fn share(layout: &Layout, alignments: &[f32], sentence: &[Symbol], new: usize, token: Symbol) -> f32 {
     match layout.form(token) {
-        Some(form) if layout.forms().len() > 1 => cell(&shares(layout, alignments, different(sentence)), form),
+        Some(form) if layout.forms().len() > 1 => {
+            let length = length(sentence.len().saturating_add(new));
+            cell(&shares(layout, alignments, different(sentence), length), form)
+        }
         Some(_) => 1.0,
         None => (1.0 + new as f32) / (layout.sessions() + 1.0 + new as f32),
     }
 }
 
-/// Adds one session's part of the batch. The gradient stands in the counts of the lifted tasks' rows, the constants' in those of how common
-/// the words are.
+/// Adds one session's part of the batch. The gradient stands in the counts of the lifted tasks' rows, what is behind the words in those of
+/// how common the words are.
 pub(super) fn count(layout: &Layout, bitext: BitextRef<'_>, session: u16, t: &mut Cells<'_>, a: &mut Cells<'_>) {
     let sentence = bitext.sentence(session);
-    let shares = shares(layout, a.values, different(sentence));
+    let length = length(sentence.len());
+    let shares = shares(layout, a.values, different(sentence), length);
     for (position, &token) in layout.forms().iter().enumerate() {
         let meant = |command: u16| form(bitext.command(command)) == Some(token);
         let wanted: f32 = bitext.pairs_of(session).iter().filter(|pair| meant(pair.command)).map(|pair| pair.weight).sum();
@@ -73,23 +88,30 @@ pub(super) fn count(layout: &Layout, bitext: BitextRef<'_>, session: u16, t: &mu
                 *slot += error;
             }
         }
-        if let Some(slot) = get_mut(a.counts, layout.common()).get_mut(position) {
-            *slot += error;
+        for (slot, of_one) in get_mut(a.counts, behind_words(layout, position)).iter_mut().zip([1.0, length]) {
+            *slot += error * of_one;
         }
     }
+}
+
+/// Where the gradient of what is behind the words stands. A vocabulary too small for it teaches no kinds anyway.
+fn behind_words(layout: &Layout, position: usize) -> core::ops::Range<usize> {
+    let (common, start) = (layout.common(), position.saturating_mul(BEHIND_WORDS));
+    start.min(common.end)..start.saturating_add(BEHIND_WORDS).min(common.end)
 }
 
 /// One step of a lifted task's weights, from the counts.
 pub(super) fn step(layout: &Layout, position: usize, t: &mut Cells<'_>, a: &mut Cells<'_>) {
     let Some(&token) = layout.forms().get(position) else { return };
-    let mut constant = 0.0;
-    if let Some(slot) = get_mut(a.counts, layout.common()).get_mut(position) {
-        constant = core::mem::take(slot);
+    let mut behind = [0.0; BEHIND_WORDS];
+    for (slope, slot) in behind.iter_mut().zip(get_mut(a.counts, behind_words(layout, position))) {
+        *slope = core::mem::take(slot);
     }
+    let [constant, length] = behind;
     let range = layout.kind_of_task(position);
     let (weights, squares) = (get_mut(a.values, range.clone()), get_mut(a.counts, range));
     let gradient = get_mut(t.counts, layout.row(Some(token)));
-    let slopes = gradient.iter_mut().map(|slope| (core::mem::take(slope), PULL)).chain([(constant, 0.0)]);
+    let slopes = gradient.iter_mut().map(|slope| (core::mem::take(slope), PULL)).chain([(constant, 0.0), (length, PULL)]);
     for ((weight, square), (slope, pull)) in weights.iter_mut().zip(squares).zip(slopes) {
         let slope = slope + pull * *weight;
         *square += slope * slope;

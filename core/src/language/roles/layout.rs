@@ -8,7 +8,7 @@
 //! | how common each word is | 1 | V |
 //! | lift | V words before, and the beginning | kinds |
 //! | cue, where tasks have ways | V words | kinds of roles |
-//! | kind of task | lifted tasks | V and a constant |
+//! | kind of task | lifted tasks | V, a constant and the length's |
 //! | p0 | lifted tasks times memories | background, task, roles |
 //! | end | lifted tasks | memories |
 //! | lambda | roles | sorts of values |
@@ -16,6 +16,7 @@
 //! | novelty | background, and each machine token | 1 |
 //! | trellis | the longest command and two more | memories and a scale |
 
+use super::kind::BEHIND_WORDS;
 use crate::capacity::LIFTED_TASKS;
 use crate::language::bitext::BitextRef;
 use crate::symbols::Symbol;
@@ -117,7 +118,7 @@ impl Layout {
         let (memories, moves) = (roles.saturating_add(1), roles.saturating_add(2));
         let cues = row(self.words, self.words, self.kinds()).end;
         let kinds = if self.has_ways() { row(cues, self.words, CUES).start } else { cues };
-        let p0 = row(kinds, forms, self.words.saturating_add(1)).start;
+        let p0 = row(kinds, forms, self.words.saturating_add(BEHIND_WORDS)).start;
         let end = row(p0, forms.saturating_mul(memories), moves).start;
         let lambda = row(end, forms, memories).start;
         let naming = row(lambda, roles, VALUE_SORTS).start;
@@ -209,7 +210,7 @@ impl Layout {
     }
 
     pub(super) fn kind_of_task(&self, form: usize) -> Range<usize> {
-        row(self.starts.kinds, form, self.words.saturating_add(1))
+        row(self.starts.kinds, form, self.words.saturating_add(BEHIND_WORDS))
     }
 
     pub(super) fn p0(&self, form: usize, memory: usize) -> Range<usize> {
