@@ -144,6 +144,7 @@ impl From<AgentError> for Failure {
             AgentError::NoTask => GoodbotStatus::NoTask,
             AgentError::NoSession => GoodbotStatus::NoSession,
             AgentError::NotPlanned => GoodbotStatus::NotPlanned,
+            AgentError::OtherVocabulary => GoodbotStatus::World,
             AgentError::OtherDomain => GoodbotStatus::NoSession,
             AgentError::NothingDone => GoodbotStatus::NothingDone,
             AgentError::StillHearing => GoodbotStatus::StillHearing,
@@ -152,7 +153,8 @@ impl From<AgentError> for Failure {
             AgentError::NotAsked => GoodbotStatus::NotAsked,
             AgentError::NoAnswer => GoodbotStatus::NoAnswer,
             AgentError::NotApplicable => GoodbotStatus::NotApplicable,
-            AgentError::Strategy(_)
+            AgentError::StateNumber
+            | AgentError::Strategy(_)
             | AgentError::Prior { .. }
             | AgentError::NoPrior
             | AgentError::Weight { .. }

@@ -53,6 +53,8 @@ pub fn agent(py: Python<'_>, error: AgentError) -> PyErr {
         AgentError::Capacity(error) => full(py, error),
         AgentError::EmptyCommand
         | AgentError::NoTask
+        | AgentError::OtherVocabulary
+        | AgentError::StateNumber
         | AgentError::NotApplicable
         | AgentError::Prior { .. }
         | AgentError::NoPrior
