@@ -1,14 +1,15 @@
 //! The role model: what must hold whatever is learned.
 
+use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::Feedback;
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves, paper_tasks};
-use goodbot::language::Meaning;
+use goodbot::language::{Meaning, Synonyms};
 use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::oomdp::{Domain, apply};
 use goodbot::planning::Judgement;
 use goodbot::planning::Progress;
 use goodbot::task::RoleKind;
-use goodbot::{Agent, Capacities, HeapMemory, Options};
+use goodbot::{Agent, AgentError, Capacities, HeapMemory, Options};
 
 type Rooms = [&'static str; 3];
 
@@ -337,4 +338,47 @@ fn a_restored_robot_understands_the_same_to_the_last_bit() {
     let command = "take the yellow bag to the red room";
     let ask = |agent: &mut Agent<_>| posterior(agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command);
     assert_eq!(ask(&mut agent), ask(&mut restored));
+}
+
+#[test]
+fn a_synonym_that_was_learned_stands_for_a_word_that_was_not() {
+    let (mut memory, options) = learned();
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
+    taught(&mut agent);
+    let words = Synonyms::new("red crimson ruby\nbring carry take").unwrap();
+    let said = "carry the bag to the Crimson room, please!";
+    let heard = words.in_known_words(agent.language(), said).unwrap();
+    assert_eq!(heard, "take the bag to the red room please");
+    let mut meant = |command: &str| posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command);
+    assert_eq!(meant(&heard), meant("take the bag to the red room please"));
+    // What was learned comes first, also where it is written with a slip, and what no line has stays.
+    let words = Synonyms::new("blue red\nbag room").unwrap();
+    assert_eq!(words.in_known_words(agent.language(), "the red romo xyzzy").unwrap(), "the red romo xyzzy");
+    assert!(words.in_known_words(agent.language(), &"go ".repeat(1_000)).is_err());
+}
+
+#[test]
+fn more_tasks_than_fit_are_refused_by_name_and_nothing_learned_is_lost() {
+    let mut memory = HeapMemory::new(&Capacities { tasks: 12, ..Capacities::STANDARD });
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+    taught(&mut agent);
+    let command = "take the yellow bag to the red room";
+    let before = posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command);
+
+    // Nine rooms in a row with eight blocks: over a thousand meanings.
+    let mut homes = HeapMemory::new(&Capacities::STANDARD);
+    let mut builder = HomeBuilder::new(&mut homes.home);
+    for room in 0..9 {
+        builder.room(&format!("room{room}"), Area::new(4 * room, 0, 4 * room + 4, 4), ["red", "green"][room as usize % 2]).unwrap();
+    }
+    for door in 1..9 {
+        builder.door(&format!("door{door}"), Area::new(4 * door, 2, 4 * door, 2)).unwrap();
+    }
+    builder.agent("agent0", Cell::new(1, 1)).unwrap();
+    for block in 0..8 {
+        builder.block(&format!("block{block}"), Cell::new(4 * block + 6, 2), "yellow", "bag").unwrap();
+    }
+    let (crowded, state) = builder.build(Moves::Push).unwrap();
+    assert_eq!(agent.hear(&crowded, &state, command), Err(AgentError::Capacity(CapacityError::full(Capacity::Tasks, 12))));
+    assert_eq!(posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command), before);
 }

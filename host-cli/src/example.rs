@@ -1,4 +1,4 @@
-//! `goodbot example`: a home and a session log to begin with.
+//! `goodbot example`: a home, a session log and a table of synonyms to begin with.
 
 use crate::outcome::Failure;
 use clap::ValueEnum;
@@ -13,6 +13,8 @@ pub enum Example {
     Map,
     /// A session log: what was said, done and judged
     Log,
+    /// A table of words that mean the same
+    Synonyms,
 }
 
 /// Three rooms with a legend.
@@ -41,6 +43,7 @@ pub fn run(what: Example) -> Result<(), Failure> {
         Example::Home => include_str!("example/home.json"),
         Example::Map => MAP,
         Example::Log => include_str!("example/sessions.jsonl"),
+        Example::Synonyms => include_str!("example/synonyms.txt"),
     };
     Ok(std::io::stdout().lock().write_all(text.as_bytes())?)
 }

@@ -64,6 +64,38 @@ fn a_word_never_heard_makes_the_answer_less_sure_and_is_named() {
 }
 
 #[test]
+fn a_synonym_that_was_learned_is_heard_for_a_word_that_was_not() {
+    let asked = Asked::new();
+    let table = asked.folder.path().join("words.txt");
+    std::fs::write(&table, goodbot(&["example", "synonyms"], b"").output).unwrap();
+    let (home, table) = (example("home.json"), table.to_str().unwrap());
+    let with_table = ["--environment", &home, "--synonyms", table, "fetch", "the", "yellow", "bag", "to", "the", "azure", "room"];
+    let text = asked.ask(&with_table, "").output;
+    assert!(text.contains("heard as \"take the yellow bag to the blue room\"") && !text.contains("never heard"), "{text}");
+    let answer: Value = serde_json::from_str(&asked.ask(&[&with_table[..], &["--json"]].concat(), "").output).unwrap();
+    let (plain, _) = asked.home("take the yellow bag to the blue room");
+    assert_eq!((&answer["meanings"], &answer["heard"]), (&plain["meanings"], &"take the yellow bag to the blue room".into()));
+    assert!(plain.get("heard").is_none());
+}
+
+#[test]
+fn a_table_of_synonyms_at_fault_is_refused_with_its_line() {
+    let asked = Asked::new();
+    let home = example("home.json");
+    let refused = |text: &[u8]| {
+        let table = asked.folder.path().join("words.txt");
+        std::fs::write(&table, text).unwrap();
+        let run = asked.ask(&["--environment", &home, "--synonyms", table.to_str().unwrap(), "go"], "");
+        assert_eq!(run.code, 2, "{}", run.messages);
+        run.messages
+    };
+    assert!(refused(b"red crimson\nruby red\n").contains("\"red\" stands in line 1 and in line 2: leave it in one of them"));
+    assert!(refused(b"red: crimson\n").contains("line 1: \"red:\" is not one word in lower case"));
+    assert!(refused(b"red \xff\n").contains("is not UTF-8"));
+    assert!(asked.ask(&["--environment", &home, "--synonyms", "nowhere.txt", "go"], "").messages.contains("nowhere.txt: cannot be read"));
+}
+
+#[test]
 fn below_the_threshold_the_answer_is_unsure_and_names_the_best_two() {
     let asked = Asked::new();
     let (answer, text) = asked.home("zzz yyy xxx");

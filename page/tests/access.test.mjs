@@ -105,6 +105,8 @@ test('light and dark can be chosen', async () => {
   await page.evaluate(() => { for (const details of document.querySelectorAll('details')) details.open = true; });
   await page.selectOption('#theme', 'dark');
   assert.notEqual(await ground(), light);
+  // The browser writes down what is kept a moment later than the page says so.
+  await page.waitForTimeout(400);
   await page.reload();
   await page.waitForSelector('body.ready');
   assert.notEqual(await ground(), light, 'after a reload too');

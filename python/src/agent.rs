@@ -9,7 +9,7 @@ use crate::robot::{self, Robot};
 use goodbot::asking::{Answer, Asking, Subject};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{self, SCHEMA};
-use goodbot::language::Meaning;
+use goodbot::language::{Meaning, Synonyms};
 use goodbot::memory::AgentHeap;
 use goodbot::oomdp::{Action, Domain, Schema};
 use goodbot::planning::{OptimalSet, Progress};
@@ -759,6 +759,13 @@ impl Agent {
             let language = mind.core.language();
             Ok(language.words().iter().take(language.tables().words()).map(|(_, text)| text.to_owned()).collect())
         })
+    }
+
+    /// A command in words that were learned, as far as a table has them: for `hear`. Each line of `synonyms` has words that mean the same, with
+    /// blanks between them; what follows a `#` is a comment. A word that was learned stays, and so does one whose line has no such word.
+    fn in_known_words(&self, py: Python<'_>, command: &str, synonyms: &str) -> PyResult<String> {
+        let table = Synonyms::new(synonyms).map_err(value)?;
+        self.with(|mind| table.in_known_words(mind.core.language(), command).map_err(|error| error::full(py, error)))
     }
 
     /// The machine tokens that the words are explained by.

@@ -161,6 +161,17 @@ def test_words_are_explained_by_what_they_were_taken_for(home: goodbot.Home) -> 
     assert agent.translations.shape == (len(agent.tokens), len(agent.words))
 
 
+def test_a_synonym_that_was_learned_stands_for_a_word_that_was_not(home: goodbot.Home) -> None:
+    agent, words = goodbot.Agent(seed=1), "red crimson scarlet  # colours\nbring take"
+    assert agent.in_known_words("go to the Crimson room!", words) == "go to the crimson room"
+    teach_by_hand(agent, home, "go to the red room", task(home, "red"))
+    assert agent.in_known_words("go to the Crimson room!", words) == "go to the red room"
+    with pytest.raises(ValueError, match='"red" stands in line 1 and in line 2'):
+        agent.in_known_words("go", "red\nred")
+    with pytest.raises(goodbot.CapacityError):
+        agent.in_known_words("go " * 1000, words)
+
+
 def test_an_agent_used_from_two_threads_says_so() -> None:
     home = goodbot.Home.random(1)
 

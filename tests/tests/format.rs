@@ -115,3 +115,26 @@ fn a_saved_model_is_what_the_document_says_byte_by_byte() {
         assert!(model.bitext().command(pair.command).iter().map(|token| token.index()).eq(commands[*command].iter().copied()));
     }
 }
+
+#[test]
+fn a_file_that_ends_before_the_trainers_is_read_as_one_of_trainers_without_lags() {
+    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+    train(&mut agent, &school::lessons()[0], Strategy::BALANCED, &mut Pcg32::new(6, 6)).unwrap();
+    let mut file = vec![0; agent.saved_bytes().unwrap()];
+    agent.save(&mut file).unwrap();
+
+    let trainers = 1 + 16 * agent.belief().strategies().len();
+    let mut older = file[..file.len() - 4 - trainers].to_vec();
+    let length = older.len() as u32 + 4;
+    older[10..14].copy_from_slice(&length.to_le_bytes());
+    older.extend(crc32(&older).to_le_bytes());
+
+    let mut other_memory = HeapMemory::new(&Capacities::SMALL);
+    let mut other = Agent::new(&mut other_memory.agent, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+    other.restore(&older).unwrap();
+    other.learn_fully();
+    let mut again = vec![0; other.saved_bytes().unwrap()];
+    other.save(&mut again).unwrap();
+    assert_eq!(again, file);
+}

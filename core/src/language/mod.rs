@@ -3,6 +3,7 @@
 //! - `tokenizer`: a command as words;
 //! - `bitext`: the training data, pairs of an English command and a machine command, each with a weight;
 //! - `spelling`: which words are variants of one;
+//! - `synonyms`: which words a table says mean the same;
 //! - `tables`: IBM Model 2's translation and alignment tables;
 //! - `likelihood`: Pr(e|m), exactly, without underflow;
 //! - [`forgetting`]: what gives way when memory is full;
@@ -20,6 +21,7 @@ pub(crate) mod model;
 pub mod roles;
 pub(crate) mod settings;
 pub(crate) mod spelling;
+pub(crate) mod synonyms;
 pub(crate) mod tables;
 pub(crate) mod tokenizer;
 
@@ -29,5 +31,6 @@ pub use model::{LanguageModel, LanguageMut, LanguageRef, LanguageTables, Languag
 pub use roles::Meaning;
 pub use settings::{MOST_ROUNDS, MOST_WEIGHT, Model, SettingError, Settings};
 pub use spelling::is_slip;
+pub use synonyms::{SynonymError, Synonyms};
 pub use tables::{LengthPair, ParameterTables, ParameterTablesRef, TablesRef};
 pub use tokenizer::{Sentence, Word, for_each_piece, for_each_word, word_form};

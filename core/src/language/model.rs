@@ -292,6 +292,16 @@ impl<'t> LanguageRef<'t> {
         (self.tokens.len(), self.tokens.byte_len())
     }
 
+    /// Whether a word, as [`for_each_piece`](super::for_each_piece) gives it, counts as one that was learned.
+    pub fn knows(self, word: &str) -> bool {
+        let letters = usize::from(self.settings.word_letters);
+        let known = match self.settings.model {
+            Model::Roles => variant(self.words, self.learned_words, word, letters),
+            Model::Model2 => self.words.find(word_form(word, letters)),
+        };
+        known.is_some_and(|known| known.index() < self.learned_words)
+    }
+
     /// The English words of the sessions that were learned from.
     pub(crate) fn learned_words(self) -> impl Iterator<Item = &'t str> {
         (0..self.learned_words).map(move |position| self.words.text(Symbol(position as u16)))

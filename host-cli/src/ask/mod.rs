@@ -11,6 +11,7 @@ mod why;
 use crate::lessons::restored;
 use crate::load::kinds::TaskKinds;
 use crate::load::session::moves;
+use crate::load::synonyms::{SynonymOptions, SynonymText};
 use crate::load::task_name::{in_words, task_name};
 use crate::load::{Fault, home, input};
 use crate::outcome::Failure;
@@ -64,6 +65,8 @@ pub struct AskOptions {
     #[arg(long, value_name = "P", default_value = "0.5", value_parser = probability, allow_negative_numbers = true)]
     threshold: f32,
     #[command(flatten)]
+    synonyms: SynonymOptions,
+    #[command(flatten)]
     kinds: TaskKinds,
     /// The robot can pull blocks too
     #[arg(long)]
@@ -83,6 +86,7 @@ Examples:
   goodbot ask --with words.goodbot --environment home.json go to the orange room
   goodbot ask --with words.goodbot --environment home.json --why take the bag to the blue room
   goodbot ask --with words.goodbot --log log.jsonl --session w01-3 --why
+  goodbot ask --with words.goodbot --environment home.json --synonyms words.txt go to the crimson room
   echo \"go to the red room\" | goodbot ask --with words.goodbot --environment home.json -";
 
 fn expected(text: &str) -> Result<GroundTaskText, String> {
@@ -108,6 +112,8 @@ struct Question {
 
 /// What is answered to a question.
 struct Answer {
+    /// The command as the robot heard it, with synonyms that it knows in the place of words that it does not.
+    heard: String,
     /// The robot's beliefs of what is still to do, in order.
     tasks: Vec<(String, f32)>,
     /// The most likely of these.
@@ -127,13 +133,14 @@ struct Answer {
 pub fn run(options: &AskOptions) -> Result<(), Failure> {
     let lifted = options.kinds.lifted()?;
     let mut agent = restored::agent(&options.with, &lifted)?;
+    let synonyms = options.synonyms.read()?;
     let mut out = BufWriter::new(std::io::stdout().lock());
     for (number, question) in questions(options)?.iter().enumerate() {
         let mut memory = home::memory();
         let (home, start) = home::build(&question.environment, question.moves, &mut memory).map_err(|flaw| {
             Failure::Input(format!("{}: field \"{}\": {}", question.source, flaw.field(), flaw.message(&question.environment)))
         })?;
-        let answer = answer(&mut agent, &home, &start, question)?;
+        let answer = answer(&mut agent, &home, &start, question, &synonyms)?;
         if options.json {
             writeln!(out, "{}", to_json(&answer, question, options.threshold))?;
             continue;
@@ -226,9 +233,11 @@ fn answer(
     home: &Home<impl HomeMemory>,
     start: &HomeState,
     question: &Question,
+    synonyms: &SynonymText,
 ) -> Result<Answer, Failure> {
     let fault = |error: AgentError| Failure::Input(refusal::in_words(&error));
-    let meanings = meanings::meanings(agent, home, start, &question.command).map_err(fault)?;
+    let heard = synonyms.in_known_words(agent.language(), &question.command)?;
+    let meanings = meanings::meanings(agent, home, start, &heard).map_err(fault)?;
     let mut tasks = Vec::new();
     for (position, task) in agent.tasks().iter().enumerate() {
         let Some(kind) = agent.lifted().get(usize::from(task.lifted)) else { continue };
@@ -246,7 +255,7 @@ fn answer(
             match (grounded.zip(kind), position, done) {
                 (Some((grounded, kind)), Some(position), _) => {
                     let text = in_words(home, kind, grounded);
-                    let words = why::words(agent, home, start, &question.command, position).map_err(fault)?;
+                    let words = why::words(agent, home, start, &heard, position).map_err(fault)?;
                     Some((task.clone(), text, words))
                 }
                 (_, _, Some(done)) => Some((task.clone(), done.words.clone(), vec![])),
@@ -258,10 +267,10 @@ fn answer(
             }
         }
     };
-    let words = why::words(agent, home, start, &question.command, best).map_err(fault)?;
+    let words = why::words(agent, home, start, &heard, best).map_err(fault)?;
     let plan = if tasks.is_empty() { None } else { plan(agent, home, *start, best).map_err(fault)? };
     let tasks = tasks.into_iter().map(|(name, probability)| (name.to_string(), probability)).collect();
-    Ok(Answer { tasks, best, meanings, words, expected, plan })
+    Ok(Answer { heard, tasks, best, meanings, words, expected, plan })
 }
 
 /// The actions that lead to a task's goal, and whether there is no shorter way; nothing where they are not known or there are none.
@@ -327,6 +336,9 @@ fn to_json(answer: &Answer, question: &Question, threshold: f32) -> serde_json::
         "verdict": answer.verdict(threshold), "meanings": answer.meanings.iter().map(meaning).collect::<Vec<_>>(),
     });
     if let Some(line) = line.as_object_mut() {
+        if answer.heard != question.command {
+            line.insert("heard".to_owned(), json!(answer.heard));
+        }
         if let Some(session) = &question.session {
             line.insert("session".to_owned(), json!(session));
         }
@@ -348,6 +360,9 @@ fn print(
     drawing::draw(out, map)?;
     let session = question.session.as_ref().map_or_else(String::new, |id| format!("{}: ", id.escape_debug()));
     writeln!(out, "\n{session}\"{}\"", question.command.escape_debug())?;
+    if answer.heard != question.command {
+        writeln!(out, "heard as \"{}\"", answer.heard.escape_debug())?;
+    }
     for meaning in &answer.meanings {
         let done = if meaning.done { "  (already done here)" } else { "" };
         writeln!(out, "  {:6.3}  {:44} {}{done}", meaning.probability, meaning.words, meaning.name)?;

@@ -4,6 +4,7 @@ use super::method::{Method, Trained};
 use super::novel::Novel;
 use super::wordless::Wordless;
 use crate::lessons::{Lesson, training};
+use crate::load::synonyms::SynonymText;
 use crate::messages::bar;
 use crate::outcome::Failure;
 use goodbot::AgentError;
@@ -56,6 +57,8 @@ pub struct Experiment<'l> {
     pub rounds: Vec<(Vec<usize>, Vec<usize>)>,
     /// The sessions that those asked are copies of.
     pub copies: Vec<Option<&'l Lesson>>,
+    /// Words that mean the same.
+    pub synonyms: SynonymText,
     /// Other layouts to ask in, if any.
     pub novel: Option<Novel<'l>>,
 }
@@ -105,13 +108,14 @@ impl Experiment<'_> {
             let Some(lesson) = self.asked.get(position) else { continue };
             let mut each = |lesson: &Lesson| -> Result<(), Failure> {
                 let by_plans = plans.then(|| by_plans(lesson));
-                let answer = ask(trained, by_plans.as_ref().unwrap_or(lesson))?;
+                let lesson_in_known_words = trained.in_known_words(&self.synonyms, by_plans.as_ref().unwrap_or(lesson))?;
+                let answer = ask(trained, &lesson_in_known_words)?;
                 let Some(answer) = answer else { return Ok(()) };
                 let (best, meant) = best_and_meant(&wordless.posterior(lesson), lesson);
                 let meant_alone = wordless.posterior(lesson).get(meant).copied().unwrap_or(0.0);
                 let copy_of = self.copies.get(position).copied().flatten().map(|copy| copy.id.clone());
                 let chance = lesson.readings.get(meant).map_or(0.0, |reading| reading.prior);
-                answers.push(Answer { wordless: (best == meant, meant_alone), chance, copy_of, ..answer });
+                answers.push(Answer { command: lesson.command.clone(), wordless: (best == meant, meant_alone), chance, copy_of, ..answer });
                 Ok(())
             };
             match &self.novel {

@@ -3,6 +3,7 @@
 use super::folds::no_room;
 use crate::lessons::training;
 use crate::lessons::{Lesson, MachineCommand};
+use crate::load::synonyms::SynonymText;
 use crate::load::{home, session};
 use crate::outcome::Failure;
 use clap::ValueEnum;
@@ -13,6 +14,7 @@ use goodbot::language::for_each_word;
 use goodbot::language::{LanguageModel, Settings};
 use goodbot::memory::AgentHeap;
 use goodbot::task::TokenOrder;
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What learns.
@@ -88,6 +90,20 @@ impl<'m> Trained<'m> {
                 Self::Model2(Box::new(training::train(memory, lessons, settings)?))
             }
         })
+    }
+
+    /// A lesson whose command is in words that the model knows, as far as a table has them.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] where the command is too long.
+    pub fn in_known_words<'l>(&self, synonyms: &SynonymText, lesson: &'l Lesson) -> Result<Cow<'l, Lesson>, Failure> {
+        let language = match self {
+            Self::Model2(model) => model.read(),
+            Self::Robot(agent) => agent.language(),
+            Self::Bags(_) => return Ok(Cow::Borrowed(lesson)),
+        };
+        let command = synonyms.in_known_words(language, &lesson.command)?;
+        Ok(if command == lesson.command { Cow::Borrowed(lesson) } else { Cow::Owned(Lesson { command, ..lesson.clone() }) })
     }
 
     /// The posterior over a lesson's tasks.

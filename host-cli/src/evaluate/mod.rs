@@ -22,6 +22,7 @@ use crate::calibration;
 use crate::learner::Learner;
 use crate::lessons::{self, Lesson, Lessons, restored};
 use crate::load::kinds::TaskKinds;
+use crate::load::synonyms::SynonymOptions;
 use crate::messages::{counted, say};
 use crate::outcome::Failure;
 use crate::output::{self, Output};
@@ -73,6 +74,8 @@ pub struct EvaluateOptions {
     leave_task_out: bool,
     #[command(flatten)]
     kinds: TaskKinds,
+    #[command(flatten)]
+    synonyms: SynonymOptions,
     /// Ask each command in N random layouts of its home instead of the one it was given in; N is 1 to 100
     #[arg(long, value_name = "N", value_parser = layouts, allow_negative_numbers = true)]
     novel_environments: Option<usize>,
@@ -138,6 +141,7 @@ Examples:
   goodbot evaluate expert.jsonl --task \"agentInRoom(?a,?r1) & blockInRoom(?o,?r2)\"
   goodbot evaluate feedback.jsonl --group worker
   goodbot evaluate turk-original.jsonl --leave-environment-out
+  goodbot evaluate turk-original.jsonl --synonyms words.txt
   goodbot evaluate turk-simplified.jsonl --k-fold 10 --learner bag-of-words
   goodbot evaluate turk-simplified.jsonl --curve curve.svg --runs 20
   goodbot evaluate turk-simplified.jsonl --ablation";
@@ -152,6 +156,9 @@ pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
         return Err(Failure::Input(
             "--force has no effect here: nothing is written. It is for --plot and --curve; leave it out".to_owned(),
         ));
+    }
+    if options.synonyms.is_given() && (options.curve.is_some() || options.learner == Method::BagOfWords) {
+        return Err(Failure::Input("--synonyms is not for --curve and not for --learner bag-of-words; leave one of them out".to_owned()));
     }
     let inputs = || options.files.iter().chain(&options.test).map(String::as_str).chain(options.with.iter().filter_map(|it| it.to_str()));
     let output = |path: &Option<PathBuf>| path.as_deref().map(|path| Output::picture(path, inputs(), options.force)).transpose();
@@ -232,6 +239,7 @@ fn with_model(
         asked: sessions.asked(),
         rounds: vec![(vec![], (0..sessions.asked().len()).collect())],
         copies: vec![None; sessions.asked().len()],
+        synonyms: options.synonyms.read()?,
         novel: options.novel(lifted, settings)?,
     };
     let answers = experiment.ask(&mut Trained::Robot(Box::new(agent)))?;
@@ -310,8 +318,9 @@ impl Sessions {
             Some(_) => vec![None; self.asked().len()],
             None => copies::find(&self.taught.lessons, self.asked(), &rounds, self.asked.is_none()),
         };
-        let experiment =
-            Experiment { taught: &self.taught.lessons, asked: self.asked(), rounds, copies, novel: options.novel(lifted, settings)? };
+        let synonyms = options.synonyms.read()?;
+        let novel = options.novel(lifted, settings)?;
+        let experiment = Experiment { taught: &self.taught.lessons, asked: self.asked(), rounds, copies, synonyms, novel };
         let answers = experiment.run(method, settings)?;
         let summary = Summary::of(&answers, about);
         Ok((answers, summary))

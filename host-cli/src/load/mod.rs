@@ -6,6 +6,7 @@
 //! - [`home`]: a home from an environment;
 //! - [`kinds`]: the kinds of tasks that commands may mean;
 //! - [`session`]: a recorded session, walked through;
+//! - [`synonyms`]: tables of words that mean the same;
 //! - [`task_name`]: a grounded task as a text.
 
 pub mod content;
@@ -14,6 +15,7 @@ pub mod home;
 pub mod input;
 pub mod kinds;
 pub mod session;
+pub mod synonyms;
 pub mod task_name;
 
 pub use fault::Fault;

@@ -1,0 +1,172 @@
+//! Words that a table says mean the same: colour names above all.
+//!
+//! The table is a shell's, and never learned: a robot links it, a program loads it. What was learned comes first. A word that the model
+//! knows, also by its beginning or with a slip of the pen, stays as it is. For any other, a word of its line stands that the model has
+//! learned, the first of them; where there is none, the word stays, and is learned as a new one.
+
+use super::model::LanguageRef;
+use super::tokenizer::for_each_piece;
+use crate::capacity::CapacityError;
+use core::fmt;
+
+/// A table of synonyms: in each line the words that mean the same, with blanks between them. What follows a `#` is a comment.
+///
+/// ```
+/// use goodbot::language::Synonyms;
+/// let colors = Synonyms::new("red crimson scarlet   # and more\nblue azure navy")?;
+/// assert_eq!(colors.of("scarlet").collect::<Vec<_>>(), ["red", "crimson"]);
+/// assert_eq!(colors.of("green").count(), 0);
+/// # Ok::<(), goodbot::language::SynonymError<'static>>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Synonyms<'t> {
+    text: &'t str,
+}
+
+impl<'t> Synonyms<'t> {
+    /// No synonyms.
+    pub const NONE: Self = Self { text: "" };
+
+    /// The table that a text holds.
+    ///
+    /// # Errors
+    /// A [`SynonymError`] where a word stands twice, or is not written as the model hears words: in lower case, without punctuation.
+    pub fn new(text: &'t str) -> Result<Self, SynonymError<'t>> {
+        let table = Self { text };
+        let words = || table.lines().enumerate().flat_map(|(line, words)| words.map(move |word| (line.saturating_add(1), word)));
+        for (position, (line, word)) in words().enumerate() {
+            let mut alone = false;
+            let heard = for_each_piece(word, |piece| {
+                alone = piece == word;
+                Ok(())
+            });
+            if heard.is_err() || !alone {
+                return Err(SynonymError::NotAWord { word, line });
+            }
+            if let Some((first, _)) = words().take(position).find(|&(_, other)| other == word) {
+                return Err(SynonymError::Twice { word, lines: [first, line] });
+            }
+        }
+        Ok(table)
+    }
+
+    fn lines(self) -> impl Iterator<Item = core::str::SplitWhitespace<'t>> {
+        self.text.lines().map(|line| line.split('#').next().unwrap_or("").split_whitespace())
+    }
+
+    /// The other words of a word's line, in their order.
+    pub fn of<'w>(self, word: &'w str) -> impl Iterator<Item = &'t str> + use<'t, 'w> {
+        let line = self.lines().find(|words| words.clone().any(|other| other == word));
+        line.into_iter().flatten().filter(move |&other| other != word)
+    }
+
+    /// Gives each word of a command to `take`, or the synonym of it that stands for it because the model knows that one. `take` gets both:
+    /// what was said, and what is to be heard.
+    ///
+    /// # Errors
+    /// As [`for_each_piece`].
+    pub fn for_each_word(
+        self,
+        language: LanguageRef<'_>,
+        command: &str,
+        mut take: impl FnMut(&str, &str) -> Result<(), CapacityError>,
+    ) -> Result<(), CapacityError> {
+        for_each_piece(command, |word| {
+            let known = if language.knows(word) { None } else { self.of(word).find(|other| language.knows(other)) };
+            take(word, known.unwrap_or(word))
+        })
+    }
+
+    /// The command in words that the model knows, as far as the table has them: for [`Agent::hear`](crate::Agent::hear).
+    ///
+    /// ```
+    /// # use goodbot::{Agent, Capacities, Options, home, memory::AgentHeap};
+    /// # use goodbot::language::Synonyms;
+    /// # let agent = Agent::new(AgentHeap::new(Capacities::SMALL), &home::paper_tasks()?, Options::DEFAULT)?;
+    /// let colors = Synonyms::new("red crimson scarlet").unwrap();
+    /// // A robot that has not learned "red" learns "crimson" as any other word.
+    /// assert_eq!(colors.in_known_words(agent.language(), "go to the Crimson room!")?, "go to the crimson room");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`for_each_piece`].
+    #[cfg(feature = "alloc")]
+    pub fn in_known_words(self, language: LanguageRef<'_>, command: &str) -> Result<alloc::string::String, CapacityError> {
+        let mut known = alloc::string::String::new();
+        self.for_each_word(language, command, |_, word| {
+            if !known.is_empty() {
+                known.push(' ');
+            }
+            known.push_str(word);
+            Ok(())
+        })?;
+        Ok(known)
+    }
+}
+
+/// Why a text is no table of synonyms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SynonymError<'t> {
+    /// A word stands in the table twice.
+    Twice {
+        /// The word.
+        word: &'t str,
+        /// Both lines, the first being 1.
+        lines: [usize; 2],
+    },
+    /// This is not one word in lower case.
+    NotAWord {
+        /// What stands there.
+        word: &'t str,
+        /// Its line, the first being 1.
+        line: usize,
+    },
+}
+
+impl fmt::Display for SynonymError<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Twice { word, lines: [first, second] } => {
+                write!(f, "\"{word}\" stands in line {first} and in line {second}: leave it in one of them")
+            }
+            Self::NotAWord { word, line } => {
+                write!(f, "line {line}: \"{word}\" is not one word in lower case without punctuation; write it as one, or leave it out")
+            }
+        }
+    }
+}
+
+impl core::error::Error for SynonymError<'_> {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::string::ToString;
+
+    #[test]
+    fn a_word_in_two_lines_is_refused_with_both() {
+        let error = Synonyms::new("red crimson\n\nblue azure red").unwrap_err();
+        assert_eq!(error, SynonymError::Twice { word: "red", lines: [1, 3] });
+        assert_eq!(error.to_string(), "\"red\" stands in line 1 and in line 3: leave it in one of them");
+        assert_eq!(Synonyms::new("red red").unwrap_err(), SynonymError::Twice { word: "red", lines: [1, 1] });
+    }
+
+    #[test]
+    fn what_no_command_would_be_heard_as_is_refused() {
+        for (text, word, line) in
+            [("red Crimson", "Crimson", 1), ("# colors\nsky-blue", "sky-blue", 2), ("red, crimson", "red,", 1), ("=", "=", 1)]
+        {
+            assert_eq!(Synonyms::new(text).unwrap_err(), SynonymError::NotAWord { word, line });
+        }
+        let long = "a".repeat(300);
+        assert_eq!(Synonyms::new(&long).unwrap_err(), SynonymError::NotAWord { word: &long, line: 1 });
+    }
+
+    #[test]
+    fn comments_and_empty_lines_have_no_words() {
+        let table = Synonyms::new("# red crimson\n\n   \nblue # azure\r\n").unwrap();
+        assert_eq!(table.of("blue").count() + table.of("red").count() + table.of("#").count(), 0);
+        assert_eq!(Synonyms::new(""), Ok(Synonyms::NONE));
+    }
+}
