@@ -119,6 +119,12 @@
 // It is impossible whatever the task and the trainer, and was ignored.
 #define GOODBOT_EVIDENCE_IMPOSSIBLE 2
 
+// How late words come at most, in actions, and one more.
+#define GOODBOT_LAGS 3
+
+// Most strategies of `goodbot_trainers`; the capacity `STRATEGIES` may allow fewer.
+#define GOODBOT_MOST_STRATEGIES 16
+
 // Most transcripts of one command.
 #define GOODBOT_MOST_HYPOTHESES 16
 
@@ -406,6 +412,20 @@ typedef struct goodbot_table {
   void *context;
 } goodbot_table;
 
+// A way to reward and punish, for `goodbot_trainers`.
+typedef struct goodbot_strategy {
+  // The probability of silence after a right action.
+  float mu_plus;
+  // The probability of silence after a wrong action.
+  float mu_minus;
+  // The probability of taking one for the other.
+  float epsilon;
+  // The probability that a word is about the last action, the one before, and the one before that: 1, 0 and 0 where no word is late.
+  float lags[GOODBOT_LAGS];
+  // How probable it is that the trainer is such a one, in any unit.
+  float prior;
+} goodbot_strategy;
+
 // What a recogniser of speech may have heard: one entry of its n-best list.
 typedef struct goodbot_hypothesis {
   // The command, in UTF-8.
@@ -642,6 +662,16 @@ enum goodbot_status goodbot_trainer(struct goodbot *robot,
                                     float mu_plus,
                                     float mu_minus,
                                     float epsilon);
+
+// Says in which ways the trainer may reward and punish, `count` of them: the robot finds out which. A session under way ends unlearned.
+// `FULL` where they are more than the capacity `STRATEGIES`, `NUMBER` where there are none, a number is out of range, or all priors are 0;
+// the strategies are then what they were.
+//
+// The caller sees to it:
+// `robot` is null or a handle, `strategies` null or points to `count` of them.
+enum goodbot_status goodbot_trainers(struct goodbot *robot,
+                                     const struct goodbot_strategy *strategies,
+                                     uint32_t count);
 
 // Hears a command: a session begins in the state in which things are now.
 //

@@ -65,6 +65,7 @@ pub fn step(action: &str, feedback: &str) -> String {
 }
 
 /// A step line of a demonstration.
+#[allow(dead_code, reason = "each test file uses what it needs")]
 pub fn shown(action: &str) -> String {
     format!(r#"{{"type":"step","action":"{action}"}}"#)
 }
