@@ -295,9 +295,10 @@ impl<'t> LanguageRef<'t> {
     /// Whether a word, as [`for_each_piece`](super::for_each_piece) gives it, counts as one that was learned.
     pub fn knows(self, word: &str) -> bool {
         let letters = usize::from(self.settings.word_letters);
-        let known = match self.settings.model {
-            Model::Roles => variant(self.words, self.learned_words, word, letters),
-            Model::Model2 => self.words.find(word_form(word, letters)),
+        let known = if self.settings.model.is_roles() {
+            variant(self.words, self.learned_words, word, letters)
+        } else {
+            self.words.find(word_form(word, letters))
         };
         known.is_some_and(|known| known.index() < self.learned_words)
     }
