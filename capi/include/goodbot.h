@@ -532,6 +532,20 @@ enum goodbot_status goodbot_init_home(void *memory,
                                       const struct goodbot_capacities *capacities,
                                       struct goodbot **robot);
 
+// As `goodbot_init_home`, for commands that may mean tasks of these kinds, `GOODBOT_MOST_TASKS` at most: `agentInRoom(?a, ?goal)`,
+// `blockInRoom(?o, ?r)`, or with a way, `agentInRoom(?a, ?goal) avoiding agentInRoom(?a, ?not)`, `... through agentInRoom(?a, ?via)`,
+// `... through agentInRoom(?a, ?via) or agentInRoom(?a, ?other)`. `WORLD` where a text is no kind of task. The texts are not needed
+// afterwards.
+//
+// The caller sees to it:
+// As for `goodbot_init_home`; `tasks` is null or points to `task_count` texts, each null or ended by a 0.
+enum goodbot_status goodbot_init_home_tasks(void *memory,
+                                            size_t bytes,
+                                            const struct goodbot_capacities *capacities,
+                                            const char *const *tasks,
+                                            uint32_t task_count,
+                                            struct goodbot **robot);
+
 // Begins to describe a home. What was learned stays; a session under way ends unlearned.
 //
 // The caller sees to it:
@@ -809,7 +823,8 @@ enum goodbot_status goodbot_task_probability(struct goodbot *robot,
 // `robot` is null or a handle, `task` null or room for a number.
 enum goodbot_status goodbot_most_likely(struct goodbot *robot, uint32_t *task);
 
-// Writes a task as text, such as `blockInRoom(block0,room1)`, with a 0 at its end. `BUFFER` where it does not fit.
+// Writes a task as text, such as `blockInRoom(block0,room1)` or, with a way, `agentInRoom(agent0,room1) avoiding agentInRoom(agent0,room2)`,
+// with a 0 at its end. `BUFFER` where it does not fit.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `buffer` is null or room for `bytes` bytes.

@@ -296,7 +296,7 @@ fn a_state_whose_number_is_not_below_the_count_is_refused() {
     let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
     objects.add(ClassId(0), "goal", &[]).unwrap();
     let ring = Ring { objects: objects.into_objects(), places: 40 };
-    let mut memory = memory(64, 0);
+    let mut memory = memory(128, 0);
     let mut agent = Agent::new(&mut memory.agent, &[LiftedTask::single(PropositionId(0), &RING).unwrap()], Options::PAPER).unwrap();
     assert_eq!(agent.hear(&ring, &40, "go"), Err(AgentError::StateNumber));
     assert_eq!(agent.hear(&ring, &39, "go"), Ok(()));
@@ -308,7 +308,7 @@ fn tasks_of_another_robot_are_refused() {
     let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
     objects.add(ClassId(0), "goal", &[]).unwrap();
     let ring = Ring { objects: objects.into_objects(), places: 40 };
-    let mut memory = memory(64, 0);
+    let mut memory = memory(128, 0);
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     assert_eq!(agent.hear(&ring, &0, "go"), Err(AgentError::OtherVocabulary));
 }

@@ -16,10 +16,10 @@ use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 
 goodbot::memory! {
-    /// Room for a floor of 105 cells and for the 50 tasks of such a home.
+    /// Room for a floor of 99 cells and for the 50 tasks of such a home.
     pub struct RobotMemory = Capacities {
-        cells: 105,
-        goal_entries: 105,
+        cells: 99,
+        goal_entries: 99,
         states: 640,
         tasks: 50,
         strategies: 1,

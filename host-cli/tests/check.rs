@@ -1,6 +1,5 @@
 //! `goodbot check`, and what `goodbot replay` says of the same files.
 
-#[allow(dead_code, reason = "other tests need more of it")]
 mod program;
 
 use program::{AGENT, END, ROOMS, Run, goodbot, goodbot_unheard, log, session, shown, step};
