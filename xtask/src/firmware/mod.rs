@@ -4,7 +4,6 @@
 //! - [`image`]: one linked firmware, its sizes and symbols;
 //! - [`trial`]: everything that was built and run, once in a run of this program;
 //! - [`microbit`]: the file for a BBC micro:bit, to be dragged onto it;
-//! - [`ways`]: the first plan for tasks with ways;
 //! - [`wheels`]: the lessons on wheels that slip;
 //! - [`digests`]: the same run on this machine and in WebAssembly.
 
@@ -13,7 +12,6 @@ pub mod digests;
 pub mod image;
 pub mod microbit;
 pub mod trial;
-pub mod ways;
 pub mod wheels;
 
 pub use trial::{Trial, images, trials};

@@ -25,8 +25,7 @@ const FAULT: i32 = 102;
 pub struct Report(Vec<(String, u64)>);
 
 impl Report {
-    /// Reads what a binary said.
-    pub fn read(text: &str) -> Self {
+    fn read(text: &str) -> Self {
         let line = |line: &str| {
             let (name, number) = line.split_once(' ')?;
             Some((name.to_owned(), number.trim().parse().ok()?))

@@ -4,7 +4,7 @@ use anyhow::{Result, bail};
 
 use super::{Run, Step, WORKSPACE};
 use crate::firmware::image::{BINARIES, panics};
-use crate::firmware::{digests, images, microbit, trials, ways, wheels};
+use crate::firmware::{digests, images, microbit, trials, wheels};
 use crate::programs::QEMU;
 use crate::{footprint, project};
 
@@ -13,8 +13,6 @@ use crate::{footprint, project};
 const MOST_RAM: u64 = 32 * 1024;
 const MOST_FLASH: u64 = 100 * 1024;
 const MOST_TO_ACT: u64 = 1_000_000;
-/// Instructions that the first plan for the 50 tasks of a home of three storeys may take there.
-const MOST_TO_PLAN_WAYS: u64 = 3_000_000;
 /// The micro:bit's RAM, and its instructions: its floats are made of them.
 const MICROBIT_RAM: u64 = 16 * 1024;
 const MICROBIT_TO_ACT: u64 = 2_000_000;
@@ -81,15 +79,6 @@ fn course(_: &mut Run) -> Result<()> {
                 bail!("{}: {what}: {found}, and {most} are the most", trial.image.name());
             }
         }
-    }
-    let planned = ways::first_plan()?;
-    let (ram, to_plan) = (planned.number("statics")? + planned.number("stack")?, planned.number("first-plan")?);
-    println!(
-        "three storeys: {ram} bytes of RAM, {to_plan} instructions for the first plan of {} tasks, most of them with a way",
-        planned.number("tasks")?
-    );
-    if to_plan > MOST_TO_PLAN_WAYS {
-        bail!("three storeys: instructions for the first plan: {to_plan}, and {MOST_TO_PLAN_WAYS} are the most");
     }
     println!("the lessons on wheels: {}", wheels::drive()?);
     Ok(())
