@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 
 use super::{header, library};
 use crate::firmware::board::{Board, emulate};
-use crate::firmware::image::{flash, panics};
+use crate::firmware::image::panics;
 use crate::programs::{ARM_GCC, GCC};
 use crate::toolchain::Target;
 use crate::{process, project};
@@ -58,38 +58,6 @@ pub fn on_board() -> Result<()> {
         }
     }
     Ok(())
-}
-
-/// Bytes of flash that the library adds to programs for the Cortex-M4F.
-pub fn sizes() -> Result<Vec<(&'static str, u64)>> {
-    const EMPTY: &str = "int main(void) { return 0; }\n";
-    let target = Target::Thumbv7emHf;
-    let mut sizes = Vec::new();
-    let programs: [(&str, &[&str], Vec<String>); 3] = [
-        ("every function, all features", &library::FEATURES, header::functions()?),
-        ("what capi/examples/home.c calls, feature `home`", &["home"], called("home")?),
-        ("what capi/examples/lift.c calls, feature `table`", &["table"], called("lift")?),
-    ];
-    for (name, features, functions) in programs {
-        let library = library::build(Some(target), features)?;
-        let built = library::artifacts(target);
-        let (source, binary) = (built.join("empty.c"), built.join("size.elf"));
-        std::fs::write(&source, EMPTY)?;
-        let linked = |functions: &[String]| {
-            let mut gcc = cross_gcc(&source, &library, &binary)?;
-            process::run(gcc.args(functions.iter().map(|function| format!("-Wl,--undefined={function}"))))?;
-            flash(&binary)
-        };
-        // A program that calls nothing has the start-up, and what that takes of C's own library.
-        sizes.push((name, linked(&functions)?.saturating_sub(linked(&[])?)));
-    }
-    Ok(sizes)
-}
-
-/// The functions of the library that an example calls.
-fn called(example: &str) -> Result<Vec<String>> {
-    let source = std::fs::read_to_string(source(example))?;
-    Ok(header::functions()?.into_iter().filter(|function| source.contains(&format!("{function}("))).collect())
 }
 
 fn source(example: &str) -> PathBuf {

@@ -10,7 +10,7 @@ use crate::toolchain;
 use crate::{process, project};
 
 /// What the linker puts into the flash.
-const IN_FLASH: [&str; 5] = [".vector_table", ".text", ".rodata", ".ARM.exidx", ".data"];
+const IN_FLASH: [&str; 4] = [".vector_table", ".text", ".rodata", ".data"];
 
 /// What a firmware consists of.
 pub const BINARIES: [&str; 3] = ["course", "tick", "overflow"];
@@ -60,14 +60,9 @@ impl Image {
 
     /// Bytes of flash that a binary takes.
     pub fn flash(&self, name: &str) -> Result<u64> {
-        flash(&self.binary(name))
+        let listed = binutils(&ARM_SIZE, &["-A"], &self.binary(name))?;
+        Ok(sections(&listed).filter(|(section, _)| IN_FLASH.contains(section)).map(|(_, bytes)| bytes).sum())
     }
-}
-
-/// Bytes of flash that a binary takes.
-pub fn flash(binary: &Path) -> Result<u64> {
-    let listed = binutils(&ARM_SIZE, &["-A"], binary)?;
-    Ok(sections(&listed).filter(|(section, _)| IN_FLASH.contains(section)).map(|(_, bytes)| bytes).sum())
 }
 
 /// The symbols of a binary that are there to panic. The linker keeps only what is called.

@@ -5,15 +5,11 @@ use std::collections::BTreeMap;
 use anyhow::{Context, Result};
 use serde_json::{Value, json};
 
-use crate::capi::example;
 use crate::firmware::Trial;
-use crate::toolchain;
 
 /// Per cent by which a number may rise before the table has to be renewed: toolchains differ in the sizes that they come to.
 const INSTRUCTIONS_MAY_RISE: u64 = 5;
 const BYTES_MAY_RISE: u64 = 8;
-/// What another compiler than the table's may add to either.
-const FOR_ANOTHER_COMPILER: u64 = 12;
 
 /// What is counted in bytes.
 pub const BYTES: [(&str, &str); 3] = [("flash", "flash"), ("statics", "static RAM"), ("stack", "deepest stack")];
@@ -43,11 +39,7 @@ const ENVIRONMENTS: [(&str, usize); 6] = [("plan-a", 0), ("plan-b", 2), ("plan-c
 /// The rows: for each board and preset, its numbers by name.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Footprint {
-    /// What built all of it.
-    compiler: String,
     rows: BTreeMap<String, BTreeMap<String, u64>>,
-    /// Bytes of flash of C programs for the Cortex-M4F.
-    c: BTreeMap<String, u64>,
 }
 
 impl Footprint {
@@ -70,8 +62,7 @@ impl Footprint {
             }
             rows.insert(format!("{} ({}), {}", board.name(), board.processor(), preset.name()), row);
         }
-        let c = example::sizes()?.into_iter().map(|(program, bytes)| (program.to_owned(), bytes)).collect();
-        Ok(Self { compiler: toolchain::compiler()?, rows, c })
+        Ok(Self { rows })
     }
 
     /// Reads what [`to_json`](Self::to_json) wrote.
@@ -83,27 +74,12 @@ impl Footprint {
             let number = |(name, number): (&String, &Value)| Some((name.clone(), number.as_u64()?));
             rows.insert(name.clone(), numbers.iter().filter_map(number).collect());
         }
-        let compiler = value["compiler"].as_str().unwrap_or_default().to_owned();
-        let c = value["c"].as_object().map(|c| c.iter().filter_map(|(name, bytes)| Some((name.clone(), bytes.as_u64()?))).collect());
-        Ok(Self { compiler, rows, c: c.unwrap_or_default() })
+        Ok(Self { rows })
     }
 
     /// As a file.
     pub fn to_json(&self) -> Result<String> {
-        Ok(format!(
-            "{}\n",
-            serde_json::to_string_pretty(&json!({ "version": 1, "compiler": self.compiler, "rows": self.rows, "c": self.c }))?
-        ))
-    }
-
-    /// What built all of it.
-    pub fn compiler(&self) -> &str {
-        &self.compiler
-    }
-
-    /// The C programs, with their bytes of flash.
-    pub fn c(&self) -> impl Iterator<Item = (&str, u64)> {
-        self.c.iter().map(|(program, &bytes)| (program.as_str(), bytes))
+        Ok(format!("{}\n", serde_json::to_string_pretty(&json!({ "version": 1, "rows": self.rows }))?))
     }
 
     /// The names of the rows.
@@ -124,23 +100,13 @@ impl Footprint {
     /// What is higher here than it was, by more than it may be.
     pub fn against(&self, kept: &Self) -> Vec<String> {
         let mut complaints = Vec::new();
-        let more = if self.compiler == kept.compiler { 0 } else { FOR_ANOTHER_COMPILER };
-        for (program, &found) in &self.c {
-            match kept.c.get(program) {
-                Some(&was) if found * 100 > was * (100 + BYTES_MAY_RISE + more) => {
-                    complaints.push(format!("C, {program}: flash is {found} and was {was}: more than {} % higher", BYTES_MAY_RISE + more));
-                }
-                Some(_) => {}
-                None => complaints.push(format!("C, {program}: flash is {found}, and the table does not have it")),
-            }
-        }
         for (row, numbers) in &self.rows {
             for (name, &found) in numbers {
                 let Some(&was) = kept.rows.get(row).and_then(|row| row.get(name)) else {
                     complaints.push(format!("{row}: {name} is {found}, and the table does not have it"));
                     continue;
                 };
-                let may_rise = if BYTES.iter().any(|(of, _)| of == name) { BYTES_MAY_RISE } else { INSTRUCTIONS_MAY_RISE } + more;
+                let may_rise = if BYTES.iter().any(|(of, _)| of == name) { BYTES_MAY_RISE } else { INSTRUCTIONS_MAY_RISE };
                 if found * 100 > was * (100 + may_rise) {
                     complaints.push(format!("{row}: {name} is {found} and was {was}: more than {may_rise} % higher"));
                 }
@@ -155,7 +121,7 @@ mod tests {
     use super::*;
 
     fn of(name: &str, number: u64) -> Footprint {
-        Footprint { rows: BTreeMap::from([("board".to_owned(), BTreeMap::from([(name.to_owned(), number)]))]), ..Footprint::default() }
+        Footprint { rows: BTreeMap::from([("board".to_owned(), BTreeMap::from([(name.to_owned(), number)]))]) }
     }
 
     #[test]
@@ -169,22 +135,6 @@ mod tests {
     fn sizes_may_differ_as_toolchains_do() {
         assert!(of("flash", 1080).against(&of("flash", 1000)).is_empty());
         assert_eq!(of("flash", 1081).against(&of("flash", 1000)).len(), 1);
-    }
-
-    #[test]
-    fn another_compiler_may_come_to_more_and_not_to_much_more() {
-        let other = |number| Footprint { compiler: "another".to_owned(), ..of("hear", number) };
-        assert!(other(1170).against(&of("hear", 1000)).is_empty());
-        assert_eq!(other(1171).against(&of("hear", 1000)).len(), 1);
-    }
-
-    #[test]
-    fn a_larger_c_program_is_complained_of() {
-        let c = |bytes| Footprint { c: BTreeMap::from([("home.c".to_owned(), bytes)]), ..Footprint::default() };
-        assert!(c(1080).against(&c(1000)).is_empty());
-        assert_eq!(c(1081).against(&c(1000)), ["C, home.c: flash is 1081 and was 1000: more than 8 % higher"]);
-        assert_eq!(c(1).against(&Footprint::default()).len(), 1);
-        assert_eq!(Footprint::from_json(&c(7).to_json().unwrap()).unwrap(), c(7));
     }
 
     #[test]

@@ -12,13 +12,7 @@ commands in a home with two blocks, which are all understood. The firmware is in
 ## Bytes
 
 Flash is code, constants and the interrupt table, the course's own texts and homes among them. The deepest stack is measured by painting.
-";
 
-const OF_C: &str = "
-What the C library adds to a program on the Cortex-M4F, with the features named (`cargo xtask library --features`):
-
-| what is linked | flash |
-|---|---:|
 ";
 
 const BETWEEN: &str = "
@@ -52,12 +46,7 @@ pub fn markdown(footprint: &Footprint) -> String {
     let calls = CALLS.map(|(name, title)| (name, title.to_owned()));
     let plans: Vec<_> = Footprint::plans().map(|name| (name, name.trim_start_matches("plan-").to_uppercase())).collect();
     let mut text = HEAD.to_owned();
-    text += &format!("All of it is built by {}; another compiler comes to other sizes.\n\n", footprint.compiler());
     text += &table(footprint, &bytes, Some(("statics", "stack")));
-    text += OF_C;
-    for (program, flash) in footprint.c() {
-        text += &format!("| {program} | {} |\n", grouped(flash));
-    }
     text += BETWEEN;
     text += &table(footprint, &instructions, None);
     text += LONGEST;
