@@ -1,10 +1,11 @@
 //! Which lesson next: the one that teaches most of what the robot is to understand in the end.
 //!
-//! A word is needed as often as the wanted commands have it, and a lesson is worth the sum over its words of need(w) / (1 + heard(w))^2: what
-//! was heard often is known. Proposals by how unsure the robot is would pick crowded, ambiguous lessons instead.
+//! One new word at a time: a lesson with many words that were never heard leaves open which of them names what. Lessons that are worth the sum
+//! over their words of need / (1 + heard)^2, which look for many new words at once, teach no faster than lessons at random.
 //!
 //! [`Homes::teachable`](crate::Homes::teachable) lists what can be taught in the course's homes, the simplest home first.
 
+use core::cmp::Reverse;
 use goodbot::Agent;
 use goodbot::capacity::CapacityError;
 use goodbot::language::{Model, for_each_piece, for_each_word, word_form};
@@ -15,13 +16,11 @@ use goodbot::symbols::Symbol;
 const OFTEN: u32 = 6;
 
 /// A lesson that is worth teaching next.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NextLesson<'c> {
     /// Its position among those that could be taught.
     pub lesson: usize,
-    /// Its worth: more is better, 0 is nothing.
-    pub worth: f32,
-    /// The word that makes most of its worth: the reason to teach it.
+    /// Its wanted word that was heard least: the reason to teach it.
     pub word: &'c str,
     /// How many of the wanted commands have that word.
     pub needed: u32,
@@ -30,15 +29,21 @@ pub struct NextLesson<'c> {
 }
 
 impl NextLesson<'_> {
-    /// Whether even the word that makes most of its worth was heard so often that there is little left to teach.
+    /// Whether even this word was heard so often that there is little left to teach.
     pub const fn is_known(&self) -> bool {
         self.heard >= OFTEN
     }
 }
 
-/// The lesson to teach next: of `lessons`, commands that could be taught, the one that teaches most of the commands in `wanted`. `heard`
-/// tells in how many lessons a word was heard. Of equal ones it is the first: put the lesson in the simplest home first. `None` where no
-/// lesson has a word that is needed.
+/// Which lesson comes first: how often its word was heard, how many words were heard so little, how often its word is wanted, how many of those
+/// are wanted, and how many different words it has.
+type Order = (u32, usize, Reverse<u32>, Reverse<usize>, Reverse<usize>);
+
+/// The lesson to teach next of `lessons`, commands that could be taught, for a robot that is to understand the commands in `wanted` in the
+/// end. `heard` tells in how many lessons a word was heard. It is the lesson with the wanted word that was heard least; of those the one with
+/// the fewest words that were heard so little; of those the one whose word is wanted most often, then the one with most wanted words, and
+/// then the one with most different words: where blue names the chair and the room, it is not told apart. Of equal ones it is the first: put the
+/// lesson in the simplest home first. `None` where no lesson has a word that is wanted.
 ///
 /// # Errors
 /// A [`CapacityError`] where a command has too many words, or one that is too long.
@@ -46,32 +51,52 @@ impl NextLesson<'_> {
 /// ```
 /// use goodbot_course::next_lesson::next_lesson;
 /// let wanted = ["take the bag to the red room", "go to the red room"];
-/// let lessons = ["go to the blue room", "go to the red room"];
-/// let next = next_lesson(&lessons, &wanted, |word| if word == "red" { 0 } else { 1 })?.expect("red is needed");
-/// assert_eq!((next.lesson, next.word, next.needed, next.heard), (1, "red", 2, 0));
-/// // Where all is known well, nothing is worth much.
-/// assert!(next_lesson(&lessons, &wanted, |_| 99)?.expect("but something").worth < 0.01);
+/// let lessons = ["take the red bag to the blue room", "go to the blue room", "go to the red room"];
+/// // One new word at a time.
+/// let next = next_lesson(&lessons, &wanted, |word| u32::from(["go", "to", "the", "room"].contains(&word)))?.expect("red is wanted");
+/// assert_eq!((next.lesson, next.word, next.needed, next.heard), (2, "red", 2, 0));
+/// assert!(next_lesson(&lessons, &wanted, |_| 99)?.expect("something").is_known());
 /// # Ok::<(), goodbot::capacity::CapacityError>(())
 /// ```
 pub fn next_lesson<'c>(lessons: &[&'c str], wanted: &[&str], heard: impl Fn(&str) -> u32) -> Result<Option<NextLesson<'c>>, CapacityError> {
-    let mut best: Option<NextLesson<'c>> = None;
+    let mut best: Option<(Order, NextLesson<'c>)> = None;
     for (lesson, command) in lessons.iter().enumerate() {
-        let mut next = NextLesson { lesson, worth: 0.0, word: "", needed: 0, heard: 0 };
-        let mut most = 0.0;
-        for word in command.split_whitespace() {
-            let (needed, heard) = (need(word, wanted)?, heard(word));
-            let part = needed as f32 / square(heard.saturating_add(1));
-            next.worth += part;
-            if part > most {
-                most = part;
-                next = NextLesson { word, needed, heard, ..next };
-            }
+        let Some(next) = least_heard(lesson, command, wanted, &heard)? else { continue };
+        let new = || words(command).filter(|word| heard(word) <= next.heard);
+        let mut needed = 0_usize;
+        for word in new() {
+            needed = needed.saturating_add(usize::from(need(word, wanted)? > 0));
         }
-        if next.worth > best.map_or(0.0, |best| best.worth) {
+        let order = (next.heard, new().count(), Reverse(next.needed), Reverse(needed), Reverse(words(command).count()));
+        if best.as_ref().is_none_or(|(least, _)| order < *least) {
+            best = Some((order, next));
+        }
+    }
+    Ok(best.map(|(_, next)| next))
+}
+
+/// A lesson by its wanted word that was heard least; of several, the one that is wanted most often.
+fn least_heard<'c>(
+    lesson: usize,
+    command: &'c str,
+    wanted: &[&str],
+    heard: impl Fn(&str) -> u32,
+) -> Result<Option<NextLesson<'c>>, CapacityError> {
+    let mut best: Option<NextLesson<'c>> = None;
+    for word in words(command) {
+        let next = NextLesson { lesson, word, needed: need(word, wanted)?, heard: heard(word) };
+        let better = |best: &NextLesson<'_>| (next.heard, Reverse(next.needed)) < (best.heard, Reverse(best.needed));
+        if next.needed > 0 && best.as_ref().is_none_or(better) {
             best = Some(next);
         }
     }
     Ok(best)
+}
+
+/// The words of a command, each once.
+fn words(command: &str) -> impl Iterator<Item = &str> {
+    let before = |at: usize| command.split_whitespace().take(at);
+    command.split_whitespace().enumerate().filter(move |&(at, word)| !before(at).any(|other| other == word)).map(|(_, word)| word)
 }
 
 /// How many of the wanted commands have this word.
@@ -120,8 +145,4 @@ fn has(agent: &Agent<impl AgentMemory>, sentence: &[Symbol], word: &str) -> bool
     };
     let cut = if options.model == Model::Roles { for_each_piece(word, take) } else { for_each_word(word, take) };
     cut.is_ok() && any && all
-}
-
-fn square(count: u32) -> f32 {
-    count as f32 * count as f32
 }

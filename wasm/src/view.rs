@@ -161,7 +161,7 @@ pub struct Question {
 pub struct NextLesson {
     /// Its position among those that could be taught.
     pub lesson: usize,
-    /// The word that makes most of its worth.
+    /// Its wanted word that was heard least.
     pub word: String,
     /// How many of the wanted commands have that word.
     pub needed: u32,
