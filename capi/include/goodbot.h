@@ -59,6 +59,9 @@
 // Bytes that a robot of the caller's own takes beyond that.
 #define GOODBOT_TABLE_BYTES 1344
 
+// Most tasks.
+#define GOODBOT_MOST_TASKS 8
+
 // Most classes.
 #define GOODBOT_MOST_CLASSES 8
 
@@ -76,9 +79,6 @@
 
 // Most actions, doing nothing not counted.
 #define GOODBOT_MOST_ACTIONS 15
-
-// Most tasks.
-#define GOODBOT_MOST_TASKS 8
 
 // In a table of steps: the action cannot be done there.
 #define GOODBOT_CANNOT 65535

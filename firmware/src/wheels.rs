@@ -105,7 +105,7 @@ fn lesson<R: Rng>(
             world.act(&home, decision.action, agent.belief().probability(decision.task), random).ok()?;
         }
         let feedback: Feedback = CourseTrainer::BALANCED.feedback(correct, random);
-        agent.feedback(feedback).ok()?;
+        let _ = agent.feedback(feedback).ok()?;
         // Where things are is sensed, and not taken from what the action should have done.
         state = world.sensed(&home, &state);
         tally.actions = tally.actions.saturating_add(1);

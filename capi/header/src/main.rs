@@ -6,11 +6,12 @@ use anyhow::{Context, Result, anyhow};
 use cbindgen::{Builder, Config};
 
 /// The sources whose items the header has, in its order.
-const SOURCES: [&str; 12] = [
+const SOURCES: [&str; 13] = [
     "status.rs",
     "version.rs",
     "capacities.rs",
     "robot.rs",
+    "tasks.rs",
     "home.rs",
     "table/description.rs",
     "table/init.rs",

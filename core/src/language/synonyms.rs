@@ -82,7 +82,7 @@ impl<'t> Synonyms<'t> {
     /// ```
     /// # use goodbot::{Agent, Capacities, Options, home, memory::AgentHeap};
     /// # use goodbot::language::Synonyms;
-    /// # let agent = Agent::new(AgentHeap::new(Capacities::SMALL), &home::paper_tasks()?, Options::DEFAULT)?;
+    /// # let agent = Agent::new(AgentHeap::new(&Capacities::SMALL), &home::paper_tasks()?, Options::DEFAULT)?;
     /// let colors = Synonyms::new("red crimson scarlet").unwrap();
     /// // A robot that has not learned "red" learns "crimson" as any other word.
     /// assert_eq!(colors.in_known_words(agent.language(), "go to the Crimson room!")?, "go to the crimson room");
