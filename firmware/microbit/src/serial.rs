@@ -7,7 +7,7 @@ const SENDS: u32 = 24;
 const RECEIVES: u32 = 25;
 
 /// The longest line, in bytes.
-const LONGEST: usize = 96;
+const LONGEST: usize = 64;
 
 /// The line that comes in. The interrupt fills it to its end, and then the main program has it until it has read it.
 static LINE: [AtomicU8; LONGEST] = [const { AtomicU8::new(0) }; LONGEST];
@@ -75,7 +75,7 @@ pub fn read(take: impl FnOnce(Result<&str, &'static str>)) {
     WHOLE.store(false, Relaxed);
     take(match text {
         _ if too_fast => Err("more was said before the answer came; say one line at a time"),
-        _ if too_long => Err("a line has at most 96 bytes; say it with fewer"),
+        _ if too_long => Err("a line has at most 64 bytes; say it with fewer"),
         Some(text) => Ok(text),
         None => Err("a line is text in UTF-8"),
     });

@@ -212,7 +212,7 @@ pub fn what_is_said_wrongly_is_answered_and_changes_nothing(setup: &Setup) {
         ("say ...", "no word"),
         ("room a 0 0 4 4 red", "say `begin` first"),
         ("build", "say `begin` first"),
-        (&"x".repeat(97), "at most 96 bytes"),
+        (&"x".repeat(65), "at most 64 bytes"),
     ] {
         let answer = board.ask(said).expect_err(said);
         assert!(answer.contains(problem), "`{said}`: {answer}");
