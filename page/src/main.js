@@ -3,6 +3,7 @@ import { drawnElsewhere, setUpBuild } from './build.js';
 import { startCore, world } from './core.js';
 import { speakLanguage, t, takeLanguages, writePage } from './language.js';
 import { readLink } from './link.js';
+import { moduleOf } from './module.js';
 import { setUpNext } from './next.js';
 import { watchSize } from './plan.js';
 import { nameHome, setMode, setUpPlay } from './play.js';
@@ -67,7 +68,7 @@ async function main(module, languages) {
   restoreSettings();
   speakLanguage(state.settings.language);
   writePage();
-  startCore(module);
+  startCore(moduleOf(module));
   // For the curious, at the browser's console, and for tests.
   Object.assign(window, { goodbot: world });
   await openLast();
@@ -86,9 +87,9 @@ async function main(module, languages) {
   document.body.classList.add('ready');
 }
 
-/** Begins, with what was packed: the core's module, and the texts of all languages.
- * @param {Uint8Array} module
- * @param {Record<string, any>} languages */
+/** Begins, with what was packed: the core's module in parts, and the texts of all languages.
+ * @param {Uint8Array[]} module
+ * @param {string} languages */
 export const begin = (module, languages) => main(module, languages).catch(error => {
   $('page').replaceChildren(make('p', { class: 'card', role: 'alert' }, t('noRobot')));
   document.body.classList.add('ready');
