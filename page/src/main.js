@@ -9,7 +9,7 @@ import { watchSize } from './plan.js';
 import { nameHome, setMode, setUpPlay } from './play.js';
 import { render } from './render.js';
 import { robotDrawing } from './robot.js';
-import { finishSession, finishWithoutLearning, giveFeedback, heatNow, leaveSession, refresh, stepOnce, takeUpSession, thatWasIt, togglePause, undo } from './session.js';
+import { finishSession, finishWithoutLearning, giveFeedback, heatNow, leaveSession, pick, refresh, stepOnce, takeUpSession, thatWasIt, togglePause, undo } from './session.js';
 import { meet } from './roster.js';
 import { restoreSettings, setUpSettings, setUpShortcuts } from './settings.js';
 import * as shelf from './shelf.js';
@@ -17,7 +17,7 @@ import { setUpSpeech } from './speech.js';
 import { $, all, attempt, make, state } from './state.js';
 import { openLast, othersTaught } from './store.js';
 import { renderHeat } from './thoughts.js';
-import { beginStop, enterStop, restartTour, watchTour } from './tour.js';
+import { beginAppendix, beginStop, enterStop, restartTour, watchTour } from './tour.js';
 import { isThere } from './words.js';
 
 function setUp() {
@@ -33,8 +33,9 @@ function setUp() {
   for (const [id, action] of Object.entries({
     good: () => giveFeedback('reward'), bad: () => giveFeedback('punish'), pause: togglePause, next: stepOnce, finish: () => (isThere() ? thatWasIt() : finishSession()),
     drop: finishWithoutLearning, undo: () => undo('past'), redo: () => undo('future'), lesson: () => beginStop(false), auto: () => beginStop(true), watch: watchTour,
-    again: restartTour, onward: () => setMode('play'),
+    again: restartTour, onward: () => setMode('play'), appendix: beginAppendix,
   })) $(id).addEventListener('click', action);
+  $('pick').addEventListener('change', () => pick($('pick').value));
   $('heat-before').addEventListener('change', renderHeat);
   $('heat').closest('details').addEventListener('toggle', renderHeat);
   window.addEventListener('hashchange', async () => {

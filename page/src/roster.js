@@ -94,9 +94,15 @@ function bringBack(robot) {
   tell(t('robots.isBack', robot));
 }
 
+// The world's robot has learned nothing, and knows the paper's two tasks.
+function restart() {
+  world.restart();
+  world.setWays(false);
+}
+
 /** A robot that has learned nothing becomes the one of this tab. The others stay. */
 export async function newRobot() {
-  world.restart();
+  restart();
   const robot = newRecord(freeName(t('robots.first')));
   add(robot);
   await open(robot);
@@ -106,7 +112,7 @@ export async function newRobot() {
 
 /** A robot that is shown and not kept, unless somebody says so. `home` is the one that waits. */
 export async function beginGuest(name) {
-  world.restart();
+  restart();
   const mine = state.robot.log === undefined ? state.robot : state.mine;
   const robot = { ...newRecord(name), log: '' };
   await open(robot);
@@ -121,7 +127,7 @@ export async function meet() {
   const mine = state.robot;
   try {
     await beginGuest(visitor.name);
-    await takeModel(visitor.model);
+    await takeModel(visitor.model, visitor.ways);
     Object.assign(state.robot, newRecord(visitor.name), { log: '' });
     state.mode = 'play';
     state.settings.pull = visitor.pull;

@@ -44,8 +44,8 @@ export function refresh() {
 
 // Begins a session. `intended` is the name of a task for a trainer who gives the feedback by itself; `looking` walks without feedback.
 /** @param {string} command
- * @param {{ intended?: string | null, looking?: boolean }} how */
-export function startSession(command, { intended = null, looking = false } = {}) {
+ * @param {{ intended?: string | null, looking?: boolean, picked?: string }} how `picked` is what the trainer says at once that it means */
+export function startSession(command, { intended = null, looking = false, picked = '' } = {}) {
   stopSession();
   command = spaced(command);
   if (attempt(() => (world.hear(command), true)) !== true) {
@@ -57,6 +57,7 @@ export function startSession(command, { intended = null, looking = false } = {})
   state.evidence = [];
   const session = newSession(command, { intended, looking });
   session.heard = ranked();
+  session.picked = picked;
   state.session = session;
   [state.said, state.verdict, state.already] = [null, '', ''];
   session.heardNew = state.sessions > 0 ? unknownWords() : [...new Set(state.support?.words)];
@@ -79,7 +80,7 @@ function newSession(command, { intended = null, looking = false }) {
   const task = state.belief.tasks.findIndex(task => task.name === intended);
   return {
     command, intended: task < 0 ? null : task, looking, heard: [], decided: null, feedback: null, given: false, rests: 0, steps: 0, delay: 0, since: 0,
-    paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, over: false, onEnd: null, onLearn: null,
+    paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, picked: '', over: false, onEnd: null, onLearn: null,
   };
 }
 
@@ -197,6 +198,7 @@ export function pause(session, milliseconds) {
 
 async function go(session) {
   while (!session.over) {
+    takePick(session);
     state.phase = 'planning';
     const slow = setTimeout(render, 40);
     await inParts(() => session.over || attempt(() => world.plan(PLAN_BUDGET)) !== false);
@@ -242,6 +244,36 @@ async function go(session) {
     if (await ended(session)) return undefined;
   }
   return undefined;
+}
+
+// How often a meaning is picked by mistake.
+const PICKED_WRONG = 0.05;
+
+// The trainer has picked a meaning: between two steps, as logs have it, that is an answer.
+function takePick(session) {
+  const { picked } = session;
+  session.picked = '';
+  const others = Math.min(state.belief.tasks.length - 1, 255);
+  if (!picked || attempt(() => (world.answerAs(picked, true, PICKED_WRONG, others), true)) !== true) return;
+  session.answers += 1;
+  state.belief = beliefNow();
+  keepSession(session);
+}
+
+/** Whether a meaning can be picked now. */
+export const mayPick = () => {
+  const { session } = state;
+  return Boolean(session?.decided && !session.looking && !session.question && session.intended === null && (state.phase === 'waiting' || state.phase === 'paused'));
+};
+
+/** The trainer picks what was meant, of all that the robot thinks of.
+ * @param {string} name */
+export function pick(name) {
+  const { session } = state;
+  if (!session || !mayPick() || !name) return;
+  session.picked = name;
+  session.stepping = session.paused;
+  wake(session);
 }
 
 // At its goal the robot waits for the trainer; else as long as the speed says.

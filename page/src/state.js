@@ -35,6 +35,7 @@
  * @property {import('goodbot-wasm').Question | null} question what the robot asks, and waits for
  * @property {number} asked when it asked
  * @property {number} answers how many answers it was given
+ * @property {string} picked the meaning that the trainer has just picked
  * @property {boolean} over
  * @property {(() => void) | null} onEnd what comes after it
  * @property {(() => void) | null} onLearn what comes before it is learned from
