@@ -36,7 +36,7 @@ export function renderRoster() {
   $('kept').textContent = guest ? t('kept.guest') : lost.some(key => key.startsWith('robot')) ? t('kept.blocked') : t('kept.yes', { sessions: sessionsWord() });
   $('guest').hidden = !guest;
   $('guest-words').textContent = state.visitor ? t('guest.visitor', { name: state.robot.name, n: state.heat.now?.words.length || 0 }) : t('guest.shown');
-  $('keep-guest').hidden = !guest || state.sessions === 0 || state.tour.watching;
+  $('keep-guest').hidden = !guest || state.secret === 'open' || state.sessions === 0 || state.tour.watching;
 }
 
 function shown() {
@@ -117,7 +117,7 @@ export async function beginGuest(name) {
   const robot = { ...newRecord(name), log: '' };
   await open(robot);
   state.mine = mine;
-  state.visitor = false;
+  [state.visitor, state.secret] = [false, ''];
 }
 
 /** The robot of a link visits: one's own waits. Returns whether it has come. */
@@ -140,6 +140,7 @@ export async function meet() {
     return false;
   }
   state.visitor = true;
+  state.secret = visitor.secret ? 'open' : '';
   refresh();
   return true;
 }

@@ -63,7 +63,7 @@ export function startSession(command, { intended = null, looking = false, picked
   session.heardNew = state.sessions > 0 ? unknownWords() : [...new Set(state.support?.words)];
   keepSession(session);
   const best = ranked()[0];
-  announce(t('told.heard', { command, task: best.words, sure: percent(best.probability) }));
+  if (state.secret !== 'open') announce(t('told.heard', { command, task: best.words, sure: percent(best.probability) }));
   go(session);
   if (!state.tour.watching && state.settings.speed !== 'once') {
     // On a small screen the plan and the buttons are what matters now; by keyboard, the keys.

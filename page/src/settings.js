@@ -8,6 +8,7 @@ import { loadLog } from './logs.js';
 import { writeHomes } from './play.js';
 import { render } from './render.js';
 import { keepGuest, endGuest, loadModel, newRobot } from './roster.js';
+import { shareSecret } from './secret.js';
 import { LEARN_BUDGET, RULES, SPEEDS, finishSession, giveFeedback, heatNow, leaveSession, refresh, stepOnce, takeBack, thatWasIt, togglePause, wake } from './session.js';
 import { setUpShare, share } from './share.js';
 import * as shelf from './shelf.js';
@@ -110,6 +111,7 @@ export function setUpSettings() {
   });
   $('share').addEventListener('click', () => share(homeLink(), t('settings.link'), t('link.home')));
   $('meet').addEventListener('click', async () => share(await robotLink(), t('link.meet', state.robot), t('link.robot')));
+  $('meet-secret').addEventListener('click', shareSecret);
   setUpShare();
   $('new-robot').addEventListener('click', async () => {
     if (await leaveSession()) await newRobot();

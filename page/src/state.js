@@ -59,6 +59,8 @@ export const state = {
   mine: /** @type {import('./store.js').Robot | null} */ (null),
   // Whether the robot that is shown came with a link.
   visitor: false,
+  // The game of a secret language: `open` while it is played, `told` when it is over.
+  secret: '',
   // What the robot says while nothing is asked of it.
   said: /** @type {string[] | null} */ (null),
   // The command that the robot takes for done already.

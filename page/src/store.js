@@ -170,6 +170,7 @@ export const keepTour = () => patch(state.robot, { tour: tourNow() });
 export async function open(robot) {
   await takeModel(fromBase64(robot.model), robot.ways === true);
   state.robot = robot;
+  state.secret = '';
   state.tour = { at: robot.tour.at, done: [...robot.tour.done], watching: false };
   if (robot.log !== undefined) return;
   shelf.ofTab.put('robot', robot.id);

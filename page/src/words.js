@@ -112,6 +112,7 @@ export function speech() {
   const unknown = unknownWords();
   const strange = unknown.length ? ' ' + t('say.strange', { words: listed(unknown.map(quoted)) }) : '';
   if (session.question) return [questionWords(session.question), strange.trim()];
+  if (state.secret === 'open') return [t('secret.going'), ''];
   const task = best.words;
   if (session.decided && session.decided.action === 'noop') {
     const plan = session.decided.plans[session.decided.task];
