@@ -1,5 +1,6 @@
 // The page is set up.
 import { drawnElsewhere, setUpBuild } from './build.js';
+import { renderCharts, saveTable } from './charts.js';
 import { startCore, world } from './core.js';
 import { speakLanguage, t, takeLanguages, writePage } from './language.js';
 import { readLink } from './link.js';
@@ -38,6 +39,8 @@ function setUp() {
   $('pick').addEventListener('change', () => pick($('pick').value));
   $('heat-before').addEventListener('change', renderHeat);
   $('heat').closest('details').addEventListener('toggle', renderHeat);
+  $('chart-score').closest('details').addEventListener('toggle', renderCharts);
+  $('save-table').addEventListener('click', saveTable);
   window.addEventListener('hashchange', async () => {
     if (!await leaveSession()) return;
     if (!readLink() && !await meet()) return;

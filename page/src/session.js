@@ -9,7 +9,7 @@ import { renderPlan } from './plan.js';
 import { render } from './render.js';
 import { ofTab } from './shelf.js';
 import { $, announce, attempt, inParts, nextFrame, percent, state, tell } from './state.js';
-import { change, travel } from './store.js';
+import { change, patch, travel } from './store.js';
 import { attend, enterStop } from './tour.js';
 import { acted, beliefNow, quoted, ranked, sessionsWord, speech } from './words.js';
 
@@ -386,6 +386,8 @@ export async function finishSession() {
   clearTimeout(session.soon);
   wake(session);
   const heat = heatNow();
+  // How sure it was, when it heard the command, of what it takes it for in the end.
+  const sure = session.heard.find(task => task.index === ranked()[0]?.index)?.probability ?? null;
   const own = attempt(() => world.log().replace('"learn":false', '"learn":true'));
   if (own === undefined) {
     stopSession();
@@ -413,6 +415,7 @@ export async function finishSession() {
     tell(t('session.failed', { why: error.message }), true);
   }
   ofTab.put('session', null);
+  if (state.sessions > 0) patch(state.robot, { scores: Object.assign([...(state.robot.scores || [])], { [state.sessions - 1]: sure }) });
   state.heat = { now: heatNow(), before: heat };
   state.said = [t('say.thanks'), lessonLearned(session.heardNew)];
   state.session = null;

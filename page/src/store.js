@@ -35,6 +35,7 @@ const DAYS_KEPT = 30;
  * @property {number} sessions
  * @property {{ at: number, done: string[] }} tour
  * @property {boolean} [ways] whether commands to it may say how
+ * @property {(number | null)[]} [scores] for each session, how sure it was of what it was taught, when it heard it
  * @property {Point[]} past
  * @property {Point[]} future
  * @property {string} [log] the log of a robot that is not kept

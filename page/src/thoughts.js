@@ -1,4 +1,5 @@
 // What the robot thinks: the tasks' probabilities, the evidence, the words, the dictionary, the trainer's style.
+import { renderCharts } from './charts.js';
 import { world } from './core.js';
 import { t } from './language.js';
 import { ideaWords } from './learned.js';
@@ -16,6 +17,7 @@ export function renderThoughts() {
   renderEvidence();
   renderSupport();
   renderHeat();
+  renderCharts();
   renderStyle();
 }
 
