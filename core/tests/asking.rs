@@ -1,34 +1,24 @@
 //! Questions: what is asked and when, what an answer does, and what is refused. Late words and the end of a session as evidence.
 
+mod rooms;
+
 use goodbot::asking::{Answer, Asking, Considered, Subject};
 use goodbot::feedback::{Ending, Feedback, LAGS, Strategy, population};
-use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
-use goodbot::memory::{AgentMemory, HomeMemory};
+use goodbot::home::{self, Cell, Home, HomeState};
+use goodbot::memory::AgentMemory;
 use goodbot::oomdp::Action;
 use goodbot::session::Evidence;
 use goodbot::task::TaskSet;
 use goodbot::{Agent, AgentError, Capacities, Options};
+use rooms::rooms;
 
 goodbot::memory! { struct Memory = Capacities { strategies: 16, beliefs: 192, ..Capacities::SMALL }; }
-
-/// Two rooms above one, a block in the lower.
-fn rooms<M: HomeMemory>(memory: M) -> (Home<M>, HomeState) {
-    let mut builder = HomeBuilder::new(memory);
-    builder.room("room0", Area::new(0, 0, 8, 4), "blue").unwrap();
-    builder.room("room1", Area::new(0, 4, 4, 8), "green").unwrap();
-    builder.room("room2", Area::new(4, 4, 8, 8), "red").unwrap();
-    builder.door("door0", Area::new(2, 4, 2, 4)).unwrap();
-    builder.door("door1", Area::new(6, 4, 6, 4)).unwrap();
-    builder.agent("agent0", Cell::new(4, 1)).unwrap();
-    builder.block("block0", Cell::new(4, 2), "yellow", "chair").unwrap();
-    builder.build(Moves::Push).unwrap()
-}
 
 fn heard(
     memory: &mut Memory,
     options: Options,
 ) -> (Agent<&mut goodbot::memory::AgentArrays<Memory>>, Home<&mut goodbot::memory::HomeArrays<Memory>>, HomeState) {
-    let (home, start) = rooms(&mut memory.home);
+    let (home, start) = rooms(&mut memory.home, Some(Cell::new(4, 2)));
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), options).unwrap();
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
@@ -260,7 +250,7 @@ fn of_equally_short_ways_it_takes_the_one_that_tells_more() {
 #[test]
 fn commands_without_a_word_leave_what_is_believed_of_the_trainer_to_the_last_bit() {
     let mut memory = Memory::new();
-    let (home, start) = rooms(&mut memory.home);
+    let (home, start) = rooms(&mut memory.home, Some(Cell::new(4, 2)));
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::DEFAULT).unwrap();
     agent.set_strategies(&population::STRATEGIES).unwrap();
     let believed = |agent: &Agent<_>| agent.belief().strategies().to_vec();

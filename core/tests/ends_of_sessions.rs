@@ -1,31 +1,21 @@
 //! How a session ends, and that an ended one stays ended until it is taken up again.
 
+mod rooms;
+
 use goodbot::feedback::Feedback;
-use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
+use goodbot::home;
 use goodbot::language::Settings;
 use goodbot::memory::AgentArrays;
-use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Action;
 use goodbot::{Agent, AgentError, Capacities, Options};
+use rooms::rooms;
 
 goodbot::memory! { struct Memory = Capacities::SMALL; }
-
-/// Two rooms above one.
-fn rooms<M: HomeMemory>(memory: M) -> (Home<M>, HomeState) {
-    let mut builder = HomeBuilder::new(memory);
-    builder.room("room0", Area::new(0, 0, 8, 4), "blue").unwrap();
-    builder.room("room1", Area::new(0, 4, 4, 8), "green").unwrap();
-    builder.room("room2", Area::new(4, 4, 8, 8), "red").unwrap();
-    builder.door("door0", Area::new(2, 4, 2, 4)).unwrap();
-    builder.door("door1", Area::new(6, 4, 6, 4)).unwrap();
-    builder.agent("agent0", Cell::new(4, 1)).unwrap();
-    builder.build(Moves::Push).unwrap()
-}
 
 #[test]
 fn a_session_is_learned_from_once() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home);
+    let (home, start) = rooms(&mut rooms_memory.home, None);
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     agent.hear(&home, &start, "go to the red room").unwrap();
     let _ = agent.finish(&home).unwrap();
@@ -43,7 +33,7 @@ fn a_session_is_learned_from_once() {
 #[test]
 fn a_session_is_taken_up_again_when_it_is_learned_and_planned_as_before() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home);
+    let (home, start) = rooms(&mut rooms_memory.home, None);
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     agent.hear(&home, &start, "go to the red room").unwrap();
     agent.plan_fully(&home, &start).unwrap();
@@ -61,7 +51,7 @@ fn a_session_is_taken_up_again_when_it_is_learned_and_planned_as_before() {
 #[test]
 fn a_forgotten_session_is_not_learned_from() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home);
+    let (home, start) = rooms(&mut rooms_memory.home, None);
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     agent.hear(&home, &start, "go to the red room").unwrap();
     agent.forget();
@@ -73,7 +63,7 @@ fn a_forgotten_session_is_not_learned_from() {
 #[test]
 fn after_a_prior_that_is_no_probability_no_session_is_under_way() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home);
+    let (home, start) = rooms(&mut rooms_memory.home, None);
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     for prior in [f32::NAN, -1.0, f32::INFINITY, 0.0] {
         let error = agent.hear_with_prior(&home, &start, "go", |_, _| prior).unwrap_err();
@@ -88,7 +78,7 @@ fn after_a_prior_that_is_no_probability_no_session_is_under_way() {
 #[test]
 fn a_command_of_a_length_never_heard_is_learned_from_too() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home);
+    let (home, start) = rooms(&mut rooms_memory.home, None);
     let options = Options { language: Settings { length: true, ..Settings::PAPER }, ..Options::PAPER };
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), options).unwrap();
     agent.hear(&home, &start, "go to the red room").unwrap();
@@ -126,7 +116,7 @@ fn what_is_learned_later_is_learned_alike_and_words_mean_the_same_until_then() {
         let options = Options { weights: goodbot::session::Weights::Evidence, language, ..Options::PAPER };
         let tables = |later: bool| {
             let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-            let (home, start) = rooms(&mut rooms_memory.home);
+            let (home, start) = rooms(&mut rooms_memory.home, None);
             let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), options).unwrap();
             agent.hear(&home, &start, "go to the red room").unwrap();
             let _ = agent.finish(&home).unwrap();
@@ -160,7 +150,7 @@ fn what_is_learned_later_is_learned_alike_and_words_mean_the_same_until_then() {
 #[test]
 fn a_session_that_finds_no_room_for_later_goes_on_and_finishing_makes_room() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home);
+    let (home, start) = rooms(&mut rooms_memory.home, None);
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     let refused = loop {
         agent.hear(&home, &start, "go to the red room").unwrap();

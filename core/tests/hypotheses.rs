@@ -1,25 +1,16 @@
 //! A recogniser of speech is not sure what was said: the scene and what the robot has learned choose.
 
-use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
-use goodbot::memory::{AgentArrays, HomeMemory};
+mod rooms;
+
+use goodbot::home::{self, Home, HomeState};
+use goodbot::memory::AgentArrays;
 use goodbot::session::Hypothesis;
 use goodbot::{Agent, AgentError, Capacities, Options};
+use rooms::rooms;
 
 goodbot::memory! { struct Memory = Capacities { words: 64, word_bytes: 512, translations: 2_000, alignments: 4_000, ..Capacities::SMALL }; }
 
 type Robot<'m> = Agent<&'m mut AgentArrays<Memory>>;
-
-/// Two rooms above one.
-fn rooms<M: HomeMemory>(memory: M) -> (Home<M>, HomeState) {
-    let mut builder = HomeBuilder::new(memory);
-    builder.room("room0", Area::new(0, 0, 8, 4), "blue").unwrap();
-    builder.room("room1", Area::new(0, 4, 4, 8), "green").unwrap();
-    builder.room("room2", Area::new(4, 4, 8, 8), "red").unwrap();
-    builder.door("door0", Area::new(2, 4, 2, 4)).unwrap();
-    builder.door("door1", Area::new(6, 4, 6, 4)).unwrap();
-    builder.agent("agent0", Cell::new(4, 1)).unwrap();
-    builder.build(Moves::Push).unwrap()
-}
 
 /// Runs with a robot that has learned what "red room" and "green room" mean, and with one that has learned nothing.
 fn with_robots(
@@ -27,7 +18,7 @@ fn with_robots(
     run: impl Fn(&mut Robot<'_>, &mut Robot<'_>, &Home<&mut goodbot::memory::HomeArrays<Memory>>, &HomeState),
 ) {
     let (mut taught, mut new, mut rooms_memory) = (Memory::new(), Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home);
+    let (home, start) = rooms(&mut rooms_memory.home, None);
     let tasks = home::paper_tasks().unwrap();
     let [mut taught, mut new] = [&mut taught.agent, &mut new.agent].map(|memory| Agent::new(memory, &tasks, options).unwrap());
     for (command, task) in

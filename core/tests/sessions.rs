@@ -1,8 +1,10 @@
 //! Algorithm 1 step by step: what the agent hears, decides, believes and learns, and what it refuses.
 
+mod rooms;
+
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::{BeliefError, Feedback, Strategy};
-use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
+use goodbot::home::{self, Cell, Home, HomeState};
 use goodbot::memory::HomeMemory;
 use goodbot::memory::{AgentArrays, AgentMemory};
 use goodbot::oomdp::{Action, Domain, apply};
@@ -10,23 +12,9 @@ use goodbot::planning::{OptimalSet, Progress};
 use goodbot::session::Evidence;
 use goodbot::{Agent, AgentError, Capacities, Options};
 use rand_pcg::Pcg32;
+use rooms::rooms;
 
 goodbot::memory! { struct Memory = Capacities::SMALL; }
-
-/// Two rooms above one, a block in the lower.
-fn rooms<M: HomeMemory>(memory: M, block: Option<Cell>) -> (Home<M>, HomeState) {
-    let mut builder = HomeBuilder::new(memory);
-    builder.room("room0", Area::new(0, 0, 8, 4), "blue").unwrap();
-    builder.room("room1", Area::new(0, 4, 4, 8), "green").unwrap();
-    builder.room("room2", Area::new(4, 4, 8, 8), "red").unwrap();
-    builder.door("door0", Area::new(2, 4, 2, 4)).unwrap();
-    builder.door("door1", Area::new(6, 4, 6, 4)).unwrap();
-    builder.agent("agent0", Cell::new(4, 1)).unwrap();
-    if let Some(cell) = block {
-        builder.block("block0", cell, "yellow", "chair").unwrap();
-    }
-    builder.build(Moves::Push).unwrap()
-}
 
 fn agent<M: AgentMemory>(memory: M) -> Agent<M> {
     Agent::new(memory, &home::paper_tasks().unwrap(), Options::PAPER).unwrap()

@@ -1,4 +1,4 @@
-//! goodbot for Python: the module `goodbot._native`, one more shell around the core. `python/goodbot` has what is written in Python.
+//! goodbot for Python: the module `goodbot._native`, one more shell around the core. `python/package/goodbot` has what is written in Python.
 //!
 //! - `home`: homes and their states;
 //! - `robot`, `vocabulary`: a robot that a Python class describes;
@@ -10,7 +10,7 @@
 //! - `worlds`: many homes at once, for reinforcement learning;
 //! - `options`, `arrays`, `error`: settings by name, numpy arrays, and exceptions.
 //!
-//! What Python may call is listed with its types in `python/goodbot/_native.pyi`.
+//! What Python may call is listed with its types in `python/package/goodbot/_native.pyi`.
 
 #![forbid(unsafe_code)]
 

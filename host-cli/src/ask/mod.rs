@@ -11,7 +11,7 @@ mod why;
 use crate::lessons::restored;
 use crate::load::kinds::TaskKinds;
 use crate::load::session::moves;
-use crate::load::synonyms::{SynonymOptions, SynonymText};
+use crate::load::synonyms::{SynonymOptions, in_known_words};
 use crate::load::task_name::{in_words, task_name};
 use crate::load::{Fault, home, input};
 use crate::outcome::Failure;
@@ -19,6 +19,7 @@ use crate::refusal;
 use clap::{Args, ValueHint};
 use goodbot::home::Map;
 use goodbot::home::{Home, HomeState, Moves};
+use goodbot::language::Synonyms;
 use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Domain, apply};
@@ -134,13 +135,14 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
     let lifted = options.kinds.lifted()?;
     let mut agent = restored::agent(&options.with, &lifted)?;
     let synonyms = options.synonyms.read()?;
+    let synonyms = synonyms.table()?;
     let mut out = BufWriter::new(std::io::stdout().lock());
     for (number, question) in questions(options)?.iter().enumerate() {
         let mut memory = home::memory();
         let (home, start) = home::build(&question.environment, question.moves, &mut memory).map_err(|flaw| {
             Failure::Input(format!("{}: field \"{}\": {}", question.source, flaw.field(), flaw.message(&question.environment)))
         })?;
-        let answer = answer(&mut agent, &home, &start, question, &synonyms)?;
+        let answer = answer(&mut agent, &home, &start, question, synonyms)?;
         if options.json {
             writeln!(out, "{}", to_json(&answer, question, options.threshold))?;
             continue;
@@ -233,10 +235,10 @@ fn answer(
     home: &Home<impl HomeMemory>,
     start: &HomeState,
     question: &Question,
-    synonyms: &SynonymText,
+    synonyms: Synonyms<'_>,
 ) -> Result<Answer, Failure> {
     let fault = |error: AgentError| Failure::Input(refusal::in_words(&error));
-    let heard = synonyms.in_known_words(agent.language(), &question.command)?;
+    let heard = in_known_words(synonyms, agent.language(), &question.command)?;
     let meanings = meanings::meanings(agent, home, start, &heard).map_err(fault)?;
     let mut tasks = Vec::new();
     for (position, task) in agent.tasks().iter().enumerate() {

@@ -4,11 +4,10 @@ use super::method::{Method, Trained};
 use super::novel::Novel;
 use super::wordless::Wordless;
 use crate::lessons::{Lesson, training};
-use crate::load::synonyms::SynonymText;
 use crate::messages::bar;
 use crate::outcome::Failure;
 use goodbot::AgentError;
-use goodbot::language::Settings;
+use goodbot::language::{Settings, Synonyms};
 use rand_core::Rng;
 use rayon::prelude::*;
 
@@ -58,7 +57,7 @@ pub struct Experiment<'l> {
     /// The sessions that those asked are copies of.
     pub copies: Vec<Option<&'l Lesson>>,
     /// Words that mean the same.
-    pub synonyms: SynonymText,
+    pub synonyms: Synonyms<'l>,
     /// Other layouts to ask in, if any.
     pub novel: Option<Novel<'l>>,
 }
@@ -108,7 +107,7 @@ impl Experiment<'_> {
             let Some(lesson) = self.asked.get(position) else { continue };
             let mut each = |lesson: &Lesson| -> Result<(), Failure> {
                 let by_plans = plans.then(|| by_plans(lesson));
-                let lesson_in_known_words = trained.in_known_words(&self.synonyms, by_plans.as_ref().unwrap_or(lesson))?;
+                let lesson_in_known_words = trained.in_known_words(self.synonyms, by_plans.as_ref().unwrap_or(lesson))?;
                 let answer = ask(trained, &lesson_in_known_words)?;
                 let Some(answer) = answer else { return Ok(()) };
                 let (best, meant) = best_and_meant(&wordless.posterior(lesson), lesson);

@@ -3,7 +3,7 @@
 use super::folds::no_room;
 use crate::lessons::training;
 use crate::lessons::{Lesson, MachineCommand};
-use crate::load::synonyms::SynonymText;
+use crate::load::synonyms::in_known_words;
 use crate::load::{home, session};
 use crate::outcome::Failure;
 use clap::ValueEnum;
@@ -11,7 +11,7 @@ use goodbot::Agent;
 use goodbot::capacity::CapacityError;
 use goodbot::home::Moves;
 use goodbot::language::for_each_word;
-use goodbot::language::{LanguageModel, Settings};
+use goodbot::language::{LanguageModel, Settings, Synonyms};
 use goodbot::memory::AgentHeap;
 use goodbot::task::TokenOrder;
 use std::borrow::Cow;
@@ -96,13 +96,13 @@ impl<'m> Trained<'m> {
     ///
     /// # Errors
     /// [`Failure::Input`] where the command is too long.
-    pub fn in_known_words<'l>(&self, synonyms: &SynonymText, lesson: &'l Lesson) -> Result<Cow<'l, Lesson>, Failure> {
+    pub fn in_known_words<'l>(&self, synonyms: Synonyms<'_>, lesson: &'l Lesson) -> Result<Cow<'l, Lesson>, Failure> {
         let language = match self {
             Self::Model2(model) => model.read(),
             Self::Robot(agent) => agent.language(),
             Self::Bags(_) => return Ok(Cow::Borrowed(lesson)),
         };
-        let command = synonyms.in_known_words(language, &lesson.command)?;
+        let command = in_known_words(synonyms, language, &lesson.command)?;
         Ok(if command == lesson.command { Cow::Borrowed(lesson) } else { Cow::Owned(Lesson { command, ..lesson.clone() }) })
     }
 

@@ -233,13 +233,14 @@ fn with_model(
     let settings = *agent.language().settings();
     let asked = lessons::read(&files, lifted, Options { language: settings, ..Learner::Default.options() }, false, options.keep_going)?;
     let sessions = Sessions { taught: Lessons::default(), asked: Some(asked) };
+    let synonyms = options.synonyms.read()?;
     let about = sessions.about()?;
     let experiment = Experiment {
         taught: &[],
         asked: sessions.asked(),
         rounds: vec![(vec![], (0..sessions.asked().len()).collect())],
         copies: vec![None; sessions.asked().len()],
-        synonyms: options.synonyms.read()?,
+        synonyms: synonyms.table()?,
         novel: options.novel(lifted, settings)?,
     };
     let answers = experiment.ask(&mut Trained::Robot(Box::new(agent)))?;
@@ -320,7 +321,8 @@ impl Sessions {
         };
         let synonyms = options.synonyms.read()?;
         let novel = options.novel(lifted, settings)?;
-        let experiment = Experiment { taught: &self.taught.lessons, asked: self.asked(), rounds, copies, synonyms, novel };
+        let experiment =
+            Experiment { taught: &self.taught.lessons, asked: self.asked(), rounds, copies, synonyms: synonyms.table()?, novel };
         let answers = experiment.run(method, settings)?;
         let summary = Summary::of(&answers, about);
         Ok((answers, summary))

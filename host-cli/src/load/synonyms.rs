@@ -14,9 +14,12 @@ pub struct SynonymOptions {
     synonyms: Option<String>,
 }
 
-/// The text of a table that was checked; empty without one.
+/// The file of a table, which [`SynonymFile::table`] reads.
 #[derive(Debug, Default)]
-pub struct SynonymText(String);
+pub struct SynonymFile {
+    name: String,
+    bytes: Vec<u8>,
+}
 
 impl SynonymOptions {
     /// Whether a table is given.
@@ -24,30 +27,33 @@ impl SynonymOptions {
         self.synonyms.is_some()
     }
 
-    /// Reads the table.
+    /// Reads the file; without one, it is empty.
     ///
     /// # Errors
-    /// [`Failure::Input`] where the file cannot be read, or is no such table.
-    pub fn read(&self) -> Result<SynonymText, Failure> {
-        let Some(file) = &self.synonyms else { return Ok(SynonymText::default()) };
-        let fault = |message: String| Failure::Input(Fault::new(input::name(file), message).to_string());
+    /// [`Failure::Input`] where it cannot be read.
+    pub fn read(&self) -> Result<SynonymFile, Failure> {
+        let Some(file) = &self.synonyms else { return Ok(SynonymFile::default()) };
         let bytes = input::bytes(file).map_err(|fault| Failure::Input(fault.to_string()))?;
-        let text = String::from_utf8(bytes).map_err(|_| fault("is not UTF-8; write words in UTF-8".to_owned()))?;
-        Synonyms::new(&text).map_err(|error| fault(error.to_string()))?;
-        Ok(SynonymText(text))
+        Ok(SynonymFile { name: input::name(file).to_owned(), bytes })
     }
 }
 
-impl SynonymText {
-    /// The command in words that a model knows, as far as the table has them.
+impl SynonymFile {
+    /// The table.
     ///
     /// # Errors
-    /// [`Failure::Input`] where the command is too long.
-    pub fn in_known_words(&self, language: LanguageRef<'_>, command: &str) -> Result<String, Failure> {
-        if self.0.is_empty() {
-            return Ok(command.to_owned());
-        }
-        let table = Synonyms::new(&self.0).unwrap_or_default();
-        table.in_known_words(language, command).map_err(|error| Failure::Input(refusal::in_words(&error.into())))
+    /// [`Failure::Input`] where the file is no such table.
+    pub fn table(&self) -> Result<Synonyms<'_>, Failure> {
+        let fault = |message: String| Failure::Input(Fault::new(&self.name, message).to_string());
+        let text = str::from_utf8(&self.bytes).map_err(|_| fault("is not UTF-8; write words in UTF-8".to_owned()))?;
+        Synonyms::new(text).map_err(|error| fault(error.to_string()))
     }
+}
+
+/// A command in words that a model knows, as far as a table has them.
+///
+/// # Errors
+/// [`Failure::Input`] where the command is too long.
+pub fn in_known_words(synonyms: Synonyms<'_>, language: LanguageRef<'_>, command: &str) -> Result<String, Failure> {
+    synonyms.in_known_words(language, command).map_err(|error| Failure::Input(refusal::in_words(&error.into())))
 }

@@ -1,0 +1,19 @@
+//! The home in which agents are tried.
+
+use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves};
+use goodbot::memory::HomeMemory;
+
+/// A green room and a red one above a blue one, in which the robot stands at (4, 1); with a block, where it is given.
+pub fn rooms<M: HomeMemory>(memory: M, block: Option<Cell>) -> (Home<M>, HomeState) {
+    let mut builder = HomeBuilder::new(memory);
+    builder.room("room0", Area::new(0, 0, 8, 4), "blue").unwrap();
+    builder.room("room1", Area::new(0, 4, 4, 8), "green").unwrap();
+    builder.room("room2", Area::new(4, 4, 8, 8), "red").unwrap();
+    builder.door("door0", Area::new(2, 4, 2, 4)).unwrap();
+    builder.door("door1", Area::new(6, 4, 6, 4)).unwrap();
+    builder.agent("agent0", Cell::new(4, 1)).unwrap();
+    if let Some(cell) = block {
+        builder.block("block0", cell, "yellow", "chair").unwrap();
+    }
+    builder.build(Moves::Push).unwrap()
+}
