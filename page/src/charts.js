@@ -29,8 +29,9 @@ function chart(id, lines, about) {
     }));
 }
 
-// How probable a task was before the first step of the session under way, or of the one before, and after each.
-const beliefs = task => [state.evidence[0]?.before[task] ?? null, ...state.evidence.map(evidence => evidence.after[task] ?? null)];
+// How probable a task was before the first step of the session under way, or of the one before, after each, and is now: an answer may have come
+// since.
+const beliefs = task => [state.evidence[0]?.before[task] ?? null, ...state.evidence.map(evidence => evidence.after[task] ?? null), ...(state.session ? [state.belief.tasks[task].probability] : [])];
 
 // For each session that this robot has learned from, how sure it was of what it was taught, when it heard it.
 const scores = () => Array.from({ length: state.sessions }, (_, at) => state.robot.scores?.[at] ?? null);

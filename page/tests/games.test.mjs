@@ -71,12 +71,13 @@ test('a secret language is passed on by a link and found out from what the robot
   assert.match(await page.textContent('#shared-about'), /finds out what its words mean/);
   await page.click('#close-link');
 
-  const friend = await openIn(await browser.newContext({ bypassCSP: true }), link.slice(address.length));
+  const friend = await openIn(await browser.newContext({ bypassCSP: true, viewport: { width: 360, height: 800 } }), link.slice(address.length));
   await friend.locator('#secret:visible').waitFor();
   assert.equal(await friend.locator('.learned:visible').count(), 0, 'its thoughts are not told');
   const words = await friend.locator('#secret-words button').allTextContents();
   assert.ok(words.length >= 5 && words.includes('grünen'), words.join());
   await axeClean(friend, 'secret language');
+  assert.ok(await friend.evaluate(() => document.documentElement.scrollWidth <= 360), 'nothing is wider than a phone');
   await friend.selectOption('#speed', 'once');
   await friend.locator('#secret-words button', { hasText: 'grünen' }).click();
   await friend.waitForFunction(() => document.body.dataset.phase === 'none');
