@@ -253,7 +253,7 @@ const PICKED_WRONG = 0.05;
 function takePick(session) {
   const { picked } = session;
   session.picked = '';
-  const others = Math.min(state.belief.tasks.length - 1, 255);
+  const others = Math.max(1, Math.min(state.belief.tasks.length - 1, 255));
   if (!picked || attempt(() => (world.answerAs(picked, true, PICKED_WRONG, others), true)) !== true) return;
   session.answers += 1;
   state.belief = beliefNow();
@@ -261,7 +261,7 @@ function takePick(session) {
 }
 
 /** Whether a meaning can be picked now. */
-export const mayPick = () => {
+const mayPick = () => {
   const { session } = state;
   return Boolean(session?.decided && !session.looking && !session.question && session.intended === null && (state.phase === 'waiting' || state.phase === 'paused'));
 };

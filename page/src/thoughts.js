@@ -48,13 +48,15 @@ function renderBars() {
   $('rest').textContent = rest > 0 ? t('thoughts.rest', { n: rest, sure: percent(tasks.slice(SHOWN_TASKS).reduce((sum, task) => sum + task.probability, 0)) }) : '';
 }
 
+let offered = { session: /** @type {import('./state.js').Session | null} */ (null), language: '' };
+
 // All that the command may mean, to pick from.
 function renderPick() {
   const { session } = state;
   $('pick').closest('.field').hidden = !session || session.looking || session.intended !== null || (state.mode === 'tour' && !world.ways());
-  const key = session ? session.command + state.belief.tasks.length + document.documentElement.lang : '';
-  if ($('pick').dataset.key === key) return;
-  $('pick').dataset.key = key;
+  const language = document.documentElement.lang;
+  if (offered.session === session && offered.language === language) return;
+  offered = { session, language };
   $('pick').replaceChildren(make('option', { value: '' }, '…'), ...state.belief.tasks.map(({ name, words }) => make('option', { value: name }, words)));
 }
 
