@@ -220,8 +220,8 @@ impl World {
         Ok(())
     }
 
-    /// Whether commands may mean tasks with a way too: through a room, through one of two, avoiding one. The robot keeps what it has learned,
-    /// and begins to learn it anew: [`learn`](Self::learn) until that is done. A session under way ends unlearned.
+    /// Whether commands may mean tasks with a way too: through a room, through one of two, avoiding one. The robot keeps what it has
+    /// learned, and begins to learn it anew: [`learn`](Self::learn) until that is done. A session under way ends unlearned.
     ///
     /// # Errors
     /// Where it is still learning.

@@ -29,8 +29,8 @@ pub fn read(folder: &Path) -> Result<Languages> {
 }
 
 impl Languages {
-    /// All languages as `takeLanguages` in `page/src/language.js` reads them. A key with a dot that stands as a whole in the page's scripts or
-    /// its body becomes a number there. It is an error if no script and no element has a text's key.
+    /// All languages as `takeLanguages` in `page/src/language.js` reads them. A key with a dot that stands as a whole in the page's
+    /// scripts or its body becomes a number there. It is an error if no script and no element has a text's key.
     pub fn number(&self, scripts: &mut String, body: &mut String) -> Result<String> {
         let (mut named, mut numbered) = (Vec::new(), Vec::new());
         for key in self.0[FIRST].keys() {

@@ -169,7 +169,8 @@ impl Reader<'_> {
 mod tests {
     use super::*;
 
-    /// A module with one function, after whose section another stands: `(func (result i32) local.get 0 i32.const 300 i32.load offset=8 call 1)`.
+    /// A module with one function, after whose section another stands:
+    /// `(func (result i32) local.get 0 i32.const 300 i32.load offset=8 call 1)`.
     const MODULE: [u8; 33] = [
         0, b'a', b's', b'm', 1, 0, 0, 0, 3, 2, 1, 0, 10, 16, 1, 14, 1, 1, 0x7f, 0x20, 0, 0x41, 0xac, 2, 0x28, 2, 8, 0x10, 1, END, 11, 1, 0,
     ];
