@@ -228,7 +228,7 @@ pub unsafe extern "C" fn goodbot_least_capacities(
             let [sessions, words, different_words, word_bytes] = [sessions, words, different_words, word_bytes].map(|it| it as usize);
             let lessons = Lessons { sessions, words, different_words, word_bytes };
             let Goodbot { agent, world, .. } = robot;
-            let least = in_world!(&*world, |domain, state| agent.least_capacities(domain, state, &lessons)?);
+            let least = in_world!(&*world, |domain, _state| agent.least_capacities(domain, &lessons)?);
             give(capacities, (&least).into())
         })
     }
