@@ -25,7 +25,7 @@ fn rooms(widths: [i32; 3], lesson: usize, derived: bool) -> (Home<HomeHeap>, Hom
     (home.with_derived(derived), start)
 }
 
-/// Teaches what "leftmost" and "large" mean in twelve homes, twice, and returns how probable a room is by a command in another home.
+/// Teaches what "leftmost" and "large" mean in six homes, twice in two wordings, and returns how probable a room is by a command in another home.
 fn understood(derived: bool, asked: &str, meant: &str) -> f32 {
     let mut agent = Agent::new(HeapMemory::new(&Capacities::STANDARD).agent, &home::paper_tasks().unwrap(), Options::DEFAULT).unwrap();
     let homes = [[4, 6, 4], [4, 4, 8], [8, 4, 4], [4, 8, 6], [6, 4, 8], [8, 6, 4]];
