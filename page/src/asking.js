@@ -59,12 +59,17 @@ function goOn(session) {
 
 const isChoice = question => question.about === 'whichObject' || question.about === 'whichTask';
 
+/** @type {Record<string, import('./language.js').Key>} */
+const WAYS = { any: 'ask.way.any', through: 'ask.way.through', either: 'ask.way.either', avoiding: 'ask.way.avoiding' };
+
 /** The question as a person hears it.
  * @param {import('goodbot-wasm').Question} question */
-export function questionWords({ about, objects, choices }) {
+export function questionWords({ about, way, objects, choices }) {
   if (about === 'object') return t('ask.object', { thing: objectWords(objects[0]) });
-  if (about === 'carrying') return t('ask.carrying');
-  if (about === 'moving') return t('ask.moving');
+  if (about === 'carrying' || about === 'moving') {
+    const question = t(about === 'carrying' ? 'ask.carrying' : 'ask.moving');
+    return way ? t('ask.howWay', { question, way: t(WAYS[way]) }) : question;
+  }
   if (about === 'task') return t('ask.task', { task: state.belief.tasks[choices[0]].words });
   return t('ask.which');
 }

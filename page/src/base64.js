@@ -8,7 +8,12 @@ export function toBase64(bytes) {
 }
 
 /** @param {string} text */
-export const fromBase64 = text => Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
+export function fromBase64(text) {
+  const letters = atob(text);
+  const bytes = new Uint8Array(letters.length);
+  for (let at = 0; at < bytes.length; at += 1) bytes[at] = letters.charCodeAt(at);
+  return bytes;
+}
 
 /** Base64 as it may stand in an address.
  * @param {Uint8Array} bytes */

@@ -6,11 +6,12 @@ const packed = /** @type {HTMLElement} */ (document.getElementById('packed'));
 const sizes = String(packed.dataset.sizes).split(' ').map(Number);
 const whole = unpack(fromBase64(String(packed.textContent).trim()), sizes.reduce((sum, size) => sum + size));
 let at = 0;
-const [module, ...parts] = sizes.map(size => whole.slice(at, at += size));
-const [style, script, languages] = parts.map(part => new TextDecoder().decode(part));
+const parts = sizes.map(size => whole.slice(at, at += size));
+const [style, body, script, languages] = parts.splice(0, 4).map(part => new TextDecoder().decode(part));
+document.body.insertAdjacentHTML('afterbegin', body);
 for (const [tag, text] of [['style', style], ['script', script]]) {
   const element = document.createElement(tag);
   element.textContent = text;
   document.head.append(element);
 }
-/** @type {any} */ (globalThis).goodbotPage.begin(module, JSON.parse(languages));
+/** @type {any} */ (globalThis).goodbotPage.begin(parts, languages);

@@ -9,10 +9,14 @@ let languages = {};
 let texts = {};
 let plural = new Intl.PluralRules('en');
 
-/** Takes all languages: the keys once, and for each code the texts in their order.
- * @param {Record<string, any[]>} all */
-export function takeLanguages({ keys, ...all }) {
-  languages = Object.fromEntries(Object.entries(all).map(([code, texts]) => [code, Object.fromEntries(keys.map((key, at) => [key, texts[at]]))]));
+/** Takes all languages, as page/builder/src/languages.rs writes them: names on a line each, and then, behind an empty line, each language's
+ * code and its texts in the order of the names. Texts behind those have numbers for names.
+ * @param {string} all */
+export function takeLanguages(all) {
+  const [names, ...blocks] = all.split('\n\n').map(block => block.split('\n'));
+  languages = Object.fromEntries(blocks.map(([code, ...texts]) => [code, Object.fromEntries(texts.map((text, at) => (
+    [names[at] ?? at - names.length, text.startsWith('{"') ? JSON.parse(text) : text]
+  )))]));
 }
 
 /** The languages: code and name. */

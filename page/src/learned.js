@@ -31,6 +31,9 @@ export function ideaWords(token) {
   const [, kind, value] = token.match(/^(color|shape)(.+)$/) || [];
   if (kind === 'color') return t('idea.color', { 0: colorWords(value.toLowerCase()) });
   if (kind === 'shape') return t('idea.shape', { 0: shapeWords(value.toLowerCase()) });
+  // A kind of task with a way: agentInRoom01!agentInRoom02 avoids, > goes through.
+  const [, goal, way] = token.match(/^([a-z]+)\d+(\D.*)$/i) || [];
+  if (way) return t('idea.way', { goal: named('idea.' + goal), way: t(way[0] === '!' ? 'ask.way.avoiding' : way.split('>').length > 2 ? 'ask.way.either' : 'ask.way.through') });
   return named('idea.' + token) || tokenWords(token);
 }
 
@@ -57,16 +60,18 @@ export function spaced(command) {
   return [...new Intl.Segmenter(undefined, { granularity: 'word' }).segment(command)].map(part => part.segment.trim()).filter(Boolean).join(' ');
 }
 
+const hasWay = task => / (through|avoiding) /.test(task.name);
+
 /** Commands that can be carried out here and are not yet: the robot's own words for some of its tasks.
  * @returns {string[]} */
 export function ideas() {
-  const found = { agent: /** @type {string[]} */ ([]), block: /** @type {string[]} */ ([]) };
+  const found = { agent: /** @type {string[]} */ ([]), block: /** @type {string[]} */ ([]), way: /** @type {string[]} */ ([]) };
   try {
     world.hear('?a');
     const { tasks } = beliefNow();
     const started = performance.now();
     tasks.forEach((task, at) => {
-      const kind = task.name.startsWith('agent') ? 'agent' : 'block';
+      const kind = hasWay(task) ? 'way' : task.name.startsWith('agent') ? 'agent' : 'block';
       if (task.words.includes('(') || found[kind].length === (kind === 'agent' ? 2 : 1)) return;
       world.lookAhead(at);
       let route = '';
@@ -76,5 +81,5 @@ export function ideas() {
     });
   } catch { /* Where a home has no tasks there is nothing to suggest. */ }
   world.forget();
-  return [...found.agent.slice(0, 1), ...found.block, ...found.agent.slice(1)];
+  return [...found.agent.slice(0, 1), ...found.block, ...found.way, ...found.agent.slice(1)];
 }

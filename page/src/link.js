@@ -34,9 +34,9 @@ async function through(bytes, transform) {
   return new Uint8Array(await new Response(new Blob([/** @type {BlobPart} */ (bytes)]).stream().pipeThrough(transform)).arrayBuffer());
 }
 
-/** The address of this page with this tab's robot: what it knows, its name, its home and settings. */
-export async function robotLink() {
-  const about = new TextEncoder().encode(JSON.stringify({ name: state.robot.name, home: JSON.parse(world.environment()), pull: state.settings.pull }));
+/** The address of this page with this tab's robot: what it knows, its name, its home and settings. `secret`: what it knows is to be found out. */
+export async function robotLink(secret = false) {
+  const about = new TextEncoder().encode(JSON.stringify({ name: state.robot.name, home: JSON.parse(world.environment()), pull: state.settings.pull, ways: world.ways(), secret }));
   const model = fromBase64(state.robot.model);
   const whole = new Uint8Array(2 + about.length + model.length);
   whole.set([about.length >> 8, about.length & 255]);
@@ -51,7 +51,7 @@ export async function robotLink() {
 }
 
 /** The robot that the address carries, taken off it; `null` where there is none, and where it is damaged, which is told.
- * @returns {Promise<{ name: string, home: object, pull: boolean, model: Uint8Array } | null>} */
+ * @returns {Promise<{ name: string, home: object, pull: boolean, ways: boolean, secret: boolean, model: Uint8Array } | null>} */
 export async function readRobot() {
   const [, text] = location.hash.match(/^#robot=(.*)$/) || [];
   if (text === undefined) return null;
@@ -66,8 +66,8 @@ export async function readRobot() {
     if (bytes[0] !== ROBOT_VERSION || new DataView(bytes.buffer).getUint32(1) !== checksum(packed)) throw new Error('checksum');
     const whole = await through(packed, new DecompressionStream('deflate-raw'));
     const length = whole[0] << 8 | whole[1];
-    const { name, home, pull } = JSON.parse(new TextDecoder().decode(whole.slice(2, 2 + length)));
-    return { name: String(name).slice(0, 40) || t('robots.some'), home, pull: pull === true, model: whole.slice(2 + length) };
+    const { name, home, pull, ways, secret } = JSON.parse(new TextDecoder().decode(whole.slice(2, 2 + length)));
+    return { name: String(name).slice(0, 40) || t('robots.some'), home, pull: pull === true, ways: ways === true, secret: secret === true, model: whole.slice(2 + length) };
   } catch {
     tell(t('link.damagedRobot'), true);
     return null;

@@ -10,7 +10,7 @@ import { enterHome } from './tour.js';
 import { ACTIONS, sessionsWord } from './words.js';
 
 const LOG_FIELDS = {
-  session: ['type', 'version', 'id', 'kind', 'environment', 'command', 'intended', 'actions', 'prior', 'strategies', 'continues'],
+  session: ['type', 'version', 'id', 'kind', 'environment', 'command', 'intended', 'before', 'through', 'avoiding', 'actions', 'prior', 'strategies', 'continues'],
   step: ['type', 'action', 'feedback'],
   answer: ['type', 'tasks', 'yes', 'eta', 'others'],
   end: ['type', 'learn'],

@@ -1,14 +1,16 @@
 // The page is set up.
 import { drawnElsewhere, setUpBuild } from './build.js';
+import { renderCharts, saveTable } from './charts.js';
 import { startCore, world } from './core.js';
 import { speakLanguage, t, takeLanguages, writePage } from './language.js';
 import { readLink } from './link.js';
+import { moduleOf } from './module.js';
 import { setUpNext } from './next.js';
 import { watchSize } from './plan.js';
 import { nameHome, setMode, setUpPlay } from './play.js';
 import { render } from './render.js';
 import { robotDrawing } from './robot.js';
-import { finishSession, finishWithoutLearning, giveFeedback, heatNow, leaveSession, refresh, stepOnce, takeUpSession, thatWasIt, togglePause, undo } from './session.js';
+import { finishSession, finishWithoutLearning, giveFeedback, heatNow, leaveSession, pick, refresh, stepOnce, takeUpSession, thatWasIt, togglePause, undo } from './session.js';
 import { meet } from './roster.js';
 import { restoreSettings, setUpSettings, setUpShortcuts } from './settings.js';
 import * as shelf from './shelf.js';
@@ -16,7 +18,7 @@ import { setUpSpeech } from './speech.js';
 import { $, all, attempt, make, state } from './state.js';
 import { openLast, othersTaught } from './store.js';
 import { renderHeat } from './thoughts.js';
-import { beginStop, enterStop, restartTour, watchTour } from './tour.js';
+import { beginAppendix, beginStop, enterStop, restartTour, watchTour } from './tour.js';
 import { isThere } from './words.js';
 
 function setUp() {
@@ -32,10 +34,13 @@ function setUp() {
   for (const [id, action] of Object.entries({
     good: () => giveFeedback('reward'), bad: () => giveFeedback('punish'), pause: togglePause, next: stepOnce, finish: () => (isThere() ? thatWasIt() : finishSession()),
     drop: finishWithoutLearning, undo: () => undo('past'), redo: () => undo('future'), lesson: () => beginStop(false), auto: () => beginStop(true), watch: watchTour,
-    again: restartTour, onward: () => setMode('play'),
+    again: restartTour, onward: () => setMode('play'), appendix: beginAppendix,
   })) $(id).addEventListener('click', action);
+  $('pick').addEventListener('change', () => pick($('pick').value));
   $('heat-before').addEventListener('change', renderHeat);
   $('heat').closest('details').addEventListener('toggle', renderHeat);
+  $('chart-score').closest('details').addEventListener('toggle', renderCharts);
+  $('save-table').addEventListener('click', saveTable);
   window.addEventListener('hashchange', async () => {
     if (!await leaveSession()) return;
     if (!readLink() && !await meet()) return;
@@ -67,7 +72,7 @@ async function main(module, languages) {
   restoreSettings();
   speakLanguage(state.settings.language);
   writePage();
-  startCore(module);
+  startCore(moduleOf(module));
   // For the curious, at the browser's console, and for tests.
   Object.assign(window, { goodbot: world });
   await openLast();
@@ -86,9 +91,9 @@ async function main(module, languages) {
   document.body.classList.add('ready');
 }
 
-/** Begins, with what was packed: the core's module, and the texts of all languages.
- * @param {Uint8Array} module
- * @param {Record<string, any>} languages */
+/** Begins, with what was packed: the core's module in parts, and the texts of all languages.
+ * @param {Uint8Array[]} module
+ * @param {string} languages */
 export const begin = (module, languages) => main(module, languages).catch(error => {
   $('page').replaceChildren(make('p', { class: 'card', role: 'alert' }, t('noRobot')));
   document.body.classList.add('ready');

@@ -12,8 +12,8 @@ import { taskWords } from './words.js';
 
 // Commands that make sense here, for those who do not know what to say.
 export function renderIdeas() {
-  $('ideas').hidden = Boolean(state.session);
-  if (state.session || state.phase !== 'none' || state.mode !== 'play') return;
+  $('ideas').hidden = Boolean(state.session) || state.secret === 'open';
+  if (state.session || state.phase !== 'none' || state.mode !== 'play' || state.secret === 'open') return;
   const key = JSON.stringify([state.scene, world.pulls(), document.documentElement.lang]);
   if ($('ideas').dataset.key === key) return;
   $('ideas').dataset.key = key;
@@ -35,6 +35,10 @@ export async function setMode(mode) {
 // Tells the robot. Where it takes the command for one that is done already, it says so, and does nothing unless that is not what was meant.
 function tellRobot(command) {
   const words = spaced(command);
+  if (state.secret === 'open') {
+    startSession(words, { looking: true });
+    return;
+  }
   const done = state.sessions > 0 && state.phase === 'none' ? attempt(() => world.already(words)) : '';
   state.already = done ? words : '';
   if (!done) {

@@ -7,10 +7,12 @@ import { renderNext } from './next.js';
 import { renderPlan } from './plan.js';
 import { renderIdeas } from './play.js';
 import { renderRoster } from './roster.js';
+import { renderSecret } from './secret.js';
 import { renderSettings } from './settings.js';
 import { $, all, make, state } from './state.js';
 import { renderThoughts } from './thoughts.js';
 import { renderTour } from './tour.js';
+import { renderTrick } from './trick.js';
 import { acted, isThere, speech } from './words.js';
 
 export function render() {
@@ -27,6 +29,8 @@ export function render() {
   renderBuild();
   renderThoughts();
   renderNext();
+  renderSecret();
+  renderTrick();
   renderRoster();
   renderSettings();
   const [head, rest] = speech();

@@ -36,7 +36,7 @@ export function renderRoster() {
   $('kept').textContent = guest ? t('kept.guest') : lost.some(key => key.startsWith('robot')) ? t('kept.blocked') : t('kept.yes', { sessions: sessionsWord() });
   $('guest').hidden = !guest;
   $('guest-words').textContent = state.visitor ? t('guest.visitor', { name: state.robot.name, n: state.heat.now?.words.length || 0 }) : t('guest.shown');
-  $('keep-guest').hidden = !guest || state.sessions === 0 || state.tour.watching;
+  $('keep-guest').hidden = !guest || state.secret === 'open' || state.sessions === 0 || state.tour.watching;
 }
 
 function shown() {
@@ -94,9 +94,15 @@ function bringBack(robot) {
   tell(t('robots.isBack', robot));
 }
 
+// The world's robot has learned nothing, and knows the paper's two tasks.
+function restart() {
+  world.restart();
+  world.setWays(false);
+}
+
 /** A robot that has learned nothing becomes the one of this tab. The others stay. */
 export async function newRobot() {
-  world.restart();
+  restart();
   const robot = newRecord(freeName(t('robots.first')));
   add(robot);
   await open(robot);
@@ -106,12 +112,12 @@ export async function newRobot() {
 
 /** A robot that is shown and not kept, unless somebody says so. `home` is the one that waits. */
 export async function beginGuest(name) {
-  world.restart();
+  restart();
   const mine = state.robot.log === undefined ? state.robot : state.mine;
   const robot = { ...newRecord(name), log: '' };
   await open(robot);
   state.mine = mine;
-  state.visitor = false;
+  [state.visitor, state.secret] = [false, ''];
 }
 
 /** The robot of a link visits: one's own waits. Returns whether it has come. */
@@ -121,7 +127,7 @@ export async function meet() {
   const mine = state.robot;
   try {
     await beginGuest(visitor.name);
-    await takeModel(visitor.model);
+    await takeModel(visitor.model, visitor.ways);
     Object.assign(state.robot, newRecord(visitor.name), { log: '' });
     state.mode = 'play';
     state.settings.pull = visitor.pull;
@@ -134,6 +140,7 @@ export async function meet() {
     return false;
   }
   state.visitor = true;
+  state.secret = visitor.secret ? 'open' : '';
   refresh();
   return true;
 }

@@ -9,7 +9,7 @@ import { renderPlan } from './plan.js';
 import { render } from './render.js';
 import { ofTab } from './shelf.js';
 import { $, announce, attempt, inParts, nextFrame, percent, state, tell } from './state.js';
-import { change, travel } from './store.js';
+import { change, patch, travel } from './store.js';
 import { attend, enterStop } from './tour.js';
 import { acted, beliefNow, quoted, ranked, sessionsWord, speech } from './words.js';
 
@@ -44,8 +44,8 @@ export function refresh() {
 
 // Begins a session. `intended` is the name of a task for a trainer who gives the feedback by itself; `looking` walks without feedback.
 /** @param {string} command
- * @param {{ intended?: string | null, looking?: boolean }} how */
-export function startSession(command, { intended = null, looking = false } = {}) {
+ * @param {{ intended?: string | null, looking?: boolean, picked?: string }} how `picked` is what the trainer says at once that it means */
+export function startSession(command, { intended = null, looking = false, picked = '' } = {}) {
   stopSession();
   command = spaced(command);
   if (attempt(() => (world.hear(command), true)) !== true) {
@@ -57,12 +57,13 @@ export function startSession(command, { intended = null, looking = false } = {})
   state.evidence = [];
   const session = newSession(command, { intended, looking });
   session.heard = ranked();
+  session.picked = picked;
   state.session = session;
   [state.said, state.verdict, state.already] = [null, '', ''];
   session.heardNew = state.sessions > 0 ? unknownWords() : [...new Set(state.support?.words)];
   keepSession(session);
   const best = ranked()[0];
-  announce(t('told.heard', { command, task: best.words, sure: percent(best.probability) }));
+  if (state.secret !== 'open') announce(t('told.heard', { command, task: best.words, sure: percent(best.probability) }));
   go(session);
   if (!state.tour.watching && state.settings.speed !== 'once') {
     // On a small screen the plan and the buttons are what matters now; by keyboard, the keys.
@@ -79,7 +80,7 @@ function newSession(command, { intended = null, looking = false }) {
   const task = state.belief.tasks.findIndex(task => task.name === intended);
   return {
     command, intended: task < 0 ? null : task, looking, heard: [], decided: null, feedback: null, given: false, rests: 0, steps: 0, delay: 0, since: 0,
-    paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, over: false, onEnd: null, onLearn: null,
+    paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, picked: '', over: false, onEnd: null, onLearn: null,
   };
 }
 
@@ -197,6 +198,7 @@ export function pause(session, milliseconds) {
 
 async function go(session) {
   while (!session.over) {
+    takePick(session);
     state.phase = 'planning';
     const slow = setTimeout(render, 40);
     await inParts(() => session.over || attempt(() => world.plan(PLAN_BUDGET)) !== false);
@@ -242,6 +244,36 @@ async function go(session) {
     if (await ended(session)) return undefined;
   }
   return undefined;
+}
+
+// How often a meaning is picked by mistake.
+const PICKED_WRONG = 0.05;
+
+// The trainer has picked a meaning: between two steps, as logs have it, that is an answer.
+function takePick(session) {
+  const { picked } = session;
+  session.picked = '';
+  const others = Math.max(1, Math.min(state.belief.tasks.length - 1, 255));
+  if (!picked || attempt(() => (world.answerAs(picked, true, PICKED_WRONG, others), true)) !== true) return;
+  session.answers += 1;
+  state.belief = beliefNow();
+  keepSession(session);
+}
+
+/** Whether a meaning can be picked now. */
+const mayPick = () => {
+  const { session } = state;
+  return Boolean(session?.decided && !session.looking && !session.question && session.intended === null && (state.phase === 'waiting' || state.phase === 'paused'));
+};
+
+/** The trainer picks what was meant, of all that the robot thinks of.
+ * @param {string} name */
+export function pick(name) {
+  const { session } = state;
+  if (!session || !mayPick() || !name) return;
+  session.picked = name;
+  session.stepping = session.paused;
+  wake(session);
 }
 
 // At its goal the robot waits for the trainer; else as long as the speed says.
@@ -354,6 +386,8 @@ export async function finishSession() {
   clearTimeout(session.soon);
   wake(session);
   const heat = heatNow();
+  // How sure it was, when it heard the command, of what it takes it for in the end.
+  const sure = session.heard.find(task => task.index === ranked()[0]?.index)?.probability ?? null;
   const own = attempt(() => world.log().replace('"learn":false', '"learn":true'));
   if (own === undefined) {
     stopSession();
@@ -381,6 +415,7 @@ export async function finishSession() {
     tell(t('session.failed', { why: error.message }), true);
   }
   ofTab.put('session', null);
+  if (state.sessions > 0) patch(state.robot, { scores: Object.assign([...(state.robot.scores || [])], { [state.sessions - 1]: sure }) });
   state.heat = { now: heatNow(), before: heat };
   state.said = [t('say.thanks'), lessonLearned(session.heardNew)];
   state.session = null;

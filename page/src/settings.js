@@ -8,10 +8,11 @@ import { loadLog } from './logs.js';
 import { writeHomes } from './play.js';
 import { render } from './render.js';
 import { keepGuest, endGuest, loadModel, newRobot } from './roster.js';
-import { RULES, SPEEDS, finishSession, giveFeedback, leaveSession, refresh, stepOnce, takeBack, thatWasIt, togglePause, wake } from './session.js';
+import { shareSecret } from './secret.js';
+import { LEARN_BUDGET, RULES, SPEEDS, finishSession, giveFeedback, heatNow, leaveSession, refresh, stepOnce, takeBack, thatWasIt, togglePause, wake } from './session.js';
 import { setUpShare, share } from './share.js';
 import * as shelf from './shelf.js';
-import { $, attempt, make, state, tell } from './state.js';
+import { $, attempt, inParts, make, state, tell } from './state.js';
 import { change, logOf } from './store.js';
 import { enterHome, enterStop } from './tour.js';
 import { isThere } from './words.js';
@@ -24,6 +25,7 @@ export function renderSettings() {
   $('rule').value = settings.rule;
   $('rule-field').hidden = settings.speed !== 'confidence';
   for (const name of SWITCHES) $('set-' + name).checked = settings[name];
+  if (state.phase !== 'learning') $('set-ways').checked = world.ways();
   $('theme').value = settings.theme;
   $('language').value = document.documentElement.lang;
   document.documentElement.dataset.theme = settings.theme;
@@ -69,6 +71,11 @@ export function setUpSettings() {
       return render();
     });
   }
+  $('set-ways').addEventListener('change', async () => {
+    const value = $('set-ways').checked;
+    if (await leaveSession()) await considerWays(value);
+    render();
+  });
   $('theme').addEventListener('change', () => {
     state.settings.theme = $('theme').value;
     keepSetting('theme');
@@ -104,12 +111,27 @@ export function setUpSettings() {
   });
   $('share').addEventListener('click', () => share(homeLink(), t('settings.link'), t('link.home')));
   $('meet').addEventListener('click', async () => share(await robotLink(), t('link.meet', state.robot), t('link.robot')));
+  $('meet-secret').addEventListener('click', shareSecret);
   setUpShare();
   $('new-robot').addEventListener('click', async () => {
     if (await leaveSession()) await newRobot();
   });
   $('keep-guest').addEventListener('click', keepGuest);
   $('end-guest').addEventListener('click', endGuest);
+}
+
+/** Whether commands to this robot may say how: it learns all that it knows anew with that. */
+export async function considerWays(value) {
+  state.phase = 'learning';
+  render();
+  await change(t('undo.ways'), async () => {
+    attempt(() => world.setWays(value));
+    await inParts(() => world.learn(LEARN_BUDGET));
+    return '';
+  });
+  state.phase = 'none';
+  refresh();
+  state.heat = { now: heatNow(), before: null };
 }
 
 // The robot's name, as it may name a file.

@@ -35,6 +35,7 @@
  * @property {import('goodbot-wasm').Question | null} question what the robot asks, and waits for
  * @property {number} asked when it asked
  * @property {number} answers how many answers it was given
+ * @property {string} picked the meaning that the trainer has just picked
  * @property {boolean} over
  * @property {(() => void) | null} onEnd what comes after it
  * @property {(() => void) | null} onLearn what comes before it is learned from
@@ -58,6 +59,8 @@ export const state = {
   mine: /** @type {import('./store.js').Robot | null} */ (null),
   // Whether the robot that is shown came with a link.
   visitor: false,
+  // The game of a secret language: `open` while it is played, `told` when it is over.
+  secret: '',
   // What the robot says while nothing is asked of it.
   said: /** @type {string[] | null} */ (null),
   // The command that the robot takes for done already.

@@ -18,6 +18,7 @@ const DAYS_KEPT = 30;
  * @property {string} model
  * @property {number} sessions
  * @property {{ at: number, done: string[] }} tour
+ * @property {boolean} [ways]
  * @property {number} length how long the log is there
  * @property {string} [rest] the log's lines that come again on the way forward
  */
@@ -33,6 +34,8 @@ const DAYS_KEPT = 30;
  * @property {string} model
  * @property {number} sessions
  * @property {{ at: number, done: string[] }} tour
+ * @property {boolean} [ways] whether commands to it may say how
+ * @property {(number | null)[]} [scores] for each session, how sure it was of what it was taught, when it heard it
  * @property {Point[]} past
  * @property {Point[]} future
  * @property {string} [log] the log of a robot that is not kept
@@ -50,7 +53,7 @@ const isRobot = robot => Boolean(robot) && robot.version === VERSION && typeof r
  * @param {string} name
  * @returns {Robot} */
 export const newRecord = name => ({
-  version: VERSION, id: newId(), name, changed: Date.now(), deleted: 0, model: toBase64(world.save()), sessions: world.sessions(), tour: { at: 0, done: [] }, past: [], future: [],
+  version: VERSION, id: newId(), name, changed: Date.now(), deleted: 0, model: toBase64(world.save()), sessions: world.sessions(), tour: { at: 0, done: [] }, ways: world.ways(), past: [], future: [],
 });
 
 /** @param {Robot} robot */
@@ -71,11 +74,14 @@ function writeLog(robot, log) {
 const tourNow = () => ({ at: state.tour.at, done: [...state.tour.done] });
 
 /** @returns {Point} */
-const pointNow = what => ({ what, model: state.robot.model, sessions: state.robot.sessions, tour: tourNow(), length: logOf(state.robot).length });
+const pointNow = what => ({ what, model: state.robot.model, sessions: state.robot.sessions, tour: tourNow(), ways: world.ways(), length: logOf(state.robot).length });
 
 /** Takes over a model, a part at a time; throws where it is none.
- * @param {Uint8Array} bytes */
-export async function takeModel(bytes) {
+ * @param {Uint8Array} bytes
+ * @param {boolean} ways whether commands may say how */
+export async function takeModel(bytes, ways = world.ways()) {
+  world.setWays(ways);
+  await inParts(() => world.learn(LEARN_BUDGET));
   world.restore(bytes);
   await inParts(() => world.learn(LEARN_BUDGET));
   state.sessions = world.sessions();
@@ -86,7 +92,7 @@ export async function takeModel(bytes) {
 async function catchUp() {
   const stored = state.robot.log === undefined && shelf.read('robot.' + state.robot.id, null);
   if (!isRobot(stored) || stored.model === state.robot.model) return false;
-  await takeModel(fromBase64(stored.model));
+  await takeModel(fromBase64(stored.model), stored.ways === true);
   Object.assign(state.robot, stored, { name: state.robot.name });
   return true;
 }
@@ -109,6 +115,7 @@ export async function change(what, work) {
     robot.model = toBase64(world.save());
     robot.sessions = state.sessions = world.sessions();
     robot.tour = tourNow();
+    robot.ways = world.ways();
     robot.deleted = 0;
     writeLog(robot, logOf(robot) + lines);
     write(robot);
@@ -127,7 +134,7 @@ export async function travel(from) {
     if (!point) return;
     const here = pointNow(point.what);
     const log = logOf(robot);
-    await takeModel(fromBase64(point.model));
+    await takeModel(fromBase64(point.model), point.ways === true);
     robot[from] = robot[from].slice(0, -1);
     if (from === 'past') {
       here.rest = log.slice(point.length);
@@ -140,6 +147,7 @@ export async function travel(from) {
     robot.model = point.model;
     robot.sessions = state.sessions;
     robot.tour = point.tour;
+    robot.ways = point.ways;
     Object.assign(state.tour, { at: point.tour.at, done: [...point.tour.done] });
     write(robot);
     what = point.what;
@@ -161,8 +169,9 @@ export const keepTour = () => patch(state.robot, { tour: tourNow() });
 /** Makes this the robot of this tab: its model goes into the world.
  * @param {Robot} robot */
 export async function open(robot) {
-  await takeModel(fromBase64(robot.model));
+  await takeModel(fromBase64(robot.model), robot.ways === true);
   state.robot = robot;
+  state.secret = '';
   state.tour = { at: robot.tour.at, done: [...robot.tour.done], watching: false };
   if (robot.log !== undefined) return;
   shelf.ofTab.put('robot', robot.id);

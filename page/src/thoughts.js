@@ -1,4 +1,6 @@
 // What the robot thinks: the tasks' probabilities, the evidence, the words, the dictionary, the trainer's style.
+import { renderCharts } from './charts.js';
+import { world } from './core.js';
 import { t } from './language.js';
 import { ideaWords } from './learned.js';
 import { $, all, make, percent, state } from './state.js';
@@ -11,9 +13,11 @@ export function renderThoughts() {
   $('how').hidden = !nothing;
   for (const card of all('.learned')) card.hidden = nothing;
   renderBars();
+  renderPick();
   renderEvidence();
   renderSupport();
   renderHeat();
+  renderCharts();
   renderStyle();
 }
 
@@ -42,6 +46,18 @@ function renderBars() {
   $('marks').hidden = !tasks.length || !state.evidence.length;
   const rest = tasks.length - SHOWN_TASKS;
   $('rest').textContent = rest > 0 ? t('thoughts.rest', { n: rest, sure: percent(tasks.slice(SHOWN_TASKS).reduce((sum, task) => sum + task.probability, 0)) }) : '';
+}
+
+let offered = { session: /** @type {import('./state.js').Session | null} */ (null), language: '' };
+
+// All that the command may mean, to pick from.
+function renderPick() {
+  const { session } = state;
+  $('pick').closest('.field').hidden = !session || session.looking || session.intended !== null || (state.mode === 'tour' && !world.ways());
+  const language = document.documentElement.lang;
+  if (offered.session === session && offered.language === language) return;
+  offered = { session, language };
+  $('pick').replaceChildren(make('option', { value: '' }, '…'), ...state.belief.tasks.map(({ name, words }) => make('option', { value: name }, words)));
 }
 
 const feedbackWord = feedback => (feedback === 'reward' ? t('train.good') : feedback === 'punish' ? t('train.bad') : '—');

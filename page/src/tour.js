@@ -8,13 +8,21 @@ import { heardWords, render } from './render.js';
 import { beginGuest, endGuest, newRobot } from './roster.js';
 import { leaveSession, refresh, startSession, stopSession } from './session.js';
 import * as shelf from './shelf.js';
+import { considerWays } from './settings.js';
 import { $, announce, attempt, make, percent, state } from './state.js';
+import { APPENDIX } from './storeys.js';
 import { keepTour } from './store.js';
 import { taskWords } from './words.js';
 
 // The course's commands are what the language says for their tasks.
-const stops = () => [...course.lessons.map(stop => ({ ...stop, test: false })), ...course.tests.map(stop => ({ ...stop, test: true }))];
 export const homeNamed = name => JSON.stringify(course.homes.find(([other]) => other === name)?.[1]);
+const ofCourse = (stop, test) => ({ home: homeNamed(stop.home), intended: stop.intended, test, appendix: false });
+// The appendix is for robots to which commands may say how.
+const stops = () => [
+  ...course.lessons.map(stop => ofCourse(stop, false)), ...course.tests.map(stop => ofCourse(stop, true)),
+  ...(world.ways() ? APPENDIX.map(stop => ({ ...stop, home: JSON.stringify(stop.home), appendix: true })) : []),
+];
+const lengthOfCourse = () => course.lessons.length + course.tests.length;
 
 const stopAt = () => stops()[state.tour.at];
 // The home must be that of the lesson or test.
@@ -26,7 +34,7 @@ export function enterStop(at) {
   state.tour.at = Math.max(0, Math.min(at, stops().length));
   const stop = stopAt();
   // After the last test the robot stays where the tests were.
-  enterHome(homeNamed(stop ? stop.home : 'Test'));
+  enterHome(stop ? stop.home : homeNamed('Test'));
   keepTour();
   $('command').value = stop ? commandOf(stop) : '';
   render();
@@ -57,7 +65,8 @@ export function beginStop(auto) {
   if (!stop) return;
   world.reset();
   refresh();
-  const session = startSession(commandOf(stop), { intended: stop.test ? null : auto ? stop.intended : null, looking: stop.test });
+  // Feedback to steps hardly tells ways apart: who trains by itself picks the meaning.
+  const session = startSession(commandOf(stop), { intended: stop.test ? null : auto ? stop.intended : null, looking: stop.test, picked: stop.appendix && auto && !stop.test ? stop.intended : '' });
   if (!session) return;
   attend(session);
   const heard = session.heard[0];
@@ -97,7 +106,8 @@ function passStop(understood, meant, best, session) {
   render();
 }
 
-const nameOf = at => (at < course.lessons.length ? t('tour.lesson', { n: at + 1 }) : t('tour.test', { n: at - course.lessons.length + 1 }));
+const nameOf = at => (at >= lengthOfCourse() ? t('tour.appendix', { n: at - lengthOfCourse() + 1 })
+  : at < course.lessons.length ? t('tour.lesson', { n: at + 1 }) : t('tour.test', { n: at - course.lessons.length + 1 }));
 const rightTests = () => course.tests.filter((_, at) => state.tour.done[course.lessons.length + at] === 'right').length;
 const scoreWords = () => t('tour.score', { right: rightTests(), of: course.tests.length });
 
@@ -114,6 +124,13 @@ export async function watchTour() {
   enterStop(0);
   state.tour.watching = true;
   beginStop(true);
+}
+
+/** The tour goes on with commands that say how. */
+export async function beginAppendix() {
+  await considerWays(true);
+  enterStop(lengthOfCourse());
+  $('lesson').focus();
 }
 
 /** The tour from the beginning, with one more robot. */
@@ -143,11 +160,11 @@ export function renderTour() {
     $('tour-title').textContent = t('tour.over', { score: scoreWords() });
     $('tour-hint').textContent = t(rightTests() === course.tests.length ? 'tour.allRight' : 'tour.notAll');
   } else {
-    const name = stop.test ? t('tour.testOf', { n: at - lessons + 1, of: course.tests.length }) : t('tour.lessonOf', { n: at + 1, of: lessons });
+    const name = stop.appendix ? nameOf(at) : stop.test ? t('tour.testOf', { n: at - lessons + 1, of: course.tests.length }) : t('tour.lessonOf', { n: at + 1, of: lessons });
     // The command stands where the language has it, with its words underlined.
     const [before, after] = t('tour.said', { name, command: '\0' }).split('\0');
     $('tour-title').replaceChildren(...(state.session ? [before, ...heardWords(state.session.command), after] : [name]));
-    $('tour-hint').textContent = stop.test ? t('tour.hint.test') : named('tour.hint.' + (at + 1)) || '';
+    $('tour-hint').textContent = stop.test ? t('tour.hint.test') : named('tour.hint.' + (stop.appendix ? 'way' : at + 1)) || '';
   }
   $('verdict').hidden = !state.verdict || Boolean(state.session);
   $('verdict').textContent = state.verdict;
@@ -155,6 +172,7 @@ export function renderTour() {
   $('lesson').hidden = !stop || watching || Boolean(state.session);
   $('lesson').textContent = stop ? t(stop.test ? 'tour.ask' : 'tour.tell', { command: commandOf(stop) }) : '';
   $('onward').hidden = Boolean(stop) || watching;
+  $('appendix').hidden = Boolean(stop) || watching || world.ways();
   $('auto').hidden = !stop || stop.test || watching || Boolean(state.session);
   $('watch').hidden = Boolean(state.session) && !watching;
   $('watch').textContent = t(watching ? 'tour.stop' : 'tour.watch');

@@ -51,10 +51,14 @@ export function objectWords(name, form = 0, { rooms, blocks } = state.scene) {
  * @param {{ rooms: any[], blocks: any[] }} scene */
 export function taskWords(name, scene = state.scene) {
   const object = one => objectWords(one, 0, scene);
-  return listed(name.split(' & ').map(part => {
-    const [, kind, first, room] = part.match(/^(\w+)\((\w+),(\w+)\)/) || [];
-    return kind === 'blockInRoom' ? t('task.take', { thing: object(first), room: object(room) }) : t('task.go', { room: object(room) });
-  }), 'and');
+  const [goal, clause, places = ''] = name.split(/ (through|avoiding) /);
+  const parts = (text, sign) => text.split(sign).map(part => part.match(/^(\w+)\((\w+),(\w+)\)/) || []);
+  const task = listed(parts(goal, ' & ').map(([, kind, first, room]) => (
+    kind === 'blockInRoom' ? t('task.take', { thing: object(first), room: object(room) }) : t('task.go', { room: object(room) })
+  )), 'and');
+  if (!clause) return task;
+  const room = listed(parts(places, ' or ').map(([, , , room]) => object(room)), 'or');
+  return t(clause === 'through' ? 'task.through' : 'task.avoiding', { task, room });
 }
 
 /** What the robot believes now. */
@@ -108,6 +112,7 @@ export function speech() {
   const unknown = unknownWords();
   const strange = unknown.length ? ' ' + t('say.strange', { words: listed(unknown.map(quoted)) }) : '';
   if (session.question) return [questionWords(session.question), strange.trim()];
+  if (state.secret === 'open') return [t('secret.going'), ''];
   const task = best.words;
   if (session.decided && session.decided.action === 'noop') {
     const plan = session.decided.plans[session.decided.task];

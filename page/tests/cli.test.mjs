@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { close, drag, launch, model, open, opened, play, saved } from './browser.mjs';
+import { close, drag, launch, learned, model, open, opened, play, saved } from './browser.mjs';
 
 const program = process.env.GOODBOT_CLI;
 const skip = program ? false : 'GOODBOT_CLI is not set: the command line is not there to compare with';
@@ -157,6 +157,33 @@ test('a log with all that logs may say teaches the page what it teaches the comm
   assert.notEqual(here['blockInRoom(block0,room1)'], here['agentInRoom(agent0,room1)']);
   const kept = (await saved(page, '#save-log')).toString();
   assert.equal(kept, lines(RECORDED), 'what was learned from is kept as it was');
+  await close(page);
+});
+
+test('a log of commands that say how teaches the command line what it taught the page', { skip }, async () => {
+  const page = await open(browser);
+  await opened(page, 'Settings, keeping, sharing');
+  await page.uncheck('#set-style');
+  await page.check('#set-ways');
+  await page.waitForFunction(() => window.goodbot.ways() && document.body.dataset.phase === 'none');
+  await page.selectOption('#speed', 'once');
+  for (const lesson of [1, 2]) {
+    await page.locator('#dots button').nth(11 + lesson).click();
+    await page.click('#auto');
+    await learned(page, lesson);
+  }
+  const kept = (await saved(page, '#save-log')).toString();
+  const asked = 'go to the purple room, but not through the red room';
+  const environment = await page.evaluate(() => JSON.parse(window.goodbot.environment()));
+  const here = await believed(page, asked);
+  const question = { type: 'session', version: 1, id: 'asked', kind: 'feedback', environment, command: asked };
+  const log = file('ways.jsonl', kept + lines([question, { type: 'end', learn: false }]));
+  const beliefs = goodbot('replay', '--json', '--routes', '--every-session', log).trim().split('\n').map(line => JSON.parse(line));
+  assert.deepEqual(bits(here), bits(beliefs.find(belief => belief.session === 'asked' && belief.step === 0).tasks));
+  assert.ok(Object.keys(here).length >= 40);
+  const trained = file('ways.goodbot', await saved(page, '#save-model'));
+  const answer = JSON.parse(goodbot('ask', '--with', trained, '--routes', '--environment', file('ways.json', JSON.stringify(environment)), '--json', asked));
+  assert.deepEqual(bits(answer.tasks), bits(here));
   await close(page);
 });
 

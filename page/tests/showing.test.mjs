@@ -1,7 +1,7 @@
 // What the page shows of the robot's thoughts.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, launch, learned, open, opened, play } from './browser.mjs';
+import { close, launch, learned, open, opened, play, saved } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -27,7 +27,7 @@ async function tell(page, command) {
   await page.getByText('Good or Bad?').waitFor();
 }
 
-test('the bars are sorted, sum to a hundred, and are marked by each step’s evidence', async () => {
+test('the bars are sorted, sum to a hundred, are marked by each step’s evidence, and become charts and a table', async () => {
   const page = await open(browser);
   await play(page, 'D');
   await tell(page, 'take the chair away');
@@ -38,6 +38,18 @@ test('the bars are sorted, sum to a hundred, and are marked by each step’s evi
   assert.ok(Math.abs(values.reduce((a, b) => a + b) - 100) <= values.length, values.join());
   assert.ok(await page.locator('#bars .marks i').count() >= values.length);
   assert.match((await page.locator('#bars .marks').allTextContents()).join(''), /▲|▼/);
+  await opened(page, 'Charts');
+  assert.equal(await page.locator('#chart-tasks li').count(), 3);
+  assert.match(await page.getAttribute('#chart-belief .line0', 'd'), /^M[\d.]+ [\d.]+L/, 'from before the first step to after it');
+  const best = (await page.locator('#chart-tasks li').first().textContent());
+  assert.match(best, /\d/);
+  const start = await page.evaluate(() => JSON.parse(window.goodbot.log().split('\n')[0]).command);
+  await page.click('#finish');
+  await learned(page, 1);
+  assert.match(await page.getAttribute('#chart-score', 'aria-label'), /: \d+\u00a0%$/);
+  const table = (await saved(page, '#save-table')).toString().trim().split('\r\n');
+  assert.equal(table[0], 'session,command,heard,step,action,feedback');
+  assert.match(table[1], new RegExp('^1,' + start + ',0\\.\\d+,1,(north|south|east|west|noop),punish$'));
   await close(page);
 });
 

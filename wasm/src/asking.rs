@@ -8,6 +8,7 @@ use goodbot::asking::{Answer, Asking, Considered, Subject};
 use goodbot::home::BLOCK_IN_ROOM;
 use goodbot::oomdp::ObjectId;
 use goodbot::session::Evidence;
+use goodbot::task::Part;
 
 impl World {
     /// Proposes a question where it teaches more than acting does, with at most about `budget` looks: see
@@ -32,10 +33,20 @@ impl World {
         let question = agent.open_question()?;
         let name = |object: ObjectId| home.objects().name(object).to_owned();
         let yes: Vec<usize> = question.yes.iter().collect();
+        let mut way = "";
         let (about, objects) = match question.subject {
             Subject::Object(object) => (About::Object, vec![name(object)]),
             Subject::Kind(kind) => {
-                let carries = agent.lifted().get(usize::from(kind))?.propositions().iter().any(|part| part.proposition == BLOCK_IN_ROOM);
+                let kind = agent.lifted().get(usize::from(kind))?;
+                if self.ways() {
+                    way = match kind.way().map(|(part, _)| part).collect::<Vec<_>>().as_slice() {
+                        [] => "any",
+                        [Part::Avoiding, ..] => "avoiding",
+                        [_] => "through",
+                        _ => "either",
+                    };
+                }
+                let carries = kind.propositions().iter().any(|part| part.proposition == BLOCK_IN_ROOM);
                 (if carries { About::Carrying } else { About::Moving }, vec![])
             }
             Subject::Task(_) => (About::Task, vec![]),
@@ -49,7 +60,7 @@ impl World {
             Subject::Task(task) => vec![usize::from(task)],
             _ => vec![],
         };
-        Some(Question { about, objects, choices, tasks: yes, information: question.information })
+        Some(Question { about, way, objects, choices, tasks: yes, information: question.information })
     }
 
     /// Takes in the answer to the question that was proposed last: `yes`, `no` (none of these, where there is something to choose), or the

@@ -73,6 +73,17 @@ impl Goodbot {
         self.0.pulls()
     }
 
+    /// Whether commands may mean tasks with a way too. The robot keeps what it has learned; call `learn` until it is done.
+    #[wasm_bindgen(js_name = setWays)]
+    pub fn set_ways(&mut self, ways: bool) -> Thrown<()> {
+        self.0.set_ways(ways).map_err(thrown)
+    }
+
+    /// Whether commands may mean tasks with a way too.
+    pub fn ways(&self) -> bool {
+        self.0.ways()
+    }
+
     /// Whether the robot expects what real people do, and learns how its trainer uses reward and punishment.
     #[wasm_bindgen(js_name = setLearnsStyle)]
     pub fn set_learns_style(&mut self, learns: bool) -> Thrown<()> {

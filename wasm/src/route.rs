@@ -3,9 +3,9 @@
 use goodbot::capacity::CapacityError;
 use goodbot::home::{Home, HomeState};
 use goodbot::memory::{AgentHeap, AgentMemory, AgentTables, HomeMemory};
-use goodbot::oomdp::apply;
-use goodbot::planning::{OptimalSet, PlanTables, Planner, Progress};
-use goodbot::task::{GroundedTask, LiftedTask, TaskSet};
+use goodbot::oomdp::{Domain, apply};
+use goodbot::planning::{OptimalSet, PlanTables, Planner, Progress, Ways};
+use goodbot::task::{GroundedTask, LiftedTask, TaskSet, Way};
 
 use crate::cells::SCOUT;
 
@@ -48,24 +48,32 @@ impl Scout {
 pub struct Lookahead {
     states: Vec<HomeState>,
     task: usize,
+    /// As many tasks as stand before it, and the task itself, with how far its way has come.
+    tasks: Vec<GroundedTask>,
     left: u32,
     searching: bool,
     arrived: bool,
 }
 
 impl Lookahead {
-    /// A look from a state to where a task is done.
-    pub fn new(state: HomeState, task: usize) -> Self {
-        Self { states: vec![state], task, left: MOST_EXPANSIONS, searching: false, arrived: false }
+    /// A look from a state to where a task is done, which has this position and stands as it does in the session.
+    pub fn new(state: HomeState, task: usize, goal: GroundedTask) -> Self {
+        let tasks = vec![goal; task + 1];
+        Self { states: vec![state], task, tasks, left: MOST_EXPANSIONS, searching: false, arrived: false }
     }
 
     /// Goes on, with at most about `budget` expansions. A look that is done may lead nowhere.
-    pub fn advance<M: HomeMemory>(&mut self, scout: &mut Scout, home: &Home<M>, budget: u32) -> Progress {
+    pub fn advance<M: HomeMemory>(&mut self, scout: &mut Scout, home: &Home<M>, lifted: &[LiftedTask], budget: u32) -> Progress {
         let mut budget = budget.max(1);
         let Scout { memory, planner } = scout;
         while budget > 0 && !self.arrived {
             let Some(here) = self.states.last().copied() else { return Progress::Done };
-            let mut tables = Scout::tables(memory);
+            if let Some(task) = self.tasks.last_mut()
+                && let Some(lifted) = lifted.get(usize::from(task.lifted)).filter(|_| !self.searching)
+            {
+                task.way = Way::of(task, lifted).advance(task.way, |part| home.holds(part, &here));
+            }
+            let mut tables = Scout::tables(memory).with_ways(Ways { lifted, tasks: &self.tasks });
             let mut before = 0;
             if self.searching {
                 before = planner.plan(tables.optimal, tables.distances).expansions();

@@ -11,7 +11,7 @@ use goodbot::oomdp::{Action, Domain, action_name, action_named};
 use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::random::unit;
 use goodbot::session;
-use goodbot::task::{GroundedTask, LiftedTask};
+use goodbot::task::{GroundedTask, LiftedTask, Piece, Wording};
 
 use crate::log::{Line, PULLING, Recording, Step, strategies};
 use crate::route::Lookahead;
@@ -72,7 +72,9 @@ impl World {
                 let likely = mind.tasks().iter().enumerate().find(|&(position, _)| mind.belief().probability(position) > CLEARLY);
                 done = likely.filter(|_| understood).and_then(|(_, task)| {
                     let lifted = mind.lifted().get(usize::from(task.lifted))?;
-                    task.propositions(lifted).all(|part| home.holds(&part, state)).then(|| task_name(home, lifted, task))
+                    // How the robot came to be where it is, nobody asked.
+                    let done = !lifted.has_way() && task.propositions(lifted).all(|part| home.holds(&part, state));
+                    done.then(|| task_name(home, lifted, task))
                 });
                 mind.forget_evidence();
                 if done.is_none() {
@@ -295,15 +297,15 @@ impl World {
 
     /// Begins to look where a task would lead from here: [`look`](Self::look) until that is done.
     pub fn look_ahead(&mut self, task: usize) {
-        self.ahead = Some(Lookahead::new(self.state, task));
+        self.ahead = self.mind.tasks().get(task).map(|&goal| Lookahead::new(self.state, task, goal));
     }
 
     /// Goes on looking ahead, with about `budget` looks. Gives whether it is done, and then the route; none where the task leads
     /// nowhere, or finding out takes too long.
     pub fn look(&mut self, budget: u32) -> (bool, Option<Route>) {
-        let Self { ahead, scout, rooms, .. } = self;
+        let Self { ahead, scout, rooms, mind, .. } = self;
         let Some(looking) = ahead else { return (true, None) };
-        if looking.advance(scout, rooms, budget) == Progress::Working {
+        if looking.advance(scout, rooms, mind.lifted(), budget) == Progress::Working {
             return (false, None);
         }
         (true, ahead.take().and_then(Lookahead::states).and_then(|states| route(rooms, &states)))
@@ -371,10 +373,15 @@ const fn plan_word(plan: &OptimalSet) -> &'static str {
 
 /// The task as logs write it.
 pub(crate) fn task_name(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
-    let parts = task.propositions(lifted).map(|part| {
-        let parameters = home.world().schema.parameters(part.proposition).len();
-        let names: Vec<&str> = part.arguments.iter().take(parameters).map(|&object| home.objects().name(object)).collect();
-        format!("{}({})", home.world().schema.proposition_name(part.proposition), names.join(","))
+    let mut name = String::new();
+    Wording::FILES.tell(task.parts(lifted), |piece| match piece {
+        Piece::Between(sign) => name.push_str(sign),
+        Piece::Proposition(_, part) => {
+            let parameters = home.world().schema.parameters(part.proposition).len();
+            let names: Vec<&str> = part.arguments.iter().take(parameters).map(|&object| home.objects().name(object)).collect();
+            name += home.world().schema.proposition_name(part.proposition);
+            name = name.clone() + "(" + &names.join(",") + ")";
+        }
     });
-    parts.collect::<Vec<_>>().join(" & ")
+    name
 }

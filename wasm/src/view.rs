@@ -146,6 +146,8 @@ pub enum About {
 pub struct Question {
     /// What it is about.
     pub about: About,
+    /// Where it is about a kind of task and commands may mean ways, which way: `any`, `through`, `either` or `avoiding`; else nothing.
+    pub way: &'static str,
     /// The names of the rooms or blocks that it is about.
     pub objects: Vec<String>,
     /// The tasks that it is about, by position.

@@ -9,6 +9,7 @@ use goodbot::memory::{AgentHeap, HomeHeap, HomeMemory};
 use goodbot::oomdp::{Action, ObjectId};
 use goodbot::planning::Judgement;
 use goodbot::snapshot::{Contents, SAVED};
+use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use rand_pcg::Pcg32;
@@ -69,10 +70,12 @@ impl fmt::Debug for World {
     }
 }
 
-/// A mind that has learned nothing yet, and expects what real people do.
-fn new_mind(capacities: &Capacities) -> Result<Agent<AgentHeap>, Refusal> {
-    let lifted = home::paper_tasks().map_err(Refusal::from)?;
-    let mut mind = Agent::new(AgentHeap::new(capacities), &lifted, Options::DEFAULT).map_err(Refusal::from)?;
+/// A mind that has learned nothing yet, and expects what real people do. `ways` says whether commands may mean tasks with a way.
+fn new_mind(capacities: &Capacities, ways: bool) -> Result<Agent<AgentHeap>, Refusal> {
+    let paper = home::paper_tasks().map_err(Refusal::from)?;
+    let with_routes = if ways { Some(home::with_routes(&paper).map_err(Refusal::from)?) } else { None };
+    let lifted = with_routes.as_deref().unwrap_or(&paper);
+    let mut mind = Agent::new(AgentHeap::new(capacities), lifted, Options::DEFAULT).map_err(Refusal::from)?;
     mind.set_strategies(&population::STRATEGIES).map_err(Refusal::from)?;
     Ok(mind)
 }
@@ -125,7 +128,7 @@ impl World {
         let moves = Moves::Push;
         let (rooms, start) = build(&file, moves)?;
         Ok(Self {
-            mind: new_mind(&MIND)?,
+            mind: new_mind(&MIND, false)?,
             scout: Scout::default(),
             rooms,
             file,
@@ -186,7 +189,7 @@ impl World {
     /// None where the built-in strategies are sound.
     pub fn restart(&mut self) -> Result<(), Refusal> {
         let learns_style = self.learns_style();
-        self.mind = new_mind(&MIND)?;
+        self.mind = new_mind(&MIND, self.ways())?;
         (self.recording, self.acted, self.state, self.gave_way) = (None, None, self.start, 0);
         self.set_learns_style(learns_style)
     }
@@ -210,11 +213,34 @@ impl World {
     /// Why the file cannot be used; what the robot knew then stays.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
         let contents = Contents::read(bytes).map_err(Refusal::from)?;
-        let mut mind = new_mind(&room_for(&contents))?;
+        let mut mind = new_mind(&room_for(&contents), self.ways())?;
         mind.restore(bytes).map_err(Refusal::from)?;
         self.forget();
         self.mind = mind;
         Ok(())
+    }
+
+    /// Whether commands may mean tasks with a way too: through a room, through one of two, avoiding one. The robot keeps what it has learned,
+    /// and begins to learn it anew: [`learn`](Self::learn) until that is done. A session under way ends unlearned.
+    ///
+    /// # Errors
+    /// Where it is still learning.
+    pub fn set_ways(&mut self, ways: bool) -> Result<(), Refusal> {
+        if ways == self.ways() {
+            self.forget();
+            return Ok(());
+        }
+        let bytes = self.save()?;
+        let mut mind = new_mind(&room_for(&Contents::read(&bytes).map_err(Refusal::from)?), ways)?;
+        mind.restore(&bytes).map_err(Refusal::from)?;
+        self.forget();
+        self.mind = mind;
+        Ok(())
+    }
+
+    /// Whether commands may mean tasks with a way too.
+    pub fn ways(&self) -> bool {
+        self.mind.lifted().iter().any(LiftedTask::has_way)
     }
 
     /// The home.

@@ -23,6 +23,11 @@ pub fn style(folder: &Path) -> Result<String> {
     Ok(without_comments(&read(folder, "style.css")?))
 }
 
+/// What the page of `folder` shows, in lines without indentation.
+pub fn body(folder: &Path) -> Result<String> {
+    Ok(without_comments(&read(folder, "body.html")?))
+}
+
 fn read(folder: &Path, name: &str) -> Result<String> {
     std::fs::read_to_string(folder.join(name)).with_context(|| format!("page/{name} cannot be read"))
 }

@@ -4,14 +4,16 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 
 /// The language that the others are compared with.
 const FIRST: &str = "en";
 
-/// All languages as one JSON text: the keys once, and for each language's code its texts in their order. It is an error if a language lacks
-/// a key, has one too many, or leaves out what stands in braces.
-pub fn read(folder: &Path) -> Result<Vec<u8>> {
+/// The texts of all languages, by code and key.
+pub struct Languages(BTreeMap<String, Map<String, Value>>);
+
+/// Reads the languages of a folder. It is an error if a language lacks a key, has one too many, or leaves out what stands in braces.
+pub fn read(folder: &Path) -> Result<Languages> {
     let mut languages = BTreeMap::new();
     for entry in std::fs::read_dir(folder).with_context(|| format!("{} cannot be read", folder.display()))? {
         let path = entry?.path();
@@ -23,12 +25,61 @@ pub fn read(folder: &Path) -> Result<Vec<u8>> {
     for (code, texts) in &languages {
         check(first, texts).with_context(|| format!("page/languages/{code}.json"))?;
     }
-    let keys: Vec<&String> = first.keys().collect();
-    let mut joined = json!({ "keys": keys });
-    for (code, texts) in &languages {
-        joined[code.as_str()] = keys.iter().map(|key| texts[key.as_str()].clone()).collect();
+    Ok(Languages(languages))
+}
+
+impl Languages {
+    /// All languages as `takeLanguages` in `page/src/language.js` reads them. A key with a dot that stands as a whole in the page's scripts or
+    /// its body becomes a number there. It is an error if no script and no element has a text's key.
+    pub fn number(&self, scripts: &mut String, body: &mut String) -> Result<String> {
+        let (mut named, mut numbered) = (Vec::new(), Vec::new());
+        for key in self.0[FIRST].keys() {
+            let uses = [&*scripts, &*body].map(|text| quoted(key).iter().any(|quoted| text.contains(quoted)));
+            // Scripts put some keys together: `'color.' + color`.
+            let parts = key.match_indices('.').map(|(at, _)| &key[..=at]);
+            let put_together = parts.flat_map(opened).any(|part| scripts.contains(&part));
+            if !put_together && !uses.contains(&true) && key != "name" {
+                bail!("nothing in page/src or page/body.html has the text {key}");
+            }
+            if put_together || !key.contains('.') { &mut named } else { &mut numbered }.push(key.as_str());
+        }
+        for (number, key) in numbered.iter().enumerate() {
+            for (from, to) in quoted(key).into_iter().zip(quoted(&number.to_string())) {
+                *scripts = scripts.replace(&from, &to);
+                *body = body.replace(&from, &to);
+            }
+        }
+        let mut all = named.join("\n");
+        for (code, texts) in &self.0 {
+            all = all + "\n\n" + code;
+            for key in named.iter().chain(&numbered) {
+                all = all + "\n" + &line(&texts[*key]).with_context(|| format!("page/languages/{code}.json: {key}"))?;
+            }
+        }
+        Ok(all)
     }
-    Ok(joined.to_string().into_bytes())
+}
+
+/// A key as scripts and elements may have it.
+fn quoted(key: &str) -> [String; 3] {
+    ['"', '\'', '`'].map(|quote| format!("{quote}{key}{quote}"))
+}
+
+/// The beginning of a key that a script completes, as it may have it.
+fn opened(part: &str) -> [String; 4] {
+    let [double, single, back] = quoted(part);
+    [double, single, back, format!("`{part}$")]
+}
+
+/// A text as a line. What depends on a number is JSON.
+fn line(text: &Value) -> Result<String> {
+    match text {
+        Value::String(text) if text.contains('\n') || text.starts_with("{\"") => {
+            bail!("a text may not have lines of its own, nor begin with {{\"")
+        }
+        Value::String(text) => Ok(text.clone()),
+        forms => Ok(forms.to_string()),
+    }
 }
 
 fn check(first: &Map<String, Value>, texts: &Map<String, Value>) -> Result<()> {
@@ -64,18 +115,38 @@ fn leaves(text: &Value) -> Vec<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use serde_json::json;
 
     fn checked(other: Value) -> Result<()> {
         let first = json!({ "hello": "Hello {name}", "n": { "one": "{n} step", "other": "{n} steps" } });
         check(first.as_object().unwrap(), other.as_object().unwrap())
     }
 
+    fn languages(first: Value) -> Languages {
+        Languages([(FIRST.to_owned(), first.as_object().unwrap().clone())].into())
+    }
+
     #[test]
     fn every_language_of_the_page_has_every_text() {
-        let joined: Value = serde_json::from_slice(&read(&Path::new(crate::PAGE).join("languages")).unwrap()).unwrap();
-        for code in ["de", "en", "es", "fr", "zh"] {
-            assert_eq!(joined[code].as_array().unwrap().len(), joined["keys"].as_array().unwrap().len(), "{code}");
-        }
+        let Languages(all) = read(&Path::new(crate::PAGE).join("languages")).unwrap();
+        assert_eq!(all.keys().collect::<Vec<_>>(), ["de", "en", "es", "fr", "zh"]);
+    }
+
+    #[test]
+    fn keys_become_numbers_unless_a_script_puts_them_together() {
+        let all = languages(json!({ "color.red": "red", "name": "English", "nav.tour": "Tour", "n.steps": { "other": "{n} steps" } }));
+        let mut scripts = "t(\"n.steps\"),t(`color.${name}`)".to_owned();
+        let mut body = "<a data-t=\"nav.tour\"></a>".to_owned();
+        let text = all.number(&mut scripts, &mut body).unwrap();
+        assert_eq!(scripts, "t(\"0\"),t(`color.${name}`)");
+        assert_eq!(body, "<a data-t=\"1\"></a>");
+        assert_eq!(text, "color.red\nname\n\nen\nred\nEnglish\n{\"other\":\"{n} steps\"}\nTour");
+    }
+
+    #[test]
+    fn a_text_that_nothing_shows_is_refused() {
+        let refused = languages(json!({ "name": "English", "nav.tour": "Tour" })).number(&mut String::new(), &mut String::new());
+        assert!(refused.unwrap_err().to_string().contains("nav.tour"));
     }
 
     #[test]

@@ -1,12 +1,13 @@
 //! The trainer page as one HTML file: `goodbot-page MODULE OUT NODE [--with-panic-messages]`, as `cargo xtask page` calls it.
 //!
 //! The JavaScript glue of the WebAssembly module is generated, and both are put into `page/index.html` together with the page's own style
-//! and scripts. The module, the style, the scripts and the texts of all languages are packed with LZMA; one small script expands them in
-//! the page. NODE runs what checks the scripts' types and joins them.
+//! and scripts. The module, the style, the body, the scripts and the texts of all languages are packed with LZMA; one small script expands
+//! them in the page. NODE runs what checks the scripts' types and joins them.
 
 mod assemble;
 mod budget;
 mod languages;
+mod module;
 mod scripts;
 
 use std::path::{Path, PathBuf};
@@ -28,31 +29,32 @@ fn main() -> Result<()> {
     let folder = module.with_extension("page");
     let wasm = generate(module, &folder)?;
     let source = Path::new(PAGE).canonicalize().with_context(|| format!("{PAGE} is not there"))?;
-    let scripts = scripts::bundle(&source, &folder, node)?;
-    let texts = languages::read(&source.join("languages"))?;
-    let style = assemble::style(&source)?;
+    let mut scripts = scripts::bundle(&source, &folder, node)?;
+    let mut body = assemble::body(&source)?;
+    let texts = languages::read(&source.join("languages"))?.number(&mut scripts.others, &mut body)?;
+    let shown =
+        [("the style", assemble::style(&source)?), ("the body", body), ("the scripts with the glue", scripts.others), ("the texts", texts)];
+    let module = module::sorted(&std::fs::read(&wasm)?)?;
     // In the order in which page/src/begin.js takes them.
-    let parts = [
-        ("the module", wasm.as_slice()),
-        ("the style", style.as_bytes()),
-        ("the scripts with the glue", scripts.others.as_bytes()),
-        ("the texts", &texts),
-    ];
-    let page = assemble::assemble(&source, &parts.map(|(_, part)| part), &scripts.begin)?;
+    let parts: Vec<&[u8]> = shown.iter().map(|(_, text)| text.as_bytes()).chain(module.iter().map(Vec::as_slice)).collect();
+    let page = assemble::assemble(&source, &parts, &scripts.begin)?;
     if let Some(dist) = out.parent() {
         std::fs::create_dir_all(dist).with_context(|| format!("{} cannot be made", dist.display()))?;
     }
     std::fs::write(out, &page.html).with_context(|| format!("{} cannot be written", out.display()))?;
-    budget::check(&page, &parts, with_messages)
+    scripts::check_unpacking(&source, node, out, &wasm)?;
+    let module = ("the module", parts.iter().skip(shown.len()).map(|part| part.len()).sum());
+    let sizes: Vec<(&str, usize)> = shown.iter().map(|(name, text)| (*name, text.len())).chain([module]).collect();
+    budget::check(&page, &sizes, with_messages)
 }
 
-/// Generates the module as the page has it, and beside it in `folder` its glue and the glue's types.
-fn generate(module: &Path, folder: &Path) -> Result<Vec<u8>> {
+/// Generates the module as the page has it, and beside it in `folder` its glue and the glue's types. Returns the module's path.
+fn generate(module: &Path, folder: &Path) -> Result<PathBuf> {
     let mut bindgen = Bindgen::new();
     bindgen
         .input_path(module)
         .web(true)
         .and_then(|bindgen| bindgen.typescript(true).remove_name_section(true).remove_producers_section(true).generate(folder))
         .with_context(|| format!("the glue for {} could not be generated", module.display()))?;
-    std::fs::read(folder.join("goodbot_wasm_bg.wasm")).context("goodbot_wasm_bg.wasm was not generated")
+    Ok(folder.join("goodbot_wasm_bg.wasm"))
 }

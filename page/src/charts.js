@@ -1,0 +1,65 @@
+// Charts: what the robot believed, step by step, and how sure it was of each command when it heard it, session by session; and both as a table.
+import { download } from './files.js';
+import { t } from './language.js';
+import { $, draw, make, percent, state, tell } from './state.js';
+import { logOf } from './store.js';
+import { ranked } from './words.js';
+
+const [WIDTH, HEIGHT, LEFT, EDGE] = [320, 132, 34, 8];
+const SHOWN = 3;
+
+/** Draws lines of probabilities, each of a style of its own; what is not known is left out.
+ * @param {string} id
+ * @param {(number | null)[][]} lines
+ * @param {string} about */
+function chart(id, lines, about) {
+  const most = Math.max(1, ...lines.map(line => line.length - 1));
+  const x = at => LEFT + at / most * (WIDTH - LEFT - EDGE);
+  const y = p => EDGE + (1 - p) * (HEIGHT - 2 * EDGE);
+  $(id).setAttribute('viewBox', '0 0 ' + WIDTH + ' ' + HEIGHT);
+  $(id).setAttribute('aria-label', about);
+  $(id).replaceChildren(
+    ...[0, 0.5, 1].flatMap(p => [
+      draw('path', { class: 'grid', d: 'M' + LEFT + ' ' + y(p) + 'H' + (WIDTH - EDGE) }),
+      draw('text', { x: LEFT - 4, y: y(p) + 4, 'text-anchor': 'end' }, String(100 * p)),
+    ]),
+    ...lines.map((line, style) => {
+      const points = line.flatMap((p, at) => (p === null ? [] : [x(at).toFixed(1) + ' ' + y(p).toFixed(1)]));
+      return draw('path', { class: 'line' + style, d: points.length ? 'M' + points.join('L') + (points.length === 1 ? 'h.1' : '') : '' });
+    }));
+}
+
+// How probable a task was before the first step of the session under way, or of the one before, after each, and is now: an answer may have come
+// since.
+const beliefs = task => [state.evidence[0]?.before[task] ?? null, ...state.evidence.map(evidence => evidence.after[task] ?? null), ...(state.session ? [state.belief.tasks[task].probability] : [])];
+
+// For each session that this robot has learned from, how sure it was of what it was taught, when it heard it.
+const scores = () => Array.from({ length: state.sessions }, (_, at) => state.robot.scores?.[at] ?? null);
+
+export function renderCharts() {
+  if (!$('chart-score').closest('details').open) return;
+  const tasks = state.evidence.length ? ranked().slice(0, SHOWN) : [];
+  $('chart-belief').toggleAttribute('hidden', !tasks.length);
+  $('charts-none').hidden = Boolean(tasks.length);
+  const last = tasks.map(task => task.words + ' ' + percent(task.probability));
+  chart('chart-belief', tasks.map(task => beliefs(task.index)), t('charts.belief') + ': ' + last.join('; '));
+  $('chart-tasks').replaceChildren(...tasks.map((task, style) => make('li', { class: 'line' + style }, last[style])));
+  const all = scores();
+  chart('chart-score', [all], t('charts.score') + ': ' + all.map(p => (p === null ? '–' : percent(p))).join(', '));
+}
+
+const cell = value => (/[",\n]/.test(String(value)) ? '"' + String(value).replaceAll('"', '""') + '"' : String(value));
+
+/** The sessions that this robot was taught by as a table: a line for each step. */
+export function saveTable() {
+  const rows = [['session', 'command', 'heard', 'step', 'action', 'feedback']];
+  let [session, step, command, learned] = [0, 0, '', 0];
+  for (const line of logOf(state.robot).split('\n').filter(Boolean)) {
+    const record = JSON.parse(line);
+    if (record.type === 'session') [session, step, command] = [session + 1, 0, record.command];
+    if (record.type === 'step') rows.push([session, command, scores()[learned] ?? '', step += 1, record.action, record.feedback ?? ''].map(String));
+    if (record.type === 'end' && record.learn) learned += 1;
+  }
+  if (rows.length === 1) tell(t('settings.noLog'));
+  else download('goodbot.csv', rows.map(row => row.map(cell).join(',') + '\r\n').join(''), 'text/csv');
+}

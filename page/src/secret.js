@@ -1,0 +1,71 @@
+// The game of a secret language: a robot that was taught in invented words comes by a link, and whoever opens it finds out what each word means, from
+// what the robot does. Until then the page tells nothing of its thoughts.
+import { download } from './files.js';
+import { t } from './language.js';
+import { ideaWords, meanings } from './learned.js';
+import { robotLink } from './link.js';
+import { picture } from './picture.js';
+import { render } from './render.js';
+import { leaveSession, startSession } from './session.js';
+import { share } from './share.js';
+import { $, announce, make, state, tell } from './state.js';
+
+const MOST_WORDS = 12;
+
+// The words to find out, each with its idea.
+const words = () => [...meanings(state.heat.now)].slice(0, MOST_WORDS);
+
+/** The link to this robot as a game. */
+export async function shareSecret() {
+  if (!words().length) tell(t('secret.none'), true);
+  else share(await robotLink(true), t('secret.title', state.robot), t('secret.link'));
+}
+
+async function sayWord(word) {
+  if (!await leaveSession()) return;
+  $('command').value = word;
+  startSession(word, { looking: true });
+}
+
+/** How many words are found out: those with the idea that was chosen for them. */
+function check() {
+  const all = words();
+  const chosen = [...$('secret-words').querySelectorAll('select')];
+  const right = all.map(([, token], at) => chosen[at]?.value === token);
+  for (const [at, select] of chosen.entries()) select.closest('li').classList.toggle('right', right[at]);
+  const n = right.filter(Boolean).length;
+  $('secret-say').textContent = t('secret.found', { n, of: all.length });
+  announce($('secret-say').textContent);
+  if (n === all.length) reveal();
+}
+
+function reveal() {
+  state.secret = 'told';
+  render();
+  announce($('secret-say').textContent);
+}
+
+let shown = '';
+
+export function renderSecret() {
+  document.documentElement.toggleAttribute('data-secret', state.secret === 'open');
+  $('secret').hidden = !state.secret;
+  const key = [state.secret, state.robot.id, document.documentElement.lang].join();
+  if (!state.secret || key === shown) return;
+  shown = key;
+  const all = words();
+  const told = state.secret === 'told';
+  $('secret-say').textContent = t(told ? 'secret.told' : 'secret.about', { name: state.robot.name, n: all.length });
+  if (told) {
+    $('secret-words').replaceChildren(...all.map(([word, token]) => make('li', {}, make('b', {}, word), ' ' + ideaWords(token))));
+    $('secret-buttons').replaceChildren(make('button', { type: 'button', class: 'small', onclick: () => download('secret-language.svg', picture(state.robot.name, $('secret-say').textContent, all), 'image/svg+xml') }, t('card.save')));
+    return;
+  }
+  const ideas = [...new Set((state.heat.now?.tokens || []))].map(token => [token, ideaWords(token)]).sort((a, b) => a[1].localeCompare(b[1]));
+  $('secret-words').replaceChildren(...all.map(([word]) => make('li', {},
+    make('button', { type: 'button', class: 'small', 'aria-label': t('secret.sayWord', { word }), onclick: () => sayWord(word) }, word), ' ',
+    make('select', { 'aria-label': t('secret.meaningOf', { word }) }, make('option', { value: '' }, '…'), ...ideas.map(([token, idea]) => make('option', { value: token }, idea))))));
+  $('secret-buttons').replaceChildren(
+    make('button', { type: 'button', class: 'small primary', onclick: check }, t('secret.check')),
+    make('button', { type: 'button', class: 'small quiet', onclick: reveal }, t('secret.giveUp')));
+}

@@ -1,0 +1,148 @@
+// The game of tricking the robot: what it was taught leaves two ideas together, so that it takes one for the other; and one of some lessons repairs that.
+// What it understands is the core's own answer, each time.
+import { world } from './core.js';
+import { listed, t } from './language.js';
+import { spaced } from './learned.js';
+import { nameHome } from './play.js';
+import { render } from './render.js';
+import { beginGuest, endGuest } from './roster.js';
+import { LEARN_BUDGET, heatNow, leaveSession, startSession } from './session.js';
+import { $, announce, inParts, make, percent, state } from './state.js';
+import { change, travel } from './store.js';
+import { enterHome } from './tour.js';
+import { beliefNow, quoted, taskWords } from './words.js';
+
+/** @typedef {{ home: string, intended: string, command: string }} Lesson */
+
+// A lesson as it is written below: the rooms from left to right, the blocks in the middle one, and what is to go where; without a block, the robot.
+/** @typedef {[rooms: string, blocks: string, block: string, room: string]} Written */
+
+const RGY = 'red green yellow';
+const GYR = 'green yellow red';
+const TWO = 'blue chair,purple bag';
+const OTHER = 'purple bag,blue chair';
+
+/** @type {{ taught: Written[], asked: Written, repairs: Written[] }[]} */
+const LEVELS = [
+  // Everything went to the red room.
+  {
+    taught: [[RGY, TWO, 'blue chair', 'red'], [GYR, OTHER, 'purple bag', 'red']],
+    asked: ['yellow blue green', TWO, 'blue chair', 'green'],
+    repairs: [[RGY, TWO, 'purple bag', 'red'], [GYR, TWO, 'purple bag', 'green'], [RGY, TWO, '', 'red']],
+  },
+  // It never went anywhere by itself.
+  {
+    taught: [[RGY, TWO, 'blue chair', 'red'], [GYR, OTHER, 'purple bag', 'red'], [RGY, TWO, 'purple bag', 'yellow'], [GYR, TWO, 'blue chair', 'green']],
+    asked: [RGY, 'blue chair', '', 'yellow'],
+    repairs: [[RGY, TWO, 'blue chair', 'yellow'], [GYR, OTHER, '', 'red'], [GYR, OTHER, 'purple bag', 'green']],
+  },
+  // What was a chair was blue.
+  {
+    taught: [[RGY, '', '', 'red'], [GYR, '', '', 'green'], [RGY, TWO, 'blue chair', 'red'], [GYR, OTHER, 'blue chair', 'green']],
+    asked: [RGY, 'blue bag,purple chair', 'purple chair', 'red'],
+    repairs: [[RGY, TWO, 'blue chair', 'yellow'], [RGY, 'blue bag,purple bag', 'blue bag', 'red'], [RGY, '', '', 'yellow']],
+  },
+];
+
+/** @param {Written} written
+ * @returns {Lesson} */
+function lesson([rooms, blocks, block, room]) {
+  const [colors, things] = [rooms.split(' '), blocks ? blocks.split(',') : []];
+  const goal = 'room' + colors.indexOf(room);
+  const scene = {
+    rooms: colors.map((color, at) => ({ class: 'room', name: 'room' + at, left: 6 * at, bottom: 0, right: 6 * at + 6, top: 6, color })),
+    blocks: things.map((thing, at) => ({ class: 'block', name: 'block' + at, x: 8 + 2 * at, y: 2 + 2 * at, color: thing.split(' ')[0], shape: thing.split(' ')[1] })),
+  };
+  const doors = [6, 12].map((x, at) => ({ class: 'door', name: 'door' + at, left: x, bottom: 3, right: x, top: 3 }));
+  const intended = block ? 'blockInRoom(block' + things.indexOf(block) + ',' + goal + ')' : 'agentInRoom(agent0,' + goal + ')';
+  const home = JSON.stringify({ version: 1, objects: [...scene.rooms, ...doors, ...scene.blocks, { class: 'agent', name: 'agent0', x: 7, y: 3 }] });
+  return { home, intended, command: taskWords(intended, scene) };
+}
+
+/** @type {{ level: number, robot: object, says: string[], choices: [string, () => any][] } | null} */
+let game = null;
+
+// The trainer says what is meant: no step is needed to learn from that.
+/** @param {Lesson} taught */
+async function teach({ home, intended, command }) {
+  await change(quoted(command), async () => {
+    world.setEnvironment(home);
+    world.hear(spaced(command));
+    world.answerAs(intended, true, 0.05, beliefNow().tasks.length - 1);
+    const lines = world.finish();
+    await inParts(() => world.learn(LEARN_BUDGET));
+    return lines;
+  });
+}
+
+const told = (says, choices) => {
+  if (game) Object.assign(game, { says, choices });
+  render();
+  announce(says.join(' '));
+  $('trick-choices').querySelector('button')?.focus({ preventScroll: true });
+};
+
+/** @param {number} level */
+async function beginLevel(level) {
+  if (!await leaveSession()) return;
+  await beginGuest(t('trick.robot'));
+  game = { level, robot: state.robot, says: [], choices: [] };
+  const taught = LEVELS[level].taught.map(lesson);
+  for (const one of taught) await teach(one);
+  const asked = lesson(LEVELS[level].asked);
+  enter(asked);
+  const says = t('trick.taught', { commands: listed([...new Set(taught.map(one => quoted(one.command)))]) });
+  told([t('trick.level', { n: level + 1, of: LEVELS.length }), says], [[t('tour.ask', asked), ask]]);
+}
+
+function enter({ home }) {
+  enterHome(home);
+  nameHome();
+  state.heat = { now: heatNow(), before: null };
+}
+
+// The robot shows how it understands the command.
+function ask() {
+  if (!game) return;
+  const { level, robot } = game;
+  const asked = lesson(LEVELS[level].asked);
+  enter(asked);
+  const session = startSession(asked.command, { looking: true });
+  if (!session) return;
+  const [best] = session.heard;
+  Object.assign(game, { says: [], choices: [] });
+  render();
+  session.onEnd = () => {
+    if (game?.robot !== robot) return;
+    const understood = best.name === asked.intended && best.probability > 0.5;
+    const thought = t('trick.thought', { task: best.words, sure: percent(best.probability) });
+    if (!understood) {
+      const repairs = LEVELS[level].repairs.map(lesson);
+      told([thought, t('trick.which', asked)], repairs.map(one => [one.command, () => repair(one)]));
+      return;
+    }
+    const last = level + 1 === LEVELS.length;
+    told([thought, t('trick.right'), last ? t('trick.over') : ''], [last ? [t('guest.end'), endGuest] : [t('trick.next'), () => beginLevel(level + 1)]]);
+  };
+}
+
+// One lesson more, in place of the one that did not help.
+/** @param {Lesson} chosen */
+async function repair(chosen) {
+  if (state.session || !game) return;
+  if (state.sessions > LEVELS[game.level].taught.length) await travel('past');
+  await teach(chosen);
+  ask();
+}
+
+export function renderTrick() {
+  if (game && game.robot !== state.robot) game = null;
+  $('trick').hidden = state.mode !== 'play' || Boolean(state.secret);
+  const says = game ? game.says : [t('trick.about')];
+  const choices = game ? game.choices : /** @type {[string, () => any][]} */ ([[t('trick.play'), () => beginLevel(0)]]);
+  const key = JSON.stringify([says, choices.map(([words]) => words)]);
+  if ($('trick').dataset.key === key) return;
+  $('trick').dataset.key = key;
+  $('trick-say').replaceChildren(...says.filter(Boolean).flatMap((line, at) => (at ? [make('br'), line] : [line])));
+  $('trick-choices').replaceChildren(...choices.map(([words, then]) => make('button', { type: 'button', class: 'small', onclick: then }, words)));
+}

@@ -1,0 +1,99 @@
+// The two games: tricking the robot, and a secret language.
+import assert from 'node:assert/strict';
+import { createRequire } from 'node:module';
+import { after, before, test } from 'node:test';
+import { address, close, launch, open, openIn, opened, play, sessions } from './browser.mjs';
+
+const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser.close());
+
+async function axeClean(page, where) {
+  await page.addScriptTag({ path: axe });
+  const { violations } = await page.evaluate(() => window.axe.run(document));
+  assert.deepEqual(violations.flatMap(violation => violation.nodes.map(node => where + ': ' + violation.id + ' at ' + node.target)), []);
+}
+
+const choices = page => page.locator('#trick-choices button');
+const many = (page, count) => page.waitForFunction(wanted => document.querySelectorAll('#trick-choices button').length === wanted && document.body.dataset.phase === 'none', count);
+
+test('a badly taught robot is tricked, one lesson repairs that, and another does not, whichever side the adjectives stand', async () => {
+  const page = await open(browser, { bypassCSP: true });
+  await page.selectOption('#speed', 'once');
+  await play(page, 'A');
+  const own = await sessions(page);
+  for (const code of ['en', 'fr']) {
+    await page.selectOption('#language', code);
+    await choices(page).click();
+    for (const level of [1, 2, 3]) {
+      await page.locator('#trick-say', { hasText: new RegExp('^\\D*' + level + '\\D+3') }).waitFor();
+      await many(page, 1);
+      await choices(page).click();
+      await many(page, 3);
+      if (code === 'en') {
+        if (level === 1) await axeClean(page, 'trick');
+        const before = await sessions(page);
+        await choices(page).first().click();
+        await many(page, 3);
+        assert.equal(await sessions(page), before + 1, 'one lesson more');
+        await choices(page).last().click();
+        await many(page, 3);
+        assert.equal(await sessions(page), before + 1, 'in place of the one that did not help');
+      }
+      await choices(page).nth(1).click();
+      await many(page, 1);
+      if (level < 3) await choices(page).click();
+    }
+    await choices(page).click();
+    await page.locator('#guest').waitFor({ state: 'hidden' });
+    assert.equal(await sessions(page), own, 'one’s own robot is as it was');
+  }
+  await close(page);
+});
+
+test('a secret language is passed on by a link and found out from what the robot does', async () => {
+  const page = await open(browser, { locale: 'de' });
+  await page.selectOption('#language', 'en');
+  await opened(page, 'Your robots');
+  await page.click('#meet-secret');
+  await page.getByText('No word of it is clear yet').first().waitFor();
+  await page.selectOption('#speed', 'once');
+  // Words that the friend does not know: those of another language.
+  await page.selectOption('#language', 'de');
+  await page.click('#watch');
+  await page.locator('#card:visible').waitFor({ timeout: 60000 });
+  await page.selectOption('#language', 'en');
+  await page.click('#keep-guest');
+  await page.getByText('is kept, under').first().waitFor();
+  await page.click('#meet-secret');
+  const link = await page.inputValue('#link');
+  assert.match(await page.textContent('#shared-about'), /finds out what its words mean/);
+  await page.click('#close-link');
+
+  const friend = await openIn(await browser.newContext({ bypassCSP: true, viewport: { width: 360, height: 800 } }), link.slice(address.length));
+  await friend.locator('#secret:visible').waitFor();
+  assert.equal(await friend.locator('.learned:visible').count(), 0, 'its thoughts are not told');
+  const words = await friend.locator('#secret-words button').allTextContents();
+  assert.ok(words.length >= 5 && words.includes('grünen'), words.join());
+  await axeClean(friend, 'secret language');
+  assert.ok(await friend.evaluate(() => document.documentElement.scrollWidth <= 360), 'nothing is wider than a phone');
+  await friend.selectOption('#speed', 'once');
+  await friend.locator('#secret-words button', { hasText: 'grünen' }).click();
+  await friend.waitForFunction(() => document.body.dataset.phase === 'none');
+  assert.doesNotMatch(await friend.textContent('#live'), /green room/);
+  const chosen = friend.locator('#secret-words li', { has: friend.getByRole('button', { name: 'grünen' }) }).locator('select');
+  await chosen.selectOption({ label: 'the colour red' });
+  await friend.click('#secret-buttons button');
+  await friend.getByText('0 of ' + words.length + ' words are right').first().waitFor();
+  await chosen.selectOption({ label: 'the colour green' });
+  await friend.click('#secret-buttons button');
+  await friend.getByText('1 of ' + words.length + ' words are right').first().waitFor();
+  await friend.locator('#secret-buttons .quiet').click();
+  assert.match(await friend.locator('#secret-words').innerText(), /grünen\s+the colour green/);
+  assert.ok(await friend.locator('.learned:visible').count() > 0, 'now its thoughts may be seen');
+  await friend.click('#end-guest');
+  await friend.locator('#secret').waitFor({ state: 'hidden' });
+  assert.deepEqual(friend.complaints, []);
+  await close(page);
+});
