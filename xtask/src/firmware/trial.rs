@@ -1,5 +1,6 @@
 //! Everything that is built and run for the emulated boards, once in a run of this program.
 
+use std::fmt;
 use std::sync::OnceLock;
 
 use anyhow::{Context, Result, anyhow, bail};
@@ -25,7 +26,8 @@ const FAULT: i32 = 102;
 pub struct Report(Vec<(String, u64)>);
 
 impl Report {
-    fn read(text: &str) -> Self {
+    /// Reads what a binary said.
+    pub fn read(text: &str) -> Self {
         let line = |line: &str| {
             let (name, number) = line.split_once(' ')?;
             Some((name.to_owned(), number.trim().parse().ok()?))
@@ -41,6 +43,13 @@ impl Report {
     /// The number of a name.
     pub fn number(&self, name: &str) -> Result<u64> {
         self.all(name).first().copied().with_context(|| format!("the firmware did not report `{name}`"))
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lines: Vec<_> = self.0.iter().map(|(name, number)| format!("{name} {number}")).collect();
+        f.write_str(&lines.join(", "))
     }
 }
 

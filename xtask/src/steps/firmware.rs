@@ -4,7 +4,7 @@ use anyhow::{Result, bail};
 
 use super::{Run, Step, WORKSPACE};
 use crate::firmware::image::{BINARIES, panics};
-use crate::firmware::{digests, images, microbit, trials, wheels};
+use crate::firmware::{alone, digests, images, microbit, trials};
 use crate::programs::QEMU;
 use crate::{footprint, project};
 
@@ -13,6 +13,8 @@ use crate::{footprint, project};
 const MOST_RAM: u64 = 32 * 1024;
 const MOST_FLASH: u64 = 100 * 1024;
 const MOST_TO_ACT: u64 = 1_000_000;
+/// Instructions that the first plan for the 50 tasks of a home of three storeys may take there.
+const MOST_TO_PLAN_WAYS: u64 = 3_000_000;
 /// The micro:bit's RAM, and its instructions: its floats are made of them.
 const MICROBIT_RAM: u64 = 16 * 1024;
 const MICROBIT_TO_ACT: u64 = 2_000_000;
@@ -80,7 +82,16 @@ fn course(_: &mut Run) -> Result<()> {
             }
         }
     }
-    println!("the lessons on wheels: {}", wheels::drive()?);
+    let planned = alone::run("ways")?;
+    let (ram, to_plan) = (planned.number("statics")? + planned.number("stack")?, planned.number("first-plan")?);
+    println!(
+        "three storeys: {ram} bytes of RAM, {to_plan} instructions for the first plan of {} tasks, most of them with a way",
+        planned.number("tasks")?
+    );
+    if to_plan > MOST_TO_PLAN_WAYS {
+        bail!("three storeys: instructions for the first plan: {to_plan}, and {MOST_TO_PLAN_WAYS} are the most");
+    }
+    println!("the lessons on wheels: {}", alone::run("wheels")?);
     Ok(())
 }
 
@@ -141,9 +152,15 @@ fn no_panic(_: &mut Run) -> Result<()> {
             }
         }
     }
+    for binary in alone::BINARIES {
+        for symbol in panics(&alone::build(binary)?)? {
+            println!("{binary}: {symbol}");
+            found += 1;
+        }
+    }
     if found > 0 {
         bail!("{found} symbols are there to panic");
     }
-    println!("no symbol of {} binaries is there to panic", images()?.len() * BINARIES.len());
+    println!("no symbol of {} binaries is there to panic", images()?.len() * BINARIES.len() + alone::BINARIES.len());
     Ok(())
 }
