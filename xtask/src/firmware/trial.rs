@@ -10,11 +10,10 @@ use super::image::Image;
 use crate::programs::QEMU;
 
 /// The firmware that is measured.
-const ROWS: [(Board, Preset); 5] = [
+const ROWS: [(Board, Preset); 4] = [
     (Board::An386, Preset::Small),
     (Board::An386, Preset::Tiny),
     (Board::An385, Preset::Small),
-    (Board::An385, Preset::Tiny),
     (Board::Microbit, Preset::Tiny),
 ];
 
