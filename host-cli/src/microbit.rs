@@ -86,7 +86,7 @@ fn read_text(path: &Path) -> Result<String, Failure> {
 
 /// A home that the board has room for.
 fn described(name: &str) -> Result<goodbot_formats::environment::EnvironmentFile, Failure> {
-    let environment = home::read(name)?;
+    let environment = home::read(name).map_err(|fault| Failure::Input(fault.to_string()))?;
     let mut memory = HomeHeap::new(&CAPACITIES);
     match home::build(&environment, Moves::Push, &mut memory) {
         Ok(_) => Ok(environment),
