@@ -1,5 +1,6 @@
 //! `goodbot microbit`, as it is used.
 
+#[allow(dead_code, reason = "other tests need more of it")]
 mod program;
 
 use goodbot_formats::microbit::{HOME, MicrobitFile, SLOTS};
@@ -11,11 +12,15 @@ fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let program = MicrobitFile::of_program([(0, &b"goodbot on the micro:bit; say help"[..])]).unwrap();
     std::fs::write(folder.path().join("goodbot.hex"), program.to_text()).unwrap();
-    let log = session(program::AGENT, "labelled", "go to the green room", r#","intended":["agentInRoom(agent0,room1)"]"#);
-    std::fs::write(folder.path().join("log.jsonl"), log).unwrap();
+    std::fs::write(folder.path().join("log.jsonl"), lesson("go to the green room")).unwrap();
     let learned = run(folder.path(), &["learn", "LOG", "--out", "MODEL"]);
     assert_eq!(learned.code, 0, "{}", learned.messages);
     folder
+}
+
+/// A recorded lesson, to go to the upper room.
+fn lesson(command: &str) -> String {
+    session(program::AGENT, "labelled", command, r#","intended":["agentInRoom(agent0,room1)"]"#) + "\n{\"type\":\"end\",\"learn\":true}\n"
 }
 
 /// Runs the program; files in capital letters stand for those of the folder.
@@ -69,12 +74,7 @@ fn what_a_micro_bit_has_no_room_for_is_named() {
     let refused = run(folder.path(), &["microbit", "--hex", "HEX", "-m", "MODEL", "-c", &long, "-o", "OUT"]);
     assert_eq!(refused.code, 2);
     assert!(refused.messages.contains("room for 64"), "{}", refused.messages);
-    let words: String = (0..40)
-        .map(|number| {
-            let command = format!("word{number} another{number}");
-            session(program::AGENT, "labelled", &command, r#","intended":["agentInRoom(agent0,room1)"]"#) + "\n"
-        })
-        .collect();
+    let words: String = (0..40).map(|number| lesson(&format!("word{number} another{number}"))).collect();
     std::fs::write(folder.path().join("log.jsonl"), words).unwrap();
     assert_eq!(run(folder.path(), &["learn", "LOG", "--out", "MODEL"]).code, 0);
     let refused = run(folder.path(), &["microbit", "--hex", "HEX", "-m", "MODEL", "-o", "OUT"]);
