@@ -38,8 +38,8 @@ void start(void) {
     *(volatile uint32_t *)0xE000ED88 |= 0xF << 20; /* the floating-point unit on */
     for (uint32_t *to = data_begin, *from = data_source; to < data_end;) *to++ = *from++;
     for (uint32_t *to = bss_begin; to < bss_end;) *to++ = 0;
-    uint32_t here;
-    for (volatile uint32_t *to = stack_top - STACK_WORDS; to < &here - 16;) *to++ = PAINT;
+    uintptr_t here = (uintptr_t)__builtin_frame_address(0);
+    for (volatile uint32_t *to = stack_top - STACK_WORDS; (uintptr_t)to < here - 256;) *to++ = PAINT;
     initialise_monitor_handles();
     systick[1] = PERIOD - 1;
     systick[2] = 0;

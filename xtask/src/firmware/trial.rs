@@ -10,12 +10,8 @@ use super::image::Image;
 use crate::programs::QEMU;
 
 /// The firmware that is measured.
-const ROWS: [(Board, Preset); 4] = [
-    (Board::An386, Preset::Small),
-    (Board::An386, Preset::Tiny),
-    (Board::An385, Preset::Small),
-    (Board::Microbit, Preset::Tiny),
-];
+const ROWS: [(Board, Preset); 4] =
+    [(Board::An386, Preset::Small), (Board::An386, Preset::Tiny), (Board::An385, Preset::Small), (Board::Microbit, Preset::Tiny)];
 
 /// What a firmware ends with that the processor stopped by a fault.
 const FAULT: i32 = 102;

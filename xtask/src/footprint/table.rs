@@ -22,7 +22,7 @@ const PROGRAMS: &str = "
 ## Other programs
 
 Whole programs on the Cortex-M4F, with their texts, their output and the start-up code; instructions are those from the beginning to the end, with
-all lessons. In C, newlib's `printf` is among them, 20 to 30 KB. `cargo xtask library --features table` makes a library without homes.
+all lessons. In C, newlib's small `printf` is among them. `cargo xtask library --features table` makes a library without homes.
 
 ";
 
@@ -41,7 +41,7 @@ const AIMED: [(&str, u64, &str); 4] = [
 
 const WHY: &str = "
 None of these is met. Only what is used is linked; what is used has grown since the aims were set. The course's default learner, the role model
-with its forgetting and its kinds of tasks, is two thirds as large as planning, and planning in homes is three searches: rows of bits, states
+with its forgetting and its kinds of tasks, is nearly as large as planning, and planning in homes is three searches: rows of bits, states
 one by one for other goals, and the approximate one for what does not fit the memory. An arm or a lift needs none of the rows, so it is smaller,
 but it hears, learns, forgets and reports how full its tables are as any other robot does.
 

@@ -52,7 +52,9 @@ async fn main(spawner: Spawner) {
     let flash = BlockingAsync::new(Nvmc::new(board.NVMC));
     // SAFETY: this function runs once, and nothing else touches the statics.
     let (memory, model) = unsafe { (&mut *(&raw mut MEMORY), &mut *(&raw mut MODEL)) };
-    let (Ok((home, start)), Ok(mut slots), Ok(tasks)) = (three_rooms(&mut memory.home), TwoSlotsAsync::new(flash, SLOTS, SLOT), paper_tasks()) else {
+    let (Ok((home, start)), Ok(mut slots), Ok(tasks)) =
+        (three_rooms(&mut memory.home), TwoSlotsAsync::new(flash, SLOTS, SLOT), paper_tasks())
+    else {
         return;
     };
     let Ok(mut agent) = Agent::new(&mut memory.agent, &tasks, Options::DEFAULT) else { return };
