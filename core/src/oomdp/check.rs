@@ -6,6 +6,7 @@ use core::fmt;
 
 /// What is wrong with a domain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum DomainFlaw {
     /// There are more actions than [`Action::MOST`].

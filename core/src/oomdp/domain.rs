@@ -6,6 +6,7 @@ use super::{GroundProposition, Objects, PushGrid, Schema, SearchKind};
 
 /// An action, by its position in [`Domain::actions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Action(pub u8);
 
 impl Action {
@@ -17,6 +18,7 @@ impl Action {
 
 /// A set of actions, one bit each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ActionSet(pub u16);
 
 impl ActionSet {

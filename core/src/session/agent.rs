@@ -31,6 +31,7 @@ pub const NEGLIGIBLE: f32 = 1e-9;
 
 /// What the agent does next, and for which task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Decision {
     /// The action.
@@ -43,6 +44,7 @@ pub struct Decision {
 
 /// What came of a piece of evidence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[must_use]
 pub enum Evidence {
     /// The belief has taken it in.

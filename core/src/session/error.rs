@@ -8,6 +8,7 @@ use core::fmt;
 
 /// Why the agent could not do what it was asked.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum AgentError {
     /// The command has no word.
