@@ -81,7 +81,7 @@ impl Scene {
             grounded.truncate(TaskSet::MOST);
             grounded = grounded.iter().step_by((grounded.len() / count).max(1)).take(count).copied().collect();
         }
-        let planner = OwnPlanner::new(&LARGE, &home, &lifted, &grounded, &start);
+        let planner = OwnPlanner::new(&LARGE, &home, &lifted, &grounded);
         Self { home, start, lifted, tasks: grounded, planner }
     }
 

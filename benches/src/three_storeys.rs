@@ -51,7 +51,7 @@ impl ThreeStoreys {
         let mut tasks = vec![GroundedTask::UNUSED; TaskSet::MOST];
         let count = ground(&home, &lifted, &start, &mut tasks).expect("room for the tasks");
         tasks.truncate(count);
-        let planner = OwnPlanner::new(&MEMORY, &home, &lifted, &tasks, &start);
+        let planner = OwnPlanner::new(&MEMORY, &home, &lifted, &tasks);
         Self { home, start, lifted, tasks, planner }
     }
 

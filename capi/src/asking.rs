@@ -1,9 +1,10 @@
 //! Questions to the trainer.
 
 use crate::beliefs::{Writer, put_object, put_task};
-use crate::robot::{Goodbot, World, give, with};
+use crate::robot::{Goodbot, give, with};
 use crate::status::GoodbotStatus;
 use crate::training::{in_world, write};
+use crate::world::World;
 use core::ffi::c_char;
 use goodbot::asking::{Answer, Asking, Considered, Subject};
 use goodbot::task::{Piece, Wording};

@@ -1,8 +1,9 @@
 //! What the robot takes a command to mean.
 
-use crate::robot::{Goodbot, World, give, with};
+use crate::robot::{Goodbot, give, with};
 use crate::status::GoodbotStatus;
 use crate::training::in_world;
+use crate::world::{Surroundings, World};
 use core::ffi::c_char;
 use goodbot::Agent;
 use goodbot::memory::AgentMemory;
@@ -67,9 +68,9 @@ pub unsafe extern "C" fn goodbot_task_text(robot: *mut Goodbot, task: u32, buffe
 }
 
 /// Writes a task of the session under way.
-pub(crate) fn put_task<D: Domain + ?Sized>(
+pub(crate) fn put_task(
     writer: &mut Writer,
-    domain: &D,
+    domain: &Surroundings,
     agent: &Agent<impl AgentMemory>,
     task: usize,
 ) -> Result<(), GoodbotStatus> {
@@ -91,7 +92,7 @@ pub(crate) fn put_task<D: Domain + ?Sized>(
 }
 
 /// Writes the name of an object.
-pub(crate) fn put_object<D: Domain + ?Sized>(writer: &mut Writer, domain: &D, object: ObjectId) {
+pub(crate) fn put_object(writer: &mut Writer, domain: &Surroundings, object: ObjectId) {
     writer.put(domain.world().objects.name(object));
 }
 
@@ -117,6 +118,7 @@ impl Writer {
     }
 
     /// Writes a number in decimal.
+    #[cfg(feature = "table")]
     pub(crate) fn number(&mut self, number: u32) {
         let mut power = 1_000_000_000_u32;
         while power > 0 {

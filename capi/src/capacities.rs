@@ -1,11 +1,12 @@
 //! How large the tables are, and what memory that takes.
 
 use crate::arena::{after, after_agent, after_home};
-use crate::robot::{Goodbot, World, give, with};
+use crate::robot::{Goodbot, give, with};
 use crate::status::GoodbotStatus;
 #[cfg(feature = "table")]
 use crate::table;
 use crate::training::in_world;
+use crate::world::World;
 use goodbot::Capacities;
 use goodbot::capacity::Capacity;
 use goodbot::session::Lessons;
@@ -228,7 +229,7 @@ pub unsafe extern "C" fn goodbot_least_capacities(
             let [sessions, words, different_words, word_bytes] = [sessions, words, different_words, word_bytes].map(|it| it as usize);
             let lessons = Lessons { sessions, words, different_words, word_bytes };
             let Goodbot { agent, world, .. } = robot;
-            let least = in_world!(&*world, |domain, state| agent.least_capacities(domain, state, &lessons)?);
+            let least = in_world!(&*world, |domain, _state| agent.least_capacities(domain, &lessons)?);
             give(capacities, (&least).into())
         })
     }
@@ -245,10 +246,7 @@ pub unsafe extern "C" fn goodbot_usage(robot: *mut Goodbot, capacities: *mut Goo
     unsafe {
         with(robot, |robot| {
             let world = match &robot.world {
-                #[cfg(feature = "home")]
-                World::Home(home, _) => home.usage(),
-                #[cfg(feature = "table")]
-                World::Table(domain, _) => domain.usage(),
+                World::Here(domain, _) => domain.usage(),
                 #[cfg(feature = "home")]
                 World::Nothing(_) | World::Plan(_) | World::Changing => Capacities::NONE,
             };

@@ -2,9 +2,10 @@
 
 use crate::arena::HomeArena;
 use crate::capacities::GoodbotCapacities;
-use crate::robot::{Goodbot, World, give, plot, settle, text, with};
+use crate::robot::{Goodbot, give, plot, settle, text, with};
 use crate::status::{Failure, GoodbotStatus};
 use crate::tasks::kinds_of_tasks;
+use crate::world::{Standing, Surroundings, World};
 use core::ffi::c_char;
 use goodbot::capacity::BLOCKS;
 use goodbot::home::{self, Area, Cell, HomeBuilder, Moves};
@@ -191,7 +192,7 @@ pub unsafe extern "C" fn goodbot_home_build(robot: *mut Goodbot) -> GoodbotStatu
                 return Err(GoodbotStatus::NoWorld.into());
             };
             let (world, result) = match builder.try_build(Moves::Push) {
-                Ok((home, start)) => (World::Home(home, start), Ok(GoodbotStatus::Ok)),
+                Ok((home, start)) => (World::Here(Surroundings::Home(home), Standing::Home(start)), Ok(GoodbotStatus::Ok)),
                 Err((error, memory)) => (World::Nothing(memory), Err(error.into())),
             };
             robot.world = world;
@@ -209,7 +210,9 @@ pub unsafe extern "C" fn goodbot_home_place(robot: *mut Goodbot, name: *const c_
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            let World::Home(home, state) = &mut robot.world else { return Err(GoodbotStatus::NoWorld.into()) };
+            let World::Here(Surroundings::Home(home), Standing::Home(state)) = &mut robot.world else {
+                return Err(GoodbotStatus::NoWorld.into());
+            };
             let object = home.objects().find(text(name)?).ok_or(GoodbotStatus::Unknown)?;
             *state = home.placed(state, &[(object, Cell::new(x, y))]).ok_or(GoodbotStatus::Number)?;
             Ok(GoodbotStatus::Ok)
@@ -239,7 +242,9 @@ pub unsafe extern "C" fn goodbot_home_sense(robot: *mut Goodbot, sensed: *const 
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            let World::Home(home, state) = &mut robot.world else { return Err(GoodbotStatus::NoWorld.into()) };
+            let World::Here(Surroundings::Home(home), Standing::Home(state)) = &mut robot.world else {
+                return Err(GoodbotStatus::NoWorld.into());
+            };
             if sensed.is_null() {
                 return Err(GoodbotStatus::Null.into());
             }
@@ -263,7 +268,9 @@ pub unsafe extern "C" fn goodbot_home_where(robot: *mut Goodbot, name: *const c_
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            let World::Home(home, state) = &robot.world else { return Err(GoodbotStatus::NoWorld.into()) };
+            let World::Here(Surroundings::Home(home), Standing::Home(state)) = &robot.world else {
+                return Err(GoodbotStatus::NoWorld.into());
+            };
             let object = home.objects().find(text(name)?).ok_or(GoodbotStatus::Unknown)?;
             let cell = if object == home.agent() { Some(home.agent_cell(state)) } else { home.block_cell(state, object) };
             let cell = cell.ok_or(GoodbotStatus::Unknown)?;

@@ -8,6 +8,7 @@
 //! - [`capacities`]: how large the tables are, and what memory that takes;
 //! - [`arena`]: the caller's memory, dealt out;
 //! - [`robot`]: the handle;
+//! - [`world`]: what a robot lives in, whichever kind it is;
 //! - [`home`]: the home environment;
 //! - [`table`]: robots of the caller's own: classes, objects, propositions and a step function or a table of steps;
 //! - [`tasks`]: the kinds of tasks that a robot can be told;
@@ -41,6 +42,7 @@ pub mod table;
 pub mod tasks;
 pub mod training;
 pub mod version;
+pub mod world;
 
 #[cfg(not(any(feature = "home", feature = "table")))]
 compile_error!("without the features home and table no robot can be made; choose one at least");

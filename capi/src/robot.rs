@@ -3,13 +3,12 @@
 use crate::arena::{AgentArena, Arena, HomeArena};
 use crate::capacities::GoodbotCapacities;
 use crate::status::{At, Failure, GoodbotStatus, Place};
-#[cfg(feature = "table")]
-use crate::table::TableDomain;
+#[cfg(feature = "home")]
+use crate::world::Surroundings;
+use crate::world::World;
 use core::ffi::{CStr, c_char};
 use core::ptr::NonNull;
 use goodbot::capacity::CapacityError;
-#[cfg(feature = "home")]
-use goodbot::home::{Home, HomeBuilder, HomeState};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use rand_pcg::Pcg32;
@@ -26,38 +25,18 @@ pub struct Goodbot {
     pub(crate) world: World,
 }
 
-/// What the robot lives in.
-#[derive(Debug)]
-pub enum World {
-    /// Nothing yet.
-    #[cfg(feature = "home")]
-    Nothing(HomeArena),
-    /// A home that is being described.
-    #[cfg(feature = "home")]
-    Plan(HomeBuilder<HomeArena>),
-    /// A home, and where things stand now.
-    #[cfg(feature = "home")]
-    Home(Home<HomeArena>, HomeState),
-    /// It is being changed for another; no call ends so.
-    #[cfg(feature = "home")]
-    Changing,
-    /// The caller's own.
-    #[cfg(feature = "table")]
-    Table(TableDomain, u32),
-}
-
 #[cfg(feature = "home")]
 impl Goodbot {
     /// The home's memory for a new description; the world there was is gone, and with it a session under way.
     pub(crate) fn empty_home(&mut self) -> Result<HomeArena, Failure> {
-        if !matches!(self.world, World::Nothing(_) | World::Plan(_) | World::Home(..)) {
+        if !matches!(self.world, World::Nothing(_) | World::Plan(_) | World::Here(Surroundings::Home(_), _)) {
             return Err(GoodbotStatus::World.into());
         }
         self.agent.leave();
         match core::mem::replace(&mut self.world, World::Changing) {
             World::Nothing(memory) => Ok(memory),
             World::Plan(builder) => Ok(builder.into_memory()),
-            World::Home(home, _) => Ok(home.into_memory()),
+            World::Here(Surroundings::Home(home), _) => Ok(home.into_memory()),
             _ => Err(GoodbotStatus::World.into()),
         }
     }
@@ -68,6 +47,7 @@ pub(crate) struct Plot {
     at: NonNull<Goodbot>,
     pub(crate) home: HomeArena,
     agent: AgentArena,
+    #[cfg_attr(not(feature = "table"), expect(dead_code, reason = "only a table takes more of it"))]
     pub(crate) arena: Arena,
 }
 

@@ -1,7 +1,8 @@
 //! Hear, plan, decide, feedback, learn.
 
-use crate::robot::{Goodbot, World, give, text, with};
+use crate::robot::{Goodbot, give, text, with};
 use crate::status::{Failure, GoodbotStatus};
+use crate::world::World;
 use core::ffi::c_char;
 use goodbot::feedback::{Feedback, LAGS, Strategy};
 use goodbot::oomdp::{Action, apply};
@@ -36,14 +37,11 @@ pub const GOODBOT_EVIDENCE_NOTHING: u32 = 1;
 /// It is impossible whatever the task and the trainer, and was ignored.
 pub const GOODBOT_EVIDENCE_IMPOSSIBLE: u32 = 2;
 
-/// Runs an expression on the world and its state, whichever it is.
+/// Runs an expression on the world and its state, where there is one.
 macro_rules! in_world {
     ($world:expr, |$domain:ident, $state:ident| $run:expr) => {
         match $world {
-            #[cfg(feature = "home")]
-            World::Home($domain, $state) => $run,
-            #[cfg(feature = "table")]
-            World::Table($domain, $state) => $run,
+            World::Here($domain, $state) => $run,
             #[cfg(feature = "home")]
             World::Nothing(_) | World::Plan(_) | World::Changing => return Err(GoodbotStatus::NoWorld.into()),
         }

@@ -198,6 +198,27 @@ impl<S: Copy + PartialEq> Lesson<S> {
         D: Domain<State = S> + ?Sized,
         R: Rng + ?Sized,
     {
+        self.act_in(agent, domain, trainer, random, |_, _, expected, _| expected)
+    }
+
+    /// The same in a world that may do something else than the description says. `happens` carries the decision out: it is given the state
+    /// that should follow, and returns the state that is sensed.
+    ///
+    /// # Errors
+    /// [`CourseError`].
+    pub fn act_in<D, R, M>(
+        &mut self,
+        agent: &mut Agent<M>,
+        domain: &D,
+        trainer: &impl Trainer,
+        random: &mut R,
+        happens: impl FnOnce(&Agent<M>, Decision, S, &mut R) -> S,
+    ) -> Result<Turn, CourseError>
+    where
+        D: Domain<State = S> + ?Sized,
+        R: Rng + ?Sized,
+        M: AgentMemory,
+    {
         let right = agent.planned().optimal(self.intended);
         if let Some(ending) = self.ending(right) {
             return Ok(Turn::Ended(ending));
@@ -206,8 +227,9 @@ impl<S: Copy + PartialEq> Lesson<S> {
         self.understood.get_or_insert(decision.task == self.intended);
         // The trainer takes a way that only seems shortest for one.
         let correct = right.exact().or(right.onward()).is_some_and(|actions| actions.contains(decision.action));
+        let expected = agent.acted(domain, &self.state, decision.action)?;
+        let next = happens(agent, decision, expected, random);
         let feedback = trainer.feedback(correct, random);
-        let next = agent.acted(domain, &self.state, decision.action)?;
         let evidence = agent.feedback(feedback)?;
         self.feedback.count(feedback);
         self.rests = if right == OptimalSet::Goal && decision.action == Action::NOOP { self.rests.saturating_add(1) } else { 0 };

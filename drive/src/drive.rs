@@ -135,6 +135,11 @@ struct Leg {
     phase: Phase,
 }
 
+/// A value that is no further from 0 than `most`. The standard library's own function panics where its bounds are not numbers.
+fn within(value: f32, most: f32) -> f32 {
+    value.min(most).max(-most)
+}
+
 /// Drives the robot from cell to cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drive {
@@ -270,9 +275,9 @@ impl Drive {
     /// Brings the wheels nearer to this speed ahead, while the robot turns by what it is off its heading.
     fn set(&mut self, motion: Motion, speed: f32, off: f32, pace: f32, seconds: f32) -> Step {
         let fastest = pace * self.limits.turn;
-        let rim = (TURN_GAIN * off).clamp(-fastest, fastest) * self.limits.track / 2.0;
+        let rim = within(TURN_GAIN * off, fastest) * self.limits.track / 2.0;
         let most = self.limits.acceleration * seconds.max(0.0);
-        let nearer = |now: f32, wanted: f32| now + (wanted - now).clamp(-most, most);
+        let nearer = |now: f32, wanted: f32| now + within(wanted - now, most);
         self.wheels = Wheels { left: nearer(self.wheels.left, speed - rim), right: nearer(self.wheels.right, speed + rim) };
         Step { wheels: self.wheels, motion }
     }

@@ -1,5 +1,5 @@
 //! Gives the linker the micro:bit's memory: the stack below everything else in the RAM, as on the other boards, and the last pages of the
-//! flash left to what the robot learns.
+//! flash left to a home that somebody chose and to what the robot learns.
 
 use std::path::PathBuf;
 use std::{env, fs};
@@ -7,7 +7,8 @@ use std::{env, fs};
 const MEMORY: &str = "\
 MEMORY
 {
- FLASH : ORIGIN = 0x00000000, LENGTH = 248K
+ FLASH : ORIGIN = 0x00000000, LENGTH = 247K
+ CHOSEN : ORIGIN = 0x0003DC00, LENGTH = 1K
  LEARNED : ORIGIN = 0x0003E000, LENGTH = 8K
  STACK : ORIGIN = 0x20000000, LENGTH = 3840
  RAM : ORIGIN = 0x20000F00, LENGTH = 12544

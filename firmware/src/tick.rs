@@ -16,10 +16,10 @@ use goodbot_drill::{Budget, SEED, Watch, Work, run};
 
 static mut MEMORY: memory::RobotMemory = memory::RobotMemory::new();
 
-/// Instructions of one tick: 10 ms of a processor that does 100 million a second.
-const TICK: u32 = 1_000_000;
+/// Instructions of one tick: 10 ms of a micro:bit's processor, which does at most 16 million a second, or of the other boards' 25 million.
+const TICK: u32 = if cfg!(feature = "microbit") { 160_000 } else { 250_000 };
 /// What one turn of the loop may do.
-const BUDGET: Budget = Budget { hear: 1, plan: 50, finish: 1, learn: 100 };
+const BUDGET: Budget = Budget { hear: 1, plan: 8, finish: 1, learn: 16 };
 
 /// The loop: after each call it sleeps until the next tick.
 struct Loop {

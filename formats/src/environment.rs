@@ -9,6 +9,8 @@
 //! | `agent` | `name`, `x`, `y` |
 //! | `block` | `name`, `x`, `y`, `color`, `shape` |
 //!
+//! With `"derived": true`, the home tells derived facts too, such as which room is the leftmost or the largest.
+//!
 //! Cells are whole numbers of 32 bits, x to the east, y to the north. Names are unique and such
 //! that a [task](crate::task_text) can hold them. Whether the home makes sense (boxes inside out,
 //! an agent in a wall) is not asked here.
@@ -44,6 +46,9 @@ pub struct EnvironmentFile {
     pub version: u32,
     /// The objects, in the order in which they stand.
     pub objects: Vec<ObjectRecord>,
+    /// Whether the home tells derived facts: which room is the leftmost, the largest, and so on.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub derived: bool,
 }
 
 /// One object of an environment. Boxes are closed: all four edges belong to them.
@@ -114,7 +119,7 @@ impl EnvironmentFile {
     /// An environment of these objects, in the newest version.
     pub fn new(objects: Vec<ObjectRecord>) -> Self {
         let version = KNOWN_VERSIONS[KNOWN_VERSIONS.len() - 1];
-        EnvironmentFile { version, objects }
+        EnvironmentFile { version, objects, derived: false }
     }
 
     /// Reads an environment, be it on one line or on many.
@@ -126,7 +131,8 @@ impl EnvironmentFile {
     pub(crate) fn read(node: Node<'_>) -> Result<Self, FormatError> {
         let file = node.object()?;
         let version = file.version()?;
-        file.only(&["version", "objects"])?;
+        file.only(&["version", "objects", "derived"])?;
+        let derived = file.optional("derived").map(|node| node.truth()).transpose()?.unwrap_or(false);
         let mut names = BTreeSet::new();
         let mut objects = Vec::new();
         for node in file.required("objects")?.list()? {
@@ -138,7 +144,7 @@ impl EnvironmentFile {
             }
             objects.push(object);
         }
-        Ok(EnvironmentFile { version, objects })
+        Ok(EnvironmentFile { version, objects, derived })
     }
 
     /// The environment on one line, without a line end.

@@ -8,6 +8,7 @@
 //! |---|---|
 //! | [`environment`] | a home: rooms, doors, the agent, blocks |
 //! | [`map`] | a home drawn as text |
+//! | [`microbit`] | the file for a BBC micro:bit, with what a robot knows |
 //! | [`session`] | a log of training sessions: commands, steps, feedback |
 //! | [`posterior`] | what the robot believed after each step |
 //! | [`task_text`] | a task as a text, `agentInRoom(agent0,room1)` |
@@ -24,6 +25,7 @@ pub mod environment;
 mod error;
 mod json;
 pub mod map;
+pub mod microbit;
 pub mod posterior;
 pub mod session;
 pub mod task_text;

@@ -9,6 +9,7 @@ use crate::inspect::InspectOptions;
 use crate::learn::LearnOptions;
 use crate::learner::Learner;
 use crate::merge::MergeArgs;
+use crate::microbit::MicrobitOptions;
 use crate::paper::sweep::Sweep;
 use crate::paper::trainer::{BelievedChoice, TrainerChoice};
 use crate::questions::QuestionsOptions;
@@ -100,6 +101,8 @@ pub enum Command {
     Check(CheckArgs),
     /// Print the memory that a robot needs for homes and lessons, as source for a controller
     Size(SizeOptions),
+    /// Write a file for a BBC micro:bit whose robot knows what a model has
+    Microbit(MicrobitOptions),
     Merge(MergeArgs),
     Study(StudyOptions),
     /// Print a home or a session log to begin with

@@ -21,6 +21,7 @@ mod load;
 mod mean;
 mod merge;
 mod messages;
+mod microbit;
 mod misuse;
 mod numbers;
 mod outcome;
@@ -66,6 +67,7 @@ fn main() -> ExitCode {
         Command::Replay(args) => return replay::run(&args),
         Command::Check(args) => return check::run(&args),
         Command::Size(options) => size::run(&options),
+        Command::Microbit(options) => microbit::run(&options),
         Command::Merge(options) => merge::run(&options),
         Command::Evaluate(options) => evaluate::run(&options),
         Command::Study(options) => study::run(&options),

@@ -12,6 +12,8 @@ const MARK: &str = "<!-- drawn by goodbot -->";
 const PAGE_MARK: &str = "<!-- written by goodbot -->";
 /// With what a model begins.
 const MODEL: &[u8] = b"goodbot\0";
+/// With what a micro:bit's file begins: the first record is at the flash's beginning.
+const MICROBIT: &[u8] = b":020000040000FA";
 /// How far into a file the mark is looked for.
 const HEAD: u64 = 4_096;
 
@@ -23,6 +25,7 @@ enum Kind {
     Picture,
     Model,
     Page,
+    Microbit,
 }
 
 impl Kind {
@@ -31,6 +34,7 @@ impl Kind {
             Self::Picture => "picture",
             Self::Model => "model",
             Self::Page => "page",
+            Self::Microbit => "micro:bit's file",
         }
     }
 }
@@ -72,6 +76,14 @@ impl Output {
         Self::new(path, Kind::Page, inputs, force)
     }
 
+    /// A micro:bit's file at this path. `inputs` are the files that are read.
+    ///
+    /// # Errors
+    /// As [`picture`](Self::picture).
+    pub fn microbit<'a>(path: &Path, inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
+        Self::new(path, Kind::Microbit, inputs, force)
+    }
+
     fn new<'a>(path: &Path, kind: Kind, mut inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
         let output = Self { path: path.to_owned(), kind };
         if is_standard(path) {
@@ -110,6 +122,7 @@ impl Output {
         head.is_empty()
             || match self.kind {
                 Kind::Model => head.starts_with(MODEL),
+                Kind::Microbit => head.starts_with(MICROBIT),
                 Kind::Picture => String::from_utf8_lossy(&head).contains(MARK),
                 Kind::Page => String::from_utf8_lossy(&head).contains(PAGE_MARK),
             }
@@ -132,7 +145,7 @@ impl Output {
     pub fn write(&self, bytes: &[u8]) -> Result<(), Failure> {
         let marked;
         let bytes = match self.kind {
-            Kind::Model => bytes,
+            Kind::Model | Kind::Microbit => bytes,
             Kind::Page => {
                 marked = [PAGE_MARK.as_bytes(), b"\n", bytes].concat();
                 &marked

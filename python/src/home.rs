@@ -65,7 +65,8 @@ pub fn built(environment: &EnvironmentFile, moves: Moves, capacities: &Capacitie
             ObjectRecord::Block { name, x, y, color, shape } => builder.block(name, Cell::new(*x, *y), color, shape),
         }?;
     }
-    builder.build(moves)
+    let (rooms, start) = builder.build(moves)?;
+    Ok((rooms.with_derived(environment.derived), start))
 }
 
 /// The objects of a home where they are in a state.
@@ -88,7 +89,7 @@ pub fn environment(rooms: &Rooms, state: &HomeState) -> EnvironmentFile {
             }
         }
     };
-    EnvironmentFile::new(objects.iter().map(|(id, _)| record(id)).collect())
+    EnvironmentFile { derived: rooms.tells_derived(), ..EnvironmentFile::new(objects.iter().map(|(id, _)| record(id)).collect()) }
 }
 
 const fn moves(pull: bool) -> Moves {

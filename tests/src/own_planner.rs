@@ -16,9 +16,9 @@ pub struct OwnPlanner {
 
 impl OwnPlanner {
     /// A planner for these tasks. Fails where they have no room.
-    pub fn new<D: Domain>(capacities: &Capacities, domain: &D, lifted: &[LiftedTask], tasks: &[GroundedTask], state: &D::State) -> Self {
+    pub fn new<D: Domain>(capacities: &Capacities, domain: &D, lifted: &[LiftedTask], tasks: &[GroundedTask]) -> Self {
         let mut own = Self { memory: AgentHeap::new(capacities), planner: Planner::new(), tasks: tasks.len() };
-        own.with_tables(|planner, tables| planner.set_tasks(tables, domain, lifted, tasks, state)).expect("room for the goals");
+        own.with_tables(|planner, tables| planner.set_tasks(tables, domain, lifted, tasks)).expect("room for the goals");
         own
     }
 

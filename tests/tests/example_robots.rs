@@ -11,7 +11,7 @@ mod teach;
 
 use arm::{Arm, Shelf};
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::Domain;
+use goodbot::oomdp::{Domain, check};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use lamps::{House, Lamps};
@@ -95,4 +95,13 @@ fn a_robot_made_of_tables_learns_its_floors() {
         ],
         &[(0, "to the roof", "up up up", 3), (3, "to the shop please", "down down", 1)],
     );
+}
+
+#[test]
+fn the_robots_of_the_examples_are_sound_in_every_state() {
+    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let arm = Arm::new(memory.home.lend().objects).unwrap();
+    assert!(check(&arm, Shelf { arm: 0, things: [1, 2] }, 10_000).unwrap().all);
+    let lamps = Lamps::new(memory.home.lend().objects).unwrap();
+    assert!(check(&lamps, House { room: 1, on: 5 }, 10_000).unwrap().all);
 }

@@ -32,7 +32,7 @@ fn seen(seed: u64) -> Seen {
     let mut tasks = [GroundedTask::UNUSED; 64];
     let count = ground(&home, &lifted, &start, &mut tasks).unwrap();
     let sweep = Sweep::new(&home, &start, &lifted, &tasks[..count]);
-    let mut planner = OwnPlanner::new(&capacities, &home, &lifted, &tasks[..count], &start);
+    let mut planner = OwnPlanner::new(&capacities, &home, &lifted, &tasks[..count]);
     let (mut seen, mut state) = (Seen::default(), start);
     for _ in 0..60 {
         let plan = planner.plan_for(&home, &state, TaskSet::first(count), 1_000);

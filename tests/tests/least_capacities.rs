@@ -36,7 +36,7 @@ fn lessons<S>(taught: &Taught<'_, S>) -> Lessons {
 /// The least capacities that roomy memory gives for this robot.
 fn least<D: Domain>(domain: &D, tasks: &[LiftedTask], options: Options, taught: &Taught<'_, D::State>) -> Capacities {
     let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), tasks, options).unwrap();
-    let least = agent.least_capacities(domain, &taught[0].0, &lessons(taught)).unwrap();
+    let least = agent.least_capacities(domain, &lessons(taught)).unwrap();
     assert_eq!(agent.usage(), Agent::new(AgentHeap::new(&Capacities::STANDARD), tasks, options).unwrap().usage(), "the desk is clean");
     least
 }

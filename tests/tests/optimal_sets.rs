@@ -23,7 +23,7 @@ fn compare<D: Domain>(domain: &D, start: &D::State, lifted: &[LiftedTask], every
     let truth = BruteForce::new(domain, start, lifted, tasks);
     // State numbers that lie far apart have no room in a sweep.
     let sweep = (domain.state_count() < 1 << 24).then(|| Sweep::new(domain, start, lifted, tasks));
-    let (mut planner, mut compared) = (OwnPlanner::new(&ROOMY, domain, lifted, tasks, start), 0);
+    let (mut planner, mut compared) = (OwnPlanner::new(&ROOMY, domain, lifted, tasks), 0);
     for (position, state) in truth.states.iter().enumerate().step_by(every) {
         let plan = planner.plan_for(domain, state, TaskSet::first(count), 100);
         assert!(plan.unknown().is_empty() && plan.approximate().is_empty());
@@ -90,7 +90,7 @@ fn a_search_that_runs_out_of_memory_says_unknown_and_never_anything_wrong() {
     let count = ground(&robot, &lifted, &start, &mut tasks).unwrap();
     let truth = BruteForce::new(&robot, &start, &lifted, &tasks[..count]);
     let bounded = Capacities { states: 4_096, hashed_states: 300, ..ROOMY };
-    let mut planner = OwnPlanner::new(&bounded, &robot, &lifted, &tasks[..count], &start);
+    let mut planner = OwnPlanner::new(&bounded, &robot, &lifted, &tasks[..count]);
     let (mut known, mut unknown) = (0, 0);
     for (position, state) in truth.states.iter().enumerate().step_by(13) {
         let plan = planner.plan_for(&robot, state, TaskSet::first(count), 50);

@@ -33,8 +33,8 @@ fn compare(random: &mut Pcg32, size: Size, moves: Moves, budget: u32, goal_entri
     let kinds = if size.columns * size.rows * size.blocks > 8 { 2 } else { 3 };
     let count = ground(&home, &lifted[..kinds], &start, &mut tasks).unwrap();
     let one_by_one = WithoutGrid { domain: &home };
-    let mut rows = OwnPlanner::new(&capacities, &home, &lifted, &tasks[..count], &start);
-    let mut states = OwnPlanner::new(&ROOMY, &one_by_one, &lifted, &tasks[..count], &start);
+    let mut rows = OwnPlanner::new(&capacities, &home, &lifted, &tasks[..count]);
+    let mut states = OwnPlanner::new(&ROOMY, &one_by_one, &lifted, &tasks[..count]);
     let mut state = start;
     for step in 0..8 {
         let wanted = if step == 3 { TaskSet::of(count / 2) } else { TaskSet::first(count) };
@@ -97,7 +97,7 @@ fn go_to_the_other_room(areas: [Area; 2], door: Cell) -> [u32; 5] {
     let mut tasks = [GroundedTask::UNUSED; 64];
     let count = ground(&home, &lifted, &start, &mut tasks).unwrap();
     let capacities = Capacities { states: 1 << 16, ..ROOMY };
-    let mut planner = OwnPlanner::new(&capacities, &home, &lifted, &tasks[..count], &start);
+    let mut planner = OwnPlanner::new(&capacities, &home, &lifted, &tasks[..count]);
     planner.begin(&home, &start, TaskSet::first(count));
     let mut calls = 1;
     while planner.advance(&home, &start, 50) == Progress::Working {

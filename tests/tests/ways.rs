@@ -181,7 +181,7 @@ fn compare<D: Domain>(capacities: &Capacities, domain: &D, start: &D::State, lif
     let count = ground(domain, lifted, start, &mut tasks).unwrap();
     let tasks = &mut tasks[..count];
     let products: Vec<_> = tasks.iter().map(|task| Product::new(domain, start, task, &lifted[usize::from(task.lifted)])).collect();
-    let mut planner = OwnPlanner::new(capacities, domain, lifted, tasks, start);
+    let mut planner = OwnPlanner::new(capacities, domain, lifted, tasks);
     let mut compared = Compared::default();
     let numbers: Vec<u64> = products.first().map_or(vec![], |product| product.of_state.keys().copied().collect());
     for (position, number) in numbers.into_iter().enumerate().step_by(every) {
@@ -300,7 +300,7 @@ fn a_search_that_runs_out_of_memory_says_unknown_of_ways_and_never_anything_wron
     let count = ground(&home, &lifted, &start, &mut tasks).unwrap();
     let products: Vec<_> = tasks[..count].iter().map(|task| Product::new(&home, &start, task, &lifted[0])).collect();
     let bounded = Capacities { states: 64, hashed_states: 48, ..ROOMY };
-    let mut planner = OwnPlanner::new(&bounded, &home, &lifted, &tasks[..count], &start);
+    let mut planner = OwnPlanner::new(&bounded, &home, &lifted, &tasks[..count]);
     let plan = planner.plan_for_ways(&home, &start, &lifted, &tasks[..count], 50);
     let mut unknown = 0;
     for (task, product) in products.iter().enumerate() {
@@ -319,7 +319,7 @@ fn the_least_states_have_room_for_every_layer_of_a_way() {
     let (home, start) = random_home(&mut Pcg32::new(20, 20), size, Moves::Push, &mut memory.home);
     let least = |texts: &[&str]| {
         let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), &kinds(texts), Options::DEFAULT).unwrap();
-        agent.least_capacities(&home, &start, &Lessons::new(4, 8)).unwrap().states
+        agent.least_capacities(&home, &Lessons::new(4, 8)).unwrap().states
     };
     let way = "agentInRoom(?a,?goal) through agentInRoom(?a,?via) through agentInRoom(?a,?other)";
     let states = least(&[way]);
@@ -329,7 +329,7 @@ fn the_least_states_have_room_for_every_layer_of_a_way() {
     let count = ground(&home, &lifted, &start, &mut tasks).unwrap();
     let unknown = |states: usize| {
         let capacities = Capacities { states, hashed_states: 0, ..ROOMY };
-        let mut planner = OwnPlanner::new(&capacities, &home, &lifted, &tasks[..count], &start);
+        let mut planner = OwnPlanner::new(&capacities, &home, &lifted, &tasks[..count]);
         let plan = planner.plan_for_ways(&home, &start, &lifted, &tasks[..count], 50);
         (0..count).filter(|&task| plan.optimal(task) == OptimalSet::Unknown).count()
     };
@@ -345,7 +345,7 @@ fn nothing_is_known_of_a_way_that_the_planner_is_not_told_of() {
     let lifted = kinds(&["agentInRoom(?a,?goal)", "agentInRoom(?a,?goal) avoiding agentInRoom(?a,?not)"]);
     let mut tasks = [GroundedTask::UNUSED; 64];
     let count = ground(&home, &lifted, &start, &mut tasks).unwrap();
-    let mut planner = OwnPlanner::new(&ROOMY, &home, &lifted, &tasks[..count], &start);
+    let mut planner = OwnPlanner::new(&ROOMY, &home, &lifted, &tasks[..count]);
     let plan = planner.plan_for(&home, &start, TaskSet::first(count), 100);
     for (position, task) in tasks[..count].iter().enumerate() {
         assert_eq!(plan.optimal(position) == OptimalSet::Unknown, task.lifted == 1);

@@ -74,7 +74,7 @@ fn try_home(seed: u64, size: Size, states: usize, seen: &mut Seen) {
     let mut tasks = [GroundedTask::UNUSED; 64];
     let count = ground(&home, &lifted, &start, &mut tasks).unwrap();
     let sweep = Sweep::new(&home, &start, &lifted, &tasks[..count]);
-    let planner = OwnPlanner::new(&capacities, &home, &lifted, &tasks[..count], &start);
+    let planner = OwnPlanner::new(&capacities, &home, &lifted, &tasks[..count]);
     let of_blocks = (0..count).filter(|&task| tasks[task].lifted == 1).fold(TaskSet::EMPTY, TaskSet::with);
     let mut scene = Scene { home: &home, planner, sweep, of_blocks };
 

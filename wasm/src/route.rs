@@ -38,14 +38,8 @@ impl Scout {
     ///
     /// # Errors
     /// A [`CapacityError`] where they are too many.
-    pub fn set_tasks<M: HomeMemory>(
-        &mut self,
-        home: &Home<M>,
-        lifted: &[LiftedTask],
-        tasks: &[GroundedTask],
-        state: &HomeState,
-    ) -> Result<(), CapacityError> {
-        self.planner.set_tasks(&mut Self::tables(&mut self.memory), home, lifted, tasks, state)
+    pub fn set_tasks<M: HomeMemory>(&mut self, home: &Home<M>, lifted: &[LiftedTask], tasks: &[GroundedTask]) -> Result<(), CapacityError> {
+        self.planner.set_tasks(&mut Self::tables(&mut self.memory), home, lifted, tasks)
     }
 }
 

@@ -92,8 +92,8 @@ impl World {
     pub(crate) fn record(&mut self, command: &str, continues: bool) -> Result<(), Refusal> {
         let environment = self.environment_now();
         let actions = self.pulls().then_some(PULLING);
-        let Self { mind, scout, rooms, state, .. } = self;
-        scout.set_tasks(rooms, mind.lifted(), mind.tasks(), state).map_err(Refusal::from)?;
+        let Self { mind, scout, rooms, .. } = self;
+        scout.set_tasks(rooms, mind.lifted(), mind.tasks()).map_err(Refusal::from)?;
         let known = mind.belief().strategies();
         let strategies = if continues { None } else { strategies(known) };
         let command = command.to_owned();

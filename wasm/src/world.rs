@@ -98,7 +98,8 @@ fn build(file: &EnvironmentFile, moves: Moves) -> Result<(Home<HomeHeap>, HomeSt
         }
         .map_err(refuse)?;
     }
-    builder.build(moves).map_err(refuse)
+    let (home, start) = builder.build(moves).map_err(refuse)?;
+    Ok((home.with_derived(file.derived), start))
 }
 
 /// A robot that has learned more than the page's own, on another machine, keeps its room.

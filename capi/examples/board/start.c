@@ -1,25 +1,61 @@
-/* Starts a C program on the emulated board; its output and its exit code go through semihosting. */
+/* Starts a C program on the emulated board; its output and its exit code go through semihosting. At the end it says what the program took:
+   the deepest stack, by the paint that it has worn off, and instructions, by a counter that the emulator advances by so much for each. */
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 extern uint32_t data_begin[], data_end[], data_source[], bss_begin[], bss_end[], stack_top[];
 extern void initialise_monitor_handles(void);
 extern int main(void);
 
+#define PAINT 0xCCCCCCCCu
+/* So much of the RAM's end is painted: more than any program here may take. */
+#define STACK_WORDS (16 * 1024 / 4)
+
+/* SysTick: control, reload and current value. It counts 25 million times a second down from its reload value, and an instruction takes 64 ns. */
+static volatile uint32_t *const systick = (volatile uint32_t *)0xE000E010;
+#define PERIOD 0x1000000u
+static volatile uint32_t periods;
+
+static void tick(void) { periods++; }
+
+static uint32_t instructions(void) {
+    uint32_t before, left;
+    do {
+        before = periods;
+        left = systick[2];
+    } while (periods != before);
+    return (uint32_t)(((uint64_t)before * PERIOD + (PERIOD - left)) * 25 / 40);
+}
+
+static uint32_t deepest(void) {
+    uint32_t *at = stack_top - STACK_WORDS;
+    while (at < stack_top && *at == PAINT) at++;
+    return (uint32_t)(stack_top - at) * 4;
+}
+
 void start(void) {
     *(volatile uint32_t *)0xE000ED88 |= 0xF << 20; /* the floating-point unit on */
     for (uint32_t *to = data_begin, *from = data_source; to < data_end;) *to++ = *from++;
     for (uint32_t *to = bss_begin; to < bss_end;) *to++ = 0;
+    uintptr_t here = (uintptr_t)__builtin_frame_address(0);
+    for (volatile uint32_t *to = stack_top - STACK_WORDS; (uintptr_t)to < here - 256;) *to++ = PAINT;
     initialise_monitor_handles();
-    exit(main());
+    systick[1] = PERIOD - 1;
+    systick[2] = 0;
+    systick[0] = 7;
+    int code = main();
+    uint32_t taken = instructions(), stack = deepest();
+    printf("stack %lu\ninstructions %lu\n", (unsigned long)stack, (unsigned long)taken);
+    exit(code);
 }
 
 void fault(void) { _Exit(99); }
 
 __attribute__((section(".vectors"), used)) static const struct {
     uint32_t *top;
-    void (*handlers[6])(void);
-} vectors = {stack_top, {start, fault, fault, fault, fault, fault}};
+    void (*handlers[15])(void);
+} vectors = {stack_top, {start, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, tick}};
 
 /* What newlib looks for and a static program without constructors does not need. */
 void _init(void) {}

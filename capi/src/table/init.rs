@@ -8,9 +8,10 @@ use super::domain::{Parts, Steps, TableDomain};
 use crate::arena::{Arena, HomeArena, after};
 use crate::beliefs::Writer;
 use crate::capacities::GoodbotCapacities;
-use crate::robot::{Goodbot, World, give, list, plot, settle, text, with};
+use crate::robot::{Goodbot, give, list, plot, settle, text, with};
 use crate::status::{At, Failure, GoodbotStatus, Place, text_of};
 use crate::tasks::kinds_of_tasks;
+use crate::world::{Standing, Surroundings, World};
 use core::ffi::{c_char, c_void};
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::memory::HomeMemory;
@@ -149,7 +150,8 @@ unsafe fn init(
         let world = |mut memory: HomeArena| {
             let objects = objects(table, &mut memory)?;
             let (holds, context, states) = (table.holds, table.context, table.state_count);
-            Ok(World::Table(TableDomain { schema, memory, objects, actions, steps, holds, context, states }, table.start))
+            let domain = TableDomain { schema, memory, objects, actions, steps, holds, context, states };
+            Ok(World::Here(Surroundings::Table(domain), Standing::Table(table.start)))
         };
         settle(plot, &tasks, world, robot)
     }
@@ -306,7 +308,9 @@ pub unsafe extern "C" fn goodbot_table_set_state(robot: *mut Goodbot, state: u32
     unsafe {
         with(robot, |robot| {
             #[allow(irrefutable_let_patterns, reason = "without the feature home there is nothing else")]
-            let World::Table(domain, now) = &mut robot.world else { return Err(GoodbotStatus::World.into()) };
+            let World::Here(Surroundings::Table(domain), Standing::Table(now)) = &mut robot.world else {
+                return Err(GoodbotStatus::World.into());
+            };
             if state >= domain.states() {
                 return Err(GoodbotStatus::Number.into());
             }
@@ -326,7 +330,7 @@ pub unsafe extern "C" fn goodbot_table_state(robot: *mut Goodbot, state: *mut u3
     unsafe {
         with(robot, |robot| {
             #[allow(irrefutable_let_patterns, reason = "without the feature home there is nothing else")]
-            let World::Table(_, now) = &robot.world else { return Err(GoodbotStatus::World.into()) };
+            let World::Here(_, Standing::Table(now)) = &robot.world else { return Err(GoodbotStatus::World.into()) };
             give(state, *now)
         })
     }

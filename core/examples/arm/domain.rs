@@ -84,8 +84,8 @@ impl Domain for Arm<'_> {
         match action.0 {
             0 => next.arm = shelf.arm.checked_sub(1)?,
             1 => next.arm = Some(shelf.arm + 1).filter(|&slot| slot < SLOTS)?,
-            2 if thing_in(HAND).is_none() => next.things[thing_in(shelf.arm)?] = HAND,
-            3 if thing_in(shelf.arm).is_none() => next.things[thing_in(HAND)?] = shelf.arm,
+            2 if thing_in(HAND).is_none() => *next.things.get_mut(thing_in(shelf.arm)?)? = HAND,
+            3 if thing_in(shelf.arm).is_none() => *next.things.get_mut(thing_in(HAND)?)? = shelf.arm,
             _ => return None,
         }
         Some(next)
@@ -94,10 +94,10 @@ impl Domain for Arm<'_> {
     fn holds(&self, proposition: &GroundProposition, shelf: &Shelf) -> bool {
         let [subject, slot, _] = proposition.arguments;
         let place = match proposition.proposition {
-            PropositionId(0) => shelf.arm,
-            _ => shelf.things[usize::from(subject.0 - FIRST_THING)],
+            PropositionId(0) => Some(shelf.arm),
+            _ => shelf.things.get(usize::from(subject.0 - FIRST_THING)).copied(),
         };
-        place == slot.0 - FIRST_SLOT
+        place == Some(slot.0 - FIRST_SLOT)
     }
 
     fn state_count(&self) -> u64 {

@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let lift = TableRobot::lift(roomy.home.lend().objects)?;
     let mut desk = Agent::new(&mut roomy.agent, &TableRobot::tasks()?, Options::PAPER)?;
     let lessons = Lessons { different_words: 7, word_bytes: 32, ..Lessons::new(3, 4) };
-    let mut memory = HeapMemory::new(&desk.least_capacities(&lift, &2, &lessons)?);
+    let mut memory = HeapMemory::new(&desk.least_capacities(&lift, &lessons)?);
 
     let lift = TableRobot::lift(memory.home.lend().objects)?;
     let mut agent = Agent::new(&mut memory.agent, &TableRobot::tasks()?, Options::PAPER)?;

@@ -5,6 +5,7 @@ use core::fmt;
 
 /// A table was full: which one, how much it holds, and how much was asked of it (at least).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CapacityError {
     /// What was full.
     pub capacity: Capacity,

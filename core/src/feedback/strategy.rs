@@ -7,6 +7,7 @@ use core::str::FromStr;
 
 /// What the trainer says after an action.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Feedback {
     /// "Good bot."
     Reward,
@@ -49,6 +50,7 @@ impl FromStr for Feedback {
 
 /// There is no feedback of this name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct UnknownFeedback;
 
 impl fmt::Display for UnknownFeedback {
@@ -93,6 +95,7 @@ pub struct Strategy {
 
 /// Which parameter of a strategy is not a probability.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum StrategyError {
     /// mu+ is outside [0, 1] or not a number.

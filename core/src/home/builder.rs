@@ -45,6 +45,7 @@ impl HomeTables<'_> {
 
 /// What is wrong with a home.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Problem {
     /// There is no agent.
@@ -75,6 +76,7 @@ pub enum Problem {
 
 /// What is wrong with a home, and with which of its objects (by the order in which they were added), where it is one of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HomeError {
     /// What is wrong.
     pub problem: Problem,

@@ -39,6 +39,11 @@ impl Area {
         cell.x > self.left && cell.x < self.right && cell.y > self.bottom && cell.y < self.top
     }
 
+    /// Whether the boxes have a cell in common, their edges included.
+    pub const fn meets(&self, other: Self) -> bool {
+        self.left <= other.right && other.left <= self.right && self.bottom <= other.top && other.bottom <= self.top
+    }
+
     pub(super) const fn is_within_reach(&self) -> bool {
         Cell::new(self.left, self.bottom).is_within_reach() && Cell::new(self.right, self.top).is_within_reach()
     }

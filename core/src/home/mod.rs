@@ -3,11 +3,14 @@
 //! - `layout`: where the rooms and doors are, and which cells are free;
 //! - `builder`: a home from its objects, checked;
 //! - `moves`: what north, south, east, west and pull do, and which propositions hold;
+//! - `derived`: what can be said of rooms and blocks by where they are, such as leftmost (feature `derived`);
 //! - `map`: a home drawn as text.
 //!
 //! Cells are integer pairs, x to the east, y to the north.
 
 pub(crate) mod builder;
+#[cfg(feature = "derived")]
+mod derived;
 pub(crate) mod layout;
 pub(crate) mod map;
 pub(crate) mod moves;

@@ -45,6 +45,8 @@ pub struct Home<M> {
     block_count: usize,
     moves: Moves,
     by_places: Divider,
+    #[cfg(feature = "derived")]
+    tells_derived: bool,
 }
 
 impl<M> Home<M> {
@@ -57,7 +59,47 @@ impl<M> Home<M> {
         block_count: usize,
         moves: Moves,
     ) -> Self {
-        Self { memory, objects, place_count, agent, blocks, block_count, moves, by_places: Divider::new(place_count) }
+        Self {
+            memory,
+            objects,
+            place_count,
+            agent,
+            blocks,
+            block_count,
+            moves,
+            by_places: Divider::new(place_count),
+            #[cfg(feature = "derived")]
+            tells_derived: false,
+        }
+    }
+
+    /// The same home, which tells derived facts of its rooms and blocks, or tells them no more: `leftmost`, `rightmost`, `topmost`, `bottommost`, `largest`,
+    /// `smallest`, `nearest`, `farthest`, and `nextToRed` for what a door joins to a red room. They are more machine tokens to learn, so a
+    /// home whose rooms and blocks are told apart by colour and shape does better without.
+    ///
+    /// ```
+    /// use goodbot::{HeapMemory, oomdp::Domain, home::{Area, Cell, HomeBuilder, Moves}};
+    /// let mut memory = HeapMemory::new(&goodbot::Capacities::SMALL);
+    /// let mut builder = HomeBuilder::new(&mut memory.home);
+    /// let small = builder.room("room0", Area::new(0, 0, 4, 4), "red")?;
+    /// builder.room("room1", Area::new(4, 0, 12, 4), "red")?;
+    /// builder.agent("agent0", Cell::new(6, 2))?;
+    /// let (home, state) = builder.build(Moves::Push)?;
+    /// let mut told = vec![];
+    /// home.with_derived(true).tell_derived(&state, small, &mut |fact| told.push(fact.to_string()));
+    /// assert_eq!(told, ["leftmost", "smallest"]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[cfg(feature = "derived")]
+    #[must_use]
+    pub fn with_derived(self, tells_derived: bool) -> Self {
+        Self { tells_derived, ..self }
+    }
+
+    /// Whether it tells derived facts: see [`with_derived`](Self::with_derived).
+    #[cfg(feature = "derived")]
+    pub fn tells_derived(&self) -> bool {
+        self.tells_derived
     }
 
     /// The memory, for another home.
@@ -242,6 +284,13 @@ impl<M: HomeMemory> Domain for Home<M> {
             (*block, rest) = (CellId(cell as u16), more);
         }
         state
+    }
+
+    #[cfg(feature = "derived")]
+    fn tell_derived(&self, state: &HomeState, object: ObjectId, tell: &mut dyn FnMut(&str)) {
+        if self.tells_derived {
+            self.for_each_derived(state, object, tell);
+        }
     }
 }
 

@@ -209,13 +209,6 @@ impl<'t> LanguageRef<'t> {
         }
     }
 
-    /// The role model's q_l(e): how probable the command's words make a lifted task, by its token, whatever is in the scene.
-    pub fn kind_of_task(self, sentence: &[Option<Symbol>], form: Symbol) -> f32 {
-        let layout = self.tables.layout();
-        let known = self.known(sentence);
-        roles::kind::share(layout, self.tables.cells().1, &known, sentence.len().saturating_sub(known.len()), form)
-    }
-
     /// Lets the role model's kind of task speak: with weights of pi_t Pr(e|t) for tasks of lifted tasks with these tokens, makes of them
     ///
     /// ```text
@@ -234,7 +227,8 @@ impl<'t> LanguageRef<'t> {
         if !self.settings.model.is_roles() || self.tables.words() == 0 {
             return;
         }
-        let count = weights.len();
+        let (count, layout, known) = (weights.len(), self.tables.layout(), self.known(sentence));
+        let kinds = roles::kind::Kinds::of(layout, self.tables.cells().1, &known, sentence.len().saturating_sub(known.len()));
         for first in 0..count {
             let token = form(first);
             if (0..first).any(|before| form(before) == token) {
@@ -242,8 +236,8 @@ impl<'t> LanguageRef<'t> {
             }
             let whole = total(weights.iter().enumerate().filter(|&(task, _)| form(task) == token).map(|(_, &weight)| weight));
             let root = whole.square_root();
-            let root = if self.tables.layout().has_ways() { root.times(root.square_root()) } else { root };
-            let kind = self.kind_of_task(sentence, token);
+            let root = if layout.has_ways() { root.times(root.square_root()) } else { root };
+            let kind = kinds.share(layout, token);
             for (_, weight) in weights.iter_mut().enumerate().filter(|&(task, _)| form(task) == token) {
                 *weight = weight.divided_by(root).scaled_by(kind);
             }

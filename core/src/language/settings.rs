@@ -117,6 +117,7 @@ pub(crate) fn is_weight(value: f32) -> bool {
 
 /// A setting that is out of range, with its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum SettingError {
     /// [`Settings::model`]: it was not built in.

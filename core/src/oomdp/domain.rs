@@ -1,9 +1,12 @@
 //! The seam: what a robot brings of its own.
 
+#[cfg(feature = "derived")]
+use super::ObjectId;
 use super::{GroundProposition, Objects, PushGrid, Schema, SearchKind};
 
 /// An action, by its position in [`Domain::actions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Action(pub u8);
 
 impl Action {
@@ -15,6 +18,7 @@ impl Action {
 
 /// A set of actions, one bit each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ActionSet(pub u16);
 
 impl ActionSet {
@@ -102,7 +106,10 @@ pub struct World<'a> {
 ///    [`numbered`](Self::numbered);
 /// 3. say what the actions do ([`step`](Self::step)) and which propositions hold ([`holds`](Self::holds));
 /// 4. set `type Search =` [`OneByOne`](super::OneByOne). A robot that moves pieces on a floor of cells can implement
-///    [`PushGrid`](super::PushGrid) as well and set [`BitRows`](super::BitRows), which is many times faster.
+///    [`PushGrid`](super::PushGrid) as well and set [`BitRows`](super::BitRows), which is many times faster;
+/// 5. in a test, let [`check`](super::check) try all that this page asks for, in every state that the robot can come to;
+/// 6. name the tasks that commands may mean: [`LiftedTask::parse`](crate::task::LiftedTask::parse) reads them, such as
+///    `cupInPlace(?c, ?p)`. Give them to [`Agent::new`](crate::Agent::new), and the domain and its state to all that the agent does.
 ///
 /// An agent tells one domain from another, so that no plan serves where it was not made: by their objects and the values of these, their
 /// actions, their number of states and, for a [`PushGrid`](super::PushGrid), the floor. Where two domains differ in nothing but what
@@ -139,6 +146,12 @@ pub trait Domain {
 
     /// Returns the state with this number. It is called only with numbers that [`number`](Self::number) returned.
     fn numbered(&self, number: u64) -> Self::State;
+
+    /// Tells what can be said of an object in this state beside its attributes: derived facts, each one word such as `leftmost` or
+    /// `largest`. The role model takes them for values of one more attribute, where the schema has room for one more. A domain need not
+    /// tell any.
+    #[cfg(feature = "derived")]
+    fn tell_derived(&self, _state: &Self::State, _object: ObjectId, _tell: &mut dyn FnMut(&str)) {}
 }
 
 /// The cost of an action, at least 1; 1 for an action that the domain does not have.

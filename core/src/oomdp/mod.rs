@@ -5,10 +5,12 @@
 //! - `objects`: the objects of one environment;
 //! - `domain`: the [`Domain`] trait, the seam where a robot brings its own states and actions;
 //! - `push_grid`: the optional [`PushGrid`] trait, for robots that move pieces on a floor of cells;
+//! - `check`: whether a domain is what the trait asks for;
 //! - `search_kind`: which search plans for a domain;
 //! - `vocabulary`: the digest that tells vocabularies apart;
 //! - `divider`: exact division through a reciprocal.
 
+pub(crate) mod check;
 pub(crate) mod divider;
 pub(crate) mod domain;
 pub(crate) mod objects;
@@ -17,6 +19,10 @@ pub(crate) mod schema;
 pub(crate) mod search_kind;
 pub(crate) mod vocabulary;
 
+pub use check::DomainFlaw;
+pub(crate) use check::check_actions;
+#[cfg(feature = "alloc")]
+pub use check::{Checked, check};
 pub use divider::Divider;
 pub use domain::{Action, ActionKind, ActionSet, Domain, MOST_COST, World, action_name, action_named, apply};
 pub(crate) use domain::{cost, digest, own_actions};

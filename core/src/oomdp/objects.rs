@@ -8,6 +8,7 @@ use core::fmt;
 
 /// An object, by its position among the [`Objects`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ObjectId(pub u8);
 
 impl ObjectId {
@@ -54,6 +55,7 @@ crate::memory::tables! {
 
 /// Why an object could not be added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum ObjectError {
     /// Another object has this name.

@@ -82,6 +82,12 @@ impl Piece {
 /// - any other action changes nothing unless a piece is beside the robot;
 /// - one action moves a piece by at most one cell.
 pub trait PushGrid: Domain {
+    /// Whether this domain is such a floor at all. One type may stand for domains of several kinds; where this is false, states are expanded
+    /// one by one, and nothing below is asked.
+    fn is_floor(&self) -> bool {
+        true
+    }
+
     /// The floor.
     fn floor(&self) -> Floor<'_>;
 

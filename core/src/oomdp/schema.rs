@@ -7,10 +7,12 @@ use crate::capacity::ARGUMENTS;
 
 /// A class of objects, by its position in [`Schema::classes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ClassId(pub u8);
 
 /// A propositional function, by its position in [`Schema::propositions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PropositionId(pub u8);
 
 /// A class of objects: `room`, `block`.

@@ -44,7 +44,7 @@ impl<D: PushGrid + ?Sized> SearchKind<D> for BitRows {
 
     #[inline]
     fn grid(domain: &D) -> Option<&D> {
-        Some(domain)
+        domain.is_floor().then_some(domain)
     }
 }
 

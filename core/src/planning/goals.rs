@@ -42,7 +42,9 @@ crate::memory::tables! {
 pub(super) struct GoalTable {
     parts: usize,
     all: TaskSet,
-    /// Cells of each piece in the table; 0 where there is no table.
+    /// Entries of the table that are filled.
+    filled: usize,
+    /// Cells of each piece in the table; 0 until it is filled, and where there is none.
     tabled_cells: usize,
     /// The tasks that ask for the cell of the robot, for that of another piece, and for something that no single cell decides.
     of_robot: TaskSet,
@@ -54,19 +56,19 @@ impl GoalTable {
     pub(super) const EMPTY: Self = Self {
         parts: 0,
         all: TaskSet::EMPTY,
+        filled: 0,
         tabled_cells: 0,
         of_robot: TaskSet::EMPTY,
         of_others: TaskSet::EMPTY,
         of_several: TaskSet::EMPTY,
     };
 
-    /// Fills the tables for these tasks. `state` is any state of the domain.
-    pub(super) fn fill<D: Domain + ?Sized>(
+    /// Lists what these tasks are made of. The table of cells is left to [`tabulate`](Self::tabulate).
+    pub(super) fn list<D: Domain + ?Sized>(
         memory: &mut GoalMemory<'_>,
         domain: &D,
         lifted: &[LiftedTask],
         tasks: &[GroundedTask],
-        state: &D::State,
     ) -> Result<Self, CapacityError> {
         let grid = D::Search::grid(domain);
         let mut table = Self { all: TaskSet::first(tasks.len()), ..Self::EMPTY };
@@ -91,27 +93,30 @@ impl GoalTable {
                 table.parts = table.parts.saturating_add(1);
             }
         }
-        if let Some(grid) = grid {
-            table.tabulate(memory, grid, state);
-        }
         Ok(table)
     }
 
-    fn tabulate<G: PushGrid + ?Sized>(&mut self, memory: &mut GoalMemory<'_>, grid: &G, state: &G::State) {
-        let (cells, pieces) = (grid.floor().cells.len(), grid.pieces());
-        if cells.checked_mul(pieces).is_none_or(|entries| entries > memory.entries.len()) {
-            return;
-        }
-        let mut entries = memory.entries.iter_mut();
-        for piece in (0..pieces).map(|piece| Piece(piece as u8)) {
-            for cell in grid.floor().ids() {
-                let there = Goals { table: self, parts: memory.parts, entries: &[] }.allowed_by(grid, state, piece, cell);
-                if let Some(entry) = entries.next() {
-                    *entry = there;
-                }
+    /// Whether the table of cells is not filled yet. A domain without a floor, or with more cells than entries, has none.
+    pub(super) fn is_to_tabulate<G: PushGrid + ?Sized>(&self, entries: usize, grid: &G) -> bool {
+        self.tabled_cells == 0 && grid.floor().cells.len().checked_mul(grid.pieces()).is_some_and(|all| all > 0 && all <= entries)
+    }
+
+    /// Goes on filling the table of cells, at most this many. `state` is any state of the domain.
+    pub(super) fn tabulate<G: PushGrid + ?Sized>(&mut self, memory: &mut GoalMemory<'_>, grid: &G, state: &G::State, most: usize) {
+        let cells = grid.floor().cells.len();
+        let all = cells.saturating_mul(grid.pieces());
+        for at in (self.filled..all).take(most) {
+            let piece = Piece(at.checked_div(cells).unwrap_or(0) as u8);
+            let cell = CellId(at.checked_rem(cells).unwrap_or(0) as u16);
+            let there = Goals { table: self, parts: memory.parts, entries: &[] }.allowed_by(grid, state, piece, cell);
+            if let Some(entry) = memory.entries.get_mut(at) {
+                *entry = there;
             }
+            self.filled = at.saturating_add(1);
         }
-        self.tabled_cells = cells;
+        if self.filled >= all {
+            self.tabled_cells = cells;
+        }
     }
 
     /// How many distinct ground propositions the tasks are made of.

@@ -36,6 +36,7 @@ pub use ways::Ways;
 
 /// Whether work that is done in parts has come to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[must_use]
 pub enum Progress {
     /// Call again.

@@ -6,6 +6,7 @@ use crate::task::TaskSet;
 
 /// How an action relates to a task's optimal set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Judgement {
     /// The action is in the optimal set.
     Correct,
@@ -17,6 +18,7 @@ pub enum Judgement {
 
 /// What planning tells about one task in one state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum OptimalSet {
     /// The task holds: only doing nothing is right.
     Goal,

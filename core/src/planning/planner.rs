@@ -1,7 +1,8 @@
 //! Plans for one state after another, for the tasks of one session.
 //!
 //! Each plan goes the same way, for all tasks at once:
-//! 1. what holds here, and what is a deadlock, needs no search;
+//! 1. what holds here, and what is a deadlock, needs no search. On a floor with pieces, the first plan of a session tabulates before which
+//!    cells the tasks ask for;
 //! 2. the exact search for all tasks without a way: by rows of bits where the domain is a floor with pieces and the rows fit, else state by
 //!    state. Where the states do not fit either, it looks as far as its hash table reaches, so that near goals are found exactly all the
 //!    same;
@@ -86,6 +87,9 @@ impl<'t> PlanTables<'t> {
     }
 }
 
+/// So many cells of the table of goals take as long as an expansion.
+const CELLS_AN_EXPANSION: usize = 4;
+
 /// The search under way, or what it left in the marks.
 #[derive(Clone, Copy, Debug)]
 enum Marked {
@@ -115,6 +119,11 @@ impl Marked {
 /// What is left to do.
 #[derive(Clone, Copy, Debug)]
 enum Stage {
+    /// The table of goals is filled first; then these tasks are planned for, those last named being dead ends.
+    Tabulate {
+        wanted: TaskSet,
+        dead: TaskSet,
+    },
     /// The tasks with ways that still wait for their search, and all those that have ways to go.
     Exact {
         waiting: TaskSet,
@@ -147,7 +156,7 @@ impl Planner {
         Self { goals: GoalTable::EMPTY, with_ways: TaskSet::EMPTY, found: Found::NOTHING, stage: Stage::Done, marked: Marked::Anything }
     }
 
-    /// Takes the tasks to plan for. `state` is any state of the domain.
+    /// Takes the tasks to plan for.
     ///
     /// # Errors
     /// A [`CapacityError`] where the tasks have more distinct ground propositions than there is room for, or where the domain has more
@@ -158,12 +167,11 @@ impl Planner {
         domain: &D,
         lifted: &[LiftedTask],
         tasks: &[GroundedTask],
-        state: &D::State,
     ) -> Result<(), CapacityError> {
         (self.goals, self.found, self.stage) = (GoalTable::EMPTY, Found::NOTHING, Stage::Done);
         one_by_one::check(domain, tables.marks.len(), tables.hashed.len())?;
         let mut memory = GoalMemory { parts: tables.goal_parts, entries: tables.goal_entries };
-        self.goals = GoalTable::fill(&mut memory, domain, lifted, tasks, state)?;
+        self.goals = GoalTable::list(&mut memory, domain, lifted, tasks)?;
         self.with_ways = Ways { lifted, tasks }.all();
         Ok(())
     }
@@ -178,9 +186,8 @@ impl Planner {
         domain: &D,
         lifted: &[LiftedTask],
         tasks: &[GroundedTask],
-        state: &D::State,
     ) -> Result<(usize, usize), CapacityError> {
-        let table = GoalTable::fill(goals, domain, lifted, tasks, state)?;
+        let table = GoalTable::list(goals, domain, lifted, tasks)?;
         let parts = table.parts();
         let seen = Goals { table: &table, parts: goals.parts, entries: goals.entries };
         let words = D::Search::grid(domain).and_then(|grid| RowSearch::words_needed(grid, &seen, TaskSet::first(tasks.len())));
@@ -201,6 +208,44 @@ impl Planner {
     /// Begins at `state`, for the tasks in `wanted`; those in `dead` are known to be dead ends.
     #[inline(never)]
     pub fn begin<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, wanted: TaskSet, dead: TaskSet) {
+        (self.found, self.stage) = (Found::NOTHING, Stage::Tabulate { wanted, dead });
+        let is_to_tabulate = |grid| self.goals.is_to_tabulate(tables.goal_entries.len(), grid);
+        if !D::Search::grid(domain).is_some_and(is_to_tabulate) {
+            self.begin_search(tables, domain, state, wanted, dead);
+        }
+    }
+
+    /// Goes on with the table of goals, and begins to search once it is filled. Returns the work that it took, in expansions.
+    #[inline(never)]
+    fn tabulate<D: Domain + ?Sized>(
+        &mut self,
+        tables: &mut PlanTables<'_>,
+        domain: &D,
+        state: &D::State,
+        (wanted, dead): (TaskSet, TaskSet),
+        left: u32,
+    ) -> u32 {
+        let Some(grid) = D::Search::grid(domain) else { return 0 };
+        let entries = tables.goal_entries.len();
+        let mut memory = GoalMemory { parts: tables.goal_parts, entries: tables.goal_entries };
+        self.goals.tabulate(&mut memory, grid, state, (left as usize).saturating_mul(CELLS_AN_EXPANSION));
+        if self.goals.is_to_tabulate(entries, grid) {
+            return left;
+        }
+        self.begin_search(tables, domain, state, wanted, dead);
+        1
+    }
+
+    /// Begins to search at `state`, with the table of goals filled.
+    #[inline(never)]
+    fn begin_search<D: Domain + ?Sized>(
+        &mut self,
+        tables: &mut PlanTables<'_>,
+        domain: &D,
+        state: &D::State,
+        wanted: TaskSet,
+        dead: TaskSet,
+    ) {
         self.marked.clear(tables.marks);
         tables.optimal.fill(ActionSet::EMPTY);
         tables.distances.fill(u32::MAX);
@@ -243,7 +288,9 @@ impl Planner {
             if left == 0 {
                 return Progress::Working;
             }
-            if self.found.sought.is_empty() {
+            if let Stage::Tabulate { wanted, dead } = self.stage {
+                left = left.saturating_sub(self.tabulate(tables, domain, state, (wanted, dead), left));
+            } else if self.found.sought.is_empty() {
                 left = left.saturating_sub(self.next_search(tables, domain, state));
             } else {
                 self.search(tables, domain, state, &mut left);

@@ -31,6 +31,7 @@ pub const NEGLIGIBLE: f32 = 1e-9;
 
 /// What the agent does next, and for which task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Decision {
     /// The action.
@@ -43,6 +44,7 @@ pub struct Decision {
 
 /// What came of a piece of evidence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[must_use]
 pub enum Evidence {
     /// The belief has taken it in.
@@ -197,8 +199,8 @@ impl<M: AgentMemory> Agent<M> {
     /// that commands may mean, as many as [`LIFTED_TASKS`] at most.
     ///
     /// # Errors
-    /// [`AgentError::Capacity`] where there are more, or no room for a trainer strategy, and [`AgentError::Setting`] where an option is
-    /// out of range.
+    /// [`AgentError::Capacity`] where there are more, or no room for a trainer strategy, [`AgentError::SameTask`] where one is given twice,
+    /// and [`AgentError::Setting`] where an option is out of range.
     #[inline(never)]
     pub fn new(memory: M, lifted: &[LiftedTask], options: Options) -> Result<Self, AgentError> {
         let mut agent = Self::without_tasks(memory);
@@ -216,6 +218,11 @@ impl<M: AgentMemory> Agent<M> {
         let too_many = CapacityError::new(Capacity::LiftedTasks, LIFTED_TASKS, lifted.len());
         if lifted.len() > LIFTED_TASKS {
             return Err(too_many.into());
+        }
+        for (second, task) in lifted.iter().enumerate() {
+            if let Some(first) = lifted.iter().take(second).position(|other| other == task) {
+                return Err(AgentError::SameTask { first: first as u8, second: second as u8 });
+            }
         }
         self.belief_mut().set_strategies(&[(Strategy::BALANCED, 1.0)])?;
         self.end_session();
@@ -274,6 +281,7 @@ impl<M: AgentMemory> Agent<M> {
         match self.work {
             Work::Hearing(..) => Err(AgentError::StillHearing),
             Work::Weighing(..) | Work::Keeping | Work::Tidying => Err(AgentError::StillFinishing),
+            Work::None if self.language.is_training() => Err(AgentError::StillLearning),
             Work::None if self.start.is_none() || self.ended => Err(AgentError::NoSession),
             Work::None => Ok(()),
         }
@@ -318,11 +326,11 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Takes the first `count` tasks to plan for.
-    pub(super) fn plan_for<D: Domain + ?Sized>(&mut self, domain: &D, count: usize, state: &D::State) -> Result<(), CapacityError> {
+    pub(super) fn plan_for<D: Domain + ?Sized>(&mut self, domain: &D, count: usize) -> Result<(), CapacityError> {
         let AgentTables { session, workspace, .. } = self.memory.lend();
         let tasks = session.tasks.get(..count).unwrap_or(&[]);
         let mut tables = PlanTables::new(session.goals, session.plan, workspace);
-        self.planner.set_tasks(&mut tables, domain, &self.lifted, tasks, state)
+        self.planner.set_tasks(&mut tables, domain, &self.lifted, tasks)
     }
 
     /// Plans for `state`, with at most about `budget` expansions of the search. Call until done; a different state begins anew.

@@ -3,10 +3,12 @@
 use crate::capacity::CapacityError;
 use crate::feedback::belief::BeliefError;
 use crate::language::SettingError;
+use crate::oomdp::DomainFlaw;
 use core::fmt;
 
 /// Why the agent could not do what it was asked.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum AgentError {
     /// The command has no word.
@@ -15,6 +17,15 @@ pub enum AgentError {
     NoTask,
     /// The tasks are written in the vocabulary of another robot: read them with this domain's schema.
     OtherVocabulary,
+    /// The domain is not what [`Domain`](crate::oomdp::Domain) asks for.
+    Domain(DomainFlaw),
+    /// A task was given twice: it would be twice as probable as the others.
+    SameTask {
+        /// Its first position.
+        first: u8,
+        /// Its second position.
+        second: u8,
+    },
     /// The number of the state is not below the domain's `state_count`.
     StateNumber,
     /// No session is under way: hear a command first.
@@ -67,6 +78,12 @@ impl From<CapacityError> for AgentError {
     }
 }
 
+impl From<DomainFlaw> for AgentError {
+    fn from(flaw: DomainFlaw) -> Self {
+        Self::Domain(flaw)
+    }
+}
+
 impl From<SettingError> for AgentError {
     fn from(error: SettingError) -> Self {
         Self::Setting(error)
@@ -106,6 +123,8 @@ impl fmt::Display for AgentError {
                 return write!(f, "the weight of transcript {hypothesis} is {value}; it must be a number of 0 or more");
             }
             Self::NoPrior => "every task's prior is 0; give one of them more",
+            Self::Domain(flaw) => return flaw.fmt(f),
+            Self::SameTask { first, second } => return write!(f, "task {second} is task {first} once more; give each task once"),
             Self::Strategy(error) => return error.fmt(f),
             Self::Setting(error) => return error.fmt(f),
             Self::Capacity(error) => return error.fmt(f),

@@ -8,7 +8,7 @@ use crate::feedback::Belief;
 use crate::language::roles::forward::Reading;
 use crate::language::{LanguageMut, LanguageRef, Meaning};
 use crate::memory::{AgentMemory, AgentTables};
-use crate::oomdp::{Domain, Schema, digest, vocabulary};
+use crate::oomdp::{Domain, Schema, check_actions, digest, vocabulary};
 use crate::planning::Progress;
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
@@ -142,6 +142,7 @@ impl<M: AgentMemory> Agent<M> {
         if self.sentence.is_empty() {
             return Err(AgentError::EmptyCommand);
         }
+        check_actions(domain)?;
         if domain.number(state) >= domain.state_count() {
             return Err(AgentError::StateNumber);
         }
@@ -156,7 +157,7 @@ impl<M: AgentMemory> Agent<M> {
         if self.options.language.model.is_roles() {
             expect_change(domain, &self.lifted, state, tables.session.tasks.get_mut(..count).unwrap_or(&mut []));
         }
-        self.plan_for(domain, count, state)?;
+        self.plan_for(domain, count)?;
         self.task_count = count;
         self.domain = digest(domain);
         self.start = Some(domain.number(state));
@@ -187,6 +188,9 @@ impl<M: AgentMemory> Agent<M> {
         let mut left = budget.max(1);
         let mut scene = self.scene(domain);
         while let Work::Hearing(mut position, mut any) = self.work {
+            if left == 0 {
+                return Ok(Progress::Working);
+            }
             if position.task >= self.task_count {
                 self.weigh_kinds(domain)?;
                 // A command that nothing explains says nothing.
@@ -199,9 +203,6 @@ impl<M: AgentMemory> Agent<M> {
                 self.work = Work::None;
                 self.take_usage();
                 break;
-            }
-            if left == 0 {
-                return Ok(Progress::Working);
             }
             let done = match (self.options.language.model.is_roles(), &mut scene) {
                 (true, Some(scene)) => self.read_on(domain, scene, &mut position, &mut left)?,

@@ -16,6 +16,7 @@ const MOST_TOLD: usize = 8;
 
 /// The sessions that gave way to a new one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct GaveWay {
     count: u16,
     /// In order of their positions.
@@ -63,6 +64,7 @@ fn shares(candidates: CandidatesRef<'_>, least: f32) -> impl Iterator<Item = (&[
 
 /// What came of the end of a session.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[must_use = "other sessions may have given way"]
 #[non_exhaustive]
 pub struct Finished {

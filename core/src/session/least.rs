@@ -102,7 +102,7 @@ struct Survey {
 
 impl<M: AgentMemory> Agent<M> {
     /// Returns the least capacities with which this robot, with its tasks, options and strategies, is refused nothing and nothing gives way,
-    /// in sessions that start from any state of the domain. `state` is one of them.
+    /// in sessions that start from any state of the domain.
     ///
     /// The agent's own memory is the desk for the sum, so ask an agent in roomy memory, on a host. A session under way ends unlearned.
     ///
@@ -124,9 +124,9 @@ impl<M: AgentMemory> Agent<M> {
     /// #     builder.build(Moves::Push)
     /// # }
     /// let mut roomy = HeapMemory::new(&Capacities::STANDARD);
-    /// let (home, state) = build(&mut roomy.home)?;
+    /// let (home, _) = build(&mut roomy.home)?;
     /// let mut agent = Agent::new(&mut roomy.agent, &home::paper_tasks()?, Options::PAPER)?;
-    /// let least = agent.least_capacities(&home, &state, &Lessons::new(8, 7))?;
+    /// let least = agent.least_capacities(&home, &Lessons::new(8, 7))?;
     /// assert_eq!((least.objects, least.cells, least.sessions), (2, 21, 8));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -134,13 +134,8 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// [`AgentError::Capacity`] where the agent's own memory is too small for one session, or where the states cannot be counted: such a
     /// robot is searched through `hashed_states`, as many as you like.
-    pub fn least_capacities<D: Domain + ?Sized>(
-        &mut self,
-        domain: &D,
-        state: &D::State,
-        lessons: &Lessons,
-    ) -> Result<Capacities, AgentError> {
-        self.least_capacities_of_all(core::iter::once((domain, state)), lessons)
+    pub fn least_capacities<D: Domain + ?Sized>(&mut self, domain: &D, lessons: &Lessons) -> Result<Capacities, AgentError> {
+        self.least_capacities_of_all(core::iter::once(domain), lessons)
     }
 
     /// Returns the least capacities with which this robot is refused nothing and nothing gives way, whichever of these worlds a session takes
@@ -154,13 +149,13 @@ impl<M: AgentMemory> Agent<M> {
     ///     let mut builder = HomeBuilder::new(HeapMemory::new(&Capacities::STANDARD).home);
     ///     builder.room("room0", Area::new(0, 0, 8, 4), color)?;
     ///     builder.agent("agent0", Cell::new(4, 2))?;
-    ///     homes.push(builder.build(Moves::Push)?);
+    ///     homes.push(builder.build(Moves::Push)?.0);
     /// }
     /// let roomy = HeapMemory::new(&Capacities::STANDARD);
     /// let mut agent = Agent::new(roomy.agent, &home::paper_tasks()?, Options::DEFAULT)?;
     /// let (one, both) = (&homes[..1], &homes[..]);
-    /// let mut tokens = |homes: &[(_, _)]| {
-    ///     let least = agent.least_capacities_of_all(homes.iter().map(|(home, state)| (home, state)), &Lessons::new(8, 7));
+    /// let mut tokens = |homes: &[_]| {
+    ///     let least = agent.least_capacities_of_all(homes, &Lessons::new(8, 7));
     ///     least.map(|least| least.tokens)
     /// };
     /// // The second home has one colour that the first has not.
@@ -172,14 +167,14 @@ impl<M: AgentMemory> Agent<M> {
     /// As [`least_capacities`](Self::least_capacities).
     pub fn least_capacities_of_all<'d, D: Domain + ?Sized + 'd>(
         &mut self,
-        worlds: impl IntoIterator<Item = (&'d D, &'d D::State)>,
+        worlds: impl IntoIterator<Item = &'d D>,
         lessons: &Lessons,
     ) -> Result<Capacities, AgentError> {
         self.end_session();
         self.language_mut().forget_unlearned();
         let learned = self.language().usage_of_tokens();
         let mut survey = Survey { least: Capacities::NONE, layout: Layout::NONE };
-        let result = worlds.into_iter().try_for_each(|(domain, state)| self.sum_up(domain, state, lessons, learned, &mut survey));
+        let result = worlds.into_iter().try_for_each(|domain| self.sum_up(domain, lessons, learned, &mut survey));
         self.end_session();
         self.language_mut().forget_unlearned();
         result.map(|()| survey.least)
@@ -188,7 +183,6 @@ impl<M: AgentMemory> Agent<M> {
     fn sum_up<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        state: &D::State,
         lessons: &Lessons,
         (known, known_bytes): (usize, usize),
         survey: &mut Survey,
@@ -196,7 +190,7 @@ impl<M: AgentMemory> Agent<M> {
         let AgentTables { mut session, .. } = self.memory.lend();
         let tasks = ground_unless(domain.world().objects, &self.lifted, session.tasks, |_, _| false)?;
         let grounded = session.tasks.get(..tasks).unwrap_or(&[]);
-        let (ground_propositions, states) = Planner::needs(&mut session.goals, domain, &self.lifted, grounded, state)?;
+        let (ground_propositions, states) = Planner::needs(&mut session.goals, domain, &self.lifted, grounded)?;
         self.task_count = tasks;
         let words = lessons.words.min(WORDS_PER_COMMAND);
         let (layout, mut longest) = (&mut survey.layout, 0);

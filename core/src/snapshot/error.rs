@@ -5,6 +5,7 @@ use core::fmt;
 
 /// Why a model could not be saved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum SaveError {
     /// The buffer is too small.
@@ -34,6 +35,7 @@ impl core::error::Error for SaveError {}
 
 /// Why a model could not be restored. What the robot knew before is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum RestoreError {
     /// The bytes do not begin as a model does.
@@ -64,6 +66,7 @@ pub enum RestoreError {
 
 /// A part of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Part {
     /// The digest of the domain's vocabulary, or the sizes.

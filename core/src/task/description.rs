@@ -12,6 +12,8 @@
 //! before all else.
 
 use super::machine_command::{Tokens, attribute_token};
+#[cfg(feature = "derived")]
+use super::role::VALUE_SORTS;
 use super::role::{Marker, Role, RoleKind, is_marker};
 use super::{GroundedTask, LiftedProposition, LiftedTask, Part};
 use crate::capacity::{ARGUMENTS, ATTRIBUTES, Capacity, CapacityError, NAME_BYTES};
@@ -166,8 +168,9 @@ pub fn describe<D: Domain + ?Sized>(
     let Some(lifted) = all.get(usize::from(task.lifted)) else { return Ok(()) };
     let form = form_token(&domain.world().schema, lifted, tokens)?;
     let _ = description.push(form);
-    let mut description = Description { domain, world: domain.world(), scene, all, lifted, task, tokens, description };
+    let bound: Chosen = task.bindings.iter().take(lifted.variables().len()).copied().collect();
     let mut with_role = Chosen::NONE;
+    let mut description = Description { domain, world: domain.world(), scene, all, lifted, task, bound, tokens, description };
     for &kind in &[RoleKind::Subject, RoleKind::Goal, RoleKind::Start] {
         if kind == RoleKind::Start {
             description.write_way(&mut with_role)?;
@@ -184,10 +187,10 @@ pub fn describe<D: Domain + ?Sized>(
             }
         }
     }
+    with_role.insert_all(&bound);
     for class in (0..description.world.schema.classes.len()).map(|class| ClassId(class as u8)) {
         let kind = if description.is_place(class) { RoleKind::OtherPlace } else { RoleKind::Other };
-        let others = description.of_class(class).filter(|&object| !with_role.contains(object) && !description.is_bound(object));
-        let others = others.collect();
+        let others = description.of_class(class).filter(|&object| !with_role.contains(object)).collect();
         description.write(Role::of_class(kind, class), &others)?;
     }
     Ok(())
@@ -254,6 +257,8 @@ struct Description<'a, 't, D: Domain + ?Sized> {
     all: &'a [LiftedTask],
     lifted: &'a LiftedTask,
     task: &'a GroundedTask,
+    /// What the task binds.
+    bound: Chosen,
     tokens: &'a mut Symbols<'t>,
     description: &'a mut Tokens,
 }
@@ -263,8 +268,8 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         self.world.objects.get(object).map(|object| object.class)
     }
 
-    fn of_class(&self, class: ClassId) -> impl Iterator<Item = ObjectId> {
-        (0..self.world.objects.len()).map(|object| ObjectId(object as u8)).filter(move |&object| self.class(object) == Some(class))
+    fn of_class(&self, class: ClassId) -> impl Iterator<Item = ObjectId> + use<'a, D> {
+        self.world.objects.of_class(class)
     }
 
     fn holds(&self, proposition: PropositionId, arguments: [ObjectId; ARGUMENTS]) -> bool {
@@ -289,21 +294,16 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         parts.map(|part| self.world.schema.parameters(part.proposition)).any(|classes| classes.len() > 1 && classes.last() == Some(&class))
     }
 
-    /// Whether the task binds the object.
-    fn is_bound(&self, object: ObjectId) -> bool {
-        self.task.bindings.iter().take(self.lifted.variables().len()).any(|&bound| bound == object)
-    }
-
     /// What the task binds as an argument of a proposition.
     fn bound_as(&self, proposition: PropositionId, argument: usize) -> Chosen {
         let parts = self.task.propositions(self.lifted).filter(|part| part.proposition == proposition);
-        parts.filter_map(|part| part.arguments.get(argument).copied()).filter(|&object| self.is_bound(object)).collect()
+        parts.filter_map(|part| part.arguments.get(argument).copied()).filter(|&object| self.bound.contains(object)).collect()
     }
 
     /// What the task is about, of a class: what is bound, or everything of a class that no words can tell apart, like the robot.
-    fn subjects(&self, class: ClassId) -> impl Iterator<Item = ObjectId> {
+    fn subjects(&self, class: ClassId) -> Chosen {
         let carries = self.world.schema.attributes.iter().any(|attribute| attribute.carriers.iter().any(|it| it.class == class));
-        self.of_class(class).filter(move |&object| !carries || self.is_bound(object))
+        self.of_class(class).filter(|&object| !carries || self.bound.contains(object)).collect()
     }
 
     /// The objects that a proposition holds of at the start as its last argument, with what the task is about before them.
@@ -312,15 +312,17 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         match *self.world.schema.parameters(proposition) {
             [class] => self.of_class(class).filter(|&object| self.holds(proposition, [object, none, none])).collect(),
             [first, class] => {
-                let of = |object| self.subjects(first).any(|first| first != object && self.holds(proposition, [first, object, none]));
+                let firsts = self.subjects(first);
+                let of = |object| firsts.iter().any(|first| first != object && self.holds(proposition, [first, object, none]));
                 self.of_class(class).filter(|&object| of(object)).collect()
             }
             [first, second, class] => {
+                let (firsts, seconds) = (self.subjects(first), self.subjects(second));
                 let of_two = |first, object| {
-                    let mut seconds = self.subjects(second).filter(|&second| second != first && second != object);
+                    let mut seconds = seconds.iter().filter(|&second| second != first && second != object);
                     seconds.any(|second| self.holds(proposition, [first, second, object]))
                 };
-                let of = |object| self.subjects(first).any(|first| first != object && of_two(first, object));
+                let of = |object| firsts.iter().any(|first| first != object && of_two(first, object));
                 self.of_class(class).filter(|&object| of(object)).collect()
             }
             _ => Chosen::NONE,
@@ -333,7 +335,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         for proposition in self.propositions(RoleKind::Start) {
             let [first, second] = *self.world.schema.parameters(proposition) else { continue };
             for place in places.iter().filter(|&place| self.class(place) == Some(second)) {
-                let others = self.of_class(first).filter(|&guest| !self.is_bound(guest));
+                let others = self.of_class(first).filter(|&guest| !self.bound.contains(guest));
                 let there = others.filter(|&guest| self.holds(proposition, [guest, place, ObjectId(0)]));
                 there.for_each(|guest| guests.insert(guest));
             }
@@ -376,7 +378,34 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
                 self.write_group(Marker { role, sort: sort | 1 }, attribute, &guests)?;
             }
         }
+        #[cfg(feature = "derived")]
+        self.write_derived(role, objects);
         Ok(())
+    }
+
+    /// Writes the group of what can be derived of a role's objects, as of one more attribute. What finds no room is left out.
+    #[cfg(feature = "derived")]
+    fn write_derived(&mut self, role: Role, objects: &Chosen) {
+        let sort = self.world.schema.attributes.len() << 1;
+        if sort >= VALUE_SORTS {
+            return;
+        }
+        let marker = Marker { role, sort: sort as u8 };
+        let Self { domain, scene, tokens, description, .. } = self;
+        let first = description.len().saturating_add(1);
+        for object in objects.iter() {
+            domain.tell_derived(&scene.state, object, &mut |fact| {
+                let token = attribute_token("is", fact).and_then(|token| tokens.intern(&token)).ok();
+                let Some(token) = token.filter(|&token| !is_marker(token)) else { return };
+                if description.len() < first && description.push(marker.symbol()).is_err() {
+                    return;
+                }
+                insert(description, first, token);
+            });
+        }
+        if description.len() == first {
+            description.pop();
+        }
     }
 
     fn write_group(&mut self, marker: Marker, attribute: usize, objects: &Chosen) -> Result<(), CapacityError> {

@@ -58,6 +58,7 @@ impl Parts {
 
 /// What is wrong with the text of a lifted task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum TaskTextError {
     /// It is not of the form `name(?a, ?b) & name(?c)`.

@@ -180,7 +180,7 @@ fn push(command: &mut Tokens, token: Symbol) -> Result<(), CapacityError> {
 
 /// `roomIs` and `red` make `roomIsRed`. A first letter beyond ASCII stays as it is: it names the value as well, and the table of all
 /// capitals is twelve kilobytes.
-pub(super) fn attribute_token(prefix: &str, value: &str) -> Result<String<NAME_BYTES>, CapacityError> {
+pub(crate) fn attribute_token(prefix: &str, value: &str) -> Result<String<NAME_BYTES>, CapacityError> {
     let too_long = |_| CapacityError::new(Capacity::NameBytes, NAME_BYTES, prefix.len().saturating_add(value.len()));
     let mut token = String::new();
     token.push_str(prefix).map_err(too_long)?;

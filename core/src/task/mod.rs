@@ -22,6 +22,8 @@ pub use constraint::{Fact, Facts, facts};
 pub(crate) use grounded::ground_unless;
 pub use grounded::{GroundedTask, ground};
 pub use lifted::{LiftedProposition, LiftedTask, NO_VARIABLE, TaskTextError};
+#[cfg(feature = "derived")]
+pub(crate) use machine_command::attribute_token;
 pub use machine_command::{Expression, TokenOrder, Tokens};
 pub use role::{Marker, NoMarker, Role, RoleKind, VALUE_SORTS, is_marker};
 pub use way::{Clause, Part, Way, WayState};

@@ -1,4 +1,4 @@
-//! The last pages of the flash, where what was learned outlives the battery.
+//! The last pages of the flash: a home that came with the program's file, and what was learned, which outlives the battery.
 
 use crate::memory::{Agent, CAPACITIES};
 use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
@@ -11,6 +11,10 @@ const FLASH: u32 = 256 * 1_024;
 /// Where the two slots are: the linker keeps the program from here.
 const START: u32 = 0x3_E000;
 const SLOT: u32 = 4 * PAGE;
+
+/// Where a home and its commands are that came with the file, up to the slots: text, and then what erased flash holds.
+const CHOSEN: u32 = 0x3_DC00;
+const ERASED: u8 = 0xff;
 
 /// The most that a model of this robot takes has room in a slot, and in the memory where it is written.
 const MODEL: usize = most_bytes(&CAPACITIES);
@@ -112,6 +116,14 @@ pub fn store(agent: &mut Agent) -> Result<usize, &'static str> {
         _ => "the flash refused to store; the older knowledge is still there",
     })?;
     Ok(model.len())
+}
+
+/// The home and the commands that came with the file, a request a line; nothing where the robot has its own.
+pub fn chosen() -> Option<&'static str> {
+    // SAFETY: this is within the flash, which is always readable, and nobody ever writes to it.
+    let page = unsafe { core::slice::from_raw_parts(CHOSEN as *const u8, (START - CHOSEN) as usize) };
+    let end = page.iter().position(|&byte| byte == ERASED).unwrap_or(page.len());
+    page.get(..end).filter(|text| !text.is_empty()).and_then(|text| core::str::from_utf8(text).ok())
 }
 
 /// Takes back what was stored, and returns its bytes; 0 where nothing was. The robot must then learn to the end.

@@ -1,25 +1,43 @@
-//! The home that the micro:bit has by itself, as large as its lights, and the commands to teach it.
+//! The home that the micro:bit has by itself, as large as its lights, and the commands to teach it; or those that came with its file.
 
-use crate::memory::{Builder, Home, Rooms};
-use goodbot::home::{Area, Cell, HomeError, HomeState, Moves};
-
-/// The commands, in the order in which a long press chooses them. Who teaches the first three can ask for the fourth.
-pub const COMMANDS: [&str; 4] =
-    ["go to the green room", "go to the blue room", "take the chair to the green room", "take the chair to the blue room"];
+use crate::flash;
 
 /// A red room above; a green and a blue one below, each behind a door; a yellow chair in the red one. Inside its walls it has five times
-/// five cells.
-///
-/// # Errors
-/// None in this version: it is a home, and fits.
-pub fn build(memory: Rooms) -> Result<(Home, HomeState), HomeError> {
-    let mut builder = Builder::new(memory);
-    builder.room("room0", Area::new(0, 3, 6, 6), "red")?;
-    builder.room("room1", Area::new(0, 0, 3, 3), "green")?;
-    builder.room("room2", Area::new(3, 0, 6, 3), "blue")?;
-    builder.door("door0", Area::new(2, 3, 2, 3))?;
-    builder.door("door1", Area::new(4, 3, 4, 3))?;
-    builder.block("block0", Cell::new(3, 4), "yellow", "chair")?;
-    builder.agent("agent0", Cell::new(1, 5))?;
-    builder.build(Moves::Push)
+/// five cells. Each line is what the serial line takes.
+const HOME: &str = "\
+room room0 0 3 6 6 red
+room room1 0 0 3 3 green
+room room2 3 0 6 3 blue
+door door0 2 3 2 3
+door door1 4 3 4 3
+block block0 3 4 yellow chair
+agent agent0 1 5
+";
+
+/// The commands, in the order in which a long press chooses them. Who teaches the first three can ask for the fourth.
+const COMMANDS: &str = "\
+say go to the green room
+say go to the blue room
+say take the chair to the green room
+say take the chair to the blue room
+";
+
+/// How a command begins.
+const SAY: &str = "say ";
+
+/// The requests that describe the home.
+pub fn description() -> impl Iterator<Item = &'static str> {
+    let is_part = |line: &&str| !line.starts_with(SAY);
+    let chosen = flash::chosen().filter(|text| text.lines().any(|line| is_part(&line)));
+    chosen.unwrap_or(HOME).lines().filter(is_part)
+}
+
+/// The command at a position of the list, and the position of the next; after the last comes the first.
+pub fn command(position: usize) -> (&'static str, usize) {
+    let commands = |text: &'static str| text.lines().filter_map(|line| line.strip_prefix(SAY));
+    let list = flash::chosen().filter(|text| commands(text).next().is_some()).unwrap_or(COMMANDS);
+    match commands(list).nth(position) {
+        Some(command) => (command, position + 1),
+        None => (commands(list).next().unwrap_or_default(), 1),
+    }
 }

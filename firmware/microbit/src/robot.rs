@@ -3,12 +3,12 @@
 use crate::buttons::Press;
 use crate::lights::{DARK, Picture};
 use crate::memory::{Agent, Builder, CAPACITIES, Home, Rooms};
-use crate::request::{HELP, Request};
+use crate::request::{self, HELP, Request};
 use crate::serial::{print, print_number, say};
 use crate::{flash, house, picture, stack};
 use goodbot::capacity::Capacity;
 use goodbot::feedback::Feedback;
-use goodbot::home::{HomeError, HomeState, Moves, Problem, SCHEMA, paper_tasks};
+use goodbot::home::{HomeState, Moves, Problem, SCHEMA, paper_tasks};
 use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::Progress;
 use goodbot::session::Evidence;
@@ -179,8 +179,8 @@ impl<'a> Robot<'a> {
                 self.doing = Doing::Finishing;
             }
             Request::Next => {
-                let command = house::COMMANDS.iter().cycle().nth(self.next).copied().unwrap_or_default();
-                self.next = (self.next + 1) % house::COMMANDS.len();
+                let command;
+                (command, self.next) = house::command(self.next);
                 say(&["next: ", command]);
                 self.start_again()?;
                 self.hear(command, now)?;
@@ -191,14 +191,8 @@ impl<'a> Robot<'a> {
             Request::Pace(pace) => (self.pace, self.act_at) = (pace, now.wrapping_add(pace)),
             Request::Again => self.start_again()?,
             Request::Home => self.go_home()?,
-            Request::Begin => {
-                let rooms = self.leave()?;
-                self.place = Place::Described(Builder::new(rooms));
-            }
-            Request::Room(name, area, color) => self.describe(|home| home.room(name, area, color).map(drop))?,
-            Request::Door(name, area) => self.describe(|home| home.door(name, area).map(drop))?,
-            Request::Block(name, cell, color, shape) => self.describe(|home| home.block(name, cell, color, shape).map(drop))?,
-            Request::Agent(name, cell) => self.describe(|home| home.agent(name, cell).map(drop))?,
+            Request::Begin => self.begin()?,
+            Request::Room(..) | Request::Door(..) | Request::Block(..) | Request::Agent(..) => self.describe(request)?,
             Request::Build => self.build()?,
             Request::Forget => {
                 flash::erase()?;
@@ -396,14 +390,30 @@ impl<'a> Robot<'a> {
     }
 
     fn go_home(&mut self) -> Result<(), &'static str> {
-        let (home, start) = house::build(self.leave()?).map_err(|error| problem(error.problem))?;
-        self.place = Place::Here { home, state: start, start };
+        self.begin()?;
+        for line in house::description() {
+            self.describe(request::read(line)?)?;
+        }
+        self.build()
+    }
+
+    /// Another home begins.
+    fn begin(&mut self) -> Result<(), &'static str> {
+        self.place = Place::Described(Builder::new(self.leave()?));
         Ok(())
     }
 
-    fn describe(&mut self, add: impl FnOnce(&mut Builder) -> Result<(), HomeError>) -> Result<(), &'static str> {
-        let Place::Described(builder) = &mut self.place else { return Err("say `begin` first, which begins another home") };
-        add(builder).map_err(|error| problem(error.problem))
+    /// Adds a part to the home that is being described.
+    fn describe(&mut self, part: Request<'_>) -> Result<(), &'static str> {
+        let Place::Described(home) = &mut self.place else { return Err("say `begin` first, which begins another home") };
+        match part {
+            Request::Room(name, area, color) => home.room(name, area, color).map(drop),
+            Request::Door(name, area) => home.door(name, area).map(drop),
+            Request::Block(name, cell, color, shape) => home.block(name, cell, color, shape).map(drop),
+            Request::Agent(name, cell) => home.agent(name, cell).map(drop),
+            _ => return Err("this is no part of a home"),
+        }
+        .map_err(|error| problem(error.problem))
     }
 
     fn build(&mut self) -> Result<(), &'static str> {

@@ -104,7 +104,7 @@ fn rearranged(environment: &EnvironmentFile, random: &mut impl Rng) -> Environme
             ObjectRecord::Door { .. } => {}
         }
     }
-    EnvironmentFile::new(objects)
+    EnvironmentFile { objects, ..environment.clone() }
 }
 
 fn room_box(object: &ObjectRecord) -> Option<[i32; 4]> {

@@ -75,7 +75,8 @@ pub fn build<M: HomeMemory>(environment: &EnvironmentFile, moves: Moves, memory:
     for (position, object) in environment.objects.iter().enumerate() {
         add(&mut builder, object).map_err(|problem| Flaw { object: Some(position), problem })?;
     }
-    builder.build(moves).map_err(|error| Flaw { object: error.object.map(usize::from), problem: error.problem })
+    let (home, start) = builder.build(moves).map_err(|error| Flaw { object: error.object.map(usize::from), problem: error.problem })?;
+    Ok((home.with_derived(environment.derived), start))
 }
 
 /// Everything that is wrong with a home.

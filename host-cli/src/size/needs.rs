@@ -61,7 +61,7 @@ impl Needs {
         let lessons = to_keep(options, &log, learner.language.model)?;
         let fault = |error: AgentError| Failure::Input(refusal::in_words(&error));
         let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), &lifted, learner).map_err(fault)?;
-        let least = agent.least_capacities_of_all(homes.iter().map(|(home, state)| (home, state)), &lessons).map_err(fault)?;
+        let least = agent.least_capacities_of_all(homes.iter().map(|(home, _)| home), &lessons).map_err(fault)?;
         let exact_states = Some(least.states).filter(|&states| states > 0);
         let states = exact_states.map_or(MOST_STATES, |states| states.min(MOST_STATES));
         let capacities = Capacities { states, ..least };

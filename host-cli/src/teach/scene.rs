@@ -69,7 +69,10 @@ pub fn scene(home: &Home<impl HomeMemory>, state: &HomeState) -> Scene {
     let ground =
         (bounds.bottom..=bounds.top).rev().map(|y| (bounds.left..=bounds.right).map(|x| ground(home, &map, Cell::new(x, y))).collect());
     Scene {
-        environment: EnvironmentFile::new(home.world().objects.iter().map(|(id, _)| record(home, state, id)).collect()),
+        environment: EnvironmentFile {
+            derived: home.tells_derived(),
+            ..EnvironmentFile::new(home.world().objects.iter().map(|(id, _)| record(home, state, id)).collect())
+        },
         ground: ground.collect(),
         map: map.to_string(),
         west: bounds.left,

@@ -25,6 +25,8 @@ pub const B: u32 = 26;
 pub struct Setup {
     pub emulator: PathBuf,
     pub hex: PathBuf,
+    /// The command line, which writes such files.
+    pub goodbot: PathBuf,
 }
 
 /// A board that is switched on; it is switched off when dropped.
@@ -38,6 +40,11 @@ pub struct Board {
 impl Board {
     /// Switches a board on whose flash holds the program and, in the slots, these bytes.
     pub fn on(setup: &Setup, slots: Option<&[u8]>) -> Self {
+        Self::with_file(setup, &setup.hex, slots)
+    }
+
+    /// Switches a board on that this file was dragged onto.
+    pub fn with_file(setup: &Setup, hex: &Path, slots: Option<&[u8]>) -> Self {
         static COUNT: AtomicU32 = AtomicU32::new(0);
         let name = format!("goodbot-{}-{}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
         let folder = std::env::temp_dir().join(name);
@@ -46,7 +53,7 @@ impl Board {
         let socket = |name: &str, wait: &str| format!("unix:{},server=on,wait={wait}", folder.join(name).display());
         let mut emulator = Command::new(&setup.emulator);
         emulator.args(["-M", "microbit", "-display", "none", "-monitor", "none"]);
-        emulator.arg("-device").arg(format!("loader,file={}", setup.hex.display()));
+        emulator.arg("-device").arg(format!("loader,file={}", hex.display()));
         if let Some(slots) = slots {
             let file = folder.join("slots");
             std::fs::write(&file, slots).unwrap();

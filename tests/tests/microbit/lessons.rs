@@ -1,17 +1,21 @@
 //! The tests. The trainer knows what is right by a robot of its own, which is told what a command means.
 
 use super::board::{A, B, Board, Looks, Setup};
-use goodbot::home::{Cell, HomeState};
+use goodbot::feedback::Strategy;
+use goodbot::home::{Area, Cell, HomeState};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::OptimalSet;
 use goodbot::{Agent, Capacities, Options, home};
 use goodbot_course::exercise::{Exercise, Intention, LESSONS, TESTS};
-use goodbot_course::{Homes, Layout};
+use goodbot_course::{CourseTrainer, Homes, Layout, generator, run_course};
+use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use std::collections::BTreeSet;
+use std::process::Command;
 use std::time::{Duration, Instant};
 
 goodbot::memory! { struct Memory = Capacities::SMALL; }
+goodbot::memory! { struct TinyMemory = Capacities::TINY; }
 
 /// What a lesson takes at most.
 const MOST_ACTIONS: usize = 100;
@@ -117,6 +121,64 @@ pub fn the_papers_course_is_learned_over_the_serial_line(setup: &Setup) {
     assert!(board.line().starts_with("stored: "));
     assert_eq!(board.line(), format!("lessons {}", LESSONS.len()));
     understands_all(&mut board);
+}
+
+/// A home as a file.
+fn file_of(layout: &Layout) -> EnvironmentFile {
+    let rooms = layout.rooms.iter().flatten().enumerate().map(|(number, &(area, color))| {
+        let Area { left, bottom, right, top } = area;
+        ObjectRecord::Room { name: format!("room{number}"), left, bottom, right, top, color: color.to_owned() }
+    });
+    let doors = layout.doors.iter().flatten().enumerate().map(|(number, &Cell { x, y })| ObjectRecord::Door {
+        name: format!("door{number}"),
+        left: x,
+        bottom: y,
+        right: x,
+        top: y,
+    });
+    let blocks = layout.blocks.iter().flatten().enumerate().map(|(number, block)| ObjectRecord::Block {
+        name: format!("block{number}"),
+        x: block.cell.x,
+        y: block.cell.y,
+        color: block.color.to_owned(),
+        shape: block.shape.to_owned(),
+    });
+    let agent = ObjectRecord::Agent { name: "agent0".to_owned(), x: layout.agent.x, y: layout.agent.y };
+    EnvironmentFile::new(rooms.chain(doors).chain(blocks).chain([agent]).collect())
+}
+
+pub fn what_a_robot_learned_elsewhere_comes_with_the_file_and_its_home_and_commands_too(setup: &Setup) {
+    let mut memory = TinyMemory::new();
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+    let (trainer, homes) = (CourseTrainer::BALANCED, &Homes::FIXED);
+    run_course(&mut agent, &mut memory.home, homes, &trainer, Strategy::BALANCED, &mut generator(1), &mut ()).unwrap();
+    let mut model = vec![0; agent.saved_bytes().unwrap()];
+    agent.save(&mut model).unwrap();
+    let folder = std::env::temp_dir().join(format!("goodbot-taught-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join("course.goodbot"), model).unwrap();
+    std::fs::write(folder.join("home.json"), file_of(&homes.test).to_json_line()).unwrap();
+    let written = Command::new(&setup.goodbot)
+        .current_dir(&folder)
+        .args(["microbit", "--model", "course.goodbot", "--home", "home.json", "--out", "taught.hex"])
+        .args(TESTS.iter().flat_map(|test| ["--command", test.command]))
+        .arg("--hex")
+        .arg(&setup.hex)
+        .output()
+        .unwrap();
+    assert!(written.status.success(), "{}", String::from_utf8_lossy(&written.stderr));
+    let mut board = Board::with_file(setup, &folder.join("taught.hex"), None);
+    std::fs::remove_dir_all(&folder).unwrap();
+    assert!(board.line().starts_with("stored: "));
+    assert_eq!(board.line(), format!("lessons {}", LESSONS.len()));
+    board.must("pace 0");
+    for test in &TESTS {
+        let answer = board.must("next");
+        assert_eq!(answer[0], format!("next: {}", test.command));
+        assert_eq!(believed(&answer), meant(&homes.test, &test.intention), "{}", test.command);
+    }
+    // The list begins again.
+    assert_eq!(board.must("next")[0], format!("next: {}", TESTS[0].command));
 }
 
 pub fn a_lesson_is_given_with_the_buttons_alone(setup: &Setup) {

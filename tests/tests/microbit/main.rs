@@ -14,11 +14,12 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     use libtest_mimic::{Arguments, Failed, Trial};
     let place = |name: &str| std::env::var_os(name).map(std::path::PathBuf::from);
-    let setup = place("GOODBOT_MICROBIT").zip(place("GOODBOT_QEMU")).map(|(hex, emulator)| board::Setup { emulator, hex });
+    let places = place("GOODBOT_MICROBIT").zip(place("GOODBOT_QEMU")).zip(place("GOODBOT_CLI"));
+    let setup = places.map(|((hex, emulator), goodbot)| board::Setup { emulator, hex, goodbot });
     let test = |name: &str, run: fn(&board::Setup)| {
         let setup = setup.clone();
         let absent = setup.is_none();
-        let run = move || setup.as_ref().map(run).ok_or(Failed::from("GOODBOT_MICROBIT and GOODBOT_QEMU are not set"));
+        let run = move || setup.as_ref().map(run).ok_or(Failed::from("GOODBOT_MICROBIT, GOODBOT_QEMU and GOODBOT_CLI are not set"));
         Trial::test(name, run).with_ignored_flag(absent).with_kind("needs an emulated board")
     };
     let tests = vec![
@@ -28,6 +29,10 @@ fn main() -> ExitCode {
         test(
             "a_store_that_was_torn_in_the_middle_leaves_one_lesson_or_both",
             lessons::a_store_that_was_torn_in_the_middle_leaves_one_lesson_or_both,
+        ),
+        test(
+            "what_a_robot_learned_elsewhere_comes_with_the_file_and_its_home_and_commands_too",
+            lessons::what_a_robot_learned_elsewhere_comes_with_the_file_and_its_home_and_commands_too,
         ),
         test("what_is_said_wrongly_is_answered_and_changes_nothing", lessons::what_is_said_wrongly_is_answered_and_changes_nothing),
     ];

@@ -9,8 +9,9 @@ use crate::programs::{ARM_NM, ARM_SIZE, Program};
 use crate::toolchain;
 use crate::{process, project};
 
-/// What the linker puts into the flash.
-const IN_FLASH: [&str; 4] = [".vector_table", ".text", ".rodata", ".data"];
+/// What the linker puts into the flash, and into the RAM.
+const IN_FLASH: [&str; 5] = [".vector_table", ".text", ".rodata", ".ARM.exidx", ".data"];
+const IN_RAM: [&str; 2] = [".data", ".bss"];
 
 /// What a firmware consists of.
 pub const BINARIES: [&str; 3] = ["course", "tick", "overflow"];
@@ -60,9 +61,23 @@ impl Image {
 
     /// Bytes of flash that a binary takes.
     pub fn flash(&self, name: &str) -> Result<u64> {
-        let listed = binutils(&ARM_SIZE, &["-A"], &self.binary(name))?;
-        Ok(sections(&listed).filter(|(section, _)| IN_FLASH.contains(section)).map(|(_, bytes)| bytes).sum())
+        flash(&self.binary(name))
     }
+}
+
+/// Bytes of flash that a binary takes.
+pub fn flash(binary: &Path) -> Result<u64> {
+    bytes_in(binary, &IN_FLASH)
+}
+
+/// Bytes of static memory that a binary takes.
+pub fn statics(binary: &Path) -> Result<u64> {
+    bytes_in(binary, &IN_RAM)
+}
+
+fn bytes_in(binary: &Path, places: &[&str]) -> Result<u64> {
+    let listed = binutils(&ARM_SIZE, &["-A"], binary)?;
+    Ok(sections(&listed).filter(|(section, _)| places.contains(section)).map(|(_, bytes)| bytes).sum())
 }
 
 /// The symbols of a binary that are there to panic. The linker keeps only what is called.

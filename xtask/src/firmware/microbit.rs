@@ -3,16 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use ihex::Record;
+use goodbot_formats::microbit::MicrobitFile;
 use object::Endianness;
 use object::elf::PT_LOAD;
 use object::read::elf::{ElfFile32, ProgramHeader};
 
 use crate::toolchain::{self, Target};
 use crate::{process, project};
-
-/// Bytes of data on one line.
-const LINE: usize = 16;
 
 /// Where the linked program is.
 pub fn program() -> PathBuf {
@@ -28,34 +25,16 @@ fn build() -> Result<()> {
 /// Builds it and writes `dist/goodbot.hex`. Returns where that is.
 pub fn deliver() -> Result<PathBuf> {
     build()?;
-    let (hex, bytes) = intel_hex(&std::fs::read(program())?)?;
+    let file = MicrobitFile::of_program(in_flash(&std::fs::read(program())?)?)?;
     let path = project::root().join("dist/goodbot.hex");
-    write(&path, &hex)?;
-    println!("{}: {bytes} bytes of flash; drag it onto a micro:bit (first version)", path.display());
+    write(&path, &file.to_text())?;
+    println!("{}: {} bytes of flash; drag it onto a micro:bit (first version)", path.display(), file.len());
     Ok(path)
 }
 
 fn write(path: &Path, text: &str) -> Result<()> {
     std::fs::create_dir_all(path.parent().unwrap_or(Path::new(".")))?;
     std::fs::write(path, text).with_context(|| format!("{} cannot be written", path.display()))
-}
-
-/// What a linked program puts into the flash, as Intel HEX, and how many bytes that is.
-fn intel_hex(program: &[u8]) -> Result<(String, usize)> {
-    let (mut records, mut written, mut upper) = (Vec::new(), 0, None);
-    for (address, bytes) in in_flash(program)? {
-        for (at, line) in (address..).step_by(LINE).zip(bytes.chunks(LINE)) {
-            // Each record says the lower half of its address.
-            if upper != Some(at >> 16) {
-                upper = Some(at >> 16);
-                records.push(Record::ExtendedLinearAddress((at >> 16) as u16));
-            }
-            records.push(Record::Data { offset: at as u16, value: line.to_vec() });
-            written += line.len();
-        }
-    }
-    records.push(Record::EndOfFile);
-    Ok((ihex::create_object_file_representation(&records)? + "\n", written))
 }
 
 /// The addresses in the flash, and the bytes there. What begins in the RAM with a value stands in the flash too: its physical address.

@@ -1,9 +1,11 @@
 //! `cargo xtask footprint`: what the robot costs on each board, as a table that is checked in.
 //!
 //! - [`measures`]: the numbers of each row, and the file that keeps them for the check;
+//! - [`programs`]: programs that are no course: a robot of one's own, plans for tasks with ways, and C;
 //! - [`table`]: the same numbers for people.
 
 mod measures;
+mod programs;
 mod table;
 
 use std::process::ExitCode;
@@ -13,7 +15,7 @@ use clap::Args;
 
 use crate::firmware::{Trial, trials};
 use crate::project;
-use measures::Footprint;
+use measures::{Footprint, Kept};
 
 /// Where the numbers are kept, for the check and for people.
 const NUMBERS: &str = "docs/footprint.json";
@@ -28,6 +30,9 @@ pub struct Options {
     /// Compares with the table that is checked in and writes nothing
     #[arg(long)]
     check: bool,
+    /// Writes the tables again from the numbers that are checked in, and measures nothing
+    #[arg(long, conflicts_with = "check")]
+    kept: bool,
 }
 
 /// Measures, and writes the table or compares with it.
@@ -41,20 +46,22 @@ pub fn run(options: &Options) -> Result<ExitCode> {
             }
         });
     }
-    let footprint = Footprint::measure(trials()?)?;
+    let mut kept = if options.kept { kept()? } else { kept().unwrap_or_default() };
+    if !options.kept {
+        kept.renew(&measures::compiler()?, Footprint::measure(trials()?, false)?);
+    }
     let root = project::root();
-    std::fs::write(root.join(NUMBERS), footprint.to_json()?).with_context(|| format!("{NUMBERS} cannot be written"))?;
-    std::fs::write(root.join(TABLE), table::markdown(&footprint)).with_context(|| format!("{TABLE} cannot be written"))?;
+    std::fs::write(root.join(NUMBERS), kept.to_json()?).with_context(|| format!("{NUMBERS} cannot be written"))?;
+    std::fs::write(root.join(TABLE), table::markdown(&kept)).with_context(|| format!("{TABLE} cannot be written"))?;
     let readme = read(README)?;
-    std::fs::write(root.join(README), with_table(&readme, &table::brief(&footprint))?)
-        .with_context(|| format!("{README} cannot be written"))?;
+    std::fs::write(root.join(README), with_table(&readme, &table::brief(&kept))?).with_context(|| format!("{README} cannot be written"))?;
     eprintln!("written: {NUMBERS}, {TABLE} and a table in {README}");
     Ok(ExitCode::SUCCESS)
 }
 
 /// Compares with the numbers that are checked in.
 pub fn check() -> Result<()> {
-    let kept = Footprint::from_json(&read(NUMBERS)?).with_context(|| format!("{NUMBERS} is not what `cargo xtask footprint` writes"))?;
+    let kept = kept()?;
     let readme = read(README)?;
     for (file, is_stale) in
         [(TABLE, read(TABLE)? != table::markdown(&kept)), (README, readme != with_table(&readme, &table::brief(&kept))?)]
@@ -63,7 +70,7 @@ pub fn check() -> Result<()> {
             bail!("{file} does not say what {NUMBERS} says: write both again with `cargo xtask footprint`");
         }
     }
-    let complaints = Footprint::measure(trials()?)?.against(&kept);
+    let complaints = kept.against(&measures::compiler()?, &Footprint::measure(trials()?, true)?);
     if complaints.is_empty() {
         println!("every row is within what {TABLE} says");
         return Ok(());
@@ -72,6 +79,10 @@ pub fn check() -> Result<()> {
         println!("{complaint}");
     }
     bail!("{} numbers are higher than {TABLE} says", complaints.len())
+}
+
+fn kept() -> Result<Kept> {
+    Kept::from_json(&read(NUMBERS)?).with_context(|| format!("{NUMBERS} is not what `cargo xtask footprint` writes"))
 }
 
 fn read(file: &str) -> Result<String> {

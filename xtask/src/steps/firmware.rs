@@ -4,15 +4,17 @@ use anyhow::{Result, bail};
 
 use super::{Run, Step, WORKSPACE};
 use crate::firmware::image::{BINARIES, panics};
-use crate::firmware::{digests, images, microbit, trials, wheels};
+use crate::firmware::{Alone, digests, images, microbit, trials};
 use crate::programs::QEMU;
-use crate::{footprint, project};
+use crate::{footprint, process, project};
 
 /// What the course may take on the Cortex-M4F with the small preset: RAM with the stack, flash, and the instructions to hear a command and to
 /// choose an action once it is planned.
 const MOST_RAM: u64 = 32 * 1024;
 const MOST_FLASH: u64 = 100 * 1024;
 const MOST_TO_ACT: u64 = 1_000_000;
+/// Instructions that the first plan for the 50 tasks of a home of three storeys may take there.
+const MOST_TO_PLAN_WAYS: u64 = 3_000_000;
 /// The micro:bit's RAM, and its instructions: its floats are made of them.
 const MICROBIT_RAM: u64 = 16 * 1024;
 const MICROBIT_TO_ACT: u64 = 2_000_000;
@@ -80,7 +82,17 @@ fn course(_: &mut Run) -> Result<()> {
             }
         }
     }
-    println!("the lessons on wheels: {}", wheels::drive()?);
+    let planned = Alone::Ways.run()?;
+    let (ram, to_plan) = (planned.number("statics")? + planned.number("stack")?, planned.number("first-plan")?);
+    println!(
+        "three storeys: {ram} bytes of RAM, {to_plan} instructions for the first plan of {} tasks, most of them with a way",
+        planned.number("tasks")?
+    );
+    if to_plan > MOST_TO_PLAN_WAYS {
+        bail!("three storeys: instructions for the first plan: {to_plan}, and {MOST_TO_PLAN_WAYS} are the most");
+    }
+    println!("an arm: {}", Alone::Arm.run()?);
+    println!("the lessons on wheels: {}", Alone::Wheels.run()?);
     Ok(())
 }
 
@@ -104,9 +116,11 @@ fn tick(_: &mut Run) -> Result<()> {
 fn in_hand(run: &mut Run) -> Result<()> {
     // What is tried is the file itself.
     let hex = microbit::deliver()?;
+    process::run(project::cargo().args(["build", "--quiet"]).args(WORKSPACE).args(["--bin", "goodbot"]))?;
+    let goodbot = project::target_dir().join("debug").join(format!("goodbot{}", std::env::consts::EXE_SUFFIX));
     let mut tests = project::cargo();
     tests.arg("test").args(WORKSPACE).args(["--test", "microbit"]);
-    run.count(tests.env("GOODBOT_MICROBIT", hex).env("GOODBOT_QEMU", QEMU.path()?))?;
+    run.count(tests.env("GOODBOT_MICROBIT", hex).env("GOODBOT_QEMU", QEMU.path()?).env("GOODBOT_CLI", goodbot))?;
     // A stack that runs over must stop at its end, and is never to come near.
     let found = panics(&microbit::program())?;
     if !found.is_empty() {
@@ -141,9 +155,15 @@ fn no_panic(_: &mut Run) -> Result<()> {
             }
         }
     }
+    for alone in Alone::ALL {
+        for symbol in panics(&alone.build()?)? {
+            println!("{}: {symbol}", alone.name());
+            found += 1;
+        }
+    }
     if found > 0 {
         bail!("{found} symbols are there to panic");
     }
-    println!("no symbol of {} binaries is there to panic", images()?.len() * BINARIES.len());
+    println!("no symbol of {} binaries is there to panic", images()?.len() * BINARIES.len() + Alone::ALL.len());
     Ok(())
 }

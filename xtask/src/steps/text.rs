@@ -50,7 +50,7 @@ pub const CLIPPY: Step = Step::new(
     "clippy has nothing to say",
     |_| {
         process::run(project::cargo().arg("clippy").args(WORKSPACE).args(["--all-targets", "--", "-D", "warnings"]))?;
-        process::run(project::cargo().args(["clippy", "--package", "goodbot", "--", "-D", "warnings"]))?;
+        process::run(project::cargo().args(["clippy", "--package", "goodbot", "--features", "defmt", "--", "-D", "warnings"]))?;
         process::run(project::cargo().args(["clippy", "--package", "goodbot", "--no-default-features", "--", "-D", "warnings"]))
     },
     "mend what clippy points at; an `#[expect(…, reason = \"…\")]` is for where it is wrong",

@@ -18,7 +18,7 @@ use anyhow::{Result, bail};
 pub use target::Target;
 
 use crate::programs::missing;
-use crate::project;
+use crate::{process, project};
 
 const MODE: &str = "CROSS_TOOLCHAIN_MODE";
 
@@ -39,6 +39,18 @@ pub fn setup() -> Result<()> {
     };
     println!("{}: {by}", Target::ALL.map(Target::triple).join(", "));
     Ok(())
+}
+
+/// The compiler that builds for the targets, such as `rustup's rustc 1.95.0`.
+pub fn compiler() -> Result<String> {
+    let described = match way()? {
+        Way::Rustup => {
+            format!("rustup's {}", process::capture(Command::new("rustc").current_dir(project::root()).arg("--version"))?.trim())
+        }
+        Way::BuildStd => build_std::describe()?,
+    };
+    // Without the commit and the day.
+    Ok(described.split(" (").next().unwrap_or_default().to_owned())
 }
 
 /// `cargo build --target …`, ready to be given its other arguments. Sets the target up if that has not been done. What is built is in

@@ -201,7 +201,7 @@ impl<'t, 'd> Reader<'t, 'd> {
     }
 
     /// T[v](w). A value that training has not seen has the words that are common.
-    #[inline]
+    #[inline(never)]
     pub fn value(&self, token: Symbol, word: usize) -> f32 {
         if word >= self.layout.words() {
             return self.novelty(Some(token));
@@ -229,8 +229,15 @@ impl<'t, 'd> Reader<'t, 'd> {
         for slot in emissions.iter_mut().take(self.present.len()) {
             *slot = 0.0;
         }
+        let (words, tokens) = (self.layout.words(), self.layout.tokens());
         for group in &self.groups {
-            let sum: f32 = self.values(group).iter().map(|&value| self.value(value, word)).sum();
+            let mut sum = 0.0;
+            for &value in self.values(group) {
+                // The common case of `value`, without a call.
+                let at = value.index().wrapping_add(1).wrapping_mul(words).wrapping_add(word);
+                let is_plain = word < words && value.index() < tokens;
+                sum += if is_plain { cell(self.translations, at) } else { self.value(value, word) };
+            }
             if let Some(slot) = emissions.get_mut(group.present()) {
                 *slot += group.share * sum;
             }
@@ -345,21 +352,30 @@ impl<'t, 'd> Reader<'t, 'd> {
         if self.form.is_some() {
             return None;
         }
-        let prior = prior(self.layout, self.present.iter().map(|present| present.kind()));
-        Some(self.step_by(&prior, END, lifts))
+        Some(self.step_by(&self.untrained_row(), END, lifts))
+    }
+
+    /// What stands for every row of p0 where training has not seen the lifted task.
+    fn untrained_row(&self) -> Moves {
+        prior(self.layout, self.present.iter().map(|present| present.kind()))
     }
 
     /// How a memory moves on with these lifts, where training has seen the lifted task.
     pub fn step(&self, memory: usize, lifts: &Moves) -> Step {
-        let width = self.layout.moves();
-        let start = self.memory(memory).unwrap_or(0).saturating_mul(width);
-        self.step_by(get(self.p0, start..start.saturating_add(width)), self.end(memory), lifts)
+        let (row, end) = self.trained_row(memory);
+        self.step_by(row, end, lifts)
     }
 
-    #[inline(always)]
     fn step_by(&self, row: &[f32], end: f32, lifts: &Moves) -> Step {
         let mut moves: Moves = [0.0; MOST_ROLES + 2];
-        let ([background, task, roles @ ..], [of_background, of_task, of_roles @ ..]) = (&mut moves, lifts);
+        let scale = self.scaled_moves(row, end, lifts, &mut moves);
+        Step { scale, moves }
+    }
+
+    /// Fills in a memory's moves from its row of p0, and returns their scale.
+    #[inline(always)]
+    fn scaled_moves(&self, row: &[f32], end: f32, lifts: &Moves, moves: &mut Moves) -> f32 {
+        let ([background, task, roles @ ..], [of_background, of_task, of_roles @ ..]) = (moves, lifts);
         *background = cell(row, 0) * of_background;
         *task = cell(row, 1) * of_task;
         let mut sum = *background + *task;
@@ -367,8 +383,14 @@ impl<'t, 'd> Reader<'t, 'd> {
             *slot = cell(row, usize::from(present.column)) * lift;
             sum += *slot;
         }
-        let scale = if sum > 0.0 { (1.0 - end) / sum } else { 0.0 };
-        Step { scale, moves }
+        if sum > 0.0 { (1.0 - end) / sum } else { 0.0 }
+    }
+
+    /// A memory's row of p0, and the probability of the end after it, where training has seen the lifted task.
+    fn trained_row(&self, memory: usize) -> (&'t [f32], f32) {
+        let (row, width) = (self.memory(memory), self.layout.moves());
+        let start = row.unwrap_or(0).saturating_mul(width);
+        (get(self.p0, start..start.saturating_add(width)), row.map_or(END, |row| cell(self.ends, row)))
     }
 
     /// Explains one word: from how probable each memory is before it to after it. Returns the sum of the latter.
@@ -377,18 +399,19 @@ impl<'t, 'd> Reader<'t, 'd> {
         let (background, task) = self.background_and_task(word);
         let mut emissions: Roles = [0.0; MOST_ROLES];
         self.emissions(word, &mut emissions);
-        let untrained = self.untrained_step(&lifts);
+        let untrained = if self.form.is_none() { Some(self.untrained_row()) } else { None };
+        let mut moves: Moves = [0.0; MOST_ROLES + 2];
         let mut into: Roles = [0.0; MOST_ROLES];
         for (memory, (slot, &mass)) in after.iter_mut().zip(before).take(self.memories()).enumerate() {
             *slot = 0.0;
             if mass <= 0.0 {
                 continue;
             }
-            let step = untrained.unwrap_or_else(|| self.step(memory, &lifts));
-            let scale = step.scale * mass;
-            let [first, second, roles @ ..] = &step.moves;
-            *slot = scale * (first * background + second * task);
-            for (slot, part) in into.iter_mut().zip(roles).take(self.present.len()) {
+            let (row, end) = untrained.as_ref().map_or_else(|| self.trained_row(memory), |row| (row, END));
+            let scale = self.scaled_moves(row, end, &lifts, &mut moves) * mass;
+            let [first, second, roles @ ..] = &moves;
+            *slot = scale * (*first * background + *second * task);
+            for ((slot, part), _) in into.iter_mut().zip(roles).zip(&self.present) {
                 *slot += scale * part;
             }
         }

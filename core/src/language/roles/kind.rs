@@ -59,16 +59,30 @@ fn length(words: usize) -> f32 {
     words as f32 / WORDS_OF_LENGTH
 }
 
-/// q_l(e) of the lifted task of a token; `sentence` has the known words alone, besides which there are so many `new` ones. A lifted task
-/// that training has not seen counts as one more session, and one for each new word.
-pub(crate) fn share(layout: &Layout, alignments: &[f32], sentence: &[Symbol], new: usize, token: Symbol) -> f32 {
-    match layout.form(token) {
-        Some(form) if layout.forms().len() > 1 => {
-            let length = length(sentence.len().saturating_add(new));
-            cell(&shares(layout, alignments, different(sentence), length), form)
+/// Which kinds of task a command speaks of.
+pub(crate) struct Kinds {
+    /// q_l(e) for each lifted task that training has seen.
+    shares: Forms,
+    /// Words that training has not seen.
+    new: f32,
+}
+
+impl Kinds {
+    /// The kinds of a command; `sentence` has the known words alone, besides which there are so many `new` ones.
+    pub fn of(layout: &Layout, alignments: &[f32], sentence: &[Symbol], new: usize) -> Self {
+        let shares = match layout.forms().len() {
+            0 | 1 => [1.0; LIFTED_TASKS],
+            _ => shares(layout, alignments, different(sentence), length(sentence.len().saturating_add(new))),
+        };
+        Self { shares, new: new as f32 }
+    }
+
+    /// q_l(e) of the lifted task of a token. One that training has not seen counts as one more session, and one for each new word.
+    pub fn share(&self, layout: &Layout, token: Symbol) -> f32 {
+        match layout.form(token) {
+            Some(form) => cell(&self.shares, form),
+            None => (1.0 + self.new) / (layout.sessions() + 1.0 + self.new),
         }
-        Some(_) => 1.0,
-        None => (1.0 + new as f32) / (layout.sessions() + 1.0 + new as f32),
     }
 }
 

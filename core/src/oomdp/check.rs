@@ -1,0 +1,260 @@
+//! Whether a domain is what [`Domain`] asks for.
+
+use super::{Action, ClassId, Domain, MOST_COST, ObjectId, PropositionId, Schema, World};
+use crate::capacity::{ARGUMENTS, ATTRIBUTES};
+use core::fmt;
+
+/// What is wrong with a domain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum DomainFlaw {
+    /// There are more actions than [`Action::MOST`].
+    Actions {
+        /// How many.
+        given: usize,
+    },
+    /// The cost of an action is not from 1 to [`MOST_COST`].
+    Cost {
+        /// The action.
+        action: Action,
+        /// Its cost.
+        cost: u8,
+    },
+    /// An action has no name, or that of another; `noop` is the name of doing nothing.
+    ActionName {
+        /// The action.
+        action: Action,
+    },
+    /// A class has no name, or that of another.
+    ClassName {
+        /// The class.
+        class: ClassId,
+    },
+    /// A propositional function has no name, or that of another.
+    PropositionName {
+        /// The propositional function.
+        proposition: PropositionId,
+    },
+    /// A propositional function has no argument, more than [`ARGUMENTS`], or one of a class that the schema does not have.
+    Parameters {
+        /// The propositional function.
+        proposition: PropositionId,
+    },
+    /// There are more attributes than [`ATTRIBUTES`], or one is carried by a class that the schema does not have.
+    Attribute {
+        /// The attribute, by its position in the schema.
+        attribute: usize,
+    },
+    /// An object is of a class that the schema does not have.
+    ObjectClass {
+        /// The object.
+        object: ObjectId,
+    },
+    /// An object has a value of an attribute that its class does not carry: no words could speak of it.
+    Value {
+        /// The object.
+        object: ObjectId,
+        /// The attribute, by its position in the schema.
+        attribute: usize,
+    },
+    /// The number of a state is not below [`Domain::state_count`].
+    Number {
+        /// The number.
+        number: u64,
+        /// What `state_count` returns.
+        count: u64,
+    },
+    /// [`Domain::numbered`] returns another state than the one that has the number. Mostly, two states have the same number.
+    Numbered {
+        /// The number.
+        number: u64,
+    },
+    /// [`Domain::step`] returns now one state and now another.
+    Step {
+        /// The number of the state that it was asked in.
+        number: u64,
+        /// The action.
+        action: Action,
+    },
+}
+
+impl fmt::Display for DomainFlaw {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Actions { given } => {
+                write!(f, "there are {given} actions, and {} are the most; give several small ones one name", Action::MOST)
+            }
+            Self::Cost { action, cost } => write!(f, "action {} costs {cost}; a cost must be from 1 to {MOST_COST}", action.0),
+            Self::ActionName { action } => {
+                write!(f, "action {} has no name, the name of another, or noop, which is doing nothing; name it", action.0)
+            }
+            Self::ClassName { class } => write!(f, "class {} has no name, or the name of another; name it", class.0),
+            Self::PropositionName { proposition } => {
+                write!(f, "propositional function {} has no name, or the name of another; name it", proposition.0)
+            }
+            Self::Parameters { proposition } => {
+                let proposition = proposition.0;
+                write!(f, "propositional function {proposition} must have 1 to {ARGUMENTS} arguments, of classes that the schema has")
+            }
+            Self::Attribute { attribute } => {
+                write!(f, "attribute {attribute} is one of more than {ATTRIBUTES}, or a class carries it that the schema does not have")
+            }
+            Self::ObjectClass { object } => write!(f, "object {} is of a class that the schema does not have", object.0),
+            Self::Value { object, attribute } => {
+                write!(f, "object {} has a value of attribute {attribute}, which its class does not carry; add a carrier", object.0)
+            }
+            Self::Number { number, count } => {
+                write!(f, "a state has the number {number}, and state_count is {count}; it must be more than every number")
+            }
+            Self::Numbered { number } => write!(
+                f,
+                "numbered({number}) is another state than the one with that number; give every state a number of its own, and undo it"
+            ),
+            Self::Step { number, action } => {
+                write!(f, "step leads from state {number} by action {} now to one state and now to another", action.0)
+            }
+        }
+    }
+}
+
+impl core::error::Error for DomainFlaw {}
+
+/// Whether the actions are as [`Domain::actions`] asks for, but for their names: what is asked each time that a command is heard.
+pub(crate) fn check_actions<D: Domain + ?Sized>(domain: &D) -> Result<(), DomainFlaw> {
+    let actions = domain.actions();
+    if actions.len() > Action::MOST {
+        return Err(DomainFlaw::Actions { given: actions.len() });
+    }
+    match actions.iter().position(|kind| kind.cost == 0 || kind.cost > MOST_COST) {
+        None => Ok(()),
+        Some(position) => Err(DomainFlaw::Cost { action: Action(position as u8), cost: actions.get(position).map_or(0, |kind| kind.cost) }),
+    }
+}
+
+/// How far [`check`] came.
+#[cfg(feature = "alloc")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Checked {
+    /// States that were visited.
+    pub states: usize,
+    /// Whether these are all that the robot can come to.
+    pub all: bool,
+}
+
+/// Tries whether a domain is what [`Domain`] asks for: its description, and what its functions say in every state that the actions lead to
+/// from `start`, or in the first `most` of them. Nothing else finds these mistakes before the robot does something strange, so call it in
+/// a test of your robot's.
+///
+/// ```
+/// use goodbot::{HeapMemory, home::{Area, Cell, HomeBuilder, Moves}, oomdp::check};
+/// let mut memory = HeapMemory::new(&goodbot::Capacities::SMALL);
+/// let mut builder = HomeBuilder::new(&mut memory.home);
+/// builder.room("room0", Area::new(0, 0, 4, 4), "red")?;
+/// builder.agent("agent0", Cell::new(2, 2))?;
+/// let (home, start) = builder.build(Moves::Push)?;
+/// let checked = check(&home, start, 1_000_000)?;
+/// assert!(checked.all && checked.states == 9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// The first [`DomainFlaw`] that is found.
+#[cfg(feature = "alloc")]
+pub fn check<D: Domain + ?Sized>(domain: &D, start: D::State, most: usize) -> Result<Checked, DomainFlaw> {
+    use alloc::collections::{BTreeSet, VecDeque};
+
+    check_description(domain)?;
+    let mut seen = BTreeSet::from([check_number(domain, &start)?]);
+    let mut open = VecDeque::from([start]);
+    let mut states: usize = 0;
+    while let Some(state) = open.pop_front() {
+        if states >= most {
+            return Ok(Checked { states, all: false });
+        }
+        states = states.saturating_add(1);
+        for action in super::own_actions(domain) {
+            let next = domain.step(&state, action);
+            if domain.step(&state, action) != next {
+                return Err(DomainFlaw::Step { number: domain.number(&state), action });
+            }
+            if let Some(next) = next
+                && seen.insert(check_number(domain, &next)?)
+            {
+                open.push_back(next);
+            }
+        }
+    }
+    Ok(Checked { states, all: true })
+}
+
+/// The number of a state, where it is as it must be.
+#[cfg(feature = "alloc")]
+fn check_number<D: Domain + ?Sized>(domain: &D, state: &D::State) -> Result<u64, DomainFlaw> {
+    let (number, count) = (domain.number(state), domain.state_count());
+    // With no bound, there is none to keep.
+    if number >= count && count != u64::MAX {
+        return Err(DomainFlaw::Number { number, count });
+    }
+    if domain.numbered(number) == *state { Ok(number) } else { Err(DomainFlaw::Numbered { number }) }
+}
+
+#[cfg(feature = "alloc")]
+fn check_description<D: Domain + ?Sized>(domain: &D) -> Result<(), DomainFlaw> {
+    check_actions(domain)?;
+    let actions = domain.actions();
+    let mut names = actions.iter().map(|kind| kind.name);
+    if let Some(position) = misnamed(names.clone()).or_else(|| names.position(|name| name == "noop")) {
+        return Err(DomainFlaw::ActionName { action: Action(position as u8) });
+    }
+    let World { schema, objects } = domain.world();
+    check_schema(&schema)?;
+    for (id, object) in objects.iter() {
+        if usize::from(object.class.0) >= schema.classes.len() {
+            return Err(DomainFlaw::ObjectClass { object: id });
+        }
+        let carries = |attribute: usize| {
+            let carriers = schema.attributes.get(attribute).map_or(&[][..], |attribute| attribute.carriers);
+            carriers.iter().any(|carrier| carrier.class == object.class)
+        };
+        if let Some(attribute) = (0..ATTRIBUTES).find(|&attribute| object.value(attribute).is_some() && !carries(attribute)) {
+            return Err(DomainFlaw::Value { object: id, attribute });
+        }
+    }
+    Ok(())
+}
+
+#[cfg(feature = "alloc")]
+fn check_schema(schema: &Schema<'_>) -> Result<(), DomainFlaw> {
+    let is_there = |class: ClassId| usize::from(class.0) < schema.classes.len();
+    if let Some(position) = misnamed(schema.classes.iter().map(|class| class.name)) {
+        return Err(DomainFlaw::ClassName { class: ClassId(position as u8) });
+    }
+    if let Some(position) = misnamed(schema.propositions.iter().map(|proposition| proposition.name)) {
+        return Err(DomainFlaw::PropositionName { proposition: PropositionId(position as u8) });
+    }
+    for (position, proposition) in schema.propositions.iter().enumerate() {
+        let parameters = proposition.parameters;
+        if parameters.is_empty() || parameters.len() > ARGUMENTS || !parameters.iter().all(|&class| is_there(class)) {
+            return Err(DomainFlaw::Parameters { proposition: PropositionId(position as u8) });
+        }
+    }
+    for (position, attribute) in schema.attributes.iter().enumerate() {
+        if position >= ATTRIBUTES || !attribute.carriers.iter().all(|carrier| is_there(carrier.class)) {
+            return Err(DomainFlaw::Attribute { attribute: position });
+        }
+    }
+    Ok(())
+}
+
+/// The first name that is empty, or that stands before already.
+#[cfg(feature = "alloc")]
+fn misnamed<'n>(mut names: impl Iterator<Item = &'n str> + Clone) -> Option<usize> {
+    let all = names.clone();
+    let mut position: usize = 0;
+    names.position(|name| {
+        let is_known = all.clone().take(position).any(|before| before == name);
+        position = position.saturating_add(1);
+        name.is_empty() || is_known
+    })
+}

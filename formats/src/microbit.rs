@@ -1,0 +1,303 @@
+//! The file for a BBC micro:bit, as Intel HEX: the program, and in the last pages of the flash what the robot knows and where it lives.
+//!
+//! | from | to | what |
+//! |---|---|---|
+//! | 0 | [`HOME`] | the program, which `cargo xtask microbit` makes |
+//! | [`HOME`] | [`SLOTS`] | a home and commands, a request a line, as the serial line takes them; erased (0xff) where the robot has its own home |
+//! | [`SLOTS`] | [`END`] | two slots with models, as `goodbot::storage` writes them |
+//!
+//! ```
+//! use goodbot_formats::microbit::{MicrobitFile, SLOTS};
+//! let mut file = MicrobitFile::of_program([(0, &b"goodbot on the micro:bit; say help"[..])])?;
+//! file.put_slots(&[1, 2, 3])?;
+//! let read = MicrobitFile::parse(&file.to_text())?;
+//! assert_eq!(read.bytes(SLOTS, 4), [1, 2, 3, 0xff]);
+//! assert!(MicrobitFile::parse("S0030000FC").is_err());
+//! # Ok::<(), goodbot_formats::microbit::MicrobitError>(())
+//! ```
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use ihex::{Reader, Record};
+
+use crate::environment::{EnvironmentFile, ObjectRecord};
+
+/// Where the home is kept.
+pub const HOME: u32 = 0x3_DC00;
+/// Where the models are kept.
+pub const SLOTS: u32 = 0x3_E000;
+/// The end of the flash.
+pub const END: u32 = 0x4_0000;
+/// Bytes of one slot.
+pub const SLOT_BYTES: u32 = (END - SLOTS) / 2;
+/// The longest line that the board reads, in bytes.
+pub const MOST_LINE: usize = 64;
+
+/// What the program has in it, and no other has.
+const MARK: &[u8] = b"goodbot on the micro:bit";
+/// Bytes of data on one line of the file.
+const LINE: usize = 16;
+/// What erased flash holds.
+const ERASED: u8 = 0xff;
+
+/// Why there is no file, or why something does not fit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum MicrobitError {
+    /// Not Intel HEX.
+    NotHex {
+        /// The line, from 1.
+        line: usize,
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// Intel HEX, but not goodbot's program for the micro:bit.
+    NotGoodbot,
+    /// The program is too long, or lies outside the flash.
+    Program {
+        /// The address that is out of bounds.
+        address: u32,
+    },
+    /// Too many bytes.
+    TooLong {
+        /// What they are.
+        what: &'static str,
+        /// How many there are.
+        bytes: usize,
+        /// How many may be.
+        most: usize,
+    },
+    /// A name, color or shape that the board cannot read on a line.
+    Name(String),
+}
+
+impl fmt::Display for MicrobitError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotHex { line, problem } => write!(f, "line {line}: this is no Intel HEX ({problem}); name the file goodbot.hex"),
+            Self::NotGoodbot => f.write_str("this is not goodbot's program for the micro:bit; `cargo xtask microbit` makes it"),
+            Self::Program { address } => write!(f, "the program has bytes at {address:#x}, which is not its part of the flash"),
+            Self::TooLong { what, bytes, most } => write!(f, "{what} has {bytes} bytes, and the micro:bit has room for {most}"),
+            Self::Name(name) => write!(f, "{name:?} cannot be said on one line; use a word without spaces"),
+        }
+    }
+}
+
+impl std::error::Error for MicrobitError {}
+
+/// What a micro:bit's flash is to hold.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MicrobitFile(BTreeMap<u32, u8>);
+
+impl MicrobitFile {
+    /// The program: the addresses in the flash, and the bytes there.
+    ///
+    /// # Errors
+    /// [`MicrobitError::Program`] and [`MicrobitError::NotGoodbot`].
+    pub fn of_program<'p>(parts: impl IntoIterator<Item = (u32, &'p [u8])>) -> Result<Self, MicrobitError> {
+        let bytes = parts.into_iter().flat_map(|(address, bytes)| (address..).zip(bytes.iter().copied()));
+        let file = Self(bytes.collect());
+        if let Some((&address, _)) = file.0.range(HOME..).next() {
+            return Err(MicrobitError::Program { address });
+        }
+        file.checked()
+    }
+
+    /// Reads a file, with what it has besides the program.
+    ///
+    /// # Errors
+    /// [`MicrobitError::NotHex`], [`MicrobitError::Program`] and [`MicrobitError::NotGoodbot`].
+    pub fn parse(text: &str) -> Result<Self, MicrobitError> {
+        let (mut bytes, mut upper, mut ended) = (BTreeMap::new(), 0_u32, false);
+        for (number, record) in Reader::new(text).enumerate() {
+            let problem = |problem: String| MicrobitError::NotHex { line: number + 1, problem };
+            match record.map_err(|error| problem(error.to_string()))? {
+                Record::Data { offset, value } => bytes.extend((upper + u32::from(offset)..).zip(value)),
+                Record::ExtendedLinearAddress(address) => upper = u32::from(address) << 16,
+                Record::ExtendedSegmentAddress(address) => upper = u32::from(address) << 4,
+                Record::EndOfFile => ended = true,
+                Record::StartLinearAddress(_) | Record::StartSegmentAddress { .. } => {}
+            }
+        }
+        if !ended {
+            return Err(MicrobitError::NotHex { line: text.lines().count(), problem: "it does not end as such a file ends".to_owned() });
+        }
+        if let Some((&address, _)) = bytes.range(END..).next() {
+            return Err(MicrobitError::Program { address });
+        }
+        Self(bytes).checked()
+    }
+
+    fn checked(self) -> Result<Self, MicrobitError> {
+        let all: Vec<u8> = self.0.values().copied().collect();
+        if all.windows(MARK.len()).any(|window| window == MARK) { Ok(self) } else { Err(MicrobitError::NotGoodbot) }
+    }
+
+    /// So many bytes from an address on; where the file has none, the flash is erased.
+    pub fn bytes(&self, from: u32, count: usize) -> Vec<u8> {
+        (from..).take(count).map(|at| self.0.get(&at).copied().unwrap_or(ERASED)).collect()
+    }
+
+    /// How many bytes of flash it takes.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Puts the slots' bytes in place of those it has.
+    ///
+    /// # Errors
+    /// [`MicrobitError::TooLong`].
+    pub fn put_slots(&mut self, slots: &[u8]) -> Result<(), MicrobitError> {
+        self.put("what was learned", SLOTS, END, slots)
+    }
+
+    /// Puts a home in place of the robot's own, and commands in place of its own list; where there is none, its own stays.
+    ///
+    /// # Errors
+    /// [`MicrobitError::Name`] and [`MicrobitError::TooLong`].
+    pub fn put_home(&mut self, home: Option<&EnvironmentFile>, commands: &[String]) -> Result<(), MicrobitError> {
+        let mut text = String::new();
+        for line in home
+            .into_iter()
+            .flat_map(|home| &home.objects)
+            .map(request)
+            .chain(commands.iter().map(|command| Ok(format!("say {}", command.trim()))))
+        {
+            let line = line?;
+            if line.len() > MOST_LINE {
+                return Err(MicrobitError::TooLong {
+                    what: "the longest line of the home or of a command",
+                    bytes: line.len(),
+                    most: MOST_LINE,
+                });
+            }
+            text += &line;
+            text.push('\n');
+        }
+        self.put("the home", HOME, SLOTS, text.as_bytes())
+    }
+
+    fn put(&mut self, what: &'static str, from: u32, to: u32, bytes: &[u8]) -> Result<(), MicrobitError> {
+        let most = (to - from) as usize;
+        if bytes.len() > most {
+            return Err(MicrobitError::TooLong { what, bytes: bytes.len(), most });
+        }
+        self.0.retain(|at, _| !(from..to).contains(at));
+        self.0.extend((from..).zip(bytes.iter().copied()));
+        Ok(())
+    }
+
+    /// As text, to be dragged onto the board.
+    pub fn to_text(&self) -> String {
+        let (mut text, mut upper) = (String::new(), None);
+        let mut line: (u32, Vec<u8>) = (0, Vec::new());
+        let mut add = |record: &Record| text += &(record.to_record_string().unwrap_or_default() + "\n");
+        let mut end = |line: &mut (u32, Vec<u8>)| {
+            let (at, value) = std::mem::take(line);
+            if value.is_empty() {
+                return;
+            }
+            // Each record says the lower half of its address.
+            if upper != Some(at >> 16) {
+                upper = Some(at >> 16);
+                add(&Record::ExtendedLinearAddress((at >> 16) as u16));
+            }
+            add(&Record::Data { offset: at as u16, value });
+        };
+        for (&at, &byte) in &self.0 {
+            if at != line.0 + line.1.len() as u32 || line.1.len() == LINE || at.is_multiple_of(1 << 16) {
+                end(&mut line);
+                line.0 = at;
+            }
+            line.1.push(byte);
+        }
+        end(&mut line);
+        text += &(Record::EndOfFile.to_record_string().unwrap_or_default() + "\n");
+        text
+    }
+}
+
+/// An object as the board is told of it.
+fn request(object: &ObjectRecord) -> Result<String, MicrobitError> {
+    let words = match object {
+        ObjectRecord::Room { name, color, .. } => vec![name, color],
+        ObjectRecord::Door { name, .. } | ObjectRecord::Agent { name, .. } => vec![name],
+        ObjectRecord::Block { name, color, shape, .. } => vec![name, color, shape],
+    };
+    if let Some(&word) = words.iter().find(|word| word.is_empty() || word.contains(char::is_whitespace)) {
+        return Err(MicrobitError::Name(word.clone()));
+    }
+    Ok(match object {
+        ObjectRecord::Room { name, left, bottom, right, top, color } => format!("room {name} {left} {bottom} {right} {top} {color}"),
+        ObjectRecord::Door { name, left, bottom, right, top } => format!("door {name} {left} {bottom} {right} {top}"),
+        ObjectRecord::Agent { name, x, y } => format!("agent {name} {x} {y}"),
+        ObjectRecord::Block { name, x, y, color, shape } => format!("block {name} {x} {y} {color} {shape}"),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn program() -> MicrobitFile {
+        let filled = [MARK, &[7; 70_000]].concat();
+        MicrobitFile::of_program([(0, &filled[..])]).unwrap()
+    }
+
+    fn home(text: &str) -> EnvironmentFile {
+        EnvironmentFile::parse(&format!("{{\"version\":1,\"objects\":[{text}]}}")).unwrap()
+    }
+
+    #[test]
+    fn a_file_is_read_as_it_was_written_across_a_border_of_64_kilobytes() {
+        let mut file = program();
+        file.put_slots(&[9; 100]).unwrap();
+        assert_eq!(MicrobitFile::parse(&file.to_text()).unwrap(), file);
+        assert!(file.to_text().lines().all(|line| line.len() <= 11 + 2 * LINE));
+    }
+
+    #[test]
+    fn a_home_is_a_request_a_line_and_takes_the_place_of_another() {
+        let mut file = program();
+        file.put_slots(&[9; 8]).unwrap();
+        let long = home(
+            r#"{"class":"room","name":"room0","left":0,"bottom":0,"right":8,"top":4,"color":"red"},{"class":"agent","name":"a","x":1,"y":2}"#,
+        );
+        file.put_home(Some(&long), &["go there".to_owned()]).unwrap();
+        file.put_home(Some(&home(r#"{"class":"block","name":"b","x":-1,"y":2,"color":"red","shape":"chair"}"#)), &[]).unwrap();
+        assert_eq!(file.bytes(HOME, 24), b"block b -1 2 red chair\n\xff");
+        assert_eq!(file.bytes(SLOTS, 8), [9; 8]);
+    }
+
+    #[test]
+    fn what_does_not_fit_is_refused_and_changes_nothing() {
+        let mut file = program();
+        let before = file.clone();
+        assert_eq!(
+            file.put_slots(&[0; 8_193]).unwrap_err().to_string(),
+            "what was learned has 8193 bytes, and the micro:bit has room for 8192"
+        );
+        let commands: Vec<String> = (0..40).map(|number| format!("go to the room that has the number {number}")).collect();
+        assert!(file.put_home(None, &commands).unwrap_err().to_string().contains("room for 1024"));
+        assert!(file.put_home(None, &["so ".repeat(30)]).unwrap_err().to_string().contains("room for 64"));
+        assert_eq!(file, before);
+    }
+
+    #[test]
+    fn what_is_no_such_file_is_refused() {
+        let whole = program().to_text();
+        let other = MicrobitFile::of_program([(0, &b"another program"[..])]);
+        assert_eq!(other, Err(MicrobitError::NotGoodbot));
+        assert_eq!(MicrobitFile::of_program([(HOME, MARK)]), Err(MicrobitError::Program { address: HOME }));
+        for (text, problem) in [("", "does not end"), ("{}", "no Intel HEX"), (&whole[..whole.len() / 2], "no Intel HEX")] {
+            let error = MicrobitFile::parse(text).unwrap_err().to_string();
+            assert!(error.contains(problem), "{error}");
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! `goodbot microbit`: a micro:bit's file with what a robot learned elsewhere.
+
+use crate::load::home;
+use crate::messages::{counted, say};
+use crate::outcome::Failure;
+use crate::output::Output;
+use crate::whole_file::{MOST_BYTES, read_model};
+use clap::{Args, ValueHint};
+use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
+use goodbot::home::{Moves, paper_tasks};
+use goodbot::language::Model;
+use goodbot::memory::{AgentHeap, HomeHeap};
+use goodbot::snapshot::Contents;
+use goodbot::storage::TwoSlots;
+use goodbot::{Agent, Capacities, Options};
+use goodbot_formats::microbit::{MicrobitFile, SLOT_BYTES};
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+/// How much the board's robot remembers.
+const CAPACITIES: Capacities = Capacities::TINY;
+
+/// The options of `goodbot microbit`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+The file has the program of goodbot.hex, the model, and a home in place of the robot's own where one is named. The micro:bit (first version) \
+goes on learning from there. It has room for about 14 words and 7 lessons and for a home of 41 cells; what has no room is named.
+
+Example:
+  cargo xtask microbit
+  goodbot microbit --hex dist/goodbot.hex --model words.goodbot --home home.json --command \"go to the red room\" --out mine.hex")]
+pub struct MicrobitOptions {
+    /// The program, which `cargo xtask microbit` makes
+    #[arg(long, value_name = "FILE.hex", value_hint = ValueHint::FilePath)]
+    hex: PathBuf,
+    /// What the robot knows: a model that goodbot learn or goodbot teach wrote
+    #[arg(long, short = 'm', value_name = "MODEL", value_hint = ValueHint::FilePath)]
+    model: PathBuf,
+    /// A home in place of the robot's own, as JSON or drawn as text; - is standard input
+    #[arg(long, value_name = "HOME", value_hint = ValueHint::FilePath)]
+    home: Option<String>,
+    /// A command that a long press is to choose, of a list of your own; may be given several times
+    #[arg(long, short = 'c', value_name = "WORDS")]
+    command: Vec<String>,
+    /// Where the file goes; - is standard output
+    #[arg(long, short = 'o', value_name = "FILE.hex", value_hint = ValueHint::FilePath)]
+    out: PathBuf,
+    /// Replace a file that is no micro:bit's file of goodbot's
+    #[arg(long)]
+    force: bool,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// [`Failure`] names the file and what is wrong with it.
+pub fn run(options: &MicrobitOptions) -> Result<(), Failure> {
+    let inputs = [options.hex.to_str(), options.model.to_str(), options.home.as_deref()];
+    let target = Output::microbit(&options.out, inputs.into_iter().flatten(), options.force)?;
+    let mut file = MicrobitFile::parse(&read_text(&options.hex)?).map_err(|error| refused(&options.hex, &error))?;
+    let (slots, sessions) = slots(&options.model)?;
+    file.put_slots(&slots).map_err(|error| refused(&options.model, &error))?;
+    if let Some(command) = options.command.iter().find(|command| command.trim().is_empty() || command.contains(char::is_control)) {
+        return Err(Failure::Input(format!("{command:?} is no command; say what to do, on one line")));
+    }
+    if options.home.is_some() || !options.command.is_empty() {
+        let objects = options.home.as_deref().map(described).transpose()?;
+        file.put_home(objects.as_ref(), &options.command).map_err(|error| Failure::Input(error.to_string()))?;
+    }
+    target.write(file.to_text().as_bytes())?;
+    say!("{}: {}; drag it onto a micro:bit (first version)", target.name(), counted(sessions, "lesson"));
+    Ok(())
+}
+
+fn refused(path: &Path, error: &dyn std::fmt::Display) -> Failure {
+    Failure::Input(format!("{}: {error}", path.display()))
+}
+
+fn read_text(path: &Path) -> Result<String, Failure> {
+    let mut text = String::new();
+    let read = File::open(path).and_then(|file| file.take(MOST_BYTES).read_to_string(&mut text));
+    read.map_err(|error| refused(path, &format!("cannot be read as text ({error}); name the file goodbot.hex")))?;
+    Ok(text)
+}
+
+/// A home that the board has room for.
+fn described(name: &str) -> Result<goodbot_formats::environment::EnvironmentFile, Failure> {
+    let environment = home::read(name).map_err(|fault| Failure::Input(fault.to_string()))?;
+    let mut memory = HomeHeap::new(&CAPACITIES);
+    match home::build(&environment, Moves::Push, &mut memory) {
+        Ok(_) => Ok(environment),
+        Err(flaw) => Err(Failure::Input(format!("{name} on a micro:bit: {}", flaw.message(&environment)))),
+    }
+}
+
+/// The board's slots with a model that its robot takes back, and how many sessions that has.
+fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
+    let model = read_model(path)?;
+    let contents = Contents::read(&model).map_err(|error| refused(path, &error))?;
+    if contents.options.language.model != Model::Roles {
+        return Err(refused(path, &"was learned as in the paper, and the micro:bit has the default learner alone"));
+    }
+    let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
+    let mut agent = Agent::new(AgentHeap::new(&CAPACITIES), &tasks, Options::DEFAULT).map_err(|error| Failure::Input(error.to_string()))?;
+    let small = |error: &dyn std::fmt::Display| refused(path, &format!("on a micro:bit: {error}; teach it fewer lessons and words"));
+    agent.restore(&model).map_err(|error| small(&error))?;
+    let mut flash = Flash(vec![0xff; 2 * SLOT_BYTES as usize]);
+    TwoSlots::new(&mut flash, 0, SLOT_BYTES).and_then(|mut slots| slots.store(&model)).map_err(|error| small(&error))?;
+    Ok((flash.0, agent.language().bitext().sessions()))
+}
+
+/// The board's slots, as its program finds them.
+struct Flash(Vec<u8>);
+
+/// Bytes outside the slots were asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Outside;
+
+impl NorFlashError for Outside {
+    fn kind(&self) -> NorFlashErrorKind {
+        NorFlashErrorKind::OutOfBounds
+    }
+}
+
+impl ErrorType for Flash {
+    type Error = Outside;
+}
+
+impl ReadNorFlash for Flash {
+    const READ_SIZE: usize = 1;
+
+    fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), Outside> {
+        let from = self.0.get(offset as usize..).and_then(|rest| rest.get(..bytes.len())).ok_or(Outside)?;
+        bytes.copy_from_slice(from);
+        Ok(())
+    }
+
+    fn capacity(&self) -> usize {
+        self.0.len()
+    }
+}
+
+impl NorFlash for Flash {
+    const WRITE_SIZE: usize = 4;
+    const ERASE_SIZE: usize = 1_024;
+
+    fn erase(&mut self, from: u32, to: u32) -> Result<(), Outside> {
+        self.0.get_mut(from as usize..to as usize).ok_or(Outside)?.fill(0xff);
+        Ok(())
+    }
+
+    fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), Outside> {
+        let to = self.0.get_mut(offset as usize..).and_then(|rest| rest.get_mut(..bytes.len())).ok_or(Outside)?;
+        to.copy_from_slice(bytes);
+        Ok(())
+    }
+}
