@@ -10,6 +10,7 @@ pub const MOST_WEIGHT: f32 = 1e6;
 
 /// Which model words are understood by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Model {
     /// IBM Model 2, the paper's: every word stands for one token of a machine command, or for none. With the feature `model2`, which is on
     /// by default.

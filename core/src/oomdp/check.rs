@@ -1,6 +1,8 @@
 //! Whether a domain is what [`Domain`] asks for.
 
-use super::{Action, ClassId, Domain, MOST_COST, ObjectId, PropositionId, Schema, World};
+use super::{Action, ClassId, Domain, MOST_COST, ObjectId, PropositionId};
+#[cfg(feature = "alloc")]
+use super::{Schema, World};
 use crate::capacity::{ARGUMENTS, ATTRIBUTES};
 use core::fmt;
 
