@@ -31,10 +31,10 @@ pub const INSTRUCTIONS: [(&str, &str); 6] = [
 /// The longest calls of a control loop, in the order of the table.
 pub const CALLS: [(&str, &str); 5] = [
     ("longest-hear-call", "`hear_on`, 1 cell"),
-    ("longest-plan-call", "`plan`, 50 expansions"),
+    ("longest-plan-call", "`plan`, 8 expansions"),
     ("longest-act-call", "an action with feedback"),
     ("longest-finish-call", "`finish_on`, 1 cell"),
-    ("longest-learn-call", "`learn`, 100 cells"),
+    ("longest-learn-call", "`learn`, 16 cells"),
 ];
 
 /// The lesson whose first plan is shown for each environment, by position; the first two lessons share one.
