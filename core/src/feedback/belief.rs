@@ -316,10 +316,11 @@ impl Belief<'_> {
             return false;
         }
         let (tasks, strategies) = (self.count.tasks, self.count.strategies.max(1));
-        let rows = self.memory.joint.chunks_mut(strategies).zip(self.memory.settled.chunks_mut(strategies));
-        for (task, (joint, settled)) in rows.take(tasks).enumerate() {
+        // Not zipped: where that is not inlined, it has a division that could panic.
+        let mut settled = self.memory.settled.chunks_mut(strategies);
+        for (task, joint) in self.memory.joint.chunks_mut(strategies).take(tasks).enumerate() {
             let value = likelihood(task);
-            joint.iter_mut().chain(settled).for_each(|weight| *weight = weight.scaled_by(value));
+            joint.iter_mut().chain(settled.next().unwrap_or_default()).for_each(|weight| *weight = weight.scaled_by(value));
         }
         true
     }

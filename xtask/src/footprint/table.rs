@@ -85,6 +85,7 @@ pub fn markdown(kept: &Kept) -> String {
     text += &for_each(kept, |footprint| table(footprint, &bytes, Some(("statics", "stack"))));
     text += PROGRAMS;
     text += &for_each(kept, programs);
+    text.push('\n');
     text += &for_each(kept, ways);
     text += AIMS;
     text += &aims(kept);

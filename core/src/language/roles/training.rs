@@ -367,7 +367,8 @@ impl Work<'_, '_> {
     fn set_naming(&mut self, form: usize) {
         let range = self.layout.naming(form);
         let (values, counts) = (get_mut(self.a.values, range.clone()), get_mut(self.a.counts, range));
-        for (values, counts) in values.chunks_mut(SHARES_NAMED).zip(counts.chunks_mut(SHARES_NAMED)) {
+        let (values, counts) = (values.as_chunks_mut::<SHARES_NAMED>().0, counts.as_chunks_mut::<SHARES_NAMED>().0);
+        for (values, counts) in values.iter_mut().zip(counts) {
             let whole = counts.iter().sum::<f32>() + OF_NAMING * SHARES_NAMED as f32;
             values.iter_mut().zip(counts).for_each(|(value, count)| *value = (core::mem::take(count) + OF_NAMING) / whole);
         }
