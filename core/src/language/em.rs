@@ -189,7 +189,10 @@ fn maximise_alignments(tables: &mut Tables<'_>, pair: usize, settings: &Settings
     let (_, a) = tables.parts();
     let (Some(alignments), Some(counts)) = (a.values.get_mut(range.clone()), a.counts.get_mut(range)) else { return 0 };
     let uniform = 1.0 / width as f32;
-    for (alignments, counts) in alignments.chunks_mut(width).zip(counts.chunks_mut(width)) {
+    // Not zipped: where that is not inlined, it has a division that could panic.
+    let mut counts = counts.chunks_mut(width);
+    for alignments in alignments.chunks_mut(width) {
+        let counts = counts.next().unwrap_or_default();
         let total: f32 = counts.iter().sum();
         let whole = total + settings.alignment_prior;
         for (a, count) in alignments.iter_mut().zip(counts) {
