@@ -1,11 +1,11 @@
-// Expands the module: an LZMA stream without a header, with three bits of literal context and none of position (lc = 3, lp = pb = 0),
+// Expands the module: an LZMA stream without a header, with two bits of literal context and none of position (lc = 2, lp = pb = 0),
 // as the page’s builder writes it. It is a fifth denser than what browsers expand by themselves. The names are those of the format's specification.
 
 export function unpack(packed, size) {
   const out = new Uint8Array(size);
   const half = count => new Uint16Array(count).fill(1024);
   const [isMatch, isRep, isRepG0, isRepG1, isRepG2, isRep0Long] = Array.from({ length: 6 }, () => half(12));
-  const [literals, slots, special, align] = [half(0x300 << 3), half(4 << 6), half(128), half(16)];
+  const [literals, slots, special, align] = [half(0x300 << 2), half(4 << 6), half(128), half(16)];
   const lengths = () => ({ choice: half(2), low: half(8), mid: half(8), high: half(256) });
   const [matchLength, repLength] = [lengths(), lengths()];
   let [at, range, code] = [5, 2 ** 32 - 1, 0];
@@ -73,7 +73,7 @@ export function unpack(packed, size) {
   let [rep0, rep1, rep2, rep3] = [0, 0, 0, 0];
   while (position < size) {
     if (!bit(isMatch, state)) {
-      const from = 0x300 * (position ? out[position - 1] >> 5 : 0);
+      const from = 0x300 * (position ? out[position - 1] >> 6 : 0);
       let symbol = 1;
       if (state > 6) {
         let match = out[position - rep0 - 1];
