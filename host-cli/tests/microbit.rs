@@ -89,7 +89,7 @@ fn what_is_no_program_for_a_micro_bit_or_no_model_for_it_is_refused() {
     for (arguments, problem) in [
         (&["--hex", "LOG", "-m", "MODEL"][..], "no Intel HEX"),
         (&["--hex", "MODEL", "-m", "MODEL"], "cannot be read as text"),
-        (&["--hex", "HEX", "-m", "HEX"], "not a model"),
+        (&["--hex", "HEX", "-m", "HEX"], "not a goodbot model"),
         (&["--hex", "HEX", "-m", "MODEL", "-c", " "], "no command"),
     ] {
         let run = run(folder.path(), &[&["microbit"], arguments, &["-o", "OUT"]].concat());

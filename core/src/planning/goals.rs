@@ -40,12 +40,13 @@ crate::memory::tables! {
 /// What the tasks of one session ask, beside the tables.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct GoalTable {
-    parts: usize,
-    all: TaskSet,
+    /// Distinct ground propositions: at most a few for each of 64 tasks.
+    parts: u16,
+    /// Cells of each piece in the table; 0 until it is filled, and where there is none. A floor has no more cells than a `u16` counts.
+    tabled_cells: u16,
     /// Entries of the table that are filled.
-    filled: usize,
-    /// Cells of each piece in the table; 0 until it is filled, and where there is none.
-    tabled_cells: usize,
+    filled: u32,
+    all: TaskSet,
     /// The tasks that ask for the cell of the robot, for that of another piece, and for something that no single cell decides.
     of_robot: TaskSet,
     of_others: TaskSet,
@@ -82,13 +83,13 @@ impl GoalTable {
                     None => &mut table.of_several,
                 };
                 *asked = asked.with(position);
-                let known = memory.parts.iter_mut().take(table.parts).find(|part| part.proposition == proposition);
+                let known = memory.parts.iter_mut().take(table.parts()).find(|part| part.proposition == proposition);
                 if let Some(part) = known {
                     part.tasks = part.tasks.with(position);
                     continue;
                 }
                 let limit = memory.parts.len();
-                let slot = memory.parts.get_mut(table.parts).ok_or(CapacityError::full(Capacity::GroundPropositions, limit))?;
+                let slot = memory.parts.get_mut(table.parts()).ok_or(CapacityError::full(Capacity::GroundPropositions, limit))?;
                 *slot = GoalPart { proposition, tasks: TaskSet::of(position), piece };
                 table.parts = table.parts.saturating_add(1);
             }
@@ -98,30 +99,32 @@ impl GoalTable {
 
     /// Whether the table of cells is not filled yet. A domain without a floor, or with more cells than entries, has none.
     pub(super) fn is_to_tabulate<G: PushGrid + ?Sized>(&self, entries: usize, grid: &G) -> bool {
-        self.tabled_cells == 0 && grid.floor().cells.len().checked_mul(grid.pieces()).is_some_and(|all| all > 0 && all <= entries)
+        let cells = grid.floor().cells.len();
+        let is_countable = u16::try_from(cells).is_ok() && u32::try_from(entries).is_ok();
+        self.tabled_cells == 0 && is_countable && cells.checked_mul(grid.pieces()).is_some_and(|all| all > 0 && all <= entries)
     }
 
     /// Goes on filling the table of cells, at most this many. `state` is any state of the domain.
     pub(super) fn tabulate<G: PushGrid + ?Sized>(&mut self, memory: &mut GoalMemory<'_>, grid: &G, state: &G::State, most: usize) {
         let cells = grid.floor().cells.len();
         let all = cells.saturating_mul(grid.pieces());
-        for at in (self.filled..all).take(most) {
+        for at in (self.filled as usize..all).take(most) {
             let piece = Piece(at.checked_div(cells).unwrap_or(0) as u8);
             let cell = CellId(at.checked_rem(cells).unwrap_or(0) as u16);
             let there = Goals { table: self, parts: memory.parts, entries: &[] }.allowed_by(grid, state, piece, cell);
             if let Some(entry) = memory.entries.get_mut(at) {
                 *entry = there;
             }
-            self.filled = at.saturating_add(1);
+            self.filled = at.saturating_add(1) as u32;
         }
-        if self.filled >= all {
-            self.tabled_cells = cells;
+        if self.filled as usize >= all {
+            self.tabled_cells = cells as u16;
         }
     }
 
     /// How many distinct ground propositions the tasks are made of.
     pub(super) fn parts(&self) -> usize {
-        self.parts
+        usize::from(self.parts)
     }
 
     /// The tasks that ask for the robot's cell.
@@ -150,7 +153,7 @@ pub(super) struct Goals<'t> {
 
 impl Goals<'_> {
     fn parts(&self) -> impl Iterator<Item = &GoalPart> {
-        self.parts.iter().take(self.table.parts)
+        self.parts.iter().take(self.table.parts())
     }
 
     /// The pieces whose cells a task asks for, one bit each; `None` where no single piece decides a proposition of it.
@@ -165,7 +168,7 @@ impl Goals<'_> {
         if self.table.tabled_cells == 0 {
             return self.allowed_by(grid, state, piece, cell);
         }
-        let at = usize::from(piece.0).wrapping_mul(self.table.tabled_cells).wrapping_add(cell.index());
+        let at = usize::from(piece.0).wrapping_mul(usize::from(self.table.tabled_cells)).wrapping_add(cell.index());
         self.entries.get(at).copied().unwrap_or(TaskSet::EMPTY)
     }
 

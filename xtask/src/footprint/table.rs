@@ -46,7 +46,7 @@ one by one for other goals, and the approximate one for what does not fit the me
 but it hears, learns, forgets and reports how full its tables are as any other robot does.
 
 What can be done: `opt-level = \"z\"` in one's own profile takes a ninth off the course and costs a third more instructions, so the firmware here
-has \"s\", and the C library for controllers \"z\". Homes and tables are one domain in C, so all that works on a domain is linked once. Features
+and the C library for controllers have \"s\", with which the compiler also sees that nothing panics. Homes and tables are one domain in C, so all that works on a domain is linked once. Features
 leave out questions, ways, letters beyond ASCII (whose lower case takes 12 KB with a compiler whose tables are large), and the kind of robot
 that is not used.
 ";
