@@ -12,9 +12,10 @@ const FLASH: u32 = 256 * 1_024;
 const START: u32 = 0x3_E000;
 const SLOT: u32 = 4 * PAGE;
 
-/// Where a home and its commands are that came with the file, up to the slots: text, and then what erased flash holds.
+/// Where a home and its commands are that came with the file, up to the slots: text, and then what erased flash holds, which is 0 in an
+/// emulator.
 const CHOSEN: u32 = 0x3_DC00;
-const ERASED: u8 = 0xff;
+const ERASED: [u8; 2] = [0xff, 0];
 
 /// The most that a model of this robot takes has room in a slot, and in the memory where it is written.
 const MODEL: usize = most_bytes(&CAPACITIES);
@@ -122,7 +123,7 @@ pub fn store(agent: &mut Agent) -> Result<usize, &'static str> {
 pub fn chosen() -> Option<&'static str> {
     // SAFETY: this is within the flash, which is always readable, and nobody ever writes to it.
     let page = unsafe { core::slice::from_raw_parts(CHOSEN as *const u8, (START - CHOSEN) as usize) };
-    let end = page.iter().position(|&byte| byte == ERASED).unwrap_or(page.len());
+    let end = page.iter().position(|byte| ERASED.contains(byte)).unwrap_or(page.len());
     page.get(..end).filter(|text| !text.is_empty()).and_then(|text| core::str::from_utf8(text).ok())
 }
 
