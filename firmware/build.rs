@@ -11,8 +11,7 @@ const RAM: u32 = 0x2000_0000;
 const KIB: u32 = 1024;
 
 /// Feature, bytes of RAM, and how many of them are the stack's.
-const BOARDS: [(&str, u32, u32); 3] =
-    [("MPS2_AN386", 64 * KIB, 8 * KIB), ("MPS2_AN385", 64 * KIB, 8 * KIB), ("MICROBIT", 16 * KIB, 5_280)];
+const BOARDS: [(&str, u32, u32); 3] = [("MPS2_AN386", 64 * KIB, 8 * KIB), ("MPS2_AN385", 64 * KIB, 8 * KIB), ("MICROBIT", 16 * KIB, 5_280)];
 
 fn main() {
     let is_chosen = |board: &&(&str, u32, u32)| env::var_os(format!("CARGO_FEATURE_{}", board.0)).is_some();

@@ -47,7 +47,8 @@ impl Trainer for Attentive {
 fn intended(agent: &Agent<impl AgentMemory>, (lifted, objects): (u8, [u8; 2])) -> Option<usize> {
     agent.tasks().iter().position(|task| {
         let parts = agent.lifted().get(usize::from(task.lifted)).into_iter().flat_map(|lifted| task.propositions(lifted));
-        task.lifted == lifted && parts.flat_map(|part| part.arguments).map(|object| object.0).zip(objects).all(|(found, meant)| found == meant)
+        task.lifted == lifted
+            && parts.flat_map(|part| part.arguments).map(|object| object.0).zip(objects).all(|(found, meant)| found == meant)
     })
 }
 

@@ -25,7 +25,11 @@ const LEARN: u32 = 100;
 
 /// Where the robot is.
 enum Place {
-    Here { home: Home, state: HomeState, start: HomeState },
+    Here {
+        home: Home,
+        state: HomeState,
+        start: HomeState,
+    },
     Described(Builder),
     Nowhere(Rooms),
     /// Between two of the others.
@@ -42,7 +46,9 @@ enum Doing {
     Waiting,
     Finishing,
     /// Learning, from a lesson or from what was stored.
-    Learning { store: bool },
+    Learning {
+        store: bool,
+    },
     Storing,
 }
 
