@@ -21,7 +21,7 @@ const TICK: u32 = if cfg!(feature = "microbit") { 160_000 } else { 250_000 };
 /// What one turn of the loop may do.
 const BUDGET: Budget = Budget { hear: 1, plan: 8, finish: 1, learn: 16 };
 
-/// The loop: after each call it sleeps until the next tick.
+/// The loop: each call begins with a tick.
 struct Loop {
     began: u64,
     period: u32,
@@ -32,6 +32,8 @@ struct Loop {
 
 impl Watch for Loop {
     fn begin(&mut self) {
+        // Here a robot would read its sensors and set its motors.
+        board::sleep_through(board::periods());
         self.period = board::periods();
         self.began = board::instructions();
     }
@@ -44,8 +46,6 @@ impl Watch for Loop {
         let late = board::periods().wrapping_sub(self.period);
         self.missed = self.missed.wrapping_add(late);
         self.turns = self.turns.wrapping_add(1);
-        // Here a robot would read its sensors and set its motors.
-        board::sleep_through(board::periods());
     }
 }
 
@@ -55,7 +55,6 @@ fn main() -> ! {
     let memory = unsafe { &mut *(&raw mut MEMORY) };
     board::start_counter(TICK);
     let mut turns = Loop { began: 0, period: 0, turns: 0, missed: 0, longest: [0; Work::ALL.len()] };
-    board::sleep_through(0);
     let outcome = run(&mut memory.home, &mut memory.agent, SEED, BUDGET, &mut turns);
     for ((_, name), &longest) in Work::ALL.iter().zip(&turns.longest) {
         report(name, longest);
