@@ -50,7 +50,9 @@
 //! (products that never underflow) and [`random`] (draws).
 //!
 //! # Features
-//! `asking`, `snapshot` and `storage`, which needs it, are on by default. `alloc` brings [`HeapMemory`], for hosts; `std` brings `alloc`.
+//! On by default: `asking`, `snapshot`, `storage` (which needs it), `model2` (the paper's language model), `ways` (through, avoiding, then),
+//! `unicode` (letters beyond ASCII) and `derived` (facts such as leftmost). A controller takes those that it needs. `storage-async` stores as embassy does,
+//! and `defmt` logs errors. `alloc` brings [`HeapMemory`] and `oomdp::check`, for hosts; `std` brings `alloc`.
 //!
 //! # What it promises
 //! No allocation, no `unsafe`, no panic on any input. Every capacity is a field of [`Capacities`], and an error names the field to raise.

@@ -61,7 +61,7 @@ impl Domain for OnRail<'_> {
 
     fn step(&self, &place: &u64, action: Action) -> Option<u64> {
         self.asked.set(self.asked.get() + 1);
-        let place = if self.wavers && self.asked.get() % 2 == 0 { 0 } else { place };
+        let place = if self.wavers && self.asked.get().is_multiple_of(2) { 0 } else { place };
         if action == Action(0) { place.checked_sub(1) } else { Some(place + 1).filter(|&place| place < 4) }
     }
 
