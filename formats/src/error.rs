@@ -17,7 +17,7 @@ pub const KNOWN_VERSIONS: &[u32] = &[1];
 /// let error = EnvironmentFile::parse(r#"{"version":1,"things":[]}"#).unwrap_err();
 /// assert_eq!(
 ///     error.with_file("home.json").to_string(),
-///     r#"home.json:1: field "things": is not known here; known are version, objects"#
+///     r#"home.json:1: field "things": is not known here; known are version, objects, derived"#
 /// );
 /// ```
 #[derive(Debug, Clone, PartialEq)]
