@@ -18,6 +18,14 @@ async function axeClean(page, where) {
 const choices = page => page.locator('#trick-choices button');
 const many = (page, count) => page.waitForFunction(wanted => document.querySelectorAll('#trick-choices button').length === wanted && document.body.dataset.phase === 'none', count);
 
+// Presses one, and waits until others stand in the place of those that were there.
+const pick = async (page, choice, count) => {
+  await page.evaluate(() => document.querySelectorAll('#trick-choices button').forEach(button => button.setAttribute('data-old', '')));
+  await choice.click();
+  await page.waitForFunction(wanted => document.querySelectorAll('#trick-choices button:not([data-old])').length === wanted
+    && document.body.dataset.phase === 'none', count);
+};
+
 test('a badly taught robot is tricked, one lesson repairs that, and another does not, whichever side the adjectives stand', async () => {
   const page = await open(browser, { bypassCSP: true });
   await page.selectOption('#speed', 'once');
@@ -29,20 +37,16 @@ test('a badly taught robot is tricked, one lesson repairs that, and another does
     for (const level of [1, 2, 3]) {
       await page.locator('#trick-say', { hasText: new RegExp('^\\D*' + level + '\\D+3') }).waitFor();
       await many(page, 1);
-      await choices(page).click();
-      await many(page, 3);
+      await pick(page, choices(page), 3);
       if (code === 'en') {
         if (level === 1) await axeClean(page, 'trick');
         const before = await sessions(page);
-        await choices(page).first().click();
-        await many(page, 3);
+        await pick(page, choices(page).first(), 3);
         assert.equal(await sessions(page), before + 1, 'one lesson more');
-        await choices(page).last().click();
-        await many(page, 3);
+        await pick(page, choices(page).last(), 3);
         assert.equal(await sessions(page), before + 1, 'in place of the one that did not help');
       }
-      await choices(page).nth(1).click();
-      await many(page, 1);
+      await pick(page, choices(page).nth(1), 1);
       if (level < 3) await choices(page).click();
     }
     await choices(page).click();
