@@ -1,6 +1,7 @@
 //! Sessions of real trainers, from the data beside the project; ignored where there are none.
 
 #[allow(dead_code, reason = "other tests need more of it")]
+#[path = "behaviour/program/mod.rs"]
 mod program;
 
 use goodbot_formats::posterior::PosteriorLine;

@@ -1,7 +1,7 @@
 //! The terminal: taken over, and given back as it was, whatever happens.
 
 #[cfg(all(test, unix))]
-#[path = "../../tests/window/mod.rs"]
+#[path = "../../tests/behaviour/window/mod.rs"]
 mod window;
 
 use super::keys::{Focus, Intent, intent};

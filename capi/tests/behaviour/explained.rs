@@ -1,0 +1,138 @@
+//! What is wrong with a description is said, and how full a robot is.
+
+use crate::robots;
+
+use goodbot_capi::capacities::*;
+use goodbot_capi::robot::Goodbot;
+use goodbot_capi::status::GoodbotStatus;
+use goodbot_capi::table::description::*;
+use goodbot_capi::table::init::goodbot_explain_table;
+use goodbot_capi::training::*;
+use robots::{Lift, at_home, hear_and_plan, small};
+use std::ffi::CStr;
+use std::ptr::null_mut;
+
+/// What is said of a table, and the status.
+fn explained(table: &GoodbotTable, capacities: &GoodbotCapacities) -> (GoodbotStatus, String) {
+    let bytes = unsafe { goodbot_table_size(capacities) };
+    let mut memory = vec![0_u64; bytes.div_ceil(8)];
+    let mut text = [0; 200];
+    let status = unsafe { goodbot_explain_table(memory.as_mut_ptr().cast(), bytes, capacities, table, text.as_mut_ptr(), text.len()) };
+    (status, unsafe { CStr::from_ptr(text.as_ptr()) }.to_str().unwrap().to_owned())
+}
+
+#[test]
+fn nothing_is_said_of_a_table_that_is_right() {
+    assert_eq!(explained(&Lift::new().table(), &small()), (GoodbotStatus::Ok, String::new()));
+}
+
+#[test]
+fn what_is_wrong_is_named_by_list_item_field_and_number() {
+    let said = |change: fn(&mut Lift, &mut GoodbotTable)| {
+        let mut lift = Lift::new();
+        let mut table = lift.table();
+        change(&mut lift, &mut table);
+        explained(&table, &small())
+    };
+    let (status, text) = said(|lift, _| lift.objects[2].object_class = 9);
+    assert_eq!(status, GoodbotStatus::Unknown);
+    assert!(text.starts_with("objects[2].object_class is 9 and must be from 0 to 1: "), "{text}");
+    let (status, text) = said(|lift, _| lift.actions[1].cost = 40);
+    assert_eq!(status, GoodbotStatus::Number);
+    assert!(text.starts_with("actions[1].cost is 40 and must be from 1 to 16: "), "{text}");
+    let (status, text) = said(|_, table| table.start = 3);
+    assert_eq!(status, GoodbotStatus::Number);
+    assert!(text.starts_with("start is 3 and must be from 0 to 2: "), "{text}");
+    let (status, text) = said(|_, table| table.task_count = 9);
+    assert_eq!(status, GoodbotStatus::Number);
+    assert!(text.starts_with("task_count is 9 and must be from 0 to 8: "), "{text}");
+    let (status, text) = said(|lift, _| lift.tasks[0] = c"liftOnFloor(?l, ?f)".as_ptr());
+    assert_eq!(status, GoodbotStatus::World);
+    assert!(text.starts_with("tasks[0]: "), "{text}");
+    let (status, text) = said(|_, table| table.holds = None);
+    assert_eq!((status, text.as_str()), (GoodbotStatus::Null, "holds: a pointer is null that must not be"));
+    let (status, text) = said(|lift, _| lift.objects[3].name = lift.objects[1].name);
+    assert_eq!(status, GoodbotStatus::World);
+    assert!(text.starts_with("objects[3].name: "), "{text}");
+}
+
+#[test]
+fn a_full_table_is_named_with_what_it_holds() {
+    let mut capacities = small();
+    capacities.entries[GoodbotCapacity::Objects as usize] = 3;
+    let (status, text) = explained(&Lift::new().table(), &capacities);
+    assert_eq!(status, GoodbotStatus::Full);
+    assert_eq!(text, "objects[3].name: objects holds 3 and 4 are needed; raise it");
+    // All that is needed, though the second of four objects has no room: raised once, it fits.
+    let mut capacities = small();
+    capacities.entries[GoodbotCapacity::Names as usize] = 2;
+    assert_eq!(explained(&Lift::new().table(), &capacities).1, "objects[1].name: names holds 2 and 7 are needed; raise it");
+    capacities.entries[GoodbotCapacity::Names as usize] = 7;
+    assert_eq!(explained(&Lift::new().table(), &capacities), (GoodbotStatus::Ok, String::new()));
+    capacities.entries[GoodbotCapacity::NameBytes as usize] = 30;
+    assert_eq!(explained(&Lift::new().table(), &capacities).1, "objects[3].name: name_bytes holds 30 and 37 are needed; raise it");
+    capacities.entries[GoodbotCapacity::NameBytes as usize] = 37;
+    assert_eq!(explained(&Lift::new().table(), &capacities), (GoodbotStatus::Ok, String::new()));
+}
+
+#[test]
+fn a_text_without_room_is_refused() {
+    let (lift, capacities) = (Lift::new(), small());
+    let mut table = lift.table();
+    table.start = 3;
+    let bytes = unsafe { goodbot_table_size(&raw const capacities) };
+    let mut memory = vec![0_u64; bytes.div_ceil(8)];
+    let mut text = [0; 10];
+    let mut explain = |text, room| unsafe {
+        goodbot_explain_table(memory.as_mut_ptr().cast(), bytes, &raw const capacities, &raw const table, text, room)
+    };
+    assert_eq!(explain(text.as_mut_ptr(), text.len()), GoodbotStatus::Buffer);
+    assert_eq!(explain(null_mut(), 200), GoodbotStatus::Null);
+}
+
+fn sessions(robot: *mut Goodbot) -> u32 {
+    let mut count = u32::MAX;
+    assert_eq!(unsafe { goodbot_session_count(robot, &raw mut count) }, GoodbotStatus::Ok);
+    count
+}
+
+#[test]
+fn sessions_are_counted_and_tables_say_how_full_they_are() {
+    let owned = at_home();
+    assert_eq!(sessions(owned.robot), 0);
+    hear_and_plan(owned.robot, c"go to the green room");
+    unsafe {
+        let mut action = 0;
+        assert_eq!(goodbot_decide(owned.robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
+        assert_eq!(goodbot_done(owned.robot, action), GoodbotStatus::Ok);
+        assert_eq!(goodbot_finish(owned.robot, null_mut()), GoodbotStatus::Ok);
+        while goodbot_learn(owned.robot, 1_000) == GoodbotStatus::Working {}
+    }
+    assert_eq!(sessions(owned.robot), 1);
+    let mut used = small();
+    assert_eq!(unsafe { goodbot_usage(owned.robot, &raw mut used) }, GoodbotStatus::Ok);
+    let entries = |capacity: GoodbotCapacity| used.entries[capacity as usize];
+    assert_eq!((entries(GoodbotCapacity::Sessions), entries(GoodbotCapacity::Words), entries(GoodbotCapacity::Objects)), (1, 5, 5));
+    assert!(used.entries.iter().zip(&small().entries).all(|(used, room)| used <= room), "{used:?}");
+    unsafe {
+        assert_eq!(goodbot_usage(owned.robot, null_mut()), GoodbotStatus::Null);
+        assert_eq!(goodbot_usage(null_mut(), &raw mut used), GoodbotStatus::Null);
+        assert_eq!(goodbot_session_count(owned.robot, null_mut()), GoodbotStatus::Null);
+    }
+}
+
+#[test]
+fn a_command_is_heard_again_only_where_the_session_began() {
+    let owned = at_home();
+    unsafe {
+        assert_eq!(goodbot_hear_again(owned.robot), GoodbotStatus::NoSession);
+        hear_and_plan(owned.robot, c"go to the green room");
+        let mut action = 0;
+        assert_eq!(goodbot_decide(owned.robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
+        assert_eq!(goodbot_done(owned.robot, action), GoodbotStatus::Ok);
+        assert_eq!(goodbot_hear_again(owned.robot), GoodbotStatus::NoSession);
+        assert_eq!(goodbot_capi::home::goodbot_home_place(owned.robot, c"agent0".as_ptr(), 4, 2), GoodbotStatus::Ok);
+        assert_eq!(goodbot_hear_again(owned.robot), GoodbotStatus::Ok);
+        assert_eq!(goodbot_hear_again(null_mut()), GoodbotStatus::Null);
+    }
+}

@@ -1,0 +1,13 @@
+//! What a C program may rely on.
+
+#![allow(clippy::unwrap_used, clippy::indexing_slicing)]
+
+mod robots;
+
+mod explained;
+mod hypotheses;
+mod memory;
+mod sensing;
+mod statuses;
+mod storage;
+mod trainers;

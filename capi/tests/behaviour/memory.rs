@@ -1,0 +1,133 @@
+//! The caller's memory: how much of it, where, and what is not memory at all.
+
+use crate::robots;
+
+use goodbot_capi::capacities::*;
+use goodbot_capi::home::{goodbot_home_begin, goodbot_init_home};
+use goodbot_capi::robot::Goodbot;
+use goodbot_capi::status::GoodbotStatus;
+use robots::{Lift, at_home, describe, hear_and_plan, in_homes, of_table, small};
+use std::ptr::{null, null_mut};
+
+fn make(memory: *mut u8, bytes: usize, capacities: *const GoodbotCapacities) -> GoodbotStatus {
+    let mut robot: *mut Goodbot = null_mut();
+    unsafe { goodbot_init_home(memory.cast(), bytes, capacities, &raw mut robot) }
+}
+
+#[test]
+fn the_size_that_is_asked_for_is_enough_and_a_word_less_is_not() {
+    let mut owned = in_homes(small());
+    let (memory, bytes) = (owned.memory.as_mut_ptr().cast::<u8>(), owned.bytes);
+    // Tables end where they end: up to seven bytes of the size are there to round it up to a multiple of 8.
+    assert_eq!(make(memory, bytes - 8, &raw const owned.capacities), GoodbotStatus::Memory);
+    assert_eq!(make(memory, 0, &raw const owned.capacities), GoodbotStatus::Memory);
+    assert_eq!(make(memory, bytes, &raw const owned.capacities), GoodbotStatus::Ok);
+}
+
+#[test]
+fn memory_that_is_not_aligned_to_eight_is_refused() {
+    let mut owned = in_homes(small());
+    let memory = owned.memory.as_mut_ptr().cast::<u8>();
+    for shift in [1, 2, 4] {
+        assert_eq!(make(memory.wrapping_add(shift), owned.bytes - shift, &raw const owned.capacities), GoodbotStatus::Alignment);
+    }
+}
+
+#[test]
+fn null_is_answered_and_never_followed() {
+    let mut owned = in_homes(small());
+    let memory = owned.memory.as_mut_ptr().cast::<u8>();
+    assert_eq!(make(null_mut(), owned.bytes, &raw const owned.capacities), GoodbotStatus::Null);
+    assert_eq!(make(memory, owned.bytes, null()), GoodbotStatus::Null);
+    let nowhere = unsafe { goodbot_init_home(memory.cast(), owned.bytes, &raw const owned.capacities, null_mut()) };
+    assert_eq!(nowhere, GoodbotStatus::Null);
+    assert_eq!(unsafe { goodbot_size(null()) }, 0);
+    assert_eq!(unsafe { goodbot_table_size(null()) }, 0);
+    assert_eq!(unsafe { goodbot_preset(GOODBOT_TINY, null_mut()) }, GoodbotStatus::Null);
+    let mut capacities = small();
+    assert_eq!(unsafe { goodbot_preset(2, &raw mut capacities) }, GoodbotStatus::Number);
+}
+
+#[test]
+fn capacities_without_end_ask_for_more_memory_than_there_is() {
+    let mut capacities = small();
+    capacities.entries[GoodbotCapacity::Translations as usize] = u32::MAX;
+    capacities.entries[GoodbotCapacity::HashedStates as usize] = u32::MAX;
+    let wanted = unsafe { goodbot_size(&raw const capacities) };
+    assert!(wanted > 40_000_000_000);
+    let mut memory = vec![0_u64; 4_096];
+    assert_eq!(make(memory.as_mut_ptr().cast(), 32_768, &raw const capacities), GoodbotStatus::Memory);
+}
+
+#[test]
+fn the_sizes_known_when_a_program_is_compiled_are_enough() {
+    let mut capacities = small();
+    for (preset, in_home) in [(GOODBOT_SMALL, GOODBOT_SMALL_BYTES_64), (GOODBOT_TINY, GOODBOT_TINY_BYTES_64)] {
+        assert_eq!(unsafe { goodbot_preset(preset, &raw mut capacities) }, GoodbotStatus::Ok);
+        if cfg!(target_pointer_width = "64") {
+            assert!(unsafe { goodbot_size(&raw const capacities) } <= in_home);
+            assert!(unsafe { goodbot_table_size(&raw const capacities) } <= in_home + GOODBOT_TABLE_BYTES);
+        }
+    }
+}
+
+#[test]
+fn capacities_of_nothing_make_a_robot_that_says_what_to_raise() {
+    let mut capacities = small();
+    capacities.entries[GoodbotCapacity::Objects as usize] = 0;
+    let owned = in_homes(capacities);
+    unsafe {
+        assert_eq!(goodbot_home_begin(owned.robot), GoodbotStatus::Ok);
+        let room = goodbot_capi::home::goodbot_home_room(owned.robot, c"room0".as_ptr(), 0, 0, 8, 4, c"red".as_ptr());
+        assert_eq!(room, GoodbotStatus::Full);
+        let (mut name, mut limit, mut given) = ([0; 16], 9, 9);
+        let full = goodbot_capi::robot::goodbot_full(owned.robot, name.as_mut_ptr(), 16, &raw mut limit, &raw mut given);
+        assert_eq!((full, limit, given), (GoodbotStatus::Ok, 0, 1));
+        assert_eq!(std::ffi::CStr::from_ptr(name.as_ptr()), c"objects");
+    }
+}
+
+#[test]
+fn a_handle_whose_memory_was_written_over_is_refused() {
+    let mut owned = at_home();
+    hear_and_plan(owned.robot, c"go to the green room");
+    owned.memory.fill(u64::MAX);
+    assert_eq!(unsafe { goodbot_home_begin(owned.robot) }, GoodbotStatus::BadHandle);
+    let crooked = owned.robot.cast::<u8>().wrapping_add(1).cast::<Goodbot>();
+    assert_eq!(unsafe { goodbot_home_begin(crooked) }, GoodbotStatus::BadHandle);
+}
+
+#[test]
+fn a_table_robot_needs_what_its_size_says() {
+    let lift = Lift::new();
+    let mut owned = of_table(&lift.table()).unwrap();
+    let mut robot: *mut Goodbot = null_mut();
+    let table = lift.table();
+    let (memory, capacities) = (owned.memory.as_mut_ptr(), &raw const owned.capacities);
+    let made = unsafe {
+        goodbot_capi::table::init::goodbot_init_table(memory.cast(), owned.bytes - 8, capacities, &raw const table, &raw mut robot)
+    };
+    assert_eq!(made, GoodbotStatus::Memory);
+}
+
+#[test]
+fn a_robot_in_roomy_memory_tells_the_least_capacities_and_another_lives_in_them() {
+    let lessons = GoodbotLessons { sessions: 4, words: 6, different_words: 12, word_bytes: 60 };
+    let roomy = at_home();
+    let mut least = small();
+    unsafe {
+        assert_eq!(goodbot_least_capacities(roomy.robot, &raw const lessons, &raw mut least), GoodbotStatus::Ok);
+        assert_eq!(goodbot_least_capacities(roomy.robot, null(), &raw mut least), GoodbotStatus::Null);
+        assert_eq!(goodbot_least_capacities(roomy.robot, &raw const lessons, null_mut()), GoodbotStatus::Null);
+        assert_eq!(goodbot_least_capacities(null_mut(), &raw const lessons, &raw mut least), GoodbotStatus::Null);
+    }
+    assert!(unsafe { goodbot_size(&raw const least) } < roomy.bytes);
+    assert_eq!(least.entries[GoodbotCapacity::Sessions as usize], 4);
+    let robot = in_homes(least);
+    assert_eq!(describe(robot.robot), GoodbotStatus::Ok);
+    hear_and_plan(robot.robot, c"go to the green room");
+    least.entries[GoodbotCapacity::Cells as usize] -= 1;
+    assert_eq!(describe(in_homes(least).robot), GoodbotStatus::Full);
+    let nowhere = in_homes(small());
+    assert_eq!(unsafe { goodbot_least_capacities(nowhere.robot, &raw const lessons, &raw mut least) }, GoodbotStatus::NoWorld);
+}

@@ -1,0 +1,151 @@
+//! What was learned, in a flash whose power goes: the older model or the newer one is left, and whole.
+
+use crate::robots;
+
+use goodbot_capi::capacities::goodbot_session_count;
+use goodbot_capi::home::goodbot_home_place;
+use goodbot_capi::robot::Goodbot;
+use goodbot_capi::status::GoodbotStatus;
+use goodbot_capi::storage::*;
+use goodbot_capi::training::*;
+use robots::{at_home, hear_and_plan};
+use std::ffi::{CStr, c_void};
+use std::ptr::{null, null_mut};
+
+const START: usize = 256;
+const SLOT: usize = 2_048;
+
+/// A flash, and how many bytes it still writes and erases before its power goes.
+struct Flash {
+    bytes: Vec<u8>,
+    power: usize,
+}
+
+impl Flash {
+    fn new() -> Self {
+        Self { bytes: vec![0x5a; START + 2 * SLOT], power: usize::MAX }
+    }
+
+    fn handle(&mut self) -> GoodbotFlash {
+        GoodbotFlash {
+            context: (self as *mut Self).cast(),
+            read: Some(read),
+            write: Some(write),
+            erase: Some(erase),
+            start: START as u32,
+            slot_bytes: SLOT as u32,
+        }
+    }
+
+    fn change(&mut self, at: usize, byte: impl Fn(u8) -> u8) -> bool {
+        if self.power == 0 {
+            return false;
+        }
+        self.power -= 1;
+        self.bytes[at] = byte(self.bytes[at]);
+        true
+    }
+}
+
+unsafe extern "C" fn read(context: *mut c_void, at: u32, to: *mut u8, bytes: u32) -> bool {
+    let flash = unsafe { &*context.cast::<Flash>() };
+    let from = &flash.bytes[at as usize..(at + bytes) as usize];
+    unsafe { to.copy_from_nonoverlapping(from.as_ptr(), from.len()) };
+    true
+}
+
+unsafe extern "C" fn write(context: *mut c_void, at: u32, from: *const u8, bytes: u32) -> bool {
+    let (flash, from) = unsafe { (&mut *context.cast::<Flash>(), std::slice::from_raw_parts(from, bytes as usize)) };
+    assert!((at as usize).is_multiple_of(GOODBOT_FLASH_UNIT) && from.len().is_multiple_of(GOODBOT_FLASH_UNIT));
+    // Writing clears bits, and sets none.
+    from.iter().enumerate().all(|(offset, &new)| flash.change(at as usize + offset, |old| old & new))
+}
+
+unsafe extern "C" fn erase(context: *mut c_void, at: u32, bytes: u32) -> bool {
+    let flash = unsafe { &mut *context.cast::<Flash>() };
+    assert!((at as usize - START).is_multiple_of(SLOT) && bytes as usize == SLOT);
+    (0..bytes).all(|offset| flash.change((at + offset) as usize, |_| 0xff))
+}
+
+fn learn(robot: *mut Goodbot, command: &CStr) {
+    unsafe {
+        assert_eq!(goodbot_home_place(robot, c"agent0".as_ptr(), 4, 2), GoodbotStatus::Ok);
+        hear_and_plan(robot, command);
+        let mut action = 0;
+        assert_eq!(goodbot_decide(robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
+        assert_eq!(goodbot_done(robot, action), GoodbotStatus::Ok);
+        assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::Ok);
+        while goodbot_learn(robot, 1_000) == GoodbotStatus::Working {}
+    }
+}
+
+/// How many lessons a new robot finds in a flash; none where nothing is stored.
+fn found(flash: &mut Flash) -> Option<u32> {
+    let (owned, mut buffer, mut count) = (at_home(), vec![0; SLOT], 0);
+    match unsafe { goodbot_load(owned.robot, &flash.handle(), buffer.as_mut_ptr(), buffer.len()) } {
+        GoodbotStatus::NothingStored => return None,
+        status => assert_eq!(status, GoodbotStatus::Ok),
+    }
+    while unsafe { goodbot_learn(owned.robot, 1_000) } == GoodbotStatus::Working {}
+    assert_eq!(unsafe { goodbot_session_count(owned.robot, &raw mut count) }, GoodbotStatus::Ok);
+    Some(count)
+}
+
+#[test]
+fn a_power_cut_at_any_byte_leaves_the_older_model_or_the_newer_one() {
+    let (owned, mut flash) = (at_home(), Flash::new());
+    assert_eq!(found(&mut flash), None);
+    learn(owned.robot, c"go to the green room");
+    let mut stored = 0;
+    assert_eq!(unsafe { goodbot_store(owned.robot, &flash.handle(), &raw mut stored) }, GoodbotStatus::Ok);
+    assert!(stored > 100 && found(&mut flash) == Some(1));
+    learn(owned.robot, c"take the chair to the green room");
+    let before = flash.bytes.clone();
+    let mut newest = 1;
+    for power in 0.. {
+        flash.bytes.clone_from(&before);
+        flash.power = power;
+        let status = unsafe { goodbot_store(owned.robot, &flash.handle(), null_mut()) };
+        let whole = status == GoodbotStatus::Ok;
+        assert!(whole || status == GoodbotStatus::Flash, "{status:?}");
+        // Most bytes are alike; a robot is set up for some of them, and for all of the header.
+        if power % 97 == 0 || power + 300 > SLOT + stored || whole {
+            let now = found(&mut flash).unwrap();
+            assert!(now >= newest && now <= 2, "{now} lessons after {newest}, cut at byte {power}");
+            newest = now;
+        }
+        if whole {
+            break;
+        }
+    }
+    assert_eq!(newest, 2);
+}
+
+#[test]
+fn what_cannot_be_stored_or_loaded_says_why() {
+    let (owned, mut flash, mut buffer) = (at_home(), Flash::new(), vec![0; SLOT]);
+    let robot = owned.robot;
+    let good = flash.handle();
+    unsafe {
+        assert_eq!(goodbot_store(null_mut(), &good, null_mut()), GoodbotStatus::Null);
+        assert_eq!(goodbot_store(robot, null(), null_mut()), GoodbotStatus::Null);
+        assert_eq!(goodbot_load(robot, &good, null_mut(), 0), GoodbotStatus::Null);
+        for broken in [GoodbotFlash { read: None, ..good }, GoodbotFlash { write: None, ..good }, GoodbotFlash { erase: None, ..good }] {
+            assert_eq!(goodbot_store(robot, &broken, null_mut()), GoodbotStatus::Null);
+        }
+        for wrong in [GoodbotFlash { start: 1, ..good }, GoodbotFlash { slot_bytes: 0, ..good }, GoodbotFlash { slot_bytes: 100, ..good }] {
+            assert_eq!(goodbot_store(robot, &wrong, null_mut()), GoodbotStatus::Number);
+        }
+        let small = GoodbotFlash { slot_bytes: 256, ..good };
+        assert_eq!(goodbot_store(robot, &small, null_mut()), GoodbotStatus::Buffer);
+        learn(robot, c"go to the green room");
+        assert_eq!(goodbot_store(robot, &good, null_mut()), GoodbotStatus::Ok);
+        assert_eq!(goodbot_load(robot, &good, buffer.as_mut_ptr(), 10), GoodbotStatus::Buffer);
+        hear_and_plan(robot, c"go to the green room");
+        let mut action = 0;
+        assert_eq!(goodbot_decide(robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
+        assert_eq!(goodbot_done(robot, action), GoodbotStatus::Ok);
+        assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::Ok);
+        assert_eq!(goodbot_store(robot, &good, null_mut()), GoodbotStatus::StillLearning);
+    }
+}

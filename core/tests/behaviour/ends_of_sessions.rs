@@ -1,0 +1,167 @@
+//! How a session ends, and that an ended one stays ended until it is taken up again.
+
+use crate::rooms;
+
+use goodbot::feedback::Feedback;
+use goodbot::home;
+use goodbot::language::Settings;
+use goodbot::memory::AgentArrays;
+use goodbot::oomdp::Action;
+use goodbot::{Agent, AgentError, Capacities, Options};
+use rooms::rooms;
+
+goodbot::memory! { struct Memory = Capacities::SMALL; }
+
+#[test]
+fn a_session_is_learned_from_once() {
+    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
+    let (home, start) = rooms(&mut rooms_memory.home, None);
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    agent.hear(&home, &start, "go to the red room").unwrap();
+    let _ = agent.finish(&home).unwrap();
+    agent.learn_fully();
+    assert_eq!(agent.finish(&home), Err(AgentError::NoSession));
+    assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NoSession));
+    assert_eq!(agent.language().bitext().sessions(), 1);
+    // Said once more in the same place, it goes on, and counts as a session more.
+    agent.hear_again(&home, &start).unwrap();
+    let _ = agent.finish(&home).unwrap();
+    agent.learn_fully();
+    assert_eq!(agent.language().bitext().sessions(), 2);
+}
+
+#[test]
+fn a_session_is_taken_up_again_when_it_is_learned_and_planned_as_before() {
+    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
+    let (home, start) = rooms(&mut rooms_memory.home, None);
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    agent.hear(&home, &start, "go to the red room").unwrap();
+    agent.plan_fully(&home, &start).unwrap();
+    let plans = |agent: &Agent<&mut AgentArrays<Memory>>| [0, 1].map(|task| agent.planned().optimal(task));
+    let before = plans(&agent);
+    let _ = agent.finish(&home).unwrap();
+    // Planning and training have one memory in turn.
+    assert_eq!(agent.hear_again(&home, &start), Err(AgentError::StillLearning));
+    agent.learn_fully();
+    agent.hear_again(&home, &start).unwrap();
+    agent.plan_fully(&home, &start).unwrap();
+    assert_eq!(plans(&agent), before);
+}
+
+#[test]
+fn a_forgotten_session_is_not_learned_from() {
+    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
+    let (home, start) = rooms(&mut rooms_memory.home, None);
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    agent.hear(&home, &start, "go to the red room").unwrap();
+    agent.forget();
+    assert_eq!(agent.finish(&home), Err(AgentError::NoSession));
+    assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NoSession));
+    assert_eq!(agent.language().bitext().sessions(), 0);
+}
+
+#[test]
+fn after_a_prior_that_is_no_probability_no_session_is_under_way() {
+    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
+    let (home, start) = rooms(&mut rooms_memory.home, None);
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    for prior in [f32::NAN, -1.0, f32::INFINITY, 0.0] {
+        let error = agent.hear_with_prior(&home, &start, "go", |_, _| prior).unwrap_err();
+        assert!(
+            matches!(error, AgentError::Prior { task: 0, value } if value.to_bits() == prior.to_bits()) || error == AgentError::NoPrior
+        );
+        assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NoSession));
+        assert_eq!(agent.hear_again(&home, &start), Err(AgentError::NoSession));
+    }
+}
+
+#[test]
+fn a_command_of_a_length_never_heard_is_learned_from_too() {
+    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
+    let (home, start) = rooms(&mut rooms_memory.home, None);
+    let options = Options { language: Settings { length: true, ..Settings::PAPER }, ..Options::PAPER };
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), options).unwrap();
+    agent.hear(&home, &start, "go to the red room").unwrap();
+    let _ = agent.finish(&home).unwrap();
+    agent.learn_fully();
+    let pairs = agent.language().bitext().pairs().len();
+    // Pr(n|l) is 0 for each machine command: nothing explains three words, and the feedback alone tells what they mean.
+    agent.hear(&home, &start, "red room now").unwrap();
+    agent.plan_fully(&home, &start).unwrap();
+    agent.acted(&home, &start, Action(2)).unwrap();
+    let _ = agent.feedback(Feedback::Reward).unwrap();
+    let _ = agent.finish(&home).unwrap();
+    agent.learn_fully();
+    let added = agent.language().bitext().pairs().get(pairs..).unwrap();
+    let whole: f32 = added.iter().map(|pair| pair.weight).sum();
+    assert!((whole - 1.0).abs() < 1e-5, "the session's weights add up to {whole}");
+}
+
+/// Every word's probability for every machine token.
+fn learned(agent: &Agent<&mut AgentArrays<Memory>>) -> Vec<(String, String, u32)> {
+    let (language, mut all) = (agent.language(), vec![]);
+    for (token, of) in language.tokens().iter().take(language.tables().tokens()) {
+        for (word, said) in language.words().iter().take(language.tables().words()) {
+            all.push((of.to_owned(), said.to_owned(), language.tables().translation(word, Some(token)).to_bits()));
+        }
+    }
+    all
+}
+
+#[test]
+fn what_is_learned_later_is_learned_alike_and_words_mean_the_same_until_then() {
+    const COMMANDS: [&str; 4] = ["go to the red room", "walk into the green one", "enter red now", "to green please"];
+    for language in [Settings::PAPER, Settings::DEFAULT] {
+        // Their weights do not come from words, and so are the same whenever the words are learned.
+        let options = Options { weights: goodbot::session::Weights::Evidence, language, ..Options::PAPER };
+        let tables = |later: bool| {
+            let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
+            let (home, start) = rooms(&mut rooms_memory.home, None);
+            let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), options).unwrap();
+            agent.hear(&home, &start, "go to the red room").unwrap();
+            let _ = agent.finish(&home).unwrap();
+            agent.learn_fully();
+            let first = learned(&agent);
+            for command in COMMANDS {
+                agent.hear(&home, &start, command).unwrap();
+                agent.plan_fully(&home, &start).unwrap();
+                agent.acted(&home, &start, Action(0)).unwrap();
+                let _ = agent.feedback(Feedback::Reward).unwrap();
+                if later {
+                    agent.finish_for_later(&home).unwrap();
+                    assert_eq!(agent.finish_for_later(&home), Err(AgentError::NoSession));
+                    assert_eq!(learned(&agent), first);
+                } else {
+                    let _ = agent.finish(&home).unwrap();
+                    agent.learn_fully();
+                }
+            }
+            assert_eq!(agent.language().bitext().sessions(), 5);
+            agent.begin_learning();
+            assert_eq!(agent.hear(&home, &start, "go"), Err(AgentError::StillLearning));
+            agent.learn_fully();
+            assert!(learned(&agent).len() > first.len());
+            learned(&agent)
+        };
+        assert_eq!(tables(true), tables(false));
+    }
+}
+
+#[test]
+fn a_session_that_finds_no_room_for_later_goes_on_and_finishing_makes_room() {
+    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
+    let (home, start) = rooms(&mut rooms_memory.home, None);
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let refused = loop {
+        agent.hear(&home, &start, "go to the red room").unwrap();
+        if let Err(error) = agent.finish_for_later(&home) {
+            break error;
+        }
+    };
+    assert!(matches!(refused, AgentError::Capacity(_)), "{refused}");
+    let full = agent.language().bitext().sessions();
+    assert!(full > 1);
+    assert!(agent.finish(&home).unwrap().gave_way.count() > 0);
+    agent.learn_fully();
+    assert_eq!(agent.language().bitext().sessions(), full);
+}

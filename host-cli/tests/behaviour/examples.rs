@@ -1,0 +1,64 @@
+//! What the README shows, with the files of `docs/examples`.
+
+#[allow(dead_code, reason = "other tests need more of it")]
+use crate::program;
+
+use goodbot_formats::posterior::PosteriorLine;
+use program::goodbot;
+use std::path::Path;
+
+fn example(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/examples").join(name);
+    path.to_str().expect("a name").to_owned()
+}
+
+#[test]
+fn the_examples_have_no_fault() {
+    let run = goodbot(&["check", &example("home.json"), &example("sessions.jsonl")], b"");
+    assert_eq!(run.code, 0, "{}", run.messages);
+}
+
+#[test]
+fn the_robot_believes_what_the_readme_draws_after_three_steps() {
+    let run = goodbot(&["replay", "--json", &example("sessions.jsonl")], b"");
+    let line = run.output.lines().nth(3).expect("a belief after three steps");
+    let belief = PosteriorLine::parse(line, 4).expect("a belief");
+    for (task, drawn) in [("blockInRoom(block0,room1)", 0.99), ("agentInRoom(agent0,room1)", 0.01), ("blockInRoom(block0,room2)", 0.0)] {
+        let (_, probability) = belief.tasks.iter().find(|(name, _)| name.to_string() == task).expect("the task");
+        assert!((*probability - drawn).abs() < 0.006, "{task}: {probability}");
+    }
+}
+
+#[test]
+fn four_sessions_are_enough_to_understand_a_new_command_in_a_new_home() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let model = folder.path().join("words.goodbot");
+    let model = model.to_str().expect("a name");
+    assert_eq!(goodbot(&["learn", &example("sessions.jsonl"), "--out", model], b"").code, 0);
+    let command = "take the yellow bag to the blue room";
+    let asked = goodbot(&["ask", "--with", model, "--environment", &example("home.json"), "--json", command], b"");
+    let answer: serde_json::Value = serde_json::from_str(&asked.output).expect("a line of JSON");
+    assert_eq!(answer["task"], "blockInRoom(block0,room1)");
+    assert!(answer["tasks"]["blockInRoom(block0,room1)"].as_f64().expect("a number") > 0.99);
+    assert_eq!(answer["tied"], 1);
+}
+
+#[test]
+fn a_command_that_says_nothing_leaves_the_answer_unsure() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let model = folder.path().join("words.goodbot");
+    let model = model.to_str().expect("a name");
+    assert_eq!(goodbot(&["learn", &example("sessions.jsonl"), "--out", model], b"").code, 0);
+    let asked = goodbot(&["ask", "--with", model, "--environment", &example("home.json"), "xyzzy plugh"], b"");
+    assert!(asked.output.contains("answer: unsure"), "{}", asked.output);
+}
+
+#[test]
+fn a_command_that_says_nothing_leaves_the_tasks_tied_in_the_papers_model_and_the_answer_says_so() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let model = folder.path().join("words.goodbot");
+    let model = model.to_str().expect("a name");
+    assert_eq!(goodbot(&["learn", &example("sessions.jsonl"), "--learner", "paper", "--out", model], b"").code, 0);
+    let asked = goodbot(&["ask", "--with", model, "--environment", &example("home.json"), "xyzzy plugh"], b"");
+    assert!(asked.output.contains("one of 2 equally likely"), "{}", asked.output);
+}

@@ -1,0 +1,23 @@
+//! The program `goodbot`, run as its users run it.
+
+mod program;
+#[cfg(unix)]
+mod window;
+
+mod ask;
+mod check;
+mod evaluate;
+mod examples;
+mod language;
+mod merge;
+mod microbit;
+mod nothing_lost;
+mod paper;
+mod replay;
+mod size;
+mod study;
+mod teach;
+#[cfg(unix)]
+mod teach_screen;
+mod trainers_and_questions;
+mod ways;

@@ -1,0 +1,105 @@
+//! `goodbot microbit`, as it is used.
+
+#[allow(dead_code, reason = "other tests need more of it")]
+use crate::program;
+
+use goodbot_formats::microbit::{HOME, MicrobitFile, SLOTS};
+use program::{goodbot, session};
+use std::path::Path;
+
+/// A folder with a program, and a model of one lesson.
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let program = MicrobitFile::of_program([(0, &b"goodbot on the micro:bit; say help"[..])]).unwrap();
+    std::fs::write(folder.path().join("goodbot.hex"), program.to_text()).unwrap();
+    std::fs::write(folder.path().join("log.jsonl"), lesson("go to the green room")).unwrap();
+    let learned = run(folder.path(), &["learn", "LOG", "--out", "MODEL"]);
+    assert_eq!(learned.code, 0, "{}", learned.messages);
+    folder
+}
+
+/// A recorded lesson, to go to the upper room.
+fn lesson(command: &str) -> String {
+    session(program::AGENT, "labelled", command, r#","intended":["agentInRoom(agent0,room1)"]"#) + "\n{\"type\":\"end\",\"learn\":true}\n"
+}
+
+/// Runs the program; files in capital letters stand for those of the folder.
+fn run(folder: &Path, arguments: &[&str]) -> program::Run {
+    let file = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    let arguments: Vec<String> = arguments
+        .iter()
+        .map(|&argument| match argument {
+            "HEX" => file("goodbot.hex"),
+            "LOG" => file("log.jsonl"),
+            "MODEL" => file("words.goodbot"),
+            "HOMEFILE" => file("home.json"),
+            "OUT" => file("mine.hex"),
+            other => other.to_owned(),
+        })
+        .collect();
+    goodbot(&arguments.iter().map(String::as_str).collect::<Vec<_>>(), b"")
+}
+
+/// A home whose lower room is so wide.
+fn home(width: u32) -> String {
+    format!(
+        r#"{{"version":1,"objects":[{{"class":"room","name":"room0","left":0,"bottom":0,"right":{width},"top":4,"color":"red"}},{{"class":"agent","name":"agent0","x":1,"y":1}}]}}"#
+    )
+}
+
+#[test]
+fn the_file_has_the_program_the_model_the_home_and_the_commands() {
+    let folder = folder();
+    std::fs::write(folder.path().join("home.json"), home(4)).unwrap();
+    let run = run(folder.path(), &["microbit", "--hex", "HEX", "-m", "MODEL", "--home", "HOMEFILE", "-c", "go there", "-o", "OUT"]);
+    assert_eq!(run.code, 0, "{}", run.messages);
+    assert!(run.messages.contains("1 lesson"), "{}", run.messages);
+    let file = MicrobitFile::parse(&std::fs::read_to_string(folder.path().join("mine.hex")).unwrap()).unwrap();
+    assert_eq!(file.bytes(0, 24), b"goodbot on the micro:bit");
+    let text = b"room room0 0 0 4 4 red\nagent agent0 1 1\nsay go there\n\xff";
+    assert_eq!(file.bytes(HOME, text.len()), text);
+    assert_eq!(file.bytes(SLOTS, 4), b"slot");
+    let model = std::fs::read(folder.path().join("words.goodbot")).unwrap();
+    assert_eq!(file.bytes(SLOTS + 16, model.len()), model);
+}
+
+#[test]
+fn what_a_micro_bit_has_no_room_for_is_named() {
+    let folder = folder();
+    std::fs::write(folder.path().join("home.json"), home(60)).unwrap();
+    let refused = run(folder.path(), &["microbit", "--hex", "HEX", "-m", "MODEL", "--home", "HOMEFILE", "-o", "OUT"]);
+    assert_eq!(refused.code, 2);
+    assert!(refused.messages.contains("on a micro:bit") && refused.messages.contains("cells"), "{}", refused.messages);
+    let long = "so ".repeat(30);
+    let refused = run(folder.path(), &["microbit", "--hex", "HEX", "-m", "MODEL", "-c", &long, "-o", "OUT"]);
+    assert_eq!(refused.code, 2);
+    assert!(refused.messages.contains("room for 64"), "{}", refused.messages);
+    let words: String = (0..40).map(|number| lesson(&format!("word{number} another{number}"))).collect();
+    std::fs::write(folder.path().join("log.jsonl"), words).unwrap();
+    assert_eq!(run(folder.path(), &["learn", "LOG", "--out", "MODEL"]).code, 0);
+    let refused = run(folder.path(), &["microbit", "--hex", "HEX", "-m", "MODEL", "-o", "OUT"]);
+    assert_eq!(refused.code, 2);
+    assert!(refused.messages.contains("on a micro:bit") && refused.messages.contains("words"), "{}", refused.messages);
+    assert!(!folder.path().join("mine.hex").exists());
+}
+
+#[test]
+fn what_is_no_program_for_a_micro_bit_or_no_model_for_it_is_refused() {
+    let folder = folder();
+    for (arguments, problem) in [
+        (&["--hex", "LOG", "-m", "MODEL"][..], "no Intel HEX"),
+        (&["--hex", "MODEL", "-m", "MODEL"], "cannot be read as text"),
+        (&["--hex", "HEX", "-m", "HEX"], "not a goodbot model"),
+        (&["--hex", "HEX", "-m", "MODEL", "-c", " "], "no command"),
+    ] {
+        let run = run(folder.path(), &[&["microbit"], arguments, &["-o", "OUT"]].concat());
+        assert_eq!(run.code, 2, "{arguments:?}");
+        assert!(run.messages.contains(problem), "{arguments:?}: {}", run.messages);
+    }
+    assert_eq!(run(folder.path(), &["learn", "LOG", "--learner", "paper", "--out", "MODEL"]).code, 0);
+    let refused = run(folder.path(), &["microbit", "--hex", "HEX", "-m", "MODEL", "-o", "OUT"]);
+    assert!(refused.messages.contains("default learner alone"), "{}", refused.messages);
+    // What was read is never replaced.
+    let refused = run(folder.path(), &["microbit", "--hex", "HEX", "-m", "MODEL", "-o", "HEX"]);
+    assert!(refused.messages.contains("would be replaced"), "{}", refused.messages);
+}

@@ -1,0 +1,80 @@
+//! `goodbot size`: the memory that a robot needs.
+
+#[allow(dead_code, reason = "other tests need more of it")]
+use crate::program;
+
+use program::{AGENT, END, ROOMS, Run, goodbot, log, session, step};
+
+const MAP: &str = include_str!("../../src/example/home.json");
+const LOG: &str = include_str!("../../src/example/sessions.jsonl");
+
+fn size(arguments: &[&str], input: &str) -> Run {
+    goodbot(&[&["size"], arguments].concat(), input.as_bytes())
+}
+
+fn json(arguments: &[&str], input: &str) -> serde_json::Value {
+    let run = size(&[arguments, &["--json"]].concat(), input);
+    assert_eq!(run.code, 0, "{}", run.messages);
+    serde_json::from_str(&run.output).expect("one line of JSON")
+}
+
+#[test]
+fn a_robot_is_trained_on_the_log_in_that_memory_and_keeps_every_session() {
+    let size = json(&["--log", "-"], LOG);
+    let sessions = LOG.lines().filter(|line| line.contains(r#""learn":true"#)).count();
+    assert!(sessions > 1);
+    assert_eq!((size["sessions"].as_u64(), size["kept"].as_u64()), (Some(sessions as u64), Some(sessions as u64)));
+}
+
+#[test]
+fn the_words_of_a_log_are_counted_once() {
+    let lines = [
+        session(AGENT, "feedback", "go to the green room", ""),
+        step("north", "reward"),
+        END.to_owned(),
+        session(AGENT, "feedback", "Green room, go!", ""),
+        step("north", "reward"),
+        END.to_owned(),
+    ];
+    let size = json(&["--log", "-"], &String::from_utf8(log(lines.each_ref().map(String::as_str))).expect("text"));
+    assert_eq!((size["words"].as_u64(), size["different_words"].as_u64(), size["word_bytes"].as_u64()), (Some(5), Some(5), Some(16)));
+    assert_eq!((size["homes"].as_u64(), size["kept"].as_u64()), (Some(1), Some(2)));
+}
+
+#[test]
+fn more_sessions_take_more_memory() {
+    let ram = |sessions: &str| json(&["-", "--sessions", sessions], MAP)["ram"]["controller"].as_u64().expect("a number");
+    assert!(ram("4") < ram("8"));
+}
+
+#[test]
+fn it_prints_source_for_both_languages() {
+    let run = size(&["-", "--sessions", "6", "--words", "5"], MAP);
+    assert_eq!(run.code, 0, "{}", run.messages);
+    assert!(run.output.starts_with("A robot in 1 home that keeps 6 sessions of at most 5 words, 30 different:\n"), "{}", run.output);
+    for line in ["    struct RobotMemory = goodbot::Capacities {", "        sessions: 6,", "    [GOODBOT_CAPACITY_SESSIONS] = 6,"] {
+        assert!(run.output.lines().any(|it| it == line), "{line} is not in {}", run.output);
+    }
+}
+
+#[test]
+fn bad_use_and_bad_files_are_refused() {
+    for (arguments, input, message) in [
+        (&[][..], "", "HOME"),
+        (&["-", "--sessions", "0"], MAP, "65535"),
+        (&["-", "--words", "65"], MAP, "64"),
+        (&["no-such-home.json"], "", "no-such-home.json: cannot be read"),
+        (&["-"], LOG, "not a home"),
+        (&["--log", "-"], MAP, "not a session log"),
+    ] {
+        let run = size(arguments, input);
+        assert_eq!(run.code, 2, "{arguments:?} {}", run.output);
+        assert!(run.messages.contains(message) && run.output.is_empty(), "{arguments:?}: {}", run.messages);
+    }
+    let without_agent = format!(r#"{{"version":1,"objects":[{ROOMS}]}}"#);
+    let run = size(&["-"], &without_agent);
+    assert_eq!(
+        (run.code, run.messages.trim_end()),
+        (2, "error: standard input: field \"objects\": there is no agent; add one, inside a room")
+    );
+}

@@ -1,0 +1,227 @@
+//! `goodbot study`, as people and programs use it.
+
+#[allow(dead_code, reason = "the rest is for other tests")]
+use crate::program;
+
+use program::{Run, goodbot};
+use serde_json::Value;
+use std::path::PathBuf;
+
+/// A folder of its own, emptied.
+fn folder(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).expect("a folder for the test");
+    folder
+}
+
+fn study(arguments: &[&str]) -> Run {
+    goodbot(&[&["study"], arguments].concat(), b"")
+}
+
+fn output(arguments: &[&str]) -> String {
+    let run = study(arguments);
+    assert_eq!(run.code, 0, "{}", run.messages);
+    run.output
+}
+
+fn refused(arguments: &[&str], fault: &str) {
+    let run = study(arguments);
+    assert_eq!(run.code, 2, "{arguments:?}: {}", run.messages);
+    assert!(run.messages.contains(fault), "{arguments:?}: no {fault:?} in {}", run.messages);
+    assert!(run.output.is_empty(), "{}", run.output);
+}
+
+const SMALL: [&str; 8] = ["--agents", "paper,tamer-shared", "--trainers", "balanced,population", "--runs", "6", "--seed", "40"];
+
+fn small(more: &[&str]) -> Vec<String> {
+    SMALL.iter().chain(more).map(|argument| (*argument).to_owned()).collect()
+}
+
+fn small_output(more: &[&str]) -> String {
+    let arguments = small(more);
+    output(&arguments.iter().map(String::as_str).collect::<Vec<_>>())
+}
+
+#[test]
+fn there_is_a_line_for_each_run_and_one_for_each_trainer_and_agent() {
+    let text = small_output(&["--json"]);
+    let lines: Vec<Value> = text.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
+    let of = |kind: &str| lines.iter().filter(|line| line["type"] == kind).collect::<Vec<_>>();
+    assert_eq!((of("study").len(), of("run").len()), (1, 6 * 2 * 2));
+    let names: Vec<(&str, &str)> =
+        of("summary").iter().map(|line| (line["trainer"].as_str().unwrap(), line["agent"].as_str().unwrap())).collect();
+    let trainers = ["balanced", "population", "population, worst tenth"];
+    assert_eq!(names, trainers.iter().flat_map(|trainer| [(*trainer, "paper"), (*trainer, "tamer-shared")]).collect::<Vec<_>>());
+    // The summary is that of the runs above it.
+    let paper = |line: &&&Value| line["trainer"] == "balanced" && line["agent"] == "paper";
+    let (runs, summaries) = (of("run"), of("summary"));
+    let words: u64 = runs.iter().filter(paper).flat_map(|run| run["words"].as_array().unwrap()).map(|count| count.as_u64().unwrap()).sum();
+    let mean = summaries.iter().find(paper).unwrap()["words"]["mean"].as_f64().unwrap();
+    assert!((mean - words as f64 / 6.0).abs() < 1e-9, "{mean}");
+    // An agent without probabilities cannot be wrongly certain.
+    let tamer = summaries.iter().find(|line| line["agent"] == "tamer-shared").unwrap();
+    assert!(tamer["wrongly_certain"]["mean"].is_null());
+}
+
+#[test]
+fn the_same_seed_gives_the_same_bytes_on_one_core_and_on_many_and_among_other_agents() {
+    let many = small_output(&["--json"]);
+    let one = std::process::Command::new(env!("CARGO_BIN_EXE_goodbot"))
+        .arg("study")
+        .args(small(&["--json"]))
+        .env("RAYON_NUM_THREADS", "1")
+        .output()
+        .expect("the program runs");
+    assert_eq!(many, String::from_utf8(one.stdout).unwrap());
+    let alone = output(&["--agents", "paper", "--trainers", "population", "--runs", "1", "--seed", "43", "--json"]);
+    let run = alone.lines().nth(1).unwrap();
+    assert!(many.lines().any(|line| line == run), "{run}");
+}
+
+#[test]
+fn parts_join_to_the_same_bytes_as_one_run_in_any_order_and_however_they_are_shown() {
+    let folder = folder("study-parts");
+    let files: Vec<String> = (1..=4)
+        .map(|part| {
+            let file = folder.join(format!("{part}.jsonl"));
+            std::fs::write(&file, small_output(&["--json", "--shard", &format!("{part}/4")])).unwrap();
+            file.to_str().unwrap().to_owned()
+        })
+        .collect();
+    let merge = |order: [usize; 4], more: &[&str]| {
+        let named: Vec<&str> = order.iter().map(|&part| files[part].as_str()).collect();
+        output(&[&["--merge"], named.as_slice(), more].concat())
+    };
+    let whole = small_output(&["--json"]);
+    assert_eq!(merge([0, 1, 2, 3], &["--json"]), whole);
+    assert_eq!(merge([2, 0, 3, 1], &["--json"]), whole);
+    assert_eq!(merge([0, 1, 2, 3], &["--csv"]), small_output(&["--csv"]));
+    // A whole study is its only part.
+    let file = folder.join("whole.jsonl");
+    std::fs::write(&file, &whole).unwrap();
+    assert_eq!(output(&["--merge", file.to_str().unwrap(), "--json"]), whole);
+}
+
+#[test]
+fn parts_that_are_no_whole_are_refused_with_what_is_missing() {
+    let folder = folder("study-faults");
+    let write = |name: &str, text: &str| {
+        let file = folder.join(name);
+        std::fs::write(&file, text).unwrap();
+        file.to_str().unwrap().to_owned()
+    };
+    let first = small_output(&["--json", "--shard", "1/2"]);
+    let one = write("one", &first);
+    let two = write("two", &small_output(&["--json", "--shard", "2/2"]));
+    refused(&["--merge", &one], "part 2/2 is missing; run it with --shard 2/2");
+    refused(&["--merge", &one, &two, &one], "are both part 1/2");
+    let other = write("other", &output(&["--agents", "paper", "--runs", "2", "--json", "--shard", "2/2"]));
+    refused(&["--merge", &one, &other], "is of another study");
+    let third = write("third", &small_output(&["--json", "--shard", "3/3"]));
+    refused(&["--merge", &one, &third], "join parts of one division");
+    let cut = write("cut", &first.lines().take(5).map(|line| format!("{line}\n")).collect::<String>());
+    refused(&["--merge", &cut, &two], "a file is cut off or was changed");
+    let half = write("half", &first[..first.len() - 20]);
+    refused(&["--merge", &half, &two], "half:13: is no JSON");
+    refused(&["--merge", &write("empty", "")], "is empty");
+    refused(&["--merge", &write("words", "{\"type\":\"session\"}\n")], "is no study");
+    refused(&["--merge", folder.join("none").to_str().unwrap()], "cannot be read");
+    let changed = write("changed", &first.replacen("rate", "pace", 1));
+    refused(&["--merge", &changed, &two], "has other settings of tamer-shared");
+    refused(&["--merge", &write("later", &first.replacen("\"version\":1", "\"version\":9", 1)), &two], "another version of goodbot");
+    refused(&["--merge", &write("steps", &first.replacen("\"steps\":[", "\"steps\":[-", 1)), &two], "has no whole number in steps[0]");
+}
+
+#[test]
+fn names_that_are_none_are_refused_with_those_that_are_alike() {
+    refused(&["--agents", "tamer-tabel"], "'tamer-table'");
+    refused(&["--trainers", "punish"], "'punish-only'");
+    refused(&["--agents", ""], "possible values");
+    refused(&["--plot", "a.svg", "--column", "certain"], "wrongly_certain");
+}
+
+#[test]
+fn numbers_that_are_none_are_refused_with_what_to_give() {
+    refused(&["--runs", "0"], "give a whole number from 1 to 100000");
+    refused(&["--runs", "-3"], "give a whole number from 1 to 100000");
+    refused(&["--seed", "x"], "give a whole number from 0");
+    refused(&["--json", "--shard", "3/2"], "there is no part 3 of 2; the last is 2/2");
+    refused(&["--json", "--shard", "0/2"], "such as 1/4");
+    refused(&["--json", "--shard", "half"], "such as 1/4");
+    refused(&["--shard", "1/2"], "--json");
+    refused(&["--merge", "a", "--agents", "paper"], "cannot be used with");
+}
+
+#[test]
+fn no_picture_takes_the_place_of_what_is_read_or_of_what_is_not_ours() {
+    let folder = folder("study-plot");
+    let runs = folder.join("runs.jsonl");
+    std::fs::write(&runs, small_output(&["--json"])).unwrap();
+    let (runs, text) = (runs.to_str().unwrap(), std::fs::read_to_string(&runs).unwrap());
+    refused(&["--merge", runs, "--plot", runs, "--force"], "is read here, and would be replaced");
+    assert_eq!(std::fs::read_to_string(runs).unwrap(), text);
+    let note = folder.join("note.svg");
+    std::fs::write(&note, "mine").unwrap();
+    refused(&["--merge", runs, "--plot", note.to_str().unwrap()], "is no picture of goodbot's");
+    let picture = folder.join("tests.svg");
+    output(&["--merge", runs, "--plot", picture.to_str().unwrap(), "--column", "words"]);
+    let picture = std::fs::read_to_string(picture).unwrap();
+    for part in ["words said", "balanced", "population, worst tenth", "tamer-shared"] {
+        assert!(picture.contains(part), "no {part:?}");
+    }
+}
+
+#[test]
+fn a_fit_tells_what_trainers_of_a_log_do_and_checks_simulated_ones() {
+    let log = goodbot(&["example", "log"], b"").output;
+    let folder = folder("study-fit");
+    let file = folder.join("log.jsonl");
+    std::fs::write(&file, &log).unwrap();
+    let text = output(&["--fit", file.to_str().unwrap(), "--runs", "5"]);
+    for part in ["people", "is meant for the last action", "silence after a wrong action", "not fitted"] {
+        assert!(text.contains(part), "no {part:?} in {text}");
+    }
+    let json = output(&["--fit", file.to_str().unwrap(), "--runs", "5", "--json"]);
+    assert_eq!(json, output(&["--fit", file.to_str().unwrap(), "--runs", "5", "--json"]));
+    let checks = json.lines().map(|line| serde_json::from_str::<Value>(line).unwrap()).filter(|line| line["type"] == "check");
+    assert_eq!(checks.count(), 11);
+    let home = folder.join("home.json");
+    std::fs::write(&home, goodbot(&["example", "home"], b"").output).unwrap();
+    refused(&["--fit", home.to_str().unwrap()], "not a session log");
+}
+
+#[test]
+fn help_teaches_and_names_all_agents_and_trainers() {
+    let help = goodbot(&["study", "--help"], b"").output;
+    for part in ["tamer-shared", "punish-only", "--shard 1/2 --json > one.jsonl", "wrongly_certain"] {
+        assert!(help.contains(part), "no {part:?} in {help}");
+    }
+}
+
+#[test]
+fn a_page_says_what_it_does_not_show_and_has_its_pictures_beside_it() {
+    let folder = folder("study-page");
+    let page = folder.join("study.md");
+    let named = page.to_str().unwrap();
+    small_output(&["--report", named]);
+    let text = std::fs::read_to_string(&page).unwrap();
+    for part in [
+        "No human took part",
+        "four commands only",
+        "`goodbot study --runs 6 --seed 40",
+        "### Trainer balanced",
+        "Knox and P. Stone (2009)",
+    ] {
+        assert!(text.contains(part), "no {part:?} in {text}");
+    }
+    for picture in ["study.tests_right.svg", "study.steps.svg", "study.words.svg"] {
+        assert!(text.contains(picture) && folder.join(picture).is_file(), "no {picture}");
+    }
+    // Its own page may be made anew; that of somebody else stays.
+    small_output(&["--report", named]);
+    std::fs::write(&page, "# Mine\n").unwrap();
+    refused(&["--report", named, "--runs", "1"], "is no page of goodbot's");
+    refused(&["--report", "-"], "name a file for it");
+    assert_eq!(std::fs::read_to_string(&page).unwrap(), "# Mine\n");
+}

@@ -1,0 +1,261 @@
+//! `goodbot teach` without a terminal: requests as lines, answers as lines of JSON.
+
+#[allow(dead_code, reason = "other tests use the rest")]
+use crate::program;
+
+use program::{Run, THREE_STOREYS, goodbot};
+use serde_json::{Value, json};
+use tempfile::TempDir;
+
+fn answers(run: &Run) -> Vec<Value> {
+    run.output.lines().map(|line| serde_json::from_str(line).unwrap_or_else(|error| panic!("{error}: {line}"))).collect()
+}
+
+fn teach(arguments: &[&str], requests: &str) -> (Run, Vec<Value>) {
+    let run = goodbot(&[&["teach"], arguments].concat(), requests.as_bytes());
+    let answers = answers(&run);
+    (run, answers)
+}
+
+fn types(answers: &[Value]) -> Vec<&str> {
+    answers.iter().map(|answer| answer["type"].as_str().unwrap()).collect()
+}
+
+fn probability(answer: &Value, task: &str) -> f64 {
+    answer["tasks"].as_array().unwrap().iter().find(|each| each["task"] == task).unwrap()["probability"].as_f64().unwrap()
+}
+
+#[test]
+fn a_session_is_heard_walked_judged_and_learned_from() {
+    let (run, answers) = teach(&[], "command go to the red room\nstep\ngood\nstep\nsilence\nfinish\nwords\nquit\nstep\n");
+    assert_eq!((run.code, run.messages.as_str()), (0, ""));
+    assert_eq!(types(&answers), ["ready", "heard", "acted", "judged", "acted", "judged", "finished", "words", "bye"]);
+    assert_eq!(answers[0]["protocol"], 1);
+    assert_eq!(answers[3]["feedback"], "reward");
+    assert_eq!(answers[6], json!({"type": "finished", "learned": true, "steps": 2, "sessions": 1, "gave_way": 0}));
+    assert!(answers[7]["ideas"].as_array().unwrap().iter().any(|idea| idea["words"] == "color red"));
+}
+
+#[test]
+fn words_are_shown_in_full() {
+    let (_, answers) = teach(&[], "command take the yellow chair\nstep\ngood\nfinish\nwords\n");
+    let called = answers.iter().find(|answer| answer["type"] == "words").unwrap()["ideas"][0]["called"].as_object().unwrap().clone();
+    let mut words: Vec<&str> = called.keys().map(String::as_str).collect();
+    words.sort_unstable();
+    assert_eq!(words, ["chair", "take", "the", "yellow"]);
+}
+
+#[test]
+fn what_to_teach_next_is_one_new_word_that_is_wanted_where_it_can_be_taught() {
+    let lesson = "command go to the red room\nstep\ngood\nfinish\n";
+    let folder = TempDir::new().unwrap();
+    let wanted = folder.path().join("wanted.txt");
+    std::fs::write(&wanted, "go to the red room\n\n  take the blue chair to the yellow room\n").unwrap();
+    let (_, told) = teach(&["--wanted", wanted.to_str().unwrap()], &format!("{lesson}next\n"));
+    let next = told.iter().find(|answer| answer["type"] == "next").unwrap();
+    assert_eq!(next["command"], "go to the blue room", "one new word at a time");
+    assert_eq!((&next["word"], &next["needed"], &next["heard"]), (&json!("blue"), &json!(1), &json!(0)));
+    assert_eq!(next["reason"], "\"blue\" is in 1 of the commands that it is to understand, and it has never heard that word");
+    let (run, answers) = teach(&[], &format!("home {}\ncommand {}\n", next["home"], next["command"].as_str().unwrap()));
+    assert_eq!(run.code, 0, "it can be taught there: {}", run.messages);
+    assert!(answers[2]["tasks"].as_array().unwrap().iter().any(|task| task["words"] == next["command"]));
+
+    // Without a file it is what was said; one's own words are proposed where the robot is.
+    let (_, told) = teach(&[], "next\ncommand zorp blik\nstep\ngood\nfinish\nnext\n");
+    let next: Vec<&Value> = told.iter().filter(|answer| answer["type"] == "next").collect();
+    assert_eq!(next[0]["command"], Value::Null);
+    assert_eq!((&next[1]["command"], &next[1]["home"], &next[1]["heard"]), (&json!("zorp blik"), &Value::Null, &json!(1)));
+    let often = format!("{}next\n", "command zorp blik\nstep\ngood\nfinish\n".repeat(6));
+    let (_, told) = teach(&[], &often);
+    assert_eq!(told[told.len() - 2]["reason"], "it has heard every word of these commands often");
+}
+
+#[test]
+fn a_file_that_wants_nothing_is_refused() {
+    let folder = TempDir::new().unwrap();
+    let file = folder.path().join("wanted.txt");
+    let refused = |path: &std::path::Path| goodbot(&["teach", "--wanted", path.to_str().unwrap()], b"");
+    assert!(refused(&file).messages.contains("wanted.txt: cannot be read"));
+    std::fs::write(&file, "\n \n").unwrap();
+    let run = refused(&file);
+    assert_eq!(run.code, 2);
+    assert!(run.messages.contains("wanted.txt: has no command; write one on each line"), "{}", run.messages);
+}
+
+#[test]
+fn the_same_seed_and_the_same_lines_give_the_same_answers() {
+    let lines = "command go to the red room\nstep\ngood\nstep\nbad\nstep\nfinish\nhome random\ncommand go\nstep\nstep\n";
+    let of = |seed| teach(&["--seed", seed, "--random"], lines).0.output;
+    assert_eq!(of("3"), of("3"));
+    assert_ne!(of("3"), of("4"));
+}
+
+#[test]
+fn the_last_word_to_a_step_is_the_one_that_counts() {
+    let (_, twice) = teach(&[], "command go to the red room\nstep\nstep\nstep\ngood\nbad\nstate\n");
+    let (_, once) = teach(&[], "command go to the red room\nstep\nstep\nstep\nbad\nstate\n");
+    assert_eq!(twice[twice.len() - 2], once[once.len() - 2]);
+    let good = &twice[5];
+    let (action, most) = (&good["action"], good["tasks"][0]["task"].as_str().unwrap());
+    assert_eq!((good["feedback"].as_str(), &twice[6]["action"]), (Some("reward"), action));
+    assert!(probability(&twice[6], most) <= probability(good, most));
+}
+
+#[test]
+fn a_step_is_taken_back_with_what_was_said_to_it() {
+    let (_, answers) = teach(&[], "command go to the red room\nstep\ngood\nstate\nstep\nbad\nback\nstate\nback\nback\n");
+    assert_eq!(types(&answers)[6..], ["judged", "back", "state", "back", "error", "bye"]);
+    assert_eq!(answers[4], answers[8]);
+}
+
+#[test]
+fn what_is_no_request_is_answered_with_what_to_do_and_counted() {
+    let (run, answers) = teach(&[], "go north\nstep\ngood\ngood dog\nfinish\nforget\nundo\nauto\ncommand\nhome {}\nhome x\n\n");
+    assert_eq!(run.code, 2);
+    assert!(run.messages.contains("11 requests refused"), "{}", run.messages);
+    for answer in &answers[1..answers.len() - 1] {
+        assert_eq!(answer["type"], "error");
+        assert!(!answer["message"].as_str().unwrap().is_empty() && answer["do"].as_str().unwrap().contains("send"), "{answer}");
+    }
+}
+
+#[test]
+fn lines_that_are_no_text_or_too_long_are_refused_and_the_next_is_taken() {
+    let mut input = vec![b'x'; (1 << 20) + 1];
+    input.extend_from_slice(b"\n\xff\xfe\nhelp\r\n");
+    let run = goodbot(&["teach"], &input);
+    assert_eq!((run.code, types(&answers(&run))), (2, vec!["ready", "error", "error", "help", "bye"]));
+}
+
+#[test]
+fn a_robot_is_kept_where_it_is_told_and_the_log_is_one_that_other_commands_read() {
+    let folder = TempDir::new().unwrap();
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (model, log, home) = (file("words.goodbot"), file("words.jsonl"), file("home.json"));
+    let lesson = "command go to the red room\nstep\nstep\nstep\nbad\nstep\ngood\nfinish\ncommand go to the blue room\nstep\ngood\nforget\n";
+    let (run, answers) = teach(&["--model", &model], lesson);
+    assert_eq!((run.code, &answers.last().unwrap()["model"]), (0, &json!(model)));
+    let kept = std::fs::read(&model).unwrap();
+
+    let (_, again) = teach(&["--model", &model], "state\n");
+    assert_eq!(again[0]["sessions"], 1);
+    assert_eq!(std::fs::read(&model).unwrap(), kept);
+
+    std::fs::write(&home, answers[0]["home"].to_string()).unwrap();
+    for command in [
+        vec!["check", &home, &log],
+        vec!["replay", &log],
+        vec!["inspect", &model],
+        vec!["ask", "--with", &model, "--environment", &home, "go to the red room"],
+    ] {
+        let run = goodbot(&command, b"");
+        assert_eq!(run.code, 0, "{command:?}: {}", run.messages);
+    }
+    let replayed = goodbot(&["replay", &log], b"").output;
+    assert!(replayed.contains("2, 1 learned from"), "{replayed}");
+}
+
+#[test]
+fn what_a_session_taught_is_taken_back_from_both_files() {
+    let folder = TempDir::new().unwrap();
+    let model = folder.path().join("words.goodbot").to_str().unwrap().to_owned();
+    let (_, answers) = teach(&["--model", &model], "command go to the red room\nstep\ngood\nfinish\nundo\n");
+    assert_eq!(answers[answers.len() - 2], json!({"type": "undone", "sessions": 0}));
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn files_of_others_are_never_written_to() {
+    let folder = TempDir::new().unwrap();
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    std::fs::write(file("letter.txt"), "Dear robot").unwrap();
+    let lesson = b"command go to the red room\nstep\ngood\nfinish\n";
+    for arguments in [
+        vec!["teach", "--model", &file("letter.txt")],
+        vec!["teach", "--model", &file("new.goodbot"), "--log", &file("letter.txt")],
+        vec!["teach", "--model", &file("letter.txt"), "--log", &file("letter.txt")],
+        vec!["teach", &file("letter.txt")],
+        vec!["teach", "--robot", "a/b"],
+        vec!["teach", "-"],
+    ] {
+        let run = goodbot(&arguments, lesson);
+        assert_eq!((run.code, run.output.as_str()), (2, ""), "{arguments:?}");
+        assert!(run.messages.starts_with("error: "), "{}", run.messages);
+    }
+    assert_eq!(std::fs::read_to_string(file("letter.txt")).unwrap(), "Dear robot");
+}
+
+#[test]
+fn options_without_effect_are_refused() {
+    for arguments in [["teach", "--lines", "--speed", "fast"], ["inspect", "model", "--force", "--json"]] {
+        assert_eq!(goodbot(&arguments, b"quit\n").code, 2, "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_home_may_be_drawn() {
+    let folder = TempDir::new().unwrap();
+    let home = folder.path().join("home.txt");
+    std::fs::write(&home, "#########\n#ggg#rrr#\n#g@g+rCr#\n#########\nC: blue chair\n").unwrap();
+    let (run, answers) = teach(&[home.to_str().unwrap()], "command push the chair over there\n");
+    assert_eq!(run.code, 0, "{}", run.messages);
+    assert_eq!(answers[0]["map"][2], "#g@g+rCr#");
+    assert!(answers[1]["tasks"].as_array().unwrap().iter().any(|task| task["words"] == "take the blue chair to the green room"));
+}
+
+/// The simulated trainer of `auto` judges each lesson until the robot has rested at the goal three times.
+#[test]
+fn the_whole_tour_is_taught_in_lines() {
+    let mut lines = String::new();
+    for _ in 0..7 {
+        lines += "command\n";
+        lines += &"step\nauto\n".repeat(60);
+        lines += "finish\n";
+    }
+    lines += &"command\n".repeat(5);
+    let (run, answers) = teach(&["--tour"], &lines);
+    assert_eq!(run.code, 0, "{}", run.messages);
+    let tested: Vec<&Value> = answers.iter().filter(|answer| answer["type"] == "tested").collect();
+    assert_eq!(tested.len(), 5);
+    let last = answers.iter().rfind(|answer| answer["type"] == "lesson").unwrap();
+    let right = tested.iter().filter(|test| test["right"] == true).count();
+    assert_eq!(last["lesson"], json!({"over": true, "score": format!("{right} of 5 tests understood")}));
+    assert!(right >= 4, "{tested:?}");
+}
+
+/// Nobody reads the answers any more: that is no fault.
+#[test]
+fn it_ends_quietly_when_nobody_reads() {
+    let (code, messages) = program::goodbot_unheard(&["teach"], b"help\nstate\n");
+    assert_eq!((code, messages.as_str()), (0, ""));
+}
+
+#[test]
+fn what_was_learned_from_a_log_and_what_was_taught_have_the_same_settings() {
+    let folder = TempDir::new().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (taught, learned, both) = (path("taught.goodbot"), path("learned.goodbot"), path("both.goodbot"));
+    assert_eq!(goodbot(&["teach", "--model", &taught], b"command go to the red room\nstep\ngood\nfinish\n").code, 0);
+    let log = goodbot(&["example", "log"], b"").output;
+    assert_eq!(goodbot(&["learn", "-", "--out", &learned], log.as_bytes()).code, 0);
+    let merged = goodbot(&["merge", &learned, &taught, "--out", &both], b"");
+    assert!(merged.code == 0 && !merged.messages.contains("other settings"), "{}", merged.messages);
+}
+
+#[test]
+fn with_routes_a_command_may_mean_a_way() {
+    let folder = TempDir::new().unwrap();
+    let home = folder.path().join("home.json");
+    std::fs::write(&home, THREE_STOREYS).unwrap();
+    let home = home.to_str().unwrap();
+    let heard = |arguments: &[&str]| {
+        let (run, answers) = teach(arguments, "command go to the green room but not through the yellow one\nstep\ngood\n");
+        assert_eq!((run.code, types(&answers)), (0, vec!["ready", "heard", "acted", "judged", "bye"]), "{}", run.messages);
+        answers[1]["tasks"].as_array().unwrap().clone()
+    };
+    let tasks = heard(&["--routes", home]);
+    let way = tasks.iter().find(|task| task["words"] == "go to the green room, but not through the yellow room").unwrap();
+    assert_eq!(way["task"], "agentInRoom(agent0,room0) avoiding agentInRoom(agent0,room3)");
+    assert!(tasks.iter().any(|task| task["words"] == "go to the green room, through the blue room or the red room"));
+    assert!(heard(&[home]).iter().all(|task| !task["words"].as_str().unwrap().contains("through")));
+}

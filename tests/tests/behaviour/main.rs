@@ -1,0 +1,34 @@
+//! What the project promises as a whole, tested from outside.
+
+#[path = "../../../core/examples/arm/domain.rs"]
+mod arm;
+#[path = "../../../core/examples/lamps/domain.rs"]
+mod lamps;
+#[path = "../../../core/examples/lift/domain.rs"]
+mod lift;
+#[path = "../../../core/examples/teach/mod.rs"]
+mod teach;
+#[path = "../../../core/examples/turning_robot/domain.rs"]
+mod turning_robot;
+
+mod bit_flips;
+mod derived_facts;
+mod every_state;
+mod example_robots;
+mod format;
+mod fuzz_smoke;
+mod joining;
+mod large_homes;
+mod laws;
+mod least_capacities;
+mod one_life;
+mod optimal_sets;
+mod power_loss;
+mod reference_numbers;
+mod rows;
+mod second_robot;
+mod snapshot;
+mod sound_domains;
+mod understanding;
+mod ways;
+mod windows_of_regions;
