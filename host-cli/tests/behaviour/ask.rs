@@ -1,6 +1,5 @@
 //! `goodbot ask`: what it answers, how sure it is, and why.
 
-#[allow(dead_code, reason = "other tests need more of it")]
 use crate::program;
 
 use program::{Run, THREE_STOREYS, goodbot};

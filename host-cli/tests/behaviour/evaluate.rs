@@ -1,6 +1,5 @@
 //! `goodbot evaluate`: what it is trained on, what it is asked, and what is told of that.
 
-#[allow(dead_code, reason = "other tests need more of it")]
 use crate::program;
 
 use program::{AGENT, END, Run, goodbot, session, shown, step};

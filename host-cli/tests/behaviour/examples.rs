@@ -1,6 +1,5 @@
 //! What the README shows, with the files of `docs/examples`.
 
-#[allow(dead_code, reason = "other tests need more of it")]
 use crate::program;
 
 use goodbot_formats::posterior::PosteriorLine;

@@ -1,6 +1,5 @@
 //! `goodbot learn`, `ask`, `inspect` and `evaluate`, as their users run them.
 
-#[allow(dead_code, reason = "other tests need more of it")]
 use crate::program;
 
 use program::{AGENT, END, goodbot, session, shown};

@@ -1,6 +1,5 @@
 //! `goodbot microbit`, as it is used.
 
-#[allow(dead_code, reason = "other tests need more of it")]
 use crate::program;
 
 use goodbot_formats::microbit::{HOME, MicrobitFile, SLOTS};

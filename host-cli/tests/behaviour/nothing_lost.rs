@@ -1,6 +1,5 @@
 //! What was there before stays: inputs and other people's files are not replaced, and what was asked for is written although nobody listens.
 
-#[allow(dead_code, reason = "other tests need more of it")]
 use crate::program;
 
 use program::{AGENT, END, Run, goodbot, goodbot_unheard, session, shown};

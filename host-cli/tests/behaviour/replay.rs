@@ -1,6 +1,5 @@
 //! `goodbot replay`.
 
-#[allow(dead_code, reason = "other tests need more of it")]
 use crate::program;
 
 use goodbot_formats::posterior::PosteriorLine;

@@ -1,6 +1,5 @@
 //! `goodbot size`: the memory that a robot needs.
 
-#[allow(dead_code, reason = "other tests need more of it")]
 use crate::program;
 
 use program::{AGENT, END, ROOMS, Run, goodbot, log, session, step};

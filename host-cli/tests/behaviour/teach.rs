@@ -1,6 +1,5 @@
 //! `goodbot teach` without a terminal: requests as lines, answers as lines of JSON.
 
-#[allow(dead_code, reason = "other tests use the rest")]
 use crate::program;
 
 use program::{Run, THREE_STOREYS, goodbot};

@@ -1,6 +1,5 @@
 //! What trainers are expected, and answers to questions: `fit-trainers`, `replay --believes`, logs with answers, `questions`.
 
-#[allow(dead_code, reason = "other tests need more of it")]
 use crate::program;
 
 use goodbot_formats::posterior::PosteriorLine;

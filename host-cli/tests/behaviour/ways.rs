@@ -1,6 +1,5 @@
 //! `goodbot ways`.
 
-#[allow(dead_code, reason = "other tests need more of it")]
 use crate::program;
 
 use program::goodbot;
