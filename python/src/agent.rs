@@ -131,7 +131,6 @@ enum Part {
 pub struct Mind {
     pub core: Core<AgentHeap>,
     pub random: Pcg32,
-    schema: Schema<'static>,
     robot: Option<Arc<Robot>>,
     names: Vec<Py<PyString>>,
     command: String,
@@ -175,16 +174,10 @@ pub struct Mind {
 pub struct Agent(Mutex<Mind>);
 
 impl Mind {
-    fn new(
-        capacities: &Capacities,
-        lifted: &[LiftedTask],
-        options: Options,
-        schema: Schema<'static>,
-        seed: u64,
-    ) -> Result<Self, AgentError> {
+    fn new(capacities: &Capacities, lifted: &[LiftedTask], options: Options, seed: u64) -> Result<Self, AgentError> {
         let core = Core::new(AgentHeap::new(capacities), lifted, options)?;
         let random = goodbot_course::generator(seed);
-        Ok(Self { core, random, schema, robot: None, names: Vec::new(), command: String::new(), broken: false })
+        Ok(Self { core, random, robot: None, names: Vec::new(), command: String::new(), broken: false })
     }
 
     pub fn place(&mut self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>) -> PyResult<Place> {
@@ -255,13 +248,7 @@ impl Mind {
         Ok(gave_way)
     }
 
-    fn check_vocabulary(&self, place: &Place) -> PyResult<()> {
-        let known = in_place!(place, |domain, _state| domain.world().schema == self.schema);
-        if known { Ok(()) } else { Err(value("this agent's tasks are of another vocabulary; make it with domain= this robot")) }
-    }
-
     pub fn hear(&mut self, py: Python<'_>, place: &Place, command: &str) -> PyResult<()> {
-        self.check_vocabulary(place)?;
         let begun = in_place!(place, |domain, state| self.core.begin_hearing(domain, state, command));
         self.settled(py, place, begun)?;
         command.clone_into(&mut self.command);
@@ -279,7 +266,6 @@ impl Mind {
     }
 
     pub fn hear_with_prior(&mut self, py: Python<'_>, place: &Place, command: &str, prior: &HashMap<String, f32>) -> PyResult<()> {
-        self.check_vocabulary(place)?;
         let heard = in_place!(place, |domain, state| {
             self.core
                 .hear_with_prior(domain, state, command, |task, lifted| prior.get(&task_name(domain, lifted, task)).copied().unwrap_or(0.0))
@@ -336,7 +322,7 @@ impl Mind {
                 Ok(Place::Home(home.clone_ref(py), next))
             }
             Place::Robot(robot, state) => {
-                let next = self.core.acted(&**robot, state, action);
+                let next = robot.lend(|domain| self.core.acted(domain, state, action));
                 Ok(Place::Robot(robot.clone(), self.settled(py, place, next)?))
             }
         }
@@ -381,7 +367,7 @@ impl Agent {
         })
     }
 
-    fn restored(py: Python<'_>, bytes: &[u8], lifted: &[LiftedTask], schema: Schema<'static>, seed: u64) -> PyResult<Self> {
+    fn restored(py: Python<'_>, bytes: &[u8], lifted: &[LiftedTask], seed: u64) -> PyResult<Self> {
         let read = catch_unwind(AssertUnwindSafe(|| -> PyResult<Mind> {
             let contents = Contents::read(bytes).map_err(|refused| error::restore(py, refused))?;
             let mut most = Capacities::STANDARD;
@@ -389,7 +375,7 @@ impl Agent {
                 most.set(capacity, MOST_OF_A_FIELD);
             }
             let capacities = Capacities::STANDARD.at_least(contents.sizes.at_most(most));
-            let mut mind = Mind::new(&capacities, lifted, Options::DEFAULT, schema, seed).map_err(|refused| error::agent(py, refused))?;
+            let mut mind = Mind::new(&capacities, lifted, Options::DEFAULT, seed).map_err(|refused| error::agent(py, refused))?;
             mind.core.restore(bytes).map_err(|refused| error::restore(py, refused))?;
             mind.learn(py)?;
             Ok(mind)
@@ -399,11 +385,17 @@ impl Agent {
     }
 }
 
-/// The vocabulary of a robot, or of homes where none is given.
-fn schema_of(domain: Option<&Bound<'_, PyAny>>) -> PyResult<Schema<'static>> {
+/// The kinds of tasks of an agent, in the vocabulary of a robot, or of homes where none is given.
+fn tasks_of(py: Python<'_>, tasks: Option<Vec<String>>, domain: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<LiftedTask>> {
     match domain {
-        Some(domain) if domain.cast::<home_of::Home>().is_err() => Ok(robot::vocabulary(domain)?.schema),
-        _ => Ok(SCHEMA),
+        Some(domain) if domain.cast::<home_of::Home>().is_err() => {
+            let of_own = |schema: Schema<'_>| match tasks.is_none() && schema != SCHEMA {
+                true => Err(value("a robot of your own needs tasks, such as [\"lampOn(?l)\"]")),
+                false => kinds_of_tasks(py, tasks, &schema),
+            };
+            robot::names_of(domain)?.lend(|schema, _| of_own(schema))
+        }
+        _ => kinds_of_tasks(py, tasks, &SCHEMA),
     }
 }
 
@@ -441,12 +433,8 @@ impl Agent {
         capacities: Option<&Bound<'_, PyAny>>,
         seed: u64,
     ) -> PyResult<Self> {
-        let schema = schema_of(domain)?;
-        if tasks.is_none() && schema != SCHEMA {
-            return Err(value("a robot of your own needs tasks, such as [\"lampOn(?l)\"]"));
-        }
-        let lifted = kinds_of_tasks(py, tasks, &schema)?;
-        let made = Mind::new(&capacities_of(capacities)?, &lifted, options(learner, weights)?, schema, seed);
+        let lifted = tasks_of(py, tasks, domain)?;
+        let made = Mind::new(&capacities_of(capacities)?, &lifted, options(learner, weights)?, seed);
         let mut mind = made.map_err(|refused| error::agent(py, refused))?;
         if let Some(strategies) = strategies {
             mind.set_strategies(py, &strategies_of(&strategies)?)?;
@@ -475,9 +463,8 @@ impl Agent {
         domain: Option<&Bound<'_, PyAny>>,
         seed: u64,
     ) -> PyResult<Self> {
-        let schema = schema_of(domain)?;
-        let lifted = kinds_of_tasks(py, tasks, &schema)?;
-        Self::restored(py, model, &lifted, schema, seed)
+        let lifted = tasks_of(py, tasks, domain)?;
+        Self::restored(py, model, &lifted, seed)
     }
 
     /// Writes what was learned as a model file, whole or not at all. A file that is there and is no model is replaced only with `force=True`.

@@ -51,9 +51,9 @@ pub fn full(py: Python<'_>, error: Full) -> PyErr {
 pub fn agent(py: Python<'_>, error: AgentError) -> PyErr {
     match error {
         AgentError::Capacity(error) => full(py, error),
+        AgentError::OtherVocabulary => value("this agent's tasks are of another vocabulary; make it with domain= this robot"),
         AgentError::EmptyCommand
         | AgentError::NoTask
-        | AgentError::OtherVocabulary
         | AgentError::StateNumber
         | AgentError::NotApplicable
         | AgentError::Prior { .. }

@@ -23,10 +23,7 @@ macro_rules! in_place {
                 let $domain = &home.get().rooms;
                 $run
             }
-            $crate::place::Place::Robot(robot, $state) => {
-                let $domain = &**robot;
-                $run
-            }
+            $crate::place::Place::Robot(robot, $state) => robot.lend(|$domain| $run),
         }
     };
 }

@@ -4,11 +4,11 @@
 //! in the class cannot pass through the search. The first one is kept, the search is led to a quick end, and the caller raises it.
 
 use crate::error::{full, value};
-use crate::vocabulary::{Names, Vocabulary};
+use crate::vocabulary::Names;
 use goodbot::capacity::{ARGUMENTS, ATTRIBUTES, Capacity, CapacityError};
 use goodbot::oomdp::{
     Action, ActionKind, ClassId, Domain, GroundProposition, MOST_COST, Object, ObjectCount, ObjectError, ObjectSet, ObjectTables,
-    ObjectTablesRef, Objects, OneByOne, World,
+    ObjectTablesRef, Objects, OneByOne, Schema, World,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString, PyTuple};
@@ -23,7 +23,7 @@ const NAME_BYTES: usize = 1 << 15;
 #[derive(Debug)]
 pub struct Robot {
     object: Py<PyAny>,
-    vocabulary: &'static Vocabulary,
+    names: Names,
     objects: Vec<Object>,
     name_bytes: Vec<u8>,
     name_ends: Vec<u16>,
@@ -70,12 +70,12 @@ fn actions(object: &Bound<'_, PyAny>) -> PyResult<Vec<(String, u8)>> {
 }
 
 /// The position of a class, which is added where it is new.
-fn class_id(names: &mut Names, class: &str) -> u8 {
+fn class_id(names: &mut Names, class: &str) -> ClassId {
     let position = names.classes.iter().position(|known| known == class).unwrap_or_else(|| {
         names.classes.push(class.to_owned());
         names.classes.len() - 1
     });
-    position.min(usize::from(u8::MAX)) as u8
+    ClassId(position.min(usize::from(u8::MAX)) as u8)
 }
 
 fn names(py: Python<'_>, object: &Bound<'_, PyAny>) -> PyResult<Names> {
@@ -108,12 +108,12 @@ fn names(py: Python<'_>, object: &Bound<'_, PyAny>) -> PyResult<Names> {
     Ok(names)
 }
 
-/// The vocabulary of a Python object, for an agent's tasks.
-pub fn vocabulary(object: &Bound<'_, PyAny>) -> PyResult<&'static Vocabulary> {
-    Ok(described(object)?.0.vocabulary())
+/// The names that a Python object speaks of, for an agent's tasks.
+pub fn names_of(object: &Bound<'_, PyAny>) -> PyResult<Names> {
+    Ok(described(object)?.0)
 }
 
-type Described<'py> = (Names, Vec<(String, u8, Bound<'py, PyDict>)>);
+type Described<'py> = (Names, Vec<(String, ClassId, Bound<'py, PyDict>)>);
 
 /// The names and the objects: each with its name, its class and its attributes.
 fn described<'py>(object: &Bound<'py, PyAny>) -> PyResult<Described<'py>> {
@@ -149,7 +149,7 @@ impl Robot {
                 texts.push(values.get_item(attribute)?.map(|text| text.extract::<String>()).transpose()?.unwrap_or_default());
             }
             let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
-            set.add(ClassId(*class), name, &texts).map_err(|error| match error {
+            set.add(*class, name, &texts).map_err(|error| match error {
                 ObjectError::Capacity(error) => full(py, error),
                 error => value(format!("object {name:?}: {error}")),
             })?;
@@ -159,16 +159,7 @@ impl Robot {
             Some(count) => count.extract()?,
             None => u64::MAX,
         };
-        Ok(Self {
-            object: object.clone().unbind(),
-            vocabulary: names.vocabulary(),
-            objects,
-            name_bytes,
-            name_ends,
-            count,
-            state_count,
-            known: Mutex::default(),
-        })
+        Ok(Self { object: object.clone().unbind(), names, objects, name_bytes, name_ends, count, state_count, known: Mutex::default() })
     }
 
     /// Whether it is this object's.
@@ -202,21 +193,48 @@ impl Robot {
     }
 
     fn ask_step(&self, py: Python<'_>, number: u64, action: Action) -> PyResult<Option<u64>> {
-        let name = self.vocabulary.actions.get(usize::from(action.0)).map(|kind| kind.name);
+        let name = self.names.actions.get(usize::from(action.0)).map(|(name, _)| name);
         let (Some(state), Some(name)) = (self.state(py, number), name) else { return Ok(None) };
         let next = self.object.bind(py).call_method1("step", (state, PyString::intern(py, name)))?;
         if next.is_none() { Ok(None) } else { self.enter(&next).map(Some) }
     }
 
     fn ask_holds(&self, py: Python<'_>, proposition: &GroundProposition, number: u64) -> PyResult<bool> {
-        let Some(state) = self.state(py, number) else { return Ok(false) };
-        let schema = &self.vocabulary.schema;
-        let count = schema.parameters(proposition.proposition).len();
-        let objects = self.world().objects;
-        let arguments = proposition.arguments.iter().take(count).map(|&object| PyString::intern(py, objects.name(object)));
+        let name = self.names.propositions.get(usize::from(proposition.proposition.0));
+        let (Some(state), Some((name, parameters))) = (self.state(py, number), name) else { return Ok(false) };
+        let objects = self.objects();
+        let arguments = proposition.arguments.iter().take(parameters.len()).map(|&object| PyString::intern(py, objects.name(object)));
         let arguments = PyTuple::new(py, arguments.collect::<Vec<_>>())?;
-        let name = PyString::intern(py, schema.proposition_name(proposition.proposition));
+        let name = PyString::intern(py, name);
         self.object.bind(py).call_method1("holds", (name, arguments, state))?.is_truthy()
+    }
+
+    /// Lends the robot to `call`, as the core has it.
+    pub fn lend<T>(&self, call: impl FnOnce(&Lent<'_>) -> T) -> T {
+        self.names.lend(|schema, actions| call(&Lent { robot: self, schema, actions }))
+    }
+
+    fn objects(&self) -> Objects<'_> {
+        let tables = ObjectTablesRef { objects: &self.objects, name_bytes: &self.name_bytes, name_ends: &self.name_ends };
+        Objects::new(tables, self.count)
+    }
+
+    fn step(&self, state: u64, action: Action) -> Option<u64> {
+        if let Some(&known) = self.known().steps.get(&(state, action.0)) {
+            return known;
+        }
+        let next = self.asked(|py| self.ask_step(py, state, action))?;
+        self.known().steps.insert((state, action.0), next);
+        next
+    }
+
+    fn holds(&self, proposition: &GroundProposition, state: u64) -> bool {
+        if let Some(&known) = self.known().holds.get(&(state, *proposition)) {
+            return known;
+        }
+        let Some(holds) = self.asked(|py| self.ask_holds(py, proposition, state)) else { return false };
+        self.known().holds.insert((state, *proposition), holds);
+        holds
     }
 
     /// What was asked, or nothing where it failed now or before.
@@ -234,39 +252,36 @@ impl Robot {
     }
 }
 
-impl Domain for Robot {
+/// A robot with its names, for the length of a call.
+#[derive(Clone, Copy, Debug)]
+pub struct Lent<'r> {
+    robot: &'r Robot,
+    schema: Schema<'r>,
+    actions: &'r [ActionKind<'r>],
+}
+
+impl Domain for Lent<'_> {
     type State = u64;
     type Search = OneByOne;
 
     fn world(&self) -> World<'_> {
-        let tables = ObjectTablesRef { objects: &self.objects, name_bytes: &self.name_bytes, name_ends: &self.name_ends };
-        World { schema: self.vocabulary.schema, objects: Objects::new(tables, self.count) }
+        World { schema: self.schema, objects: self.robot.objects() }
     }
 
     fn actions(&self) -> &[ActionKind<'_>] {
-        self.vocabulary.actions
+        self.actions
     }
 
     fn step(&self, state: &u64, action: Action) -> Option<u64> {
-        if let Some(&known) = self.known().steps.get(&(*state, action.0)) {
-            return known;
-        }
-        let next = self.asked(|py| self.ask_step(py, *state, action))?;
-        self.known().steps.insert((*state, action.0), next);
-        next
+        self.robot.step(*state, action)
     }
 
     fn holds(&self, proposition: &GroundProposition, state: &u64) -> bool {
-        if let Some(&known) = self.known().holds.get(&(*state, *proposition)) {
-            return known;
-        }
-        let Some(holds) = self.asked(|py| self.ask_holds(py, proposition, *state)) else { return false };
-        self.known().holds.insert((*state, *proposition), holds);
-        holds
+        self.robot.holds(proposition, *state)
     }
 
     fn state_count(&self) -> u64 {
-        self.state_count
+        self.robot.state_count
     }
 
     fn number(&self, state: &u64) -> u64 {

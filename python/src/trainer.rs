@@ -166,7 +166,7 @@ impl Trainer {
             }
             Place::Robot(robot, start) => {
                 let here = |state| Place::Robot(robot.clone(), state);
-                (self.walk(py, mind, &**robot, Course::meaning(start, task), &mut random, here)?, None)
+                (robot.lend(|domain| self.walk(py, mind, domain, Course::meaning(start, task), &mut random, here))?, None)
             }
         };
         let steps = steps.iter().map(|step| recorded(place, step)).collect();

@@ -1,65 +1,32 @@
-//! What a robot of one's own speaks of, as the core wants it: slices that live as long as the domain.
-//!
-//! Each vocabulary is made once and kept for the life of the process. A program speaks of few, however many robots it makes.
+//! What a robot of one's own speaks of. The core borrows names; they are lent to it for the length of a call.
 
 use goodbot::oomdp::{ActionKind, Attribute, Carrier, Class, ClassId, Proposition, Schema};
-use std::collections::HashMap;
-use std::sync::{LazyLock, Mutex, PoisonError};
 
 /// The names, in plain values. A class is told by its position.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Names {
     pub classes: Vec<String>,
     /// The attribute, and the classes that carry it with their prefixes.
-    pub attributes: Vec<(String, Vec<(u8, String)>)>,
-    pub propositions: Vec<(String, Vec<u8>)>,
+    pub attributes: Vec<(String, Vec<(ClassId, String)>)>,
+    pub propositions: Vec<(String, Vec<ClassId>)>,
     /// Names and costs.
     pub actions: Vec<(String, u8)>,
 }
 
-/// The same, as the core has it.
-#[derive(Debug)]
-pub struct Vocabulary {
-    pub schema: Schema<'static>,
-    pub actions: &'static [ActionKind<'static>],
-}
-
-static KNOWN: LazyLock<Mutex<HashMap<Names, &'static Vocabulary>>> = LazyLock::new(Mutex::default);
-
 impl Names {
-    /// The vocabulary of these names.
-    pub fn vocabulary(&self) -> &'static Vocabulary {
-        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(vocabulary) = known.get(self) {
-            return vocabulary;
-        }
-        let vocabulary = Box::leak(Box::new(self.leaked()));
-        known.insert(self.clone(), vocabulary);
-        vocabulary
-    }
-
-    fn leaked(&self) -> Vocabulary {
-        let carrier = |(class, prefix): &(u8, String)| Carrier { class: ClassId(*class), prefix: text(prefix) };
-        let attribute = |(name, carriers): &(String, Vec<_>)| Attribute { name: text(name), carriers: list(carriers.iter().map(carrier)) };
-        let proposition = |(name, parameters): &(String, Vec<u8>)| Proposition {
-            name: text(name),
-            parameters: list(parameters.iter().map(|&class| ClassId(class))),
-        };
-        Vocabulary {
-            schema: Schema {
-                classes: list(self.classes.iter().map(|name| Class { name: text(name) })),
-                attributes: list(self.attributes.iter().map(attribute)),
-                propositions: list(self.propositions.iter().map(proposition)),
-            },
-            actions: list(self.actions.iter().map(|(name, cost)| ActionKind { name: text(name), cost: *cost })),
-        }
+    /// Lends the names to `call`, as the core has them.
+    pub fn lend<T>(&self, call: impl FnOnce(Schema<'_>, &[ActionKind<'_>]) -> T) -> T {
+        let classes: Vec<Class<'_>> = self.classes.iter().map(|name| Class { name }).collect();
+        let carriers: Vec<Vec<Carrier<'_>>> = self.attributes.iter().map(|(_, carriers)| carried(carriers)).collect();
+        let attributes: Vec<Attribute<'_>> =
+            self.attributes.iter().zip(&carriers).map(|((name, _), carriers)| Attribute { name, carriers }).collect();
+        let propositions: Vec<Proposition<'_>> =
+            self.propositions.iter().map(|(name, parameters)| Proposition { name, parameters }).collect();
+        let actions: Vec<ActionKind<'_>> = self.actions.iter().map(|&(ref name, cost)| ActionKind { name, cost }).collect();
+        call(Schema { classes: &classes, attributes: &attributes, propositions: &propositions }, &actions)
     }
 }
 
-fn text(text: &str) -> &'static str {
-    Box::leak(text.to_owned().into_boxed_str())
-}
-
-fn list<T>(items: impl Iterator<Item = T>) -> &'static [T] {
-    Box::leak(items.collect())
+fn carried(carriers: &[(ClassId, String)]) -> Vec<Carrier<'_>> {
+    carriers.iter().map(|&(class, ref prefix)| Carrier { class, prefix }).collect()
 }

@@ -16,7 +16,7 @@ use super::machine_command::{Tokens, attribute_token};
 use super::role::VALUE_SORTS;
 use super::role::{Marker, Role, RoleKind, is_marker};
 use super::{GroundedTask, LiftedProposition, LiftedTask, Part};
-use crate::capacity::{ARGUMENTS, ATTRIBUTES, Capacity, CapacityError, NAME_BYTES};
+use crate::capacity::{ARGUMENTS, ATTRIBUTES, Capacity, CapacityError, LIFTED_TASKS, NAME_BYTES};
 use crate::oomdp::{ClassId, Domain, GroundProposition, ObjectId, PropositionId, Schema, World};
 use crate::symbols::{Symbol, Symbols};
 use heapless::String;
@@ -100,11 +100,13 @@ pub(crate) fn form_token(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut 
     tokens.intern(&text)
 }
 
-/// What is the same for the descriptions of all tasks of one session: the state that it starts from, and the values' tokens as far as they
-/// were needed.
+/// What is the same for the descriptions of all tasks of one session: the state that it starts from, and the tokens of lifted tasks and of
+/// values as far as they were needed.
 #[derive(Clone, Debug)]
 pub struct Scene<S> {
     state: S,
+    /// For each lifted task one more than its token, 0 for one that was not needed yet.
+    forms: [u16; LIFTED_TASKS],
     /// For each of the first objects and each attribute one more than the value's token, 0 for one that was not needed yet.
     tokens: [[u16; ATTRIBUTES]; REMEMBERED],
 }
@@ -117,7 +119,26 @@ const NO_TOKEN: u16 = u16::MAX;
 impl<S> Scene<S> {
     /// The scene of a session that starts from a state.
     pub const fn new(state: S) -> Self {
-        Self { state, tokens: [[0; ATTRIBUTES]; REMEMBERED] }
+        Self { state, forms: [0; LIFTED_TASKS], tokens: [[0; ATTRIBUTES]; REMEMBERED] }
+    }
+
+    /// The token of the lifted task at a position.
+    fn form(
+        &mut self,
+        schema: &Schema<'_>,
+        position: usize,
+        lifted: &LiftedTask,
+        tokens: &mut Symbols<'_>,
+    ) -> Result<Symbol, CapacityError> {
+        let slot = self.forms.get_mut(position);
+        if let Some(known) = slot.as_deref().and_then(|form| form.checked_sub(1)) {
+            return Ok(Symbol(known));
+        }
+        let token = form_token(schema, lifted, tokens)?;
+        if let Some(slot) = slot {
+            *slot = token.0.saturating_add(1);
+        }
+        Ok(token)
     }
 
     /// The token of an object's value of an attribute, `None` where it has none.
@@ -166,7 +187,7 @@ pub fn describe<D: Domain + ?Sized>(
 ) -> Result<(), CapacityError> {
     description.clear();
     let Some(lifted) = all.get(usize::from(task.lifted)) else { return Ok(()) };
-    let form = form_token(&domain.world().schema, lifted, tokens)?;
+    let form = scene.form(&domain.world().schema, usize::from(task.lifted), lifted, tokens)?;
     let _ = description.push(form);
     let bound: Chosen = task.bindings.iter().take(lifted.variables().len()).copied().collect();
     let mut with_role = Chosen::NONE;

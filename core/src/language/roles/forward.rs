@@ -224,19 +224,20 @@ impl<'t, 'd> Reader<'t, 'd> {
         (cell(get(self.translations, self.layout.row(None)), word), cell(self.form_row, word))
     }
 
-    /// Pr(w | role), for each role present.
+    /// Pr(w | role) for each role present, added to what is there.
     pub fn emissions(&self, word: usize, emissions: &mut Roles) {
-        for slot in emissions.iter_mut().take(self.present.len()) {
-            *slot = 0.0;
-        }
         let (words, tokens) = (self.layout.words(), self.layout.tokens());
+        // The word's column, from the first value's row to the last's: the common case of `value`, without a call.
+        let first = words.saturating_add(word);
+        let last = if word < words { words.saturating_mul(tokens.saturating_add(1)) } else { 0 };
+        let column = get(self.translations, first..last);
         for group in &self.groups {
             let mut sum = 0.0;
             for &value in self.values(group) {
-                // The common case of `value`, without a call.
-                let at = value.index().wrapping_add(1).wrapping_mul(words).wrapping_add(word);
-                let is_plain = word < words && value.index() < tokens;
-                sum += if is_plain { cell(self.translations, at) } else { self.value(value, word) };
+                sum += match column.get(value.index().wrapping_mul(words)) {
+                    Some(&probability) => probability,
+                    None => self.value(value, word),
+                };
             }
             if let Some(slot) = emissions.get_mut(group.present()) {
                 *slot += group.share * sum;
@@ -316,6 +317,7 @@ impl<'t, 'd> Reader<'t, 'd> {
     }
 
     /// What p0 is multiplied by after these words, for background, a word of the task, and each role present.
+    #[inline(always)]
     pub fn lifts(&self, before: &Before) -> Moves {
         let mut lifts = self.lifts_after(before.previous);
         for &cue in &before.cues {
@@ -327,6 +329,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         lifts
     }
 
+    #[inline(always)]
     fn lifts_after(&self, previous: Option<usize>) -> Moves {
         let lift = self.lift(previous);
         let mut lifts: Moves = [0.0; MOST_ROLES + 2];
@@ -386,11 +389,15 @@ impl<'t, 'd> Reader<'t, 'd> {
         if sum > 0.0 { (1.0 - end) / sum } else { 0.0 }
     }
 
-    /// A memory's row of p0, and the probability of the end after it, where training has seen the lifted task.
+    /// A memory's row of p0, and the probability of the end after it, where training has seen the lifted task: then it knows all roles
+    /// present, and a role's row is the one behind its column.
+    #[inline(always)]
     fn trained_row(&self, memory: usize) -> (&'t [f32], f32) {
-        let (row, width) = (self.memory(memory), self.layout.moves());
-        let start = row.unwrap_or(0).saturating_mul(width);
-        (get(self.p0, start..start.saturating_add(width)), row.map_or(END, |row| cell(self.ends, row)))
+        let present = memory.checked_sub(1).and_then(|present| self.present.get(present));
+        let row = present.map_or(0, |present| usize::from(present.column).saturating_sub(1));
+        let width = self.layout.moves();
+        let start = row.saturating_mul(width);
+        (get(self.p0, start..start.saturating_add(width)), cell(self.ends, row))
     }
 
     /// Explains one word: from how probable each memory is before it to after it. Returns the sum of the latter.
@@ -402,7 +409,8 @@ impl<'t, 'd> Reader<'t, 'd> {
         let untrained = if self.form.is_none() { Some(self.untrained_row()) } else { None };
         let mut moves: Moves = [0.0; MOST_ROLES + 2];
         let mut into: Roles = [0.0; MOST_ROLES];
-        for (memory, (slot, &mass)) in after.iter_mut().zip(before).take(self.memories()).enumerate() {
+        let count = self.present.len();
+        for (memory, (slot, &mass)) in after.iter_mut().zip(before).take(count.saturating_add(1)).enumerate() {
             *slot = 0.0;
             if mass <= 0.0 {
                 continue;
@@ -411,14 +419,17 @@ impl<'t, 'd> Reader<'t, 'd> {
             let scale = self.scaled_moves(row, end, &lifts, &mut moves) * mass;
             let [first, second, roles @ ..] = &moves;
             *slot = scale * (*first * background + *second * task);
-            for ((slot, part), _) in into.iter_mut().zip(roles).zip(&self.present) {
+            for (slot, part) in into.iter_mut().zip(roles).take(count) {
                 *slot += scale * part;
             }
         }
-        for ((slot, into), emission) in after.iter_mut().skip(1).zip(&into).zip(&emissions).take(self.present.len()) {
+        let [none, roles @ ..] = after;
+        let mut sum = *none;
+        for ((slot, into), emission) in roles.iter_mut().zip(&into).zip(&emissions).take(count) {
             *slot += into * emission;
+            sum += *slot;
         }
-        after.iter().take(self.memories()).sum()
+        sum
     }
 }
 
@@ -436,8 +447,11 @@ pub(super) fn prior(layout: &Layout, roles: impl Iterator<Item = RoleKind> + Clo
 
 /// The words of a command; V stands for each that the parameters do not know.
 pub(crate) fn heard(layout: &Layout, sentence: &[Option<Symbol>]) -> impl Iterator<Item = usize> {
-    let words = layout.words();
-    sentence.iter().map(move |word| word.map_or(words, |word| word.index().min(words)))
+    sentence.iter().map(|&word| number(layout, word))
+}
+
+fn number(layout: &Layout, word: Option<Symbol>) -> usize {
+    word.map_or(layout.words(), |word| word.index().min(layout.words()))
 }
 
 /// How far a command was read, where a task was meant.
@@ -472,7 +486,7 @@ impl Reading {
         }
         let first = usize::from(self.words);
         for (position, word) in heard(reader.layout, sentence).enumerate().skip(first).take(most) {
-            let words = reader.before(position, |position| heard(reader.layout, sentence).nth(position));
+            let words = reader.before(position, |position| sentence.get(position).map(|&word| number(reader.layout, word)));
             let sum = reader.advance(word, &words, &before, &mut after);
             tell(position, sum);
             if sum <= 0.0 {
