@@ -4,7 +4,8 @@
 //! backward sums over all ways to read the words. With c the expected counts,
 //!
 //! ```text
-//! A[l], F       = (c + common) / (sum of c + 1)
+//! F             = (c + common) / (sum of c + 1)
+//! A[l]          = (c - d min(c, 1) + d kinds[l] spoken + common) / (sum of c + 1)
 //! T[v]          = (c - d min(c, 1) + d kinds[v] named + common) / (sum of c + 1)
 //! lambda        = c + 1
 //! pool[l,r]     = (sum over m of c[l,m,r] + 4 prior[r]) / (... + 4)
@@ -17,7 +18,8 @@
 //! discounting), so that a word heard once, with one color, is a hint of that color and no proof. `kinds[v]` is the sum of min(c, 1) over the
 //! words of v, `named(w)` what w has of such sums over all values, and d = once / (once + 2 twice + 100), Ney's estimate from how many pairs
 //! of a value and a word were seen about once and about twice, with 100 pairs seen more often, so that a few lessons, where all is seen once,
-//! are believed.
+//! are believed. Words of the task are treated alike: `spoken(w)` is what w has of such sums over all lifted tasks, and d is estimated from
+//! their own pairs, with 1,000 seen more often.
 //!
 //! Where tasks have ways, max(0, c - 1.5) stands in place of c and of the discount in T, and max(0, c - 1) in A; ten rounds in place of eight.
 //!
@@ -33,10 +35,13 @@ use crate::language::tables::Cells;
 use crate::probability::square_root;
 use crate::symbols::Symbol;
 use crate::task::role::{RoleKind, VALUE_SORTS};
+use core::ops::Range;
 
 const OF_COMMON: f32 = 1.0;
 /// So many pairs of a value and a word count as seen more than twice before any are seen. With fewer, the paper's course ends less sure.
-const SEEN_OFTEN: f32 = 100.0;
+const OFTEN_NAMED: f32 = 100.0;
+/// The same for pairs of a lifted task and a word, of which there are more: a lifted task is spoken of by most words.
+const OFTEN_SPOKEN: f32 = 1000.0;
 const OF_LAMBDA: f32 = 1.0;
 const OF_POOL: f32 = 4.0;
 const OF_SHARE: f32 = 8.0;
@@ -61,8 +66,7 @@ pub(crate) enum Part {
     Begin(usize),
     /// Expected counts, from this pair on, and from this step of it: forward through its words, then backward.
     Expect(usize, u8),
-    /// How often values and words were seen together, from this row on: so many pairs about once and about twice, and how much each word
-    /// names values, in all.
+    /// How often words were seen together with values and lifted tasks, from this row on.
     Seen(usize, Seen),
     /// The rows, from this one on.
     Rows(usize, Seen),
@@ -80,18 +84,36 @@ pub(crate) enum Part {
     Done,
 }
 
-/// How often values and words were seen together.
+/// How often words were seen together with values, and with lifted tasks.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Seen {
-    once: f32,
-    twice: f32,
-    named: f32,
+    values: Pairs,
+    forms: Pairs,
 }
 
-impl Seen {
-    /// d: what goes from each word of a value to all that name values.
-    fn discount(self) -> f32 {
-        self.once / (self.once + 2.0 * self.twice + SEEN_OFTEN)
+/// How many pairs were seen about once and about twice, and the sum of min(c, 1) over all.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Pairs {
+    once: f32,
+    twice: f32,
+    all: f32,
+}
+
+impl Pairs {
+    /// Takes in one row, and adds to `of_words` what each word has of the sum.
+    fn see(&mut self, counts: &[f32], of_words: &mut [f32]) {
+        for (&count, of_word) in counts.iter().zip(of_words) {
+            let kind = count.min(1.0);
+            *of_word += kind;
+            self.all += kind;
+            self.once += f32::from(u8::from((0.5..1.5).contains(&count)));
+            self.twice += f32::from(u8::from((1.5..2.5).contains(&count)));
+        }
+    }
+
+    /// d: what goes from each word of a row to all words of such rows, with so many pairs that were seen often.
+    fn discount(self, often: f32) -> f32 {
+        if self.all > 0.0 { self.once / (self.once + 2.0 * self.twice + often) } else { 0.0 }
     }
 }
 
@@ -185,7 +207,9 @@ impl Work<'_, '_> {
                 (layout.words(), Part::Rows(row.saturating_add(1), seen))
             }
             Part::Rows(..) => {
-                get_mut(self.a.counts, layout.common()).fill(0.0);
+                for is_form in [false, true] {
+                    get_mut(self.a.counts, self.of_words(is_form)).fill(0.0);
+                }
                 (layout.words().saturating_mul(layout.kinds()), Part::Lifts(0, self.shares()))
             }
             Part::Lifts(word, shares) if word <= layout.words() => {
@@ -288,31 +312,31 @@ impl Work<'_, '_> {
         }
     }
 
-    /// Adds one token's pairs, if it is a value's. How much each word names values stands in the counts of how common the words are.
+    /// Where it stands how much each word names values, or speaks of lifted tasks: in counts that nothing else needs at that time.
+    fn of_words(&self, is_form: bool) -> Range<usize> {
+        if is_form { self.layout.kind_of_task(0) } else { self.layout.common() }
+    }
+
+    /// Adds one token's pairs.
     fn see(&mut self, token: Symbol, seen: &mut Seen) {
-        if self.layout.form(token).is_some() {
-            return;
-        }
-        let named = get_mut(self.a.counts, self.layout.common());
-        for (&count, named) in get(self.t.counts, self.layout.row(Some(token))).iter().zip(named) {
-            let kind = count.min(1.0);
-            *named += kind;
-            seen.named += kind;
-            seen.once += f32::from(u8::from((0.5..1.5).contains(&count)));
-            seen.twice += f32::from(u8::from((1.5..2.5).contains(&count)));
-        }
+        let is_form = self.layout.form(token).is_some();
+        let pairs = if is_form { &mut seen.forms } else { &mut seen.values };
+        let of_words = self.of_words(is_form);
+        pairs.see(get(self.t.counts, self.layout.row(Some(token))), get_mut(self.a.counts, of_words));
     }
 
     fn set_row(&mut self, row: usize, seen: Seen) {
         let token = row.checked_sub(1).map(|token| Symbol(token as u16));
         let range = self.layout.row(token);
+        let is_form = token.is_some_and(|token| self.layout.form(token).is_some());
+        let of_words = self.of_words(is_form);
         let (values, counts) = (get_mut(self.t.values, range.clone()), get_mut(self.t.counts, range));
-        let (common, named) = (get(self.a.values, self.layout.common()), get(self.a.counts, self.layout.common()));
-        let is_value = token.is_some_and(|token| self.layout.form(token).is_none());
-        let mut discount = if is_value && seen.named > 0.0 { seen.discount() } else { 0.0 };
+        let (common, of_words) = (get(self.a.values, self.layout.common()), get(self.a.counts, of_words));
+        let (pairs, often) = if is_form { (seen.forms, OFTEN_SPOKEN) } else { (seen.values, OFTEN_NAMED) };
+        let mut discount = if token.is_some() { pairs.discount(often) } else { 0.0 };
         // Models that tell ways have a discount of their own, which goes to no other word.
         if token.is_some() && self.layout.has_ways() {
-            let once = if is_value { OF_VALUES } else { OF_FORMS };
+            let once = if is_form { OF_FORMS } else { OF_VALUES };
             counts.iter_mut().for_each(|count| *count = (*count - once).max(0.0));
             discount = 0.0;
         }
@@ -322,10 +346,10 @@ impl Work<'_, '_> {
             kinds += count.min(1.0);
         }
         let novelty = OF_COMMON / whole;
-        let spread = if discount > 0.0 { discount * kinds / seen.named } else { 0.0 };
-        for (((value, count), common), named) in values.iter_mut().zip(counts).zip(common).zip(named) {
+        let spread = if discount > 0.0 { discount * kinds / pairs.all } else { 0.0 };
+        for (((value, count), common), of_word) in values.iter_mut().zip(counts).zip(common).zip(of_words) {
             let count = core::mem::take(count);
-            *value = (count - discount * count.min(1.0) + spread * named + OF_COMMON * common) / whole;
+            *value = (count - discount * count.min(1.0) + spread * of_word + OF_COMMON * common) / whole;
         }
         if let Some(slot) = self.a.values.get_mut(self.layout.novelty(row)) {
             *slot = novelty;
