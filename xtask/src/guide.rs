@@ -6,7 +6,8 @@ use std::process::Command;
 use anyhow::{Context, Result, bail};
 
 use crate::capi::library;
-use crate::programs::GCC;
+use crate::programs::{ARM_GCC, GCC, QEMU};
+use crate::toolchain::Target;
 use crate::{process, project};
 
 const PAGE: &str = "docs/robot.md";
@@ -93,6 +94,7 @@ pub fn follow() -> Result<()> {
     let page = std::fs::read_to_string(project::root().join(PAGE)).with_context(|| format!("{PAGE} cannot be read"))?;
     let folder = Folder::new()?;
     in_c(part(&page, "\n## In C\n", "\n### A robot of your own\n")?, &folder.0)?;
+    own_robot(part(&page, "\n### A robot of your own\n", "\n## In Rust\n")?, &folder.0)?;
     in_rust(part(&page, "\n## In Rust\n", "\n## What is promised\n")?, &folder.0)
 }
 
@@ -104,6 +106,25 @@ fn in_c(part: &str, folder: &Path) -> Result<()> {
     expect(promised(part)?, &process::capture(&mut shell(commands(&blocks, "gcc")?, folder))?)?;
     // The commands that follow make a folder of this name.
     Ok(std::fs::remove_file(folder.join("robot"))?)
+}
+
+/// On this machine, and on the emulated board.
+fn own_robot(part: &str, folder: &Path) -> Result<()> {
+    let blocks = blocks(part);
+    std::fs::write(folder.join("trolley.c"), program(&blocks, "c"))?;
+    expect(promised(part)?, &process::capture(&mut shell(commands(&blocks, "gcc")?, folder))?)?;
+    let board = folder.join("board");
+    std::fs::create_dir(&board)?;
+    std::fs::copy(library::build(Some(Target::Thumbv7emHf), &library::FEATURES)?, board.join("libgoodbot.a"))?;
+    for file in ["include/goodbot.h", "examples/board/start.c", "examples/board/link.ld"] {
+        let from = project::root().join("capi").join(file);
+        std::fs::copy(&from, board.join(from.file_name().unwrap_or_default()))?;
+    }
+    let mut on_board = shell(commands(&blocks, "arm-none-eabi-gcc")?, folder);
+    let found = [ARM_GCC.path()?, QEMU.path()?];
+    let before = std::env::var_os("PATH").unwrap_or_default();
+    let path = found.iter().filter_map(|program| program.parent()).map(Path::to_owned).chain(std::env::split_paths(&before));
+    expect(promised(part)?, &process::capture(on_board.env("PATH", std::env::join_paths(path)?))?)
 }
 
 fn in_rust(part: &str, folder: &Path) -> Result<()> {

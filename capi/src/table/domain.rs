@@ -18,6 +18,19 @@ pub(super) enum Steps {
     Function(GoodbotStep),
 }
 
+/// What the caller's function says of an action in a state; nothing where it cannot be done.
+pub(super) fn next_by(
+    step: unsafe extern "C" fn(*mut c_void, u32, u8, *mut u32) -> bool,
+    context: *mut c_void,
+    state: u32,
+    action: u8,
+) -> Option<u32> {
+    let mut next = 0;
+    // SAFETY: the caller's function, with the context that came with it.
+    let can = unsafe { step(context, state, action, &raw mut next) };
+    can.then_some(next)
+}
+
 /// The caller's robot.
 #[derive(Debug)]
 pub struct TableDomain {
@@ -69,12 +82,7 @@ impl Domain for TableDomain {
                 let at = (*state as usize).checked_mul(self.actions.len())?.checked_add(usize::from(action.0))?;
                 u32::from(*table.get(at).filter(|&&next| next != GOODBOT_CANNOT)?)
             }
-            Steps::Function(step) => {
-                let mut next = 0;
-                // SAFETY: the caller's function, with the context that came with it.
-                let can = unsafe { step?(self.context, *state, action.0, &raw mut next) };
-                can.then_some(next)?
-            }
+            Steps::Function(step) => next_by(step?, self.context, *state, action.0)?,
         };
         (next < self.states).then_some(next)
     }

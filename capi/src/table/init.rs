@@ -4,7 +4,7 @@ use super::description::{
     GOODBOT_CANNOT, GOODBOT_MOST_ACTIONS, GOODBOT_MOST_ARGUMENTS, GOODBOT_MOST_ATTRIBUTES, GOODBOT_MOST_CARRIERS, GOODBOT_MOST_CLASSES,
     GOODBOT_MOST_PROPOSITIONS, GoodbotObject, GoodbotTable,
 };
-use super::domain::{Parts, Steps, TableDomain};
+use super::domain::{Parts, Steps, TableDomain, next_by};
 use crate::arena::{Arena, HomeArena, after};
 use crate::beliefs::Writer;
 use crate::capacities::GoodbotCapacities;
@@ -13,6 +13,7 @@ use crate::status::{At, Failure, GoodbotStatus, Place, text_of};
 use crate::tasks::kinds_of_tasks;
 use crate::world::{Standing, Surroundings, World};
 use core::ffi::{c_char, c_void};
+use goodbot::Capacities;
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{ActionKind, Attribute, Carrier, Class, ClassId, ObjectCount, ObjectSet, Proposition, Schema};
@@ -143,12 +144,13 @@ unsafe fn init(
         let schema = Schema { classes, attributes, propositions };
         let actions = actions(table, &mut plot.arena)?;
         let steps = steps(table)?;
+        lead_to_states(table, steps, actions, Capacities::from(&*capacities).states)?;
         if table.start >= table.state_count {
             return Err(GoodbotStatus::Number).at(Place::of("start").number(table.start, 0, table.state_count.saturating_sub(1)));
         }
         let tasks = kinds_of_tasks(table.tasks, table.task_count, &schema)?;
         let world = |mut memory: HomeArena| {
-            let objects = objects(table, &mut memory)?;
+            let objects = objects(table, attributes, &mut memory)?;
             let (holds, context, states) = (table.holds, table.context, table.state_count);
             let domain = TableDomain { schema, memory, objects, actions, steps, holds, context, states };
             Ok(World::Here(Surroundings::Table(domain), Standing::Table(table.start)))
@@ -257,7 +259,34 @@ unsafe fn steps(table: &GoodbotTable) -> Result<Steps, Failure> {
     Ok(Steps::Function(table.step))
 }
 
-unsafe fn objects(table: &GoodbotTable, memory: &mut HomeArena) -> Result<ObjectCount, Failure> {
+/// Whether every action leads to a state that there is. A function is asked of as many states as one plan can hold: with more, no command is
+/// heard.
+fn lead_to_states(table: &GoodbotTable, steps: Steps, actions: &[ActionKind<'static>], most: usize) -> Result<(), Failure> {
+    let last = table.state_count.saturating_sub(1);
+    match steps {
+        Steps::Table(entries) => {
+            let beyond = |next: &u16| *next != GOODBOT_CANNOT && u32::from(*next) > last;
+            match entries.iter().enumerate().find(|(_, next)| beyond(next)) {
+                Some((entry, &next)) => Err(GoodbotStatus::Number).at(Place::item("next", entry, "").number(u32::from(next), 0, last)),
+                None => Ok(()),
+            }
+        }
+        Steps::Function(step) => {
+            for state in 0..table.state_count.min(most as u32) {
+                for (action, kind) in (0..).zip(actions) {
+                    let next = step.and_then(|step| next_by(step, table.context, state, action)).filter(|next| *next > last);
+                    if let Some(next) = next {
+                        return Err(GoodbotStatus::Number)
+                            .at(Place::item("what step gives for state", state as usize, kind.name).number(next, 0, last));
+                    }
+                }
+            }
+            Ok(())
+        }
+    }
+}
+
+unsafe fn objects(table: &GoodbotTable, attributes: &[Attribute<'static>], memory: &mut HomeArena) -> Result<ObjectCount, Failure> {
     let mut objects = ObjectSet::new(memory.lend().objects);
     // SAFETY: the caller's promise, for all that follows.
     unsafe {
@@ -266,9 +295,14 @@ unsafe fn objects(table: &GoodbotTable, memory: &mut HomeArena) -> Result<Object
             let part = |field| Place::item("objects", number, field);
             let class = class(table, object.object_class, part("object_class"))?;
             let mut values = [""; GOODBOT_MOST_ATTRIBUTES];
-            for (slot, &value) in values.iter_mut().zip(&object.values) {
+            for (position, (slot, &value)) in values.iter_mut().zip(&object.values).enumerate() {
                 let value: *const c_char = value;
                 if !value.is_null() {
+                    let attribute = attributes.get(position);
+                    if !attribute.is_some_and(|attribute| attribute.carriers.iter().any(|carrier| carrier.class == class)) {
+                        // No words could speak of it.
+                        return Err(GoodbotStatus::World).at(part("values, of an attribute that its class does not carry"));
+                    }
                     *slot = text(value).at(part("values"))?;
                 }
             }

@@ -9,8 +9,8 @@ use goodbot_capi::table::description::*;
 use goodbot_capi::table::init::goodbot_explain_table;
 use goodbot_capi::training::*;
 use robots::{Lift, at_home, hear_and_plan, small};
-use std::ffi::CStr;
-use std::ptr::null_mut;
+use std::ffi::{CStr, c_void};
+use std::ptr::{null, null_mut};
 
 /// What is said of a table, and the status.
 fn explained(table: &GoodbotTable, capacities: &GoodbotCapacities) -> (GoodbotStatus, String) {
@@ -54,6 +54,27 @@ fn what_is_wrong_is_named_by_list_item_field_and_number() {
     let (status, text) = said(|lift, _| lift.objects[3].name = lift.objects[1].name);
     assert_eq!(status, GoodbotStatus::World);
     assert!(text.starts_with("objects[3].name: "), "{text}");
+    let (status, text) = said(|lift, _| lift.carriers[0].object_class = 0);
+    assert_eq!(status, GoodbotStatus::World);
+    assert!(text.starts_with("objects[1].values, of an attribute that its class does not carry: "), "{text}");
+}
+
+#[test]
+fn a_step_that_leads_to_no_state_is_named() {
+    unsafe extern "C" fn too_far(_: *mut c_void, state: u32, action: u8, next: *mut u32) -> bool {
+        unsafe { next.write(state + 2) };
+        action == 1
+    }
+    let mut lift = Lift::new();
+    let mut table = GoodbotTable { next: null(), step: Some(too_far), ..lift.table() };
+    let (status, text) = explained(&table, &small());
+    assert_eq!(status, GoodbotStatus::Number);
+    assert!(text.starts_with("what step gives for state[1].down is 3 and must be from 0 to 2: "), "{text}");
+    let next = [1, GOODBOT_CANNOT, 2, 0, GOODBOT_CANNOT, 7];
+    (table.next, table.step) = (next.as_ptr(), None);
+    let (status, text) = explained(&table, &small());
+    assert_eq!(status, GoodbotStatus::Number);
+    assert!(text.starts_with("next[5] is 7 and must be from 0 to 2: "), "{text}");
 }
 
 #[test]

@@ -13,7 +13,7 @@ use goodbot_capi::table::init::{goodbot_table_set_state, goodbot_table_state};
 use goodbot_capi::tasks::GOODBOT_MOST_TASKS;
 use goodbot_capi::training::*;
 use robots::{Lift, Owned, at_home, describe, hear_and_plan, in_homes, of_table, small};
-use std::ffi::CStr;
+use std::ffi::{CStr, c_void};
 use std::ptr::{null, null_mut};
 
 const NOT_UTF_8: &CStr = c"\xff";
@@ -331,12 +331,21 @@ fn a_table_that_is_described_wrongly_is_refused() {
 #[test]
 fn states_out_of_a_table_s_range_are_refused() {
     let mut lift = Lift::new();
-    lift.next[0] = 7;
     let owned = of_table(&lift.table()).unwrap();
+    assert_eq!(unsafe { goodbot_table_set_state(owned.robot, 3) }, GoodbotStatus::Number);
+    lift.next[0] = 7;
+    assert_eq!(of_table(&lift.table()).err(), Some(GoodbotStatus::Number));
+    // A function that changes its answer later leads nowhere: the action cannot be done.
+    unsafe extern "C" fn later_too_far(context: *mut c_void, state: u32, action: u8, next: *mut u32) -> bool {
+        unsafe { next.write(if *context.cast::<bool>() { 7 } else { (state + 1) % 3 }) };
+        action == 0
+    }
+    let mut too_far = false;
+    let context = (&raw mut too_far).cast();
+    let owned = of_table(&GoodbotTable { next: null(), step: Some(later_too_far), context, ..lift.table() }).unwrap();
     unsafe {
-        assert_eq!(goodbot_table_set_state(owned.robot, 3), GoodbotStatus::Number);
         hear_and_plan(owned.robot, c"to the roof");
-        // An action that leads to a state that there is not cannot be done.
+        *context.cast::<bool>() = true;
         assert_eq!(goodbot_done(owned.robot, 0), GoodbotStatus::NotApplicable);
         let mut state = 9;
         assert_eq!(goodbot_table_state(owned.robot, &raw mut state), GoodbotStatus::Ok);

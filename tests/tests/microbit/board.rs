@@ -27,6 +27,8 @@ pub struct Setup {
     pub hex: PathBuf,
     /// The command line, which writes such files.
     pub goodbot: PathBuf,
+    /// The robot among embassy's tasks.
+    pub embassy: PathBuf,
 }
 
 /// A board that is switched on; it is switched off when dropped.
@@ -148,6 +150,17 @@ impl Board {
 
     fn row(&mut self) -> u64 {
         self.light_pins() >> 13 & 0b111
+    }
+
+    /// Waits until the light that blinks has changed so many times.
+    pub fn wait_blinks(&mut self, times: u32) {
+        let mut lit = self.light_pins() >> 4 & 1;
+        for _ in 0..times {
+            let before = lit;
+            while lit == before {
+                lit = self.light_pins() >> 4 & 1;
+            }
+        }
     }
 
     /// Looks at the pins of the lights many times.

@@ -57,29 +57,42 @@ fn believed(answer: &[String]) -> &str {
 fn teach(board: &mut Board, exercise: &Exercise) {
     let layout = Homes::FIXED.layout(exercise.home);
     describe(board, layout);
+    board.must(&format!("say {}", exercise.command));
+    let act = |board: &mut Board| board.must("act").into_iter().find(|line| line.starts_with("did ")).unwrap();
+    let judge = |board: &mut Board, correct| drop(board.must(if correct { "good" } else { "bad" }));
+    until_done(board, layout, exercise, act, judge);
+    board.must("finish");
+}
+
+/// Judges one action after the other, until the robot has rested three times where it should.
+pub fn until_done(
+    board: &mut Board,
+    layout: &Layout,
+    exercise: &Exercise,
+    act: impl Fn(&mut Board) -> String,
+    judge: impl Fn(&mut Board, bool),
+) {
     let mut memory = Memory::new();
     let (home, mut state) = layout.build(&mut memory.home).unwrap();
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::DEFAULT).unwrap();
     let intended = exercise.pose(&mut agent, &home, &state).unwrap().unwrap();
-    board.must(&format!("say {}", exercise.command));
     let mut rests = 0;
     for _ in 0..MOST_ACTIONS {
         agent.plan_fully(&home, &state).unwrap();
         let right = agent.planned().optimal(intended);
-        let answer = board.must("act");
-        let did = answer.iter().find_map(|line| line.strip_prefix("did ")).unwrap_or_else(|| panic!("{answer:?}")).to_owned();
-        let action = action(&home, did.split(';').next().unwrap());
+        let did = act(board);
+        let (name, where_things_are) = did.strip_prefix("did ").and_then(|did| did.split_once(';')).unwrap_or_else(|| panic!("{did}"));
+        let action = action(&home, name);
         let correct = right.exact().or(right.onward()).is_some_and(|actions| actions.contains(action));
         state = agent.acted(&home, &state, action).unwrap();
-        assert_eq!(did.split_once(';').unwrap().1, places(&home, &state), "the board and this machine move the robot alike");
-        board.must(if correct { "good" } else { "bad" });
+        assert_eq!(where_things_are, places(&home, &state), "the board and this machine move the robot alike");
+        judge(board, correct);
         rests = if right == OptimalSet::Goal && action == Action::NOOP { rests + 1 } else { 0 };
         if rests == 3 {
-            break;
+            return;
         }
     }
-    assert_eq!(rests, 3, "`{}` was not done within {MOST_ACTIONS} actions", exercise.command);
-    board.must("finish");
+    panic!("`{}` was not done within {MOST_ACTIONS} actions", exercise.command);
 }
 
 fn action<D: Domain>(domain: &D, name: &str) -> Action {

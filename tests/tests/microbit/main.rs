@@ -1,10 +1,12 @@
 //! The micro:bit's own file, `dist/goodbot.hex`, on an emulated board: lessons by its serial line and its buttons, its lights, and what is left
-//! of its knowledge when a store is torn.
+//! of its knowledge when a store is torn; and the robot among embassy's tasks.
 //!
 //! `cargo xtask test --only microbit` builds the file and says where it and the emulator are; without that, these tests are ignored.
 
 #[cfg(unix)]
 mod board;
+#[cfg(unix)]
+mod embassy;
 #[cfg(unix)]
 mod lessons;
 
@@ -14,12 +16,14 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     use libtest_mimic::{Arguments, Failed, Trial};
     let place = |name: &str| std::env::var_os(name).map(std::path::PathBuf::from);
-    let places = place("GOODBOT_MICROBIT").zip(place("GOODBOT_QEMU")).zip(place("GOODBOT_CLI"));
-    let setup = places.map(|((hex, emulator), goodbot)| board::Setup { emulator, hex, goodbot });
+    let places = place("GOODBOT_MICROBIT").zip(place("GOODBOT_QEMU")).zip(place("GOODBOT_CLI").zip(place("GOODBOT_EMBASSY")));
+    let setup = places.map(|((hex, emulator), (goodbot, embassy))| board::Setup { emulator, hex, goodbot, embassy });
     let test = |name: &str, run: fn(&board::Setup)| {
         let setup = setup.clone();
         let absent = setup.is_none();
-        let run = move || setup.as_ref().map(run).ok_or(Failed::from("GOODBOT_MICROBIT, GOODBOT_QEMU and GOODBOT_CLI are not set"));
+        let run = move || {
+            setup.as_ref().map(run).ok_or(Failed::from("GOODBOT_MICROBIT, GOODBOT_EMBASSY, GOODBOT_QEMU and GOODBOT_CLI are not set"))
+        };
         Trial::test(name, run).with_ignored_flag(absent).with_kind("needs an emulated board")
     };
     let tests = vec![
@@ -33,6 +37,10 @@ fn main() -> ExitCode {
         test(
             "what_a_robot_learned_elsewhere_comes_with_the_file_and_its_home_and_commands_too",
             lessons::what_a_robot_learned_elsewhere_comes_with_the_file_and_its_home_and_commands_too,
+        ),
+        test(
+            "among_embassys_tasks_a_lesson_is_given_by_buttons_and_outlives_the_battery",
+            embassy::a_lesson_is_given_by_buttons_and_outlives_the_battery,
         ),
         test("what_is_said_wrongly_is_answered_and_changes_nothing", lessons::what_is_said_wrongly_is_answered_and_changes_nothing),
     ];

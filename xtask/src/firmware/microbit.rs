@@ -16,15 +16,21 @@ pub fn program() -> PathBuf {
     toolchain::artifacts(Target::Thumbv6m, "release").join("microbit")
 }
 
-fn build() -> Result<()> {
+fn build(package: &str) -> Result<()> {
     let mut cargo = toolchain::cross_cargo(Target::Thumbv6m)?;
-    cargo.args(["--quiet", "--release", "--locked", "--package", "goodbot-microbit", "--manifest-path"]);
+    cargo.args(["--quiet", "--release", "--locked", "--package", package, "--manifest-path"]);
     process::run(cargo.arg(project::root().join("firmware/Cargo.toml")))
+}
+
+/// Builds the robot among embassy's tasks. Returns where it is.
+pub fn among_tasks() -> Result<PathBuf> {
+    build("goodbot-embassy")?;
+    Ok(toolchain::artifacts(Target::Thumbv6m, "release").join("embassy"))
 }
 
 /// Builds it and writes `dist/goodbot.hex`. Returns where that is.
 pub fn deliver() -> Result<PathBuf> {
-    build()?;
+    build("goodbot-microbit")?;
     let file = MicrobitFile::of_program(in_flash(&std::fs::read(program())?)?)?;
     let path = project::root().join("dist/goodbot.hex");
     write(&path, &file.to_text())?;

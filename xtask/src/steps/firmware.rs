@@ -39,9 +39,9 @@ pub const TICK: Step = Step::new("tick", "a control loop with a fixed tick misse
 /// The micro:bit's own file.
 pub const MICROBIT: Step = Step::new(
     "microbit",
-    "the micro:bit's file learns by serial line and buttons on an emulated board, and outlives a torn store",
+    "the micro:bit's file learns by serial line and buttons on an emulated board, and outlives a torn store; so among embassy's tasks",
     in_hand,
-    "the tests are in tests/tests/microbit, the firmware in firmware/microbit",
+    "the tests are in tests/tests/microbit, the firmware in firmware/microbit and firmware/embassy",
 );
 
 /// Equal digests.
@@ -126,7 +126,8 @@ fn in_hand(run: &mut Run) -> Result<()> {
     let goodbot = project::target_dir().join("debug").join(format!("goodbot{}", std::env::consts::EXE_SUFFIX));
     let mut tests = project::cargo();
     tests.arg("test").args(WORKSPACE).args(["--test", "microbit"]);
-    run.count(tests.env("GOODBOT_MICROBIT", hex).env("GOODBOT_QEMU", QEMU.path()?).env("GOODBOT_CLI", goodbot))?;
+    tests.env("GOODBOT_MICROBIT", hex).env("GOODBOT_EMBASSY", microbit::among_tasks()?);
+    run.count(tests.env("GOODBOT_QEMU", QEMU.path()?).env("GOODBOT_CLI", goodbot))?;
     // A stack that runs over must stop at its end, and is never to come near.
     let found = panics(&microbit::program())?;
     if !found.is_empty() {

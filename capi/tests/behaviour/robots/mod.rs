@@ -69,7 +69,7 @@ pub fn hear_and_plan(robot: *mut Goodbot, command: &CStr) {
 /// A lift with three floors: all that its table points to.
 pub struct Lift {
     classes: [*const c_char; 2],
-    carriers: [GoodbotCarrier; 1],
+    pub carriers: [GoodbotCarrier; 1],
     attributes: [GoodbotAttribute; 1],
     propositions: [GoodbotProposition; 1],
     pub objects: [GoodbotObject; 4],
