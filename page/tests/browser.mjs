@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
+import { firefox } from 'playwright-core-firefox';
 
 const file = fileURLToPath(new URL('../../dist/goodbot.html', import.meta.url));
 export const address = pathToFileURL(file).href;
@@ -14,6 +15,15 @@ export async function launch() {
   const executablePath = process.env.GOODBOT_CHROMIUM || ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
   assert.ok(executablePath, 'there is no Chromium: `cargo xtask test --only page` fetches one, or name it in GOODBOT_CHROMIUM');
   return chromium.launch({ executablePath, args: FLAGS });
+}
+
+// Debian's Firefox, or none where there is none: it is a second browser, and those tests are then left out.
+export const firefoxPath = process.env.GOODBOT_FIREFOX || ['/usr/bin/firefox-esr', '/usr/bin/firefox'].find(existsSync);
+
+// What it downloads goes into that folder: its driver tells only of downloads that come from a visit to another address.
+export async function launchFirefox(downloadsPath) {
+  assert.ok(existsSync(file), 'dist/goodbot.html is not there: cargo xtask page');
+  return firefox.launch({ channel: 'moz-firefox', executablePath: firefoxPath, downloadsPath });
 }
 
 // A page of its own, with a storage of its own. `complaints` is what went wrong in it.
@@ -36,6 +46,11 @@ export async function openIn(context, hash = '', prepare = null) {
   return page;
 }
 
+// For `openIn`: a browser that refuses to keep anything.
+export const BLOCKED = () => {
+  for (const name of ['localStorage', 'sessionStorage']) Object.defineProperty(window, name, { get() { throw new DOMException('blocked', 'SecurityError'); } });
+};
+
 export async function close(page) {
   assert.deepEqual(page.complaints, []);
   await page.context().close();
@@ -52,6 +67,18 @@ export async function reload(page) {
 export const learned = (page, count) => page.waitForFunction(wanted => window.goodbot.sessions() === wanted && document.body.dataset.phase === 'none', count);
 
 export const sessions = page => page.evaluate(() => window.goodbot.sessions());
+
+// Judges each step by whether the robot takes the command for what is meant, until it says that it is there.
+export async function toTheGoal(page, meant, judge) {
+  for (let step = 0; step < 40; step += 1) {
+    await page.getByText('Good or Bad?').waitFor();
+    if (/Yes, that was it/.test(await page.textContent('#finish'))) return;
+    const count = await page.evaluate(() => document.querySelectorAll('#steps tr').length);
+    await judge(meant.test(await page.textContent('#bars .best .label')));
+    await page.waitForFunction(before => document.querySelectorAll('#steps tr').length > before, count);
+  }
+  assert.fail('the robot did not get there');
+}
 
 // Free play in the home of that name.
 export async function play(page, home) {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { close, launch, open, sessions } from './browser.mjs';
+import { close, launch, open, sessions, toTheGoal } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -12,14 +12,7 @@ test('at the goal one big button says yes, ends and learns', async () => {
   const page = await open(browser);
   await page.selectOption('#speed', 'step');
   await page.click('#lesson');
-  for (let step = 0; step < 40; step += 1) {
-    await page.getByText('Good or Bad?').waitFor();
-    if (/Yes, that was it/.test(await page.textContent('#finish'))) break;
-    const meant = await page.textContent('#bars .best .label');
-    const count = await page.evaluate(() => document.querySelectorAll('#steps tr').length);
-    await page.click(/green/.test(meant) ? '#good' : '#bad');
-    await page.waitForFunction(before => document.querySelectorAll('#steps tr').length > before, count);
-  }
+  await toTheGoal(page, /green/, good => page.click(good ? '#good' : '#bad'));
   assert.match(await page.textContent('#say'), /Here I am: go to the green room/);
   await page.click('#finish');
   await page.getByText('Lesson 2 of 7').waitFor();

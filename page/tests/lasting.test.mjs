@@ -1,7 +1,7 @@
 // No work is lost: tabs, reloads, robots, undo, storage that is blocked or full.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, drag, launch, model, open, openIn, opened, play, reload, saved, sessions } from './browser.mjs';
+import { BLOCKED, close, drag, launch, model, open, openIn, opened, play, reload, saved, sessions } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -297,9 +297,6 @@ test('while a log is gone through, nothing else changes the robot', async () => 
   await close(page);
 });
 
-const BLOCKED = () => {
-  for (const name of ['localStorage', 'sessionStorage']) Object.defineProperty(window, name, { get() { throw new DOMException('blocked', 'SecurityError'); } });
-};
 const FULL = () => {
   const { setItem } = Storage.prototype;
   Storage.prototype.setItem = function (key, value) {

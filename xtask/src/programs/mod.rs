@@ -39,19 +39,24 @@ pub const QEMU: Program = Program {
     launch: Launch { file: "usr/bin/qemu-system-arm", before: "", arguments: "-L \"$tree/usr/share/qemu\"" },
 };
 
+// Where a browser finds the fonts; the folders in the packages' own list are the system's.
+const FONTS: &str = "\
+export FONTCONFIG_FILE=\"$tree/fonts.conf\"
+echo \"<fontconfig><dir>$tree/usr/share/fonts</dir><dir>/usr/share/fonts</dir><cachedir>$tree/fonts</cachedir></fontconfig>\" > \"$FONTCONFIG_FILE\"
+";
+
 pub const CHROMIUM: Program = Program {
     name: "chromium",
     why: "to try the page",
     packages: &["chromium", "fonts-dejavu-core"],
-    launch: Launch {
-        file: "usr/lib/chromium/chromium",
-        // Where the fonts are; the folders in the packages' own list are the system's.
-        before: "\
-export FONTCONFIG_FILE=\"$tree/fonts.conf\"
-echo \"<fontconfig><dir>$tree/usr/share/fonts</dir><dir>/usr/share/fonts</dir><cachedir>$tree/fonts</cachedir></fontconfig>\" > \"$FONTCONFIG_FILE\"
-",
-        arguments: "",
-    },
+    launch: Launch { file: "usr/lib/chromium/chromium", before: FONTS, arguments: "" },
+};
+
+pub const FIREFOX: Program = Program {
+    name: "firefox-esr",
+    why: "to try the page in a second browser",
+    packages: &["firefox-esr", "fonts-dejavu-core"],
+    launch: Launch { file: "usr/lib/firefox-esr/firefox-esr", before: FONTS, arguments: "" },
 };
 
 const fn arm(name: &'static str, file: &'static str) -> Program {
@@ -87,7 +92,7 @@ pub const PYTHON: Program = installed("python3", "to try the Python package (ver
 pub const VALGRIND: Program = installed("valgrind", "to count instructions");
 
 /// All that can be fetched, but for the compiler of other targets.
-pub const FETCHED: [&Program; 5] = [&QEMU, &ARM_GCC, &ARM_SIZE, &ARM_NM, &CHROMIUM];
+pub const FETCHED: [&Program; 6] = [&QEMU, &ARM_GCC, &ARM_SIZE, &ARM_NM, &CHROMIUM, &FIREFOX];
 
 /// Something that is neither here nor to be had.
 #[derive(Clone, Debug)]

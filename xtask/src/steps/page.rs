@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 
 use super::{Run, Step, WORKSPACE};
-use crate::programs::{CHROMIUM, Missing, NODE, npm};
+use crate::programs::{CHROMIUM, FIREFOX, Missing, NODE, npm};
 use crate::{page, process, project};
 
 pub const STEP: Step = Step::new(
@@ -17,9 +17,10 @@ pub const STEP: Step = Step::new(
 
 /// Where the browser tests put what the page exported, for the tests on the host; `later` until it is there.
 pub const EXPORT: &str = "GOODBOT_PAGE_EXPORT";
-/// Where the browser tests find the command line and the browser.
+/// Where the browser tests find the command line and the browsers.
 const CLI: &str = "GOODBOT_CLI";
 const BROWSER: &str = "GOODBOT_CHROMIUM";
+const SECOND: &str = "GOODBOT_FIREFOX";
 
 fn in_browser(run: &mut Run) -> Result<()> {
     let exported = export(run);
@@ -51,6 +52,11 @@ fn export(run: &mut Run) -> Result<PathBuf> {
     let cores = std::thread::available_parallelism()?;
     let mut node = NODE.command()?;
     node.args(["--test", "--test-reporter=spec", &format!("--test-concurrency={cores}")]);
+    match FIREFOX.path() {
+        Ok(second) => drop(node.env(SECOND, second)),
+        // Its tests say that they are ignored.
+        Err(error) => eprintln!("the page is not tried in a second browser: {error:#}"),
+    }
     run.count(node.current_dir(&tests).env(EXPORT, &folder).env(CLI, &cli).env(BROWSER, &browser))?;
     Ok(folder)
 }
