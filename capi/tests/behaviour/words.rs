@@ -137,6 +137,8 @@ fn wrong_calls_are_refused() {
     let (mut text, mut share) = ([0; 80], 0.0);
     let at = text.as_mut_ptr();
     unsafe {
+        assert_eq!(goodbot_explain_word(null_mut(), 0, 0, at, 80, at, 80, &raw mut share), GoodbotStatus::Null);
+        assert_eq!(goodbot_home_derived(null_mut(), true), GoodbotStatus::Null);
         assert_eq!(goodbot_explain_word(owned.robot, 0, 0, at, 80, at, 80, &raw mut share), GoodbotStatus::Unknown);
         hear_and_plan(owned.robot, c"go");
         assert_eq!(goodbot_explain_word(owned.robot, 99, 0, at, 80, at, 80, &raw mut share), GoodbotStatus::Unknown);
