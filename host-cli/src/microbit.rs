@@ -7,6 +7,7 @@ use crate::output::Output;
 use crate::whole_file::{MOST_BYTES, read_model};
 use clap::{Args, ValueHint};
 use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
+use goodbot::feedback::Strategy;
 use goodbot::home::{Moves, paper_tasks};
 use goodbot::language::Model;
 use goodbot::memory::{AgentHeap, HomeHeap};
@@ -96,7 +97,7 @@ fn described(name: &str) -> Result<goodbot_formats::environment::EnvironmentFile
 
 /// The board's slots with a model that its robot takes back, and how many sessions that has.
 fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
-    let model = read_model(path)?;
+    let mut model = read_model(path)?;
     let contents = Contents::read(&model).map_err(|error| refused(path, &error))?;
     if contents.options.language.model != Model::Roles {
         return Err(refused(path, &"was learned as in the paper, and the micro:bit has the default learner alone"));
@@ -104,6 +105,17 @@ fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
     let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
     let mut agent = Agent::new(AgentHeap::new(&CAPACITIES), &tasks, Options::DEFAULT).map_err(|error| Failure::Input(error.to_string()))?;
     let small = |error: &dyn std::fmt::Display| refused(path, &format!("on a micro:bit: {error}; teach it fewer lessons and words"));
+    if contents.strategies.len() > 1 {
+        // The board's robot expects the paper's trainer.
+        let room = CAPACITIES.at_least(contents.sizes);
+        let mut learned = Agent::new(AgentHeap::new(&room), &tasks, Options::DEFAULT).map_err(|error| Failure::Input(error.to_string()))?;
+        learned.restore(&model).map_err(|error| refused(path, &error))?;
+        learned.set_strategies(&[(Strategy::BALANCED, 1.0)]).map_err(|error| refused(path, &error))?;
+        let mut bytes = vec![0; learned.saved_bytes().map_err(|error| refused(path, &error))?];
+        let length = learned.save(&mut bytes).map_err(|error| refused(path, &error))?;
+        bytes.truncate(length);
+        model = bytes;
+    }
     agent.restore(&model).map_err(|error| small(&error))?;
     let mut flash = Flash(vec![0xff; 2 * SLOT_BYTES as usize]);
     TwoSlots::new(&mut flash, 0, SLOT_BYTES).and_then(|mut slots| slots.store(&model)).map_err(|error| small(&error))?;

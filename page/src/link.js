@@ -19,7 +19,7 @@ const ROBOT_VERSION = 1;
 
 /** The checksum CRC-32 of bytes.
  * @param {Uint8Array} bytes */
-function checksum(bytes) {
+export function checksum(bytes) {
   let sum = ~0;
   for (const byte of bytes) {
     sum ^= byte;

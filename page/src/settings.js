@@ -5,6 +5,7 @@ import { world } from './core.js';
 import { names, speakLanguage, t, writePage } from './language.js';
 import { homeLink, isSetting, robotLink } from './link.js';
 import { loadLog } from './logs.js';
+import { toMicrobit } from './microbit.js';
 import { writeHomes } from './play.js';
 import { render } from './render.js';
 import { keepGuest, endGuest, loadModel, newRobot } from './roster.js';
@@ -12,7 +13,7 @@ import { shareSecret } from './secret.js';
 import { LEARN_BUDGET, RULES, SPEEDS, finishSession, giveFeedback, heatNow, leaveSession, refresh, stepOnce, takeBack, thatWasIt, togglePause, wake } from './session.js';
 import { setUpShare, share } from './share.js';
 import * as shelf from './shelf.js';
-import { $, attempt, inParts, make, state, tell } from './state.js';
+import { $, all, attempt, inParts, make, state, tell } from './state.js';
 import { change, logOf } from './store.js';
 import { enterHome, enterStop } from './tour.js';
 import { isThere } from './words.js';
@@ -103,6 +104,17 @@ export function setUpSettings() {
     if (bytes) download(fileName() + '.goodbot', bytes, 'application/octet-stream');
   });
   $('load-model').addEventListener('change', () => loadModel($('load-model')));
+  $('to-microbit').addEventListener('change', () => toMicrobit($('to-microbit'), fileName()));
+  for (const label of all('label.button')) {
+    // A file can be dropped there too.
+    label.addEventListener('dragover', event => event.preventDefault());
+    label.addEventListener('drop', event => {
+      event.preventDefault();
+      if (!event.dataTransfer.files.length) return;
+      label.control.files = event.dataTransfer.files;
+      label.control.dispatchEvent(new Event('change'));
+    });
+  }
   $('load-log').addEventListener('change', () => loadLog($('load-log')));
   $('save-log').addEventListener('click', () => {
     const log = logOf(state.robot);

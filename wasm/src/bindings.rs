@@ -245,6 +245,18 @@ impl Goodbot {
         self.0.restore(bytes).map_err(thrown)
     }
 
+    /// Whether the home has room on a micro:bit.
+    #[wasm_bindgen(js_name = fitsMicrobit)]
+    pub fn fits_microbit(&self) -> bool {
+        self.0.fits_microbit()
+    }
+
+    /// What the robot has learned, as a micro:bit takes it. Throws where it has no room there.
+    #[wasm_bindgen(js_name = forMicrobit)]
+    pub fn for_microbit(&self) -> Thrown<Vec<u8>> {
+        self.0.for_microbit().map_err(thrown)
+    }
+
     /// A new robot, which has learned nothing, in the same home.
     pub fn restart(&mut self) -> Thrown<()> {
         self.0.restart().map_err(thrown)

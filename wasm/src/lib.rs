@@ -33,3 +33,8 @@ pub mod words;
 pub mod world;
 
 pub use world::{Refusal, World};
+
+/// Takes less room in the page than the standard library's.
+#[cfg(target_family = "wasm")]
+#[global_allocator]
+static ALLOCATOR: talc::wasm::WasmDynamicTalc = talc::wasm::new_wasm_dynamic_allocator();

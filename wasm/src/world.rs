@@ -2,9 +2,10 @@
 
 use std::fmt;
 
-use goodbot::feedback::population;
+use goodbot::feedback::{Strategy, population};
 use goodbot::home::Map;
 use goodbot::home::{self, Area, BLOCK, COLOR, Cell, DOOR, Home, HomeBuilder, HomeError, HomeState, Moves, ROOM, SHAPE};
+use goodbot::language::Model;
 use goodbot::memory::{AgentHeap, HomeHeap, HomeMemory};
 use goodbot::oomdp::{Action, ObjectId};
 use goodbot::planning::Judgement;
@@ -72,21 +73,26 @@ impl fmt::Debug for World {
 
 /// A mind that has learned nothing yet, and expects what real people do. `ways` says whether commands may mean tasks with a way.
 fn new_mind(capacities: &Capacities, ways: bool) -> Result<Agent<AgentHeap>, Refusal> {
-    let paper = home::paper_tasks().map_err(Refusal::from)?;
-    let with_routes = if ways { Some(home::with_routes(&paper).map_err(Refusal::from)?) } else { None };
-    let lifted = with_routes.as_deref().unwrap_or(&paper);
-    let mut mind = Agent::new(AgentHeap::new(capacities), lifted, Options::DEFAULT).map_err(Refusal::from)?;
+    let mut mind = plain_mind(capacities, ways)?;
     mind.set_strategies(&population::STRATEGIES).map_err(Refusal::from)?;
     Ok(mind)
 }
 
+/// A mind that has learned nothing yet, and expects the paper's trainer.
+fn plain_mind(capacities: &Capacities, ways: bool) -> Result<Agent<AgentHeap>, Refusal> {
+    let paper = home::paper_tasks().map_err(Refusal::from)?;
+    let with_routes = if ways { Some(home::with_routes(&paper).map_err(Refusal::from)?) } else { None };
+    let lifted = with_routes.as_deref().unwrap_or(&paper);
+    Agent::new(AgentHeap::new(capacities), lifted, Options::DEFAULT).map_err(Refusal::from)
+}
+
 /// Builds the home of a file. The message of a refusal names the object.
-fn build(file: &EnvironmentFile, moves: Moves) -> Result<(Home<HomeHeap>, HomeState), Refusal> {
+fn build(file: &EnvironmentFile, moves: Moves, room: &Capacities) -> Result<(Home<HomeHeap>, HomeState), Refusal> {
     let refuse = |error: HomeError| {
         let object = error.object.and_then(|at| file.objects.get(usize::from(at)));
         Refusal(object.map_or_else(|| error.problem.to_string(), |object| format!("{}: {}", object.name(), error.problem)))
     };
-    let mut builder = HomeBuilder::new(HomeHeap::new(&ROOMS));
+    let mut builder = HomeBuilder::new(HomeHeap::new(room));
     for object in &file.objects {
         match object {
             ObjectRecord::Room { name, left, bottom, right, top, color } => {
@@ -111,12 +117,27 @@ fn room_for(contents: &Contents<'_>) -> Capacities {
     MIND.at_least(contents.sizes.at_most(most))
 }
 
+/// A mind that takes over a model file, and begins to learn from what it holds.
+fn taught(bytes: &[u8], ways: bool) -> Result<Agent<AgentHeap>, Refusal> {
+    let contents = Contents::read(bytes).map_err(Refusal::from)?;
+    let mut mind = new_mind(&room_for(&contents), ways)?;
+    mind.restore(bytes).map_err(Refusal::from)?;
+    Ok(mind)
+}
+
+fn saved(mind: &Agent<AgentHeap>) -> Result<Vec<u8>, Refusal> {
+    let mut bytes = vec![0; mind.saved_bytes().map_err(Refusal::from)?];
+    let len = mind.save(&mut bytes).map_err(Refusal::from)?;
+    bytes.truncate(len);
+    Ok(bytes)
+}
+
 /// Says why an environment cannot be used, if it cannot.
 ///
 /// # Errors
 /// The reason.
 pub fn check(json: &str) -> Result<(), Refusal> {
-    build(&EnvironmentFile::parse(json).map_err(Refusal::from)?, Moves::Push).map(|_| ())
+    build(&EnvironmentFile::parse(json).map_err(Refusal::from)?, Moves::Push, &ROOMS).map(|_| ())
 }
 
 impl World {
@@ -127,7 +148,7 @@ impl World {
     pub fn new(seed: u64) -> Result<Self, Refusal> {
         let file = EnvironmentFile::parse(FIRST_HOME).map_err(Refusal::from)?;
         let moves = Moves::Push;
-        let (rooms, start) = build(&file, moves)?;
+        let (rooms, start) = build(&file, moves, &ROOMS)?;
         Ok(Self {
             mind: new_mind(&MIND, false)?,
             scout: Scout::default(),
@@ -150,7 +171,7 @@ impl World {
     /// Why the home cannot be used; the old one then stays.
     pub fn set_environment(&mut self, json: &str) -> Result<(), Refusal> {
         let file = EnvironmentFile::parse(json).map_err(Refusal::from)?;
-        let (rooms, start) = build(&file, self.moves)?;
+        let (rooms, start) = build(&file, self.moves, &ROOMS)?;
         self.forget();
         (self.rooms, self.file, self.start, self.state) = (rooms, file, start, start);
         Ok(())
@@ -162,7 +183,7 @@ impl World {
     /// None: a home is one with either kind of moves.
     pub fn set_pulls(&mut self, pulls: bool) -> Result<(), Refusal> {
         let moves = if pulls { Moves::PushAndPull } else { Moves::Push };
-        let (rooms, start) = build(&self.file, moves)?;
+        let (rooms, start) = build(&self.file, moves, &ROOMS)?;
         self.forget();
         (self.rooms, self.moves, self.start, self.state) = (rooms, moves, start, start);
         Ok(())
@@ -200,11 +221,7 @@ impl World {
     /// # Errors
     /// Where it is still learning.
     pub fn save(&self) -> Result<Vec<u8>, Refusal> {
-        let agent = self.agent();
-        let mut bytes = vec![0; agent.saved_bytes().map_err(Refusal::from)?];
-        let len = agent.save(&mut bytes).map_err(Refusal::from)?;
-        bytes.truncate(len);
-        Ok(bytes)
+        saved(&self.mind)
     }
 
     /// Replaces what the robot has learned by a model file, and begins to learn from what it holds: [`learn`](Self::learn) until that is
@@ -213,12 +230,33 @@ impl World {
     /// # Errors
     /// Why the file cannot be used; what the robot knew then stays.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
-        let contents = Contents::read(bytes).map_err(Refusal::from)?;
-        let mut mind = new_mind(&room_for(&contents), self.ways())?;
-        mind.restore(bytes).map_err(Refusal::from)?;
+        let mind = taught(bytes, self.ways())?;
         self.forget();
         self.mind = mind;
         Ok(())
+    }
+
+    /// Whether the home has room on a micro:bit.
+    pub fn fits_microbit(&self) -> bool {
+        build(&self.file, Moves::Push, &Capacities::TINY).is_ok()
+    }
+
+    /// What the robot has learned, as the bytes of a model file that a micro:bit takes: there it expects the paper's balanced trainer.
+    ///
+    /// # Errors
+    /// Where it has no room there, or cannot be used there.
+    pub fn for_microbit(&self) -> Result<Vec<u8>, Refusal> {
+        if self.mind.options().language.model != Model::Roles {
+            return Err(Refusal::from("learned as in the paper"));
+        }
+        let mut bytes = self.save()?;
+        if self.learns_style() {
+            let mut mind = taught(&bytes, self.ways())?;
+            mind.set_strategies(&[(Strategy::BALANCED, 1.0)]).map_err(Refusal::from)?;
+            bytes = saved(&mind)?;
+        }
+        plain_mind(&Capacities::TINY, false)?.restore(&bytes).map_err(Refusal::from)?;
+        Ok(bytes)
     }
 
     /// Whether commands may mean tasks with a way too: through a room, through one of two, avoiding one. The robot keeps what it has
@@ -231,9 +269,7 @@ impl World {
             self.forget();
             return Ok(());
         }
-        let bytes = self.save()?;
-        let mut mind = new_mind(&room_for(&Contents::read(&bytes).map_err(Refusal::from)?), ways)?;
-        mind.restore(&bytes).map_err(Refusal::from)?;
+        let mind = taught(&self.save()?, ways)?;
         self.forget();
         self.mind = mind;
         Ok(())
