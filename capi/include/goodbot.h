@@ -602,6 +602,15 @@ enum goodbot_status goodbot_home_agent(struct goodbot *robot,
 // `robot` is null or a handle.
 enum goodbot_status goodbot_home_build(struct goodbot *robot);
 
+// Says whether words may mean what is derived of where things are, beside colours and shapes: the `leftmost`, `rightmost`, `topmost`,
+// `bottommost`, `largest` or `smallest` room, the `nearest` or `farthest` room or block. It holds for this home, once it is built; another
+// begins without. A session under way ends unlearned. What was learned with it and what was learned without go together.
+//
+// The caller sees to it:
+// `robot` is null or a handle.
+enum goodbot_status goodbot_home_derived(struct goodbot *robot,
+                                         bool derived);
+
 // Says where the robot itself or a block is, as sensed.
 //
 // The caller sees to it:
@@ -832,6 +841,22 @@ enum goodbot_status goodbot_task_text(struct goodbot *robot,
                                       uint32_t task,
                                       char *buffer,
                                       size_t bytes);
+
+// What a word of the last command is taken for if this task is meant; `position` counts from 0, and `UNKNOWN` is beyond the last word, or no
+// task. `word` is given the word, empty where there was no room for it, and `meaning` the most probable of its meanings: the role and the
+// value, such as `goal of agentInRoom: colorGreen`, or `kind of task`, `no meaning`, or `never heard`. `share` is given how much of 1 that
+// meaning has. Each text has a 0 at its end; `BUFFER` where one does not fit.
+//
+// The caller sees to it:
+// `robot` is null or a handle; `word` and `meaning` are null or room for so many bytes; `share` is null or room for a number.
+enum goodbot_status goodbot_explain_word(struct goodbot *robot,
+                                         uint32_t task,
+                                         uint32_t position,
+                                         char *word,
+                                         size_t word_bytes,
+                                         char *meaning,
+                                         size_t meaning_bytes,
+                                         float *share);
 
 // Proposes a question in the state in which things are now, which must have been planned for, where it teaches more than acting does.
 // `kappa` is what a question costs, in steps (8 is a good number, infinite: never ask), and `eta` the probability of a wrong answer (0.05).

@@ -201,6 +201,33 @@ pub unsafe extern "C" fn goodbot_home_build(robot: *mut Goodbot) -> GoodbotStatu
     }
 }
 
+/// Says whether words may mean what is derived of where things are, beside colours and shapes: the `leftmost`, `rightmost`, `topmost`,
+/// `bottommost`, `largest` or `smallest` room, the `nearest` or `farthest` room or block. It holds for this home, once it is built; another
+/// begins without. A session under way ends unlearned. What was learned with it and what was learned without go together.
+///
+/// # Safety
+/// `robot` is null or a handle.
+#[cfg(feature = "derived")]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_home_derived(robot: *mut Goodbot, derived: bool) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let (world, status) = match core::mem::replace(&mut robot.world, World::Changing) {
+                World::Here(Surroundings::Home(home), standing) => {
+                    robot.agent.leave();
+                    (World::Here(Surroundings::Home(home.with_derived(derived)), standing), Ok(GoodbotStatus::Ok))
+                }
+                #[cfg(feature = "table")]
+                other @ World::Here(Surroundings::Table(_), _) => (other, Err(GoodbotStatus::World.into())),
+                other => (other, Err(GoodbotStatus::NoWorld.into())),
+            };
+            robot.world = world;
+            status
+        })
+    }
+}
+
 /// Says where the robot itself or a block is, as sensed.
 ///
 /// # Safety

@@ -15,6 +15,7 @@
 //! - [`training`]: hear, plan, decide, feedback, learn;
 //! - [`asking`]: questions to the trainer;
 //! - [`beliefs`]: what the robot takes a command to mean;
+//! - [`words`]: what it takes each word for;
 //! - [`model`]: saving and restoring what was learned;
 //! - [`storage`]: the same in a flash, where it outlives power cuts.
 
@@ -42,6 +43,7 @@ pub mod table;
 pub mod tasks;
 pub mod training;
 pub mod version;
+pub mod words;
 pub mod world;
 
 #[cfg(not(any(feature = "home", feature = "table")))]

@@ -136,6 +136,13 @@ impl Domain for Surroundings {
             Self::Table(table) => Standing::Table(table.numbered(number)),
         }
     }
+
+    #[cfg(all(feature = "derived", feature = "home"))]
+    fn tell_derived(&self, state: &Standing, object: goodbot::oomdp::ObjectId, tell: &mut dyn FnMut(&str)) {
+        if let (Self::Home(home), Standing::Home(state)) = (self, state) {
+            home.tell_derived(state, object, tell);
+        }
+    }
 }
 
 /// A home is a floor with pieces; the caller's own world is none.

@@ -6,7 +6,7 @@ use anyhow::{Context, Result, anyhow};
 use cbindgen::{Builder, Config};
 
 /// The sources whose items the header has, in its order.
-const SOURCES: [&str; 13] = [
+const SOURCES: [&str; 14] = [
     "status.rs",
     "version.rs",
     "capacities.rs",
@@ -17,6 +17,7 @@ const SOURCES: [&str; 13] = [
     "table/init.rs",
     "training.rs",
     "beliefs.rs",
+    "words.rs",
     "asking.rs",
     "model.rs",
     "storage.rs",

@@ -65,7 +65,7 @@ fn a_step_that_leads_to_no_state_is_named() {
         unsafe { next.write(state + 2) };
         action == 1
     }
-    let mut lift = Lift::new();
+    let lift = Lift::new();
     let mut table = GoodbotTable { next: null(), step: Some(too_far), ..lift.table() };
     let (status, text) = explained(&table, &small());
     assert_eq!(status, GoodbotStatus::Number);

@@ -11,3 +11,4 @@ mod sensing;
 mod statuses;
 mod storage;
 mod trainers;
+mod words;

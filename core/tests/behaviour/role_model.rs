@@ -139,26 +139,41 @@ fn the_order_of_the_objects_says_nothing() {
     }
 }
 
-/// How probable commands are where a room of a colour is the goal, after training on commands, goals and weights.
-fn trained<T>(rounds: u32, data: &[(&str, &str, f32)], ask: impl FnOnce(&mut dyn FnMut(&str, &str) -> f32) -> T) -> T {
+/// A lifted task and the colour of its goal.
+type Meant = (&'static str, &'static str);
+
+/// How probable commands are where something is meant, after training on commands, what they meant, and weights.
+fn trained_on<T>(rounds: u32, data: &[(&str, Meant, f32)], ask: impl FnOnce(&mut dyn FnMut(&str, Meant) -> f32) -> T) -> T {
     use goodbot::language::{LanguageModel, LanguageMut, Settings};
-    let mut memory = HeapMemory::new(&Capacities { words: 128, translations: 1_024, alignments: 8_192, ..Capacities::STANDARD });
+    let mut memory = HeapMemory::new(&Capacities { words: 256, translations: 2_048, alignments: 16_384, ..Capacities::STANDARD });
     let mut model = LanguageModel::new(&mut memory.agent, Settings { rounds, ..Settings::DEFAULT }).unwrap();
     let mut language = model.lend();
     let goal = goodbot::task::Marker { role: goodbot::task::Role::of_argument(RoleKind::Goal, goodbot::home::AGENT_IN_ROOM, 1), sort: 0 };
-    let described = |language: &mut LanguageMut<'_>, value: &str| {
-        [language.tokens_mut().intern("agentInRoom").unwrap(), goal.symbol(), language.tokens_mut().intern(value).unwrap()]
+    let described = |language: &mut LanguageMut<'_>, (form, value): Meant| {
+        [language.tokens_mut().intern(form).unwrap(), goal.symbol(), language.tokens_mut().intern(value).unwrap()]
     };
-    for &(command, value, weight) in data {
-        let (words, description) = (language.hear(command).unwrap(), described(&mut language, value));
+    for &(command, meant, weight) in data {
+        let (words, description) = (language.hear(command).unwrap(), described(&mut language, meant));
         language.add_session(&words, [(&description[..], weight)].into_iter()).unwrap();
     }
     language.begin_training();
     while language.train(7) == Progress::Working {}
-    ask(&mut |command, value| {
-        let (words, description) = (language.hear(command).unwrap(), described(&mut language, value));
+    ask(&mut |command, meant| {
+        let (words, description) = (language.hear(command).unwrap(), described(&mut language, meant));
         language.read().likelihood(&words, &description).value()
     })
+}
+
+/// The same where the goal is a room of a colour.
+fn trained<T>(rounds: u32, data: &[(&str, &'static str, f32)], ask: impl FnOnce(&mut dyn FnMut(&str, &'static str) -> f32) -> T) -> T {
+    let data: Vec<_> = data.iter().map(|&(command, value, weight)| (command, ("agentInRoom", value), weight)).collect();
+    trained_on(rounds, &data, |likelihood| ask(&mut |command, value| likelihood(command, ("agentInRoom", value))))
+}
+
+/// So many words of four different letters.
+fn rare_words(count: u8) -> Vec<String> {
+    let letter = |number: u8| char::from(b'a' + number);
+    (0..count).map(|number| (letter(number / 16), letter(10 + number % 16))).map(|(a, b)| format!("{a}{a}{b}{b}")).collect()
 }
 
 #[test]
@@ -189,17 +204,29 @@ fn a_weight_that_is_no_number_from_0_on_counts_as_0_and_spoils_nothing() {
 
 #[test]
 fn what_was_heard_once_is_a_hint_and_no_proof() {
-    // Words of four different letters, each heard once.
-    let letter = |number: u8| char::from(b'a' + number);
-    let rare: Vec<String> =
-        (0..60).map(|number| (letter(number / 8), letter(8 + number % 8))).map(|(a, b)| format!("go to the {a}{a}{b}{b} room")).collect();
+    let rare: Vec<String> = rare_words(60).iter().map(|word| format!("go to the {word} room")).collect();
     let colors = ["colorRed", "colorGreen"];
     let rare = rare.iter().enumerate().map(|(number, command)| (command.as_str(), colors[number % 2], 1.0));
     let often = (0..20).flat_map(|_| [("go to the red room", colors[0], 1.0), ("go to the green room", colors[1], 1.0)]);
     let data: Vec<(&str, &str, f32)> = often.chain(rare).collect();
     let ratio = |command: &str| trained(8, &data, |likelihood| likelihood(command, "colorRed") / likelihood(command, "colorGreen"));
-    let (once, often) = (ratio("go to the aaii room"), ratio("go to the red room"));
+    let (once, often) = (ratio("go to the aakk room"), ratio("go to the red room"));
     assert!((1.5..20.0).contains(&once) && often > 5.0 * once, "{once} {often}");
+}
+
+#[test]
+fn a_deed_that_was_heard_once_is_a_hint_and_no_proof() {
+    let forms = ["agentInRoom", "blockInRoom"];
+    let rare: Vec<String> = rare_words(160).iter().map(|word| format!("{word} to the red room")).collect();
+    let rare = rare.iter().enumerate().map(|(number, command)| (command.as_str(), (forms[number % 2], "colorRed"), 1.0));
+    let often =
+        (0..80).flat_map(|_| [("go to the red room", (forms[0], "colorRed"), 1.0), ("push to the red room", (forms[1], "colorRed"), 1.0)]);
+    let data: Vec<(&str, Meant, f32)> = often.chain(rare).collect();
+    let ratio = |command: &str| {
+        trained_on(8, &data, |likelihood| likelihood(command, (forms[0], "colorRed")) / likelihood(command, (forms[1], "colorRed")))
+    };
+    let (once, often) = (ratio("aakk to the red room"), ratio("go to the red room"));
+    assert!((1.5..30.0).contains(&once) && often > 3.0 * once, "{once} {often}");
 }
 
 #[test]

@@ -14,7 +14,7 @@ const LIBRARY: [&str; 5] = ["--quiet", "--package", "goodbot-capi", "--crate-typ
 const ALONE: &str = "alone";
 
 /// The features that are chosen from, as `capi/Cargo.toml` has them.
-pub const FEATURES: [&str; 5] = ["asking", "home", "table", "unicode", "ways"];
+pub const FEATURES: [&str; 6] = ["asking", "derived", "home", "table", "unicode", "ways"];
 
 /// The library's file, as cargo names it.
 const FILE: &str = "libgoodbot_capi.a";

@@ -1,0 +1,157 @@
+//! What each word is taken for, and words for what is derived of where things are.
+
+use crate::robots;
+
+use goodbot_capi::beliefs::*;
+use goodbot_capi::home::*;
+use goodbot_capi::robot::Goodbot;
+use goodbot_capi::status::GoodbotStatus;
+use goodbot_capi::training::*;
+use goodbot_capi::words::goodbot_explain_word;
+use robots::{Lift, Owned, hear_and_plan, in_homes, of_table, small};
+use std::ffi::CStr;
+use std::ptr::null_mut;
+
+/// A red room below, and two green rooms above it.
+fn two_green_rooms() -> Owned {
+    let owned = in_homes(small());
+    let robot = owned.robot;
+    unsafe {
+        for status in [
+            goodbot_home_begin(robot),
+            goodbot_home_room(robot, c"room0".as_ptr(), 0, 0, 8, 4, c"red".as_ptr()),
+            goodbot_home_room(robot, c"room1".as_ptr(), 0, 4, 4, 8, c"green".as_ptr()),
+            goodbot_home_room(robot, c"room2".as_ptr(), 4, 4, 8, 8, c"green".as_ptr()),
+            goodbot_home_door(robot, c"door0".as_ptr(), 2, 4, 2, 4),
+            goodbot_home_door(robot, c"door1".as_ptr(), 6, 4, 6, 4),
+            goodbot_home_agent(robot, c"agent0".as_ptr(), 4, 2),
+            goodbot_home_build(robot),
+        ] {
+            assert_eq!(status, GoodbotStatus::Ok);
+        }
+    }
+    owned
+}
+
+/// The task that this text says, and how probable it is.
+fn task(robot: *mut Goodbot, wanted: &str) -> (u32, f32) {
+    let (mut text, mut probability) = ([0; 64], 0.0);
+    for task in 0.. {
+        unsafe {
+            assert_eq!(goodbot_task_text(robot, task, text.as_mut_ptr(), 64), GoodbotStatus::Ok, "no task {wanted}");
+            if CStr::from_ptr(text.as_ptr()).to_str() == Ok(wanted) {
+                assert_eq!(goodbot_task_probability(robot, task, &raw mut probability), GoodbotStatus::Ok);
+                return (task, probability);
+            }
+        }
+    }
+    unreachable!()
+}
+
+/// Shows the way to a room and lets the robot learn from it.
+fn show(robot: *mut Goodbot, command: &CStr, x: i32, y: i32) {
+    unsafe {
+        assert_eq!(goodbot_home_place(robot, c"agent0".as_ptr(), 4, 2), GoodbotStatus::Ok);
+        assert_eq!(goodbot_hear(robot, command.as_ptr()), GoodbotStatus::Ok);
+        let (mut here_x, mut here_y, mut evidence) = (0, 0, 9);
+        for _ in 0..20 {
+            while goodbot_plan(robot, 50) == GoodbotStatus::Working {}
+            assert_eq!(goodbot_home_where(robot, c"agent0".as_ptr(), &raw mut here_x, &raw mut here_y), GoodbotStatus::Ok);
+            // North, south, east, west, and to rest at the goal.
+            let action = if here_x < x {
+                2
+            } else if here_x > x {
+                3
+            } else if here_y < y {
+                0
+            } else {
+                15
+            };
+            assert_eq!(goodbot_demonstration(robot, action, &raw mut evidence), GoodbotStatus::Ok);
+        }
+        assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::Ok);
+        while goodbot_learn(robot, 1_000) == GoodbotStatus::Working {}
+    }
+}
+
+/// Each word of the command with what it is taken for and the share of that.
+fn explained(robot: *mut Goodbot, task: u32) -> Vec<(String, String, f32)> {
+    let (mut word, mut meaning, mut share) = ([0; 32], [0; 80], 9.0);
+    let mut all = Vec::new();
+    loop {
+        let position = all.len() as u32;
+        let status =
+            unsafe { goodbot_explain_word(robot, task, position, word.as_mut_ptr(), 32, meaning.as_mut_ptr(), 80, &raw mut share) };
+        if status == GoodbotStatus::Unknown {
+            return all;
+        }
+        assert_eq!(status, GoodbotStatus::Ok);
+        let text = |text: &[std::ffi::c_char]| unsafe { CStr::from_ptr(text.as_ptr()) }.to_str().unwrap().to_owned();
+        all.push((text(&word), text(&meaning), share));
+    }
+}
+
+#[test]
+fn where_it_is_switched_on_words_mean_where_a_room_is() {
+    for (derived, least, most) in [(true, 0.6, 1.0), (false, 0.4, 0.55)] {
+        let owned = two_green_rooms();
+        unsafe { assert_eq!(goodbot_home_derived(owned.robot, derived), GoodbotStatus::Ok) };
+        for _ in 0..5 {
+            show(owned.robot, c"go left", 2, 6);
+            show(owned.robot, c"go right", 6, 6);
+        }
+        unsafe { assert_eq!(goodbot_home_place(owned.robot, c"agent0".as_ptr(), 4, 2), GoodbotStatus::Ok) };
+        hear_and_plan(owned.robot, c"go right");
+        let (_, probability) = task(owned.robot, "agentInRoom(agent0,room2)");
+        assert!((least..=most).contains(&probability), "derived: {derived}, {probability}");
+    }
+}
+
+#[test]
+fn each_word_is_explained_for_the_task_followed_and_for_any_other() {
+    let owned = robots::at_home();
+    let robot = owned.robot;
+    for _ in 0..2 {
+        show(robot, c"go to the green room", 2, 6);
+    }
+    unsafe { assert_eq!(goodbot_home_place(robot, c"agent0".as_ptr(), 4, 2), GoodbotStatus::Ok) };
+    hear_and_plan(robot, c"go to the green cellar");
+    let words = explained(robot, task(robot, "agentInRoom(agent0,room1)").0);
+    let said: Vec<&str> = words.iter().map(|(word, ..)| word.as_str()).collect();
+    assert_eq!(said, ["go", "to", "the", "green", "cellar"]);
+    assert!(words.iter().take(4).any(|(_, meaning, _)| meaning == "goal of agentInRoom: colorGreen"), "{words:?}");
+    assert!(words.iter().take(4).all(|&(.., share)| share > 0.0 && share <= 1.001), "{words:?}");
+    assert_eq!((words[4].1.as_str(), words[4].2), ("never heard", 0.0));
+    // Where another task is meant, no word names its room.
+    let other = explained(robot, task(robot, "blockInRoom(block0,room1)").0);
+    assert_ne!(other, words);
+    assert!(other.iter().all(|(_, meaning, _)| meaning != "goal of agentInRoom: colorGreen"), "{other:?}");
+    // The plan is as it was.
+    let mut action = 99;
+    unsafe { assert_eq!(goodbot_decide(robot, &raw mut action, null_mut()), GoodbotStatus::Ok) };
+}
+
+#[test]
+fn wrong_calls_are_refused() {
+    let owned = robots::at_home();
+    let (mut text, mut share) = ([0; 80], 0.0);
+    let at = text.as_mut_ptr();
+    unsafe {
+        assert_eq!(goodbot_explain_word(null_mut(), 0, 0, at, 80, at, 80, &raw mut share), GoodbotStatus::Null);
+        assert_eq!(goodbot_home_derived(null_mut(), true), GoodbotStatus::Null);
+        assert_eq!(goodbot_explain_word(owned.robot, 0, 0, at, 80, at, 80, &raw mut share), GoodbotStatus::Unknown);
+        hear_and_plan(owned.robot, c"go");
+        assert_eq!(goodbot_explain_word(owned.robot, 99, 0, at, 80, at, 80, &raw mut share), GoodbotStatus::Unknown);
+        assert_eq!(goodbot_explain_word(owned.robot, 0, 1, at, 80, at, 80, &raw mut share), GoodbotStatus::Unknown);
+        assert_eq!(goodbot_explain_word(owned.robot, 0, 0, at, 80, at, 3, &raw mut share), GoodbotStatus::Buffer);
+        assert_eq!(goodbot_explain_word(owned.robot, 0, 0, null_mut(), 80, at, 80, &raw mut share), GoodbotStatus::Null);
+        assert_eq!(goodbot_explain_word(owned.robot, 0, 0, at, 80, at, 80, null_mut()), GoodbotStatus::Null);
+        assert_eq!(goodbot_home_begin(owned.robot), GoodbotStatus::Ok);
+        assert_eq!(goodbot_home_derived(owned.robot, true), GoodbotStatus::NoWorld);
+        let lift = Lift::new();
+        let owned = of_table(&lift.table()).unwrap();
+        assert_eq!(goodbot_home_derived(owned.robot, true), GoodbotStatus::World);
+        let mut state = 9;
+        assert_eq!(goodbot_capi::table::init::goodbot_table_state(owned.robot, &raw mut state), GoodbotStatus::Ok);
+    }
+}
