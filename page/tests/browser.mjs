@@ -58,7 +58,9 @@ export async function close(page) {
 
 export const model = page => page.evaluate(() => Array.from(window.goodbot.save()));
 
+// Chromium hands what a page keeps to another process, and a reload at once may come before it.
 export async function reload(page) {
+  await page.waitForTimeout(250);
   await page.reload();
   await page.waitForSelector('body.ready');
 }
