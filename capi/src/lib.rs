@@ -13,6 +13,7 @@
 //! - [`table`]: robots of the caller's own: classes, objects, propositions and a step function or a table of steps;
 //! - [`tasks`]: the kinds of tasks that a robot can be told;
 //! - [`training`]: hear, plan, decide, feedback, learn;
+//! - [`options`]: how it takes evidence and acts;
 //! - [`asking`]: questions to the trainer;
 //! - [`beliefs`]: what the robot takes a command to mean;
 //! - [`words`]: what it takes each word for;
@@ -35,6 +36,7 @@ pub mod capacities;
 #[cfg(feature = "home")]
 pub mod home;
 pub mod model;
+pub mod options;
 pub mod robot;
 pub mod status;
 pub mod storage;

@@ -6,7 +6,7 @@ use anyhow::{Context, Result, anyhow};
 use cbindgen::{Builder, Config};
 
 /// The sources whose items the header has, in its order.
-const SOURCES: [&str; 14] = [
+const SOURCES: [&str; 15] = [
     "status.rs",
     "version.rs",
     "capacities.rs",
@@ -16,6 +16,7 @@ const SOURCES: [&str; 14] = [
     "table/description.rs",
     "table/init.rs",
     "training.rs",
+    "options.rs",
     "beliefs.rs",
     "words.rs",
     "asking.rs",

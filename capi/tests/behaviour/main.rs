@@ -7,6 +7,7 @@ mod robots;
 mod explained;
 mod hypotheses;
 mod memory;
+mod options;
 mod sensing;
 mod statuses;
 mod storage;

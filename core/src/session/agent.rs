@@ -250,6 +250,19 @@ impl<M: AgentMemory> Agent<M> {
         Ok(())
     }
 
+    /// Replaces the options, but for those of the language model: what was learned depends on them, and stays. A session under way ends
+    /// unlearned.
+    ///
+    /// # Errors
+    /// [`AgentError::Setting`] where an option is out of range; the options are then as before.
+    pub fn set_options(&mut self, options: Options) -> Result<(), AgentError> {
+        let options = Options { language: self.options.language, ..options };
+        options.check()?;
+        self.options = options;
+        (self.start, self.work) = (None, Work::None);
+        Ok(())
+    }
+
     /// The language model.
     pub fn language(&self) -> LanguageRef<'_> {
         let tables = self.memory.read();

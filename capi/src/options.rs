@@ -1,0 +1,99 @@
+//! How a robot takes evidence and acts, where the defaults do not fit.
+
+use crate::robot::{Goodbot, give, with};
+use crate::status::GoodbotStatus;
+use crate::training::{in_world, write};
+use crate::world::World;
+use goodbot::feedback::Ending;
+use goodbot::session::Weights;
+use goodbot::Options;
+
+/// Each meaning of a command is learned by its probability, the command's own words among what it rests on.
+pub const GOODBOT_WEIGHTS_PAPER: u32 = 0;
+/// By the probability of its task.
+pub const GOODBOT_WEIGHTS_BELIEF: u32 = 1;
+/// By what the trainer said or showed alone.
+pub const GOODBOT_WEIGHTS_EVIDENCE: u32 = 2;
+
+/// How a robot takes evidence and acts: `goodbot_current_options` gives it, `goodbot_set_options` takes it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct GoodbotOptions {
+    /// Of the actions that lead on, take the one whose feedback tells most of what is meant; otherwise any of them.
+    pub telling: bool,
+    /// How much of what was found out about the trainer is forgotten at each new command, from 0 to 1.
+    pub drift: f32,
+    /// How probable it is that the trainer ends the session after an action where the task is done, from 0 to less than 1.
+    pub ends_at_goal: f32,
+    /// The same where it is not done. Where both are equal, `goodbot_trainer_ended` says nothing.
+    pub ends_elsewhere: f32,
+    /// What a meaning's share of a session is learned by: `GOODBOT_WEIGHTS_PAPER`, `GOODBOT_WEIGHTS_BELIEF` or `GOODBOT_WEIGHTS_EVIDENCE`.
+    pub weights: u32,
+    /// Shares up to this are not learned; from 0 to less than 1.
+    pub least_weight: f32,
+}
+
+/// Gives the robot's options: first to be changed, then to be handed to `goodbot_set_options`.
+///
+/// # Safety
+/// `robot` is null or a handle, `options` null or room for them.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_current_options(robot: *mut Goodbot, options: *mut GoodbotOptions) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let &Options { telling, drift, ending, weights, least_weight, .. } = robot.agent.options();
+            let weights = match weights {
+                Weights::Paper => GOODBOT_WEIGHTS_PAPER,
+                Weights::Belief => GOODBOT_WEIGHTS_BELIEF,
+                Weights::Evidence => GOODBOT_WEIGHTS_EVIDENCE,
+            };
+            let (ends_at_goal, ends_elsewhere) = (ending.at_goal, ending.elsewhere);
+            give(options, GoodbotOptions { telling, drift, ends_at_goal, ends_elsewhere, weights, least_weight })
+        })
+    }
+}
+
+/// Takes the robot's options. What was learned stays; a session under way ends unlearned. `NUMBER` where one is out of range: the options are
+/// then what they were.
+///
+/// # Safety
+/// `robot` is null or a handle, `options` null or points to them.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_set_options(robot: *mut Goodbot, options: *const GoodbotOptions) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let &GoodbotOptions { telling, drift, ends_at_goal, ends_elsewhere, weights, least_weight } =
+                options.as_ref().ok_or(GoodbotStatus::Null)?;
+            let weights = match weights {
+                GOODBOT_WEIGHTS_PAPER => Weights::Paper,
+                GOODBOT_WEIGHTS_BELIEF => Weights::Belief,
+                GOODBOT_WEIGHTS_EVIDENCE => Weights::Evidence,
+                _ => return Err(GoodbotStatus::Number.into()),
+            };
+            let ending = Ending { at_goal: ends_at_goal, elsewhere: ends_elsewhere };
+            robot.agent.set_options(Options { telling, drift, ending, weights, least_weight, ..*robot.agent.options() })?;
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+/// Takes in that the trainer ended the session in the state that was planned for last, before `goodbot_finish`: people end a session more often
+/// where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` is given what came of it.
+///
+/// # Safety
+/// `robot` is null or a handle, `evidence` null or room for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_trainer_ended(robot: *mut Goodbot, evidence: *mut u32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            if evidence.is_null() {
+                return Err(GoodbotStatus::Null.into());
+            }
+            let ended = in_world!(&robot.world, |domain, state| robot.agent.trainer_ended(domain, state)?);
+            give(evidence, write(ended))
+        })
+    }
+}

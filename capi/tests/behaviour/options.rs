@@ -1,0 +1,70 @@
+//! How a robot takes evidence and acts, through C.
+
+use crate::robots;
+
+use goodbot_capi::options::*;
+use goodbot_capi::robot::Goodbot;
+use goodbot_capi::status::GoodbotStatus;
+use goodbot_capi::training::*;
+use robots::{at_home, hear_and_plan};
+use std::mem::MaybeUninit;
+use std::ptr::{null, null_mut};
+
+fn options(robot: *mut Goodbot) -> GoodbotOptions {
+    let mut options = MaybeUninit::uninit();
+    assert_eq!(unsafe { goodbot_current_options(robot, options.as_mut_ptr()) }, GoodbotStatus::Ok);
+    unsafe { options.assume_init() }
+}
+
+/// Does one action, lets the trainer end the session, and says what that came to.
+fn ended(robot: *mut Goodbot) -> u32 {
+    hear_and_plan(robot, c"go to the green room");
+    let (mut action, mut evidence) = (0, 0);
+    unsafe {
+        assert_eq!(goodbot_decide(robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
+        assert_eq!(goodbot_done(robot, action), GoodbotStatus::Ok);
+        assert_eq!(goodbot_trainer_ended(robot, &raw mut evidence), GoodbotStatus::NotPlanned);
+        while goodbot_plan(robot, 50) == GoodbotStatus::Working {}
+        assert_eq!(goodbot_trainer_ended(robot, &raw mut evidence), GoodbotStatus::Ok);
+        assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::Ok);
+        while goodbot_learn(robot, 1000) == GoodbotStatus::Working {}
+    }
+    evidence
+}
+
+#[test]
+fn the_end_of_a_session_is_evidence_where_the_options_say_so() {
+    let owned = at_home();
+    let first = options(owned.robot);
+    assert_eq!((first.telling, first.drift, first.weights), (true, 0.0, GOODBOT_WEIGHTS_PAPER));
+    assert_eq!(ended(owned.robot), GOODBOT_EVIDENCE_NOTHING);
+    let given = GoodbotOptions { ends_at_goal: 0.1, ends_elsewhere: 0.02, drift: 0.1, weights: GOODBOT_WEIGHTS_EVIDENCE, ..first };
+    assert_eq!(unsafe { goodbot_set_options(owned.robot, &raw const given) }, GoodbotStatus::Ok);
+    let now = options(owned.robot);
+    assert_eq!((now.ends_at_goal, now.ends_elsewhere, now.drift, now.weights), (0.1, 0.02, 0.1, GOODBOT_WEIGHTS_EVIDENCE));
+    assert_eq!(ended(owned.robot), GOODBOT_EVIDENCE_USED);
+    let mut sessions = 0;
+    assert_eq!(unsafe { goodbot_session_count(owned.robot, &raw mut sessions) }, GoodbotStatus::Ok);
+    assert_eq!(sessions, 2, "what was learned stays");
+}
+
+#[test]
+fn options_out_of_range_are_refused_and_change_nothing() {
+    let owned = at_home();
+    let first = options(owned.robot);
+    for wrong in [
+        GoodbotOptions { drift: 1.5, ..first },
+        GoodbotOptions { drift: f32::NAN, ..first },
+        GoodbotOptions { ends_at_goal: 1.0, ..first },
+        GoodbotOptions { least_weight: -0.1, ..first },
+        GoodbotOptions { weights: 3, ..first },
+    ] {
+        assert_eq!(unsafe { goodbot_set_options(owned.robot, &raw const wrong) }, GoodbotStatus::Number, "{wrong:?}");
+        assert_eq!(options(owned.robot).drift, 0.0);
+    }
+    unsafe {
+        assert_eq!(goodbot_set_options(owned.robot, null()), GoodbotStatus::Null);
+        assert_eq!(goodbot_current_options(owned.robot, null_mut()), GoodbotStatus::Null);
+        assert_eq!(goodbot_trainer_ended(owned.robot, null_mut()), GoodbotStatus::Null);
+    }
+}
