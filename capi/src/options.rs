@@ -4,9 +4,9 @@ use crate::robot::{Goodbot, give, with};
 use crate::status::GoodbotStatus;
 use crate::training::{in_world, write};
 use crate::world::World;
+use goodbot::Options;
 use goodbot::feedback::Ending;
 use goodbot::session::Weights;
-use goodbot::Options;
 
 /// Each meaning of a command is learned by its probability, the command's own words among what it rests on.
 pub const GOODBOT_WEIGHTS_PAPER: u32 = 0;
