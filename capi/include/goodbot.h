@@ -128,6 +128,15 @@
 // Most transcripts of one command.
 #define GOODBOT_MOST_HYPOTHESES 16
 
+// Each meaning of a command is learned by its probability, the command's own words among what it rests on.
+#define GOODBOT_WEIGHTS_PAPER 0
+
+// By the probability of its task.
+#define GOODBOT_WEIGHTS_BELIEF 1
+
+// By what the trainer said or showed alone.
+#define GOODBOT_WEIGHTS_EVIDENCE 2
+
 // There is nothing to ask: act.
 #define GOODBOT_ASK_NOTHING 0
 
@@ -433,6 +442,22 @@ typedef struct goodbot_hypothesis {
   // How probable the recogniser takes it to be, in any unit: a number of 0 or more.
   float weight;
 } goodbot_hypothesis;
+
+// How a robot takes evidence and acts: `goodbot_current_options` gives it, `goodbot_set_options` takes it.
+typedef struct goodbot_options {
+  // Of the actions that lead on, take the one whose feedback tells most of what is meant; otherwise any of them.
+  bool telling;
+  // How much of what was found out about the trainer is forgotten at each new command, from 0 to 1.
+  float drift;
+  // How probable it is that the trainer ends the session after an action where the task is done, from 0 to less than 1.
+  float ends_at_goal;
+  // The same where it is not done. Where both are equal, `goodbot_trainer_ended` says nothing.
+  float ends_elsewhere;
+  // What a meaning's share of a session is learned by: `GOODBOT_WEIGHTS_PAPER`, `GOODBOT_WEIGHTS_BELIEF` or `GOODBOT_WEIGHTS_EVIDENCE`.
+  uint32_t weights;
+  // Shares up to this are not learned; from 0 to less than 1.
+  float least_weight;
+} goodbot_options;
 
 // A flash of the caller's: two slots, one after the other. Each function gives false where the flash refused, and must not call goodbot.
 typedef struct goodbot_flash {
@@ -811,6 +836,28 @@ enum goodbot_status goodbot_forget(struct goodbot *robot);
 // The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_learn(struct goodbot *robot, uint32_t budget);
+
+// Gives the robot's options: first to be changed, then to be handed to `goodbot_set_options`.
+//
+// The caller sees to it:
+// `robot` is null or a handle, `options` null or room for them.
+enum goodbot_status goodbot_current_options(struct goodbot *robot, struct goodbot_options *options);
+
+// Takes the robot's options. What was learned stays; a session under way ends unlearned. `NUMBER` where one is out of range: the options are
+// then what they were.
+//
+// The caller sees to it:
+// `robot` is null or a handle, `options` null or points to them.
+enum goodbot_status goodbot_set_options(struct goodbot *robot,
+                                        const struct goodbot_options *options);
+
+// Takes in that the trainer ended the session in the state that was planned for last, before `goodbot_finish`: people end a session more often
+// where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` is given what came of it.
+//
+// The caller sees to it:
+// `robot` is null or a handle, `evidence` null or room for a number.
+enum goodbot_status goodbot_trainer_ended(struct goodbot *robot,
+                                          uint32_t *evidence);
 
 // How many tasks the command may mean.
 //
