@@ -10,10 +10,12 @@ use goodbot::language::Meaning;
 use goodbot::oomdp::{Domain, Schema};
 use goodbot::task::{Role, RoleKind};
 
-/// What a word of the last command is taken for if this task is meant; `position` counts from 0, and `UNKNOWN` is beyond the last word, or no
-/// task. `word` is given the word, empty where there was no room for it, and `meaning` the most probable of its meanings: the role and the
-/// value, such as `goal of agentInRoom: colorGreen`, or `kind of task`, `no meaning`, or `never heard`. `share` is given how much of 1 that
-/// meaning has. Each text has a 0 at its end; `BUFFER` where one does not fit.
+/// What a word of the last command is taken for if this task is meant; `position` counts from 0, and so does `rank`, for the most probable of
+/// its meanings, the next, and so on. `UNKNOWN` is beyond the last word or the last meaning, or no task. `word` is given the word, empty where
+/// there was no room for it, and `meaning` the role and the value, such as `goal of agentInRoom: colorGreen`, or `kind of task`, `no meaning`,
+/// or `never heard`, which is the only meaning. `share` is given how much of 1 that meaning has: those of one word add up to 1, of one that was
+/// never heard to 0. Each text has a 0 at its end; `BUFFER` where one does not fit. Each call explains the command anew, once for each rank up
+/// to this one.
 ///
 /// # Safety
 /// `robot` is null or a handle; `word` and `meaning` are null or room for so many bytes; `share` is null or room for a number.
@@ -22,6 +24,7 @@ pub unsafe extern "C" fn goodbot_explain_word(
     robot: *mut Goodbot,
     task: u32,
     position: u32,
+    rank: u32,
     word: *mut c_char,
     word_bytes: usize,
     meaning: *mut c_char,
@@ -35,35 +38,46 @@ pub unsafe extern "C" fn goodbot_explain_word(
             let (task, position) = (task as usize, position as usize);
             agent.tasks().get(task).ok_or(GoodbotStatus::Unknown)?;
             let symbol = *agent.sentence().get(position).ok_or(GoodbotStatus::Unknown)?;
-            let mut best: Option<(Meaning, f32)> = None;
-            let mut tell = |at, meaning, share| {
-                if at == position && best.is_none_or(|(_, most)| share > most) {
-                    best = Some((meaning, share));
-                }
-            };
+            let known = symbol.is_some_and(|symbol| symbol.index() < agent.language().tables().words());
+            if !known && rank > 0 {
+                return Err(GoodbotStatus::Unknown.into());
+            }
+            // The meaning of the rank before, its share and its place among those told, which decides between equal shares.
+            let mut found: Option<(Meaning, f32, usize)> = None;
             let schema = in_world!(world, |domain, _state| {
-                agent.explain(domain, task, &mut tell)?;
+                for _ in 0..=rank {
+                    let (last, mut place) = (found.take(), 0_usize);
+                    agent.explain(domain, task, |at, meaning, share| {
+                        place = place.saturating_add(1);
+                        let after = last.is_none_or(|(_, most, before)| share < most || (share == most && place > before));
+                        if at == position && share > 0.0 && after && found.is_none_or(|(_, most, _)| share > most) {
+                            found = Some((meaning, share, place));
+                        }
+                    })?;
+                    if known && found.is_none() {
+                        return Err(GoodbotStatus::Unknown.into());
+                    }
+                }
                 domain.world().schema
             });
+            let found = found.filter(|_| known);
             let language = agent.language();
             let mut writer = Writer::new(word, word_bytes)?;
             writer.put(symbol.map_or("", |symbol| language.words().text(symbol)));
             writer.end()?;
-            let known = symbol.is_some_and(|symbol| symbol.index() < language.tables().words());
-            let best = best.filter(|_| known);
             let mut writer = Writer::new(meaning, meaning_bytes)?;
-            match best {
+            match found {
                 None => writer.put("never heard"),
-                Some((Meaning::Background, _)) => writer.put("no meaning"),
-                Some((Meaning::Task, _)) => writer.put("kind of task"),
-                Some((Meaning::Value(role, value), _)) => {
+                Some((Meaning::Background, ..)) => writer.put("no meaning"),
+                Some((Meaning::Task, ..)) => writer.put("kind of task"),
+                Some((Meaning::Value(role, value), ..)) => {
                     put_role(&mut writer, &schema, role);
                     writer.put(": ");
                     writer.put(language.tokens().text(value));
                 }
             }
             writer.end()?;
-            give(share, best.map_or(0.0, |(_, share)| share))
+            give(share, found.map_or(0.0, |(_, share, _)| share))
         })
     }
 }

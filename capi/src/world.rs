@@ -137,10 +137,15 @@ impl Domain for Surroundings {
         }
     }
 
-    #[cfg(all(feature = "derived", feature = "home"))]
+    #[cfg(feature = "derived")]
     fn tell_derived(&self, state: &Standing, object: goodbot::oomdp::ObjectId, tell: &mut dyn FnMut(&str)) {
-        if let (Self::Home(home), Standing::Home(state)) = (self, state) {
-            home.tell_derived(state, object, tell);
+        match (self, state) {
+            #[cfg(feature = "home")]
+            (Self::Home(home), Standing::Home(state)) => home.tell_derived(state, object, tell),
+            #[cfg(feature = "table")]
+            (Self::Table(table), Standing::Table(state)) => table.tell_derived(state, object, tell),
+            #[cfg(all(feature = "home", feature = "table"))]
+            _ => {}
         }
     }
 }

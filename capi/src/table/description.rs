@@ -14,6 +14,8 @@ pub const GOODBOT_MOST_PROPOSITIONS: usize = 8;
 pub const GOODBOT_MOST_ARGUMENTS: usize = 3;
 /// Most actions, doing nothing not counted.
 pub const GOODBOT_MOST_ACTIONS: usize = 15;
+/// Most texts that `derived` gives for one object in one state.
+pub const GOODBOT_MOST_DERIVED: u32 = 8;
 /// In a table of steps: the action cannot be done there.
 pub const GOODBOT_CANNOT: u16 = 0xffff;
 
@@ -81,6 +83,11 @@ pub type GoodbotStep = Option<unsafe extern "C" fn(context: *mut c_void, state: 
 /// of goodbot.
 pub type GoodbotHolds = Option<unsafe extern "C" fn(context: *mut c_void, state: u32, proposition: u8, arguments: *const u8) -> bool>;
 
+/// Gives what can be said of an object, by position, in a state beside the values of its attributes: the text with this number, counted from 0,
+/// such as `leftmost`, or null where there are no more. It must always answer the same, and call nothing of goodbot. Each text must stay until
+/// the function is called again.
+pub type GoodbotDerived = Option<unsafe extern "C" fn(context: *mut c_void, state: u32, object: u8, number: u32) -> *const c_char>;
+
 /// A robot of the caller's own.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -120,6 +127,8 @@ pub struct GoodbotTable {
     pub step: GoodbotStep,
     /// Which propositions hold.
     pub holds: GoodbotHolds,
-    /// Handed to both functions.
+    /// What can be said of objects beside their attributes; null for nothing.
+    pub derived: GoodbotDerived,
+    /// Handed to all functions.
     pub context: *mut c_void,
 }

@@ -1,12 +1,14 @@
 //! The caller's robot as the core sees it.
 
-use super::description::{GOODBOT_CANNOT, GoodbotHolds, GoodbotStep};
+use super::description::{GOODBOT_CANNOT, GOODBOT_MOST_DERIVED, GoodbotDerived, GoodbotHolds, GoodbotStep};
 use crate::arena::HomeArena;
+use crate::robot::text;
+use crate::status::GoodbotStatus;
 use core::ffi::c_void;
 use goodbot::Capacities;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{
-    Action, ActionKind, Attribute, Class, Domain, GroundProposition, ObjectCount, Objects, OneByOne, Proposition, Schema, World,
+    Action, ActionKind, Attribute, Class, Domain, GroundProposition, ObjectCount, ObjectId, Objects, OneByOne, Proposition, Schema, World,
 };
 
 /// What an action leads to.
@@ -31,6 +33,19 @@ pub(super) fn next_by(
     can.then_some(next)
 }
 
+/// What the caller's function says of an object in a state: one text more than may be at most, so that it can be refused.
+pub(super) fn derived_by<'a>(
+    derived: GoodbotDerived,
+    context: *mut c_void,
+    state: u32,
+    object: u8,
+) -> impl Iterator<Item = Result<&'a str, GoodbotStatus>> {
+    // SAFETY: the caller's function, with the context that came with it.
+    let said = move |number| derived.map_or(core::ptr::null(), |derived| unsafe { derived(context, state, object, number) });
+    // SAFETY: the caller's promise: each text stays until the next is asked for.
+    (0..=GOODBOT_MOST_DERIVED).map(said).take_while(|said| !said.is_null()).map(|said| unsafe { text(said) })
+}
+
 /// The caller's robot.
 #[derive(Debug)]
 pub struct TableDomain {
@@ -40,6 +55,8 @@ pub struct TableDomain {
     pub(super) actions: &'static [ActionKind<'static>],
     pub(super) steps: Steps,
     pub(super) holds: GoodbotHolds,
+    #[cfg_attr(not(feature = "derived"), allow(dead_code, reason = "nothing is told of objects without the feature"))]
+    pub(super) derived: GoodbotDerived,
     pub(super) context: *mut c_void,
     pub(super) states: u32,
 }
@@ -103,5 +120,11 @@ impl Domain for TableDomain {
 
     fn numbered(&self, number: u64) -> u32 {
         number as u32
+    }
+
+    #[cfg(feature = "derived")]
+    fn tell_derived(&self, state: &u32, object: ObjectId, tell: &mut dyn FnMut(&str)) {
+        // What is no text was refused when the robot was made.
+        derived_by(self.derived, self.context, *state, object.0).filter_map(Result::ok).for_each(tell);
     }
 }

@@ -2,9 +2,9 @@
 
 use super::description::{
     GOODBOT_CANNOT, GOODBOT_MOST_ACTIONS, GOODBOT_MOST_ARGUMENTS, GOODBOT_MOST_ATTRIBUTES, GOODBOT_MOST_CARRIERS, GOODBOT_MOST_CLASSES,
-    GOODBOT_MOST_PROPOSITIONS, GoodbotObject, GoodbotTable,
+    GOODBOT_MOST_DERIVED, GOODBOT_MOST_PROPOSITIONS, GoodbotObject, GoodbotTable,
 };
-use super::domain::{Parts, Steps, TableDomain, next_by};
+use super::domain::{Parts, Steps, TableDomain, derived_by, next_by};
 use crate::arena::{Arena, HomeArena, after};
 use crate::beliefs::Writer;
 use crate::capacities::GoodbotCapacities;
@@ -14,7 +14,7 @@ use crate::tasks::kinds_of_tasks;
 use crate::world::{Standing, Surroundings, World};
 use core::ffi::{c_char, c_void};
 use goodbot::Capacities;
-use goodbot::capacity::{Capacity, CapacityError};
+use goodbot::capacity::{Capacity, CapacityError, NAME_BYTES};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{ActionKind, Attribute, Carrier, Class, ClassId, ObjectCount, ObjectSet, Proposition, Schema};
 
@@ -144,15 +144,17 @@ unsafe fn init(
         let schema = Schema { classes, attributes, propositions };
         let actions = actions(table, &mut plot.arena)?;
         let steps = steps(table)?;
-        lead_to_states(table, steps, actions, Capacities::from(&*capacities).states)?;
+        let most = Capacities::from(&*capacities).states;
+        lead_to_states(table, steps, actions, most)?;
+        derive_texts(table, most)?;
         if table.start >= table.state_count {
             return Err(GoodbotStatus::Number).at(Place::of("start").number(table.start, 0, table.state_count.saturating_sub(1)));
         }
         let tasks = kinds_of_tasks(table.tasks, table.task_count, &schema)?;
         let world = |mut memory: HomeArena| {
             let objects = objects(table, attributes, &mut memory)?;
-            let (holds, context, states) = (table.holds, table.context, table.state_count);
-            let domain = TableDomain { schema, memory, objects, actions, steps, holds, context, states };
+            let (holds, derived, context, states) = (table.holds, table.derived, table.context, table.state_count);
+            let domain = TableDomain { schema, memory, objects, actions, steps, holds, derived, context, states };
             Ok(World::Here(Surroundings::Table(domain), Standing::Table(table.start)))
         };
         settle(plot, &tasks, world, robot)
@@ -284,6 +286,30 @@ fn lead_to_states(table: &GoodbotTable, steps: Steps, actions: &[ActionKind<'sta
             Ok(())
         }
     }
+}
+
+/// Of a text that is derived; the core puts two letters before it.
+const LONGEST_DERIVED: usize = NAME_BYTES - 2;
+
+/// Whether what is derived of objects is text that can be told, in as many states as one plan can hold.
+fn derive_texts(table: &GoodbotTable, most: usize) -> Result<(), Failure> {
+    for state in 0..if table.derived.is_some() { table.state_count.min(most as u32) } else { 0 } {
+        for object in 0..table.object_count.min(u32::from(u8::MAX)) as u8 {
+            for (before, said) in (0..).zip(derived_by(table.derived, table.context, state, object)) {
+                let place = |what| Place::item(what, state as usize, "");
+                if before == GOODBOT_MOST_DERIVED {
+                    let place = place("what derived gives of an object in state").number(before + 1, 0, GOODBOT_MOST_DERIVED);
+                    return Err(GoodbotStatus::Number).at(place);
+                }
+                let said = said.at(place("what derived gives in state"))?;
+                if said.is_empty() || said.len() > LONGEST_DERIVED {
+                    let place = place("length of what derived gives in state").number(said.len() as u32, 1, LONGEST_DERIVED as u32);
+                    return Err(GoodbotStatus::Number).at(place);
+                }
+            }
+        }
+    }
+    Ok(())
 }
 
 unsafe fn objects(table: &GoodbotTable, attributes: &[Attribute<'static>], memory: &mut HomeArena) -> Result<ObjectCount, Failure> {

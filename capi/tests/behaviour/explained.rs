@@ -9,7 +9,7 @@ use goodbot_capi::table::description::*;
 use goodbot_capi::table::init::goodbot_explain_table;
 use goodbot_capi::training::*;
 use robots::{Lift, at_home, hear_and_plan, small};
-use std::ffi::{CStr, c_void};
+use std::ffi::{CStr, c_char, c_void};
 use std::ptr::{null, null_mut};
 
 /// What is said of a table, and the status.
@@ -57,6 +57,30 @@ fn what_is_wrong_is_named_by_list_item_field_and_number() {
     let (status, text) = said(|lift, _| lift.carriers[0].object_class = 0);
     assert_eq!(status, GoodbotStatus::World);
     assert!(text.starts_with("objects[1].values, of an attribute that its class does not carry: "), "{text}");
+}
+
+#[test]
+fn what_cannot_be_told_of_an_object_is_named_by_its_state() {
+    unsafe extern "C" fn no_text(_: *mut c_void, state: u32, object: u8, number: u32) -> *const c_char {
+        if (state, object, number) == (2, 1, 0) { c"\xff".as_ptr() } else { null() }
+    }
+    unsafe extern "C" fn too_long(_: *mut c_void, _: u32, _: u8, number: u32) -> *const c_char {
+        if number == 0 { c"the-only-floor-from-which-one-can-see-the-whole-harbour".as_ptr() } else { null() }
+    }
+    unsafe extern "C" fn endless(_: *mut c_void, _: u32, _: u8, _: u32) -> *const c_char {
+        c"more".as_ptr()
+    }
+    let lift = Lift::new();
+    let of = |derived| explained(&GoodbotTable { derived, ..lift.table() }, &small());
+    let (status, text) = of(Some(no_text));
+    assert_eq!(status, GoodbotStatus::Text);
+    assert!(text.starts_with("what derived gives in state[2]: "), "{text}");
+    let (status, text) = of(Some(too_long));
+    assert_eq!(status, GoodbotStatus::Number);
+    assert!(text.starts_with("length of what derived gives in state[0] is 55 and must be from 1 to 46: "), "{text}");
+    let (status, text) = of(Some(endless));
+    assert_eq!(status, GoodbotStatus::Number);
+    assert!(text.starts_with("what derived gives of an object in state[0] is 9 and must be from 0 to 8: "), "{text}");
 }
 
 #[test]

@@ -6,11 +6,13 @@ use goodbot_capi::beliefs::*;
 use goodbot_capi::home::*;
 use goodbot_capi::robot::Goodbot;
 use goodbot_capi::status::GoodbotStatus;
+use goodbot_capi::table::description::GoodbotTable;
+use goodbot_capi::table::init::goodbot_table_set_state;
 use goodbot_capi::training::*;
 use goodbot_capi::words::goodbot_explain_word;
 use robots::{Lift, Owned, hear_and_plan, in_homes, of_table, small};
-use std::ffi::CStr;
-use std::ptr::null_mut;
+use std::ffi::{CStr, c_char, c_void};
+use std::ptr::{null, null_mut};
 
 /// A red room below, and two green rooms above it.
 fn two_green_rooms() -> Owned {
@@ -81,7 +83,7 @@ fn explained(robot: *mut Goodbot, task: u32) -> Vec<(String, String, f32)> {
     loop {
         let position = all.len() as u32;
         let status =
-            unsafe { goodbot_explain_word(robot, task, position, word.as_mut_ptr(), 32, meaning.as_mut_ptr(), 80, &raw mut share) };
+            unsafe { goodbot_explain_word(robot, task, position, 0, word.as_mut_ptr(), 32, meaning.as_mut_ptr(), 80, &raw mut share) };
         if status == GoodbotStatus::Unknown {
             return all;
         }
@@ -132,20 +134,90 @@ fn each_word_is_explained_for_the_task_followed_and_for_any_other() {
 }
 
 #[test]
+fn all_meanings_of_a_word_are_told_the_most_probable_first() {
+    let owned = robots::at_home();
+    let robot = owned.robot;
+    for _ in 0..2 {
+        show(robot, c"go to the green room", 2, 6);
+    }
+    unsafe { assert_eq!(goodbot_home_place(robot, c"agent0".as_ptr(), 4, 2), GoodbotStatus::Ok) };
+    hear_and_plan(robot, c"go to the green cellar");
+    let (task, _) = task(robot, "agentInRoom(agent0,room1)");
+    let (mut word, mut meaning, mut share) = ([0; 32], [0; 80], 0.0);
+    let mut at = |position, rank| {
+        let status =
+            unsafe { goodbot_explain_word(robot, task, position, rank, word.as_mut_ptr(), 32, meaning.as_mut_ptr(), 80, &raw mut share) };
+        (status == GoodbotStatus::Ok)
+            .then(|| (unsafe { CStr::from_ptr(meaning.as_ptr()) }.to_str().unwrap().to_owned(), share))
+            .ok_or(status)
+    };
+    for position in 0..4 {
+        let meanings: Vec<(String, f32)> = (0..).map_while(|rank| at(position, rank).ok()).collect();
+        assert!(meanings.len() > 2, "{meanings:?}");
+        assert!(meanings.is_sorted_by(|(_, more), (_, less)| more >= less), "{meanings:?}");
+        let all: f32 = meanings.iter().map(|(_, share)| share).sum();
+        assert!((all - 1.0).abs() < 1e-3, "{meanings:?}");
+        let different: std::collections::BTreeSet<&str> = meanings.iter().map(|(meaning, _)| meaning.as_str()).collect();
+        assert_eq!(different.len(), meanings.len(), "{meanings:?}");
+        assert_eq!(at(position, u32::MAX), Err(GoodbotStatus::Unknown));
+    }
+    assert_eq!(at(4, 0), Ok(("never heard".to_owned(), 0.0)));
+    assert_eq!(at(4, 1), Err(GoodbotStatus::Unknown));
+}
+
+unsafe extern "C" fn which_floor(_: *mut c_void, _: u32, object: u8, number: u32) -> *const c_char {
+    match (object, number) {
+        (1, 0) => c"lowest".as_ptr(),
+        (3, 0) => c"highest".as_ptr(),
+        (3, 1) => c"windy".as_ptr(),
+        _ => null(),
+    }
+}
+
+#[test]
+fn words_mean_what_a_robot_of_one_s_own_says_of_its_objects() {
+    for (derived, least, most) in [(Some(which_floor as _), 0.6, 1.0), (None, 0.2, 0.55)] {
+        let mut lift = Lift::new();
+        for floor in &mut lift.objects[1..] {
+            floor.values[0] = c"office".as_ptr();
+        }
+        let owned = of_table(&GoodbotTable { derived, ..lift.table() }).unwrap();
+        let robot = owned.robot;
+        for (command, action) in [(c"go to the top", 0), (c"go to the ground", 1)].repeat(5) {
+            unsafe {
+                assert_eq!(goodbot_table_set_state(robot, 1), GoodbotStatus::Ok);
+                assert_eq!(goodbot_hear(robot, command.as_ptr()), GoodbotStatus::Ok);
+                let mut evidence = 9;
+                for action in [action, 15, 15] {
+                    while goodbot_plan(robot, 50) == GoodbotStatus::Working {}
+                    assert_eq!(goodbot_demonstration(robot, action, &raw mut evidence), GoodbotStatus::Ok);
+                }
+                assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::Ok);
+                while goodbot_learn(robot, 1_000) == GoodbotStatus::Working {}
+            }
+        }
+        unsafe { assert_eq!(goodbot_table_set_state(robot, 1), GoodbotStatus::Ok) };
+        hear_and_plan(robot, c"go to the top");
+        let (_, probability) = task(robot, "liftAtFloor(lift0,floor2)");
+        assert!((least..=most).contains(&probability), "derived: {}, {probability}", derived.is_some());
+    }
+}
+
+#[test]
 fn wrong_calls_are_refused() {
     let owned = robots::at_home();
     let (mut text, mut share) = ([0; 80], 0.0);
     let at = text.as_mut_ptr();
     unsafe {
-        assert_eq!(goodbot_explain_word(null_mut(), 0, 0, at, 80, at, 80, &raw mut share), GoodbotStatus::Null);
+        assert_eq!(goodbot_explain_word(null_mut(), 0, 0, 0, at, 80, at, 80, &raw mut share), GoodbotStatus::Null);
         assert_eq!(goodbot_home_derived(null_mut(), true), GoodbotStatus::Null);
-        assert_eq!(goodbot_explain_word(owned.robot, 0, 0, at, 80, at, 80, &raw mut share), GoodbotStatus::Unknown);
+        assert_eq!(goodbot_explain_word(owned.robot, 0, 0, 0, at, 80, at, 80, &raw mut share), GoodbotStatus::Unknown);
         hear_and_plan(owned.robot, c"go");
-        assert_eq!(goodbot_explain_word(owned.robot, 99, 0, at, 80, at, 80, &raw mut share), GoodbotStatus::Unknown);
-        assert_eq!(goodbot_explain_word(owned.robot, 0, 1, at, 80, at, 80, &raw mut share), GoodbotStatus::Unknown);
-        assert_eq!(goodbot_explain_word(owned.robot, 0, 0, at, 80, at, 3, &raw mut share), GoodbotStatus::Buffer);
-        assert_eq!(goodbot_explain_word(owned.robot, 0, 0, null_mut(), 80, at, 80, &raw mut share), GoodbotStatus::Null);
-        assert_eq!(goodbot_explain_word(owned.robot, 0, 0, at, 80, at, 80, null_mut()), GoodbotStatus::Null);
+        assert_eq!(goodbot_explain_word(owned.robot, 99, 0, 0, at, 80, at, 80, &raw mut share), GoodbotStatus::Unknown);
+        assert_eq!(goodbot_explain_word(owned.robot, 0, 1, 0, at, 80, at, 80, &raw mut share), GoodbotStatus::Unknown);
+        assert_eq!(goodbot_explain_word(owned.robot, 0, 0, 0, at, 80, at, 3, &raw mut share), GoodbotStatus::Buffer);
+        assert_eq!(goodbot_explain_word(owned.robot, 0, 0, 0, null_mut(), 80, at, 80, &raw mut share), GoodbotStatus::Null);
+        assert_eq!(goodbot_explain_word(owned.robot, 0, 0, 0, at, 80, at, 80, null_mut()), GoodbotStatus::Null);
         assert_eq!(goodbot_home_begin(owned.robot), GoodbotStatus::Ok);
         assert_eq!(goodbot_home_derived(owned.robot, true), GoodbotStatus::NoWorld);
         let lift = Lift::new();

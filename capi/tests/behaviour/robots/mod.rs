@@ -128,6 +128,7 @@ impl Lift {
             next: self.next.as_ptr(),
             step: None,
             holds: Some(at_floor),
+            derived: None,
             context: null_mut(),
         }
     }

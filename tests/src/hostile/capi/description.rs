@@ -1,7 +1,7 @@
 //! A robot of the caller's own, described rightly or wrongly.
 
 use super::super::Bytes;
-use super::machine::{Machine, holds, step};
+use super::machine::{Machine, derived, holds, step};
 use super::texts::Text;
 use goodbot_capi::table::description::{
     GOODBOT_MOST_ACTIONS, GOODBOT_MOST_ATTRIBUTES, GOODBOT_MOST_CARRIERS, GOODBOT_MOST_CLASSES, GOODBOT_MOST_PROPOSITIONS, GoodbotAction,
@@ -115,6 +115,7 @@ impl Description {
             next: if by_table { steps.as_ptr() } else { std::ptr::null() },
             step: (texts.number(0, &[1]) == 0).then_some(step as _),
             holds: (texts.number(0, &[1]) == 0).then_some(holds as _),
+            derived: (texts.number(0, &[1]) == 1).then_some(derived as _),
             context: std::ptr::from_ref(&*machine).cast_mut().cast(),
         });
         Self { table, _texts: texts.kept, _lists: lists, _machine: machine, _steps: steps }

@@ -2,7 +2,7 @@
 
 use super::super::Bytes;
 use std::cell::Cell;
-use std::ffi::c_void;
+use std::ffi::{c_char, c_void};
 
 /// What the callbacks are handed.
 #[derive(Debug)]
@@ -72,4 +72,16 @@ pub unsafe extern "C" fn holds(context: *mut c_void, state: u32, proposition: u8
     let arguments = unsafe { std::slice::from_raw_parts(arguments, 3) };
     let sum = arguments.iter().fold(u32::from(proposition), |sum, &object| sum + u32::from(object));
     (state + machine.mood() % 2) % 4 == sum % 4
+}
+
+/// The callback that says what is derived: of the highest floor that it is the highest, of some objects what no robot can use.
+pub unsafe extern "C" fn derived(context: *mut c_void, state: u32, object: u8, number: u32) -> *const c_char {
+    // SAFETY: the context is a machine that outlives the robot.
+    let machine = unsafe { &*context.cast::<Machine>() };
+    let texts = match (u32::from(object) + state + machine.mood()) % 16 {
+        0 => [c"highest", c"nearest"],
+        7 if machine.moody => [c"", c"\xff"],
+        _ => return std::ptr::null(),
+    };
+    texts.get(number as usize).map_or(std::ptr::null(), |text| text.as_ptr())
 }

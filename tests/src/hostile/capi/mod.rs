@@ -8,9 +8,11 @@
 //! - [`texts`]: C strings;
 //! - [`machine`]: what a hostile robot's actions do;
 //! - [`description`]: a robot of the caller's own, described wrongly or rightly;
+//! - [`calls`]: calls in parts, with questions, explanations and settings;
 //! - [`program`]: the program that makes the calls.
 
 mod blocks;
+mod calls;
 mod description;
 mod machine;
 mod program;

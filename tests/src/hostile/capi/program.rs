@@ -2,6 +2,7 @@
 
 use super::super::{Bytes, sign};
 use super::blocks::Block;
+use super::calls::{in_parts, question, settings, words};
 use super::description::Description;
 use super::texts::Text;
 use goodbot_capi::beliefs::{goodbot_most_likely, goodbot_task_count, goodbot_task_probability, goodbot_task_text};
@@ -43,7 +44,7 @@ impl Program {
 
     /// Makes one call, or a few that belong together.
     pub fn call(&mut self, choices: &mut Bytes<'_>) {
-        let kind = choices.below(32);
+        let kind = choices.below(36);
         let robot = self.handle(choices);
         // SAFETY: the handle is null, a robot, or memory without one; each other pointer is null or to memory of the size that is said.
         unsafe {
@@ -87,6 +88,10 @@ impl Program {
                 28 => self.save(robot, choices),
                 29 => self.restore(robot, choices),
                 30 => ask(robot, choices),
+                31 => in_parts(robot, choices),
+                32 => question(robot, choices),
+                33 => words(robot, choices),
+                34 => settings(robot, choices),
                 _ => self.anything_else(robot, choices),
             }
         }
