@@ -58,12 +58,46 @@ export async function close(page) {
 
 export const model = page => page.evaluate(() => Array.from(window.goodbot.save()));
 
-// Chromium hands what a page keeps to another process, and a reload at once may come before it.
 export async function reload(page) {
-  await page.waitForTimeout(250);
+  await written(page);
   await page.reload();
   await page.waitForSelector('body.ready');
 }
+
+// The tab by which each browser is asked what it keeps.
+const witnesses = new WeakMap();
+
+// A browser takes what a page keeps a moment later than the page says so, and a reload at once may come before that. What comes last is there
+// when another tab sees it.
+async function written(page) {
+  const context = page.context();
+  // Firefox shows files nothing of each other's.
+  if (context.browser().browserType().name() === 'firefox') return page.waitForTimeout(250);
+  if (!witnesses.has(context)) {
+    const witness = await context.newPage();
+    await witness.goto(new URL('../package.json', import.meta.url).href);
+    witnesses.set(context, witness);
+    await page.bringToFront();
+  }
+  const mark = String(Math.random());
+  await page.evaluate(last => { localStorage.setItem('mark', last); }, mark);
+  return witnesses.get(context).waitForFunction(last => localStorage.getItem('mark') === last, mark);
+}
+
+// Until nothing moves any more, but for what always does.
+export const still = page => page.evaluate(async () => {
+  const frame = () => new Promise(done => { requestAnimationFrame(() => setTimeout(done)); });
+  const moving = () => document.getAnimations().filter(({ effect }) => effect.target.id !== 'wait' && effect.getComputedTiming().endTime < Infinity && effect.getComputedTiming().progress !== null);
+  do await frame(); while (moving().length);
+});
+
+// From now on time stands still in the page, and goes on by `pass` alone.
+export async function stopTime(page) {
+  await page.clock.install();
+  await page.clock.pauseAt(Date.now() + 60000);
+}
+
+export const pass = (page, milliseconds) => page.clock.runFor(milliseconds);
 
 // Until the robot has learned from so many sessions.
 export const learned = (page, count) => page.waitForFunction(wanted => window.goodbot.sessions() === wanted && document.body.dataset.phase === 'none', count);

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { close, launch, open, sessions, toTheGoal } from './browser.mjs';
+import { close, launch, open, pass, sessions, stopTime, toTheGoal } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -47,12 +47,12 @@ test('the tour ends with a card of what the robot knows, and a picture of it to 
 
 test('the whole tour is watched in less than a minute', async () => {
   const page = await open(browser);
-  const started = Date.now();
+  await stopTime(page);
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 90000 });
-  const seconds = (Date.now() - started) / 1000;
-  console.log('watched in ' + Math.round(seconds) + ' s');
-  assert.ok(seconds > 25 && seconds < 60, seconds + ' s');
+  let seconds = 0;
+  for (; seconds < 90 && !/The tour is over/.test(await page.textContent('#tour-title')); seconds += 1) await pass(page, 1000);
+  console.log('watched in ' + seconds + ' s, and what it takes to plan and to learn');
+  assert.ok(seconds > 25 && seconds < 55, seconds + ' s');
   await close(page);
 });
 

@@ -41,10 +41,12 @@ test('two tabs teach one robot, and it learns from both', async () => {
   await play(two, 'B');
   await begin(one, 'go to the red room');
   await teach(two, 'go to the blue room');
+  // What one tab keeps, the others see a moment later.
+  await one.waitForFunction(() => Object.entries(localStorage).some(([key, kept]) => key.startsWith('goodbot.robot.') && JSON.parse(kept).sessions === 1));
   await one.click('#finish');
   await one.waitForFunction(() => window.goodbot.sessions() === 2 && document.body.dataset.phase === 'none');
   assert.deepEqual(commands(await log(one)), ['go to the blue room', 'go to the red room']);
-  await two.waitForFunction(() => window.goodbot.sessions() === 2, null, { timeout: 5000 });
+  await two.waitForFunction(() => window.goodbot.sessions() === 2 && document.body.dataset.phase === 'none');
   assert.deepEqual(await model(two), await model(one), 'the other tab has taken it over');
   await reload(one);
   assert.equal(await sessions(one), 2);

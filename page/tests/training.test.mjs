@@ -69,6 +69,7 @@ test('a session by touch alone, on a screen 360 pixels wide', async () => {
   await page.fill('#command', 'go to the green room');
   await page.tap('#say-it');
   await page.getByText('Good or Bad?').waitFor();
+  await page.tap('#pause');
   await page.tap('#good');
   await page.getByText('You said Good').waitFor();
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
