@@ -33,7 +33,7 @@ async function check(page, where) {
 }
 
 test('axe finds nothing to object to, light and dark, wide and narrow', async () => {
-  const page = await open(browser, { bypassCSP: true });
+  const page = await open(browser, { bypassCSP: true, reducedMotion: 'no-preference' });
   await page.addScriptTag({ path: axe });
   await check(page, 'tour');
   await page.selectOption('#speed', 'once');

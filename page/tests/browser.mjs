@@ -26,16 +26,23 @@ export async function launchFirefox(downloadsPath) {
   return firefox.launch({ channel: 'moz-firefox', executablePath: firefoxPath, downloadsPath });
 }
 
-// A page of its own, with a storage of its own. `complaints` is what went wrong in it.
+// A page of its own, with a storage of its own. `complaints` is what went wrong in it. Nothing moves in it by itself, which takes a tenth of a
+// core for each page, but where a test is about what moves.
 export async function open(browser, options = {}, hash = '') {
-  return openIn(await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, ...options }), hash);
+  return openIn(await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, reducedMotion: 'reduce', ...options }), hash);
 }
+
+// Questions come in the middle of what most tests are about: those that are about questions switch them on. The storage itself must not be
+// asked for so early: on a slow machine Chromium hands out an empty one to who asks before it knows whose page this is.
+const WITHOUT_QUESTIONS = () => {
+  const { getItem } = Storage.prototype;
+  Storage.prototype.getItem = function (key) { return getItem.call(this, key) ?? (key === 'goodbot.settings' ? '{"questions":false}' : null); };
+};
 
 // One more tab of the same browser. `prepare` runs in it before the page does.
 export async function openIn(context, hash = '', prepare = null) {
   const page = await context.newPage();
-  // Questions come in the middle of what most tests are about: those that are about questions switch them on.
-  await page.addInitScript(() => { try { if (!localStorage.getItem('goodbot.settings')) localStorage.setItem('goodbot.settings', '{"questions":false}'); } catch { /* Blocked. */ } });
+  await page.addInitScript(WITHOUT_QUESTIONS);
   if (prepare) await page.addInitScript(prepare);
   page.complaints = [];
   page.on('console', message => { if (message.type() === 'error' || message.type() === 'warning') page.complaints.push(message.text()); });
@@ -59,29 +66,8 @@ export async function close(page) {
 export const model = page => page.evaluate(() => Array.from(window.goodbot.save()));
 
 export async function reload(page) {
-  await written(page);
   await page.reload();
   await page.waitForSelector('body.ready');
-}
-
-// The tab by which each browser is asked what it keeps.
-const witnesses = new WeakMap();
-
-// A browser takes what a page keeps a moment later than the page says so, and a reload at once may come before that. What comes last is there
-// when another tab sees it.
-async function written(page) {
-  const context = page.context();
-  // Firefox shows files nothing of each other's.
-  if (context.browser().browserType().name() === 'firefox') return page.waitForTimeout(250);
-  if (!witnesses.has(context)) {
-    const witness = await context.newPage();
-    await witness.goto(new URL('../package.json', import.meta.url).href);
-    witnesses.set(context, witness);
-    await page.bringToFront();
-  }
-  const mark = String(Math.random());
-  await page.evaluate(last => { localStorage.setItem('mark', last); }, mark);
-  return witnesses.get(context).waitForFunction(last => localStorage.getItem('mark') === last, mark);
 }
 
 // Until nothing moves any more, but for what always does.

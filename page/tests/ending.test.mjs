@@ -9,7 +9,7 @@ before(async () => { browser = await launch(); });
 after(() => browser.close());
 
 test('at the goal one big button says yes, ends and learns', async () => {
-  const page = await open(browser);
+  const page = await open(browser, { reducedMotion: 'no-preference' });
   await page.selectOption('#speed', 'step');
   await page.click('#lesson');
   await toTheGoal(page, /green/, good => page.click(good ? '#good' : '#bad'));
@@ -46,7 +46,7 @@ test('the tour ends with a card of what the robot knows, and a picture of it to 
 });
 
 test('the whole tour is watched in less than a minute', async () => {
-  const page = await open(browser);
+  const page = await open(browser, { reducedMotion: 'no-preference' });
   await stopTime(page);
   await page.click('#watch');
   let seconds = 0;

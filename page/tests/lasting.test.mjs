@@ -334,8 +334,9 @@ test('where only the log finds no room, the page says just that', async () => {
 });
 
 test('the skip link is no link to share, and an unknown setting stops nothing', async () => {
-  const context = await browser.newContext();
-  const page = await openIn(context, '#main', () => localStorage.setItem('goodbot.settings', '{"speed":"warp","rule":7,"names":false}'));
+  const page = await open(browser, {}, '#main');
+  await page.evaluate(() => localStorage.setItem('goodbot.settings', '{"speed":"warp","rule":7,"names":false}'));
+  await reload(page);
   assert.ok(await page.isHidden('#toast'));
   assert.equal(await page.inputValue('#speed'), 'normal');
   await page.click('#lesson');

@@ -7,7 +7,7 @@ before(async () => { browser = await launch(); });
 after(() => browser.close());
 
 test('the tour to its end with the auto-trainer: five of five', async () => {
-  const page = await open(browser);
+  const page = await open(browser, { reducedMotion: 'no-preference' });
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
   await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
