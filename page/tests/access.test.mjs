@@ -38,7 +38,7 @@ test('axe finds nothing to object to, light and dark, wide and narrow', async ()
   await check(page, 'tour');
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.getByText('The tour is over').first().waitFor();
   await check(page, 'after the tour');
   await page.click('#end-guest');
   await play(page, 'F');

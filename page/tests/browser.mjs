@@ -12,7 +12,7 @@ const FLAGS = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', 
 
 export async function launch() {
   assert.ok(existsSync(file), 'dist/goodbot.html is not there: cargo xtask page');
-  const executablePath = process.env.GOODBOT_CHROMIUM || ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
+  const executablePath = process.env.GOODBOT_CHROMIUM || ['/usr/bin/chromium-headless-shell', '/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
   assert.ok(executablePath, 'there is no Chromium: `cargo xtask test --only page` fetches one, or name it in GOODBOT_CHROMIUM');
   return chromium.launch({ executablePath, args: FLAGS });
 }
@@ -42,6 +42,8 @@ const WITHOUT_QUESTIONS = () => {
 // One more tab of the same browser. `prepare` runs in it before the page does.
 export async function openIn(context, hash = '', prepare = null) {
   const page = await context.newPage();
+  // Several files of tests run at once, and on a slow machine the whole tour takes its time.
+  page.setDefaultTimeout(60000);
   await page.addInitScript(WITHOUT_QUESTIONS);
   if (prepare) await page.addInitScript(prepare);
   page.complaints = [];

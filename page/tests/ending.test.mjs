@@ -37,7 +37,7 @@ test('the tour ends with a card of what the robot knows, and a picture of it to 
   const page = await open(browser);
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.getByText('The tour is over').first().waitFor();
   assert.match(await page.textContent('#card'), /green the colour green/);
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#card button')]);
   const picture = readFileSync(await download.path(), 'utf8');

@@ -55,7 +55,7 @@ test('a model goes out as a file and comes back into another page', async () => 
   const page = await open(browser);
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.getByText('The tour is over').first().waitFor();
   await opened(page, 'Settings, keeping, sharing');
   const bytes = await saved(page, '#save-model');
   const log = await saved(page, '#save-log');

@@ -33,7 +33,7 @@ for (const [locale, code] of [['de-AT', 'de'], ['pt-BR', 'en'], ['es', 'es'], ['
     assert.equal(await page.textContent('#lesson'), LANGUAGES[code][1]);
     await page.selectOption('#speed', 'once');
     await page.click('#watch');
-    await page.locator('#card:visible').waitFor({ timeout: 60000 });
+    await page.locator('#card:visible').waitFor();
     const right = await page.locator('#dots .test.right').count();
     assert.ok(right >= 4, right + ' of 5 tests');
     assert.ok((await page.locator('#card li').count()) >= 5);

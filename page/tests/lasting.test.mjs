@@ -176,7 +176,7 @@ test('watching the tour leaves one’s own robot alone, and the shown one can be
   await page.click('[data-mode=tour]');
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.getByText('The tour is over').first().waitFor();
   assert.equal(await sessions(page), 7);
   assert.match(await page.textContent('#guest'), /only shown/);
   await page.click('#end-guest');
@@ -188,7 +188,7 @@ test('watching the tour leaves one’s own robot alone, and the shown one can be
   await reload(page);
   assert.deepEqual(await model(page), own, 'what was only shown is gone after a reload, and one’s own is there');
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.getByText('The tour is over').first().waitFor();
   await page.click('#keep-guest');
   await reload(page);
   assert.equal(await sessions(page), 7);
@@ -234,7 +234,7 @@ test('after the last test and a reload there is a home to go on in', async () =>
   const page = await open(browser);
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.getByText('The tour is over').first().waitFor();
   await page.click('#keep-guest');
   await reload(page);
   assert.match(await page.textContent('#tour-title'), /The tour is over: 5 of 5/);
@@ -289,7 +289,7 @@ test('while a log is gone through, nothing else changes the robot', async () => 
   await page.waitForSelector('body[data-phase=learning]');
   await page.click('#new-robot');
   await page.click('[data-mode=build]');
-  await page.getByText('The robot has gone through the log').first().waitFor({ timeout: 60000 });
+  await page.getByText('The robot has gone through the log').first().waitFor();
   const count = await sessions(page);
   assert.ok(count > 1);
   assert.equal(commands(await log(page)).length, 121);

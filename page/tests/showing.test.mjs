@@ -15,7 +15,7 @@ async function lesson(page, number) {
 async function trained(page) {
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.getByText('The tour is over').first().waitFor();
   await page.click('#keep-guest');
   await page.getByText('is kept, under').first().waitFor();
 }

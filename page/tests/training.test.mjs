@@ -10,7 +10,7 @@ test('the tour to its end with the auto-trainer: five of five', async () => {
   const page = await open(browser, { reducedMotion: 'no-preference' });
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.getByText('The tour is over').first().waitFor();
   assert.match(await page.textContent('#tour-title'), /5 of 5 tests understood/);
   assert.equal(await page.evaluate(() => window.goodbot.sessions()), 7);
   await close(page);
