@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { address, close, launch, open, openIn, play } from './browser.mjs';
+import { address, close, launch, open, openIn, pass, play, reload, still, stopTime } from './browser.mjs';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 let browser;
@@ -18,7 +18,7 @@ async function check(page, where) {
     await page.setViewportSize({ width, height: 800 });
     for (const colorScheme of ['light', 'dark']) {
       await page.emulateMedia({ colorScheme });
-      await page.waitForTimeout(400);
+      await still(page);
       const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
       const said = violations.flatMap(violation => violation.nodes.map(node => [where, colorScheme, width, violation.id, 'at', node.target, node.failureSummary].join(' ')));
       assert.deepEqual(said, []);
@@ -33,12 +33,12 @@ async function check(page, where) {
 }
 
 test('axe finds nothing to object to, light and dark, wide and narrow', async () => {
-  const page = await open(browser, { bypassCSP: true });
+  const page = await open(browser, { bypassCSP: true, reducedMotion: 'no-preference' });
   await page.addScriptTag({ path: axe });
   await check(page, 'tour');
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.getByText('The tour is over').first().waitFor();
   await check(page, 'after the tour');
   await page.click('#end-guest');
   await play(page, 'F');
@@ -108,10 +108,7 @@ test('light and dark can be chosen', async () => {
   await page.evaluate(() => { for (const details of document.querySelectorAll('details')) details.open = true; });
   await page.selectOption('#theme', 'dark');
   assert.notEqual(await ground(), light);
-  // The browser writes down what is kept a moment later than the page says so.
-  await page.waitForTimeout(400);
-  await page.reload();
-  await page.waitForSelector('body.ready');
+  await reload(page);
   assert.notEqual(await ground(), light, 'after a reload too');
   await close(page);
 });
@@ -130,7 +127,7 @@ for (const [width, height] of [[320, 568], [320, 256], [640, 480], [640, 900], [
     await page.selectOption('#speed', 'step');
     await page.click('#lesson');
     await page.getByText('Good or Bad?').waitFor();
-    await page.waitForTimeout(200);
+    await still(page);
     const { clipped, scroll, ...boxes } = await page.evaluate(() => {
       const found = Object.fromEntries(['plan', 'good', 'bad', 'finish'].map(id => {
         const { left, right, top, bottom } = document.getElementById(id).getBoundingClientRect();
@@ -160,7 +157,7 @@ test('no text is smaller than 12 pixels, in a large home neither', async () => {
     await page.click('#say-it');
     await page.getByText('Good or Bad?').waitFor();
     await page.click('#good');
-    await page.waitForTimeout(300);
+    await still(page);
     const small = await page.evaluate(() => {
       const scale = element => (element.ownerSVGElement ? element.getScreenCTM().a : 1);
       const texts = [...document.querySelectorAll('body *')].filter(element => [...element.childNodes].some(node => node.nodeType === 3 && node.textContent.trim()) && element.getClientRects().length && !element.closest('script, style, .hidden'));
@@ -182,6 +179,7 @@ test('forced colours show where one is and which word was said', async () => {
   const ground = selector => page.evaluate(found => getComputedStyle(document.querySelector(found)).backgroundColor, selector);
   const silent = await ground('#good');
   await page.click('#good');
+  await page.waitForSelector('#good[aria-pressed=true]');
   assert.notEqual(await ground('#good'), silent);
   assert.notEqual(await ground('nav [data-mode=play]'), await ground('nav [data-mode=tour]'));
   await close(page);
@@ -189,8 +187,11 @@ test('forced colours show where one is and which word was said', async () => {
 
 test('what is told stays in the live region, and is told again when it is said again', async () => {
   const page = await open(browser);
+  await stopTime(page);
   await page.click('#good', { force: true });
-  await page.waitForTimeout(6000);
+  assert.ok(await page.isVisible('#toast'));
+  await pass(page, 6000);
+  assert.ok(await page.isHidden('#toast'));
   assert.match(await page.textContent('#live'), /first tell the robot/);
   await close(page);
 });

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, launch, learned, open, openIn, opened, play, reload, saved } from './browser.mjs';
+import { close, launch, learned, open, openIn, opened, pass, play, reload, saved, stopTime } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -30,7 +30,8 @@ test('the robot asks in its bubble, waits, and an answer tells it what is meant'
   assert.equal(await page.locator('#good').isVisible(), false, 'a question is answered, and no step is judged');
   const before = await belief(page);
   const { tasks } = await page.evaluate(() => JSON.parse(window.goodbot.openQuestion()));
-  await page.waitForTimeout(1500);
+  await stopTime(page);
+  await pass(page, 10000);
   assert.deepEqual(await log(page).then(lines => lines.filter(line => line.type === 'step')), [], 'it waits');
   await page.locator('#answers button').first().click();
   await page.waitForFunction(old => JSON.stringify(JSON.parse(window.goodbot.belief()).tasks.map(task => task.probability)) !== old, JSON.stringify(before));
@@ -54,9 +55,10 @@ test('by keyboard: y and n, 1 to 3, and nothing else answers', async () => {
     await page.keyboard.press(await isChoice() ? 'y' : '1');
     await page.keyboard.press('g');
     assert.equal((await answers(page)).length, count - 1, 'that is no answer to this question');
+    const question = await page.getAttribute('#answers', 'data-key');
     await page.keyboard.press(await isChoice() ? '2' : 'n');
     await page.waitForFunction(wanted => window.goodbot.log().split('"answer"').length - 1 === wanted, count);
-    await page.waitForTimeout(300);
+    await page.waitForFunction(old => document.body.dataset.phase !== 'planning' && document.getElementById('answers').dataset.key !== old, question);
   }
   await close(page);
 });

@@ -12,7 +12,7 @@ const FLAGS = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', 
 
 export async function launch() {
   assert.ok(existsSync(file), 'dist/goodbot.html is not there: cargo xtask page');
-  const executablePath = process.env.GOODBOT_CHROMIUM || ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
+  const executablePath = process.env.GOODBOT_CHROMIUM || ['/usr/bin/chromium-headless-shell', '/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
   assert.ok(executablePath, 'there is no Chromium: `cargo xtask test --only page` fetches one, or name it in GOODBOT_CHROMIUM');
   return chromium.launch({ executablePath, args: FLAGS });
 }
@@ -26,16 +26,25 @@ export async function launchFirefox(downloadsPath) {
   return firefox.launch({ channel: 'moz-firefox', executablePath: firefoxPath, downloadsPath });
 }
 
-// A page of its own, with a storage of its own. `complaints` is what went wrong in it.
+// A page of its own, with a storage of its own. `complaints` is what went wrong in it. Nothing moves in it by itself, which takes a tenth of a
+// core for each page, but where a test is about what moves.
 export async function open(browser, options = {}, hash = '') {
-  return openIn(await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, ...options }), hash);
+  return openIn(await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, reducedMotion: 'reduce', ...options }), hash);
 }
+
+// Questions come in the middle of what most tests are about: those that are about questions switch them on. The storage itself must not be
+// asked for so early: on a slow machine Chromium hands out an empty one to who asks before it knows whose page this is.
+const WITHOUT_QUESTIONS = () => {
+  const { getItem } = Storage.prototype;
+  Storage.prototype.getItem = function (key) { return getItem.call(this, key) ?? (key === 'goodbot.settings' ? '{"questions":false}' : null); };
+};
 
 // One more tab of the same browser. `prepare` runs in it before the page does.
 export async function openIn(context, hash = '', prepare = null) {
   const page = await context.newPage();
-  // Questions come in the middle of what most tests are about: those that are about questions switch them on.
-  await page.addInitScript(() => { try { if (!localStorage.getItem('goodbot.settings')) localStorage.setItem('goodbot.settings', '{"questions":false}'); } catch { /* Blocked. */ } });
+  // Several files of tests run at once, and on a slow machine the whole tour takes its time.
+  page.setDefaultTimeout(60000);
+  await page.addInitScript(WITHOUT_QUESTIONS);
   if (prepare) await page.addInitScript(prepare);
   page.complaints = [];
   page.on('console', message => { if (message.type() === 'error' || message.type() === 'warning') page.complaints.push(message.text()); });
@@ -58,12 +67,25 @@ export async function close(page) {
 
 export const model = page => page.evaluate(() => Array.from(window.goodbot.save()));
 
-// Chromium hands what a page keeps to another process, and a reload at once may come before it.
 export async function reload(page) {
-  await page.waitForTimeout(250);
   await page.reload();
   await page.waitForSelector('body.ready');
 }
+
+// Until nothing moves any more, but for what always does.
+export const still = page => page.evaluate(async () => {
+  const frame = () => new Promise(done => { requestAnimationFrame(() => setTimeout(done)); });
+  const moving = () => document.getAnimations().filter(({ effect }) => effect.target.id !== 'wait' && effect.getComputedTiming().endTime < Infinity && effect.getComputedTiming().progress !== null);
+  do await frame(); while (moving().length);
+});
+
+// From now on time stands still in the page, and goes on by `pass` alone.
+export async function stopTime(page) {
+  await page.clock.install();
+  await page.clock.pauseAt(Date.now() + 60000);
+}
+
+export const pass = (page, milliseconds) => page.clock.runFor(milliseconds);
 
 // Until the robot has learned from so many sessions.
 export const learned = (page, count) => page.waitForFunction(wanted => window.goodbot.sessions() === wanted && document.body.dataset.phase === 'none', count);

@@ -49,7 +49,7 @@ const believed = (page, command) => page.evaluate(said => {
 async function watchTour(page) {
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.getByText('The tour is over').first().waitFor();
   await opened(page, 'Settings, keeping, sharing');
 }
 

@@ -24,7 +24,7 @@ after(async () => {
 // The bytes that a button downloads. Firefox makes an empty file first, and moves what it got into its place.
 async function saved(page, button) {
   await page.click(button);
-  for (let attempt = 0; attempt < 100; attempt += 1) {
+  for (let attempt = 0; attempt < 600; attempt += 1) {
     const [name] = readdirSync(downloads).filter(each => !each.endsWith('.part'));
     const bytes = name ? readFileSync(join(downloads, name)) : '';
     if (bytes.length) return { name, bytes };

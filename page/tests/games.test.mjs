@@ -66,7 +66,7 @@ test('a secret language is passed on by a link and found out from what the robot
   // Words that the friend does not know: those of another language.
   await page.selectOption('#language', 'de');
   await page.click('#watch');
-  await page.locator('#card:visible').waitFor({ timeout: 60000 });
+  await page.locator('#card:visible').waitFor();
   await page.selectOption('#language', 'en');
   await page.click('#keep-guest');
   await page.getByText('is kept, under').first().waitFor();

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { close, launch, learned, model, open, opened, play, saved } from './browser.mjs';
+import { close, launch, learned, model, open, opened, play, reload, saved } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -18,8 +18,7 @@ test('a reload keeps the model', async () => {
   const page = await open(browser);
   await teach(page);
   const old = await model(page);
-  await page.reload();
-  await page.waitForSelector('body.ready');
+  await reload(page);
   await page.getByText('I have learned from 1 session').waitFor();
   assert.deepEqual(await model(page), old);
   await close(page);
@@ -42,8 +41,7 @@ test('undo works after a reload too, and goes back to the lesson', async () => {
   const old = await model(page);
   await teach(page);
   assert.match(await page.textContent('#tour-title'), /Lesson 2/);
-  await page.reload();
-  await page.waitForSelector('body.ready');
+  await reload(page);
   assert.notDeepEqual(await model(page), old);
   await page.click('#undo');
   await page.getByText('Undone: “go to the green room”').first().waitFor();
@@ -57,7 +55,7 @@ test('a model goes out as a file and comes back into another page', async () => 
   const page = await open(browser);
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.getByText('The tour is over').first().waitFor();
   await opened(page, 'Settings, keeping, sharing');
   const bytes = await saved(page, '#save-model');
   const log = await saved(page, '#save-log');

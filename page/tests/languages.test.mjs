@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { close, launch, learned, open, opened, play, reload } from './browser.mjs';
+import { close, launch, learned, open, opened, play, reload, still } from './browser.mjs';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 let browser;
@@ -33,7 +33,7 @@ for (const [locale, code] of [['de-AT', 'de'], ['pt-BR', 'en'], ['es', 'es'], ['
     assert.equal(await page.textContent('#lesson'), LANGUAGES[code][1]);
     await page.selectOption('#speed', 'once');
     await page.click('#watch');
-    await page.locator('#card:visible').waitFor({ timeout: 60000 });
+    await page.locator('#card:visible').waitFor();
     const right = await page.locator('#dots .test.right').count();
     assert.ok(right >= 4, right + ' of 5 tests');
     assert.ok((await page.locator('#card li').count()) >= 5);
@@ -91,7 +91,7 @@ for (const [code, width] of [['de', 360], ['es', 360], ['fr', 360], ['zh', 360],
     const page = await open(browser, { locale: code, viewport: { width, height: 800 }, bypassCSP: true });
     const check = async where => {
       await page.evaluate(() => { for (const details of document.querySelectorAll('.mind > details, .stage > details')) details.open = true; });
-      await page.waitForTimeout(300);
+      await still(page);
       const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
       assert.deepEqual(violations.flatMap(violation => violation.nodes.map(node => where + ': ' + violation.id + ' at ' + node.target)), []);
       const wide = await page.evaluate(() => document.documentElement.scrollWidth);

@@ -41,10 +41,12 @@ test('two tabs teach one robot, and it learns from both', async () => {
   await play(two, 'B');
   await begin(one, 'go to the red room');
   await teach(two, 'go to the blue room');
+  // What one tab keeps, the others see a moment later.
+  await one.waitForFunction(() => Object.entries(localStorage).some(([key, kept]) => key.startsWith('goodbot.robot.') && JSON.parse(kept).sessions === 1));
   await one.click('#finish');
   await one.waitForFunction(() => window.goodbot.sessions() === 2 && document.body.dataset.phase === 'none');
   assert.deepEqual(commands(await log(one)), ['go to the blue room', 'go to the red room']);
-  await two.waitForFunction(() => window.goodbot.sessions() === 2, null, { timeout: 5000 });
+  await two.waitForFunction(() => window.goodbot.sessions() === 2 && document.body.dataset.phase === 'none');
   assert.deepEqual(await model(two), await model(one), 'the other tab has taken it over');
   await reload(one);
   assert.equal(await sessions(one), 2);
@@ -174,7 +176,7 @@ test('watching the tour leaves one’s own robot alone, and the shown one can be
   await page.click('[data-mode=tour]');
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.getByText('The tour is over').first().waitFor();
   assert.equal(await sessions(page), 7);
   assert.match(await page.textContent('#guest'), /only shown/);
   await page.click('#end-guest');
@@ -186,7 +188,7 @@ test('watching the tour leaves one’s own robot alone, and the shown one can be
   await reload(page);
   assert.deepEqual(await model(page), own, 'what was only shown is gone after a reload, and one’s own is there');
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.getByText('The tour is over').first().waitFor();
   await page.click('#keep-guest');
   await reload(page);
   assert.equal(await sessions(page), 7);
@@ -232,7 +234,7 @@ test('after the last test and a reload there is a home to go on in', async () =>
   const page = await open(browser);
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.getByText('The tour is over').first().waitFor();
   await page.click('#keep-guest');
   await reload(page);
   assert.match(await page.textContent('#tour-title'), /The tour is over: 5 of 5/);
@@ -287,7 +289,7 @@ test('while a log is gone through, nothing else changes the robot', async () => 
   await page.waitForSelector('body[data-phase=learning]');
   await page.click('#new-robot');
   await page.click('[data-mode=build]');
-  await page.getByText('The robot has gone through the log').first().waitFor({ timeout: 60000 });
+  await page.getByText('The robot has gone through the log').first().waitFor();
   const count = await sessions(page);
   assert.ok(count > 1);
   assert.equal(commands(await log(page)).length, 121);
@@ -332,8 +334,9 @@ test('where only the log finds no room, the page says just that', async () => {
 });
 
 test('the skip link is no link to share, and an unknown setting stops nothing', async () => {
-  const context = await browser.newContext();
-  const page = await openIn(context, '#main', () => localStorage.setItem('goodbot.settings', '{"speed":"warp","rule":7,"names":false}'));
+  const page = await open(browser, {}, '#main');
+  await page.evaluate(() => localStorage.setItem('goodbot.settings', '{"speed":"warp","rule":7,"names":false}'));
+  await reload(page);
   assert.ok(await page.isHidden('#toast'));
   assert.equal(await page.inputValue('#speed'), 'normal');
   await page.click('#lesson');

@@ -1,7 +1,7 @@
 // What the page shows of the robot's thoughts.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, launch, learned, open, opened, play, saved } from './browser.mjs';
+import { close, launch, learned, open, opened, play, reload, saved } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -15,7 +15,7 @@ async function lesson(page, number) {
 async function trained(page) {
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.getByText('The tour is over').first().waitFor();
   await page.click('#keep-guest');
   await page.getByText('is kept, under').first().waitFor();
 }
@@ -60,8 +60,7 @@ test('words are shown whole, in the dictionary and in a command', async () => {
   const words = await page.locator('#heat thead th').allTextContents();
   for (const word of ['green', 'yellow', 'purple', 'chair']) assert.ok(words.includes(word), word + ' is not among ' + words);
   assert.ok(!words.some(word => word.includes('…')), 'no word is cut: ' + words);
-  await page.reload();
-  await page.waitForSelector('body.ready');
+  await reload(page);
   await opened(page, 'Its dictionary');
   assert.deepEqual(await page.locator('#heat thead th').allTextContents(), words, 'after a reload too');
   await play(page, 'Test');

@@ -7,10 +7,10 @@ before(async () => { browser = await launch(); });
 after(() => browser.close());
 
 test('the tour to its end with the auto-trainer: five of five', async () => {
-  const page = await open(browser);
+  const page = await open(browser, { reducedMotion: 'no-preference' });
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.getByText('The tour is over').first().waitFor();
   assert.match(await page.textContent('#tour-title'), /5 of 5 tests understood/);
   assert.equal(await page.evaluate(() => window.goodbot.sessions()), 7);
   await close(page);
@@ -69,6 +69,7 @@ test('a session by touch alone, on a screen 360 pixels wide', async () => {
   await page.fill('#command', 'go to the green room');
   await page.tap('#say-it');
   await page.getByText('Good or Bad?').waitFor();
+  await page.tap('#pause');
   await page.tap('#good');
   await page.getByText('You said Good').waitFor();
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);

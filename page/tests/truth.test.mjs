@@ -1,7 +1,7 @@
 // What the page says is true and plain.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, drag, launch, open, opened, play, sessions } from './browser.mjs';
+import { close, drag, launch, open, opened, pass, play, sessions, stopTime } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -18,7 +18,7 @@ async function tell(page, command) {
 async function trained(page) {
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor({ timeout: 60000 });
+  await page.getByText('The tour is over').first().waitFor();
   await page.click('#keep-guest');
   await page.getByText('is kept, under').first().waitFor();
 }
@@ -111,7 +111,8 @@ test('a test ends with a verdict that stays, and the next step beside it', async
   }
   await page.click('#lesson');
   await page.getByText('Test 2 of 5').first().waitFor();
-  await page.waitForTimeout(1500);
+  await stopTime(page);
+  await pass(page, 10000);
   assert.match(await page.textContent('#verdict'), /Test 1: (understood|a lucky guess|not understood).*sure/);
   assert.ok(await page.isVisible('#lesson'));
   await close(page);
@@ -135,10 +136,11 @@ test('a word can be taken back, by the same button or by a key', async () => {
   await play(page, 'A');
   await tell(page, 'go to the red room');
   await page.click('#pause');
+  await stopTime(page);
   await page.click('#good');
   await page.click('#good');
   assert.equal(await page.getAttribute('#good', 'aria-pressed'), 'true', 'a double tap is one word');
-  await page.waitForTimeout(700);
+  await pass(page, 700);
   await page.click('#good');
   assert.equal(await page.getAttribute('#good', 'aria-pressed'), 'false');
   await page.keyboard.press('B');

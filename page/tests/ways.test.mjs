@@ -25,7 +25,7 @@ test('the tour’s appendix: after two lessons the robot understands which room 
   const page = await open(browser);
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
-  await page.locator('#appendix:visible').waitFor({ timeout: 60000 });
+  await page.locator('#appendix:visible').waitFor();
   await page.click('#keep-guest');
   await page.getByText('is kept, under').first().waitFor();
   assert.equal(await page.locator('#dots button').count(), 12);

@@ -22,6 +22,9 @@ const CLI: &str = "GOODBOT_CLI";
 const BROWSER: &str = "GOODBOT_CHROMIUM";
 const SECOND: &str = "GOODBOT_FIREFOX";
 
+// A page waits as long as it works, for frames and for a robot that takes its time.
+const FILES_PER_CORE: usize = 2;
+
 fn in_browser(run: &mut Run) -> Result<()> {
     let exported = export(run);
     if exported.as_ref().is_err_and(|error| !error.is::<Missing>()) {
@@ -41,7 +44,7 @@ fn in_browser(run: &mut Run) -> Result<()> {
 fn export(run: &mut Run) -> Result<PathBuf> {
     page::build()?;
     let tests = npm::packages()?.join("tests");
-    let browser = CHROMIUM.path()?;
+    let browser = CHROMIUM.path().or_else(|missing| process::find_program("chromium").ok_or(missing))?;
     let folder = project::target_dir().join("page-export");
     // Nothing of an earlier run may pass for this one's.
     let _ = std::fs::remove_dir_all(&folder);
@@ -49,9 +52,9 @@ fn export(run: &mut Run) -> Result<PathBuf> {
     // As the tests have it: by itself it would be built with other features, once more.
     process::run(project::cargo().arg("test").args(WORKSPACE).args(["--no-run", "--test", "recorded", "--test", "exported_by_the_page"]))?;
     let cli = project::target_dir().join("debug").join(format!("goodbot{}", std::env::consts::EXE_SUFFIX));
-    let cores = std::thread::available_parallelism()?;
+    let files = FILES_PER_CORE * std::thread::available_parallelism()?.get();
     let mut node = NODE.command()?;
-    node.args(["--test", "--test-reporter=spec", &format!("--test-concurrency={cores}")]);
+    node.args(["--test", "--test-reporter=spec", &format!("--test-concurrency={files}")]);
     match FIREFOX.path() {
         Ok(second) => drop(node.env(SECOND, second)),
         // Its tests say that they are ignored.
