@@ -80,6 +80,9 @@
 // Most actions, doing nothing not counted.
 #define GOODBOT_MOST_ACTIONS 15
 
+// Most texts that `derived` gives for one object in one state.
+#define GOODBOT_MOST_DERIVED 8
+
 // In a table of steps: the action cannot be done there.
 #define GOODBOT_CANNOT 65535
 
@@ -380,6 +383,11 @@ typedef bool (*goodbot_holds)(void *context,
                               uint8_t proposition,
                               const uint8_t *arguments);
 
+// Gives what can be said of an object, by position, in a state beside the values of its attributes: the text with this number, counted from 0,
+// such as `leftmost`, or null where there are no more. It must always answer the same, and call nothing of goodbot. Each text must stay until
+// the function is called again.
+typedef const char *(*GoodbotDerived)(void *context, uint32_t state, uint8_t object, uint32_t number);
+
 // A robot of the caller's own.
 typedef struct goodbot_table {
   // The names of the classes.
@@ -417,7 +425,9 @@ typedef struct goodbot_table {
   goodbot_step step;
   // Which propositions hold.
   goodbot_holds holds;
-  // Handed to both functions.
+  // What can be said of objects beside their attributes; null for nothing.
+  GoodbotDerived derived;
+  // Handed to all functions.
   void *context;
 } goodbot_table;
 
@@ -889,16 +899,19 @@ enum goodbot_status goodbot_task_text(struct goodbot *robot,
                                       char *buffer,
                                       size_t bytes);
 
-// What a word of the last command is taken for if this task is meant; `position` counts from 0, and `UNKNOWN` is beyond the last word, or no
-// task. `word` is given the word, empty where there was no room for it, and `meaning` the most probable of its meanings: the role and the
-// value, such as `goal of agentInRoom: colorGreen`, or `kind of task`, `no meaning`, or `never heard`. `share` is given how much of 1 that
-// meaning has. Each text has a 0 at its end; `BUFFER` where one does not fit.
+// What a word of the last command is taken for if this task is meant; `position` counts from 0, and so does `rank`, for the most probable of
+// its meanings, the next, and so on. `UNKNOWN` is beyond the last word or the last meaning, or no task. `word` is given the word, empty where
+// there was no room for it, and `meaning` the role and the value, such as `goal of agentInRoom: colorGreen`, or `kind of task`, `no meaning`,
+// or `never heard`, which is the only meaning. `share` is given how much of 1 that meaning has: those of one word add up to 1, of one that was
+// never heard to 0. Each text has a 0 at its end; `BUFFER` where one does not fit. Each call explains the command anew, once for each rank up
+// to this one.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `word` and `meaning` are null or room for so many bytes; `share` is null or room for a number.
 enum goodbot_status goodbot_explain_word(struct goodbot *robot,
                                          uint32_t task,
                                          uint32_t position,
+                                         uint32_t rank,
                                          char *word,
                                          size_t word_bytes,
                                          char *meaning,
