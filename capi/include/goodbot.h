@@ -386,7 +386,10 @@ typedef bool (*goodbot_holds)(void *context,
 // Gives what can be said of an object, by position, in a state beside the values of its attributes: the text with this number, counted from 0,
 // such as `leftmost`, or null where there are no more. It must always answer the same, and call nothing of goodbot. Each text must stay until
 // the function is called again.
-typedef const char *(*GoodbotDerived)(void *context, uint32_t state, uint8_t object, uint32_t number);
+typedef const char *(*goodbot_derived)(void *context,
+                                       uint32_t state,
+                                       uint8_t object,
+                                       uint32_t number);
 
 // A robot of the caller's own.
 typedef struct goodbot_table {
@@ -426,7 +429,7 @@ typedef struct goodbot_table {
   // Which propositions hold.
   goodbot_holds holds;
   // What can be said of objects beside their attributes; null for nothing.
-  GoodbotDerived derived;
+  goodbot_derived derived;
   // Handed to all functions.
   void *context;
 } goodbot_table;
