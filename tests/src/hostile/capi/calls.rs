@@ -42,7 +42,7 @@ pub unsafe fn question(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
         if goodbot_question(robot, kappa, eta, u32::from(choices.byte()) * 16, &raw mut kind, &raw mut count) == GoodbotStatus::Ok {
             assert!(kind <= GOODBOT_ASK_WHICH_TASK);
         }
-        let asked = goodbot_question_text(robot, u32::from(choices.byte()) % 4, text.as_mut_ptr(), 80) == GoodbotStatus::Ok;
+        let asked = goodbot_question_text(robot, u32::from(choices.byte()) % 4, text.as_mut_ptr(), 80) != GoodbotStatus::NotAsked;
         let answer = choices.one_of(&[GOODBOT_YES, GOODBOT_NO, 1, 2, 7, 300, i32::MIN]);
         let status = goodbot_answer(robot, answer, &raw mut evidence);
         assert!(asked || status != GoodbotStatus::Ok, "what was not asked is not answered");

@@ -16,7 +16,7 @@ pub struct Description {
     table: Box<GoodbotTable>,
     _texts: Vec<Text>,
     _lists: Lists,
-    _machine: Box<Machine>,
+    machine: Box<Machine>,
     _steps: Vec<u16>,
 }
 
@@ -118,7 +118,12 @@ impl Description {
             derived: (texts.number(0, &[1]) == 1).then_some(derived as _),
             context: std::ptr::from_ref(&*machine).cast_mut().cast(),
         });
-        Self { table, _texts: texts.kept, _lists: lists, _machine: machine, _steps: steps }
+        Self { table, _texts: texts.kept, _lists: lists, machine, _steps: steps }
+    }
+
+    /// Whether its functions give the same answer each time, as they must.
+    pub fn keeps_its_word(&self) -> bool {
+        !self.machine.is_moody()
     }
 
     /// As C sees it. All of it stays as long as this description.

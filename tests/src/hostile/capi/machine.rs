@@ -38,6 +38,11 @@ impl Machine {
         Self { edges: edges.collect(), moody, asked: Cell::new(0) }
     }
 
+    /// Whether the same question is answered differently each time.
+    pub fn is_moody(&self) -> bool {
+        self.moody
+    }
+
     /// The same as a table of `states` times `actions` entries.
     pub fn table(&self, states: u32, actions: usize) -> Vec<u16> {
         (0..states as usize * actions).map(|edge| self.edge(edge).and_then(|next| u16::try_from(next).ok()).unwrap_or(u16::MAX)).collect()
