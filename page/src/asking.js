@@ -2,7 +2,7 @@
 import { parsed, world } from './core.js';
 import { render } from './render.js';
 import { listed, t } from './language.js';
-import { keepSession, pause, wake } from './session.js';
+import { keepSession, noteAnswer, pause, wake } from './session.js';
 import { speak } from './speech.js';
 import { $, announce, attempt, inParts, make, state } from './state.js';
 import { beliefNow, objectWords } from './words.js';
@@ -46,6 +46,7 @@ export function answer(given) {
   if (Number(given) > choicesOf(session.question).length) return;
   if (attempt(() => world.answer(given)) === undefined) return;
   session.answers += 1;
+  noteAnswer(session);
   session.question = null;
   state.belief = beliefNow();
   keepSession(session);

@@ -6,7 +6,7 @@ import { RULES, SPEEDS } from './session.js';
 import { state, tell } from './state.js';
 
 // The settings that a link carries; the look and the keys are everybody's own.
-const SHARED = ['speed', 'rule', 'questions', 'style', 'pull', 'ghost', 'names'];
+const SHARED = ['speed', 'rule', 'questions', 'style', 'pull', 'ghost', 'names', 'seed'];
 
 /** The address of this page with the home and the settings. */
 export function homeLink() {
@@ -81,6 +81,7 @@ export function isSetting(name, value) {
   if (name === 'rule') return Object.hasOwn(RULES, value);
   if (name === 'theme') return ['auto', 'light', 'dark'].includes(value);
   if (name === 'language') return names().some(([code]) => code === value);
+  if (name === 'seed') return Number.isInteger(value) && value >= 0 && value < 2 ** 32;
   return typeof value === 'boolean';
 }
 

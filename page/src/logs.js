@@ -11,8 +11,8 @@ import { ACTIONS, sessionsWord } from './words.js';
 
 const LOG_FIELDS = {
   session: ['type', 'version', 'id', 'kind', 'environment', 'command', 'intended', 'before', 'through', 'avoiding', 'actions', 'prior', 'strategies', 'continues'],
-  step: ['type', 'action', 'feedback'],
-  answer: ['type', 'tasks', 'yes', 'eta', 'others'],
+  step: ['type', 'action', 'feedback', 'at_ms', 'said_ms'],
+  answer: ['type', 'tasks', 'yes', 'eta', 'others', 'said_ms'],
   end: ['type', 'learn'],
 };
 

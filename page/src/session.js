@@ -80,7 +80,7 @@ function newSession(command, { intended = null, looking = false }) {
   const task = state.belief.tasks.findIndex(task => task.name === intended);
   return {
     command, intended: task < 0 ? null : task, looking, heard: [], decided: null, feedback: null, given: false, rests: 0, steps: 0, delay: 0, since: 0,
-    paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, picked: '', over: false, onEnd: null, onLearn: null,
+    began: performance.now(), times: [], paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, picked: '', over: false, onEnd: null, onLearn: null,
   };
 }
 
@@ -119,11 +119,29 @@ export async function leaveSession() {
   return answer !== 'stay';
 }
 
+// Milliseconds since the session began.
+const sinceBeginning = (session, moment) => Math.round(moment - session.began);
+
+/** Writes down when an answer was given. */
+export const noteAnswer = session => session.times.push({ said_ms: sinceBeginning(session, performance.now()) });
+
+// When the last action was done, and the word on it said.
+const timeOfStep = session => ({ at_ms: sinceBeginning(session, session.since), said_ms: session.given ? sinceBeginning(session, session.said) : undefined });
+
+// The session as a log has it, with the times of its steps and answers.
+function logNow({ times }) {
+  let at = 0;
+  return world.log().replace(/^{"type":"(?:step|answer)".*/gm, line => {
+    at += 1;
+    return JSON.stringify({ ...JSON.parse(line), ...times[at - 1] });
+  });
+}
+
 // Writes the session down after each step, for a reload of this tab.
 export function keepSession(session) {
   if (session.looking || session.intended !== null || state.robot.log !== undefined) return;
-  const steps = attempt(() => world.log().trimEnd().split('\n').slice(0, -1)) || [];
-  if (session.given && session.decided) steps.push(JSON.stringify({ type: 'step', action: session.decided.action, feedback: session.feedback }));
+  const steps = attempt(() => logNow(session).trimEnd().split('\n').slice(0, -1)) || [];
+  if (session.given && session.decided) steps.push(JSON.stringify({ type: 'step', action: session.decided.action, feedback: session.feedback, ...timeOfStep(session) }));
   ofTab.put('session', JSON.stringify({ robot: state.robot.id, mode: state.mode, at: state.mode === 'tour' ? state.tour.at : null, home: world.environment(), steps }));
 }
 
@@ -143,6 +161,9 @@ export async function takeUpSession() {
     session.heard = ranked();
     state.support = parsed(world.support());
     for (const step of steps) {
+      const { at_ms, said_ms } = step;
+      session.times.push({ at_ms, said_ms });
+      session.began = performance.now() - (said_ms ?? at_ms ?? 0);
       if (step.type === 'answer') {
         answerRecorded(step);
         session.answers += 1;
@@ -207,6 +228,7 @@ async function go(session) {
     const answered = await askTrainer(session);
     if (session.over) return undefined;
     if (answered) continue;
+    world.drawFrom(state.settings.seed, session.steps);
     const decided = attempt(() => parsed(world.act()));
     if (!decided) return stopSession(), render();
     session.decided = decided;
@@ -256,6 +278,7 @@ function takePick(session) {
   const others = Math.max(1, Math.min(state.belief.tasks.length - 1, 255));
   if (!picked || attempt(() => (world.answerAs(picked, true, PICKED_WRONG, others), true)) !== true) return;
   session.answers += 1;
+  noteAnswer(session);
   state.belief = beliefNow();
   keepSession(session);
 }
@@ -291,6 +314,7 @@ function commit(session) {
   const evidence = attempt(() => parsed(world.judge(session.feedback || 'neutral')));
   if (!evidence) return;
   state.evidence.push(evidence);
+  session.times.push(timeOfStep(session));
   session.steps += 1;
   session.rests = session.decided.action === 'noop' ? session.rests + 1 : 0;
   session.given = false;
@@ -351,8 +375,7 @@ export function takeBack() {
 export async function thatWasIt() {
   const session = state.session;
   if (!session || !session.decided || session.looking || session.question) return;
-  session.feedback = 'reward';
-  session.given = true;
+  Object.assign(session, { feedback: 'reward', given: true, said: performance.now() });
   await finishSession();
 }
 
@@ -388,7 +411,7 @@ export async function finishSession() {
   const heat = heatNow();
   // How sure it was, when it heard the command, of what it takes it for in the end.
   const sure = session.heard.find(task => task.index === ranked()[0]?.index)?.probability ?? null;
-  const own = attempt(() => world.log().replace('"learn":false', '"learn":true'));
+  const own = attempt(() => logNow(session).replace('"learn":false', '"learn":true'));
   if (own === undefined) {
     stopSession();
     render();

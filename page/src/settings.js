@@ -28,6 +28,7 @@ export function renderSettings() {
   for (const name of SWITCHES) $('set-' + name).checked = settings[name];
   if (state.phase !== 'learning') $('set-ways').checked = world.ways();
   $('theme').value = settings.theme;
+  if (document.activeElement !== $('seed')) $('seed').value = settings.seed;
   $('language').value = document.documentElement.lang;
   document.documentElement.dataset.theme = settings.theme;
   document.body.classList.toggle('no-shortcuts', !settings.shortcuts);
@@ -81,6 +82,13 @@ export function setUpSettings() {
     state.settings.theme = $('theme').value;
     keepSetting('theme');
     render();
+  });
+  $('seed').addEventListener('change', () => {
+    if (isSetting('seed', $('seed').valueAsNumber)) {
+      state.settings.seed = $('seed').valueAsNumber;
+      keepSetting('seed');
+    }
+    $('seed').value = state.settings.seed;
   });
   $('end-presenter').addEventListener('click', () => {
     state.settings.presenter = false;

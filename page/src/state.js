@@ -26,6 +26,8 @@
  * @property {number} steps
  * @property {number} delay
  * @property {number} since
+ * @property {number} began
+ * @property {{ at_ms?: number, said_ms?: number }[]} times of its steps and answers, in milliseconds since it began
  * @property {boolean} paused
  * @property {boolean} stepping
  * @property {(() => void) | null} wake
@@ -72,7 +74,7 @@ export const state = {
   sessions: 0,
   tour: { at: 0, done: /** @type {string[]} */ ([]), watching: false },
   settings: /** @type {Record<string, any>} */ ({
-    speed: 'normal', rule: 'linear', style: true, questions: true, voice: false, presenter: false, shortcuts: true, ghost: true, names: true, theme: 'auto', language: 'auto', pull: false,
+    speed: 'normal', rule: 'linear', style: true, questions: true, voice: false, presenter: false, shortcuts: true, ghost: true, names: true, theme: 'auto', language: 'auto', pull: false, seed: 2014,
   }),
 };
 

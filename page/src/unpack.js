@@ -8,25 +8,28 @@ export function unpack(packed, size) {
   const [literals, slots, special, align] = [half(0x300 << 2), half(4 << 6), half(128), half(16)];
   const lengths = () => ({ choice: half(2), low: half(8), mid: half(8), high: half(256) });
   const [matchLength, repLength] = [lengths(), lengths()];
-  let [at, range, code] = [5, 2 ** 32 - 1, 0];
-  for (let byte = 1; byte < 5; byte += 1) code = (code << 8 | packed[byte]) >>> 0;
+  // In an array of whole numbers: a variable of that size would be made anew each time.
+  const [RANGE, CODE] = [0, 1];
+  const coder = Uint32Array.of(2 ** 32 - 1, 0);
+  let at = 5;
+  for (let byte = 1; byte < 5; byte += 1) coder[CODE] = coder[CODE] << 8 | packed[byte];
 
   const normalise = () => {
-    if (range < 2 ** 24) {
-      range = (range << 8) >>> 0;
-      code = (code << 8 | packed[at]) >>> 0;
+    if (coder[RANGE] < 2 ** 24) {
+      coder[RANGE] <<= 8;
+      coder[CODE] = coder[CODE] << 8 | packed[at];
       at += 1;
     }
   };
   const bit = (odds, index) => {
-    const bound = (range >>> 11) * odds[index];
-    const one = code >= bound;
+    const bound = (coder[RANGE] >>> 11) * odds[index];
+    const one = coder[CODE] >= bound;
     if (one) {
-      range -= bound;
-      code -= bound;
+      coder[RANGE] -= bound;
+      coder[CODE] -= bound;
       odds[index] -= odds[index] >> 5;
     } else {
-      range = bound;
+      coder[RANGE] = bound;
       odds[index] += (2048 - odds[index]) >> 5;
     }
     normalise();
@@ -49,9 +52,9 @@ export function unpack(packed, size) {
   const direct = bits => {
     let value = 0;
     for (let i = 0; i < bits; i += 1) {
-      range >>>= 1;
-      const one = code >= range;
-      if (one) code -= range;
+      coder[RANGE] >>>= 1;
+      const one = coder[CODE] >= coder[RANGE];
+      if (one) coder[CODE] -= coder[RANGE];
       value = value << 1 | Number(one);
       normalise();
     }

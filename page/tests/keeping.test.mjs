@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { close, launch, learned, model, open, opened, play, reload, saved } from './browser.mjs';
+import { close, launch, learned, model, open, opened, pass, play, reload, saved, stopTime } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -102,6 +102,48 @@ test('a session log teaches another page the same', async () => {
   assert.deepEqual(await model(other), learned);
   await close(page);
   await close(other);
+});
+
+test('the log says when each step was done and each word was said, also after a reload, and the times teach nothing', async () => {
+  const page = await open(browser);
+  await play(page, 'D');
+  await page.selectOption('#speed', 'step');
+  await stopTime(page);
+  await page.fill('#command', 'take the blue chair to the yellow room');
+  await page.click('#say-it');
+  await page.getByText('Good or Bad?').waitFor();
+  await pass(page, 800);
+  await page.click('#bad');
+  await pass(page, 500);
+  await page.waitForFunction(() => document.querySelectorAll('#steps tr').length === 1);
+  await pass(page, 250);
+  await page.click('#next');
+  await page.waitForFunction(() => document.querySelectorAll('#steps tr').length === 2);
+  await reload(page);
+  await page.clock.resume();
+  await page.getByText('Your session goes on').first().waitFor();
+  await page.click('#good');
+  await page.click('#finish');
+  await learned(page, 1);
+  await opened(page, 'Settings, keeping, sharing');
+  const log = (await saved(page, '#save-log')).toString();
+  const [first, second, third] = log.trim().split('\n').map(line => JSON.parse(line)).filter(line => line.type === 'step').map(line => [line.feedback, line.at_ms, line.said_ms]);
+  assert.deepEqual(first, ['punish', 0, 800]);
+  assert.deepEqual(second, ['neutral', 1250, undefined]);
+  assert.equal(third[0], 'reward');
+  assert.ok(third[1] >= 1250 && third[2] >= third[1], third.join());
+  const other = await open(browser);
+  await opened(other, 'Settings, keeping, sharing');
+  await other.setInputFiles('#load-log', { name: 'sessions.jsonl', mimeType: 'application/jsonl', buffer: Buffer.from(log) });
+  await learned(other, 1);
+  assert.deepEqual(await model(other), await model(page));
+  assert.equal((await saved(other, '#save-log')).toString(), log);
+  const timeless = await open(browser);
+  await opened(timeless, 'Settings, keeping, sharing');
+  await timeless.setInputFiles('#load-log', { name: 'sessions.jsonl', mimeType: 'application/jsonl', buffer: Buffer.from(log.replace(/,"(at|said)_ms":\d+/g, '')) });
+  await learned(timeless, 1);
+  assert.deepEqual(await model(timeless), await model(page));
+  for (const each of [page, other, timeless]) await close(each);
 });
 
 test('a damaged model file is refused, and the old model stays', async () => {

@@ -1,9 +1,7 @@
 import assert from 'node:assert/strict';
-import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { close, launch, learned, open, opened, play, reload, still } from './browser.mjs';
+import { close, launch, learned, open, opened, play, reload } from './browser.mjs';
 
-const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
@@ -85,43 +83,6 @@ test('in Chinese, no English is left anywhere', async () => {
   await look('a new robot');
   await close(page);
 });
-
-for (const [code, width] of [['de', 360], ['es', 360], ['fr', 360], ['zh', 360], ['de', 1280], ['fr', 1280]]) {
-  test('axe finds nothing to object to in ' + code + ', ' + width + ' pixels wide', async () => {
-    const page = await open(browser, { locale: code, viewport: { width, height: 800 }, bypassCSP: true });
-    const check = async where => {
-      await page.evaluate(() => { for (const details of document.querySelectorAll('.mind > details, .stage > details')) details.open = true; });
-      await still(page);
-      const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
-      assert.deepEqual(violations.flatMap(violation => violation.nodes.map(node => where + ': ' + violation.id + ' at ' + node.target)), []);
-      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-      assert.ok(wide <= width, where + ': the page is ' + wide + ' pixels wide');
-      const cut = await page.evaluate(() => [...document.querySelectorAll('button, #say, #to')].filter(element => element.offsetParent && !element.closest('#ideas') && element.scrollWidth > element.clientWidth + 1).map(element => element.textContent));
-      assert.deepEqual(cut, [], where + ': cut off');
-    };
-    await page.addScriptTag({ path: axe });
-    await check('tour');
-    await page.selectOption('#speed', 'step');
-    await page.click('#lesson');
-    await page.waitForFunction(() => document.body.dataset.phase === 'waiting');
-    await check('lesson');
-    await page.click('#good');
-    await page.click('#finish');
-    await learned(page, 1);
-    await page.click('[data-mode=play]');
-    await page.locator('#next-lesson:visible').waitFor();
-    await check('next lesson');
-    await page.click('#teach-next');
-    await page.waitForFunction(() => document.body.dataset.phase === 'waiting');
-    await page.check('#set-presenter');
-    await check('class view');
-    await page.click('#end-presenter');
-    await page.click('#drop');
-    await page.click('[data-mode=build]');
-    await check('build');
-    await close(page);
-  });
-}
 
 test('a command may be in any language, whatever the page speaks', async () => {
   const page = await open(browser, { locale: 'de' });

@@ -48,6 +48,45 @@ test('a session by keyboard alone teaches the robot', async () => {
   await close(page);
 });
 
+test('with the same seed, home and words a new robot takes the same steps, also from a link', async () => {
+  const page = await open(browser);
+  const steps = async page => {
+    await play(page, 'Test');
+    await page.selectOption('#speed', 'step');
+    await page.fill('#command', 'abrakadabra');
+    await page.click('#say-it');
+    for (let count = 1; count <= 12; count += 1) {
+      await page.getByText('Good or Bad?').waitFor();
+      await page.click('#next');
+      await page.waitForFunction(wanted => document.querySelectorAll('#steps tr').length === wanted, count);
+    }
+    const log = await page.evaluate(() => window.goodbot.log());
+    await page.click('#drop');
+    return log.match(/"action":"\w+"/g).join(' ');
+  };
+  const seed = async value => {
+    await opened(page, 'Settings, keeping, sharing');
+    await page.fill('#seed', value);
+    await page.keyboard.press('Tab');
+  };
+  await seed('7');
+  const seven = await steps(page);
+  await seed('8');
+  assert.notEqual(await steps(page), seven);
+  await seed('-1');
+  assert.equal(await page.inputValue('#seed'), '8', 'what is no seed is not taken');
+  await seed('7');
+  await page.click('#share');
+  const { hash } = new URL(await page.inputValue('#link'));
+  await page.click('#close-link');
+  assert.equal(await steps(page), seven);
+  const other = await open(browser, {}, hash);
+  assert.equal(await other.inputValue('#seed'), '7');
+  assert.equal(await steps(other), seven);
+  await close(page);
+  await close(other);
+});
+
 test('shortcuts that are switched off do nothing', async () => {
   const page = await open(browser);
   await opened(page, 'Settings, keeping, sharing');

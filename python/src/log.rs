@@ -53,7 +53,7 @@ fn step_of(action: String, feedback: Option<&str>) -> PyResult<(usize, StepRecor
         Some("neutral") => Some(FeedbackWord::Neutral),
         Some(other) => return Err(value(format!("{other:?} is no feedback; say reward, punish or neutral"))),
     };
-    Ok((0, StepRecord { action, feedback }))
+    Ok((0, StepRecord::new(action, feedback)))
 }
 
 /// The header of a session of feedback that begins in this state of a home.

@@ -113,7 +113,7 @@ fn recorded(place: &Place, step: &Step) -> (usize, StepRecord) {
         goodbot::feedback::Feedback::Punish => FeedbackWord::Punish,
         goodbot::feedback::Feedback::Neutral => FeedbackWord::Neutral,
     };
-    (0, StepRecord { action: place.action_text(step.decision.action), feedback: Some(feedback) })
+    (0, StepRecord::new(place.action_text(step.decision.action), Some(feedback)))
 }
 
 impl Trainer {

@@ -84,6 +84,12 @@ impl Goodbot {
         self.0.ways()
     }
 
+    /// Begins the random draws anew: those of this step of the next session, with this seed.
+    #[wasm_bindgen(js_name = drawFrom)]
+    pub fn draw_from(&mut self, seed: u32, step: u32) {
+        self.0.draw_from(seed, step);
+    }
+
     /// Whether the robot expects what real people do, and learns how its trainer uses reward and punishment.
     #[wasm_bindgen(js_name = setLearnsStyle)]
     pub fn set_learns_style(&mut self, learns: bool) -> Thrown<()> {

@@ -12,6 +12,7 @@ use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::random::unit;
 use goodbot::session;
 use goodbot::task::{GroundedTask, LiftedTask, Piece, Wording};
+use rand_pcg::Pcg32;
 
 use crate::log::{Line, PULLING, Recording, Step, strategies};
 use crate::route::Lookahead;
@@ -200,6 +201,13 @@ impl World {
         let acted = self.acted.as_ref().ok_or_else(|| Refusal("no action waits for feedback".to_owned()))?;
         let right = acted.judgements.get(intended) == Some(&Judgement::Correct);
         Ok(SimulatedTrainer { strategy: Strategy::BALANCED }.feedback(right, &mut self.random).name())
+    }
+
+    /// Begins the random draws anew: those of this step of the robot's next session, with this seed. The same words at the same steps then give
+    /// the same steps, whatever was drawn before.
+    pub fn draw_from(&mut self, seed: u32, step: u32) {
+        let session = u64::try_from(self.sessions()).unwrap_or(u64::MAX);
+        self.random = Pcg32::new(u64::from(seed) << 32 | u64::from(step), session);
     }
 
     /// A number from 0 to 1 of the world's own random draws.

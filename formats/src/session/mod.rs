@@ -26,6 +26,9 @@
 //! answer is about), `yes` (whether what is meant is among them), `eta` (the probability that an answer is wrong, less than 0.5), and
 //! `others` (how many other answers there were; 1, as for yes and no, where it is absent).
 //!
+//! When things were done, in milliseconds since the session began, a step may say by `at_ms` (the robot acted) and `said_ms` (the trainer said the
+//! word), and an answer by `said_ms`. Nothing is learned from these.
+//!
 //! A session that `continues` has neither `prior` nor `strategies`.
 //!
 //! ```

@@ -39,6 +39,12 @@ pub struct StepRecord {
     /// What the trainer said to it; absent in a demonstration.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub feedback: Option<FeedbackWord>,
+    /// When the robot acted, in milliseconds since the session began. Nothing is learned from it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at_ms: Option<u64>,
+    /// When the trainer said it, in milliseconds since the session began. Nothing is learned from it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub said_ms: Option<u64>,
 }
 
 /// A line of type `answer`: what the trainer answered to a question of the robot's, before the step that follows it.
@@ -53,6 +59,13 @@ pub struct AnswerRecord {
     /// How many other answers there were, each as probable where the answer is wrong: 1 for yes and no.
     #[serde(skip_serializing_if = "is_one")]
     pub others: u8,
+    /// When the trainer gave it, in milliseconds since the session began. Nothing is learned from it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub said_ms: Option<u64>,
+}
+
+fn milliseconds(fields: &Object<'_>, name: &'static str) -> Result<Option<u64>, FormatError> {
+    fields.optional(name).map(|node| node.count()).transpose()
 }
 
 fn is_one(others: &u8) -> bool {
@@ -113,6 +126,11 @@ impl FeedbackWord {
 }
 
 impl StepRecord {
+    /// An action and what was said to it, without times.
+    pub fn new(action: String, feedback: Option<FeedbackWord>) -> Self {
+        Self { action, feedback, at_ms: None, said_ms: None }
+    }
+
     /// The step on one line, without a line end; an error if it could not be read again.
     pub fn to_json_line(&self) -> Result<String, FormatError> {
         write("step", None, self)
@@ -126,7 +144,7 @@ impl AnswerRecord {
     }
 
     fn read(fields: &Object<'_>) -> Result<Self, FormatError> {
-        fields.only(&["type", "tasks", "yes", "eta", "others"])?;
+        fields.only(&["type", "tasks", "yes", "eta", "others", "said_ms"])?;
         let mut tasks = Vec::new();
         for item in fields.required("tasks")?.filled_list()? {
             let task: GroundTaskText = item.text()?.parse().map_err(|error| item.error(Problem::Task(error)))?;
@@ -147,7 +165,7 @@ impl AnswerRecord {
         if probability >= 0.5 {
             return Err(eta.error(Problem::AnswersMostlyWrong));
         }
-        Ok(Self { tasks, yes: fields.required("yes")?.truth()?, eta: probability, others })
+        Ok(Self { tasks, yes: fields.required("yes")?.truth()?, eta: probability, others, said_ms: milliseconds(fields, "said_ms")? })
     }
 }
 
@@ -179,7 +197,7 @@ impl Record {
         match fields.required("type")?.word(TYPES)? {
             0 => Ok(Record::Session(Box::new(SessionHeader::read(&fields)?))),
             1 => {
-                fields.only(&["type", "action", "feedback"])?;
+                fields.only(&["type", "action", "feedback", "at_ms", "said_ms"])?;
                 let feedback = match fields.optional("feedback") {
                     None => None,
                     Some(word) => Some(match word.word(FEEDBACK_WORDS)? {
@@ -189,7 +207,8 @@ impl Record {
                     }),
                 };
                 let action = fields.required("action")?.filled_text()?;
-                Ok(Record::Step(StepRecord { action, feedback }))
+                let [at_ms, said_ms] = [milliseconds(&fields, "at_ms")?, milliseconds(&fields, "said_ms")?];
+                Ok(Record::Step(StepRecord { action, feedback, at_ms, said_ms }))
             }
             2 => Ok(Record::Answer(AnswerRecord::read(&fields)?)),
             _ => {

@@ -47,11 +47,21 @@ fn steps_and_ends_are_written_as_they_were_read() {
     for text in [
         r#"{"type":"step","action":"north","feedback":"reward"}"#,
         r#"{"type":"step","action":"say \"é\""}"#,
+        r#"{"type":"step","action":"north","feedback":"punish","at_ms":1204,"said_ms":1890}"#,
+        r#"{"type":"answer","tasks":["agentInRoom(agent0,room0)"],"yes":true,"eta":0.05,"said_ms":900}"#,
         r#"{"type":"end","learn":false}"#,
     ] {
         assert_eq!(Record::parse(text, 1).unwrap().to_json_line().unwrap(), text);
     }
     assert_eq!(FeedbackWord::Punish.as_str(), "punish");
+}
+
+#[test]
+fn a_time_is_a_whole_number_of_milliseconds() {
+    for time in ["-1", "0.5", "\"soon\""] {
+        let line = format!(r#"{{"type":"step","action":"north","feedback":"reward","at_ms":{time}}}"#);
+        assert_eq!(Record::parse(&line, 1).unwrap_err().field.as_deref(), Some("at_ms"), "{time}");
+    }
 }
 
 #[test]
@@ -135,7 +145,7 @@ fn what_could_not_be_read_again_is_not_written() {
     let mut version = header();
     version.environment.version = 7;
     assert!(version.to_json_line().is_err());
-    let step = StepRecord { action: String::new(), feedback: None };
+    let step = StepRecord::new(String::new(), None);
     assert_eq!(step.to_json_line().unwrap_err().problem, Problem::Empty);
 }
 

@@ -129,7 +129,7 @@ impl Session {
     ) -> RecordedSession {
         let answer = |given: &Answered| {
             let tasks = given.tasks.iter().filter_map(&name).collect();
-            let answer = AnswerRecord { tasks, yes: given.yes, eta: given.eta.into(), others: given.others };
+            let answer = AnswerRecord { tasks, yes: given.yes, eta: given.eta.into(), others: given.others, said_ms: None };
             RecordedAnswer { line: 1, after: given.after, answer }
         };
         let strategy = |(number, (strategy, prior)): (usize, &(Strategy, f32))| StrategyRecord {
@@ -145,7 +145,7 @@ impl Session {
             [(only, _)] => *only == Strategy::BALANCED,
             _ => false,
         };
-        let step = |step: &Step| StepRecord { action: step.action.clone(), feedback: Some(word(step.feedback)) };
+        let step = |step: &Step| StepRecord::new(step.action.clone(), Some(word(step.feedback)));
         let mut header = SessionHeader {
             id: self.id.clone(),
             kind: Kind::Feedback,

@@ -69,7 +69,7 @@ fn escaped(script: &str) -> String {
 
 /// An LZMA stream as `page/src/unpack.js` reads it.
 pub fn packed(bytes: &[u8]) -> Result<Vec<u8>> {
-    let options = LzmaOptions { lc: 2, lp: 0, pb: 0, nice_len: 273, ..LzmaOptions::with_preset(9) };
+    let options = LzmaOptions { lc: 2, lp: 0, pb: 0, nice_len: 128, ..LzmaOptions::with_preset(9) };
     let mut writer = LzmaWriter::new_no_header(Vec::new(), &options, false)?;
     writer.write_all(bytes)?;
     Ok(writer.finish()?)
