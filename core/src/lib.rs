@@ -15,7 +15,7 @@
 //! builder.door("door0", Area::new(2, 4, 2, 4))?;
 //! builder.agent("agent0", Cell::new(4, 2))?;
 //! let (home, mut state) = builder.build(Moves::Push)?;
-//! let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks()?, Options::PAPER)?;
+//! let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
 //!
 //! agent.hear(&home, &state, "go to the green room")?;
 //! for _ in 0..6 {

@@ -137,7 +137,8 @@ pub trait Domain {
     /// Returns whether the proposition holds in the state.
     fn holds(&self, proposition: &GroundProposition, state: &Self::State) -> bool;
 
-    /// A bound: every number that [`number`](Self::number) returns is below it. [`u64::MAX`] where no bound is known.
+    /// A bound: every number that [`number`](Self::number) returns is below it. [`u64::MAX`] where no bound is known. No plan leads through a
+    /// state beyond it, without a word: `oomdp::check` finds such a state, and [`Agent::plan`](crate::Agent::plan) refuses to plan for one.
     fn state_count(&self) -> u64;
 
     /// Returns the number of a state. Different states have different numbers. Exact plans need memory for every number below

@@ -5,24 +5,20 @@
 //! - `objects`: the objects of one environment;
 //! - `domain`: the [`Domain`] trait, the seam where a robot brings its own states and actions;
 //! - `push_grid`: the optional [`PushGrid`] trait, for robots that move pieces on a floor of cells;
-//! - `check`: whether a domain is what the trait asks for;
+//! - `soundness`: whether a domain is what the trait asks for;
 //! - `search_kind`: which search plans for a domain;
 //! - `vocabulary`: the digest that tells vocabularies apart;
 //! - `divider`: exact division through a reciprocal.
 
-pub(crate) mod check;
 pub(crate) mod divider;
 pub(crate) mod domain;
 pub(crate) mod objects;
 pub(crate) mod push_grid;
 pub(crate) mod schema;
 pub(crate) mod search_kind;
+pub(crate) mod soundness;
 pub(crate) mod vocabulary;
 
-pub use check::DomainFlaw;
-pub(crate) use check::check_actions;
-#[cfg(feature = "alloc")]
-pub use check::{Checked, check};
 pub use divider::Divider;
 pub use domain::{Action, ActionKind, ActionSet, Domain, MOST_COST, World, action_name, action_named, apply};
 pub(crate) use domain::{cost, digest, own_actions};
@@ -30,3 +26,7 @@ pub use objects::{Object, ObjectCount, ObjectError, ObjectId, ObjectSet, ObjectT
 pub use push_grid::{CellId, Floor, FloorCell, Piece, PushGrid};
 pub use schema::{Attribute, Carrier, Class, ClassId, GroundProposition, Proposition, PropositionId, Schema};
 pub use search_kind::{BitRows, OneByOne, SearchKind};
+pub use soundness::DomainFlaw;
+pub(crate) use soundness::check_actions;
+#[cfg(feature = "alloc")]
+pub use soundness::{Checked, check};

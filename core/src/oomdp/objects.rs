@@ -147,7 +147,8 @@ impl<'t> ObjectSet<'t> {
         Objects { memory: ObjectTablesRef { objects, name_bytes, name_ends }, count: self.count }
     }
 
-    /// Adds an object with the given attribute values; `""` stands for no value.
+    /// Adds an object with its values of the schema's attributes, in their order: `&["", "school"]` where its class does not carry the first
+    /// one. `""` stands for no value, and what is not given is none.
     ///
     /// # Errors
     /// [`ObjectError`]; the set is then unchanged but for names it may have interned.

@@ -349,12 +349,15 @@ impl<M: AgentMemory> Agent<M> {
     /// Plans for `state`, with at most about `budget` expansions of the search. Call until done; a different state begins anew.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`], or [`AgentError::OtherDomain`] where the session was begun in another domain.
+    /// [`AgentError::NoSession`], [`AgentError::OtherDomain`] where the session was begun in another domain, or [`AgentError::StateNumber`].
     #[inline(never)]
     pub fn plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, budget: u32) -> Result<Progress, AgentError> {
         self.check_session(domain)?;
         let number = domain.number(state);
         if self.planned != Some(number) {
+            if number >= domain.state_count() {
+                return Err(AgentError::StateNumber);
+            }
             self.begin_plan(domain, state, number);
         }
         let AgentTables { session, workspace, .. } = self.memory.lend();

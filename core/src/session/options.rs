@@ -48,8 +48,8 @@ impl Options {
         telling: false,
     };
 
-    /// The paper's, with the language model that understands people best, [`Settings::DEFAULT`], fewer of its many small weights, and actions
-    /// that tell more.
+    /// What to take where nothing is to be compared with the paper: its options, with the language model that understands people best,
+    /// [`Settings::DEFAULT`], fewer of its many small weights, and actions that tell more.
     pub const DEFAULT: Self = Self { language: Settings::DEFAULT, least_weight: 1e-3, telling: true, ..Self::PAPER };
 
     /// The paper's, with Model 2 for short commands in few words: [`Settings::SMOOTHED`].

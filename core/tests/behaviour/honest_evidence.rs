@@ -300,6 +300,8 @@ fn a_state_whose_number_is_not_below_the_count_is_refused() {
     let mut agent = Agent::new(&mut memory.agent, &[LiftedTask::single(PropositionId(0), &RING).unwrap()], Options::PAPER).unwrap();
     assert_eq!(agent.hear(&ring, &40, "go"), Err(AgentError::StateNumber));
     assert_eq!(agent.hear(&ring, &39, "go"), Ok(()));
+    assert_eq!(agent.plan(&ring, &40, 50), Err(AgentError::StateNumber));
+    assert_eq!(agent.plan_fully(&ring, &39), Ok(()));
 }
 
 #[test]

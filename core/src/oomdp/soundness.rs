@@ -104,14 +104,21 @@ impl fmt::Display for DomainFlaw {
             }
             Self::ObjectClass { object } => write!(f, "object {} is of a class that the schema does not have", object.0),
             Self::Value { object, attribute } => {
-                write!(f, "object {} has a value of attribute {attribute}, which its class does not carry; add a carrier", object.0)
+                write!(
+                    f,
+                    "object {} has a value of attribute {attribute}, which its class does not carry; values stand in the order of the attributes, \"\" for none, or add a carrier",
+                    object.0
+                )
             }
             Self::Number { number, count } => {
-                write!(f, "a state has the number {number}, and state_count is {count}; it must be more than every number")
+                write!(
+                    f,
+                    "a state has the number {number}, and state_count is {count}; it must be more than every number, and no step may lead to what is no state"
+                )
             }
             Self::Numbered { number } => write!(
                 f,
-                "numbered({number}) is another state than the one with that number; give every state a number of its own, and undo it"
+                "numbered({number}) is another state than the one with that number; give every state a number of its own that numbered turns back, and let no step lead to what is no state"
             ),
             Self::Step { number, action } => {
                 write!(f, "step leads from state {number} by action {} now to one state and now to another", action.0)
@@ -146,7 +153,8 @@ pub struct Checked {
 
 /// Tries whether a domain is what [`Domain`] asks for: its description, and what its functions say in every state that the actions lead to
 /// from `start`, or in the first `most` of them. Nothing else finds these mistakes before the robot does something strange, so call it in
-/// a test of your robot's.
+/// a test of your robot's. It cannot see what only you know to be impossible, such as two trams at one stop: compare
+/// [`Checked::states`] with the number of states that you expect.
 ///
 /// ```
 /// use goodbot::{HeapMemory, home::{Area, Cell, HomeBuilder, Moves}, oomdp::check};
