@@ -21,7 +21,7 @@ use crate::planning::{Judgement, OptimalSet, Plan, PlanTables, Planner, Progress
 use crate::probability::{Scaled, total};
 use crate::random::below;
 use crate::symbols::Symbol;
-use crate::task::{GroundedTask, LiftedTask, TaskSet};
+use crate::task::{GroundedTask, LiftedTask, TaskSet, TaskText};
 use core::fmt;
 use heapless::Vec;
 use rand_core::Rng;
@@ -277,6 +277,27 @@ impl<M: AgentMemory> Agent<M> {
     /// The tasks of this session.
     pub fn tasks(&self) -> &[GroundedTask] {
         self.memory.read().session.tasks.get(..self.task_count).unwrap_or(&[])
+    }
+
+    /// A task of this session in words, for people and files: `blockInRoom(block0,room1)`. `None` where there is no such task.
+    ///
+    /// ```
+    /// use goodbot::{Agent, HeapMemory, Options, home::{self, Area, Cell, HomeBuilder, Moves}};
+    /// let mut memory = HeapMemory::new(&goodbot::Capacities::SMALL);
+    /// let mut builder = HomeBuilder::new(&mut memory.home);
+    /// builder.room("room0", Area::new(0, 0, 8, 4), "red")?;
+    /// builder.room("room1", Area::new(0, 4, 8, 8), "green")?;
+    /// builder.agent("agent0", Cell::new(4, 2))?;
+    /// let (home, state) = builder.build(Moves::Push)?;
+    /// let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
+    /// agent.hear(&home, &state, "go to the green room")?;
+    /// assert_eq!(agent.task_text(&home, 0).ok_or("no task")?.to_string(), "agentInRoom(agent0,room1)");
+    /// assert!(agent.task_text(&home, 1).is_none());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn task_text<'a, D: Domain + ?Sized>(&'a self, domain: &'a D, task: usize) -> Option<TaskText<'a>> {
+        let task = self.tasks().get(task)?;
+        Some(TaskText::new(task, self.lifted.get(usize::from(task.lifted))?, domain.world()))
     }
 
     /// The machine commands of this session.

@@ -27,7 +27,7 @@ pub(crate) use machine_command::attribute_token;
 pub use machine_command::{Expression, TokenOrder, Tokens};
 pub use role::{Marker, NoMarker, Role, RoleKind, VALUE_SORTS, is_marker};
 pub use way::{Clause, Part, Way, WayState};
-pub use wording::{Piece, Wording};
+pub use wording::{Piece, TaskText, Wording};
 
 /// A set of a session's tasks, one bit each, by position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

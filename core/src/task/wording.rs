@@ -1,7 +1,9 @@
 //! The order in which a task is told, with its way: earlier goals, the goal, what it goes through, and what it avoids.
 
-use super::Part;
+use super::{GroundedTask, LiftedTask, Part};
 use crate::capacity::PROPOSITIONS_PER_TASK;
+use crate::oomdp::{GroundProposition, World};
+use core::fmt;
 
 /// What stands between the parts of a task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,5 +68,45 @@ impl Wording {
             list(Part::Through(clause), self.through, self.or);
         }
         list(Part::Avoiding, self.avoiding, self.or);
+    }
+}
+
+/// A grounded task as files write it, such as `blockInRoom(block0,room1)`: what [`Agent::task_text`](crate::Agent::task_text) gives.
+#[derive(Clone, Copy, Debug)]
+pub struct TaskText<'a> {
+    task: &'a GroundedTask,
+    lifted: &'a LiftedTask,
+    world: World<'a>,
+}
+
+impl<'a> TaskText<'a> {
+    /// The text of a task that grounds `lifted` among the objects of `world`.
+    pub const fn new(task: &'a GroundedTask, lifted: &'a LiftedTask, world: World<'a>) -> Self {
+        Self { task, lifted, world }
+    }
+
+    fn write(&self, f: &mut fmt::Formatter<'_>, part: &GroundProposition) -> fmt::Result {
+        f.write_str(self.world.schema.proposition_name(part.proposition))?;
+        let parameters = self.world.schema.parameters(part.proposition).len();
+        for (position, &object) in part.arguments.iter().take(parameters).enumerate() {
+            f.write_str(if position > 0 { "," } else { "(" })?;
+            f.write_str(self.world.objects.name(object))?;
+        }
+        f.write_str(")")
+    }
+}
+
+impl fmt::Display for TaskText<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut written = Ok(());
+        Wording::FILES.tell(self.task.parts(self.lifted), |piece| {
+            if written.is_ok() {
+                written = match piece {
+                    Piece::Between(sign) => f.write_str(sign),
+                    Piece::Proposition(_, part) => self.write(f, &part),
+                };
+            }
+        });
+        written
     }
 }
