@@ -16,8 +16,9 @@ const MOST_FLASH: u64 = 100 * 1024;
 const MOST_TO_ACT: u64 = 1_000_000;
 /// Instructions that the first plan for the 50 tasks of a home of three storeys may take there.
 const MOST_TO_PLAN_WAYS: u64 = 3_000_000;
-/// The micro:bit's RAM, and its instructions: its floats are made of them.
+/// The micro:bit's RAM, and its flash and instructions: its floats are made of them.
 const MICROBIT_RAM: u64 = 16 * 1024;
+const MICROBIT_FLASH: u64 = 104 * 1024;
 const MICROBIT_TO_ACT: u64 = 2_000_000;
 /// What one call may take of a tick of 10 ms: a quarter of it, but on the micro:bit all of it, whose 16 million instructions a second make
 /// every float of whole numbers.
@@ -78,7 +79,9 @@ fn course(_: &mut Run) -> Result<()> {
         );
         let bounds = match trial.image.name().as_str() {
             "mps2-an386 small" => [("RAM", ram, MOST_RAM), ("flash", flash, MOST_FLASH), ("instructions to act", to_act, MOST_TO_ACT)],
-            "microbit tiny" => [("RAM", ram, MICROBIT_RAM), ("flash", flash, MOST_FLASH), ("instructions to act", to_act, MICROBIT_TO_ACT)],
+            "microbit tiny" => {
+                [("RAM", ram, MICROBIT_RAM), ("flash", flash, MICROBIT_FLASH), ("instructions to act", to_act, MICROBIT_TO_ACT)]
+            }
             _ => continue,
         };
         for (what, found, most) in bounds {
