@@ -76,6 +76,17 @@ fn show(robot: *mut Goodbot, command: &CStr, x: i32, y: i32) {
     }
 }
 
+/// A robot that was shown the green room twice, and then hears of a cellar, a word that is new to it.
+fn after_a_lesson_it_hears_of_a_cellar() -> Owned {
+    let owned = robots::at_home();
+    for _ in 0..2 {
+        show(owned.robot, c"go to the green room", 2, 6);
+    }
+    unsafe { assert_eq!(goodbot_home_place(owned.robot, c"agent0".as_ptr(), 4, 2), GoodbotStatus::Ok) };
+    hear_and_plan(owned.robot, c"go to the green cellar");
+    owned
+}
+
 /// Each word of the command with what it is taken for and the share of that.
 fn explained(robot: *mut Goodbot, task: u32) -> Vec<(String, String, f32)> {
     let (mut word, mut meaning, mut share) = ([0; 32], [0; 80], 9.0);
@@ -111,13 +122,8 @@ fn where_it_is_switched_on_words_mean_where_a_room_is() {
 
 #[test]
 fn each_word_is_explained_for_the_task_followed_and_for_any_other() {
-    let owned = robots::at_home();
+    let owned = after_a_lesson_it_hears_of_a_cellar();
     let robot = owned.robot;
-    for _ in 0..2 {
-        show(robot, c"go to the green room", 2, 6);
-    }
-    unsafe { assert_eq!(goodbot_home_place(robot, c"agent0".as_ptr(), 4, 2), GoodbotStatus::Ok) };
-    hear_and_plan(robot, c"go to the green cellar");
     let words = explained(robot, task(robot, "agentInRoom(agent0,room1)").0);
     let said: Vec<&str> = words.iter().map(|(word, ..)| word.as_str()).collect();
     assert_eq!(said, ["go", "to", "the", "green", "cellar"]);
@@ -135,13 +141,8 @@ fn each_word_is_explained_for_the_task_followed_and_for_any_other() {
 
 #[test]
 fn all_meanings_of_a_word_are_told_the_most_probable_first() {
-    let owned = robots::at_home();
+    let owned = after_a_lesson_it_hears_of_a_cellar();
     let robot = owned.robot;
-    for _ in 0..2 {
-        show(robot, c"go to the green room", 2, 6);
-    }
-    unsafe { assert_eq!(goodbot_home_place(robot, c"agent0".as_ptr(), 4, 2), GoodbotStatus::Ok) };
-    hear_and_plan(robot, c"go to the green cellar");
     let (task, _) = task(robot, "agentInRoom(agent0,room1)");
     let (mut word, mut meaning, mut share) = ([0; 32], [0; 80], 0.0);
     let mut at = |position, rank| {

@@ -106,19 +106,22 @@ impl fmt::Display for DomainFlaw {
             Self::Value { object, attribute } => {
                 write!(
                     f,
-                    "object {} has a value of attribute {attribute}, which its class does not carry; values stand in the order of the attributes, \"\" for none, or add a carrier",
+                    "object {} has a value of attribute {attribute}, which its class does not carry; put \"\" in that \
+                     attribute's place, or add a carrier",
                     object.0
                 )
             }
             Self::Number { number, count } => {
                 write!(
                     f,
-                    "a state has the number {number}, and state_count is {count}; it must be more than every number, and no step may lead to what is no state"
+                    "a state has the number {number}, and state_count is {count}; it must be more than every number, and no step may \
+                     lead to what is no state"
                 )
             }
             Self::Numbered { number } => write!(
                 f,
-                "numbered({number}) is another state than the one with that number; give every state a number of its own that numbered turns back, and let no step lead to what is no state"
+                "numbered({number}) is another state than the one with that number; give every state a number of its own that numbered \
+                 turns back, and let no step lead to what is no state"
             ),
             Self::Step { number, action } => {
                 write!(f, "step leads from state {number} by action {} now to one state and now to another", action.0)
