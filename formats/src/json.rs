@@ -6,22 +6,19 @@
 
 use std::collections::BTreeSet;
 
-use serde_json::value::RawValue;
-
 use crate::error::{FormatError, KNOWN_VERSIONS, Problem, excerpt};
 
-mod entries;
+mod scan;
 mod source;
 
-use entries::Member;
+use scan::Member;
 pub(crate) use source::Source;
-use source::message;
 
 /// A value in a text.
 #[derive(Clone)]
 pub(crate) struct Node<'a> {
     source: &'a Source<'a>,
-    raw: &'a RawValue,
+    raw: &'a str,
     path: String,
 }
 
@@ -37,8 +34,8 @@ impl<'a> Node<'a> {
         self.error_at(self.raw, &self.path, problem)
     }
 
-    fn error_at(&self, at: &RawValue, path: &str, problem: Problem) -> FormatError {
-        let (line, column) = self.source.place(at.get());
+    fn error_at(&self, at: &str, path: &str, problem: Problem) -> FormatError {
+        let (line, column) = self.source.place(at);
         let mut error = FormatError::new(line, problem);
         error.column = Some(column);
         if !path.is_empty() {
@@ -49,7 +46,7 @@ impl<'a> Node<'a> {
 
     /// The line on which this value begins.
     pub(crate) fn line(&self) -> usize {
-        self.source.place(self.raw.get()).0
+        self.source.place(self.raw).0
     }
 
     fn field(&self, name: &str) -> String {
@@ -60,7 +57,7 @@ impl<'a> Node<'a> {
     }
 
     fn kind(&self) -> &'static str {
-        match self.raw.get().as_bytes().first() {
+        match self.raw.as_bytes().first() {
             Some(b'{') => "an object",
             Some(b'[') => "a list",
             Some(b'"') => "a text",
@@ -79,12 +76,13 @@ impl<'a> Node<'a> {
 
     /// The value as written, or the beginning of it.
     fn written(&self) -> String {
-        excerpt(self.raw.get(), 40).replace(char::is_control, "?")
+        excerpt(self.raw, 40).replace(char::is_control, "?")
     }
 
     pub(crate) fn object(self) -> Result<Object<'a>, FormatError> {
         self.expect("an object")?;
-        let members = self.limited(entries::members(self.raw))?;
+        let members = scan::members(self.raw).map_err(|message| self.error(Problem::Syntax(message.to_owned())))?;
+        let members = self.limited(members)?;
         let mut seen = BTreeSet::new();
         for member in &members {
             if !seen.insert(member.name.as_str()) {
@@ -97,23 +95,19 @@ impl<'a> Node<'a> {
 
     pub(crate) fn list(&self) -> Result<Vec<Node<'a>>, FormatError> {
         self.expect("a list")?;
-        let items = self.limited(entries::items(self.raw))?;
+        let items = self.limited(scan::items(self.raw))?;
         let item = |(index, raw)| Node { source: self.source, raw, path: format!("{}[{index}]", self.path) };
         Ok(items.into_iter().enumerate().map(item).collect())
     }
 
-    fn limited<T>(&self, entries: Result<Option<Vec<T>>, serde_json::Error>) -> Result<Vec<T>, FormatError> {
-        match entries {
-            Ok(Some(entries)) => Ok(entries),
-            Ok(None) => Err(self.error(Problem::TooMany { limit: entries::LIMIT })),
-            Err(error) => Err(self.error(Problem::Syntax(message(&error)))),
-        }
+    fn limited<T>(&self, entries: Option<Vec<T>>) -> Result<Vec<T>, FormatError> {
+        entries.ok_or_else(|| self.error(Problem::TooMany { limit: scan::LIMIT }))
     }
 
     pub(crate) fn text(&self) -> Result<String, FormatError> {
         self.expect("a text")?;
         // What is a text by its quotes can still hold half of a surrogate pair.
-        serde_json::from_str(self.raw.get()).map_err(|error| self.error(Problem::Syntax(message(&error))))
+        scan::unescaped(self.raw).map_err(|message| self.error(Problem::Syntax(message.to_owned())))
     }
 
     pub(crate) fn filled_text(&self) -> Result<String, FormatError> {
@@ -143,25 +137,25 @@ impl<'a> Node<'a> {
 
     pub(crate) fn truth(&self) -> Result<bool, FormatError> {
         self.expect("true or false")?;
-        Ok(self.raw.get() == "true")
+        Ok(self.raw == "true")
     }
 
     pub(crate) fn coordinate(&self) -> Result<i32, FormatError> {
         self.expect("a number")?;
-        let found = self.raw.get().parse();
+        let found = self.raw.parse();
         found.map_err(|_| self.error(Problem::NotACoordinate { found: self.written() }))
     }
 
     pub(crate) fn count(&self) -> Result<u64, FormatError> {
         self.expect("a number")?;
-        let found = self.raw.get().parse();
+        let found = self.raw.parse();
         found.map_err(|_| self.error(Problem::NotACount { found: self.written() }))
     }
 
     /// A number from 0 to 1, or to `excess` above 1. Nothing is lost: the nearest number is read.
     pub(crate) fn probability(&self, excess: f64) -> Result<f64, FormatError> {
         self.expect("a number")?;
-        match self.raw.get().parse::<f64>() {
+        match self.raw.parse::<f64>() {
             Ok(value) if (0.0..=1.0 + excess).contains(&value) => Ok(value),
             _ => Err(self.error(Problem::NotAProbability { found: self.written() })),
         }
@@ -187,7 +181,7 @@ impl<'a> Object<'a> {
     /// The field `version` has a known value. To be asked first: another version has other fields.
     pub(crate) fn version(&self) -> Result<u32, FormatError> {
         let node = self.required("version")?;
-        let found = node.raw.get().parse::<u32>();
+        let found = node.raw.parse::<u32>();
         match found.ok().filter(|v| KNOWN_VERSIONS.contains(v)) {
             Some(version) => Ok(version),
             None => Err(node.error(Problem::UnknownVersion { found: node.written() })),

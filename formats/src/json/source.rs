@@ -1,8 +1,7 @@
 //! A text, and where in it something stands.
 
-use serde_json::value::RawValue;
-
 use super::Node;
+use super::scan::{self, Fault};
 use crate::error::{FormatError, Problem};
 
 /// A JSON text and the number of its first line.
@@ -21,42 +20,28 @@ impl<'a> Source<'a> {
         if self.text.trim().is_empty() {
             return Err(FormatError::new(self.first_line, Problem::NoText));
         }
-        match serde_json::from_str::<&RawValue>(self.text) {
+        match scan::whole(self.text) {
             Ok(raw) => Ok(Node { source: self, raw, path: String::new() }),
-            Err(error) => Err(self.syntax(&error)),
+            Err(Fault { at, message }) => {
+                let problem = message.map_or(Problem::CutShort, |message| Problem::Syntax(message.to_owned()));
+                let (line, column) = self.place_of(at);
+                let mut error = FormatError::new(line, problem);
+                error.column = Some(column);
+                Err(error)
+            }
         }
-    }
-
-    fn syntax(&self, error: &serde_json::Error) -> FormatError {
-        let problem = match error.is_eof() {
-            true => Problem::CutShort,
-            false => Problem::Syntax(message(error)),
-        };
-        let before = error.line().saturating_sub(1);
-        let mut found = FormatError::new(self.first_line + before, problem);
-        // The column counts bytes, up to and with the one at fault.
-        let line = self.text.split('\n').nth(before).unwrap_or("");
-        let bytes = error.column().saturating_sub(1).min(line.len());
-        found.column = Some(1 + characters(&line.as_bytes()[..bytes]));
-        found
     }
 
     /// The line and the column of a slice of the text.
     pub(super) fn place(&self, slice: &str) -> (usize, usize) {
-        let offset = (slice.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize);
+        self.place_of((slice.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize))
+    }
+
+    fn place_of(&self, offset: usize) -> (usize, usize) {
         let before = &self.text.as_bytes()[..offset.min(self.text.len())];
         let line_start = before.iter().rposition(|&b| b == b'\n').map_or(0, |i| i + 1);
         let lines = before.iter().filter(|&&b| b == b'\n').count();
         (self.first_line + lines, 1 + characters(&before[line_start..]))
-    }
-}
-
-/// The JSON reader's message without the place, which the error itself names.
-pub(super) fn message(error: &serde_json::Error) -> String {
-    let text = error.to_string();
-    match text.find(" at line ") {
-        Some(end) => text[..end].to_string(),
-        None => text,
     }
 }
 
