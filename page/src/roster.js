@@ -61,9 +61,9 @@ export async function switchTo(robot) {
   tell(t('robots.learnsHere', robot));
 }
 
-function rename(robot, name) {
+async function rename(robot, name) {
   const given = name.trim().slice(0, 40) || robot.name;
-  patch(robot, { name: given });
+  await patch(robot, { name: given });
   if (robot.id === state.robot.id) state.robot.name = given;
   render();
 }
@@ -77,7 +77,7 @@ async function copyRobot(robot) {
 async function deleteRobot(robot) {
   const here = robot.id === state.robot.id;
   if (here && !await leaveSession()) return;
-  patch(robot, { deleted: Date.now() });
+  await patch(robot, { deleted: Date.now() });
   if (here) {
     const next = robots().filter(other => !other.deleted).at(-1);
     if (next) await open(next);
@@ -88,8 +88,8 @@ async function deleteRobot(robot) {
   tell(t('robots.isDeleted', robot));
 }
 
-function bringBack(robot) {
-  patch(robot, { deleted: 0 });
+async function bringBack(robot) {
+  await patch(robot, { deleted: 0 });
   render();
   tell(t('robots.isBack', robot));
 }

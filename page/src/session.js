@@ -9,7 +9,7 @@ import { renderPlan } from './plan.js';
 import { render } from './render.js';
 import { ofTab } from './shelf.js';
 import { $, announce, attempt, inParts, nextFrame, percent, state, tell } from './state.js';
-import { change, patch, travel } from './store.js';
+import { change, travel } from './store.js';
 import { attend, enterStop } from './tour.js';
 import { acted, beliefNow, quoted, ranked, sessionsWord, speech } from './words.js';
 
@@ -170,6 +170,7 @@ export async function takeUpSession() {
         continue;
       }
       await inParts(() => world.plan(PLAN_BUDGET));
+      world.drawFrom(state.settings.seed, session.steps);
       world.actAs(step.action);
       state.evidence.push(parsed(world.judge(step.feedback)));
       session.steps += 1;
@@ -432,13 +433,14 @@ export async function finishSession() {
         world.finish();
         await inParts(() => world.learn(LEARN_BUDGET));
       }
+      const { robot } = state;
+      robot.scores = Object.assign([...(robot.scores || [])], { [world.sessions() - 1]: sure });
       return own;
     });
   } catch (error) {
     tell(t('session.failed', { why: error.message }), true);
   }
   ofTab.put('session', null);
-  if (state.sessions > 0) patch(state.robot, { scores: Object.assign([...(state.robot.scores || [])], { [state.sessions - 1]: sure }) });
   state.heat = { now: heatNow(), before: heat };
   state.said = [t('say.thanks'), lessonLearned(session.heardNew)];
   state.session = null;

@@ -56,10 +56,19 @@ export const newRecord = name => ({
   version: VERSION, id: newId(), name, changed: Date.now(), deleted: 0, model: toBase64(world.save()), sessions: world.sessions(), tour: { at: 0, done: [] }, ways: world.ways(), past: [], future: [],
 });
 
+// What is written is read before, to keep what other tabs have written: only where no other tab does so, in `shelf.alone`.
 /** @param {Robot} robot */
 function write(robot) {
   robot.changed = Date.now();
   if (robot.log === undefined) shelf.put('robot.' + robot.id, JSON.stringify(robot));
+}
+
+/** The robot as it is kept; `null` where it is not kept.
+ * @param {Robot} robot
+ * @returns {Robot | null} */
+function kept(robot) {
+  const stored = robot.log === undefined && shelf.read('robot.' + robot.id, null);
+  return isRobot(stored) ? stored : null;
 }
 
 /** The sessions that the robot was taught by, as lines.
@@ -90,11 +99,13 @@ export async function takeModel(bytes, ways = world.ways()) {
 
 // What another tab has taught this robot since it was last read. Returns whether there was something.
 async function catchUp() {
-  const stored = state.robot.log === undefined && shelf.read('robot.' + state.robot.id, null);
-  if (!isRobot(stored) || stored.model === state.robot.model) return false;
-  await takeModel(fromBase64(stored.model), stored.ways === true);
-  Object.assign(state.robot, stored, { name: state.robot.name });
-  return true;
+  const { robot } = state;
+  const stored = kept(robot);
+  if (!stored) return false;
+  const stale = stored.model !== robot.model;
+  if (stale) await takeModel(fromBase64(stored.model), stored.ways === true);
+  Object.assign(robot, stored);
+  return stale;
 }
 
 /** Takes over what another tab has taught this robot. Returns whether there was something. */
@@ -158,10 +169,10 @@ export async function travel(from) {
 /** Changes what is not learned, such as the name or where the tour stands, and leaves what other tabs have taught.
  * @param {Robot} robot
  * @param {Partial<Robot>} fields */
-export function patch(robot, fields) {
+export async function patch(robot, fields) {
   Object.assign(robot, fields);
-  const stored = robot.log === undefined && shelf.read('robot.' + robot.id, null);
-  write(isRobot(stored) ? Object.assign(stored, fields) : robot);
+  await shelf.alone(robot.id, async () => write(Object.assign(kept(robot) || robot, fields)));
+  Object.assign(robot, fields);
 }
 
 export const keepTour = () => patch(state.robot, { tour: tourNow() });

@@ -53,6 +53,50 @@ test('two tabs teach one robot, and it learns from both', async () => {
   await close(one);
 });
 
+test('two tabs that finish at the same moment teach one robot both lessons, again and again', async () => {
+  const one = await open(browser);
+  await play(one, 'A');
+  const two = await openIn(one.context());
+  await play(two, 'B');
+  const said = [];
+  for (let round = 1; round <= 5; round += 1) {
+    const both = ['red', 'blue'].map(color => 'go to the ' + color + ' room, ' + round);
+    said.push(...both);
+    await Promise.all([one, two].map((page, at) => begin(page, both[at])));
+    // Each presses the button by its own clock, at one agreed time.
+    const moment = Date.now() + 400;
+    await Promise.all([one, two].map(page => page.evaluate(at => { while (Date.now() < at) { /* Wait. */ } document.getElementById('finish').click(); }, moment)));
+    for (const page of [one, two]) await page.waitForFunction(count => window.goodbot.sessions() === count && document.body.dataset.phase === 'none', 2 * round);
+  }
+  assert.deepEqual(commands(await log(one)).sort(), said.sort());
+  assert.deepEqual(await model(two), await model(one));
+  await close(one);
+});
+
+test('a tab that writes down a name while another learns leaves what that one learned', async () => {
+  const one = await open(browser);
+  await play(one, 'A');
+  const two = await openIn(one.context());
+  await opened(two, 'Your robots');
+  for (const color of ['red', 'green', 'red', 'green', 'red', 'green']) {
+    await begin(one, 'go to the ' + color + ' room');
+    const renamed = two.evaluate(async () => {
+      for (let count = 0; count < 40; count += 1) {
+        const name = document.querySelector('#robots input');
+        name.value = 'Robot ' + count;
+        name.dispatchEvent(new Event('change'));
+        await new Promise(done => { setTimeout(done, 5); });
+      }
+    });
+    await one.click('#finish');
+    await renamed;
+    await one.waitForFunction(() => !document.body.hasAttribute('data-session') && document.body.dataset.phase === 'none');
+  }
+  await reload(one);
+  assert.equal(await sessions(one), 6);
+  await close(one);
+});
+
 test('several robots have names, and can be switched, copied, deleted and brought back', async () => {
   const page = await open(browser);
   await play(page, 'A');

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, launch, learned, model, open, opened, play } from './browser.mjs';
+import { close, launch, learned, model, open, opened, play, reload } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -48,15 +48,19 @@ test('a session by keyboard alone teaches the robot', async () => {
   await close(page);
 });
 
-test('with the same seed, home and words a new robot takes the same steps, also from a link', async () => {
+test('with the same seed, home and words a new robot takes the same steps, also from a link and after a reload', async () => {
   const page = await open(browser);
-  const steps = async page => {
+  const steps = async (page, reloaded = 0) => {
     await play(page, 'Test');
     await page.selectOption('#speed', 'step');
     await page.fill('#command', 'abrakadabra');
     await page.click('#say-it');
     for (let count = 1; count <= 12; count += 1) {
       await page.getByText('Good or Bad?').waitFor();
+      if (count === reloaded) {
+        await reload(page);
+        await page.getByText('Good or Bad?').waitFor();
+      }
       await page.click('#next');
       await page.waitForFunction(wanted => document.querySelectorAll('#steps tr').length === wanted, count);
     }
@@ -76,6 +80,8 @@ test('with the same seed, home and words a new robot takes the same steps, also 
   await seed('-1');
   assert.equal(await page.inputValue('#seed'), '8', 'what is no seed is not taken');
   await seed('7');
+  assert.equal(await steps(page, 2), seven);
+  await opened(page, 'Settings, keeping, sharing');
   await page.click('#share');
   const { hash } = new URL(await page.inputValue('#link'));
   await page.click('#close-link');

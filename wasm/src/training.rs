@@ -140,13 +140,16 @@ impl World {
         Ok(decided)
     }
 
-    /// Does the action of this name instead, as a log has it. The plan must be done; the action waits for [`judge`](Self::judge).
+    /// Does the action of this name instead, as a log has it. The plan must be done; the action waits for [`judge`](Self::judge). The robot
+    /// decides all the same: the task that it follows stays among equals.
     ///
     /// # Errors
     /// As [`act`](Self::act), and where there is no such action.
     pub fn act_as(&mut self, action: &str) -> Result<(), Refusal> {
         self.check_judged()?;
         let action = action_named(self.home(), action).ok_or_else(|| Refusal(format!("{action} is no action here")))?;
+        let Self { mind, rooms, state, random, .. } = self;
+        mind.decide_by(rooms, state, random).map_err(Refusal::from)?;
         self.perform(action)
     }
 
