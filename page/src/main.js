@@ -6,6 +6,7 @@ import { speakLanguage, t, takeLanguages, writePage } from './language.js';
 import { readLink } from './link.js';
 import { moduleOf } from './module.js';
 import { setUpNext } from './next.js';
+import { setUpOwnTests } from './owntests.js';
 import { watchSize } from './plan.js';
 import { nameHome, setMode, setUpPlay } from './play.js';
 import { render } from './render.js';
@@ -29,6 +30,7 @@ function setUp() {
   setUpSpeech();
   setUpBuild();
   setUpNext();
+  setUpOwnTests();
   watchSize();
   for (const button of all('button[data-mode]')) button.addEventListener('click', () => setMode(button.dataset.mode));
   for (const [id, action] of Object.entries({

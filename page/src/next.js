@@ -9,7 +9,7 @@ import * as shelf from './shelf.js';
 import { $, attempt, state } from './state.js';
 import { logOf } from './store.js';
 import { enterHome } from './tour.js';
-import { sessionsWord, taskWords } from './words.js';
+import { sceneOf, sessionsWord, taskWords } from './words.js';
 
 /** @typedef {{ command: string, home: string | null }} Lesson a command, and the home to teach it in; null is the one where the robot is */
 
@@ -19,8 +19,7 @@ function lessonsOfCourse() {
   const found = new Map();
   for (const { home: name, intended } of course.teachable) {
     const home = Object.fromEntries(course.homes)[name];
-    const of = kind => home.objects.filter(object => object.class === kind);
-    const command = taskWords(intended, { rooms: of('room'), blocks: of('block') });
+    const command = taskWords(intended, sceneOf(home));
     if (!found.has(command)) found.set(command, { command, home: JSON.stringify(home) });
   }
   return [...found.values()];

@@ -4,6 +4,7 @@ import { renderBuild } from './build.js';
 import { t } from './language.js';
 import { unknownWords } from './learned.js';
 import { renderNext } from './next.js';
+import { renderOwnTests } from './owntests.js';
 import { renderPlan } from './plan.js';
 import { renderIdeas } from './play.js';
 import { renderRoster } from './roster.js';
@@ -29,6 +30,7 @@ export function render() {
   renderBuild();
   renderThoughts();
   renderNext();
+  renderOwnTests();
   renderSecret();
   renderTrick();
   renderRoster();

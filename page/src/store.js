@@ -36,6 +36,7 @@ const DAYS_KEPT = 30;
  * @property {{ at: number, done: string[] }} tour
  * @property {boolean} [ways] whether commands to it may say how
  * @property {(number | null)[]} [scores] for each session, how sure it was of what it was taught, when it heard it
+ * @property {import('./owntests.js').OwnTest[]} [tests] commands that it is tested by
  * @property {Point[]} past
  * @property {Point[]} future
  * @property {string} [log] the log of a robot that is not kept

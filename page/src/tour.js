@@ -12,7 +12,7 @@ import { considerWays } from './settings.js';
 import { $, announce, attempt, make, percent, state } from './state.js';
 import { APPENDIX } from './storeys.js';
 import { keepTour } from './store.js';
-import { taskWords } from './words.js';
+import { taskWords, understands } from './words.js';
 
 // The course's commands are what the language says for their tasks.
 export const homeNamed = name => JSON.stringify(course.homes.find(([other]) => other === name)?.[1]);
@@ -77,7 +77,7 @@ export function beginStop(auto) {
 export function attend(session) {
   const [best] = session.heard;
   const meant = best.name === stopAt()?.intended;
-  const understood = meant && best.probability > 0.5;
+  const understood = understands(best, stopAt()?.intended);
   session.onEnd = () => passStop(understood, meant, best, session);
   return understood;
 }

@@ -10,7 +10,7 @@ import { LEARN_BUDGET, heatNow, leaveSession, startSession } from './session.js'
 import { $, announce, inParts, make, percent, state } from './state.js';
 import { change, travel } from './store.js';
 import { enterHome } from './tour.js';
-import { beliefNow, quoted, taskWords } from './words.js';
+import { beliefNow, quoted, taskWords, understands } from './words.js';
 
 /** @typedef {{ home: string, intended: string, command: string }} Lesson */
 
@@ -114,7 +114,7 @@ function ask() {
   render();
   session.onEnd = () => {
     if (game?.robot !== robot) return;
-    const understood = best.name === asked.intended && best.probability > 0.5;
+    const understood = understands(best, asked.intended);
     const thought = t('trick.thought', { task: best.words, sure: percent(best.probability) });
     if (!understood) {
       const repairs = LEVELS[level].repairs.map(lesson);

@@ -61,6 +61,29 @@ export function taskWords(name, scene = state.scene) {
   return t(clause === 'through' ? 'task.through' : 'task.avoiding', { task, room });
 }
 
+/** What stands in a home that is described.
+ * @param {any} home */
+export function sceneOf({ objects }) {
+  const of = kind => objects.filter(object => object.class === kind);
+  return { rooms: of('room'), blocks: of('block') };
+}
+
+/** What the robot would believe of a command in a home that is described: tasks. It learns nothing from that, and stays where it is. No session may
+ * be under way.
+ * @param {object} home
+ * @param {string} command
+ * @returns {import('goodbot-wasm').Task[]} */
+export const askedIn = (home, command) => parsed(world.asked(JSON.stringify(home), command)).tasks;
+
+/** @template {import('goodbot-wasm').Task} T
+ * @param {T[]} tasks */
+export const likeliest = tasks => tasks.reduce((best, task) => (task.probability > best.probability ? task : best));
+
+/** Whether a command is understood: what is meant comes first, and is more likely than not.
+ * @param {import('goodbot-wasm').Task} best
+ * @param {string | undefined} meant */
+export const understands = (best, meant) => best.name === meant && best.probability > 0.5;
+
 /** What the robot believes now. */
 export function beliefNow() {
   const belief = parsed(world.belief());

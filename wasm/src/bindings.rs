@@ -136,6 +136,12 @@ impl Goodbot {
         self.0.already(command).map_err(thrown)
     }
 
+    /// What the robot would believe of a command in this home, as JSON: JSON, [`Belief`](crate::view::Belief). It learns nothing from that, and
+    /// everything stays where it is.
+    pub fn asked(&mut self, environment: &str, command: &str) -> Thrown<String> {
+        json(&self.0.asked(environment, command).map_err(thrown)?)
+    }
+
     /// Hears a command.
     pub fn hear(&mut self, command: &str) -> Thrown<()> {
         self.0.hear(command).map_err(thrown)

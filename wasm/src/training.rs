@@ -89,6 +89,21 @@ impl World {
         Ok(None)
     }
 
+    /// What the robot would believe of a command that it hears in this home, given as JSON. Nothing is learned from that, and everything stays
+    /// where it is. A session under way ends unlearned.
+    ///
+    /// # Errors
+    /// Why the home cannot be used, or the command cannot be heard in it.
+    pub fn asked(&mut self, environment: &str, command: &str) -> Result<Belief, Refusal> {
+        let (here, state) = (self.environment(), self.state);
+        self.set_environment(environment)?;
+        let heard = self.hear(command);
+        let belief = self.belief();
+        self.set_environment(&here)?;
+        self.state = state;
+        heard.map(|()| belief)
+    }
+
     /// Begins to write down the session that the mind has begun.
     pub(crate) fn record(&mut self, command: &str, continues: bool) -> Result<(), Refusal> {
         let environment = self.environment_now();

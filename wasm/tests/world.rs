@@ -77,6 +77,28 @@ fn a_robot_that_was_trained_understands_the_command_it_was_trained_on() {
 }
 
 #[test]
+fn who_is_asked_learns_nothing_and_stays_where_it_is() {
+    let mut robots = [world("A"), world("A")];
+    for robot in &mut robots {
+        train(robot, "go to the green room", "agentInRoom(agent0,room1)");
+    }
+    let [asked, other] = &mut robots;
+    let (scene, home) = (asked.scene(), world("D").environment());
+    let belief = asked.asked(&home, "bring me coffee in the green room").unwrap();
+    assert!(belief.tasks.iter().any(|task| task.name.starts_with("blockInRoom")), "it was asked in the other home");
+    assert!(asked.asked("{}", "go to the green room").is_err());
+    assert!(asked.asked(&home, "").is_err());
+    assert_eq!(asked.scene(), scene);
+    assert!(!asked.is_listening());
+    assert_eq!(asked.save().unwrap(), other.save().unwrap());
+    for robot in &mut robots {
+        train(robot, "go to the red room", "agentInRoom(agent0,room2)");
+    }
+    let [asked, other] = robots;
+    assert_eq!(asked.save().unwrap(), other.save().unwrap());
+}
+
+#[test]
 fn feedback_goes_to_the_last_action_and_says_what_it_changed() {
     let mut world = world("A");
     world.hear("go to the red room").unwrap();
@@ -252,7 +274,7 @@ fn what_is_dropped_leaves_the_robot_as_it_was_and_its_trainer_too() {
 }
 
 /// Hears unknown words where much could be meant, until the robot asks.
-fn asked(world: &mut World) -> goodbot_wasm::view::Question {
+fn questioned(world: &mut World) -> goodbot_wasm::view::Question {
     world.hear("abrakadabra").unwrap();
     while !world.plan(1_000).unwrap() {}
     loop {
@@ -265,7 +287,7 @@ fn asked(world: &mut World) -> goodbot_wasm::view::Question {
 #[test]
 fn an_answer_stands_in_the_log_and_the_log_believes_the_same() {
     let mut first = world("Test");
-    let question = asked(&mut first);
+    let question = questioned(&mut first);
     let choice = question.about == About::WhichObject || question.about == About::WhichTask;
     first.answer(if choice { "1" } else { "yes" }).unwrap();
     let believed = first.belief().tasks;
@@ -287,7 +309,7 @@ fn an_answer_stands_in_the_log_and_the_log_believes_the_same() {
 fn an_answer_to_no_question_or_of_no_kind_is_refused() {
     let mut world = world("Test");
     assert!(world.answer("yes").is_err());
-    asked(&mut world);
+    questioned(&mut world);
     assert!(world.answer("perhaps").unwrap_err().0.contains("perhaps"));
     assert!(world.answer("0").is_err());
     assert!(world.answer("99").is_err());

@@ -1,0 +1,137 @@
+// Commands of one's own to test the robot by, each with what it means. It never learns from them; they stay with it, and go to a file as
+// labelled sessions of a log, which `goodbot evaluate --test` reads.
+import { parsed, world } from './core.js';
+import { download, readFile } from './files.js';
+import { t } from './language.js';
+import { spaced } from './learned.js';
+import { render } from './render.js';
+import { $, attempt, inParts, make, percent, state, tell } from './state.js';
+import { patch } from './store.js';
+import { askedIn, likeliest, sceneOf, taskWords, understands } from './words.js';
+
+/** @typedef {{ home: object, command: string, meant: string }} OwnTest */
+
+/** @returns {OwnTest[]} */
+const tests = () => state.robot.tests || [];
+
+const keep = all => patch(state.robot, { tests: all });
+
+// What came of each test, as long as the robot knows what it knew then.
+let results = { of: '', verdicts: /** @type {string[]} */ ([]), right: 0 };
+const knowledge = () => JSON.stringify([state.robot.id, state.robot.model, tests(), document.documentElement.lang]);
+
+const idle = () => !state.session && state.phase === 'none';
+
+// Asks one command after the other, as long as nothing else begins.
+async function run() {
+  const of = knowledge();
+  const verdicts = [];
+  let right = 0;
+  await inParts(() => {
+    const test = tests()[verdicts.length];
+    if (!test || !idle()) return true;
+    const best = likeliest(askedIn(test.home, test.command));
+    const understood = understands(best, test.meant);
+    right += Number(understood);
+    verdicts.push(t(understood ? 'tour.starTest' : best.name === test.meant ? 'tour.luckyTest' : 'tour.wrongTest', {
+      name: t('tour.test', { n: verdicts.length + 1 }), task: taskWords(best.name, sceneOf(test.home)), sure: percent(best.probability),
+    }));
+    return false;
+  });
+  if (of !== knowledge() || verdicts.length < tests().length) return;
+  results = { of, verdicts, right };
+  render();
+  tell($('tests-score').textContent);
+}
+
+let offered = '';
+
+// All that a command may mean in the home that is shown.
+function offer() {
+  const home = parsed(world.environment());
+  const key = JSON.stringify([home, world.ways(), document.documentElement.lang]);
+  if (offered === key) return;
+  offered = key;
+  const tasks = attempt(() => askedIn(home, '?a')) || [];
+  $('test-meant').replaceChildren(make('option', { value: '' }, '…'), ...tasks.map(({ name }) => make('option', { value: name }, taskWords(name, sceneOf(home)))));
+}
+
+export function renderOwnTests() {
+  const card = $('own-tests');
+  card.hidden = state.secret === 'open';
+  $('test-it').disabled = $('run-tests').disabled = !idle();
+  if (!card.open || state.mode === 'build') return;
+  if (idle()) offer();
+  const all = tests();
+  const known = results.of === knowledge();
+  $('run-tests').hidden = $('save-tests').hidden = !all.length;
+  $('tests-score').textContent = known ? t('tour.score', { right: results.right, of: all.length }) : '';
+  $('tests').replaceChildren(...all.map((test, at) => make('li', {},
+    make('b', {}, test.command), make('span', {}, taskWords(test.meant, sceneOf(test.home))),
+    make('button', { type: 'button', class: 'small quiet', 'aria-label': t('robots.deleteOf', { name: test.command }), onclick: () => remove(at) }, t('robots.delete')),
+    known ? make('p', {}, results.verdicts[at]) : null)));
+}
+
+// What is taken off the list can be changed and put on it again.
+async function remove(at) {
+  const [test] = tests().slice(at);
+  await keep(tests().filter((_, index) => index !== at));
+  $('test-command').value = test.command;
+  render();
+  $('test-command').focus();
+}
+
+// The tasks that a way names, as logs have them.
+const wayOf = (clause, places) => (clause === 'through' ? { through: [places.split(' or ')] } : { avoiding: places.split(' or ') });
+
+/** @param {OwnTest} test */
+function lines({ home, command, meant }) {
+  const [goal, clause, places] = meant.split(/ (through|avoiding) /);
+  const session = { type: 'session', version: 1, kind: 'labelled', environment: home, command, intended: goal.split(' & '), ...(clause ? wayOf(clause, places) : {}) };
+  return [session, { type: 'end', learn: false }].map(line => JSON.stringify(line) + '\n').join('');
+}
+
+/** The test that a session of a log is, or null where it tells no meaning. Throws where the robot cannot be asked it.
+ * @returns {OwnTest | null} */
+function asTest({ type, environment: home, command, intended, through, avoiding }) {
+  if (type !== 'session' || !intended) return null;
+  const meant = intended.join(' & ') + (through ? ' through ' + through[0].join(' or ') : avoiding ? ' avoiding ' + avoiding.join(' or ') : '');
+  if (!askedIn(home, command).some(task => task.name === meant)) throw new Error(meant);
+  return { home, command, meant };
+}
+
+async function load(input) {
+  const { content } = await readFile(input, 'text');
+  if (!idle()) return;
+  const found = [];
+  let number = 0;
+  try {
+    for (const line of content.split('\n')) {
+      number += 1;
+      const test = line.trim() ? asTest(parsed(line)) : null;
+      if (test) found.push(test);
+    }
+    if (!found.length) throw new Error(t('log.empty'));
+  } catch (error) {
+    tell(t('log.line', { n: number, why: error.message }), true);
+    return;
+  }
+  await keep([...tests(), ...found]);
+  render();
+}
+
+export function setUpOwnTests() {
+  $('own-tests').addEventListener('toggle', render);
+  $('add-test').addEventListener('submit', async event => {
+    event.preventDefault();
+    const [home, command, meant] = [parsed(world.environment()), spaced($('test-command').value.trim()), $('test-meant').value];
+    if (!command || !meant || !idle() || !attempt(() => askedIn(home, command))) return;
+    await keep([...tests(), { home, command, meant }]);
+    $('test-command').value = '';
+    render();
+    $('test-command').focus();
+  });
+  $('run-tests').addEventListener('click', run);
+  $('save-tests').addEventListener('click', () => download('tests.jsonl', tests().map(lines).join(''), 'application/jsonl'));
+  $('load-tests').addEventListener('change', () => load($('load-tests')));
+}
