@@ -1,5 +1,6 @@
 // What an address carries behind its #: a home with settings, or a robot with all that it knows.
 import { fromAddress, fromBase64, toAddress } from './base64.js';
+import { expectTrainer, expectedNow } from './believes.js';
 import { world } from './core.js';
 import { names, t } from './language.js';
 import { RULES, SPEEDS } from './session.js';
@@ -82,6 +83,7 @@ export function isSetting(name, value) {
   if (name === 'theme') return ['auto', 'light', 'dark'].includes(value);
   if (name === 'language') return names().some(([code]) => code === value);
   if (name === 'seed') return Number.isInteger(value) && value >= 0 && value < 2 ** 32;
+  if (name === 'style' && typeof value === 'string') return true;
   return typeof value === 'boolean';
 }
 
@@ -100,7 +102,10 @@ export function readLink() {
       if (isSetting(name, value)) state.settings[name] = value;
     }
     world.setPulls(state.settings.pull);
-    if (state.settings.style !== world.learnsStyle()) world.setLearnsStyle(state.settings.style);
+    // Earlier versions knew two.
+    const style = { true: 'population', false: 'balanced' }[state.settings.style] || state.settings.style;
+    state.settings.style = style;
+    if (style !== expectedNow()) expectTrainer(style);
     return true;
   } catch {
     tell(t('link.damaged'), true);

@@ -1,4 +1,5 @@
 // A session log, gone through once more: the robot learns from its sessions one after the other.
+import { NO_LAG, expectedNow } from './believes.js';
 import { readFile } from './files.js';
 import { world } from './core.js';
 import { t } from './language.js';
@@ -29,9 +30,6 @@ function checkRecord(record) {
 
 // Probabilities in any unit: the largest becomes 1, so that single precision never makes all of them 0.
 const inUnit = numbers => numbers.map(number => number / Math.max(...numbers));
-
-// A word is meant for the last step.
-const NO_LAG = [1, 0, 0];
 
 /** Takes in an answer as the log has it. */
 export const answerRecorded = record => world.answerAs(record.tasks.join('\n'), record.yes, record.eta, record.others ?? 1);
@@ -133,7 +131,7 @@ export async function loadLog(input) {
   }
   state.phase = 'none';
   state.progress = '';
-  state.settings.style = world.learnsStyle();
+  state.settings.style = expectedNow();
   enterHome(home);
   state.heat = { now: heatNow(), before: null };
   refresh();

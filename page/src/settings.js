@@ -1,5 +1,6 @@
 // Settings, shortcuts, and what is kept and shared.
 import { answer } from './asking.js';
+import { CHOICES, expectTrainer, expectedNow } from './believes.js';
 import { download } from './files.js';
 import { world } from './core.js';
 import { names, speakLanguage, t, writePage } from './language.js';
@@ -18,7 +19,7 @@ import { change, logOf } from './store.js';
 import { enterHome, enterStop } from './tour.js';
 import { isThere } from './words.js';
 
-const SWITCHES = ['presenter', 'questions', 'voice', 'style', 'shortcuts', 'ghost', 'names', 'pull'];
+const SWITCHES = ['presenter', 'questions', 'voice', 'shortcuts', 'ghost', 'names', 'pull'];
 
 export function renderSettings() {
   const { settings } = state;
@@ -28,17 +29,47 @@ export function renderSettings() {
   for (const name of SWITCHES) $('set-' + name).checked = settings[name];
   if (state.phase !== 'learning') $('set-ways').checked = world.ways();
   $('theme').value = settings.theme;
+  renderBelieves();
   if (document.activeElement !== $('seed')) $('seed').value = settings.seed;
   $('language').value = document.documentElement.lang;
   document.documentElement.dataset.theme = settings.theme;
   document.body.classList.toggle('no-shortcuts', !settings.shortcuts);
 }
 
+let typing = false;
+
+function renderBelieves() {
+  const { style } = state.settings;
+  const own = typing || !CHOICES.includes(style);
+  $('believes').value = own ? 'own' : style;
+  $('believes-field').hidden = !own;
+  if (document.activeElement !== $('strategies')) $('strategies').value = style;
+}
+
+// This changes what the robot is like, in the middle of a session.
+async function believe(text) {
+  typing = false;
+  if (text !== state.settings.style && await leaveSession()) {
+    try {
+      await change(t('undo.style'), async () => {
+        expectTrainer(text);
+        return '';
+      });
+    } catch (error) {
+      tell(error.message, true);
+    }
+    state.settings.style = expectedNow();
+    keepSetting('style');
+    refresh();
+  }
+  render();
+}
+
 const LOOKS = ['auto', 'light', 'dark'];
 
 // What can be chosen from, in words.
 function writeOptions() {
-  for (const [id, prefix, options] of /** @type {[string, string, string[]][]} */ ([['speed', 'speed.', Object.keys(SPEEDS)], ['rule', 'rule.', Object.keys(RULES)], ['theme', 'look.', LOOKS]])) {
+  for (const [id, prefix, options] of /** @type {[string, string, string[]][]} */ ([['speed', 'speed.', Object.keys(SPEEDS)], ['rule', 'rule.', Object.keys(RULES)], ['theme', 'look.', LOOKS], ['believes', 'believes.', CHOICES]])) {
     $(id).replaceChildren(...options.map(value => make('option', { value }, t(/** @type {import('./language.js').Key} */ (prefix + value)))));
   }
   $('language').replaceChildren(...names().map(([value, name]) => make('option', { value, lang: value }, name)));
@@ -57,22 +88,20 @@ export function setUpSettings() {
   for (const name of SWITCHES) {
     $('set-' + name).addEventListener('change', async () => {
       const value = $('set-' + name).checked;
-      // These two change what the robot is like, in the middle of a session.
-      const ends = name === 'style' || name === 'pull';
-      if (ends && !await leaveSession()) return render();
+      if (name === 'pull' && !await leaveSession()) return render();
       state.settings[name] = value;
-      if (name === 'style') {
-        await change(t('undo.style'), async () => {
-          attempt(() => world.setLearnsStyle(value));
-          return '';
-        });
-        refresh();
-      }
       if (name === 'pull') enterHome(world.environment());
       keepSetting(name);
       return render();
     });
   }
+  $('believes').addEventListener('change', () => {
+    typing = $('believes').value === 'own';
+    if (!typing) return believe($('believes').value);
+    render();
+    return $('strategies').select();
+  });
+  $('strategies').addEventListener('change', () => believe($('strategies').value));
   $('set-ways').addEventListener('change', async () => {
     const value = $('set-ways').checked;
     if (await leaveSession()) await considerWays(value);

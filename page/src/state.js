@@ -74,7 +74,7 @@ export const state = {
   sessions: 0,
   tour: { at: 0, done: /** @type {string[]} */ ([]), watching: false },
   settings: /** @type {Record<string, any>} */ ({
-    speed: 'normal', rule: 'linear', style: true, questions: true, voice: false, presenter: false, shortcuts: true, ghost: true, names: true, theme: 'auto', language: 'auto', pull: false, seed: 2014,
+    speed: 'normal', rule: 'linear', style: 'population', questions: true, voice: false, presenter: false, shortcuts: true, ghost: true, names: true, theme: 'auto', language: 'auto', pull: false, seed: 2014,
   }),
 };
 

@@ -1,6 +1,7 @@
 // What lasts: robots with what they know, their logs, and what can be undone. Several tabs may use them at once: what one has learned,
 // the others take over, and a session that ends in one is learned on top of what another learned meanwhile.
 import { fromBase64, toBase64 } from './base64.js';
+import { expectedNow } from './believes.js';
 import { world } from './core.js';
 import { t } from './language.js';
 import { LEARN_BUDGET } from './session.js';
@@ -95,7 +96,7 @@ export async function takeModel(bytes, ways = world.ways()) {
   world.restore(bytes);
   await inParts(() => world.learn(LEARN_BUDGET));
   state.sessions = world.sessions();
-  state.settings.style = world.learnsStyle();
+  state.settings.style = expectedNow();
 }
 
 // What another tab has taught this robot since it was last read. Returns whether there was something.

@@ -115,7 +115,7 @@ function renderStyle() {
   const { learned, good, bad, mistakes, late } = state.belief.trainer;
   $('style-about').textContent = t(learned ? 'style.learned' : 'style.fixed');
   const shares = [[t('style.good'), good], [t('style.bad'), bad], [t('style.mistakes'), mistakes], [t('style.late'), late]];
-  $('style').replaceChildren(...(learned ? shares : []).map(([words, share]) => make('li', {},
+  $('style').replaceChildren(...shares.map(([words, share]) => make('li', {},
     make('span', { class: 'label' }, words), make('span', { class: 'value' }, percent(share)),
     make('span', { class: 'track', 'aria-hidden': 'true' }, make('span', { class: 'bar', style: 'width:' + (Number(share) * 100).toFixed(1) + '%' })))));
 }

@@ -163,7 +163,7 @@ test('a log with all that logs may say teaches the page what it teaches the comm
 test('a log of commands that say how teaches the command line what it taught the page', { skip }, async () => {
   const page = await open(browser);
   await opened(page, 'Settings, keeping, sharing');
-  await page.uncheck('#set-style');
+  await page.selectOption('#believes', 'balanced');
   await page.check('#set-ways');
   await page.waitForFunction(() => window.goodbot.ways() && document.body.dataset.phase === 'none');
   await page.selectOption('#speed', 'once');

@@ -168,7 +168,7 @@ test('a link carries the home and the settings', async () => {
   await page.selectOption('#speed', 'confidence');
   await page.selectOption('#rule', 'threshold');
   await opened(page, 'Settings, keeping, sharing');
-  await page.check('#set-style');
+  await page.selectOption('#believes', 'punish-only');
   await page.check('#set-pull');
   await page.uncheck('#set-ghost');
   await page.click('#share');
@@ -180,9 +180,10 @@ test('a link carries the home and the settings', async () => {
   assert.equal(await other.evaluate(() => window.goodbot.environment()), home);
   assert.equal(await other.getAttribute('nav [data-mode=play]', 'aria-pressed'), 'true');
   assert.deepEqual([await other.inputValue('#speed'), await other.inputValue('#rule'), await other.inputValue('#home')], ['confidence', 'threshold', 'E']);
-  const switches = await Promise.all(['style', 'pull', 'ghost', 'names'].map(name => other.isChecked('#set-' + name)));
-  assert.deepEqual(switches, [true, true, false, true]);
-  assert.deepEqual(await other.evaluate(() => [window.goodbot.learnsStyle(), window.goodbot.pulls()]), [true, true]);
+  const switches = await Promise.all(['pull', 'ghost', 'names'].map(name => other.isChecked('#set-' + name)));
+  assert.deepEqual(switches, [true, false, true]);
+  assert.equal(await other.inputValue('#believes'), 'punish-only');
+  assert.deepEqual(await other.evaluate(() => [window.goodbot.strategies()[1].toFixed(2), window.goodbot.pulls()]), ['0.05', true]);
   const broken = await open(browser, {}, '#home=no-link-at-all');
   assert.match(await broken.textContent('#toast'), /The link is damaged/);
   assert.ok(await broken.isVisible('#lesson'), 'and the page works all the same');

@@ -111,7 +111,7 @@ test('a ghost stands where the robot is heading, unless it is switched off', asy
 test('a robot that learns its trainer’s style shows what it believes of it', async () => {
   const page = await open(browser);
   await opened(page, 'Settings, keeping, sharing');
-  assert.ok(await page.isChecked('#set-style'), 'it expects real people');
+  assert.equal(await page.inputValue('#believes'), 'population', 'it expects real people');
   await page.selectOption('#speed', 'step');
   await play(page, 'A');
   await tell(page, 'go to the red room');
@@ -126,8 +126,9 @@ test('a robot that learns its trainer’s style shows what it believes of it', a
   const now = await page.locator('#style .value').allTextContents();
   assert.ok(parseFloat(now[1]) > parseFloat(before[1]), 'who says Bad six times says more than others: ' + now + ', before ' + before);
   await page.click('#drop');
-  await page.uncheck('#set-style');
-  await page.waitForFunction(() => !document.querySelector('#style li'));
+  await page.selectOption('#believes', 'punish-only');
+  await page.waitForFunction(() => /does not learn your style/.test(document.getElementById('style-about').textContent));
+  assert.deepEqual((await page.locator('#style .value').allTextContents()).map(parseFloat), [30, 95, 10, 0]);
   await close(page);
 });
 

@@ -90,21 +90,23 @@ impl Goodbot {
         self.0.draw_from(seed, step);
     }
 
-    /// Whether the robot expects what real people do, and learns how its trainer uses reward and punishment.
-    #[wasm_bindgen(js_name = setLearnsStyle)]
-    pub fn set_learns_style(&mut self, learns: bool) -> Thrown<()> {
-        self.0.set_learns_style(learns).map_err(thrown)
+    /// The trainer strategies that the robot expected before it met its trainer, as `setStrategies` takes them: a model file may have changed
+    /// them.
+    pub fn strategies(&self) -> Vec<f32> {
+        let numbers = |(strategy, prior): &(Strategy, f32)| {
+            let [now, before, earlier] = strategy.lags();
+            [strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon(), *prior, now, before, earlier]
+        };
+        self.0.expected().iter().flatten().flat_map(numbers).collect()
     }
 
-    /// Whether the robot learns how its trainer uses reward and punishment: a model file may have changed that.
-    #[wasm_bindgen(js_name = learnsStyle)]
-    pub fn learns_style(&self) -> bool {
-        self.0.learns_style()
-    }
-
-    /// Takes the trainer strategies of a log: seven numbers each, mu+, mu-, epsilon, how probable it is, and its three lags.
+    /// Takes trainer strategies: seven numbers each, mu+, mu-, epsilon, how probable it is, and its three lags. Where there are none, the robot
+    /// expects what real people do.
     #[wasm_bindgen(js_name = setStrategies)]
     pub fn set_strategies(&mut self, numbers: &[f32]) -> Thrown<()> {
+        if numbers.is_empty() {
+            return self.0.set_learns_style(true).map_err(thrown);
+        }
         let mut strategies = Vec::new();
         for strategy in numbers.as_chunks::<7>().0 {
             let &[mu_plus, mu_minus, epsilon, prior, lags @ ..] = strategy;

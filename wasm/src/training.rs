@@ -40,6 +40,15 @@ impl World {
         self.agent().belief().strategies().len() > 1
     }
 
+    /// The strategies that the robot expected before it met its trainer, each with how probable it was; `None` where they are those of real
+    /// people.
+    pub fn expected(&self) -> Option<Vec<(Strategy, f32)>> {
+        let belief = self.agent().belief();
+        let expected = || belief.strategies().iter().enumerate().map(|(at, (strategy, _))| (*strategy, belief.expected(at)));
+        let people = expected().map(|(strategy, _)| strategy).eq(population::STRATEGIES.iter().map(|(strategy, _)| *strategy));
+        (!people).then(|| expected().collect())
+    }
+
     /// Hears a command where everything is now. A session under way ends unlearned.
     ///
     /// # Errors

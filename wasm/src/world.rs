@@ -205,15 +205,15 @@ impl World {
         self.state = self.start;
     }
 
-    /// A new robot, which has learned nothing, in the same home.
+    /// A new robot, which has learned nothing and expects of its trainer what the one before expected, in the same home.
     ///
     /// # Errors
     /// None where the built-in strategies are sound.
     pub fn restart(&mut self) -> Result<(), Refusal> {
-        let learns_style = self.learns_style();
+        let expected = self.expected();
         self.mind = new_mind(&MIND, self.ways())?;
         (self.recording, self.acted, self.state, self.gave_way) = (None, None, self.start, 0);
-        self.set_learns_style(learns_style)
+        expected.map_or(Ok(()), |strategies| self.set_strategies(&strategies))
     }
 
     /// What the robot has learned, as the bytes of a model file.
@@ -250,7 +250,7 @@ impl World {
             return Err(Refusal::from("learned as in the paper"));
         }
         let mut bytes = self.save()?;
-        if self.learns_style() {
+        if !matches!(self.mind.belief().strategies(), [(Strategy::BALANCED, _)]) {
             let mut mind = taught(&bytes, self.ways())?;
             mind.set_strategies(&[(Strategy::BALANCED, 1.0)]).map_err(Refusal::from)?;
             bytes = saved(&mind)?;
