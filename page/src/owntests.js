@@ -58,9 +58,9 @@ function offer() {
 
 export function renderOwnTests() {
   const card = $('own-tests');
-  card.hidden = state.secret === 'open';
+  card.hidden = state.mode !== 'play' || state.secret === 'open';
   $('test-it').disabled = $('run-tests').disabled = !idle();
-  if (!card.open || state.mode === 'build') return;
+  if (!card.open || card.hidden) return;
   if (idle()) offer();
   const all = tests();
   const known = results.of === knowledge();
