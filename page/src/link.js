@@ -108,6 +108,7 @@ export function readLink() {
     if (style !== expectedNow()) expectTrainer(style);
     return true;
   } catch {
+    state.settings.style = expectedNow();
     tell(t('link.damaged'), true);
     return false;
   }

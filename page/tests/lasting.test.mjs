@@ -105,7 +105,7 @@ test('several robots have names, and can be switched, copied, deleted and brough
   await opened(page, 'Your robots');
   await page.fill('#robots input', 'blue team');
   await page.keyboard.press('Tab');
-  assert.equal(await page.textContent('#who'), 'blue team');
+  await page.waitForFunction(() => document.getElementById('who').textContent === 'blue team');
   await page.click('#new-robot');
   await page.getByText('A new robot, Robot 1').first().waitFor();
   assert.equal(await sessions(page), 0);
