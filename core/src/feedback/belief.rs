@@ -132,8 +132,10 @@ impl<'t> BeliefRef<'t> {
     /// Whether anything was observed since the start that tells tasks or strategies apart. Before that, the strategies are as probable as
     /// [`strategies`](Self::strategies) says; [`strategy_probability`](Self::strategy_probability) is that but for rounding.
     pub fn has_evidence(self) -> bool {
-        let is_as_begun = |(joint, &(_, probability)): (&Scaled, &(Strategy, f32))| *joint == Scaled::new(probability);
-        !(0..self.count.tasks).all(|task| self.row(task).iter().zip(self.strategies()).all(is_as_begun))
+        self.strategies().iter().enumerate().any(|(strategy, &(_, probability))| {
+            let begun = Scaled::new(probability);
+            (0..self.count.tasks).any(|task| self.row(task).get(strategy).is_some_and(|&joint| joint != begun))
+        })
     }
 
     fn weight_with(self, task: usize, strategy: usize) -> Scaled {
@@ -225,9 +227,10 @@ impl<'t> Belief<'t> {
             *slot = prior;
         }
         let strategies = self.memory.strategies.get(..self.count.strategies).unwrap_or(&[]);
-        for row in self.memory.joint.chunks_mut(self.count.strategies.max(1)).take(count) {
-            for (slot, &(_, probability)) in row.iter_mut().zip(strategies) {
-                *slot = Scaled::new(probability);
+        for (strategy, &(_, probability)) in strategies.iter().enumerate() {
+            let begun = Scaled::new(probability);
+            for slot in self.memory.joint.iter_mut().skip(strategy).step_by(strategies.len()).take(count) {
+                *slot = begun;
             }
         }
         self.count.tasks = count;
@@ -242,7 +245,8 @@ impl<'t> Belief<'t> {
 
     /// Settles the last piece of evidence: the next one counts beside it, and no longer replaces it.
     pub fn settle(&mut self) {
-        self.memory.settled.iter_mut().zip(self.memory.joint.iter()).for_each(|(settled, joint)| *settled = *joint);
+        let used = self.count.tasks.saturating_mul(self.count.strategies);
+        self.memory.settled.iter_mut().zip(self.memory.joint.iter()).take(used).for_each(|(settled, joint)| *settled = *joint);
     }
 
     /// Replaces the prior of one task; nothing for a task that there is not.

@@ -118,6 +118,9 @@ const fn is_apostrophe(letter: char) -> bool {
 
 /// Letters and digits, and what stands within words: apostrophes, and the marks of scripts that write vowels and accents by themselves.
 fn is_of_word(letter: char) -> bool {
+    if letter.is_ascii() {
+        return letter.is_ascii_alphanumeric() || is_apostrophe(letter);
+    }
     let is_mark = matches!(letter, '\u{300}'..='\u{36f}' | '\u{591}'..='\u{5c7}' | '\u{610}'..='\u{61a}' | '\u{64b}'..='\u{670}')
         || matches!(letter, '\u{900}'..='\u{963}' | '\u{966}'..='\u{ddf}' | '\u{e31}'..='\u{e4e}' | '\u{eb1}'..='\u{ecd}')
         || matches!(letter, '\u{f71}'..='\u{f84}' | '\u{102b}'..='\u{103e}' | '\u{17b4}'..='\u{17d3}' | '\u{200c}' | '\u{200d}');

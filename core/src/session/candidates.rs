@@ -11,6 +11,8 @@ use crate::symbols::Symbol;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate {
     start: u32,
+    /// The first task that it expresses.
+    task: u8,
     len: u8,
     check: u16,
     /// Pr(e|m).
@@ -21,7 +23,7 @@ pub struct Candidate {
 
 impl Candidate {
     /// What unused memory holds.
-    pub const UNUSED: Self = Self { start: 0, len: 0, check: 0, likelihood: Scaled::ZERO, weight: Scaled::ZERO };
+    pub const UNUSED: Self = Self { start: 0, task: 0, len: 0, check: 0, likelihood: Scaled::ZERO, weight: Scaled::ZERO };
 }
 
 crate::memory::tables! {
@@ -88,6 +90,11 @@ impl<'t> CandidatesRef<'t> {
         let check = check(tokens);
         self.entries().iter().position(|entry| entry.check == check && self.tokens(entry) == tokens)
     }
+
+    /// The machine command that was added for a task, if one was: the last of them.
+    pub fn added_for(self, task: usize) -> Option<usize> {
+        self.entries().iter().rposition(|entry| usize::from(entry.task) == task)
+    }
 }
 
 impl<'t> Candidates<'t> {
@@ -120,11 +127,11 @@ impl<'t> Candidates<'t> {
         }
     }
 
-    /// Adds a machine command that is not among them, with its likelihood. Gives its position.
+    /// Adds a machine command of a task that is not among them, with its likelihood. Gives its position.
     ///
     /// # Errors
     /// A [`CapacityError`].
-    pub fn add(&mut self, tokens: &[Symbol], likelihood: Scaled) -> Result<usize, CapacityError> {
+    pub fn add(&mut self, task: usize, tokens: &[Symbol], likelihood: Scaled) -> Result<usize, CapacityError> {
         let limit = self.memory.entries.len();
         let end = self.count.used.saturating_add(tokens.len());
         let full = CapacityError::new(Capacity::CandidateTokens, self.memory.tokens.len(), end);
@@ -132,8 +139,8 @@ impl<'t> Candidates<'t> {
             return Err(CapacityError::full(Capacity::Candidates, limit));
         };
         self.memory.tokens.get_mut(self.count.used..end).ok_or(full)?.iter_mut().zip(tokens).for_each(|(slot, &token)| *slot = token);
-        *entry =
-            Candidate { start: self.count.used as u32, len: tokens.len() as u8, check: check(tokens), likelihood, weight: Scaled::ZERO };
+        let (start, len) = (self.count.used as u32, tokens.len() as u8);
+        *entry = Candidate { start, task: task as u8, len, check: check(tokens), likelihood, weight: Scaled::ZERO };
         let position = self.count.len;
         (self.count.len, self.count.used) = (self.count.len.saturating_add(1), end);
         Ok(position)

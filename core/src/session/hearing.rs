@@ -208,10 +208,11 @@ impl<M: AgentMemory> Agent<M> {
                 (true, Some(scene)) => self.read_on(domain, scene, &mut position, &mut left)?,
                 (true, None) => true,
                 (false, _) => {
+                    let task = position.task;
                     self.for_each_constraint(domain, &mut position, &mut left, &mut |candidates, language, sentence, tokens, _| {
                         let found = match candidates.read().find(tokens) {
                             Some(found) => found,
-                            None => candidates.add(tokens, language.likelihood(sentence, tokens))?,
+                            None => candidates.add(task, tokens, language.likelihood(sentence, tokens))?,
                         };
                         Ok(candidates.read().entries().get(found).map_or(Scaled::ZERO, |entry| entry.likelihood))
                     })?
@@ -328,21 +329,33 @@ impl<M: AgentMemory> Agent<M> {
         let mut language = self.language.with(language, workspace);
         let Some(task) = session.tasks.get(position.task) else { return Ok(true) };
         let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
-        let mut description = Tokens::new();
-        describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?;
-        let mut reading = Reading { words: position.constraint, probability: position.sum };
-        if reading.words == 0 {
-            if let Some(entry) = candidates.read().find(&description).and_then(|found| candidates.read().entries().get(found)) {
-                position.sum = entry.likelihood;
+        let added = match candidates.read().added_for(position.task) {
+            Some(added) => added,
+            None => {
+                let mut description = Tokens::new();
+                describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?;
                 *left = left.saturating_sub(description.len() as u32);
-                return Ok(true);
+                if let Some(entry) = candidates.read().find(&description).and_then(|found| candidates.read().entries().get(found)) {
+                    position.sum = entry.likelihood;
+                    return Ok(true);
+                }
+                let added = candidates.add(position.task, &description, Scaled::ZERO)?;
+                if *left == 0 {
+                    return Ok(false);
+                }
+                added
             }
-            reading = Reading::START;
-        }
-        let done = language.likelihood_on(&self.sentence, &description, &mut reading, left);
+        };
+        let mut reading = match position.constraint {
+            0 => Reading::START,
+            words => Reading { words, probability: position.sum },
+        };
+        let read = candidates.read();
+        let description = read.entries().get(added).map_or(&[][..], |entry| read.tokens(entry));
+        let done = language.likelihood_on(&self.sentence, description, &mut reading, left);
         (position.constraint, position.sum) = (reading.words, reading.probability);
-        if done {
-            candidates.add(&description, reading.probability)?;
+        if let Some(entry) = candidates.entry_mut(added).filter(|_| done) {
+            entry.likelihood = reading.probability;
         }
         Ok(done)
     }
@@ -361,7 +374,13 @@ impl<M: AgentMemory> Agent<M> {
         let Some(task) = session.tasks.get(position.task) else { return Ok(()) };
         let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
         let mut description = Tokens::new();
-        describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?;
+        let read = candidates.read();
+        match read.added_for(position.task).and_then(|added| read.entries().get(added)) {
+            Some(entry) => {
+                let _ = description.extend_from_slice(read.tokens(entry));
+            }
+            None => describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?,
+        }
         let value = each(&mut candidates, language.read(), &self.sentence, &description, 1.0)?;
         position.sum = position.sum.plus(value);
         let cells = description.len().saturating_mul(self.sentence.len().max(1)).saturating_mul(4);

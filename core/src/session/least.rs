@@ -262,7 +262,7 @@ impl<M: AgentMemory> Agent<M> {
             let mut position = Position::of_task(task);
             while !self.for_each_candidate(domain, &mut None, &mut position, &mut { u32::MAX }, |candidates, _, _, tokens, _| {
                 if candidates.read().find(tokens).is_none() {
-                    candidates.add(tokens, Scaled::ZERO)?;
+                    candidates.add(task, tokens, Scaled::ZERO)?;
                 }
                 Ok(Scaled::ZERO)
             })? {}

@@ -105,10 +105,53 @@ pub(crate) fn form_token(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut 
 #[derive(Clone, Debug)]
 pub struct Scene<S> {
     state: S,
+    /// `None` before the first description.
+    spoken: Option<Spoken>,
     /// For each lifted task one more than its token, 0 for one that was not needed yet.
     forms: [u16; LIFTED_TASKS],
     /// For each of the first objects and each attribute one more than the value's token, 0 for one that was not needed yet.
     tokens: [[u16; ATTRIBUTES]; REMEMBERED],
+}
+
+/// What the tasks of a session speak of, and what words can tell apart.
+#[derive(Clone, Copy, Debug)]
+struct Spoken {
+    /// The propositions that tasks are made of.
+    propositions: Bits,
+    /// The classes of their last arguments.
+    places: Bits,
+    /// The classes that carry an attribute.
+    things: Bits,
+}
+
+impl Spoken {
+    fn of(schema: &Schema<'_>, all: &[LiftedTask]) -> Self {
+        let mut spoken = Self { propositions: Bits(0), places: Bits(0), things: Bits(0) };
+        for part in all.iter().flat_map(|lifted| lifted.propositions()) {
+            spoken.propositions.insert(part.proposition.0);
+            if let [_, .., last] = schema.parameters(part.proposition) {
+                spoken.places.insert(last.0);
+            }
+        }
+        for carrier in schema.attributes.iter().flat_map(|attribute| attribute.carriers) {
+            spoken.things.insert(carrier.class.0);
+        }
+        spoken
+    }
+}
+
+/// A choice among the propositions, or the classes, of a schema. Those beyond 63 share a bit, as they share a role.
+#[derive(Clone, Copy, Debug)]
+struct Bits(u64);
+
+impl Bits {
+    fn insert(&mut self, position: u8) {
+        self.0 |= 1 << position.min(63);
+    }
+
+    fn contains(self, position: u8) -> bool {
+        self.0 & (1 << position.min(63)) != 0
+    }
 }
 
 /// Of so many objects the tokens are remembered; those of others are looked up each time.
@@ -119,7 +162,7 @@ const NO_TOKEN: u16 = u16::MAX;
 impl<S> Scene<S> {
     /// The scene of a session that starts from a state.
     pub const fn new(state: S) -> Self {
-        Self { state, forms: [0; LIFTED_TASKS], tokens: [[0; ATTRIBUTES]; REMEMBERED] }
+        Self { state, spoken: None, forms: [0; LIFTED_TASKS], tokens: [[0; ATTRIBUTES]; REMEMBERED] }
     }
 
     /// The token of the lifted task at a position.
@@ -191,7 +234,9 @@ pub fn describe<D: Domain + ?Sized>(
     let _ = description.push(form);
     let bound: Chosen = task.bindings.iter().take(lifted.variables().len()).copied().collect();
     let mut with_role = Chosen::NONE;
-    let mut description = Description { domain, world: domain.world(), scene, all, lifted, task, bound, tokens, description };
+    let world = domain.world();
+    let spoken = *scene.spoken.get_or_insert_with(|| Spoken::of(&world.schema, all));
+    let mut description = Description { domain, world, scene, spoken, lifted, task, bound, tokens, description };
     for &kind in &[RoleKind::Subject, RoleKind::Goal, RoleKind::Start] {
         if kind == RoleKind::Start {
             description.write_way(&mut with_role)?;
@@ -210,7 +255,7 @@ pub fn describe<D: Domain + ?Sized>(
     }
     with_role.insert_all(&bound);
     for class in (0..description.world.schema.classes.len()).map(|class| ClassId(class as u8)) {
-        let kind = if description.is_place(class) { RoleKind::OtherPlace } else { RoleKind::Other };
+        let kind = if spoken.places.contains(class.0) { RoleKind::OtherPlace } else { RoleKind::Other };
         let others = description.of_class(class).filter(|&object| !with_role.contains(object)).collect();
         description.write(Role::of_class(kind, class), &others)?;
     }
@@ -275,7 +320,7 @@ struct Description<'a, 't, D: Domain + ?Sized> {
     domain: &'a D,
     world: World<'a>,
     scene: &'a mut Scene<D::State>,
-    all: &'a [LiftedTask],
+    spoken: Spoken,
     lifted: &'a LiftedTask,
     task: &'a GroundedTask,
     /// What the task binds.
@@ -300,19 +345,13 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
     /// The propositions that roles of a kind are about, each once, in order: those of the task for goals and subjects, those of all tasks
     /// here for where things are at the start.
     fn propositions(&self, kind: RoleKind) -> impl Iterator<Item = PropositionId> + use<'a, D> {
-        let (all, lifted) = (self.all, self.lifted);
-        let has = |lifted: &LiftedTask, proposition| lifted.propositions().iter().any(|part| part.proposition == proposition);
-        let of = move |&proposition: &PropositionId| match kind {
-            RoleKind::Start => all.iter().any(|lifted| has(lifted, proposition)),
-            _ => has(lifted, proposition),
-        };
-        (0..self.world.schema.propositions.len()).map(|position| PropositionId(position as u8)).filter(of)
-    }
-
-    /// Whether the class is that of the last argument of a proposition that tasks here are made of.
-    fn is_place(&self, class: ClassId) -> bool {
-        let parts = self.all.iter().flat_map(|lifted| lifted.propositions());
-        parts.map(|part| self.world.schema.parameters(part.proposition)).any(|classes| classes.len() > 1 && classes.last() == Some(&class))
+        let mut bits = self.spoken.propositions;
+        if kind != RoleKind::Start {
+            bits = Bits(0);
+            self.lifted.propositions().iter().for_each(|part| bits.insert(part.proposition.0));
+        }
+        let all = (0..self.world.schema.propositions.len()).map(|position| PropositionId(position as u8));
+        all.filter(move |proposition| bits.contains(proposition.0))
     }
 
     /// What the task binds as an argument of a proposition.
@@ -323,8 +362,8 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
 
     /// What the task is about, of a class: what is bound, or everything of a class that no words can tell apart, like the robot.
     fn subjects(&self, class: ClassId) -> Chosen {
-        let carries = self.world.schema.attributes.iter().any(|attribute| attribute.carriers.iter().any(|it| it.class == class));
-        self.of_class(class).filter(|&object| !carries || self.bound.contains(object)).collect()
+        let is_thing = self.spoken.things.contains(class.0);
+        self.of_class(class).filter(|&object| !is_thing || self.bound.contains(object)).collect()
     }
 
     /// The objects that a proposition holds of at the start as its last argument, with what the task is about before them.
