@@ -66,11 +66,15 @@ pub enum DomainFlaw {
         number: u64,
         /// What `state_count` returns.
         count: u64,
+        /// The state, by its number, and the action that lead to it; `None` where the session starts from it.
+        from: Option<(u64, Action)>,
     },
     /// [`Domain::numbered`] returns another state than the one that has the number. Mostly, two states have the same number.
     Numbered {
         /// The number.
         number: u64,
+        /// The state, by its number, and the action that lead to it; `None` where the session starts from it.
+        from: Option<(u64, Action)>,
     },
     /// [`Domain::step`] returns now one state and now another.
     Step {
@@ -111,22 +115,28 @@ impl fmt::Display for DomainFlaw {
                     object.0
                 )
             }
-            Self::Number { number, count } => {
-                write!(
-                    f,
-                    "a state has the number {number}, and state_count is {count}; it must be more than every number, and no step may \
-                     lead to what is no state"
-                )
+            Self::Number { number, count, from } => {
+                write!(f, "a state has the number {number}, and state_count is {count}")?;
+                write_origin(f, from)?;
+                f.write_str("; it must be more than every number, and no step may lead to what is no state")
             }
-            Self::Numbered { number } => write!(
-                f,
-                "numbered({number}) is another state than the one with that number; give every state a number of its own that numbered \
-                 turns back, and let no step lead to what is no state"
-            ),
+            Self::Numbered { number, from } => {
+                write!(f, "numbered({number}) is another state than the one with that number")?;
+                write_origin(f, from)?;
+                f.write_str("; give every state a number of its own that numbered turns back, and let no step lead to what is no state")
+            }
             Self::Step { number, action } => {
                 write!(f, "step leads from state {number} by action {} now to one state and now to another", action.0)
             }
         }
+    }
+}
+
+/// Writes what leads to a state.
+fn write_origin(f: &mut fmt::Formatter<'_>, from: Option<(u64, Action)>) -> fmt::Result {
+    match from {
+        Some((number, action)) => write!(f, " (action {} leads to it from state {number})", action.0),
+        None => Ok(()),
     }
 }
 
@@ -178,7 +188,7 @@ pub fn check<D: Domain + ?Sized>(domain: &D, start: D::State, most: usize) -> Re
     use alloc::collections::{BTreeSet, VecDeque};
 
     check_description(domain)?;
-    let mut seen = BTreeSet::from([check_number(domain, &start)?]);
+    let mut seen = BTreeSet::from([check_number(domain, &start, None)?]);
     let mut open = VecDeque::from([start]);
     let mut states: usize = 0;
     while let Some(state) = open.pop_front() {
@@ -192,7 +202,7 @@ pub fn check<D: Domain + ?Sized>(domain: &D, start: D::State, most: usize) -> Re
                 return Err(DomainFlaw::Step { number: domain.number(&state), action });
             }
             if let Some(next) = next
-                && seen.insert(check_number(domain, &next)?)
+                && seen.insert(check_number(domain, &next, Some((domain.number(&state), action)))?)
             {
                 open.push_back(next);
             }
@@ -203,13 +213,13 @@ pub fn check<D: Domain + ?Sized>(domain: &D, start: D::State, most: usize) -> Re
 
 /// The number of a state, where it is as it must be.
 #[cfg(feature = "alloc")]
-fn check_number<D: Domain + ?Sized>(domain: &D, state: &D::State) -> Result<u64, DomainFlaw> {
+fn check_number<D: Domain + ?Sized>(domain: &D, state: &D::State, from: Option<(u64, Action)>) -> Result<u64, DomainFlaw> {
     let (number, count) = (domain.number(state), domain.state_count());
     // With no bound, there is none to keep.
     if number >= count && count != u64::MAX {
-        return Err(DomainFlaw::Number { number, count });
+        return Err(DomainFlaw::Number { number, count, from });
     }
-    if domain.numbered(number) == *state { Ok(number) } else { Err(DomainFlaw::Numbered { number }) }
+    if domain.numbered(number) == *state { Ok(number) } else { Err(DomainFlaw::Numbered { number, from }) }
 }
 
 #[cfg(feature = "alloc")]

@@ -29,6 +29,17 @@ pub(super) struct StateSearch {
     ahead: usize,
     /// The distance of the first state that found no room.
     horizon: u32,
+    /// A state whose number is not below the domain's `state_count`, though all that are have room.
+    stray: Option<Stray>,
+}
+
+/// A state that the domain did not count.
+#[derive(Clone, Copy, Debug)]
+pub struct Stray {
+    /// Its number.
+    pub number: u64,
+    /// The number of the state before it, and the action between them.
+    pub from: (u64, Action),
 }
 
 impl StateSearch {
@@ -61,7 +72,7 @@ impl StateSearch {
             (Self::room(domain, marks.len()).min(hashed.len()), 0)
         };
         let frontier = Frontier::new(slots, ring(domain), bytes(domain));
-        let mut search = Self { frontier, slots, hashing, own_table, ahead: 0, horizon: u32::MAX };
+        let mut search = Self { frontier, slots, hashing, own_table, ahead: 0, horizon: u32::MAX, stray: None };
         let (marks, table) = search.split(marks, hashed);
         match search.slot(marks, table, domain.number(state)) {
             Some(slot) => {
@@ -94,6 +105,11 @@ impl StateSearch {
     /// Whether every state found room.
     pub(super) fn is_complete(&self) -> bool {
         self.horizon == u32::MAX
+    }
+
+    /// A state that was met and that the domain did not count, as far as that was seen.
+    pub(super) const fn stray(&self) -> Option<Stray> {
+        self.stray
     }
 
     /// Goes on to the next distance. Returns whether there is one: from the first state without room on, a goal may be missing, and so may
@@ -144,8 +160,10 @@ impl StateSearch {
     ) {
         let Some(next) = domain.step(state, action).filter(|next| next != state) else { return };
         let cost = cost(domain, action);
-        let Some(slot) = self.slot(marks, table, domain.number(&next)) else {
+        let number = domain.number(&next);
+        let Some(slot) = self.slot(marks, table, number) else {
             self.horizon = self.horizon.min(level.saturating_add(u32::from(cost)));
+            self.stray = (!self.hashing).then(|| Stray { number, from: (domain.number(state), action) });
             return;
         };
         match self.frontier.meet(marks, slot, usize::from(cost)) {

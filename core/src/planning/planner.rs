@@ -15,7 +15,7 @@ use super::approximate::Approximation;
 use super::bitboard::{RowSearch, View};
 use super::deadlock;
 use super::goals::{GoalMemory, GoalPart, GoalTable, Goals};
-use super::one_by_one::{self, StateSearch};
+use super::one_by_one::{self, StateSearch, Stray};
 use super::plan::{Found, Plan, Results};
 use super::ways::Ways;
 use crate::capacity::{Capacities, Capacity, CapacityError};
@@ -402,6 +402,14 @@ impl Planner {
     /// Whether it has come to its end.
     pub fn is_done(&self) -> bool {
         matches!(self.stage, Stage::Done)
+    }
+
+    /// A state that an action leads to and that the domain did not count, as far as that was seen.
+    pub fn stray(&self) -> Option<Stray> {
+        match &self.marked {
+            Marked::States(states) | Marked::WayStates(states, _) => states.stray(),
+            _ => None,
+        }
     }
 
     /// What is known of each task, in the tables that planning wrote.

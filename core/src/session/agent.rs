@@ -16,7 +16,7 @@ use crate::feedback::{Belief, BeliefCount, BeliefRef, Ending, Feedback, Strategy
 use crate::language::model::LanguageState;
 use crate::language::{LanguageMut, LanguageRef, Sentence};
 use crate::memory::{AgentMemory, AgentTables};
-use crate::oomdp::{Action, ActionSet, Domain, apply, digest};
+use crate::oomdp::{Action, ActionSet, Domain, DomainFlaw, apply, digest};
 use crate::planning::{Judgement, OptimalSet, Plan, PlanTables, Planner, Progress, Ways};
 use crate::probability::{Scaled, total};
 use crate::random::below;
@@ -370,7 +370,9 @@ impl<M: AgentMemory> Agent<M> {
     /// Plans for `state`, with at most about `budget` expansions of the search. Call until done; a different state begins anew.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`], [`AgentError::OtherDomain`] where the session was begun in another domain, or [`AgentError::StateNumber`].
+    /// [`AgentError::NoSession`], [`AgentError::OtherDomain`] where the session was begun in another domain, [`AgentError::StateNumber`], or
+    /// [`AgentError::Domain`] where an action leads to a state whose number is not below the domain's `state_count`. The last is seen where
+    /// all states have room; [`check`](crate::oomdp::check) sees it everywhere.
     #[inline(never)]
     pub fn plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, budget: u32) -> Result<Progress, AgentError> {
         self.check_session(domain)?;
@@ -385,6 +387,10 @@ impl<M: AgentMemory> Agent<M> {
         let ways = Ways { lifted: &self.lifted, tasks: session.tasks.get(..self.task_count).unwrap_or(&[]) };
         let mut tables = PlanTables::new(session.goals, session.plan, workspace).with_ways(ways);
         let progress = self.planner.advance(&mut tables, domain, state, budget);
+        if let Some(stray) = self.planner.stray() {
+            let (number, count) = (stray.number, domain.state_count());
+            return Err(DomainFlaw::Number { number, count, from: Some(stray.from) }.into());
+        }
         if progress == Progress::Done {
             self.dead = self.dead.union(self.planned().dead());
         }

@@ -64,11 +64,26 @@ pub enum TaskTextError {
     /// It is not of the form `name(?a, ?b) & name(?c)`.
     Form,
     /// The domain has no propositional function of this name.
-    UnknownProposition,
+    UnknownProposition {
+        /// Which of the propositions that were given, from 0.
+        proposition: u8,
+    },
     /// A proposition has more or fewer arguments than its function.
-    ArgumentCount,
+    ArgumentCount {
+        /// Which of the propositions that were given, from 0.
+        proposition: u8,
+        /// How many arguments it was given.
+        given: u8,
+        /// How many its function has.
+        wanted: u8,
+    },
     /// One variable stands for objects of two classes.
-    ClassConflict,
+    ClassConflict {
+        /// The proposition in which it stands for another class than before, of those that were given, from 0.
+        proposition: u8,
+        /// Which of its arguments, from 0.
+        argument: u8,
+    },
     /// A way goes through what the goal asks for anyway, or asks for the same twice.
     SaysNothing,
     /// A way avoids what the task asks for.
@@ -87,20 +102,36 @@ impl From<CapacityError> for TaskTextError {
 
 impl fmt::Display for TaskTextError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+        f.write_str(match *self {
             Self::Form => {
                 "a lifted task reads like agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2); a way stands behind it, like through agentInRoom(?a, ?v) \
                  or agentInRoom(?a, ?w), and avoiding agentInRoom(?a, ?x); then stands between goals"
             }
-            Self::UnknownProposition => "the domain has no propositional function of this name",
-            Self::ArgumentCount => "a proposition has more or fewer arguments than its function",
-            Self::ClassConflict => "one variable stands for objects of two classes",
+            Self::UnknownProposition { proposition } => {
+                return write!(f, "the domain has no propositional function with the name that proposition {} has", nth(proposition));
+            }
+            Self::ArgumentCount { proposition, given, wanted } => {
+                return write!(f, "proposition {} was given {given} arguments, and its function has {wanted}", nth(proposition));
+            }
+            Self::ClassConflict { proposition, argument } => {
+                return write!(
+                    f,
+                    "argument {} of proposition {} is a variable that stands for an object of another class; name it otherwise",
+                    nth(argument),
+                    nth(proposition)
+                );
+            }
             Self::SaysNothing => "the same is asked for twice; give what a way goes through a variable of its own",
             Self::AvoidsGoal => "what is to be avoided is asked for as well; give what is avoided a variable of its own",
             Self::NoWays => "this robot knows no ways (through, avoiding, then); build it with the feature ways",
             Self::Capacity(error) => return error.fmt(f),
         })
     }
+}
+
+/// As people count.
+const fn nth(position: u8) -> u16 {
+    position as u16 + 1
 }
 
 impl core::error::Error for TaskTextError {}
@@ -114,7 +145,7 @@ impl LiftedTask {
         let mut task = Self::empty(schema);
         let parameters = schema.parameters(proposition);
         if parameters.is_empty() {
-            return Err(TaskTextError::UnknownProposition);
+            return Err(TaskTextError::UnknownProposition { proposition: 0 });
         }
         let mut variables = [NO_VARIABLE; ARGUMENTS];
         if parameters.len() > ARGUMENTS {
@@ -153,7 +184,7 @@ impl LiftedTask {
             return Err(TaskTextError::NoWays);
         }
         let parameters = schema.parameters(proposition);
-        let Some(last) = parameters.len().checked_sub(1) else { return Err(TaskTextError::UnknownProposition) };
+        let Some(last) = parameters.len().checked_sub(1) else { return Err(TaskTextError::UnknownProposition { proposition: 0 }) };
         if parameters.len() > ARGUMENTS {
             return Err(CapacityError::new(Capacity::Arguments, ARGUMENTS, parameters.len()).into());
         }
@@ -252,16 +283,19 @@ impl LiftedTask {
         names: &mut Vec<&'n str, VARIABLES_PER_TASK>,
         schema: &Schema<'_>,
     ) -> Result<LiftedProposition, TaskTextError> {
-        let proposition = schema.proposition(name.trim_ascii()).ok_or(TaskTextError::UnknownProposition)?;
+        let this = self.propositions.len() as u8;
+        let proposition = schema.proposition(name.trim_ascii()).ok_or(TaskTextError::UnknownProposition { proposition: this })?;
         let parameters = schema.parameters(proposition);
-        if pieces(arguments, b',').count() != parameters.len() {
-            return Err(TaskTextError::ArgumentCount);
+        let given = pieces(arguments, b',').count();
+        if given != parameters.len() {
+            let (given, wanted) = (given.min(usize::from(u8::MAX)) as u8, parameters.len().min(usize::from(u8::MAX)) as u8);
+            return Err(TaskTextError::ArgumentCount { proposition: this, given, wanted });
         }
         if parameters.len() > ARGUMENTS {
             return Err(CapacityError::new(Capacity::Arguments, ARGUMENTS, parameters.len()).into());
         }
         let mut variables = [NO_VARIABLE; ARGUMENTS];
-        for ((argument, slot), &class) in pieces(arguments, b',').zip(variables.iter_mut()).zip(parameters) {
+        for (at, ((argument, slot), &class)) in pieces(arguments, b',').zip(variables.iter_mut()).zip(parameters).enumerate() {
             let variable = argument.trim_ascii();
             if variable.len() < 2 || variable.as_bytes().first() != Some(&b'?') {
                 return Err(TaskTextError::Form);
@@ -276,7 +310,7 @@ impl LiftedTask {
                 }
             };
             if self.variables.get(position) != Some(&class) {
-                return Err(TaskTextError::ClassConflict);
+                return Err(TaskTextError::ClassConflict { proposition: this, argument: at as u8 });
             }
             *slot = position as u8;
         }
@@ -401,6 +435,7 @@ fn pieces(text: &str, separator: u8) -> impl Iterator<Item = &str> {
 mod tests {
     use super::*;
     use crate::home::SCHEMA;
+    use std::string::ToString;
 
     #[test]
     fn a_proposition_alone_equals_its_text() {
@@ -416,11 +451,13 @@ mod tests {
         assert_eq!(refused("blockInRoom(?o, ?r) and more"), TaskTextError::Form);
         assert_eq!(refused("blockInRoom(?o, ?r) &"), TaskTextError::Form);
         assert_eq!(refused("blockInRoom(?o, ?r))"), TaskTextError::Form);
-        assert_eq!(refused("blöckInRoom(?o, ?r)"), TaskTextError::UnknownProposition);
+        assert_eq!(refused("blöckInRoom(?o, ?r)"), TaskTextError::UnknownProposition { proposition: 0 });
         assert_eq!(refused("blockInRoom(o, r)"), TaskTextError::Form);
-        assert_eq!(refused("flies(?a)"), TaskTextError::UnknownProposition);
-        assert_eq!(refused("blockInRoom(?o)"), TaskTextError::ArgumentCount);
-        assert_eq!(refused("blockInRoom(?x, ?x)"), TaskTextError::ClassConflict);
+        let unknown = refused("blockInRoom(?o, ?r) & flies(?a)");
+        assert_eq!(unknown, TaskTextError::UnknownProposition { proposition: 1 });
+        assert_eq!(unknown.to_string(), "the domain has no propositional function with the name that proposition 2 has");
+        assert_eq!(refused("blockInRoom(?o)"), TaskTextError::ArgumentCount { proposition: 0, given: 1, wanted: 2 });
+        assert_eq!(refused("blockInRoom(?x, ?x)"), TaskTextError::ClassConflict { proposition: 0, argument: 1 });
         let five = "blockInRoom(?o, ?r) & blockInRoom(?o, ?r) & blockInRoom(?o, ?r) & blockInRoom(?o, ?r) & blockInRoom(?o, ?r)";
         assert!(matches!(refused(five), TaskTextError::Capacity(_)));
     }

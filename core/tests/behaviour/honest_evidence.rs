@@ -5,8 +5,8 @@ use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::memory::{AgentHeap, AgentMemory, HomeMemory};
 use goodbot::oomdp::{
-    Action, ActionKind, Class, ClassId, Domain, GroundProposition, ObjectId, ObjectSet, Objects, OneByOne, Proposition, PropositionId,
-    Schema, World, apply,
+    Action, ActionKind, Class, ClassId, Domain, DomainFlaw, GroundProposition, ObjectId, ObjectSet, Objects, OneByOne, Proposition,
+    PropositionId, Schema, World, apply,
 };
 use goodbot::planning::{Judgement, OptimalSet, states_needed};
 use goodbot::session::Evidence;
@@ -211,6 +211,8 @@ fn two_things_that_have_swapped_places_are_placed_at_once() {
 struct Ring<'m> {
     objects: Objects<'m>,
     places: u64,
+    /// How many places it says that there are.
+    counted: u64,
 }
 
 const RING: Schema<'static> = Schema {
@@ -244,7 +246,7 @@ impl Domain for Ring<'_> {
     }
 
     fn state_count(&self) -> u64 {
-        self.places
+        self.counted
     }
 
     fn number(&self, state: &u64) -> u64 {
@@ -261,7 +263,7 @@ fn a_robot_whose_states_do_not_fit_is_refused_by_name_and_number() {
     let mut ring_memory = memory(0, 0);
     let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
     objects.add(ClassId(0), "goal", &[]).unwrap();
-    let ring = Ring { objects: objects.into_objects(), places: 15_000 };
+    let ring = Ring { objects: objects.into_objects(), places: 15_000, counted: 15_000 };
     let needed = states_needed(&ring).unwrap();
     assert!(needed > 16_384, "an action that costs 2 takes more room: {needed}");
     let tasks = [LiftedTask::single(PropositionId(0), &RING).unwrap()];
@@ -286,7 +288,7 @@ fn a_robot_of_more_states_than_any_memory_is_refused_at_once() {
     let mut ring_memory = memory(0, 0);
     let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
     objects.add(ClassId(0), "goal", &[]).unwrap();
-    let ring = Ring { objects: objects.into_objects(), places: 1 << 52 };
+    let ring = Ring { objects: objects.into_objects(), places: 1 << 52, counted: 1 << 52 };
     assert!(states_needed(&ring).unwrap() > 1 << 52);
 }
 
@@ -295,7 +297,7 @@ fn a_state_whose_number_is_not_below_the_count_is_refused() {
     let mut ring_memory = memory(0, 0);
     let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
     objects.add(ClassId(0), "goal", &[]).unwrap();
-    let ring = Ring { objects: objects.into_objects(), places: 40 };
+    let ring = Ring { objects: objects.into_objects(), places: 40, counted: 40 };
     let mut memory = memory(128, 0);
     let mut agent = Agent::new(&mut memory.agent, &[LiftedTask::single(PropositionId(0), &RING).unwrap()], Options::PAPER).unwrap();
     assert_eq!(agent.hear(&ring, &40, "go"), Err(AgentError::StateNumber));
@@ -305,11 +307,25 @@ fn a_state_whose_number_is_not_below_the_count_is_refused() {
 }
 
 #[test]
+fn an_action_that_leads_to_no_counted_state_is_named_by_the_plan() {
+    let mut ring_memory = memory(0, 0);
+    let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
+    objects.add(ClassId(0), "goal", &[]).unwrap();
+    let ring = Ring { objects: objects.into_objects(), places: 40, counted: 30 };
+    let mut memory = memory(128, 0);
+    let mut agent = Agent::new(&mut memory.agent, &[LiftedTask::single(PropositionId(0), &RING).unwrap()], Options::PAPER).unwrap();
+    agent.hear(&ring, &25, "go").unwrap();
+    let flaw = DomainFlaw::Number { number: 30, count: 30, from: Some((29, Action(0))) };
+    assert_eq!(agent.plan_fully(&ring, &25), Err(flaw.into()));
+    assert!(flaw.to_string().starts_with("a state has the number 30, and state_count is 30 (action 0 leads to it from state 29); "));
+}
+
+#[test]
 fn tasks_of_another_robot_are_refused() {
     let mut ring_memory = memory(0, 0);
     let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
     objects.add(ClassId(0), "goal", &[]).unwrap();
-    let ring = Ring { objects: objects.into_objects(), places: 40 };
+    let ring = Ring { objects: objects.into_objects(), places: 40, counted: 40 };
     let mut memory = memory(128, 0);
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     assert_eq!(agent.hear(&ring, &0, "go"), Err(AgentError::OtherVocabulary));
@@ -320,7 +336,7 @@ fn states_that_cannot_be_counted_ask_for_a_hash_table() {
     let mut ring_memory = memory(0, 0);
     let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
     objects.add(ClassId(0), "goal", &[]).unwrap();
-    let ring = Ring { objects: objects.into_objects(), places: u64::MAX };
+    let ring = Ring { objects: objects.into_objects(), places: u64::MAX, counted: u64::MAX };
     let mut memory = memory(640, 0);
     let mut agent = Agent::new(&mut memory.agent, &[LiftedTask::single(PropositionId(0), &RING).unwrap()], Options::PAPER).unwrap();
     let refused = agent.hear(&ring, &0, "go").unwrap_err();

@@ -116,12 +116,15 @@ fn as_many_states_are_tried_as_are_asked_for() {
 
 #[test]
 fn two_states_of_one_number_are_found() {
-    assert_eq!(refusal(Cart { number: |place| place / 2, ..Cart::default() }), DomainFlaw::Numbered { number: 0 }.to_string());
+    assert_eq!(
+        refusal(Cart { number: |place| place / 2, ..Cart::default() }),
+        DomainFlaw::Numbered { number: 0, from: Some((0, Action(1))) }.to_string()
+    );
 }
 
 #[test]
 fn a_number_beyond_the_state_count_is_found() {
-    assert_eq!(found(Cart { states: 3, ..Cart::default() }), Err(DomainFlaw::Number { number: 3, count: 3 }));
+    assert_eq!(found(Cart { states: 3, ..Cart::default() }), Err(DomainFlaw::Number { number: 3, count: 3, from: Some((2, Action(1))) }));
 }
 
 #[test]
