@@ -255,6 +255,9 @@ pub fn describe<D: Domain + ?Sized>(
     }
     with_role.insert_all(&bound);
     for class in (0..description.world.schema.classes.len()).map(|class| ClassId(class as u8)) {
+        if !description.can_be_told(class) {
+            continue;
+        }
         let kind = if spoken.places.contains(class.0) { RoleKind::OtherPlace } else { RoleKind::Other };
         let others = description.of_class(class).filter(|&object| !with_role.contains(object)).collect();
         description.write(Role::of_class(kind, class), &others)?;
@@ -273,12 +276,16 @@ struct Chosen {
 impl Chosen {
     const NONE: Self = Self { words: [0; 8], end: 0 };
 
-    fn insert(&mut self, object: ObjectId) {
-        let position = object.0 / 32;
+    /// Adds the objects that have a bit in the word at a position.
+    fn insert_bits(&mut self, position: u8, bits: u32) {
         if let Some(word) = self.words.get_mut(usize::from(position)) {
-            *word |= 1 << (object.0 % 32);
+            *word |= bits;
             self.end = self.end.max(position.saturating_add(1));
         }
+    }
+
+    fn insert(&mut self, object: ObjectId) {
+        self.insert_bits(object.0 / 32, 1 << (object.0 % 32));
     }
 
     fn contains(&self, object: ObjectId) -> bool {
@@ -286,7 +293,7 @@ impl Chosen {
     }
 
     fn insert_all(&mut self, others: &Self) {
-        others.iter().for_each(|object| self.insert(object));
+        others.words.iter().zip(0..others.end).for_each(|(&bits, position)| self.insert_bits(position, bits));
     }
 
     fn iter(&self) -> impl Iterator<Item = ObjectId> {
@@ -332,6 +339,11 @@ struct Description<'a, 't, D: Domain + ?Sized> {
 impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
     fn class(&self, object: ObjectId) -> Option<ClassId> {
         self.world.objects.get(object).map(|object| object.class)
+    }
+
+    /// Whether words could tell an object of a class from others.
+    fn can_be_told(&self, class: ClassId) -> bool {
+        cfg!(feature = "derived") || self.spoken.things.contains(class.0)
     }
 
     fn of_class(&self, class: ClassId) -> impl Iterator<Item = ObjectId> + use<'a, D> {
@@ -427,15 +439,17 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
 
     /// Writes the groups of a role: for each attribute the values of its objects and, for goals, those of what is there at the start.
     fn write(&mut self, role: Role, objects: &Chosen) -> Result<(), CapacityError> {
-        if objects.end == 0 {
+        let Some(class) = objects.iter().next().and_then(|object| self.class(object)) else { return Ok(()) };
+        let guests = (role.kind() == RoleKind::Goal).then(|| self.guests(objects)).filter(|guests| guests.end > 0);
+        // A role's objects are of one class.
+        if guests.is_none() && !self.can_be_told(class) {
             return Ok(());
         }
-        let guests = if role.kind() == RoleKind::Goal { self.guests(objects) } else { Chosen::NONE };
         for attribute in 0..self.world.schema.attributes.len() {
             let sort = (attribute << 1) as u8;
             self.write_group(Marker { role, sort }, attribute, objects)?;
-            if guests.end > 0 {
-                self.write_group(Marker { role, sort: sort | 1 }, attribute, &guests)?;
+            if let Some(guests) = &guests {
+                self.write_group(Marker { role, sort: sort | 1 }, attribute, guests)?;
             }
         }
         #[cfg(feature = "derived")]

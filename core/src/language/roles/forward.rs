@@ -91,6 +91,20 @@ pub(super) struct Before {
     pub cues: Vec<u16, FARTHEST_CUE, u8>,
 }
 
+/// What is worked out for one word, where it stays from word to word: making it anew would clear it each time. Only what stands for roles
+/// that are present is read.
+pub(super) struct Scratch {
+    lifts: Moves,
+    emissions: Roles,
+    moves: Moves,
+    into: Roles,
+}
+
+impl Scratch {
+    pub const NEW: Self =
+        Self { lifts: [0.0; MOST_ROLES + 2], emissions: [0.0; MOST_ROLES], moves: [0.0; MOST_ROLES + 2], into: [0.0; MOST_ROLES] };
+}
+
 /// How one memory moves on.
 #[derive(Clone, Copy)]
 pub(super) struct Step {
@@ -127,12 +141,17 @@ impl<'t, 'd> Reader<'t, 'd> {
         let mut whole: Roles = [0.0; MOST_ROLES];
         for group in groups(self.description) {
             let role = group.marker.role;
-            let known = self.layout.role(role);
+            // A role's groups follow each other.
+            let before = self.present.iter().rposition(|present| present.role == role);
+            let known = match before.filter(|_| self.form.is_some()) {
+                Some(before) => self.known(before),
+                None => self.layout.role(role),
+            };
             // A role that no training has seen says nothing of a lifted task that training knows.
             if known.is_none() && self.form.is_some() {
                 continue;
             }
-            let present = match self.present.iter().position(|present| present.role == role) {
+            let present = match before {
                 Some(present) => present,
                 None => {
                     let column = known.filter(|_| self.form.is_some()).unwrap_or(self.present.len()).saturating_add(2);
@@ -224,8 +243,9 @@ impl<'t, 'd> Reader<'t, 'd> {
         (cell(get(self.translations, self.layout.row(None)), word), cell(self.form_row, word))
     }
 
-    /// Pr(w | role) for each role present, added to what is there.
+    /// Pr(w | role) for each role present.
     pub fn emissions(&self, word: usize, emissions: &mut Roles) {
+        emissions.iter_mut().take(self.present.len()).for_each(|slot| *slot = 0.0);
         let (words, tokens) = (self.layout.words(), self.layout.tokens());
         // The word's column, from the first value's row to the last's: the common case of `value`, without a call.
         let first = words.saturating_add(word);
@@ -316,29 +336,21 @@ impl<'t, 'd> Reader<'t, 'd> {
         product
     }
 
-    /// What p0 is multiplied by after these words, for background, a word of the task, and each role present.
+    /// Fills in what p0 is multiplied by after these words, for background, a word of the task, and each role present.
     #[inline(always)]
-    pub fn lifts(&self, before: &Before) -> Moves {
-        let mut lifts = self.lifts_after(before.previous);
-        for &cue in &before.cues {
-            let row = get(self.alignments, self.layout.cue(usize::from(cue)));
-            for (slot, present) in lifts.iter_mut().skip(2).zip(&self.present) {
-                *slot *= if usize::from(cue) < self.layout.words() { cell(row, present.kind().index()) } else { 1.0 };
-            }
-        }
-        lifts
-    }
-
-    #[inline(always)]
-    fn lifts_after(&self, previous: Option<usize>) -> Moves {
-        let lift = self.lift(previous);
-        let mut lifts: Moves = [0.0; MOST_ROLES + 2];
-        let [background, task, roles @ ..] = &mut lifts;
+    pub fn lifts(&self, before: &Before, lifts: &mut Moves) {
+        let lift = self.lift(before.previous);
+        let [background, task, roles @ ..] = lifts;
         (*background, *task) = (cell(lift, 0), cell(lift, 1));
         for (slot, present) in roles.iter_mut().zip(&self.present) {
             *slot = cell(lift, present.kind().index().saturating_add(2));
         }
-        lifts
+        for &cue in &before.cues {
+            let row = get(self.alignments, self.layout.cue(usize::from(cue)));
+            for (slot, present) in roles.iter_mut().zip(&self.present) {
+                *slot *= if usize::from(cue) < self.layout.words() { cell(row, present.kind().index()) } else { 1.0 };
+            }
+        }
     }
 
     /// The lift after a word, at the beginning for none, and 1 after a word that is not known.
@@ -401,23 +413,22 @@ impl<'t, 'd> Reader<'t, 'd> {
     }
 
     /// Explains one word: from how probable each memory is before it to after it. Returns the sum of the latter.
-    pub fn advance(&self, word: usize, words: &Before, before: &Memories, after: &mut Memories) -> f32 {
-        let lifts = self.lifts(words);
+    pub fn advance(&self, word: usize, words: &Before, before: &Memories, after: &mut Memories, scratch: &mut Scratch) -> f32 {
+        let Scratch { lifts, emissions, moves, into } = scratch;
+        self.lifts(words, lifts);
         let (background, task) = self.background_and_task(word);
-        let mut emissions: Roles = [0.0; MOST_ROLES];
-        self.emissions(word, &mut emissions);
+        self.emissions(word, emissions);
         let untrained = if self.form.is_none() { Some(self.untrained_row()) } else { None };
-        let mut moves: Moves = [0.0; MOST_ROLES + 2];
-        let mut into: Roles = [0.0; MOST_ROLES];
         let count = self.present.len();
+        into.iter_mut().take(count).for_each(|slot| *slot = 0.0);
         for (memory, (slot, &mass)) in after.iter_mut().zip(before).take(count.saturating_add(1)).enumerate() {
             *slot = 0.0;
             if mass <= 0.0 {
                 continue;
             }
             let (row, end) = untrained.as_ref().map_or_else(|| self.trained_row(memory), |row| (row, END));
-            let scale = self.scaled_moves(row, end, &lifts, &mut moves) * mass;
-            let [first, second, roles @ ..] = &moves;
+            let scale = self.scaled_moves(row, end, lifts, moves) * mass;
+            let [first, second, roles @ ..] = &*moves;
             *slot = scale * (*first * background + *second * task);
             for (slot, part) in into.iter_mut().zip(roles).take(count) {
                 *slot += scale * part;
@@ -425,7 +436,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         }
         let [none, roles @ ..] = after;
         let mut sum = *none;
-        for ((slot, into), emission) in roles.iter_mut().zip(&into).zip(&emissions).take(count) {
+        for ((slot, into), emission) in roles.iter_mut().zip(&*into).zip(&*emissions).take(count) {
             *slot += into * emission;
             sum += *slot;
         }
@@ -485,9 +496,10 @@ impl Reading {
             before.iter_mut().take(1).for_each(|slot| *slot = 1.0);
         }
         let first = usize::from(self.words);
+        let mut scratch = Scratch::NEW;
         for (position, word) in heard(reader.layout, sentence).enumerate().skip(first).take(most) {
             let words = reader.before(position, |position| sentence.get(position).map(|&word| number(reader.layout, word)));
-            let sum = reader.advance(word, &words, &before, &mut after);
+            let sum = reader.advance(word, &words, &before, &mut after, &mut scratch);
             tell(position, sum);
             if sum <= 0.0 {
                 self.probability = Scaled::ZERO;

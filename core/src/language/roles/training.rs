@@ -27,7 +27,7 @@
 //! would not. On none of four sets of recorded commands did one of 16 rounds lose any. After the rounds the [kind of task](super::kind) is
 //! trained.
 
-use super::forward::{Before, END, Memories, Reader, Roles, kept, prior};
+use super::forward::{Before, END, Memories, Moves, Reader, Roles, Scratch, kept, prior};
 use super::layout::{KINDS, Layout, MOST_ROLES, SHARES_NAMED, cell, get, get_mut};
 use super::{kind, start};
 use crate::language::bitext::{BitextRef, Pair};
@@ -153,7 +153,7 @@ impl Work<'_, '_> {
         get_mut(self.a.values, layout.novelty(0)..layout.trellis()).fill(1.0);
     }
 
-    fn prior(&self) -> super::forward::Moves {
+    fn prior(&self) -> Moves {
         prior(self.layout, self.layout.roles().iter().map(|role| role.kind()))
     }
 
@@ -567,7 +567,7 @@ fn forward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, t
     }
     before.iter_mut().zip(&*masses).for_each(|(slot, mass)| *slot = *mass);
     let words = reader.before(position, |position| sentence.get(position).map(|word| word.index()));
-    let sum = reader.advance(sentence.get(position)?.index(), &words, &before, &mut after);
+    let sum = reader.advance(sentence.get(position)?.index(), &words, &before, &mut after, &mut { Scratch::NEW });
     *last = sum;
     if sum <= 0.0 {
         return None;
@@ -601,7 +601,8 @@ fn backward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, 
     let Some((filled, behind)) = trellis.split_at_mut_checked(row_of(reader, sentence.len()).end) else { return };
     let (Some(after), Some(word)) = (behind.get_mut(..memories), sentence.get(position)) else { return };
     let words = reader.before(position, |position| sentence.get(position).map(|word| word.index()));
-    let lifts = reader.lifts(&words);
+    let mut lifts: Moves = [0.0; MOST_ROLES + 2];
+    reader.lifts(&words, &mut lifts);
     let untrained = reader.untrained_step(&lifts);
     let (background, task) = reader.background_and_task(word.index());
     let mut emissions: Roles = [0.0; MOST_ROLES];
