@@ -288,13 +288,13 @@ impl<'t> LanguageRef<'t> {
 
     /// Whether a word, as [`for_each_piece`](super::for_each_piece) gives it, counts as one that was learned.
     pub fn knows(self, word: &str) -> bool {
+        self.word_like(word, self.learned_words).is_some_and(|known| known.index() < self.learned_words)
+    }
+
+    /// The word here that `word` counts as. Slips are those of the first `learned` words.
+    pub(crate) fn word_like(self, word: &str, learned: usize) -> Option<Symbol> {
         let letters = usize::from(self.settings.word_letters);
-        let known = if self.settings.model.is_roles() {
-            variant(self.words, self.learned_words, word, letters)
-        } else {
-            self.words.find(word_form(word, letters))
-        };
-        known.is_some_and(|known| known.index() < self.learned_words)
+        if self.settings.model.is_roles() { variant(self.words, learned, word, letters) } else { self.words.find(word_form(word, letters)) }
     }
 
     /// The English words of the sessions that were learned from.
@@ -423,15 +423,11 @@ impl<'t> LanguageMut<'t> {
         self.tables.trained.wanted = Layout::NONE;
     }
 
-    /// The symbol of a word that another model knows: a variant of one known here, or a new one.
+    /// The symbol of a word that another model knows: that of the word here that it counts as, or a new one.
     pub(crate) fn take_word(&mut self, word: &str) -> Result<Symbol, CapacityError> {
-        let letters = usize::from(self.settings.word_letters);
-        if self.is_model_2() {
-            return self.words.intern(word_form(word, letters));
-        }
-        match variant(self.words.read(), 0, word, letters) {
+        match self.read().word_like(word, 0) {
             Some(known) => Ok(known),
-            None => self.words.intern(word),
+            None => self.words.intern(word_form(word, self.settings.letters_kept())),
         }
     }
 

@@ -11,6 +11,7 @@ use crate::feedback::Strategy;
 use crate::language::Model;
 use crate::language::lengths::SeenLengths;
 use crate::language::settings::is_weight;
+use crate::language::tokenizer::word_form;
 use crate::session::Options;
 use crate::symbols::Symbol;
 use crate::task::role::is_marker;
@@ -175,7 +176,9 @@ impl<'a> Contents<'a> {
         if !strategies.is_empty() && sum <= 0.0 {
             return Err(RestoreError::Inconsistent(Part::Strategies));
         }
-        let words = section(rest, Part::Words, |text: &&str| text.len() <= NAME_BYTES)?;
+        // A longer word than the model keeps would be another one once it is heard.
+        let letters = options.language.letters_kept();
+        let words = section(rest, Part::Words, |text: &&str| text.len() <= NAME_BYTES && word_form(text, letters) == *text)?;
         let tokens = section(rest, Part::Tokens, |text: &&str| text.len() <= NAME_BYTES)?;
         let (word_count, token_count) = (words.len(), tokens.len());
         let below = |positions: &[u16], count: usize| positions.iter().all(|&position| usize::from(position) < count);

@@ -5,7 +5,6 @@ use super::error::RestoreError;
 use super::record::{CommandRecord, PairRecord, SessionRecord};
 use crate::capacity::{CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::language::Pair;
-use crate::language::tokenizer::word_form;
 use crate::language::{LanguageMut, LanguageRef};
 use crate::memory::AgentMemory;
 use crate::session::Agent;
@@ -90,8 +89,8 @@ impl LanguageMut<'_> {
 
     /// Whether a session is the one of a file, pair by pair.
     fn has_session(&self, own: u16, session: &SessionRecord, pairs: impl Iterator<Item = PairRecord>, texts: &Texts<'_>) -> bool {
-        let (language, bitext, letters) = (self.read(), self.read().bitext(), usize::from(self.read().settings().word_letters));
-        let words = session.words.iter().map(|&word| word_form(texts.words.get(usize::from(word)).unwrap_or(""), letters));
+        let (language, bitext) = (self.read(), self.read().bitext());
+        let words = session.words.iter().map(|&word| language.word_like(texts.words.get(usize::from(word)).unwrap_or(""), 0));
         let mut own_pairs = bitext.pairs_of(own).iter();
         let same_command = |command: u16, own: u16| {
             let command = texts.commands.get(usize::from(command)).unwrap_or_default();
@@ -100,7 +99,7 @@ impl LanguageMut<'_> {
         };
         let same_pair =
             |pair: &PairRecord, own: &Pair| pair.weight.to_bits() == own.weight.to_bits() && same_command(pair.command, own.command);
-        bitext.sentence(own).iter().map(|&word| language.words().text(word)).eq(words)
+        bitext.sentence(own).iter().copied().map(Some).eq(words)
             && own_pairs.len() == session.pairs as usize
             && pairs.into_iter().all(|pair| own_pairs.next().is_some_and(|own| same_pair(&pair, own)))
     }
