@@ -22,24 +22,26 @@ impl Scaled {
         Self { mantissa: value, exponent: 0 }.normalised()
     }
 
+    /// The numbers are compared by their bits, as everywhere here: those of f32s that are not negative stand in the same order, and a
+    /// processor without floats compares them at once.
     fn normalised(self) -> Self {
-        if self.mantissa.is_nan() || self.mantissa <= 0.0 {
+        let (mut bits, mut exponent) = (self.mantissa.to_bits(), self.exponent);
+        // Zero, what is negative, and what is no number.
+        if bits == 0 || bits > f32::INFINITY.to_bits() {
             return Self::ZERO;
         }
-        let mut mantissa = self.mantissa.min(f32::MAX);
-        let mut exponent = self.exponent;
-        if mantissa < f32::MIN_POSITIVE {
-            mantissa *= 16_777_216.0;
+        bits = bits.min(f32::MAX.to_bits());
+        if bits < f32::MIN_POSITIVE.to_bits() {
+            bits = (self.mantissa * 16_777_216.0).to_bits();
             exponent = exponent.saturating_sub(24);
         }
-        let bits = mantissa.to_bits();
         let biased = (bits >> 23) as i32;
         Self { mantissa: f32::from_bits((bits & 0x007f_ffff) | 0x3f00_0000), exponent: exponent.saturating_add(biased.saturating_sub(126)) }
     }
 
     /// Whether it is exactly zero.
     pub fn is_zero(self) -> bool {
-        self.mantissa == 0.0
+        self.mantissa.to_bits() == 0
     }
 
     /// The product.
@@ -64,9 +66,14 @@ impl Scaled {
         if other.is_zero() {
             return self;
         }
-        let exponent = self.exponent.max(other.exponent);
-        let at = |part: Self| part.mantissa * power_of_two(part.exponent.saturating_sub(exponent));
-        Self { mantissa: at(self) + at(other), exponent }.normalised()
+        let (large, small) = if self.exponent < other.exponent { (other, self) } else { (self, other) };
+        let below = large.exponent.saturating_sub(small.exponent).cast_unsigned();
+        // What is below half of the last place changes nothing.
+        if below > f32::MANTISSA_DIGITS.wrapping_add(1) {
+            return large;
+        }
+        let small = f32::from_bits(small.mantissa.to_bits().wrapping_sub(below << 23));
+        Self { mantissa: large.mantissa + small, ..large }.normalised()
     }
 
     /// The ratio; nothing where `other` is nothing.
@@ -100,7 +107,7 @@ impl Scaled {
     /// Whether this is more than `other`.
     pub fn exceeds(self, other: Self) -> bool {
         if self.is_zero() || other.is_zero() || self.exponent == other.exponent {
-            return self.mantissa > other.mantissa;
+            return self.mantissa.to_bits() > other.mantissa.to_bits();
         }
         self.exponent > other.exponent
     }

@@ -32,9 +32,9 @@ impl OwnPlanner {
         TaskSet::first(self.tasks)
     }
 
-    /// Begins to plan at `state`.
-    pub fn begin<D: Domain>(&mut self, domain: &D, state: &D::State, wanted: TaskSet) {
-        self.with_tables(|planner, tables| planner.begin(tables, domain, state, wanted, TaskSet::EMPTY));
+    /// Begins to plan for these tasks.
+    pub fn begin(&mut self, wanted: TaskSet) {
+        self.planner.begin(wanted, TaskSet::EMPTY);
     }
 
     /// Goes on.
@@ -44,7 +44,7 @@ impl OwnPlanner {
 
     /// Plans at `state` to the end, in calls of this budget.
     pub fn plan_for<D: Domain>(&mut self, domain: &D, state: &D::State, wanted: TaskSet, budget: u32) -> Plan<'_> {
-        self.begin(domain, state, wanted);
+        self.begin(wanted);
         while self.advance(domain, state, budget) == Progress::Working {}
         self.plan()
     }
@@ -58,10 +58,9 @@ impl OwnPlanner {
         tasks: &[GroundedTask],
         budget: u32,
     ) -> Plan<'_> {
-        let all = self.all();
+        self.begin(self.all());
         let AgentTables { session, workspace, .. } = self.memory.lend();
         let mut tables = PlanTables::new(session.goals, session.plan, workspace).with_ways(Ways { lifted, tasks });
-        self.planner.begin(&mut tables, domain, state, all, TaskSet::EMPTY);
         while self.planner.advance(&mut tables, domain, state, budget) == Progress::Working {}
         self.plan()
     }

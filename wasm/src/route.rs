@@ -78,7 +78,7 @@ impl Lookahead {
             if self.searching {
                 before = planner.plan(tables.optimal, tables.distances).expansions();
             } else {
-                planner.begin(&mut tables, home, &here, TaskSet::of(self.task), TaskSet::EMPTY);
+                planner.begin(TaskSet::of(self.task), TaskSet::EMPTY);
                 self.searching = true;
             }
             let progress = planner.advance(&mut tables, home, &here, budget.min(self.left));

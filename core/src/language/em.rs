@@ -16,6 +16,8 @@ use crate::symbols::Symbol;
 enum Phase {
     #[default]
     Done,
+    /// The tables take their new sizes.
+    Start,
     /// The E-step: expected counts, from this pair on.
     Expect(usize),
     /// The M-step of t, from this row on.
@@ -37,37 +39,11 @@ impl Training {
     /// No training is under way.
     pub(super) const DONE: Self = Self { phase: Phase::Done, round: 0 };
 
-    /// Begins: the tables take their new sizes. The caller has made sure that they fit.
+    /// Begins, for so many words and tokens. The caller has made sure that the tables have room. Without words there is nothing to train.
     pub(super) fn begin(tables: &mut Tables<'_>, bitext: BitextRef<'_>, words: usize, tokens: usize, settings: &Settings) -> Self {
         (tables.trained.words, tables.trained.tokens) = (words, tokens);
-        if settings.model.is_roles() {
-            tables.trained.layout = Layout::of(bitext, words, tokens);
-            tables.clear_counts();
-            if words == 0 {
-                return Self::DONE;
-            }
-            let layout = tables.trained.layout;
-            let (t, a) = tables.parts();
-            Work { layout: &layout, tokens, bitext, t, a }.clear();
-            return Self { phase: Phase::Roles(Part::Count(0)), round: 0 };
-        }
-        tables.trained.layout = Layout::NONE;
-        tables.clear_counts();
-        for pair in tables.memory.length_pairs.iter_mut() {
-            pair.weight = 0.0;
-            pair.trained = false;
-        }
-        for pair in bitext.pairs() {
-            let (machine, english) = (bitext.command(pair.command).len(), bitext.sentence(pair.session).len());
-            let wanted = |lengths: &&mut super::tables::LengthPair| {
-                usize::from(lengths.machine) == machine && usize::from(lengths.english) == english
-            };
-            if let Some(lengths) = tables.memory.length_pairs.iter_mut().take(tables.trained.length_pairs).find(wanted) {
-                lengths.weight += pair.weight;
-            }
-        }
-        let phase = if words == 0 || settings.rounds == 0 { Phase::Done } else { Phase::Expect(0) };
-        Self { phase, round: 0 }
+        let is_nothing = words == 0 || (settings.rounds == 0 && !settings.model.is_roles());
+        Self { phase: if is_nothing { start(tables, bitext, settings) } else { Phase::Start }, round: 0 }
     }
 
     /// Whether it has come to its end.
@@ -83,10 +59,14 @@ impl Training {
     /// Goes on, with at most about `budget` table cells of work (one pair, row or alignment table at least).
     pub(super) fn advance(&mut self, tables: &mut Tables<'_>, bitext: BitextRef<'_>, settings: &Settings, budget: u32) -> Progress {
         let mut left = i64::from(budget.max(1));
+        if self.phase == Phase::Start {
+            self.phase = start(tables, bitext, settings);
+            left = left.saturating_sub(tables.trained.words.saturating_mul(tables.trained.tokens) as i64);
+        }
         let (layout, tokens) = (tables.trained.layout, tables.trained.tokens);
         while left > 0 {
             let (work, next) = match self.phase {
-                Phase::Done => return Progress::Done,
+                Phase::Done | Phase::Start => return Progress::Done,
                 Phase::Roles(part) => {
                     let (t, a) = tables.parts();
                     let mut work = Work { layout: &layout, tokens, bitext, t, a };
@@ -121,6 +101,39 @@ impl Training {
         }
         if self.is_done() { Progress::Done } else { Progress::Working }
     }
+}
+
+/// Gives the tables their new sizes.
+#[inline(never)]
+fn start(tables: &mut Tables<'_>, bitext: BitextRef<'_>, settings: &Settings) -> Phase {
+    let (words, tokens) = (tables.trained.words, tables.trained.tokens);
+    if settings.model.is_roles() {
+        tables.trained.layout = Layout::of(bitext, words, tokens);
+        tables.clear_counts();
+        if words == 0 {
+            return Phase::Done;
+        }
+        let layout = tables.trained.layout;
+        let (t, a) = tables.parts();
+        Work { layout: &layout, tokens, bitext, t, a }.clear();
+        return Phase::Roles(Part::Count(0));
+    }
+    tables.trained.layout = Layout::NONE;
+    tables.clear_counts();
+    for pair in tables.memory.length_pairs.iter_mut() {
+        pair.weight = 0.0;
+        pair.trained = false;
+    }
+    for pair in bitext.pairs() {
+        let (machine, english) = (bitext.command(pair.command).len(), bitext.sentence(pair.session).len());
+        let wanted = |lengths: &&mut super::tables::LengthPair| {
+            usize::from(lengths.machine) == machine && usize::from(lengths.english) == english
+        };
+        if let Some(lengths) = tables.memory.length_pairs.iter_mut().take(tables.trained.length_pairs).find(wanted) {
+            lengths.weight += pair.weight;
+        }
+    }
+    if words == 0 || settings.rounds == 0 { Phase::Done } else { Phase::Expect(0) }
 }
 
 /// Gives one pair's expected counts. In the first round all parameters are uniform, and the tables hold nothing yet.

@@ -13,7 +13,10 @@ pub(super) fn variant(words: SymbolsRef<'_>, learned: usize, word: &str, letters
     if let Some(known) = words.find(word) {
         return Some(known);
     }
-    let begins_alike = |known: &str| letters > 0 && word_form(known, letters) == word_form(word, letters);
+    let form = word_form(word, letters);
+    // A word of fewer letters is alike to itself alone.
+    let has_form = letters > 0 && (form.len() < word.len() || form.chars().count() == letters);
+    let begins_alike = |known: &str| has_form && known.starts_with(form);
     let find =
         |alike: &dyn Fn(&str) -> bool, most: usize| words.iter().take(most).find(|(_, known)| alike(known)).map(|(symbol, _)| symbol);
     find(&begins_alike, usize::MAX).or_else(|| find(&|known| is_slip(known, word), learned))

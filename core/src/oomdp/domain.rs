@@ -181,8 +181,8 @@ pub(crate) fn digest<D: Domain + ?Sized>(domain: &D) -> u32 {
     if let Some(grid) = D::Search::grid(domain) {
         for cell in grid.floor().cells {
             // A cell's neighbours are those beside it.
-            take(u32::from(cell.x.cast_unsigned()) << 16 | u32::from(cell.y.cast_unsigned()));
-            take(u32::from(cell.region));
+            let place = u32::from(cell.x.cast_unsigned()) << 16 | u32::from(cell.y.cast_unsigned());
+            take(place ^ u32::from(cell.region).rotate_right(5));
         }
         take(grid.floor().directions.iter().fold(grid.pieces() as u32, |word, direction| word << 4 ^ u32::from(direction.0)));
     }

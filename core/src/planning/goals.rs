@@ -104,11 +104,12 @@ impl GoalTable {
         self.tabled_cells == 0 && is_countable && cells.checked_mul(grid.pieces()).is_some_and(|all| all > 0 && all <= entries)
     }
 
-    /// Goes on filling the table of cells, at most this many. `state` is any state of the domain.
-    pub(super) fn tabulate<G: PushGrid + ?Sized>(&mut self, memory: &mut GoalMemory<'_>, grid: &G, state: &G::State, most: usize) {
+    /// Goes on filling the table of cells, at most this many. Returns how many. `state` is any state of the domain.
+    pub(super) fn tabulate<G: PushGrid + ?Sized>(&mut self, memory: &mut GoalMemory<'_>, grid: &G, state: &G::State, most: usize) -> usize {
         let cells = grid.floor().cells.len();
         let all = cells.saturating_mul(grid.pieces());
-        for at in (self.filled as usize..all).take(most) {
+        let before = self.filled as usize;
+        for at in (before..all).take(most) {
             let piece = Piece(at.checked_div(cells).unwrap_or(0) as u8);
             let cell = CellId(at.checked_rem(cells).unwrap_or(0) as u16);
             let there = Goals { table: self, parts: memory.parts, entries: &[] }.allowed_by(grid, state, piece, cell);
@@ -120,6 +121,7 @@ impl GoalTable {
         if self.filled as usize >= all {
             self.tabled_cells = cells as u16;
         }
+        (self.filled as usize).saturating_sub(before)
     }
 
     /// How many distinct ground propositions the tasks are made of.

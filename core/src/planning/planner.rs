@@ -97,11 +97,10 @@ enum Marked {
     Anything,
     /// Zeros.
     Nothing,
-    Rows(RowSearch),
-    States(StateSearch),
-    /// The search for the tasks that go the way of this one.
-    WayRows(RowSearch, u8),
-    WayStates(StateSearch, u8),
+    /// By rows of bits; for the tasks that go the way of this one, if they have ways.
+    Rows(RowSearch, Option<u8>),
+    /// State by state.
+    States(StateSearch, Option<u8>),
 }
 
 impl Marked {
@@ -110,8 +109,8 @@ impl Marked {
         match core::mem::replace(self, Self::Nothing) {
             Self::Anything => marks.fill(0),
             Self::Nothing => {}
-            Self::Rows(rows) | Self::WayRows(rows, _) => rows.clear(marks),
-            Self::States(states) | Self::WayStates(states, _) => states.clear(marks),
+            Self::Rows(rows, _) => rows.clear(marks),
+            Self::States(states, _) => states.clear(marks),
         }
     }
 }
@@ -119,12 +118,16 @@ impl Marked {
 /// What is left to do.
 #[derive(Clone, Copy, Debug)]
 enum Stage {
-    /// The table of goals is filled first; then these tasks are planned for, those last named being dead ends.
-    Tabulate {
+    /// These tasks are to be planned for, of which the last named are dead ends.
+    Begin {
         wanted: TaskSet,
         dead: TaskSet,
     },
-    /// The tasks with ways that still wait for their search, and all those that have ways to go.
+    /// The table of goals is filled next.
+    Tabulate,
+    /// Deadlocks are told next.
+    RuleOut,
+    /// The tasks that still wait for their exact search, and those that have ways to go.
     Exact {
         waiting: TaskSet,
         with_ways: TaskSet,
@@ -205,98 +208,80 @@ impl Planner {
         (self.stage, self.marked) = (Stage::Done, Marked::Anything);
     }
 
-    /// Begins at `state`, for the tasks in `wanted`; those in `dead` are known to be dead ends.
-    #[inline(never)]
-    pub fn begin<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, wanted: TaskSet, dead: TaskSet) {
-        (self.found, self.stage) = (Found::NOTHING, Stage::Tabulate { wanted, dead });
-        let is_to_tabulate = |grid| self.goals.is_to_tabulate(tables.goal_entries.len(), grid);
-        if !D::Search::grid(domain).is_some_and(is_to_tabulate) {
-            self.begin_search(tables, domain, state, wanted, dead);
-        }
+    /// Begins, for the tasks in `wanted`; those in `dead` are known to be dead ends.
+    pub fn begin(&mut self, wanted: TaskSet, dead: TaskSet) {
+        (self.found, self.stage) = (Found::NOTHING, Stage::Begin { wanted, dead });
     }
 
-    /// Goes on with the table of goals, and begins to search once it is filled. Returns the work that it took, in expansions.
+    /// Goes on, with at most about `budget` expansions (at least one). `state` is the one to plan for, always the same.
     #[inline(never)]
-    fn tabulate<D: Domain + ?Sized>(
-        &mut self,
-        tables: &mut PlanTables<'_>,
-        domain: &D,
-        state: &D::State,
-        (wanted, dead): (TaskSet, TaskSet),
-        left: u32,
-    ) -> u32 {
-        let Some(grid) = D::Search::grid(domain) else { return 0 };
-        let entries = tables.goal_entries.len();
-        let mut memory = GoalMemory { parts: tables.goal_parts, entries: tables.goal_entries };
-        self.goals.tabulate(&mut memory, grid, state, (left as usize).saturating_mul(CELLS_AN_EXPANSION));
-        if self.goals.is_to_tabulate(entries, grid) {
-            return left;
+    pub fn advance<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, budget: u32) -> Progress {
+        let mut left = budget.max(1);
+        // What looks at every cell of a floor once, in expansions.
+        let of_floor = D::Search::grid(domain).map_or(1, |grid| grid.floor().cells.len() as u32);
+        while !self.is_done() {
+            let is_search = !self.found.sought.is_empty();
+            let is_part = is_search || matches!(self.stage, Stage::Tabulate);
+            // What cannot be cut is left to the next call, unless nothing was done in this one.
+            if left == 0 || (!is_part && left < of_floor.min(budget)) {
+                return Progress::Working;
+            }
+            if is_search {
+                self.search(tables, domain, state, &mut left);
+                continue;
+            }
+            match self.stage {
+                Stage::Begin { wanted, dead } => self.look(tables, domain, state, wanted, dead),
+                Stage::Tabulate => {
+                    left = left.saturating_sub(self.tabulate(tables, domain, state, left));
+                    continue;
+                }
+                Stage::RuleOut => self.rule_out(tables, domain, state),
+                Stage::Exact { .. } | Stage::Approximate(_) | Stage::Done => self.next_search(tables, domain, state),
+            }
+            left = left.saturating_sub(of_floor);
         }
-        self.begin_search(tables, domain, state, wanted, dead);
-        1
+        Progress::Done
     }
 
-    /// Begins to search at `state`, with the table of goals filled.
+    /// Says what needs no search.
     #[inline(never)]
-    fn begin_search<D: Domain + ?Sized>(
-        &mut self,
-        tables: &mut PlanTables<'_>,
-        domain: &D,
-        state: &D::State,
-        wanted: TaskSet,
-        dead: TaskSet,
-    ) {
+    fn look<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, wanted: TaskSet, dead: TaskSet) {
         self.marked.clear(tables.marks);
         tables.optimal.fill(ActionSet::EMPTY);
         tables.distances.fill(u32::MAX);
-        let mut found = Found::NOTHING;
         let ways = tables.ways;
         // What is not told the way of a task must not take it for one without.
         let wanted = wanted.without(self.with_ways.without(ways.all()));
-        let (goals, marks, hashed, results) = tables.split(&self.goals, &mut found);
-        let waiting = ways.open(wanted);
-        *results.found = Found::at(domain, &goals, state, wanted, dead.union(ways.broken(wanted)), waiting);
+        let goals = Goals { table: &self.goals, parts: tables.goal_parts, entries: tables.goal_entries };
+        self.found = Found::at(domain, &goals, state, wanted, dead.union(ways.broken(wanted)), ways.open(wanted));
+        self.stage = if self.found.unknown.is_empty() { Stage::Done } else { Stage::Tabulate };
+    }
+
+    /// Goes on with the table of goals, if there is one to fill. Returns the work that it took, in expansions.
+    #[inline(never)]
+    fn tabulate<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: u32) -> u32 {
+        let entries = tables.goal_entries.len();
+        let Some(grid) = D::Search::grid(domain).filter(|grid| self.goals.is_to_tabulate(entries, *grid)) else {
+            self.stage = Stage::RuleOut;
+            return 0;
+        };
+        let mut memory = GoalMemory { parts: tables.goal_parts, entries: tables.goal_entries };
+        let cells = self.goals.tabulate(&mut memory, grid, state, (left as usize).saturating_mul(CELLS_AN_EXPANSION));
+        cells.div_ceil(CELLS_AN_EXPANSION) as u32
+    }
+
+    /// Tells the deadlocks. All tasks that are left wait for an exact search.
+    #[inline(never)]
+    fn rule_out<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State) {
+        let ways = tables.ways;
+        let (goals, marks, _, results) = tables.split(&self.goals, &mut self.found);
         if let Some(grid) = D::Search::grid(domain) {
             let possible = deadlock::possible(grid, &goals, state, results.found.unknown, marks);
             results.found.rule_out(results.found.unknown.without(possible));
         }
-        let waiting = waiting.common(results.found.unknown);
-        let open = results.found.unknown.without(waiting);
-        results.found.sought = open;
-        let exact = Stage::Exact { waiting, with_ways: waiting };
-        self.stage = if results.found.unknown.is_empty() { Stage::Done } else { exact };
-        self.marked = Marked::Nothing;
-        if !open.is_empty() {
-            let rows = D::Search::grid(domain).and_then(|grid| {
-                let mut rows = RowSearch::layout(grid, &goals, open, View::WHOLE, None, marks.len())?;
-                rows.begin(grid, &goals, state, None, marks, results.found.applicable);
-                Some(rows)
-            });
-            self.marked = match rows {
-                Some(rows) => Marked::Rows(rows),
-                None => Marked::States(StateSearch::begin(domain, state, marks, hashed, results.found.applicable)),
-            };
-        }
-        self.found = found;
-    }
-
-    /// Goes on, with at most about `budget` expansions (at least one). `state` is the one that it began with.
-    #[inline(never)]
-    pub fn advance<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, budget: u32) -> Progress {
-        let mut left = budget.max(1);
-        while !self.is_done() {
-            if left == 0 {
-                return Progress::Working;
-            }
-            if let Stage::Tabulate { wanted, dead } = self.stage {
-                left = left.saturating_sub(self.tabulate(tables, domain, state, (wanted, dead), left));
-            } else if self.found.sought.is_empty() {
-                left = left.saturating_sub(self.next_search(tables, domain, state));
-            } else {
-                self.search(tables, domain, state, &mut left);
-            }
-        }
-        Progress::Done
+        let waiting = results.found.unknown;
+        self.stage = Stage::Exact { waiting, with_ways: ways.open(waiting) };
     }
 
     /// Goes on with the search under way. It is over once it seeks no task.
@@ -305,11 +290,9 @@ impl Planner {
         let (goals, marks, hashed, mut results) = tables.split(&self.goals, &mut self.found);
         while *left > 0 {
             let expansions = match &mut self.marked {
-                Marked::Rows(rows) | Marked::WayRows(rows, _) => {
-                    D::Search::grid(domain).and_then(|grid| rows.expand(marks, &mut results, grid, &goals, state))
-                }
-                Marked::States(states) => states.expand(marks, hashed, &mut results, domain, &goals),
-                Marked::WayStates(states, task) => ways
+                Marked::Rows(rows, _) => D::Search::grid(domain).and_then(|grid| rows.expand(marks, &mut results, grid, &goals, state)),
+                Marked::States(states, None) => states.expand(marks, hashed, &mut results, domain, &goals),
+                Marked::States(states, Some(task)) => ways
                     .product(domain, usize::from(*task))
                     .and_then(|(product, _)| states.expand(marks, hashed, &mut results, &product, &goals)),
                 Marked::Anything | Marked::Nothing => None,
@@ -324,8 +307,8 @@ impl Planner {
             }
             results.end_level();
             let ahead = match &mut self.marked {
-                Marked::Rows(rows) | Marked::WayRows(rows, _) => rows.next_level(),
-                Marked::States(states) | Marked::WayStates(states, _) => states.next_level(results.found.level),
+                Marked::Rows(rows, _) => rows.next_level(),
+                Marked::States(states, _) => states.next_level(results.found.level),
                 Marked::Anything | Marked::Nothing => false,
             };
             if !ahead || results.found.sought.is_empty() {
@@ -335,68 +318,74 @@ impl Planner {
         }
     }
 
-    /// The search under way has come to its end: begins the next, if one is left. Returns the work that it took, in expansions.
+    /// The search under way has come to its end: begins the next, if one is left.
     #[inline(never)]
-    fn next_search<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State) -> u32 {
+    fn next_search<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State) {
         if let Stage::Exact { waiting, with_ways } = self.stage {
-            let ways = tables.ways;
-            let complete = !matches!(&self.marked, Marked::States(states) | Marked::WayStates(states, _) if !states.is_complete());
-            if complete {
-                let searched = match &self.marked {
-                    Marked::WayRows(_, task) | Marked::WayStates(_, task) => ways.group(usize::from(*task), with_ways),
-                    _ => self.found.unknown.without(with_ways),
-                };
-                self.found.rule_out(searched.common(self.found.unknown));
+            let searched = match &self.marked {
+                Marked::Rows(_, way) => Some(*way),
+                Marked::States(states, way) => Some(*way).filter(|_| states.is_complete()),
+                Marked::Anything | Marked::Nothing => None,
+            };
+            if let Some(way) = searched {
+                let group = way.map_or(TaskSet::first(TaskSet::MOST).without(with_ways), |task| tables.ways.group(usize::from(task), with_ways));
+                self.found.rule_out(group.common(self.found.unknown));
             }
-            if let Some((first, (product, now))) = waiting.iter().next().and_then(|first| Some((first, ways.product(domain, first)?))) {
-                let group = ways.group(first, waiting);
-                self.stage = Stage::Exact { waiting: waiting.without(group), with_ways };
-                self.marked.clear(tables.marks);
-                let (goals, marks, hashed, results) = tables.split(&self.goals, &mut self.found);
-                (results.found.level, results.found.sought) = (0, group);
-                let applicable = results.found.applicable;
-                let rows = D::Search::grid(domain).and_then(|grid| {
-                    let mut rows = RowSearch::layout(grid, &goals, group, View::WHOLE, Some(product.way()), marks.len())?;
-                    rows.begin(grid, &goals, state, Some((product.way(), now)), marks, applicable);
-                    Some(rows)
-                });
-                let work;
-                (self.marked, work) = match rows {
-                    Some(rows) => {
-                        (Marked::WayRows(rows, first as u8), D::Search::grid(domain).map_or(1, |grid| grid.floor().cells.len() as u32))
-                    }
-                    None => (Marked::WayStates(StateSearch::begin(&product, &(*state, now), marks, hashed, applicable), first as u8), 1),
-                };
-                return work;
+            if self.next_exact(tables, domain, state, waiting, with_ways).is_some() {
+                return;
             }
-            self.stage = Stage::Approximate(Approximation::new(self.found.unknown.without(with_ways)));
             // What is left of those with ways stays unknown.
-            if self.found.unknown.without(with_ways).is_empty() {
-                self.stage = Stage::Done;
-                return 0;
-            }
+            self.stage = Stage::Approximate(Approximation::new(self.found.unknown.without(with_ways)));
         }
-        let (Stage::Approximate(approximation), Some(grid)) = (&mut self.stage, D::Search::grid(domain)) else {
+        let open = self.found.unknown.without(tables.ways.open(self.found.unknown));
+        let (Stage::Approximate(approximation), Some(grid), false) = (&mut self.stage, D::Search::grid(domain), open.is_empty()) else {
             self.stage = Stage::Done;
-            return 0;
+            return;
         };
-        if self.found.unknown.is_empty() {
-            self.stage = Stage::Done;
-            return 0;
-        }
         self.marked.clear(tables.marks);
-        let ways = tables.ways;
         let (goals, marks, _, results) = tables.split(&self.goals, &mut self.found);
-        let open = results.found.unknown.without(ways.open(results.found.unknown));
         match approximation.next(grid, &goals, state, open, marks) {
             Some((tasks, mut rows)) => {
                 (results.found.level, results.found.sought) = (0, tasks);
                 rows.begin(grid, &goals, state, None, marks, results.found.applicable);
-                self.marked = Marked::Rows(rows);
+                self.marked = Marked::Rows(rows, None);
             }
             None => self.stage = Stage::Done,
         }
-        grid.floor().cells.len() as u32
+    }
+
+    /// Begins the exact search for the tasks without a way, or else for those that go the way of the first; `None` where none is left.
+    #[inline(never)]
+    fn next_exact<D: Domain + ?Sized>(
+        &mut self,
+        tables: &mut PlanTables<'_>,
+        domain: &D,
+        state: &D::State,
+        waiting: TaskSet,
+        with_ways: TaskSet,
+    ) -> Option<()> {
+        let (first, ways) = (waiting.iter().next()?, tables.ways);
+        let plain = waiting.without(with_ways);
+        let way = if plain.is_empty() { Some(ways.product(domain, first)?) } else { None };
+        let group = if plain.is_empty() { ways.group(first, waiting) } else { plain };
+        self.stage = Stage::Exact { waiting: waiting.without(group), with_ways };
+        self.marked.clear(tables.marks);
+        let (goals, marks, hashed, results) = tables.split(&self.goals, &mut self.found);
+        (results.found.level, results.found.sought) = (0, group);
+        let applicable = results.found.applicable;
+        let rows = D::Search::grid(domain).and_then(|grid| {
+            let way = way.as_ref().map(|(product, now)| (product.way(), *now));
+            let mut rows = RowSearch::layout(grid, &goals, group, View::WHOLE, way.map(|(way, _)| way), marks.len())?;
+            rows.begin(grid, &goals, state, way, marks, applicable);
+            Some(rows)
+        });
+        let task = way.as_ref().map(|_| first as u8);
+        self.marked = match (rows, &way) {
+            (Some(rows), _) => Marked::Rows(rows, task),
+            (None, None) => Marked::States(StateSearch::begin(domain, state, marks, hashed, applicable), task),
+            (None, Some((product, now))) => Marked::States(StateSearch::begin(product, &(*state, *now), marks, hashed, applicable), task),
+        };
+        Some(())
     }
 
     /// Whether it has come to its end.
@@ -407,7 +396,7 @@ impl Planner {
     /// A state that an action leads to and that the domain did not count, as far as that was seen.
     pub fn stray(&self) -> Option<Stray> {
         match &self.marked {
-            Marked::States(states) | Marked::WayStates(states, _) => states.stray(),
+            Marked::States(states, _) => states.stray(),
             _ => None,
         }
     }

@@ -407,11 +407,7 @@ impl<M: AgentMemory> Agent<M> {
         // Every state that the robot came to is planned for, before anything is done there; where it was meant to come is not.
         self.follow_ways(domain, state);
         (self.planned, self.expected) = (Some(number), None);
-        let wanted = self.worth_planning();
-        let AgentTables { session, workspace, .. } = self.memory.lend();
-        let ways = Ways { lifted: &self.lifted, tasks: session.tasks.get(..self.task_count).unwrap_or(&[]) };
-        let mut tables = PlanTables::new(session.goals, session.plan, workspace).with_ways(ways);
-        self.planner.begin(&mut tables, domain, state, wanted, self.dead);
+        self.planner.begin(self.worth_planning(), self.dead);
     }
 
     /// Ends what is planned, because training needs the workspace. The two never work at one time: no command is heard before all is

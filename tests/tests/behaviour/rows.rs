@@ -98,7 +98,7 @@ fn go_to_the_other_room(areas: [Area; 2], door: Cell) -> [u32; 5] {
     let count = ground(&home, &lifted, &start, &mut tasks).unwrap();
     let capacities = Capacities { states: 1 << 16, ..ROOMY };
     let mut planner = OwnPlanner::new(&capacities, &home, &lifted, &tasks[..count]);
-    planner.begin(&home, &start, TaskSet::first(count));
+    planner.begin(TaskSet::first(count));
     let mut calls = 1;
     while planner.advance(&home, &start, 50) == Progress::Working {
         calls += 1;

@@ -418,7 +418,8 @@ impl<'t, 'd> Reader<'t, 'd> {
         self.lifts(words, lifts);
         let (background, task) = self.background_and_task(word);
         self.emissions(word, emissions);
-        let untrained = if self.form.is_none() { Some(self.untrained_row()) } else { None };
+        // Where training has not seen the lifted task, every memory moves on in the same way.
+        let untrained = self.form.is_none().then(|| self.scaled_moves(&self.untrained_row(), END, lifts, moves));
         let count = self.present.len();
         into.iter_mut().take(count).for_each(|slot| *slot = 0.0);
         for (memory, (slot, &mass)) in after.iter_mut().zip(before).take(count.saturating_add(1)).enumerate() {
@@ -426,8 +427,11 @@ impl<'t, 'd> Reader<'t, 'd> {
             if mass <= 0.0 {
                 continue;
             }
-            let (row, end) = untrained.as_ref().map_or_else(|| self.trained_row(memory), |row| (row, END));
-            let scale = self.scaled_moves(row, end, lifts, moves) * mass;
+            let scale = mass
+                * untrained.unwrap_or_else(|| {
+                    let (row, end) = self.trained_row(memory);
+                    self.scaled_moves(row, end, lifts, moves)
+                });
             let [first, second, roles @ ..] = &*moves;
             *slot = scale * (*first * background + *second * task);
             for (slot, part) in into.iter_mut().zip(roles).take(count) {

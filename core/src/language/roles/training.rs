@@ -64,16 +64,16 @@ pub(crate) enum Part {
     Count(usize),
     /// The rows' beginning, from this one on; the background's is the last.
     Begin(usize),
-    /// Expected counts, from this pair on, and from this step of it: forward through its words, then backward.
-    Expect(usize, u8),
+    /// Expected counts, from this pair on, and from this step of it: forward word by word, then backward memory by memory of each word.
+    Expect(usize, u16),
     /// How often words were seen together with values and lifted tasks, from this row on.
     Seen(usize, Seen),
     /// The rows, from this one on.
     Rows(usize, Seen),
     /// The lifts, from this word on, with what each kind has of all counts.
     Lifts(usize, [f32; KINDS]),
-    /// p0 and end, from this lifted task on.
-    Moves(usize),
+    /// p0 and end, from this lifted task on, and from this step of it: first what its memories have together, then memory by memory.
+    Moves(usize, usize),
     /// lambda.
     Lambdas,
     /// The kind of task: a batch, from this session on.
@@ -190,7 +190,7 @@ impl Work<'_, '_> {
             Part::Expect(position, step) => match pairs.get(position) {
                 Some(pair) => {
                     let (cells, next) = self.expect(pair, usize::from(step), left);
-                    (cells, next.map_or(Part::Expect(position.saturating_add(1), 0), |next| Part::Expect(position, next as u8)))
+                    (cells, next.map_or(Part::Expect(position.saturating_add(1), 0), |next| Part::Expect(position, next as u16)))
                 }
                 None => {
                     get_mut(self.a.counts, layout.common()).fill(0.0);
@@ -219,12 +219,16 @@ impl Work<'_, '_> {
                 }
                 (layout.kinds(), Part::Lifts(word.saturating_add(1), shares))
             }
-            Part::Lifts(..) => (0, Part::Moves(0)),
-            Part::Moves(form) if form < layout.forms().len() => {
-                self.set_moves(form);
-                (layout.memories().saturating_mul(layout.moves()), Part::Moves(form.saturating_add(1)))
+            Part::Lifts(..) => (0, Part::Moves(0, 0)),
+            Part::Moves(form, step) if form < layout.forms().len() => {
+                match step.checked_sub(1) {
+                    None => self.pool_moves(form),
+                    Some(memory) => self.set_moves(form, memory),
+                }
+                let next = if step < layout.memories() { (form, step.saturating_add(1)) } else { (form.saturating_add(1), 0) };
+                (layout.moves(), Part::Moves(next.0, next.1))
             }
-            Part::Moves(_) => (0, Part::Lambdas),
+            Part::Moves(..) => (0, Part::Lambdas),
             Part::Lambdas => {
                 for form in 0..layout.forms().len() {
                     self.set_naming(form);
@@ -275,7 +279,6 @@ impl Work<'_, '_> {
         let Some((parameters, trellis)) = self.a.values.split_at_mut_checked(self.layout.trellis()) else { return (0, None) };
         let mut reader = Reader::new(self.layout, self.t.values, parameters, description);
         reader.take_groups();
-        let cells_of_word = description.len().saturating_mul(self.layout.moves());
         let mut counts = Counts { reader: &reader, sentence, weight: pair.weight, t: &mut *self.t.counts, a: &mut *self.a.counts };
         if reader.form.is_none() {
             return (0, None);
@@ -288,28 +291,28 @@ impl Work<'_, '_> {
                 }
             });
         }
-        let mut cells = cells_of_word;
-        loop {
-            if step < sentence.len() {
+        let mut cells = 0_usize;
+        while cells < left {
+            let Some(back) = step.checked_sub(sentence.len()) else {
                 if forward_word(&reader, sentence, step, trellis).is_none() {
                     return (cells, None);
                 }
-            } else {
-                if step == sentence.len() && begin_backward(&reader, sentence, trellis, |event| counts.add(event)).is_none() {
-                    return (cells, None);
-                }
-                let Some(position) = sentence.len().saturating_mul(2).saturating_sub(step).checked_sub(1) else { return (cells, None) };
-                backward_word(&reader, sentence, position, trellis, |event| counts.add(event));
-                if position == 0 {
-                    return (cells, None);
-                }
+                cells = cells.saturating_add(description.len().saturating_mul(self.layout.moves()));
+                step = step.saturating_add(1);
+                continue;
+            };
+            if back == 0 && begin_backward(&reader, sentence, trellis, |event| counts.add(event)).is_none() {
+                return (cells, None);
             }
-            step = step.saturating_add(1);
-            if cells >= left {
-                return (cells, Some(step));
-            }
-            cells = cells.saturating_add(cells_of_word);
+            let words = back.checked_div(reader.memories()).unwrap_or(0);
+            let Some(position) = sentence.len().checked_sub(words.saturating_add(1)) else { return (cells, None) };
+            let memory = back.checked_rem(reader.memories()).unwrap_or(0);
+            let most = left.saturating_sub(cells).div_ceil(description.len().max(1));
+            let (done, next) = backward_word(&reader, sentence, position, (memory, most), trellis, |event| counts.add(event));
+            cells = cells.saturating_add(description.len().saturating_mul(done));
+            step = step.saturating_add(next.saturating_sub(memory));
         }
+        (cells, Some(step))
     }
 
     /// Where it stands how much each word names values, or speaks of lifted tasks: in counts that nothing else needs at that time.
@@ -398,32 +401,40 @@ impl Work<'_, '_> {
         }
     }
 
-    fn set_moves(&mut self, form: usize) {
-        let layout = self.layout;
+    /// Where the pool of a lifted task's moves is kept: in the trellis, which nothing else needs at that time.
+    fn pool(&self) -> Range<usize> {
+        let start = self.layout.trellis();
+        start..start.saturating_add(self.layout.moves())
+    }
+
+    /// What all memories of a lifted task have together of each move.
+    fn pool_moves(&mut self, form: usize) {
         let mut pool = self.prior();
         pool.iter_mut().for_each(|slot| *slot *= OF_POOL);
         let mut whole = OF_POOL;
-        for memory in 0..layout.memories() {
-            for (slot, count) in pool.iter_mut().zip(get(self.a.counts, layout.p0(form, memory))) {
+        for memory in 0..self.layout.memories() {
+            for (slot, count) in pool.iter_mut().zip(get(self.a.counts, self.layout.p0(form, memory))) {
                 *slot += count;
                 whole += count;
             }
         }
-        pool.iter_mut().for_each(|slot| *slot /= whole);
-        for memory in 0..layout.memories() {
-            let range = layout.p0(form, memory);
-            let (values, counts) = (get_mut(self.a.values, range.clone()), get_mut(self.a.counts, range));
-            let moves: f32 = counts.iter().sum();
-            for ((value, count), pool) in values.iter_mut().zip(counts).zip(&pool) {
-                *value = (core::mem::take(count) + OF_POOL * pool) / (moves + OF_POOL);
-            }
-            let ends = layout.end(form);
-            if let (Some(value), Some(stops)) =
-                (get_mut(self.a.values, ends.clone()).get_mut(memory), get_mut(self.a.counts, ends).get_mut(memory))
-            {
-                let stops = core::mem::take(stops);
-                *value = (stops + OF_STOP) / (moves + stops + OF_STOP + OF_MOVES);
-            }
+        let range = self.pool();
+        get_mut(self.a.values, range).iter_mut().zip(&pool).for_each(|(slot, part)| *slot = part / whole);
+    }
+
+    fn set_moves(&mut self, form: usize, memory: usize) {
+        let (range, ends, pool) = (self.layout.p0(form, memory), self.layout.end(form), self.pool());
+        let Some((parameters, pool)) = self.a.values.split_at_mut_checked(pool.start) else { return };
+        let (values, counts) = (get_mut(parameters, range.clone()), get_mut(self.a.counts, range));
+        let moves: f32 = counts.iter().sum();
+        for ((value, count), pool) in values.iter_mut().zip(counts).zip(pool) {
+            *value = (core::mem::take(count) + OF_POOL * *pool) / (moves + OF_POOL);
+        }
+        if let (Some(value), Some(stops)) =
+            (get_mut(parameters, ends.clone()).get_mut(memory), get_mut(self.a.counts, ends).get_mut(memory))
+        {
+            let stops = core::mem::take(stops);
+            *value = (stops + OF_STOP) / (moves + stops + OF_STOP + OF_MOVES);
         }
     }
 }
@@ -458,8 +469,8 @@ pub(super) enum Event<'e> {
         position: usize,
         /// Pr(w | role).
         emissions: &'e Roles,
-        /// The probability of each role.
-        roles: &'e Roles,
+        /// The probability of each role present.
+        roles: &'e [f32],
     },
 }
 
@@ -595,11 +606,27 @@ fn begin_backward(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f
     Some(())
 }
 
-/// Goes back by one word, and tells what is known of it.
-fn backward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, trellis: &mut [f32], mut tell: impl FnMut(Event<'_>)) {
-    let memories = reader.memories();
-    let Some((filled, behind)) = trellis.split_at_mut_checked(row_of(reader, sentence.len()).end) else { return };
-    let (Some(after), Some(word)) = (behind.get_mut(..memories), sentence.get(position)) else { return };
+/// Goes back by one word, and tells what is known of it: from a memory on, through so many memories at most that are probable, and at last
+/// from all together. Returns how many they were, and the next memory; the word is done where there is no such.
+///
+/// What was known of the word and of the one after it is not needed again. So what is known of the rest for each memory stands in its row
+/// meanwhile, and the probability of each role in the row after it.
+fn backward_word(
+    reader: &Reader<'_, '_>,
+    sentence: &[Symbol],
+    position: usize,
+    (first, most): (usize, usize),
+    trellis: &mut [f32],
+    mut tell: impl FnMut(Event<'_>),
+) -> (usize, usize) {
+    let (memories, count) = (reader.memories(), reader.present.len());
+    let nothing = (0, memories);
+    let Some((filled, behind)) = trellis.split_at_mut_checked(row_of(reader, sentence.len()).end) else { return nothing };
+    let Some((filled, roles_of_all)) = filled.split_at_mut_checked(row_of(reader, position).end) else { return nothing };
+    let (Some(after), Some(of_all), Some(word)) = (behind.get_mut(..memories), roles_of_all.get_mut(..count), sentence.get(position)) else {
+        return nothing;
+    };
+    let before = get_mut(filled, row_of(reader, position));
     let words = reader.before(position, |position| sentence.get(position).map(|word| word.index()));
     let mut lifts: Moves = [0.0; MOST_ROLES + 2];
     reader.lifts(&words, &mut lifts);
@@ -607,24 +634,30 @@ fn backward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, 
     let (background, task) = reader.background_and_task(word.index());
     let mut emissions: Roles = [0.0; MOST_ROLES];
     reader.emissions(word.index(), &mut emissions);
-    let before = get(filled, row_of(reader, position));
     let sum = cell(before, memories);
-    let mut next: Memories = [0.0; MOST_ROLES + 1];
-    let mut all: Roles = [0.0; MOST_ROLES];
-    for (memory, slot) in next.iter_mut().enumerate().take(memories) {
-        let mass = cell(before, memory);
+    if first == 0 {
+        of_all.fill(0.0);
+    }
+    let mut done = 0_usize;
+    for (memory, slot) in before.iter_mut().enumerate().take(memories).skip(first) {
+        let mass = *slot;
         if mass <= 0.0 {
+            *slot = 0.0;
             continue;
         }
+        if done >= most {
+            return (done, memory);
+        }
+        done = done.saturating_add(1);
         let step = untrained.unwrap_or_else(|| reader.step(memory, &lifts));
         let scale = step.scale / sum;
         let here = cell(after, memory);
-        let [first, second, moves @ ..] = &step.moves;
-        let (of_background, of_task) = (scale * first * background * here, scale * second * task * here);
+        let [of_background, of_task, moves @ ..] = &step.moves;
+        let (of_background, of_task) = (scale * of_background * background * here, scale * of_task * task * here);
         let mut roles: Roles = [0.0; MOST_ROLES];
         let mut total = of_background + of_task;
         for ((((part, all), step), emission), there) in
-            roles.iter_mut().zip(&mut all).zip(moves).zip(&emissions).zip(after.iter().skip(1)).take(reader.present.len())
+            roles.iter_mut().zip(&mut *of_all).zip(moves).zip(&emissions).zip(after.iter().skip(1)).take(count)
         {
             let share = scale * step * emission * there;
             total += share;
@@ -642,8 +675,9 @@ fn backward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, 
             expected: moves,
         });
     }
-    tell(Event::Values { position, emissions: &emissions, roles: &all });
-    after.iter_mut().zip(&next).for_each(|(slot, next)| *slot = *next);
+    tell(Event::Values { position, emissions: &emissions, roles: of_all });
+    after.iter_mut().zip(&*before).for_each(|(slot, next)| *slot = *next);
+    (done, memories)
 }
 
 /// Goes forward through a command and back again, and tells what is known of each word, the last first. Returns nothing where the command is
@@ -654,7 +688,7 @@ pub(super) fn read(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [
     }
     begin_backward(reader, sentence, trellis, &mut tell)?;
     for position in (0..sentence.len()).rev() {
-        backward_word(reader, sentence, position, trellis, &mut tell);
+        let _ = backward_word(reader, sentence, position, (0, usize::MAX), trellis, &mut tell);
     }
     Some(())
 }
