@@ -52,7 +52,7 @@ impl Scaled {
     /// The product with a plain factor.
     pub fn scaled_by(self, factor: f32) -> Self {
         // Where the product cannot leave the range of an f32, the factor need not be taken apart: the bits are the same.
-        if (1.0e-30..=1.0e30).contains(&factor) {
+        if (1.0e-30_f32.to_bits()..=1.0e30_f32.to_bits()).contains(&factor.to_bits()) {
             return Self { mantissa: self.mantissa * factor, ..self }.normalised();
         }
         self.times(Self::new(factor))

@@ -126,9 +126,8 @@ fn start(tables: &mut Tables<'_>, bitext: BitextRef<'_>, settings: &Settings) ->
     }
     for pair in bitext.pairs() {
         let (machine, english) = (bitext.command(pair.command).len(), bitext.sentence(pair.session).len());
-        let wanted = |lengths: &&mut super::tables::LengthPair| {
-            usize::from(lengths.machine) == machine && usize::from(lengths.english) == english
-        };
+        let wanted =
+            |lengths: &&mut super::tables::LengthPair| usize::from(lengths.machine) == machine && usize::from(lengths.english) == english;
         if let Some(lengths) = tables.memory.length_pairs.iter_mut().take(tables.trained.length_pairs).find(wanted) {
             lengths.weight += pair.weight;
         }

@@ -191,9 +191,9 @@ pub(crate) fn digest<D: Domain + ?Sized>(domain: &D) -> u32 {
 
 /// Takes bytes four at a time.
 pub(super) fn for_each_word(bytes: &[u8], take: &mut impl FnMut(u32)) {
-    for four in bytes.chunks(4) {
-        take(four.iter().fold(0, |word, &byte| word << 8 | u32::from(byte)));
-    }
+    let (words, rest) = bytes.as_chunks();
+    words.iter().for_each(|&word| take(u32::from_le_bytes(word)));
+    take(rest.iter().fold(0, |word, &byte| word << 8 | u32::from(byte)));
 }
 
 /// The name of an action of a domain, `noop` included.

@@ -328,7 +328,8 @@ impl Planner {
                 Marked::Anything | Marked::Nothing => None,
             };
             if let Some(way) = searched {
-                let group = way.map_or(TaskSet::first(TaskSet::MOST).without(with_ways), |task| tables.ways.group(usize::from(task), with_ways));
+                let group =
+                    way.map_or(TaskSet::first(TaskSet::MOST).without(with_ways), |task| tables.ways.group(usize::from(task), with_ways));
                 self.found.rule_out(group.common(self.found.unknown));
             }
             if self.next_exact(tables, domain, state, waiting, with_ways).is_some() {

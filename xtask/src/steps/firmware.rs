@@ -3,7 +3,6 @@
 use anyhow::{Result, bail};
 
 use super::{Run, Step, WORKSPACE};
-use crate::firmware::board::Board;
 use crate::firmware::image::{BINARIES, panics};
 use crate::firmware::{Alone, digests, images, microbit, trials};
 use crate::programs::QEMU;
@@ -20,11 +19,8 @@ const MOST_TO_PLAN_WAYS: u64 = 3_000_000;
 const MICROBIT_RAM: u64 = 16 * 1024;
 const MICROBIT_FLASH: u64 = 104 * 1024;
 const MICROBIT_TO_ACT: u64 = 2_000_000;
-/// What one call may take of a tick of 10 ms: a quarter of it, but on the micro:bit all of it, whose 16 million instructions a second make
-/// every float of whole numbers.
-const fn calls_in_a_tick(board: Board) -> u64 {
-    if matches!(board, Board::Microbit) { 1 } else { 4 }
-}
+/// A tick of 10 ms has room for so many calls, whichever they are.
+const CALLS_IN_A_TICK: u64 = 4;
 
 /// The calls that a control loop makes.
 const CALLS: [&str; 5] = ["hear", "plan", "act", "finish", "learn"];
@@ -114,7 +110,7 @@ fn tick(_: &mut Run) -> Result<()> {
         if number("missed")? > 0 {
             bail!("{}: {} ticks were missed", trial.image.name(), number("missed")?);
         }
-        let most = tick / calls_in_a_tick(trial.image.board);
+        let most = tick / CALLS_IN_A_TICK;
         if let Some((call, _)) = longest.iter().find(|(_, instructions)| *instructions > most) {
             bail!("{}: one call to {call} took more than {most} instructions", trial.image.name());
         }

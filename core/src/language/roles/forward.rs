@@ -16,9 +16,15 @@ pub(super) const END: f32 = 0.1;
 /// Memories less probable than this, of 1 for all together, are dropped: most of the work is on them, and they change next to nothing.
 const LEAST_MASS: f32 = 1.0 / 1024.0;
 
-/// A memory's mass as a share of all, 0 where it is dropped.
+/// A memory's mass as a share of all, 0 where it is dropped. Shares are not negative, so their bits stand in their order; to compare those
+/// takes no function where floats are functions.
 pub(super) fn kept(share: f32) -> f32 {
-    if share < LEAST_MASS { 0.0 } else { share }
+    if share.to_bits() < LEAST_MASS.to_bits() { 0.0 } else { share }
+}
+
+/// Whether a share is more than 0.
+fn is_positive(share: f32) -> bool {
+    share.to_bits() != 0
 }
 
 /// One number for each memory: none, or the role that was named last.
@@ -171,7 +177,13 @@ impl<'t, 'd> Reader<'t, 'd> {
         }
         for group in &mut self.groups {
             let whole = cell(&whole, group.present());
-            group.share = if whole > 0.0 { group.share / (whole * f32::from(group.count)) } else { 0.0 };
+            // The only value of its role has all of it. To say so takes no division, which is long where floats are functions.
+            let is_all = group.count == 1 && group.share.to_bits() == whole.to_bits();
+            group.share = match is_positive(whole) {
+                true if is_all => 1.0,
+                true => group.share / (whole * f32::from(group.count)),
+                false => 0.0,
+            };
         }
     }
 
@@ -252,13 +264,11 @@ impl<'t, 'd> Reader<'t, 'd> {
         let last = if word < words { words.saturating_mul(tokens.saturating_add(1)) } else { 0 };
         let column = get(self.translations, first..last);
         for group in &self.groups {
-            let mut sum = 0.0;
-            for &value in self.values(group) {
-                sum += match column.get(value.index().wrapping_mul(words)) {
-                    Some(&probability) => probability,
-                    None => self.value(value, word),
-                };
-            }
+            let translations = self.values(group).iter().map(|&value| match column.get(value.index().wrapping_mul(words)) {
+                Some(&probability) => probability,
+                None => self.value(value, word),
+            });
+            let sum = translations.reduce(|sum, next| sum + next).unwrap_or(0.0);
             if let Some(slot) = emissions.get_mut(group.present()) {
                 *slot += group.share * sum;
             }
@@ -422,9 +432,10 @@ impl<'t, 'd> Reader<'t, 'd> {
         let untrained = self.form.is_none().then(|| self.scaled_moves(&self.untrained_row(), END, lifts, moves));
         let count = self.present.len();
         into.iter_mut().take(count).for_each(|slot| *slot = 0.0);
+        let mut is_first = true;
         for (memory, (slot, &mass)) in after.iter_mut().zip(before).take(count.saturating_add(1)).enumerate() {
             *slot = 0.0;
-            if mass <= 0.0 {
+            if !is_positive(mass) {
                 continue;
             }
             let scale = mass
@@ -434,8 +445,10 @@ impl<'t, 'd> Reader<'t, 'd> {
                 });
             let [first, second, roles @ ..] = &*moves;
             *slot = scale * (*first * background + *second * task);
-            for (slot, part) in into.iter_mut().zip(roles).take(count) {
-                *slot += scale * part;
+            let into = into.iter_mut().zip(roles).take(count);
+            match core::mem::replace(&mut is_first, false) {
+                true => into.for_each(|(slot, part)| *slot = scale * part),
+                false => into.for_each(|(slot, part)| *slot += scale * part),
             }
         }
         let [none, roles @ ..] = after;
@@ -505,7 +518,7 @@ impl Reading {
             let words = reader.before(position, |position| sentence.get(position).map(|&word| number(reader.layout, word)));
             let sum = reader.advance(word, &words, &before, &mut after, &mut scratch);
             tell(position, sum);
-            if sum <= 0.0 {
+            if !is_positive(sum) {
                 self.probability = Scaled::ZERO;
                 return true;
             }
@@ -520,7 +533,8 @@ impl Reading {
             masses.iter_mut().zip(&before).for_each(|(slot, mass)| *slot = *mass);
             return false;
         }
-        let end: f32 = (0..reader.memories()).map(|memory| cell(&before, memory) * reader.end(memory)).sum();
+        let masses = before.iter().take(reader.memories()).enumerate().filter(|&(_, &mass)| is_positive(mass));
+        let end: f32 = masses.map(|(memory, mass)| mass * reader.end(memory)).sum();
         self.probability = self.probability.scaled_by(end * reader.naming_of(heard(reader.layout, sentence)));
         true
     }

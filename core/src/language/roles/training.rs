@@ -623,7 +623,8 @@ fn backward_word(
     let nothing = (0, memories);
     let Some((filled, behind)) = trellis.split_at_mut_checked(row_of(reader, sentence.len()).end) else { return nothing };
     let Some((filled, roles_of_all)) = filled.split_at_mut_checked(row_of(reader, position).end) else { return nothing };
-    let (Some(after), Some(of_all), Some(word)) = (behind.get_mut(..memories), roles_of_all.get_mut(..count), sentence.get(position)) else {
+    let (Some(after), Some(of_all), Some(word)) = (behind.get_mut(..memories), roles_of_all.get_mut(..count), sentence.get(position))
+    else {
         return nothing;
     };
     let before = get_mut(filled, row_of(reader, position));
