@@ -13,7 +13,7 @@ pub const HOMES: Size = Size { columns: 3, rows: 1, side: 4, blocks: 2 };
 /// The distance of each task by a search of its own, as one writes it with the crate pathfinding.
 pub fn one_dijkstra_a_task(scene: &Scene) -> Vec<Option<u32>> {
     let next = |state: &HomeState| -> Vec<(HomeState, u32)> {
-        (0..4).filter_map(|action| Some((scene.home.step(state, Action(action))?, 1))).collect()
+        (0..4).filter_map(|action| Some((scene.home.step(state, Action::new(action))?, 1))).collect()
     };
     let distance = |task: &GroundedTask| {
         let lifted = &scene.lifted[usize::from(task.lifted)];

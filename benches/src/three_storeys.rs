@@ -76,7 +76,7 @@ impl ThreeStoreys {
                     return vec![];
                 }
                 let after = |state: HomeState| ((state, way.pass(*past, |part| home.holds(part, &state))), 1);
-                (0..4).filter_map(|action| home.step(state, Action(action)).map(after)).collect()
+                (0..4).filter_map(|action| home.step(state, Action::new(action)).map(after)).collect()
             };
             let goal = |(state, past): &(HomeState, WayState)| {
                 way.leads_to_goal(*past) && task.propositions(lifted).all(|part| home.holds(&part, state))

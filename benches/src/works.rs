@@ -79,7 +79,7 @@ fn feedback() -> Box<dyn FnMut()> {
     agent.hear(&home, &start, "take the red chair to the blue room").expect("a command");
     agent.plan_fully(&home, &start).expect("a plan");
     Box::new(move || {
-        agent.acted(&home, &start, Action(0)).expect("a plan");
+        agent.acted(&home, &start, Action::new(0)).expect("a plan");
         assert_eq!(agent.feedback(Feedback::Neutral), Ok(Evidence::Used));
     })
 }

@@ -250,7 +250,7 @@ pub unsafe extern "C" fn goodbot_decide(robot: *mut Goodbot, action: *mut u8, pl
             if !plan.is_null() {
                 give(plan, kind)?;
             }
-            give(action, decision.action.0)
+            give(action, decision.action.index() as u8)
         })
     }
 }
@@ -303,8 +303,8 @@ pub unsafe extern "C" fn goodbot_demonstration(robot: *mut Goodbot, action: u8, 
             }
             let agent = &mut robot.agent;
             let came = in_world!(&mut robot.world, |domain, state| {
-                let came = agent.demonstrated(domain, state, Action(action))?;
-                *state = apply(domain, state, Action(action)).ok_or(GoodbotStatus::NotApplicable)?;
+                let came = agent.demonstrated(domain, state, Action::new(action))?;
+                *state = apply(domain, state, Action::new(action)).ok_or(GoodbotStatus::NotApplicable)?;
                 came
             });
             give(evidence, write(came))
@@ -323,7 +323,7 @@ pub unsafe extern "C" fn goodbot_done(robot: *mut Goodbot, action: u8) -> Goodbo
     unsafe {
         with(robot, |robot| {
             let agent = &mut robot.agent;
-            in_world!(&mut robot.world, |domain, state| *state = agent.acted(domain, state, Action(action))?);
+            in_world!(&mut robot.world, |domain, state| *state = agent.acted(domain, state, Action::new(action))?);
             Ok(GoodbotStatus::Ok)
         })
     }

@@ -7,9 +7,14 @@ use crate::capacity::{Capacity, CapacityError, NAME_BYTES};
 
 /// A text known to a [`Symbols`] table, by its position there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Symbol(pub u16);
+pub struct Symbol(pub(crate) u16);
 
 impl Symbol {
+    /// The text at this position.
+    pub const fn new(position: u16) -> Self {
+        Self(position)
+    }
+
     /// The position in the table.
     pub const fn index(self) -> usize {
         self.0 as usize

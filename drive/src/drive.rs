@@ -106,7 +106,7 @@ impl fmt::Display for DriveError {
             Self::Hysteresis(share) => write!(out, "a hysteresis of {share} of a cell: it must be at least 0 and below 0.5"),
             Self::Limit { name: "slowest", value } => write!(out, "slowest is {value}: it must be above 0 and at most 1"),
             Self::Limit { name, value } => write!(out, "{name} is {value}: it must be above 0"),
-            Self::NoNeighbour(action) => write!(out, "action {} leads to no neighbouring cell: only 0 to 3 do", action.0),
+            Self::NoNeighbour(action) => write!(out, "action {} leads to no neighbouring cell: only 0 to 3 do", action.index()),
         }
     }
 }

@@ -7,13 +7,13 @@ use goodbot::oomdp::Action;
 use micromath::F32Ext;
 
 /// The home's action to the north.
-pub const NORTH: Action = Action(0);
+pub const NORTH: Action = Action::new(0);
 /// The home's action to the south.
-pub const SOUTH: Action = Action(1);
+pub const SOUTH: Action = Action::new(1);
 /// The home's action to the east.
-pub const EAST: Action = Action(2);
+pub const EAST: Action = Action::new(2);
 /// The home's action to the west.
-pub const WEST: Action = Action(3);
+pub const WEST: Action = Action::new(3);
 
 /// Which way an action goes, in cells to the east and to the north; `None` for one that does not move the robot to a neighbour.
 pub const fn direction(action: Action) -> Option<(i32, i32)> {

@@ -149,6 +149,6 @@ fn what_is_wrong_with_a_setting_is_said() {
     assert_eq!(Grid::new(-1.0, 0.1), Err(DriveError::CellSize(-1.0)));
     assert_eq!(Grid::new(0.3, 0.5), Err(DriveError::Hysteresis(0.5)));
     let mut drive = Drive::new(LIMITS).unwrap();
-    assert_eq!(drive.go(HERE, Action(4), 1.0), Err(DriveError::NoNeighbour(Action(4))));
+    assert_eq!(drive.go(HERE, Action::new(4), 1.0), Err(DriveError::NoNeighbour(Action::new(4))));
     assert_eq!(drive.go(HERE, Action::NOOP, 1.0), Err(DriveError::NoNeighbour(Action::NOOP)));
 }

@@ -25,14 +25,14 @@ use goodbot_drill::SEED;
 static mut MEMORY: memory::RobotMemory = memory::RobotMemory::new();
 
 /// Commands, and what they mean: the position of the lifted task, and its objects by their positions.
-const LESSONS: [(&str, (u8, [u8; 2])); 5] = [
+const LESSONS: [(&str, (u8, [usize; 2])); 5] = [
     ("put the cup on the red slot", (1, [5, 1])),
     ("put the ball on the yellow slot", (1, [6, 4])),
     ("move to the green slot", (0, [0, 2])),
     ("move to the yellow slot", (0, [0, 4])),
     ("put the ball on the red slot", (1, [6, 1])),
 ];
-const UNHEARD: (&str, (u8, [u8; 2])) = ("put the cup on the yellow slot", (1, [5, 4]));
+const UNHEARD: (&str, (u8, [usize; 2])) = ("put the cup on the yellow slot", (1, [5, 4]));
 
 /// Judges every action, and rightly.
 struct Attentive;
@@ -44,11 +44,11 @@ impl Trainer for Attentive {
 }
 
 /// The position of the task that is meant.
-fn intended(agent: &Agent<impl AgentMemory>, (lifted, objects): (u8, [u8; 2])) -> Option<usize> {
+fn intended(agent: &Agent<impl AgentMemory>, (lifted, objects): (u8, [usize; 2])) -> Option<usize> {
     agent.tasks().iter().position(|task| {
         let parts = agent.lifted().get(usize::from(task.lifted)).into_iter().flat_map(|lifted| task.propositions(lifted));
         task.lifted == lifted
-            && parts.flat_map(|part| part.arguments).map(|object| object.0).zip(objects).all(|(found, meant)| found == meant)
+            && parts.flat_map(|part| part.arguments).map(ObjectId::index).zip(objects).all(|(found, meant)| found == meant)
     })
 }
 

@@ -718,7 +718,7 @@ impl Agent {
             let row = |task: usize| {
                 let optimal = plan.optimal(task);
                 let set = optimal.exact().or(optimal.onward()).unwrap_or_default();
-                (0..actions as u8).map(Action).chain([Action::NOOP]).map(move |action| set.contains(action))
+                (0..actions as u8).map(Action::new).chain([Action::NOOP]).map(move |action| set.contains(action))
             };
             array(domain.py(), (0..mind.count()).flat_map(row), &[mind.count(), actions + 1])
         })
@@ -770,7 +770,7 @@ impl Agent {
         self.with(|mind| {
             let tables = mind.core.language().tables();
             let (words, tokens) = (tables.words(), tables.tokens());
-            let cell = |token: usize| move |word: usize| tables.translation(Symbol(word as u16), Some(Symbol(token as u16)));
+            let cell = |token: usize| move |word: usize| tables.translation(Symbol::new(word as u16), Some(Symbol::new(token as u16)));
             array(py, (0..tokens).flat_map(|token| (0..words).map(cell(token))), &[tokens, words])
         })
     }

@@ -75,7 +75,7 @@ fn class_id(names: &mut Names, class: &str) -> ClassId {
         names.classes.push(class.to_owned());
         names.classes.len() - 1
     });
-    ClassId(position.min(usize::from(u8::MAX)) as u8)
+    ClassId::new(position.min(usize::from(u8::MAX)) as u8)
 }
 
 fn names(py: Python<'_>, object: &Bound<'_, PyAny>) -> PyResult<Names> {
@@ -193,14 +193,14 @@ impl Robot {
     }
 
     fn ask_step(&self, py: Python<'_>, number: u64, action: Action) -> PyResult<Option<u64>> {
-        let name = self.names.actions.get(usize::from(action.0)).map(|(name, _)| name);
+        let name = self.names.actions.get(action.index()).map(|(name, _)| name);
         let (Some(state), Some(name)) = (self.state(py, number), name) else { return Ok(None) };
         let next = self.object.bind(py).call_method1("step", (state, PyString::intern(py, name)))?;
         if next.is_none() { Ok(None) } else { self.enter(&next).map(Some) }
     }
 
     fn ask_holds(&self, py: Python<'_>, proposition: &GroundProposition, number: u64) -> PyResult<bool> {
-        let name = self.names.propositions.get(usize::from(proposition.proposition.0));
+        let name = self.names.propositions.get(proposition.proposition.index());
         let (Some(state), Some((name, parameters))) = (self.state(py, number), name) else { return Ok(false) };
         let objects = self.objects();
         let arguments = proposition.arguments.iter().take(parameters.len()).map(|&object| PyString::intern(py, objects.name(object)));
@@ -220,11 +220,11 @@ impl Robot {
     }
 
     fn step(&self, state: u64, action: Action) -> Option<u64> {
-        if let Some(&known) = self.known().steps.get(&(state, action.0)) {
+        if let Some(&known) = self.known().steps.get(&(state, action.index() as u8)) {
             return known;
         }
         let next = self.asked(|py| self.ask_step(py, state, action))?;
-        self.known().steps.insert((state, action.0), next);
+        self.known().steps.insert((state, action.index() as u8), next);
         next
     }
 

@@ -186,7 +186,7 @@ impl Inner {
         }
         let site = &self.sites[world.site];
         let rooms = &site.home.get().rooms;
-        let action = if usize::from(action) < rooms.actions().len() { Action(action) } else { Action::NOOP };
+        let action = if usize::from(action) < rooms.actions().len() { Action::new(action) } else { Action::NOOP };
         let state = apply(rooms, &world.state, action).unwrap_or(world.state);
         let steps = world.steps + 1;
         let terminated = site.missions[world.mission].parts.iter().all(|part| rooms.holds(part, &state));

@@ -115,7 +115,7 @@ fn facts(home: &StudyHome<'_>, lifted: &LiftedTask, task: &GroundedTask) -> Vec<
     let mut facts = Vec::new();
     for part in task.propositions(lifted) {
         let [subject, room, _] = part.arguments;
-        facts.push(world.schema.propositions[usize::from(part.proposition.0)].name.to_owned());
+        facts.push(world.schema.propositions[part.proposition.index()].name.to_owned());
         facts.push(format!("room {}", value(room, COLOR)));
         if part.proposition != AGENT_IN_ROOM {
             facts.push(format!("block {}", value(subject, COLOR)));

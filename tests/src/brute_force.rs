@@ -17,14 +17,14 @@ pub struct BruteForce<S> {
 impl<S: Copy + PartialEq> BruteForce<S> {
     /// Plans for all of `tasks` from all states that can be reached from `start`.
     pub fn new<D: Domain<State = S>>(domain: &D, start: &S, lifted: &[LiftedTask], tasks: &[GroundedTask]) -> Self {
-        let actions: Vec<Action> = (0..domain.actions().len()).map(|position| Action(position as u8)).collect();
+        let actions: Vec<Action> = (0..domain.actions().len()).map(|position| Action::new(position as u8)).collect();
         let found = reachable(domain, start);
         let numbers: Vec<u64> = found.keys().copied().collect();
         let states: Vec<S> = found.into_values().collect();
         let at = |state: &S| numbers.binary_search(&domain.number(state)).expect("a state that can be reached");
         let leads = |state: &S, action: Action| {
             let next = domain.step(state, action)?;
-            Some((action, u32::from(domain.actions()[usize::from(action.0)].cost), at(&next)))
+            Some((action, u32::from(domain.actions()[action.index()].cost), at(&next)))
         };
         let edges: Vec<Vec<_>> = states.iter().map(|state| actions.iter().filter_map(|&action| leads(state, action)).collect()).collect();
         let distances = tasks

@@ -98,10 +98,10 @@ impl Lesson {
         // Rooms stand first, doors next, then blocks and the agent; `objects` names them by their order of arrival.
         let (block, room) = self.intended;
         let is_it = |task: &GroundedTask| {
-            let first = task.bindings[0].0;
-            task.bindings[1].0 == room as u8
+            let first = task.bindings[0].index();
+            task.bindings[1].index() == room
                 && usize::from(task.lifted) == usize::from(block.is_some())
-                && block.is_none_or(|block| first == 8 + block as u8)
+                && block.is_none_or(|block| first == 8 + block)
         };
         agent.tasks().iter().position(is_it).expect("the intended task is possible")
     }

@@ -84,7 +84,7 @@ impl Sweep {
         self.positions[domain.number(start) as usize] = 0;
         while let Some(state) = states.get(next).copied() {
             for action in (0..self.actions).map(|action| action as u8) {
-                let Some(there) = domain.step(&state, Action(action)) else { continue };
+                let Some(there) = domain.step(&state, Action::new(action)) else { continue };
                 let position = &mut self.positions[domain.number(&there) as usize];
                 if *position == UNREACHED {
                     *position = states.len() as u32;
@@ -121,7 +121,7 @@ impl Sweep {
         let Some(position) = self.position(domain, state) else { return ActionSet::EMPTY };
         let toward = &self.toward[position * self.actions..][..self.actions];
         let begins = toward.iter().enumerate().filter(|(_, tasks)| tasks.contains(task));
-        begins.fold(ActionSet::EMPTY, |set, (action, _)| set.with(Action(action as u8)))
+        begins.fold(ActionSet::EMPTY, |set, (action, _)| set.with(Action::new(action as u8)))
     }
 
     /// The cost of a shortest way to a task's goal, by going it.
@@ -131,7 +131,7 @@ impl Sweep {
         }
         let (mut state, mut distance) = (*state, 0);
         while let Some(action) = self.toward(domain, &state, task).iter().next() {
-            distance += u32::from(domain.actions()[usize::from(action.0)].cost);
+            distance += u32::from(domain.actions()[action.index()].cost);
             state = domain.step(&state, action)?;
         }
         Some(distance)

@@ -9,8 +9,8 @@ const SCHEMA: Schema<'static> = Schema {
     classes: &[Class { name: "robot" }, Class { name: "zone" }, Class { name: "crate" }],
     attributes: &[],
     propositions: &[
-        Proposition { name: "robotInZone", parameters: &[ClassId(0), ClassId(1)] },
-        Proposition { name: "crateInZone", parameters: &[ClassId(2), ClassId(1)] },
+        Proposition { name: "robotInZone", parameters: &[ClassId::new(0), ClassId::new(1)] },
+        Proposition { name: "crateInZone", parameters: &[ClassId::new(2), ClassId::new(1)] },
     ],
 };
 
@@ -43,10 +43,10 @@ impl<'m> TurningRobot<'m> {
     /// A floor of `side` times `side` cells, which count row by row.
     pub fn new(side: i32, blocked: Vec<i32>, zones: Vec<i32>, memory: ObjectTables<'m>) -> Self {
         let mut objects = ObjectSet::new(memory);
-        objects.add(ClassId(0), "robot0", &[]).expect("a robot");
-        objects.add(ClassId(2), "crate0", &[]).expect("a crate");
+        objects.add(ClassId::new(0), "robot0", &[]).expect("a robot");
+        objects.add(ClassId::new(2), "crate0", &[]).expect("a crate");
         for zone in 0..zones.len() {
-            objects.add(ClassId(1), &format!("zone{zone}"), &[]).expect("a zone");
+            objects.add(ClassId::new(1), &format!("zone{zone}"), &[]).expect("a zone");
         }
         Self { objects: objects.into_objects(), side, blocked, zones, gap: 1 }
     }
@@ -65,7 +65,7 @@ impl<'m> TurningRobot<'m> {
 
     fn moved(&self, pose: &Pose, action: Action) -> Option<Pose> {
         let ahead = |cell| self.ahead(cell, pose.heading);
-        match action.0 {
+        match action.index() {
             0 => Some(Pose { heading: (pose.heading + 1) % 4, ..*pose }),
             1 => Some(Pose { heading: (pose.heading + 3) % 4, ..*pose }),
             2 => {
@@ -92,12 +92,12 @@ impl Domain for TurningRobot<'_> {
 
     // Driving against a wall can be done and changes nothing; jumping onto a wall cannot be done.
     fn step(&self, pose: &Pose, action: Action) -> Option<Pose> {
-        self.moved(pose, action).or((action.0 == 2).then_some(*pose))
+        self.moved(pose, action).or((action.index() == 2).then_some(*pose))
     }
 
     fn holds(&self, proposition: &GroundProposition, pose: &Pose) -> bool {
         let zone = self.zones[proposition.arguments[1].index() - 2];
-        zone == if proposition.proposition == PropositionId(0) { pose.cell } else { pose.crate_cell }
+        zone == if proposition.proposition == PropositionId::new(0) { pose.cell } else { pose.crate_cell }
     }
 
     fn state_count(&self) -> u64 {

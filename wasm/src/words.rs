@@ -37,7 +37,7 @@ pub fn support(agent: &Agent<impl AgentMemory>, home: &Home<impl HomeMemory>) ->
             }
             // A value that the model does not know is as good as any other that it does not.
             for token in description.iter_mut().filter(|token| !is_marker(**token)) {
-                *token = language.tokens().find(own.read().text(*token)).unwrap_or(Symbol(i16::MAX as u16));
+                *token = language.tokens().find(own.read().text(*token)).unwrap_or(Symbol::new(i16::MAX as u16));
             }
             for row in &mut rows {
                 row.push(0.0);
@@ -90,6 +90,6 @@ fn spread(agent: &Agent<impl AgentMemory>, mut rows: Vec<Vec<f32>>) -> Support {
         }
     }
     let words = sentence.iter().map(|word| word.map_or_else(String::new, |word| language.words().text(word).to_owned())).collect();
-    let known = sentence.iter().map(|word| word.is_some_and(|word| usize::from(word.0) < language.tables().words())).collect();
+    let known = sentence.iter().map(|word| word.is_some_and(|word| word.index() < language.tables().words())).collect();
     Support { words, known, tasks: rows }
 }

@@ -91,23 +91,23 @@ impl Domain for TableDomain {
     }
 
     fn step(&self, state: &u32, action: Action) -> Option<u32> {
-        if usize::from(action.0) >= self.actions.len() {
+        if action.index() >= self.actions.len() {
             return None;
         }
         let next = match self.steps {
             Steps::Table(table) => {
-                let at = (*state as usize).checked_mul(self.actions.len())?.checked_add(usize::from(action.0))?;
+                let at = (*state as usize).checked_mul(self.actions.len())?.checked_add(action.index())?;
                 u32::from(*table.get(at).filter(|&&next| next != GOODBOT_CANNOT)?)
             }
-            Steps::Function(step) => next_by(step?, self.context, *state, action.0)?,
+            Steps::Function(step) => next_by(step?, self.context, *state, action.index() as u8)?,
         };
         (next < self.states).then_some(next)
     }
 
     fn holds(&self, proposition: &GroundProposition, state: &u32) -> bool {
-        let arguments = proposition.arguments.map(|object| object.0);
+        let arguments = proposition.arguments.map(|object| object.index() as u8);
         // SAFETY: the caller's function, with the context that came with it.
-        self.holds.is_some_and(|holds| unsafe { holds(self.context, *state, proposition.proposition.0, arguments.as_ptr()) })
+        self.holds.is_some_and(|holds| unsafe { holds(self.context, *state, proposition.proposition.index() as u8, arguments.as_ptr()) })
     }
 
     fn state_count(&self) -> u64 {
@@ -125,6 +125,6 @@ impl Domain for TableDomain {
     #[cfg(feature = "derived")]
     fn tell_derived(&self, state: &u32, object: ObjectId, tell: &mut dyn FnMut(&str)) {
         // What is no text was refused when the robot was made.
-        derived_by(self.derived, self.context, *state, object.0).filter_map(Result::ok).for_each(tell);
+        derived_by(self.derived, self.context, *state, object.index() as u8).filter_map(Result::ok).for_each(tell);
     }
 }

@@ -18,7 +18,7 @@ use goodbot::capacity::{Capacity, CapacityError, NAME_BYTES};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{ActionKind, Attribute, Carrier, Class, ClassId, ObjectCount, ObjectSet, Proposition, Schema};
 
-const NO_CARRIER: Carrier<'static> = Carrier { class: ClassId(0), prefix: "" };
+const NO_CARRIER: Carrier<'static> = Carrier { class: ClassId::new(0), prefix: "" };
 const NO_ATTRIBUTE: Attribute<'static> = Attribute { name: "", carriers: &[] };
 const NO_PROPOSITION: Proposition<'static> = Proposition { name: "", parameters: &[] };
 
@@ -168,7 +168,7 @@ unsafe fn schema(table: &GoodbotTable, arena: &mut Arena) -> Result<Parts, Failu
     let classes = arena.table(GOODBOT_MOST_CLASSES, Class { name: "" }).ok_or(room)?;
     let carriers = arena.table(GOODBOT_MOST_CARRIERS, NO_CARRIER).ok_or(room)?;
     let attributes = arena.table(GOODBOT_MOST_ATTRIBUTES, NO_ATTRIBUTE).ok_or(room)?;
-    let parameters = arena.table(GOODBOT_MOST_PROPOSITIONS * GOODBOT_MOST_ARGUMENTS, ClassId(0)).ok_or(room)?;
+    let parameters = arena.table(GOODBOT_MOST_PROPOSITIONS * GOODBOT_MOST_ARGUMENTS, ClassId::new(0)).ok_or(room)?;
     let propositions = arena.table(GOODBOT_MOST_PROPOSITIONS, NO_PROPOSITION).ok_or(room)?;
     // SAFETY: the caller's promise, for all that follows: its memory stays as long as the robot is used.
     let (classes, attributes, propositions) = unsafe { (classes.stay(), attributes.stay(), propositions.stay()) };
@@ -219,7 +219,7 @@ unsafe fn schema(table: &GoodbotTable, arena: &mut Arena) -> Result<Parts, Failu
 /// The class of this position.
 fn class(table: &GoodbotTable, position: u8, place: Place) -> Result<ClassId, Failure> {
     let found = u32::from(position);
-    let known = if found < table.class_count { Ok(ClassId(position)) } else { Err(GoodbotStatus::Unknown) };
+    let known = if found < table.class_count { Ok(ClassId::new(position)) } else { Err(GoodbotStatus::Unknown) };
     known.at(place.number(found, 0, table.class_count.saturating_sub(1)))
 }
 

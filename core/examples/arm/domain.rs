@@ -2,13 +2,13 @@
 
 use goodbot::oomdp::{
     Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, ObjectError, ObjectSet, ObjectTables, Objects,
-    OneByOne, Proposition, PropositionId, Schema, World,
+    OneByOne, Proposition, Schema, World,
 };
 use goodbot::task::{LiftedTask, TaskTextError};
 
-const ARM: ClassId = ClassId(0);
-const SLOT: ClassId = ClassId(1);
-const THING: ClassId = ClassId(2);
+const ARM: ClassId = ClassId::new(0);
+const SLOT: ClassId = ClassId::new(1);
+const THING: ClassId = ClassId::new(2);
 
 const SCHEMA: Schema<'static> = Schema {
     classes: &[Class { name: "arm" }, Class { name: "slot" }, Class { name: "thing" }],
@@ -33,8 +33,8 @@ const SLOTS: u8 = 4;
 /// A thing in the hand is in this slot.
 const HAND: u8 = SLOTS;
 /// Objects: the arm, the slots, the things.
-const FIRST_SLOT: u8 = 1;
-const FIRST_THING: u8 = FIRST_SLOT + SLOTS;
+const FIRST_SLOT: usize = 1;
+const FIRST_THING: usize = FIRST_SLOT + SLOTS as usize;
 
 /// The slot of the arm and of each thing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,7 +81,7 @@ impl Domain for Arm<'_> {
     fn step(&self, shelf: &Shelf, action: Action) -> Option<Shelf> {
         let mut next = *shelf;
         let thing_in = |slot: u8| shelf.things.iter().position(|&thing| thing == slot);
-        match action.0 {
+        match action.index() {
             0 => next.arm = shelf.arm.checked_sub(1)?,
             1 => next.arm = Some(shelf.arm + 1).filter(|&slot| slot < SLOTS)?,
             2 if thing_in(HAND).is_none() => *next.things.get_mut(thing_in(shelf.arm)?)? = HAND,
@@ -93,11 +93,11 @@ impl Domain for Arm<'_> {
 
     fn holds(&self, proposition: &GroundProposition, shelf: &Shelf) -> bool {
         let [subject, slot, _] = proposition.arguments;
-        let place = match proposition.proposition {
-            PropositionId(0) => Some(shelf.arm),
-            _ => shelf.things.get(usize::from(subject.0 - FIRST_THING)).copied(),
+        let place = match proposition.proposition.index() {
+            0 => Some(shelf.arm),
+            _ => shelf.things.get(subject.index() - FIRST_THING).copied(),
         };
-        place == Some(slot.0 - FIRST_SLOT)
+        place.map(usize::from) == Some(slot.index() - FIRST_SLOT)
     }
 
     fn state_count(&self) -> u64 {

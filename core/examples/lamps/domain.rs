@@ -6,7 +6,7 @@ use goodbot::oomdp::{
 };
 use goodbot::task::{LiftedTask, TaskTextError};
 
-const LAMP: ClassId = ClassId(0);
+const LAMP: ClassId = ClassId::new(0);
 
 const SCHEMA: Schema<'static> = Schema {
     classes: &[Class { name: "lamp" }],
@@ -58,7 +58,7 @@ impl Domain for Lamps<'_> {
     }
 
     fn step(&self, house: &House, action: Action) -> Option<House> {
-        match action.0 {
+        match action.index() {
             0 => Some(House { room: house.room.saturating_sub(1), ..*house }),
             1 => Some(House { room: (house.room + 1).min(ROOMS.len() as u8 - 1), ..*house }),
             2 => Some(House { on: house.on ^ 1 << house.room, ..*house }),
@@ -68,7 +68,7 @@ impl Domain for Lamps<'_> {
 
     fn holds(&self, proposition: &GroundProposition, house: &House) -> bool {
         let [lamp, ..] = proposition.arguments;
-        (house.on >> lamp.0 & 1 == 1) == (proposition.proposition == PropositionId(0))
+        (house.on >> lamp.index() & 1 == 1) == (proposition.proposition == PropositionId::new(0))
     }
 
     fn state_count(&self) -> u64 {

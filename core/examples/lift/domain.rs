@@ -17,12 +17,12 @@ pub struct TableRobot<'m> {
 }
 
 const CANNOT: u8 = u8::MAX;
-const FLOOR: ClassId = ClassId(1);
+const FLOOR: ClassId = ClassId::new(1);
 
 const SCHEMA: Schema<'static> = Schema {
     classes: &[Class { name: "lift" }, Class { name: "floor" }],
     attributes: &[Attribute { name: "use", carriers: &[Carrier { class: FLOOR, prefix: "floorIs" }] }],
-    propositions: &[Proposition { name: "liftAtFloor", parameters: &[ClassId(0), FLOOR] }],
+    propositions: &[Proposition { name: "liftAtFloor", parameters: &[ClassId::new(0), FLOOR] }],
 };
 
 const ACTIONS: [ActionKind<'static>; 2] = [ActionKind { name: "up", cost: 1 }, ActionKind { name: "down", cost: 1 }];
@@ -30,14 +30,15 @@ const ACTIONS: [ActionKind<'static>; 2] = [ActionKind { name: "up", cost: 1 }, A
 /// Up and down from each of four floors.
 const NEXT: [[u8; 2]; 4] = [[1, CANNOT], [2, 0], [3, 1], [CANNOT, 2]];
 
-const AT: PropositionId = PropositionId(0);
-const HOLDS: [(u8, PropositionId, ObjectId); 4] = [(0, AT, ObjectId(1)), (1, AT, ObjectId(2)), (2, AT, ObjectId(3)), (3, AT, ObjectId(4))];
+const AT: PropositionId = PropositionId::new(0);
+const HOLDS: [(u8, PropositionId, ObjectId); 4] =
+    [(0, AT, ObjectId::new(1)), (1, AT, ObjectId::new(2)), (2, AT, ObjectId::new(3)), (3, AT, ObjectId::new(4))];
 
 impl<'m> TableRobot<'m> {
     /// A lift in a house of four floors.
     pub fn lift(memory: ObjectTables<'m>) -> Result<Self, ObjectError> {
         let mut objects = ObjectSet::new(memory);
-        objects.add(ClassId(0), "lift", &[])?;
+        objects.add(ClassId::new(0), "lift", &[])?;
         for (name, what) in [("floor0", "garage"), ("floor1", "shop"), ("floor2", "office"), ("floor3", "roof")] {
             objects.add(FLOOR, name, &[what])?;
         }
@@ -62,7 +63,7 @@ impl Domain for TableRobot<'_> {
     }
 
     fn step(&self, state: &u8, action: Action) -> Option<u8> {
-        let next = *self.next.get(usize::from(*state))?.get(usize::from(action.0))?;
+        let next = *self.next.get(usize::from(*state))?.get(action.index())?;
         (next != CANNOT).then_some(next)
     }
 

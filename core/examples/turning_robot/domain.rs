@@ -12,7 +12,7 @@ const ACTIONS: [ActionKind<'static>; 3] =
     [ActionKind { name: "left", cost: 1 }, ActionKind { name: "right", cost: 1 }, ActionKind { name: "forward", cost: 2 }];
 
 /// The home's actions for each heading: north, east, south, west.
-const AHEAD: [Action; 4] = [Action(0), Action(2), Action(1), Action(3)];
+const AHEAD: [Action; 4] = [Action::new(0), Action::new(2), Action::new(1), Action::new(3)];
 
 /// Where everything is, and where the robot looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,10 +42,10 @@ impl<M: HomeMemory> Domain for TurningRobot<M> {
     }
 
     fn step(&self, state: &TurningState, action: Action) -> Option<TurningState> {
-        match action {
-            Action(0) => Some(TurningState { heading: (state.heading + 3) % 4, ..*state }),
-            Action(1) => Some(TurningState { heading: (state.heading + 1) % 4, ..*state }),
-            Action(2) => {
+        match action.index() {
+            0 => Some(TurningState { heading: (state.heading + 3) % 4, ..*state }),
+            1 => Some(TurningState { heading: (state.heading + 1) % 4, ..*state }),
+            2 => {
                 let ahead = AHEAD.get(usize::from(state.heading))?;
                 Some(TurningState { home: self.home.step(&state.home, *ahead)?, ..*state })
             }

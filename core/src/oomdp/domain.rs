@@ -7,19 +7,29 @@ use super::{GroundProposition, Objects, PushGrid, Schema, SearchKind};
 /// An action, by its position in [`Domain::actions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Action(pub u8);
+pub struct Action(pub(crate) u8);
 
 impl Action {
     /// Doing nothing: an action of every domain, not listed among its own.
     pub const NOOP: Self = Self(15);
     /// How many actions of its own a domain can have.
     pub const MOST: usize = 15;
+
+    /// The action at this position.
+    pub const fn new(position: u8) -> Self {
+        Self(position)
+    }
+
+    /// The position among the actions of a domain.
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
 }
 
 /// A set of actions, one bit each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ActionSet(pub u16);
+pub struct ActionSet(pub(crate) u16);
 
 impl ActionSet {
     /// No action.

@@ -9,9 +9,14 @@ use core::fmt;
 /// An object, by its position among the [`Objects`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ObjectId(pub u8);
+pub struct ObjectId(pub(crate) u8);
 
 impl ObjectId {
+    /// The object at this position.
+    pub const fn new(position: u8) -> Self {
+        Self(position)
+    }
+
     /// The position in the set.
     pub const fn index(self) -> usize {
         self.0 as usize
@@ -118,7 +123,7 @@ impl<'t> ObjectSet<'t> {
     /// let (mut objects, mut name_bytes, mut name_ends) = ([Object::UNUSED; 4], [0; 64], [0; 8]);
     /// let memory = ObjectTables { objects: &mut objects, name_bytes: &mut name_bytes, name_ends: &mut name_ends };
     /// let mut set = ObjectSet::new(memory);
-    /// let lamp = set.add(ClassId(0), "lamp0", &["red"])?;
+    /// let lamp = set.add(ClassId::new(0), "lamp0", &["red"])?;
     /// assert_eq!(set.into_objects().value(lamp, 0), "red");
     /// # Ok::<(), goodbot::oomdp::ObjectError>(())
     /// ```

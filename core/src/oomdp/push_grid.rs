@@ -4,11 +4,16 @@ use super::{Action, Domain, GroundProposition};
 
 /// A cell, by its position in [`Floor::cells`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct CellId(pub u16);
+pub struct CellId(pub(crate) u16);
 
 impl CellId {
     /// No cell: a wall, or the outside.
     pub const NONE: Self = Self(u16::MAX);
+
+    /// The cell at this position.
+    pub const fn new(position: u16) -> Self {
+        Self(position)
+    }
 
     /// The position among the floor's cells.
     pub const fn index(self) -> usize {
@@ -59,11 +64,21 @@ impl Floor<'_> {
 
 /// Something on the floor that changes its cell: 0 is the robot, the others are what it moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Piece(pub u8);
+pub struct Piece(pub(crate) u8);
 
 impl Piece {
     /// The robot itself.
     pub const ROBOT: Self = Self(0);
+
+    /// The piece with this number, below [`PushGrid::pieces`].
+    pub const fn new(number: u8) -> Self {
+        Self(number)
+    }
+
+    /// The position among the pieces.
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
 
     /// The piece as a set, one bit each.
     #[inline]

@@ -8,12 +8,36 @@ use crate::capacity::ARGUMENTS;
 /// A class of objects, by its position in [`Schema::classes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ClassId(pub u8);
+pub struct ClassId(pub(crate) u8);
+
+impl ClassId {
+    /// The class at this position.
+    pub const fn new(position: u8) -> Self {
+        Self(position)
+    }
+
+    /// The position among the classes.
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
 
 /// A propositional function, by its position in [`Schema::propositions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct PropositionId(pub u8);
+pub struct PropositionId(pub(crate) u8);
+
+impl PropositionId {
+    /// The propositional function at this position.
+    pub const fn new(position: u8) -> Self {
+        Self(position)
+    }
+
+    /// The position among the propositional functions.
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
 
 /// A class of objects: `room`, `block`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -31,7 +31,7 @@ pub use wording::{Piece, TaskText, Wording};
 
 /// A set of a session's tasks, one bit each, by position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct TaskSet(pub u64);
+pub struct TaskSet(pub(crate) u64);
 
 impl TaskSet {
     /// How many tasks a session can have at most.

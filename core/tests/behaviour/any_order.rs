@@ -87,7 +87,7 @@ fn check(agent: &Agent<impl AgentMemory>, seed: u64) {
 
 fn act(agent: &mut Agent<impl AgentMemory>, homes: &[(Home<impl HomeMemory>, HomeState)], at: &mut (usize, HomeState), random: &mut Pcg32) {
     let (home, start) = (&homes[at.0].0, homes[at.0].1);
-    let action = Action(*pick(random, &[0, 1, 2, 3, 4, 5, 15, 16, 255]));
+    let action = Action::new(*pick(random, &[0, 1, 2, 3, 4, 5, 15, 16, 255]));
     match below(22, random) {
         0 | 1 => {
             *at = {
@@ -99,7 +99,8 @@ fn act(agent: &mut Agent<impl AgentMemory>, homes: &[(Home<impl HomeMemory>, Hom
         2 => {
             let values = [0.0, 0.3, 1.0, f32::NAN, -1.0, f32::INFINITY, f32::MIN_POSITIVE];
             let value = *pick(random, &values);
-            let _ = agent.hear_with_prior(home, &at.1, &any_command(random), |task, _| if task.bindings[1].0 == 0 { 0.5 } else { value });
+            let _ =
+                agent.hear_with_prior(home, &at.1, &any_command(random), |task, _| if task.bindings[1].index() == 0 { 0.5 } else { value });
         }
         3 => {
             at.1 = start;

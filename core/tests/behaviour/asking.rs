@@ -128,7 +128,7 @@ fn a_word_that_is_corrected_after_an_answer_leaves_the_answer_as_it_was() {
     let mut memory = Memory::new();
     let (mut agent, home, start) = heard(&mut memory, Options::DEFAULT);
     let answer = |agent: &mut Agent<_>| assert_eq!(agent.answered(TaskSet::of(1), true, 0.1, 1), Ok(Evidence::Used));
-    agent.acted(&home, &start, Action(0)).unwrap();
+    agent.acted(&home, &start, Action::new(0)).unwrap();
     assert_eq!(agent.feedback(Feedback::Punish), Ok(Evidence::Used));
     answer(&mut agent);
     assert_eq!(agent.feedback(Feedback::Reward), Ok(Evidence::Used));
@@ -136,7 +136,7 @@ fn a_word_that_is_corrected_after_an_answer_leaves_the_answer_as_it_was() {
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
     answer(&mut agent);
-    agent.acted(&home, &start, Action(0)).unwrap();
+    agent.acted(&home, &start, Action::new(0)).unwrap();
     assert_eq!(agent.feedback(Feedback::Reward), Ok(Evidence::Used));
     assert_eq!(probabilities(&agent), corrected);
 }
@@ -150,11 +150,11 @@ fn a_late_word_counts_for_the_action_before_the_last_one() {
     agent.set_strategies(&[(late, 1.0)]).unwrap();
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
-    let first: Vec<_> = (0..agent.tasks().len()).map(|task| agent.planned().judge(task, Action(3))).collect();
-    let next = agent.acted(&home, &start, Action(3)).unwrap();
+    let first: Vec<_> = (0..agent.tasks().len()).map(|task| agent.planned().judge(task, Action::new(3))).collect();
+    let next = agent.acted(&home, &start, Action::new(3)).unwrap();
     assert_eq!(agent.feedback(Feedback::Reward), Ok(Evidence::SaysNothing), "there is no action before the first");
     agent.plan_fully(&home, &next).unwrap();
-    agent.acted(&home, &next, Action(2)).unwrap();
+    agent.acted(&home, &next, Action::new(2)).unwrap();
     assert_eq!(agent.feedback(Feedback::Reward), Ok(Evidence::Used));
     let right = |task: usize| agent.belief().weight(task).over(agent.belief().prior(task));
     for (task, judgement) in first.iter().enumerate() {
@@ -173,7 +173,7 @@ fn the_end_of_a_session_speaks_for_what_is_done_there() {
     let mut state = start;
     for action in [3, 3, 0, 0, 0, 0] {
         agent.plan_fully(&home, &state).unwrap();
-        state = agent.acted(&home, &state, Action(action)).unwrap();
+        state = agent.acted(&home, &state, Action::new(action)).unwrap();
     }
     agent.plan_fully(&home, &state).unwrap();
     let green = (0..agent.tasks().len()).find(|&task| agent.planned().distance(task) == Some(0)).unwrap();
@@ -191,7 +191,7 @@ fn what_is_believed_of_a_trainer_drifts_back_to_what_was_expected() {
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
     for _ in 0..6 {
-        agent.acted(&home, &start, Action(0)).unwrap();
+        agent.acted(&home, &start, Action::new(0)).unwrap();
         let _ = agent.feedback(Feedback::Reward).unwrap();
     }
     let kind = agent.belief().strategy_probability(0);
@@ -200,7 +200,7 @@ fn what_is_believed_of_a_trainer_drifts_back_to_what_was_expected() {
     // As if the session had never been.
     agent.plan_fully(&home, &start).unwrap();
     let begun = agent.belief().strategy_probability(0);
-    agent.acted(&home, &start, Action(0)).unwrap();
+    agent.acted(&home, &start, Action::new(0)).unwrap();
     let _ = agent.feedback(Feedback::Punish).unwrap();
     agent.forget_evidence();
     agent.hear(&home, &start, "go").unwrap();

@@ -88,7 +88,7 @@ fn a_command_of_a_length_never_heard_is_learned_from_too() {
     // Pr(n|l) is 0 for each machine command: nothing explains three words, and the feedback alone tells what they mean.
     agent.hear(&home, &start, "red room now").unwrap();
     agent.plan_fully(&home, &start).unwrap();
-    agent.acted(&home, &start, Action(2)).unwrap();
+    agent.acted(&home, &start, Action::new(2)).unwrap();
     let _ = agent.feedback(Feedback::Reward).unwrap();
     let _ = agent.finish(&home).unwrap();
     agent.learn_fully();
@@ -125,7 +125,7 @@ fn what_is_learned_later_is_learned_alike_and_words_mean_the_same_until_then() {
             for command in COMMANDS {
                 agent.hear(&home, &start, command).unwrap();
                 agent.plan_fully(&home, &start).unwrap();
-                agent.acted(&home, &start, Action(0)).unwrap();
+                agent.acted(&home, &start, Action::new(0)).unwrap();
                 let _ = agent.feedback(Feedback::Reward).unwrap();
                 if later {
                     agent.finish_for_later(&home).unwrap();

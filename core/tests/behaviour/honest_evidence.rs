@@ -76,7 +76,7 @@ fn near_goals_are_found_exactly_before_anything_is_approximated() {
     agent.hear(&home, &state, "go").unwrap();
     agent.plan_fully(&home, &state).unwrap();
     let near = task(&agent, &home, "agent0", "room2");
-    assert_eq!(agent.planned().optimal(near).exact().map(|actions| actions.iter().collect()), Some(vec![Action(0)]));
+    assert_eq!(agent.planned().optimal(near).exact().map(|actions| actions.iter().collect()), Some(vec![Action::new(0)]));
     assert_eq!(agent.planned().distance(near), Some(2));
     // Where the block has to go is too far for so little memory.
     assert!(!agent.planned().unknown().union(agent.planned().approximate()).is_empty());
@@ -91,7 +91,7 @@ fn a_dead_end_stays_one_until_somebody_else_moves_things() {
     let stuck = task(&agent, &home, "block0", "room2");
     agent.plan_fully(&home, &start).unwrap();
     assert!(matches!(agent.planned().optimal(stuck), OptimalSet::DeadEnd(_)));
-    let next = agent.acted(&home, &start, Action(2)).unwrap();
+    let next = agent.acted(&home, &start, Action::new(2)).unwrap();
     agent.plan_fully(&home, &next).unwrap();
     assert!(matches!(agent.planned().optimal(stuck), OptimalSet::DeadEnd(_)), "nothing has moved the block");
     // Somebody carries it out of its corner.
@@ -109,9 +109,9 @@ fn a_plan_serves_no_other_state_and_a_session_no_other_home() {
     let mut agent = agent(&mut memory);
     agent.hear(&home, &start, "go to the red room").unwrap();
     agent.plan_fully(&home, &start).unwrap();
-    let next = apply(&home, &start, Action(2)).unwrap();
+    let next = apply(&home, &start, Action::new(2)).unwrap();
     assert_eq!(agent.decide(&home, &next), Err(AgentError::NotPlanned));
-    assert_eq!(agent.acted(&home, &next, Action(2)), Err(AgentError::NotPlanned));
+    assert_eq!(agent.acted(&home, &next, Action::new(2)), Err(AgentError::NotPlanned));
     assert_eq!(agent.decide(&painted, &same_number), Err(AgentError::OtherDomain));
     assert_eq!(agent.plan(&painted, &same_number, 10), Err(AgentError::OtherDomain));
     assert_eq!(agent.hear_again(&painted, &same_number), Err(AgentError::NoSession));
@@ -150,9 +150,9 @@ fn a_word_about_the_last_action_counts_also_while_the_next_plan_is_made() {
         agent.hear(&home, &start, "go to the red room").unwrap();
         agent.plan_fully(&home, &start).unwrap();
     }
-    let next = at_once.acted(&home, &start, Action(2)).unwrap();
+    let next = at_once.acted(&home, &start, Action::new(2)).unwrap();
     assert_eq!(at_once.feedback(Feedback::Reward), Ok(Evidence::Used));
-    assert_eq!(later.acted(&home, &start, Action(2)), Ok(next));
+    assert_eq!(later.acted(&home, &start, Action::new(2)), Ok(next));
     let _ = later.plan(&home, &next, 1).unwrap();
     assert_eq!(later.feedback(Feedback::Reward), Ok(Evidence::Used));
     assert_eq!(probabilities(&later), probabilities(&at_once));
@@ -170,12 +170,12 @@ fn of_several_words_about_one_action_the_last_counts_until_the_next_action() {
         agent.hear(&home, &start, "go to the red room").unwrap();
         agent.plan_fully(&home, &start).unwrap();
         assert_eq!(agent.feedback(Feedback::Reward), Err(AgentError::NothingDone));
-        let next = agent.acted(&home, &start, Action(2)).unwrap();
+        let next = agent.acted(&home, &start, Action::new(2)).unwrap();
         for &word in words {
             assert_eq!(agent.feedback(word), Ok(Evidence::Used));
         }
         agent.plan_fully(&home, &next).unwrap();
-        agent.acted(&home, &next, Action(2)).unwrap();
+        agent.acted(&home, &next, Action::new(2)).unwrap();
         assert_eq!(agent.feedback(Feedback::Reward), Ok(Evidence::Used));
     }
     assert_eq!(probabilities(&hasty), probabilities(&calm));
@@ -192,7 +192,7 @@ fn equal_propositions_compare_equal_and_unused_arguments_are_object_0() {
     let count = goodbot::task::ground(&home, std::slice::from_ref(&lifted), &start, &mut tasks).unwrap();
     for task in &tasks[..count] {
         let part = task.propositions(&lifted).next().unwrap();
-        assert_eq!(part.arguments[2], ObjectId(0));
+        assert_eq!(part.arguments[2], ObjectId::new(0));
         assert_eq!(part, GroundProposition::new(home::BLOCK_IN_ROOM, &task.bindings[..2]));
     }
 }
@@ -218,7 +218,7 @@ struct Ring<'m> {
 const RING: Schema<'static> = Schema {
     classes: &[Class { name: "place" }],
     attributes: &[],
-    propositions: &[Proposition { name: "robotAt", parameters: &[ClassId(0)] }],
+    propositions: &[Proposition { name: "robotAt", parameters: &[ClassId::new(0)] }],
 };
 
 impl Domain for Ring<'_> {
@@ -234,7 +234,7 @@ impl Domain for Ring<'_> {
     }
 
     fn step(&self, state: &u64, action: Action) -> Option<u64> {
-        match action.0 {
+        match action.index() {
             0 => Some((state + 1) % self.places),
             1 => Some((state + self.places - 1) % self.places),
             _ => None,
@@ -262,11 +262,11 @@ impl Domain for Ring<'_> {
 fn a_robot_whose_states_do_not_fit_is_refused_by_name_and_number() {
     let mut ring_memory = memory(0, 0);
     let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
-    objects.add(ClassId(0), "goal", &[]).unwrap();
+    objects.add(ClassId::new(0), "goal", &[]).unwrap();
     let ring = Ring { objects: objects.into_objects(), places: 15_000, counted: 15_000 };
     let needed = states_needed(&ring).unwrap();
     assert!(needed > 16_384, "an action that costs 2 takes more room: {needed}");
-    let tasks = [LiftedTask::single(PropositionId(0), &RING).unwrap()];
+    let tasks = [LiftedTask::single(PropositionId::new(0), &RING).unwrap()];
     for (states, hashed, fits) in [(15_000, 0, false), (16_384 - 64, 0, false), (needed - 64, 0, false), (needed, 0, true), (640, 64, true)]
     {
         let mut memory = memory(states, hashed);
@@ -287,7 +287,7 @@ fn a_robot_whose_states_do_not_fit_is_refused_by_name_and_number() {
 fn a_robot_of_more_states_than_any_memory_is_refused_at_once() {
     let mut ring_memory = memory(0, 0);
     let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
-    objects.add(ClassId(0), "goal", &[]).unwrap();
+    objects.add(ClassId::new(0), "goal", &[]).unwrap();
     let ring = Ring { objects: objects.into_objects(), places: 1 << 52, counted: 1 << 52 };
     assert!(states_needed(&ring).unwrap() > 1 << 52);
 }
@@ -296,10 +296,10 @@ fn a_robot_of_more_states_than_any_memory_is_refused_at_once() {
 fn a_state_whose_number_is_not_below_the_count_is_refused() {
     let mut ring_memory = memory(0, 0);
     let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
-    objects.add(ClassId(0), "goal", &[]).unwrap();
+    objects.add(ClassId::new(0), "goal", &[]).unwrap();
     let ring = Ring { objects: objects.into_objects(), places: 40, counted: 40 };
     let mut memory = memory(128, 0);
-    let mut agent = Agent::new(&mut memory.agent, &[LiftedTask::single(PropositionId(0), &RING).unwrap()], Options::PAPER).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &[LiftedTask::single(PropositionId::new(0), &RING).unwrap()], Options::PAPER).unwrap();
     assert_eq!(agent.hear(&ring, &40, "go"), Err(AgentError::StateNumber));
     assert_eq!(agent.hear(&ring, &39, "go"), Ok(()));
     assert_eq!(agent.plan(&ring, &40, 50), Err(AgentError::StateNumber));
@@ -310,12 +310,12 @@ fn a_state_whose_number_is_not_below_the_count_is_refused() {
 fn an_action_that_leads_to_no_counted_state_is_named_by_the_plan() {
     let mut ring_memory = memory(0, 0);
     let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
-    objects.add(ClassId(0), "goal", &[]).unwrap();
+    objects.add(ClassId::new(0), "goal", &[]).unwrap();
     let ring = Ring { objects: objects.into_objects(), places: 40, counted: 30 };
     let mut memory = memory(128, 0);
-    let mut agent = Agent::new(&mut memory.agent, &[LiftedTask::single(PropositionId(0), &RING).unwrap()], Options::PAPER).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &[LiftedTask::single(PropositionId::new(0), &RING).unwrap()], Options::PAPER).unwrap();
     agent.hear(&ring, &25, "go").unwrap();
-    let flaw = DomainFlaw::Number { number: 30, count: 30, from: Some((29, Action(0))) };
+    let flaw = DomainFlaw::Number { number: 30, count: 30, from: Some((29, Action::new(0))) };
     assert_eq!(agent.plan_fully(&ring, &25), Err(flaw.into()));
     assert!(flaw.to_string().starts_with("a state has the number 30, and state_count is 30 (action 0 leads to it from state 29); "));
 }
@@ -324,7 +324,7 @@ fn an_action_that_leads_to_no_counted_state_is_named_by_the_plan() {
 fn tasks_of_another_robot_are_refused() {
     let mut ring_memory = memory(0, 0);
     let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
-    objects.add(ClassId(0), "goal", &[]).unwrap();
+    objects.add(ClassId::new(0), "goal", &[]).unwrap();
     let ring = Ring { objects: objects.into_objects(), places: 40, counted: 40 };
     let mut memory = memory(128, 0);
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
@@ -335,10 +335,10 @@ fn tasks_of_another_robot_are_refused() {
 fn states_that_cannot_be_counted_ask_for_a_hash_table() {
     let mut ring_memory = memory(0, 0);
     let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
-    objects.add(ClassId(0), "goal", &[]).unwrap();
+    objects.add(ClassId::new(0), "goal", &[]).unwrap();
     let ring = Ring { objects: objects.into_objects(), places: u64::MAX, counted: u64::MAX };
     let mut memory = memory(640, 0);
-    let mut agent = Agent::new(&mut memory.agent, &[LiftedTask::single(PropositionId(0), &RING).unwrap()], Options::PAPER).unwrap();
+    let mut agent = Agent::new(&mut memory.agent, &[LiftedTask::single(PropositionId::new(0), &RING).unwrap()], Options::PAPER).unwrap();
     let refused = agent.hear(&ring, &0, "go").unwrap_err();
     assert_eq!(refused.to_string(), "no room: Capacities::hashed_states is 0, and 1 or more were given; raise it");
 }

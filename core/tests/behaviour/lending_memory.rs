@@ -30,11 +30,11 @@ fn one_home_after_another_lives_in_the_same_memory() {
     for color in ["red", "blue"] {
         let (home, state) = rooms(&mut memory.home, color);
         agent.hear(&home, &state, "go to the green room").unwrap();
-        assert_eq!(home.objects().value(goodbot::oomdp::ObjectId(0), home::COLOR), color);
+        assert_eq!(home.objects().value(goodbot::oomdp::ObjectId::new(0), home::COLOR), color);
     }
     let (home, _) = rooms(memory.home, "red");
     let (home, _) = rooms(home.into_memory(), "tan");
-    assert_eq!(home.objects().value(goodbot::oomdp::ObjectId(0), home::COLOR), "tan");
+    assert_eq!(home.objects().value(goodbot::oomdp::ObjectId::new(0), home::COLOR), "tan");
 }
 
 #[test]
@@ -82,7 +82,7 @@ fn in_parts(budget: u32) -> (usize, Vec<u32>) {
             calls += 1;
         }
         agent.plan_fully(&home, &state).unwrap();
-        agent.acted(&home, &state, Action(0)).unwrap();
+        agent.acted(&home, &state, Action::new(0)).unwrap();
         let _ = agent.feedback(Feedback::Reward).unwrap();
         bits.extend((0..agent.tasks().len()).map(|task| agent.belief().probability(task).to_bits()));
         agent.begin_finishing(&home).unwrap();

@@ -60,7 +60,7 @@ fn reward_and_punishment_tell_the_intended_task() {
     agent.hear(&home, &state, "go to the red room").unwrap();
     let red = task(&agent, &home, "agent0", "room2");
     agent.plan_fully(&home, &state).unwrap();
-    state = told(&mut agent, &home, &state, Action(2), Feedback::Reward);
+    state = told(&mut agent, &home, &state, Action::new(2), Feedback::Reward);
     // East is right for the red room alone: 0.27 against 0.03.
     assert!((agent.belief().probability(red) - 0.9).abs() < 1e-6);
     agent.plan_fully(&home, &state).unwrap();
@@ -75,7 +75,7 @@ fn silence_says_nothing_where_right_and_wrong_actions_are_met_with_it_equally() 
     let mut agent = agent(&mut memory.agent);
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
-    let _ = told(&mut agent, &home, &start, Action(0), Feedback::Neutral);
+    let _ = told(&mut agent, &home, &start, Action::new(0), Feedback::Neutral);
     assert_eq!(probabilities(&agent), [0.25; 4]);
 }
 
@@ -134,7 +134,7 @@ fn a_search_that_finds_no_room_says_that_it_does_not_know_and_takes_no_evidence(
     agent.plan_fully(&home, &start).unwrap();
     assert!((0..4).all(|task| agent.planned().optimal(task) == OptimalSet::Unknown));
     assert_eq!(agent.decide(&home, &start).unwrap().action, Action::NOOP);
-    agent.acted(&home, &start, Action(0)).unwrap();
+    agent.acted(&home, &start, Action::new(0)).unwrap();
     assert_eq!(agent.feedback(Feedback::Reward), Ok(Evidence::SaysNothing));
     assert_eq!(probabilities(&agent), [0.25; 4]);
 }
@@ -172,7 +172,7 @@ fn several_strategies_are_told_apart_by_how_the_trainer_speaks() {
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
     for _ in 0..4 {
-        let _ = told(&mut agent, &home, &start, Action(0), Feedback::Reward);
+        let _ = told(&mut agent, &home, &start, Action::new(0), Feedback::Reward);
     }
     assert!(agent.belief().strategy_probability(0) > 0.9);
     // A new command starts with what is known of the trainer.
@@ -189,7 +189,7 @@ fn feedback_that_nobody_could_give_is_ignored() {
     agent.set_strategies(&[(Strategy::new(0.0, 0.0, 0.1).unwrap(), 1.0)]).unwrap();
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
-    agent.acted(&home, &start, Action(2)).unwrap();
+    agent.acted(&home, &start, Action::new(2)).unwrap();
     assert_eq!(agent.feedback(Feedback::Neutral), Ok(Evidence::Impossible));
     assert_eq!(probabilities(&agent), [0.5; 2]);
 }
@@ -204,11 +204,11 @@ fn what_is_out_of_order_is_refused() {
     assert_eq!(agent.hear(&home, &start, " , . "), Err(AgentError::EmptyCommand));
     agent.hear(&home, &start, "go").unwrap();
     assert_eq!(agent.decide(&home, &start), Err(AgentError::NotPlanned));
-    assert_eq!(agent.acted(&home, &start, Action(0)), Err(AgentError::NotPlanned));
+    assert_eq!(agent.acted(&home, &start, Action::new(0)), Err(AgentError::NotPlanned));
     agent.plan_fully(&home, &start).unwrap();
     assert_eq!(agent.feedback(Feedback::Reward), Err(AgentError::NothingDone));
-    assert_eq!(agent.acted(&home, &start, Action(4)), Err(AgentError::NotApplicable));
-    assert_eq!(agent.acted(&home, &start, Action(200)), Err(AgentError::NotApplicable));
+    assert_eq!(agent.acted(&home, &start, Action::new(4)), Err(AgentError::NotApplicable));
+    assert_eq!(agent.acted(&home, &start, Action::new(200)), Err(AgentError::NotApplicable));
     let _ = agent.finish(&home).unwrap();
     assert_eq!(agent.hear(&home, &start, "go"), Err(AgentError::StillLearning));
     agent.learn_fully();
@@ -246,7 +246,7 @@ fn a_command_too_long_is_refused_and_what_was_learned_stays() {
     let teach = |agent: &mut Agent<&mut AgentArrays<Memory>>| {
         agent.hear(&home, &start, "go to the red room").unwrap();
         agent.plan_fully(&home, &start).unwrap();
-        let _ = told(agent, &home, &start, Action(2), Feedback::Reward);
+        let _ = told(agent, &home, &start, Action::new(2), Feedback::Reward);
         let _ = agent.finish(&home).unwrap();
         agent.learn_fully();
     };
@@ -290,7 +290,7 @@ fn a_forgotten_session_can_be_taken_up_again_and_learned_from() {
     let mut agent = agent(&mut memory.agent);
     agent.hear(&home, &start, "go to the red room").unwrap();
     agent.plan_fully(&home, &start).unwrap();
-    let _ = told(&mut agent, &home, &start, Action(2), Feedback::Reward);
+    let _ = told(&mut agent, &home, &start, Action::new(2), Feedback::Reward);
     let before = probabilities(&agent);
     agent.forget();
     agent.hear_again(&home, &start).unwrap();

@@ -34,8 +34,8 @@ fn training_that_begins_anew_forgets_what_it_had_counted() {
     assert_eq!(twice.train(1), Progress::Working);
     teach_more(&mut twice);
     for word in 0..2 {
-        for token in [None, Some(Symbol(0)), Some(Symbol(1))] {
-            assert_eq!(once.tables().translation(Symbol(word), token), twice.tables().translation(Symbol(word), token));
+        for token in [None, Some(Symbol::new(0)), Some(Symbol::new(1))] {
+            assert_eq!(once.tables().translation(Symbol::new(word), token), twice.tables().translation(Symbol::new(word), token));
         }
     }
 }
@@ -45,7 +45,7 @@ fn a_machine_command_too_long_is_refused_and_what_was_learned_stays() {
     let mut memory = Memory::new();
     let mut model = taught(&mut memory);
     let sentence = model.hear("go").unwrap();
-    let long = [Symbol(0); TOKENS_PER_COMMAND + 1];
+    let long = [Symbol::new(0); TOKENS_PER_COMMAND + 1];
     let error = model.add_session(&sentence, [(long.as_slice(), 1.0)].into_iter()).unwrap_err();
     assert_eq!((error.capacity, error.given), (Capacity::TokensPerCommand, TOKENS_PER_COMMAND as u32 + 1));
     assert_eq!(model.bitext().sessions(), 1);
@@ -57,6 +57,6 @@ fn a_word_that_finds_no_room_is_refused_by_the_name_of_what_is_full() {
     let mut model = taught(&mut memory);
     // Two words of eight are known, but five of eight bytes are taken.
     let sentence = model.hear("go yellow").unwrap();
-    let error = model.add_session(&sentence, [([Symbol(0)].as_slice(), 1.0)].into_iter()).unwrap_err();
+    let error = model.add_session(&sentence, [([Symbol::new(0)].as_slice(), 1.0)].into_iter()).unwrap_err();
     assert_eq!((error.capacity, error.limit), (Capacity::WordBytes, 8));
 }

@@ -57,11 +57,11 @@ pub fn is_solvable(home: &Home<impl HomeMemory>, start: &HomeState, intention: &
             for agent in (0..CELLS).filter(|&agent| open >> agent & 1 == 1) {
                 fresh = true;
                 mark(&mut done, (block, agent));
-                let at = home.put(start, Piece::ROBOT, CellId(agent as u16));
-                let at = moving.map_or(at, |piece| home.put(&at, piece, CellId(block as u16)));
+                let at = home.put(start, Piece::ROBOT, CellId::new(agent as u16));
+                let at = moving.map_or(at, |piece| home.put(&at, piece, CellId::new(block as u16)));
                 for action in 0..home.actions().len() {
-                    let Some(next) = home.step(&at, Action(action as u8)) else { continue };
-                    let mut others = (1..home.pieces()).map(|piece| Piece(piece as u8)).filter(|&piece| Some(piece) != moving);
+                    let Some(next) = home.step(&at, Action::new(action as u8)) else { continue };
+                    let mut others = (1..home.pieces()).map(|piece| Piece::new(piece as u8)).filter(|&piece| Some(piece) != moving);
                     let others_stay = others.all(|piece| home.cell(&next, piece) == home.cell(start, piece));
                     if !others_stay {
                         continue;

@@ -292,7 +292,7 @@ fn plan<D: Domain>(
         let Some(actions) = here.onward() else { return Ok(None) };
         exact &= here.exact().is_some();
         let Some((action, next)) = actions.iter().next().and_then(|action| Some((action, apply(home, &state, action)?))) else { break };
-        plan.push(home.actions().get(usize::from(action.0)).map_or_else(String::new, |action| action.name.to_owned()));
+        plan.push(home.actions().get(action.index()).map_or_else(String::new, |action| action.name.to_owned()));
         state = next;
     }
     Ok(None)

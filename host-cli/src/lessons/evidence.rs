@@ -156,7 +156,7 @@ impl Witness {
             else {
                 break;
             };
-            plan.push(session.home.actions().get(usize::from(action.0)).map_or_else(String::new, |action| action.name.to_owned()));
+            plan.push(session.home.actions().get(action.index()).map_or_else(String::new, |action| action.name.to_owned()));
             state = next;
         }
         Ok(plan)
@@ -246,7 +246,7 @@ pub fn label<D: Domain>(domain: &D, lifted: &LiftedTask, bindings: &[ObjectId]) 
 
 /// The symbols of a description. A value that the model does not know is as good as any other that it does not know.
 pub fn description_symbols(language: LanguageRef<'_>, description: &MachineCommand) -> Vec<Symbol> {
-    const UNKNOWN: Symbol = Symbol(i16::MAX as u16);
+    const UNKNOWN: Symbol = Symbol::new(i16::MAX as u16);
     let symbol = |token: &String| match token.parse::<Marker>() {
         Ok(marker) => marker.symbol(),
         Err(_) => language.tokens().find(token).unwrap_or(UNKNOWN),

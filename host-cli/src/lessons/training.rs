@@ -110,7 +110,7 @@ pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -
         }
         scores.push(sum);
     }
-    let form = |task: usize| forms.get(task).copied().unwrap_or(Symbol(0));
+    let form = |task: usize| forms.get(task).copied().unwrap_or(Symbol::new(0));
     let prior = |task: usize| lesson.readings.get(task).map_or(0.0, |reading| reading.prior);
     model.read().weigh_kinds(&sentence, form, prior, &mut scores);
     model.forget_unlearned();

@@ -46,7 +46,7 @@ impl<'m> ThreeStoreys<'m> {
         let right = second + side(SIDE);
         let edges = [0, first, second, right];
         let mut builder = HomeBuilder::new(memory);
-        let mut rooms = [ObjectId(0); COLORS.len()];
+        let mut rooms = [ObjectId::new(0); COLORS.len()];
         let areas = [
             Area::new(0, 0, right, low),
             Area::new(0, low, first, middle),
@@ -74,7 +74,7 @@ impl<'m> ThreeStoreys<'m> {
     }
 
     fn room(&self, room: usize) -> ObjectId {
-        self.rooms.get(room).copied().unwrap_or(ObjectId(0))
+        self.rooms.get(room).copied().unwrap_or(ObjectId::new(0))
     }
 }
 

@@ -59,7 +59,7 @@ pub fn budgets(input: &[u8]) {
             let decision = parts.decide_by(&home, &state, &mut Pcg32::new(seed, 1)).expect("the plan is done");
             assert_eq!(decision, whole.decide_by(&home, &state, &mut Pcg32::new(seed, 1)).expect("the plan is done"));
             let feedback = choices.one_of(&[Feedback::Reward, Feedback::Punish, Feedback::Neutral]);
-            let action = choices.one_of(&[decision.action, Action(0), Action(1), Action(2), Action(3), Action::NOOP]);
+            let action = choices.one_of(&[decision.action, Action::new(0), Action::new(1), Action::new(2), Action::new(3), Action::NOOP]);
             let next = parts.acted(&home, &state, action);
             assert_eq!(next, whole.acted(&home, &state, action));
             assert_eq!(parts.feedback(feedback), whole.feedback(feedback));

@@ -49,15 +49,15 @@ pub fn calls(input: &[u8]) {
             7 | 8 => {
                 let feedback = choices.one_of(&[Feedback::Reward, Feedback::Punish, Feedback::Neutral]);
                 // An action of the bytes' choice, or the last one that was done.
-                let action = Action(choices.byte());
-                if action.0 < 64
+                let action = Action::new(choices.byte());
+                if action.index() < 64
                     && let Ok(next) = agent.acted(home, state, action)
                 {
                     *state = next;
                 }
                 let _ = agent.feedback(feedback);
             }
-            9 => drop(agent.demonstrated(home, state, Action(choices.byte()))),
+            9 => drop(agent.demonstrated(home, state, Action::new(choices.byte()))),
             10 => drop(agent.finish(home)),
             11 => drop(agent.learn(u32::from(choices.byte()) * 64)),
             12 => match choices.below(6) {

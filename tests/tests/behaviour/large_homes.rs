@@ -43,7 +43,8 @@ fn seen(seed: u64) -> Seen {
                 OptimalSet::Unknown => seen.unknown += 1,
                 OptimalSet::Approximate(found) => {
                     seen.judged += 4;
-                    seen.equal += (0..4).filter(|&action| found.contains(Action(action)) == exact.contains(Action(action))).count();
+                    seen.equal +=
+                        (0..4).filter(|&action| found.contains(Action::new(action)) == exact.contains(Action::new(action))).count();
                 }
                 found => {
                     seen.exact += 1;
@@ -54,7 +55,7 @@ fn seen(seed: u64) -> Seen {
         for task in (0..count).filter(|&task| matches!(plan.optimal(task), OptimalSet::DeadEnd(_))) {
             assert!(!reachable.contains(task));
         }
-        state = apply(&home, &state, Action(below(&mut random, 4) as u8)).unwrap();
+        state = apply(&home, &state, Action::new(below(&mut random, 4) as u8)).unwrap();
     }
     seen
 }

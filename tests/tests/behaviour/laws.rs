@@ -64,7 +64,7 @@ proptest! {
         prop_assume!(agent.hear(&home, &state, &lesson.command).is_ok());
         agent.plan_fully(&home, &state).unwrap();
         for (action, feedback) in steps {
-            let _ = agent.acted(&home, &state, Action(action));
+            let _ = agent.acted(&home, &state, Action::new(action));
             let _ = agent.feedback(feedback);
             let posterior = posterior(&agent);
             prop_assert!(posterior.iter().all(|probability| (0.0..=1.0).contains(probability)));
@@ -82,11 +82,11 @@ proptest! {
         let (home, state) = lesson.home(&mut home_memory.home);
         prop_assume!(agent.hear(&home, &state, &lesson.command).is_ok());
         agent.plan_fully(&home, &state).unwrap();
-        agent.acted(&home, &state, Action(0)).unwrap();
+        agent.acted(&home, &state, Action::new(0)).unwrap();
         let _ = agent.feedback(first).unwrap();
         let before = posterior(&agent);
         for action in actions {
-            agent.acted(&home, &state, Action(action)).unwrap();
+            agent.acted(&home, &state, Action::new(action)).unwrap();
             let _ = agent.feedback(Feedback::Neutral).unwrap();
         }
         for (before, after) in before.iter().zip(posterior(&agent)) {
@@ -153,7 +153,7 @@ proptest! {
             agent.hear(&home, &state, &lesson.command).ok()?;
             agent.plan_fully(&home, &state).unwrap();
             for &(action, feedback) in &steps {
-                let _ = agent.acted(&home, &state, Action(action));
+                let _ = agent.acted(&home, &state, Action::new(action));
                 let _ = agent.feedback(feedback);
             }
             let name = |task| task_text(&home, agent.lifted(), task);
@@ -175,7 +175,7 @@ proptest! {
         let mut agent = agent(&mut memory, Trainer::BALANCED);
         let (home, start) = lesson.home(&mut home_memory.home);
         prop_assume!(agent.hear(&home, &start, &lesson.command).is_ok());
-        let state = walk.iter().fold(start, |state, &action| home.step(&state, Action(action)).unwrap_or(state));
+        let state = walk.iter().fold(start, |state, &action| home.step(&state, Action::new(action)).unwrap_or(state));
         agent.plan_fully(&home, &state).unwrap();
         for (position, task) in agent.tasks().iter().enumerate() {
             let lifted = &agent.lifted()[usize::from(task.lifted)];
@@ -183,7 +183,7 @@ proptest! {
             let expected = distance(&home, &state, holds);
             prop_assert_eq!(agent.planned().distance(position), expected);
             let Some(expected) = expected.filter(|&distance| distance > 0) else { continue };
-            for action in (0..home.actions().len()).map(|action| Action(action as u8)) {
+            for action in (0..home.actions().len()).map(|action| Action::new(action as u8)) {
                 let left = home.step(&state, action).and_then(|next| distance(&home, &next, holds));
                 let optimal = agent.planned().judge(position, action) == Judgement::Correct;
                 prop_assert_eq!(optimal, left == Some(expected - 1));
@@ -201,7 +201,7 @@ fn distance<D: Domain>(domain: &D, start: &D::State, holds: impl Fn(&D::State) -
         if holds(&state) {
             return Some(steps);
         }
-        for next in (0..domain.actions().len()).filter_map(|action| domain.step(&state, Action(action as u8))) {
+        for next in (0..domain.actions().len()).filter_map(|action| domain.step(&state, Action::new(action as u8))) {
             found.entry(domain.number(&next)).or_insert_with(|| {
                 open.push_back(next);
                 steps + 1

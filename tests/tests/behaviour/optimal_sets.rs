@@ -62,7 +62,7 @@ fn search_and_sweep_give_the_optimal_sets_of_brute_force_in_random_homes() {
 
 /// The tasks of the robot and of the crate.
 fn robot_tasks(robot: &TurningRobot<'_>) -> [LiftedTask; 2] {
-    [0, 1].map(|proposition| LiftedTask::single(PropositionId(proposition), &robot.world().schema).unwrap())
+    [0, 1].map(|proposition| LiftedTask::single(PropositionId::new(proposition), &robot.world().schema).unwrap())
 }
 
 #[test]

@@ -53,7 +53,7 @@ fn compare(random: &mut Pcg32, size: Size, moves: Moves, budget: u32, goal_entri
         }
         seen.fewer_expansions += usize::from(rows.expansions() < states.expansions());
         for _ in 0..5 {
-            let action = Action(below(random, home.actions().len() as i32) as u8);
+            let action = Action::new(below(random, home.actions().len() as i32) as u8);
             state = apply(&home, &state, action).unwrap_or(state);
         }
     }

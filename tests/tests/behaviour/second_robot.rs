@@ -100,5 +100,5 @@ fn the_cost_of_an_action_counts_in_the_plan() {
     let blue = agent.tasks().iter().position(|task| robot.world().objects.name(task.bindings[1]) == "room1").unwrap();
     assert_eq!(agent.planned().distance(blue), Some(14));
     let OptimalSet::Toward(first) = agent.planned().optimal(blue) else { panic!("a way exists") };
-    assert!(first.contains(Action(0)) && first.contains(Action(2)) && !first.contains(Action(1)));
+    assert!(first.contains(Action::new(0)) && first.contains(Action::new(2)) && !first.contains(Action::new(1)));
 }

@@ -27,8 +27,8 @@ struct OnRail<'m> {
     wavers: bool,
 }
 
-const CART: ClassId = ClassId(0);
-const PLACE: ClassId = ClassId(1);
+const CART: ClassId = ClassId::new(0);
+const PLACE: ClassId = ClassId::new(1);
 const COLOR: Attribute<'static> = Attribute { name: "color", carriers: &[Carrier { class: PLACE, prefix: "placeIs" }] };
 const AT: Proposition<'static> = Proposition { name: "cartAtPlace", parameters: &[CART, PLACE] };
 const SOUND: Schema<'static> =
@@ -62,11 +62,11 @@ impl Domain for OnRail<'_> {
     fn step(&self, &place: &u64, action: Action) -> Option<u64> {
         self.asked.set(self.asked.get() + 1);
         let place = if self.wavers && self.asked.get().is_multiple_of(2) { 0 } else { place };
-        if action == Action(0) { place.checked_sub(1) } else { Some(place + 1).filter(|&place| place < 4) }
+        if action == Action::new(0) { place.checked_sub(1) } else { Some(place + 1).filter(|&place| place < 4) }
     }
 
     fn holds(&self, proposition: &GroundProposition, &place: &u64) -> bool {
-        place == if proposition.arguments[1] == ObjectId(1) { 0 } else { 3 }
+        place == if proposition.arguments[1] == ObjectId::new(1) { 0 } else { 3 }
     }
 
     fn state_count(&self) -> u64 {
@@ -118,13 +118,16 @@ fn as_many_states_are_tried_as_are_asked_for() {
 fn two_states_of_one_number_are_found() {
     assert_eq!(
         refusal(Cart { number: |place| place / 2, ..Cart::default() }),
-        DomainFlaw::Numbered { number: 0, from: Some((0, Action(1))) }.to_string()
+        DomainFlaw::Numbered { number: 0, from: Some((0, Action::new(1))) }.to_string()
     );
 }
 
 #[test]
 fn a_number_beyond_the_state_count_is_found() {
-    assert_eq!(found(Cart { states: 3, ..Cart::default() }), Err(DomainFlaw::Number { number: 3, count: 3, from: Some((2, Action(1))) }));
+    assert_eq!(
+        found(Cart { states: 3, ..Cart::default() }),
+        Err(DomainFlaw::Number { number: 3, count: 3, from: Some((2, Action::new(1))) })
+    );
 }
 
 #[test]
@@ -136,7 +139,7 @@ fn a_step_that_wavers_is_found() {
 fn actions_are_refused_by_number_and_cost_when_a_command_is_heard_too() {
     let many = Cart { actions: vec![ActionKind { name: "left", cost: 1 }; 16], ..Cart::default() };
     let dear = Cart { actions: vec![ActionKind { name: "left", cost: 1 }, ActionKind { name: "right", cost: 17 }], ..Cart::default() };
-    for (cart, flaw) in [(many, DomainFlaw::Actions { given: 16 }), (dear, DomainFlaw::Cost { action: Action(1), cost: 17 })] {
+    for (cart, flaw) in [(many, DomainFlaw::Actions { given: 16 }), (dear, DomainFlaw::Cost { action: Action::new(1), cost: 17 })] {
         assert_eq!(found(cart.clone()), Err(flaw));
         let tasks = [LiftedTask::parse("cartAtPlace(?c, ?p)", &SOUND).unwrap()];
         let mut agent = Agent::new(HeapMemory::new(&goodbot::Capacities::SMALL).agent, &tasks, Options::DEFAULT).unwrap();
@@ -149,27 +152,27 @@ fn actions_are_refused_by_number_and_cost_when_a_command_is_heard_too() {
 fn names_that_are_empty_or_stand_twice_are_found() {
     for name in ["", "left", "noop"] {
         let actions = vec![ActionKind { name: "left", cost: 1 }, ActionKind { name, cost: 1 }];
-        assert_eq!(found(Cart { actions, ..Cart::default() }), Err(DomainFlaw::ActionName { action: Action(1) }));
+        assert_eq!(found(Cart { actions, ..Cart::default() }), Err(DomainFlaw::ActionName { action: Action::new(1) }));
     }
     let schema = Schema { classes: &[Class { name: "cart" }, Class { name: "cart" }], ..SOUND };
     assert_eq!(found(Cart { schema, ..Cart::default() }), Err(DomainFlaw::ClassName { class: PLACE }));
     let schema = Schema { propositions: &[AT, AT], ..SOUND };
-    assert_eq!(found(Cart { schema, ..Cart::default() }), Err(DomainFlaw::PropositionName { proposition: PropositionId(1) }));
+    assert_eq!(found(Cart { schema, ..Cart::default() }), Err(DomainFlaw::PropositionName { proposition: PropositionId::new(1) }));
 }
 
 #[test]
 fn a_schema_that_speaks_of_a_class_it_does_not_have_is_found() {
-    assert_eq!(found(Cart { schema: NO_PLACES, ..Cart::default() }), Err(DomainFlaw::Parameters { proposition: PropositionId(0) }));
+    assert_eq!(found(Cart { schema: NO_PLACES, ..Cart::default() }), Err(DomainFlaw::Parameters { proposition: PropositionId::new(0) }));
     let schema = Schema { propositions: &[], ..NO_PLACES };
     assert_eq!(found(Cart { schema, ..Cart::default() }), Err(DomainFlaw::Attribute { attribute: 0 }));
     let schema = Schema { propositions: &[], attributes: &[], ..NO_PLACES };
-    assert_eq!(found(Cart { schema, ..Cart::default() }), Err(DomainFlaw::ObjectClass { object: ObjectId(1) }));
+    assert_eq!(found(Cart { schema, ..Cart::default() }), Err(DomainFlaw::ObjectClass { object: ObjectId::new(1) }));
 }
 
 #[test]
 fn a_value_that_no_word_could_speak_of_is_found() {
     let objects: Vec<(ClassId, &str, &[&str])> = vec![(CART, "cart0", &["red"]), (PLACE, "place0", &["red"])];
-    assert_eq!(found(Cart { objects, ..Cart::default() }), Err(DomainFlaw::Value { object: ObjectId(0), attribute: 0 }));
+    assert_eq!(found(Cart { objects, ..Cart::default() }), Err(DomainFlaw::Value { object: ObjectId::new(0), attribute: 0 }));
 }
 
 #[test]

@@ -113,9 +113,9 @@ impl<S: Copy + PartialEq> Product<S> {
         while let Some(&(state, past, told)) = product.nodes.get(at) {
             let mut edges = vec![];
             for position in 0..domain.actions().len() {
-                let Some(next) = domain.step(&state, Action(position as u8)) else { continue };
+                let Some(next) = domain.step(&state, Action::new(position as u8)) else { continue };
                 let next = enter(&mut product, come(next, past, told));
-                edges.push((Action(position as u8), u32::from(domain.actions()[position].cost), next));
+                edges.push((Action::new(position as u8), u32::from(domain.actions()[position].cost), next));
             }
             product.edges.push(edges);
             at += 1;
@@ -373,8 +373,8 @@ fn task_of<M: goodbot::memory::AgentMemory>(agent: &Agent<M>, domain: &impl Doma
     agent.tasks().iter().position(is).unwrap()
 }
 
-const EAST: Action = Action(2);
-const WEST: Action = Action(3);
+const EAST: Action = Action::new(2);
+const WEST: Action = Action::new(3);
 
 #[test]
 fn who_stepped_into_the_avoided_room_has_a_dead_end_and_leaving_it_does_not_help() {

@@ -42,7 +42,7 @@ impl<M: HomeMemory> Scene<'_, M> {
             match plan.optimal(task) {
                 OptimalSet::Unknown => seen.unknown += 1,
                 OptimalSet::Approximate(found) => {
-                    let equal = (0..4).filter(|&action| found.contains(Action(action)) == exact.contains(Action(action)));
+                    let equal = (0..4).filter(|&action| found.contains(Action::new(action)) == exact.contains(Action::new(action)));
                     (seen.judged, seen.equal) = (seen.judged + 4, seen.equal + equal.count() as u32);
                 }
                 found => {
@@ -81,7 +81,7 @@ fn try_home(seed: u64, size: Size, states: usize, seen: &mut Seen) {
     let mut state = start;
     for _ in 0..40 {
         scene.judge(&state, seen);
-        state = apply(&home, &state, Action(below(&mut random, 4) as u8)).unwrap();
+        state = apply(&home, &state, Action::new(below(&mut random, 4) as u8)).unwrap();
     }
     let asked = of_blocks.common(scene.sweep.reachable(&home, &start)).without(satisfied(&home, &start, &lifted, &tasks[..count]));
     for task in asked.iter() {

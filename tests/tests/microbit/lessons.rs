@@ -96,7 +96,7 @@ pub fn until_done(
 }
 
 fn action<D: Domain>(domain: &D, name: &str) -> Action {
-    domain.actions().iter().position(|kind| kind.name == name).map_or(Action::NOOP, |position| Action(position as u8))
+    domain.actions().iter().position(|kind| kind.name == name).map_or(Action::NOOP, |position| Action::new(position as u8))
 }
 
 /// Where everything is, as the board writes it.
