@@ -17,11 +17,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut agent = Agent::new(&mut memory.agent, &Arm::tasks()?, Options::PAPER)?;
     let start = Shelf { arm: 0, things: [1, 2] };
     for (command, meaning) in [
-        ("put the cup on the red slot", ("thingInSlot", &["thing0", "slot0"][..])),
-        ("put the ball on the yellow slot", ("thingInSlot", &["thing1", "slot3"])),
-        ("move to the green slot", ("armAtSlot", &["arm", "slot1"])),
-        ("move to the yellow slot", ("armAtSlot", &["arm", "slot3"])),
-        ("put the ball on the red slot", ("thingInSlot", &["thing1", "slot0"])),
+        ("put the cup on the red slot", "thingInSlot(thing0, slot0)"),
+        ("put the ball on the yellow slot", "thingInSlot(thing1, slot3)"),
+        ("move to the green slot", "armAtSlot(arm, slot1)"),
+        ("move to the yellow slot", "armAtSlot(arm, slot3)"),
+        ("put the ball on the red slot", "thingInSlot(thing1, slot0)"),
     ] {
         teach(&mut agent, &arm, &start, command, meaning)?;
     }

@@ -17,10 +17,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut agent = Agent::new(&mut memory.agent, &Lamps::tasks()?, Options::PAPER)?;
     let start = House { room: 1, on: 0b0101 };
     for (command, meaning) in [
-        ("light up the hall", ("lampIsOn", &["lamp1"][..])),
-        ("make the kitchen dark", ("lampIsOff", &["lamp0"])),
-        ("light up the attic", ("lampIsOn", &["lamp3"])),
-        ("make the study dark", ("lampIsOff", &["lamp2"])),
+        ("light up the hall", "lampIsOn(lamp1)"),
+        ("make the kitchen dark", "lampIsOff(lamp0)"),
+        ("light up the attic", "lampIsOn(lamp3)"),
+        ("make the study dark", "lampIsOff(lamp2)"),
     ] {
         teach(&mut agent, &lamps, &start, command, meaning)?;
     }

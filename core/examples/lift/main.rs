@@ -23,9 +23,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let lift = TableRobot::lift(memory.home.lend().objects)?;
     let mut agent = Agent::new(&mut memory.agent, &TableRobot::tasks()?, Options::PAPER)?;
     for (command, meaning) in [
-        ("to the roof please", ("liftAtFloor", &["lift", "floor3"][..])),
-        ("to the garage please", ("liftAtFloor", &["lift", "floor0"])),
-        ("to the shop", ("liftAtFloor", &["lift", "floor1"])),
+        ("to the roof please", "liftAtFloor(lift, floor3)"),
+        ("to the garage please", "liftAtFloor(lift, floor0)"),
+        ("to the shop", "liftAtFloor(lift, floor1)"),
     ] {
         teach(&mut agent, &lift, &2, command, meaning)?;
     }

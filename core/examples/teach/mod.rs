@@ -6,32 +6,17 @@ use goodbot::oomdp::{Action, Domain, action_name};
 use goodbot::planning::Judgement;
 use goodbot::{Agent, AgentError};
 
-/// What a command means: a propositional function and the names of its objects.
-pub type Meaning<'a> = (&'a str, &'a [&'a str]);
-
-/// The position of the task that is meant.
-fn intended<D: Domain>(agent: &Agent<impl AgentMemory>, domain: &D, (proposition, objects): Meaning<'_>) -> Option<usize> {
-    let world = domain.world();
-    agent.tasks().iter().position(|task| {
-        let mut parts = agent.lifted().get(usize::from(task.lifted)).into_iter().flat_map(|lifted| task.propositions(lifted));
-        parts.all(|part| {
-            let names = part.arguments.map(|object| world.objects.name(object));
-            world.schema.proposition_name(part.proposition) == proposition && names.starts_with(objects)
-        })
-    })
-}
-
-/// Gives a command and judges what the robot does, until it has rightly rested three times in a row: where the task is done, or where it
+/// Gives a command that means a task, such as `liftAtFloor(lift, floor3)`, and judges what the robot does, until it has rightly rested three times in a row: where the task is done, or where it
 /// can no longer be done. Then it learns.
 pub fn teach<D: Domain>(
     agent: &mut Agent<impl AgentMemory>,
     domain: &D,
     start: &D::State,
     command: &str,
-    meaning: Meaning<'_>,
+    meaning: &str,
 ) -> Result<(), AgentError> {
     agent.hear(domain, start, command)?;
-    let intended = intended(agent, domain, meaning).ok_or(AgentError::NoTask)?;
+    let intended = agent.task_named(domain, meaning).ok_or(AgentError::NoTask)?;
     let (mut state, mut rests) = (*start, 0);
     while rests < 3 {
         agent.plan_fully(domain, &state)?;

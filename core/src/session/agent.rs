@@ -300,6 +300,30 @@ impl<M: AgentMemory> Agent<M> {
         Some(TaskText::new(task, self.lifted.get(usize::from(task.lifted))?, domain.world()))
     }
 
+    /// The position of the task of this session with this text, as [`task_text`](Self::task_text) gives it; spaces do not matter. `None`
+    /// where there is no such task.
+    ///
+    /// ```
+    /// use goodbot::{Agent, HeapMemory, Options, home::{self, Area, Cell, HomeBuilder, Moves}};
+    /// let mut memory = HeapMemory::new(&goodbot::Capacities::SMALL);
+    /// let mut builder = HomeBuilder::new(&mut memory.home);
+    /// builder.room("room0", Area::new(0, 0, 8, 4), "red")?;
+    /// builder.room("room1", Area::new(0, 4, 8, 8), "green")?;
+    /// builder.room("room2", Area::new(0, 8, 8, 12), "blue")?;
+    /// builder.door("door0", Area::new(2, 4, 2, 4))?;
+    /// builder.door("door1", Area::new(2, 8, 2, 8))?;
+    /// builder.agent("agent0", Cell::new(4, 2))?;
+    /// let (home, state) = builder.build(Moves::Push)?;
+    /// let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
+    /// agent.hear(&home, &state, "go to the blue room")?;
+    /// assert_eq!(agent.task_named(&home, "agentInRoom(agent0, room2)"), Some(1));
+    /// assert_eq!(agent.task_named(&home, "agentInRoom(agent0, room3)"), None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn task_named<D: Domain + ?Sized>(&self, domain: &D, text: &str) -> Option<usize> {
+        (0..self.task_count).find(|&task| self.task_text(domain, task).is_some_and(|known| known == *text))
+    }
+
     /// The machine commands of this session.
     pub fn candidates(&self) -> CandidatesRef<'_> {
         CandidatesRef::new(self.memory.read().session.candidates, self.candidates)

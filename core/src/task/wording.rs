@@ -110,3 +110,27 @@ impl fmt::Display for TaskText<'_> {
         written
     }
 }
+
+/// Whether a text is that of the task. Spaces do not matter.
+impl PartialEq<str> for TaskText<'_> {
+    fn eq(&self, text: &str) -> bool {
+        let mut rest = Rest(text.chars());
+        fmt::Write::write_fmt(&mut rest, format_args!("{self}")).is_ok() && rest.next().is_none()
+    }
+}
+
+/// What is left of a text, once what was written so far was found in it.
+struct Rest<'t>(core::str::Chars<'t>);
+
+impl Rest<'_> {
+    fn next(&mut self) -> Option<char> {
+        self.0.find(|letter| *letter != ' ')
+    }
+}
+
+impl fmt::Write for Rest<'_> {
+    fn write_str(&mut self, written: &str) -> fmt::Result {
+        let is_next = written.chars().filter(|letter| *letter != ' ').all(|letter| self.next() == Some(letter));
+        if is_next { Ok(()) } else { Err(fmt::Error) }
+    }
+}

@@ -12,21 +12,17 @@ use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use lamps::{House, Lamps};
 use lift::TableRobot;
-use teach::{Meaning, obey, teach};
+use teach::{obey, teach};
 
 /// Teaches commands, then gives others: each must lead to the state beside it.
-fn learns<D: Domain>(
-    domain: &D,
-    tasks: &[LiftedTask],
-    lessons: &[(D::State, &str, Meaning<'_>)],
-    commands: &[(D::State, &str, &str, D::State)],
-) where
+fn learns<D: Domain>(domain: &D, tasks: &[LiftedTask], lessons: &[(D::State, &str, &str)], commands: &[(D::State, &str, &str, D::State)])
+where
     D::State: std::fmt::Debug,
 {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
     let mut agent = Agent::new(&mut memory.agent, tasks, Options::PAPER).unwrap();
     for (start, command, meaning) in lessons {
-        teach(&mut agent, domain, start, command, *meaning).unwrap();
+        teach(&mut agent, domain, start, command, meaning).unwrap();
     }
     for (start, command, actions, end) in commands {
         let (done, state) = obey(&mut agent, domain, start, command).unwrap();
@@ -43,11 +39,11 @@ fn an_arm_learns_to_carry_things_by_the_cheapest_way() {
         &arm,
         &Arm::tasks().unwrap(),
         &[
-            (start, "put the cup on the red slot", ("thingInSlot", &["thing0", "slot0"])),
-            (start, "put the ball on the yellow slot", ("thingInSlot", &["thing1", "slot3"])),
-            (start, "move to the green slot", ("armAtSlot", &["arm", "slot1"])),
-            (start, "move to the yellow slot", ("armAtSlot", &["arm", "slot3"])),
-            (start, "put the ball on the red slot", ("thingInSlot", &["thing1", "slot0"])),
+            (start, "put the cup on the red slot", "thingInSlot(thing0, slot0)"),
+            (start, "put the ball on the yellow slot", "thingInSlot(thing1, slot3)"),
+            (start, "move to the green slot", "armAtSlot(arm, slot1)"),
+            (start, "move to the yellow slot", "armAtSlot(arm, slot3)"),
+            (start, "put the ball on the red slot", "thingInSlot(thing1, slot0)"),
         ],
         &[
             (start, "put the cup on the yellow slot", "right grab right right release", Shelf { arm: 3, things: [3, 2] }),
@@ -65,10 +61,10 @@ fn a_robot_learns_to_switch_lamps() {
         &lamps,
         &Lamps::tasks().unwrap(),
         &[
-            (start, "light up the hall", ("lampIsOn", &["lamp1"])),
-            (start, "make the kitchen dark", ("lampIsOff", &["lamp0"])),
-            (start, "light up the attic", ("lampIsOn", &["lamp3"])),
-            (start, "make the study dark", ("lampIsOff", &["lamp2"])),
+            (start, "light up the hall", "lampIsOn(lamp1)"),
+            (start, "make the kitchen dark", "lampIsOff(lamp0)"),
+            (start, "light up the attic", "lampIsOn(lamp3)"),
+            (start, "make the study dark", "lampIsOff(lamp2)"),
         ],
         &[
             (House { room: 3, on: 0b1000 }, "light up the kitchen", "west west west switch", House { room: 0, on: 0b1001 }),
@@ -85,9 +81,9 @@ fn a_robot_made_of_tables_learns_its_floors() {
         &lift,
         &TableRobot::tasks().unwrap(),
         &[
-            (2, "to the roof please", ("liftAtFloor", &["lift", "floor3"])),
-            (2, "to the garage please", ("liftAtFloor", &["lift", "floor0"])),
-            (2, "to the shop", ("liftAtFloor", &["lift", "floor1"])),
+            (2, "to the roof please", "liftAtFloor(lift, floor3)"),
+            (2, "to the garage please", "liftAtFloor(lift, floor0)"),
+            (2, "to the shop", "liftAtFloor(lift, floor1)"),
         ],
         &[(0, "to the roof", "up up up", 3), (3, "to the shop please", "down down", 1)],
     );
