@@ -6,20 +6,16 @@ use goodbot::oomdp::{
 };
 
 const SCHEMA: Schema<'static> = Schema {
-    classes: &[Class { name: "robot" }, Class { name: "zone" }, Class { name: "crate" }],
+    classes: &[Class::new("robot"), Class::new("zone"), Class::new("crate")],
     attributes: &[],
     propositions: &[
-        Proposition { name: "robotInZone", parameters: &[ClassId::new(0), ClassId::new(1)] },
-        Proposition { name: "crateInZone", parameters: &[ClassId::new(2), ClassId::new(1)] },
+        Proposition::new("robotInZone", &[ClassId::new(0), ClassId::new(1)]),
+        Proposition::new("crateInZone", &[ClassId::new(2), ClassId::new(1)]),
     ],
 };
 
-const ACTIONS: [ActionKind<'static>; 4] = [
-    ActionKind { name: "left", cost: 1 },
-    ActionKind { name: "right", cost: 2 },
-    ActionKind { name: "drive", cost: 3 },
-    ActionKind { name: "jump", cost: 5 },
-];
+const ACTIONS: [ActionKind<'static>; 4] =
+    [ActionKind::new("left", 1), ActionKind::new("right", 2), ActionKind::new("drive", 3), ActionKind::new("jump", 5)];
 
 /// Where the robot and the crate are; the heading counts from north by quarter turns to the west.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

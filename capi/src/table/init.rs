@@ -18,7 +18,7 @@ use goodbot::capacity::{Capacity, CapacityError, NAME_BYTES};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{ActionKind, Attribute, Carrier, Class, ClassId, ObjectCount, ObjectSet, Proposition, Schema};
 
-const NO_CARRIER: Carrier<'static> = Carrier { class: ClassId::new(0), prefix: "" };
+const NO_CARRIER: Carrier<'static> = Carrier::new(ClassId::new(0), "");
 const NO_ATTRIBUTE: Attribute<'static> = Attribute { name: "", carriers: &[] };
 const NO_PROPOSITION: Proposition<'static> = Proposition { name: "", parameters: &[] };
 

@@ -11,23 +11,13 @@ const SLOT: ClassId = ClassId::new(1);
 const THING: ClassId = ClassId::new(2);
 
 const SCHEMA: Schema<'static> = Schema {
-    classes: &[Class { name: "arm" }, Class { name: "slot" }, Class { name: "thing" }],
-    attributes: &[
-        Attribute { name: "color", carriers: &[Carrier { class: SLOT, prefix: "slotIs" }] },
-        Attribute { name: "shape", carriers: &[Carrier { class: THING, prefix: "shape" }] },
-    ],
-    propositions: &[
-        Proposition { name: "armAtSlot", parameters: &[ARM, SLOT] },
-        Proposition { name: "thingInSlot", parameters: &[THING, SLOT] },
-    ],
+    classes: &[Class::new("arm"), Class::new("slot"), Class::new("thing")],
+    attributes: &[Attribute::new("color", &[Carrier::new(SLOT, "slotIs")]), Attribute::new("shape", &[Carrier::new(THING, "shape")])],
+    propositions: &[Proposition::new("armAtSlot", &[ARM, SLOT]), Proposition::new("thingInSlot", &[THING, SLOT])],
 };
 
-const ACTIONS: [ActionKind<'static>; 4] = [
-    ActionKind { name: "left", cost: 1 },
-    ActionKind { name: "right", cost: 1 },
-    ActionKind { name: "grab", cost: 2 },
-    ActionKind { name: "release", cost: 2 },
-];
+const ACTIONS: [ActionKind<'static>; 4] =
+    [ActionKind::new("left", 1), ActionKind::new("right", 1), ActionKind::new("grab", 2), ActionKind::new("release", 2)];
 
 const SLOTS: u8 = 4;
 /// A thing in the hand is in this slot.

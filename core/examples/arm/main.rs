@@ -14,7 +14,7 @@ use teach::{obey, teach};
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
     let arm = Arm::new(memory.home.lend().objects)?;
-    let mut agent = Agent::new(&mut memory.agent, &Arm::tasks()?, Options::PAPER)?;
+    let mut agent = Agent::new(&mut memory.agent, &Arm::tasks()?, Options::DEFAULT)?;
     let start = Shelf { arm: 0, things: [1, 2] };
     for (command, meaning) in [
         ("put the cup on the red slot", "thingInSlot(thing0, slot0)"),

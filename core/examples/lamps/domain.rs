@@ -9,13 +9,12 @@ use goodbot::task::{LiftedTask, TaskTextError};
 const LAMP: ClassId = ClassId::new(0);
 
 const SCHEMA: Schema<'static> = Schema {
-    classes: &[Class { name: "lamp" }],
-    attributes: &[Attribute { name: "room", carriers: &[Carrier { class: LAMP, prefix: "lampOf" }] }],
-    propositions: &[Proposition { name: "lampIsOn", parameters: &[LAMP] }, Proposition { name: "lampIsOff", parameters: &[LAMP] }],
+    classes: &[Class::new("lamp")],
+    attributes: &[Attribute::new("room", &[Carrier::new(LAMP, "lampOf")])],
+    propositions: &[Proposition::new("lampIsOn", &[LAMP]), Proposition::new("lampIsOff", &[LAMP])],
 };
 
-const ACTIONS: [ActionKind<'static>; 3] =
-    [ActionKind { name: "west", cost: 1 }, ActionKind { name: "east", cost: 1 }, ActionKind { name: "switch", cost: 1 }];
+const ACTIONS: [ActionKind<'static>; 3] = [ActionKind::new("west", 1), ActionKind::new("east", 1), ActionKind::new("switch", 1)];
 
 const ROOMS: [&str; 4] = ["kitchen", "hall", "study", "attic"];
 

@@ -14,7 +14,7 @@ use teach::{obey, teach};
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
     let lamps = Lamps::new(memory.home.lend().objects)?;
-    let mut agent = Agent::new(&mut memory.agent, &Lamps::tasks()?, Options::PAPER)?;
+    let mut agent = Agent::new(&mut memory.agent, &Lamps::tasks()?, Options::DEFAULT)?;
     let start = House { room: 1, on: 0b0101 };
     for (command, meaning) in [
         ("light up the hall", "lampIsOn(lamp1)"),

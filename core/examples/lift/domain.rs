@@ -20,12 +20,12 @@ const CANNOT: u8 = u8::MAX;
 const FLOOR: ClassId = ClassId::new(1);
 
 const SCHEMA: Schema<'static> = Schema {
-    classes: &[Class { name: "lift" }, Class { name: "floor" }],
-    attributes: &[Attribute { name: "use", carriers: &[Carrier { class: FLOOR, prefix: "floorIs" }] }],
-    propositions: &[Proposition { name: "liftAtFloor", parameters: &[ClassId::new(0), FLOOR] }],
+    classes: &[Class::new("lift"), Class::new("floor")],
+    attributes: &[Attribute::new("use", &[Carrier::new(FLOOR, "floorIs")])],
+    propositions: &[Proposition::new("liftAtFloor", &[ClassId::new(0), FLOOR])],
 };
 
-const ACTIONS: [ActionKind<'static>; 2] = [ActionKind { name: "up", cost: 1 }, ActionKind { name: "down", cost: 1 }];
+const ACTIONS: [ActionKind<'static>; 2] = [ActionKind::new("up", 1), ActionKind::new("down", 1)];
 
 /// Up and down from each of four floors.
 const NEXT: [[u8; 2]; 4] = [[1, CANNOT], [2, 0], [3, 1], [CANNOT, 2]];

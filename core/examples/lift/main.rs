@@ -12,21 +12,24 @@ use goodbot::session::Lessons;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use teach::{obey, teach};
 
+/// Commands, and the task that each means.
+const LESSONS: [(&str, &str); 3] = [
+    ("to the roof please", "liftAtFloor(lift, floor3)"),
+    ("to the garage please", "liftAtFloor(lift, floor0)"),
+    ("to the shop", "liftAtFloor(lift, floor1)"),
+];
+
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // How much memory it takes is found out in roomy memory: three commands of at most four words, seven different ones.
+    // How much memory it takes is found out in roomy memory.
     let mut roomy = HeapMemory::new(&Capacities::STANDARD);
     let lift = TableRobot::lift(roomy.home.lend().objects)?;
-    let mut desk = Agent::new(&mut roomy.agent, &TableRobot::tasks()?, Options::PAPER)?;
-    let lessons = Lessons { different_words: 7, word_bytes: 32, ..Lessons::new(3, 4) };
+    let mut desk = Agent::new(&mut roomy.agent, &TableRobot::tasks()?, Options::DEFAULT)?;
+    let lessons = Lessons::of(LESSONS.map(|(command, _)| command))?;
     let mut memory = HeapMemory::new(&desk.least_capacities(&lift, &lessons)?);
 
     let lift = TableRobot::lift(memory.home.lend().objects)?;
-    let mut agent = Agent::new(&mut memory.agent, &TableRobot::tasks()?, Options::PAPER)?;
-    for (command, meaning) in [
-        ("to the roof please", "liftAtFloor(lift, floor3)"),
-        ("to the garage please", "liftAtFloor(lift, floor0)"),
-        ("to the shop", "liftAtFloor(lift, floor1)"),
-    ] {
+    let mut agent = Agent::new(&mut memory.agent, &TableRobot::tasks()?, Options::DEFAULT)?;
+    for (command, meaning) in LESSONS {
         teach(&mut agent, &lift, &2, command, meaning)?;
     }
     let (actions, end) = obey(&mut agent, &lift, &0, "to the roof")?;

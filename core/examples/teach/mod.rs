@@ -16,7 +16,7 @@ pub fn teach<D: Domain>(
     meaning: &str,
 ) -> Result<(), AgentError> {
     agent.hear(domain, start, command)?;
-    let intended = agent.task_named(domain, meaning).ok_or(AgentError::NoTask)?;
+    let intended = agent.task_named(domain, meaning).unwrap_or_else(|| panic!("no task is called {meaning} here"));
     let (mut state, mut rests) = (*start, 0);
     while rests < 3 {
         agent.plan_fully(domain, &state)?;
@@ -27,7 +27,10 @@ pub fn teach<D: Domain>(
         state = agent.acted(domain, &state, decision.action)?;
         let _ = agent.feedback(if right { Feedback::Reward } else { Feedback::Punish })?;
     }
-    let _ = agent.finish(domain)?;
+    let finished = agent.finish(domain)?;
+    if finished.gave_way.count() > 0 {
+        println!("{}", finished.gave_way);
+    }
     agent.learn_fully();
     Ok(())
 }

@@ -8,8 +8,7 @@ use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, World};
 
 /// Driving forward costs twice a turn.
-const ACTIONS: [ActionKind<'static>; 3] =
-    [ActionKind { name: "left", cost: 1 }, ActionKind { name: "right", cost: 1 }, ActionKind { name: "forward", cost: 2 }];
+const ACTIONS: [ActionKind<'static>; 3] = [ActionKind::new("left", 1), ActionKind::new("right", 1), ActionKind::new("forward", 2)];
 
 /// The home's actions for each heading: north, east, south, west.
 const AHEAD: [Action; 4] = [Action::new(0), Action::new(2), Action::new(1), Action::new(3)];

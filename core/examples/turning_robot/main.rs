@@ -26,7 +26,7 @@ fn rooms<M: HomeMemory>(memory: M, colors: [&str; 3]) -> Result<(Home<M>, HomeSt
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut memory = HeapMemory::new(&Capacities::STANDARD);
-    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks()?, Options::PAPER)?;
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
 
     for (color, room) in [("green", "room1"), ("red", "room2")] {
         let mut memory = HeapMemory::new(&Capacities::STANDARD);
@@ -40,7 +40,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             state = agent.acted(&home, &state, decision.action)?;
             assert_eq!(agent.feedback(if right { Feedback::Reward } else { Feedback::Punish })?, Evidence::Used);
         }
-        let _ = agent.finish(&home)?;
+        assert_eq!(agent.finish(&home)?.gave_way.count(), 0);
         agent.learn_fully();
     }
 

@@ -50,16 +50,16 @@ pub const SHAPE: usize = 1;
 
 /// The classes, attributes and propositional functions of every home. Colours and shapes are data.
 pub const SCHEMA: Schema<'static> = Schema {
-    classes: &[Class { name: "agent" }, Class { name: "room" }, Class { name: "door" }, Class { name: "block" }],
+    classes: &[Class::new("agent"), Class::new("room"), Class::new("door"), Class::new("block")],
     attributes: &[
-        Attribute { name: "color", carriers: &[Carrier { class: ROOM, prefix: "roomIs" }, Carrier { class: BLOCK, prefix: "blockIs" }] },
-        Attribute { name: "shape", carriers: &[Carrier { class: BLOCK, prefix: "shape" }] },
+        Attribute::new("color", &[Carrier::new(ROOM, "roomIs"), Carrier::new(BLOCK, "blockIs")]),
+        Attribute::new("shape", &[Carrier::new(BLOCK, "shape")]),
     ],
     propositions: &[
-        Proposition { name: "agentInRoom", parameters: &[AGENT, ROOM] },
-        Proposition { name: "blockInRoom", parameters: &[BLOCK, ROOM] },
-        Proposition { name: "agentInDoor", parameters: &[AGENT, DOOR] },
-        Proposition { name: "blockInDoor", parameters: &[BLOCK, DOOR] },
+        Proposition::new("agentInRoom", &[AGENT, ROOM]),
+        Proposition::new("blockInRoom", &[BLOCK, ROOM]),
+        Proposition::new("agentInDoor", &[AGENT, DOOR]),
+        Proposition::new("blockInDoor", &[BLOCK, DOOR]),
     ],
 };
 

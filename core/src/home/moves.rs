@@ -20,11 +20,11 @@ pub enum Moves {
 }
 
 const ACTIONS: [ActionKind<'static>; 5] = [
-    ActionKind { name: "north", cost: 1 },
-    ActionKind { name: "south", cost: 1 },
-    ActionKind { name: "east", cost: 1 },
-    ActionKind { name: "west", cost: 1 },
-    ActionKind { name: "pull", cost: 1 },
+    ActionKind::new("north", 1),
+    ActionKind::new("south", 1),
+    ActionKind::new("east", 1),
+    ActionKind::new("west", 1),
+    ActionKind::new("pull", 1),
 ];
 
 /// Where the agent and each block are.

@@ -52,8 +52,8 @@ const LEAST_KEPT: f32 = 0.5;
 pub(crate) enum Room {
     /// It has room.
     Found,
-    /// This session gave way; whether that is enough is not known yet.
-    Made(u16),
+    /// This session gave way, because this table was full; whether that is enough is not known yet.
+    Made(u16, Capacity),
 }
 
 /// Why a session has to give way.
@@ -99,7 +99,7 @@ impl LanguageMut<'_> {
         let Some(session) = self.least(want, self.bitext.sessions()) else { return Err(error) };
         self.bitext.remove_session(session);
         self.rebuild_lengths()?;
-        Ok(Room::Made(session))
+        Ok(Room::Made(session, error.capacity))
     }
 
     fn add_to_data<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
@@ -160,12 +160,12 @@ impl LanguageMut<'_> {
     }
 
     /// Whether the tables have room for the parameters of all data.
-    fn parameters_fit(&self) -> bool {
+    fn parameters_fit(&self) -> Result<(), CapacityError> {
         let (words, tokens) = (self.words.len(), self.tokens.len());
         if self.is_model_2() {
-            return self.tables.fits(tokens, words).is_ok();
+            return self.tables.fits(tokens, words);
         }
-        self.tables.read().fits_roles(tokens, &Layout::of(self.bitext.read(), words, tokens)).is_ok()
+        self.tables.read().fits_roles(tokens, &Layout::of(self.bitext.read(), words, tokens))
     }
 
     /// Whether a session could be kept if there were no other.
@@ -235,28 +235,31 @@ impl LanguageMut<'_> {
         session_tokens: &mut [Symbol],
     ) -> Result<Room, CapacityError> {
         self.remove_unused_words(sentence);
-        if !self.vocabulary_has_room() {
+        if self.full_of_vocabulary().is_some() {
             self.remove_unused_tokens(session_tokens);
         }
-        if !self.vocabulary_has_room() {
+        if let Some(full) = self.full_of_vocabulary() {
             let others = self.bitext.sessions().saturating_sub(1);
             if let Some(session) = self.least(Want::Vocabulary, others) {
                 self.bitext.remove_session(session);
-                return Ok(Room::Made(session));
+                return Ok(Room::Made(session, full));
             }
         }
         self.data_replaced()?;
         Ok(Room::Found)
     }
 
-    fn vocabulary_has_room(&self) -> bool {
+    /// The table of words, machine tokens or their parameters that has too little room, if there is one.
+    fn full_of_vocabulary(&self) -> Option<Capacity> {
         let Capacities { words, word_bytes, tokens, token_bytes, .. } = self.read().rooms();
-        let free = |used: usize, room: usize| room.saturating_sub(used) >= room / FREE_PART;
-        free(self.words.len(), words)
-            && free(self.words.read().byte_len(), word_bytes)
-            && free(self.tokens.len(), tokens)
-            && free(self.tokens.read().byte_len(), token_bytes)
-            && self.parameters_fit()
+        let tables = [
+            (Capacity::Words, self.words.len(), words),
+            (Capacity::WordBytes, self.words.read().byte_len(), word_bytes),
+            (Capacity::Tokens, self.tokens.len(), tokens),
+            (Capacity::TokenBytes, self.tokens.read().byte_len(), token_bytes),
+        ];
+        let full = tables.iter().find(|(_, used, room)| room.saturating_sub(*used) < room / FREE_PART);
+        full.map(|&(capacity, ..)| capacity).or_else(|| self.parameters_fit().err().map(|error| error.capacity))
     }
 
     /// The session to give way among the first so many.

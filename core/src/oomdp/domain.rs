@@ -95,6 +95,13 @@ pub struct ActionKind<'a> {
     pub cost: u8,
 }
 
+impl<'a> ActionKind<'a> {
+    /// The action of this name, which costs so much.
+    pub const fn new(name: &'a str, cost: u8) -> Self {
+        Self { name, cost }
+    }
+}
+
 /// The largest cost of an action.
 pub const MOST_COST: u8 = 16;
 
@@ -141,10 +148,11 @@ pub trait Domain {
     fn actions(&self) -> &[ActionKind<'_>];
 
     /// Returns the state that an action leads to, or `None` where the action cannot be done. Bumping into a wall can be done and changes
-    /// nothing.
+    /// nothing. It is asked for actions of [`actions`](Self::actions) alone, never for doing nothing.
     fn step(&self, state: &Self::State, action: Action) -> Option<Self::State>;
 
-    /// Returns whether the proposition holds in the state.
+    /// Returns whether the proposition holds in the state. Its objects are of the classes that the propositional function names, and are
+    /// different ones.
     fn holds(&self, proposition: &GroundProposition, state: &Self::State) -> bool;
 
     /// A bound: every number that [`number`](Self::number) returns is below it. [`u64::MAX`] where no bound is known. No plan leads through a

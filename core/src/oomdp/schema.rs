@@ -46,6 +46,13 @@ pub struct Class<'a> {
     pub name: &'a str,
 }
 
+impl<'a> Class<'a> {
+    /// The class of this name.
+    pub const fn new(name: &'a str) -> Self {
+        Self { name }
+    }
+}
+
 /// Which class carries an attribute, and how the attribute proposition is called there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Carrier<'a> {
@@ -53,6 +60,13 @@ pub struct Carrier<'a> {
     pub class: ClassId,
     /// What stands before the capitalised value: `roomIs` makes `roomIsRed`.
     pub prefix: &'a str,
+}
+
+impl<'a> Carrier<'a> {
+    /// This class carries the attribute, under this name.
+    pub const fn new(class: ClassId, prefix: &'a str) -> Self {
+        Self { class, prefix }
+    }
 }
 
 /// An attribute: `color`, carried by rooms and blocks. Its values are data.
@@ -64,6 +78,13 @@ pub struct Attribute<'a> {
     pub carriers: &'a [Carrier<'a>],
 }
 
+impl<'a> Attribute<'a> {
+    /// The attribute of this name, which these classes carry.
+    pub const fn new(name: &'a str, carriers: &'a [Carrier<'a>]) -> Self {
+        Self { name, carriers }
+    }
+}
+
 /// A propositional function over objects: `blockInRoom(block, room)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Proposition<'a> {
@@ -73,7 +94,26 @@ pub struct Proposition<'a> {
     pub parameters: &'a [ClassId],
 }
 
+impl<'a> Proposition<'a> {
+    /// The propositional function of this name, with the class of each argument.
+    pub const fn new(name: &'a str, parameters: &'a [ClassId]) -> Self {
+        Self { name, parameters }
+    }
+}
+
 /// The classes, attributes and propositional functions of a domain.
+///
+/// ```
+/// use goodbot::oomdp::{Attribute, Carrier, Class, ClassId, Proposition, Schema};
+/// const ARM: ClassId = ClassId::new(0);
+/// const SLOT: ClassId = ClassId::new(1);
+/// const SCHEMA: Schema<'static> = Schema {
+///     classes: &[Class::new("arm"), Class::new("slot")],
+///     attributes: &[Attribute::new("color", &[Carrier::new(SLOT, "slotIs")])],
+///     propositions: &[Proposition::new("armAtSlot", &[ARM, SLOT])],
+/// };
+/// assert_eq!(SCHEMA.class("slot"), Some(SLOT));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Schema<'a> {
     /// The classes.

@@ -2,8 +2,13 @@
 
 use super::{Action, ClassId, Domain, MOST_COST, ObjectId, PropositionId};
 #[cfg(feature = "alloc")]
-use super::{Schema, World};
+use super::{GroundProposition, Proposition, Schema, World};
 use crate::capacity::{ARGUMENTS, ATTRIBUTES};
+#[cfg(feature = "alloc")]
+use alloc::{
+    collections::{BTreeSet, VecDeque},
+    vec::Vec,
+};
 use core::fmt;
 
 /// What is wrong with a domain.
@@ -76,6 +81,11 @@ pub enum DomainFlaw {
         /// The state, by its number, and the action that lead to it; `None` where the session starts from it.
         from: Option<(u64, Action)>,
     },
+    /// A propositional function holds in no state that the robot can come to, of whichever objects: no task can ask for it.
+    NeverHolds {
+        /// The propositional function.
+        proposition: PropositionId,
+    },
     /// [`Domain::step`] returns now one state and now another.
     Step {
         /// The number of the state that it was asked in.
@@ -125,8 +135,15 @@ impl fmt::Display for DomainFlaw {
                 write_origin(f, from)?;
                 f.write_str("; give every state a number of its own that numbered turns back, and let no step lead to what is no state")
             }
+            Self::NeverHolds { proposition } => {
+                write!(f, "propositional function {} holds in no state and of no objects; see what holds returns for it", proposition.0)
+            }
             Self::Step { number, action } => {
-                write!(f, "step leads from state {number} by action {} now to one state and now to another", action.0)
+                write!(
+                    f,
+                    "step leads from state {number} by action {} now to one state and now to another; let it depend on the state alone",
+                    action.0
+                )
             }
         }
     }
@@ -185,17 +202,19 @@ pub struct Checked {
 /// The first [`DomainFlaw`] that is found.
 #[cfg(feature = "alloc")]
 pub fn check<D: Domain + ?Sized>(domain: &D, start: D::State, most: usize) -> Result<Checked, DomainFlaw> {
-    use alloc::collections::{BTreeSet, VecDeque};
-
     check_description(domain)?;
     let mut seen = BTreeSet::from([check_number(domain, &start, None)?]);
     let mut open = VecDeque::from([start]);
     let mut states: usize = 0;
+    // Those that were not seen to hold, with all objects that each could hold of.
+    let mut never_held = ground_propositions(&domain.world());
+    never_held.retain(|of_one| !of_one.is_empty());
     while let Some(state) = open.pop_front() {
         if states >= most {
             return Ok(Checked { states, all: false });
         }
         states = states.saturating_add(1);
+        never_held.retain(|of_one| !of_one.iter().any(|proposition| domain.holds(proposition, &state)));
         for action in super::own_actions(domain) {
             let next = domain.step(&state, action);
             if domain.step(&state, action) != next {
@@ -208,7 +227,27 @@ pub fn check<D: Domain + ?Sized>(domain: &D, start: D::State, most: usize) -> Re
             }
         }
     }
-    Ok(Checked { states, all: true })
+    match never_held.first().and_then(|of_one| of_one.first()) {
+        Some(proposition) => Err(DomainFlaw::NeverHolds { proposition: proposition.proposition }),
+        None => Ok(Checked { states, all: true }),
+    }
+}
+
+/// For each propositional function all that can be said with it of different objects of its classes.
+#[cfg(feature = "alloc")]
+fn ground_propositions(world: &World<'_>) -> Vec<Vec<GroundProposition>> {
+    let of_one = |(position, kind): (usize, &Proposition<'_>)| {
+        let mut arguments = Vec::from([Vec::new()]);
+        for &class in kind.parameters {
+            let with_one_more = |before: &Vec<ObjectId>| {
+                let others = world.objects.iter().filter(|(id, object)| object.class == class && !before.contains(id));
+                others.map(|(id, _)| before.iter().copied().chain([id]).collect()).collect::<Vec<Vec<ObjectId>>>()
+            };
+            arguments = arguments.iter().flat_map(with_one_more).collect();
+        }
+        arguments.iter().map(|objects| GroundProposition::new(PropositionId(position as u8), objects)).collect()
+    };
+    world.schema.propositions.iter().enumerate().map(of_one).collect()
 }
 
 /// The number of a state, where it is as it must be.

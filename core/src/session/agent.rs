@@ -307,12 +307,12 @@ impl<M: AgentMemory> Agent<M> {
     /// use goodbot::{Agent, HeapMemory, Options, home::{self, Area, Cell, HomeBuilder, Moves}};
     /// let mut memory = HeapMemory::new(&goodbot::Capacities::SMALL);
     /// let mut builder = HomeBuilder::new(&mut memory.home);
-    /// builder.room("room0", Area::new(0, 0, 8, 4), "red")?;
-    /// builder.room("room1", Area::new(0, 4, 8, 8), "green")?;
-    /// builder.room("room2", Area::new(0, 8, 8, 12), "blue")?;
+    /// builder.room("room0", Area::new(0, 0, 4, 4), "red")?;
+    /// builder.room("room1", Area::new(0, 4, 4, 8), "green")?;
+    /// builder.room("room2", Area::new(0, 8, 4, 12), "blue")?;
     /// builder.door("door0", Area::new(2, 4, 2, 4))?;
     /// builder.door("door1", Area::new(2, 8, 2, 8))?;
-    /// builder.agent("agent0", Cell::new(4, 2))?;
+    /// builder.agent("agent0", Cell::new(2, 2))?;
     /// let (home, state) = builder.build(Moves::Push)?;
     /// let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
     /// agent.hear(&home, &state, "go to the blue room")?;

@@ -113,7 +113,7 @@ impl fmt::Display for AgentError {
             Self::OtherDomain => "the session was begun in another environment; give a command in this one",
             Self::NothingDone => "no action was done that could be judged; act first",
             Self::StillLearning => "the last session is still being learned from; learn on until it is done",
-            Self::NotApplicable => "the action cannot be done in this state",
+            Self::NotApplicable => "the action cannot be done in this state; choose one that leads to a state",
             Self::StillHearing => "the command is not heard to its end; hear on until it is",
             Self::StillFinishing => "the session is not finished; finish on until it is",
             Self::NotAsked => "no question was asked that waits for an answer; ask first",

@@ -4,12 +4,14 @@ use super::agent::{Agent, Position, Work};
 use super::candidates::{Candidates, CandidatesRef};
 use super::error::AgentError;
 use super::options::Weights;
+use crate::capacity::Capacity;
 use crate::language::forgetting::Room;
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::{Domain, digest};
 use crate::planning::Progress;
 use crate::probability::{Scaled, total};
 use crate::symbols::Symbol;
+use core::fmt;
 
 /// How many of the sessions that gave way are told by their positions.
 const MOST_TOLD: usize = 8;
@@ -19,13 +21,14 @@ const MOST_TOLD: usize = 8;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct GaveWay {
     count: u16,
+    full: Option<Capacity>,
     /// In order of their positions.
     told: [u16; MOST_TOLD],
 }
 
 impl GaveWay {
     /// None.
-    pub(super) const NONE: Self = Self { count: 0, told: [0; MOST_TOLD] };
+    pub(super) const NONE: Self = Self { count: 0, full: None, told: [0; MOST_TOLD] };
 
     /// How many.
     pub const fn count(&self) -> usize {
@@ -37,8 +40,14 @@ impl GaveWay {
         self.told.get(..self.count().min(MOST_TOLD)).unwrap_or(&[])
     }
 
-    /// One more, by its position now.
-    fn add(&mut self, now: u16) {
+    /// The table that was full, for the last of them; `None` where none gave way. Raise it to keep more.
+    pub const fn full(&self) -> Option<Capacity> {
+        self.full
+    }
+
+    /// One more, by its position now, because this table was full.
+    fn add(&mut self, now: u16, full: Capacity) {
+        self.full = Some(full);
         let told = self.count().min(MOST_TOLD);
         // Those before it went already.
         let before =
@@ -51,6 +60,15 @@ impl GaveWay {
             }
         }
         self.count = self.count.saturating_add(1);
+    }
+}
+
+impl fmt::Display for GaveWay {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.full {
+            None => f.write_str("no session gave way"),
+            Some(full) => write!(f, "{} older sessions gave way, because {} is full; raise it to keep them", self.count, full.field()),
+        }
     }
 }
 
@@ -226,15 +244,15 @@ impl<M: AgentMemory> Agent<M> {
         let pairs = shares(candidates, self.options.least_weight);
         match language.add_session_or_make_room(&self.sentence, candidates.all_tokens(), || pairs.clone()) {
             Ok(Room::Found) => Ok(Progress::Done),
-            Ok(Room::Made(session)) => {
-                self.gave_way.add(session);
+            Ok(Room::Made(session, full)) => {
+                self.gave_way.add(session, full);
                 Ok(Progress::Working)
             }
             Err(error) => {
                 self.start = None;
                 language.forget_unlearned();
                 if self.sentence.iter().all(Option::is_none) {
-                    while let Room::Made(_) = language.tidy_vocabulary(&mut self.sentence, &mut [])? {}
+                    while let Room::Made(..) = language.tidy_vocabulary(&mut self.sentence, &mut [])? {}
                     language.begin_training();
                 }
                 Err(error.into())
@@ -250,8 +268,8 @@ impl<M: AgentMemory> Agent<M> {
         let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
         let room = language.tidy_vocabulary(&mut self.sentence, candidates.all_tokens_mut())?;
         candidates.renamed();
-        if let Room::Made(session) = room {
-            self.gave_way.add(session);
+        if let Room::Made(session, full) = room {
+            self.gave_way.add(session, full);
             return Ok(Progress::Working);
         }
         language.begin_training();

@@ -3,7 +3,11 @@
 use super::agent::{Agent, Position};
 use super::candidates::CandidateCount;
 use super::error::AgentError;
+#[cfg(feature = "alloc")]
+use crate::capacity::CapacityError;
 use crate::capacity::{Capacities, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
+#[cfg(feature = "alloc")]
+use crate::language::for_each_piece;
 use crate::language::forgetting::with_free_part;
 use crate::language::roles::Layout;
 use crate::memory::{AgentMemory, AgentTables};
@@ -13,6 +17,8 @@ use crate::probability::Scaled;
 use crate::task::description::{Scene, describe, groups};
 use crate::task::ground_unless;
 use crate::task::machine_command::Tokens;
+#[cfg(feature = "alloc")]
+use alloc::{collections::BTreeSet, string::String};
 
 /// How much a robot is to be taught before older lessons may give way.
 ///
@@ -40,6 +46,34 @@ impl Lessons {
     pub const fn new(sessions: usize, words: usize) -> Self {
         let different_words = sessions.saturating_mul(words);
         Self { sessions, words, different_words, word_bytes: different_words.saturating_mul(12) }
+    }
+
+    /// What these commands take, each of them a session of its own, as the role model hears them.
+    ///
+    /// ```
+    /// use goodbot::session::Lessons;
+    /// let lessons = Lessons::of(["go to the red room", "go to the green room"])?;
+    /// assert_eq!((lessons.sessions, lessons.words, lessons.different_words, lessons.word_bytes), (2, 5, 6, 19));
+    /// # Ok::<(), goodbot::capacity::CapacityError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where a command or one of its words is too long.
+    #[cfg(feature = "alloc")]
+    pub fn of<'c>(commands: impl IntoIterator<Item = &'c str>) -> Result<Self, CapacityError> {
+        let (mut lessons, mut different) = (Self::new(0, 0), BTreeSet::<String>::new());
+        for command in commands {
+            let mut words: usize = 0;
+            for_each_piece(command, |word| {
+                words = words.saturating_add(1);
+                different.insert(word.into());
+                Ok(())
+            })?;
+            lessons.words = lessons.words.max(words);
+            lessons.sessions = lessons.sessions.saturating_add(1);
+        }
+        (lessons.different_words, lessons.word_bytes) = (different.len(), different.iter().map(String::len).sum());
+        Ok(lessons)
     }
 }
 
@@ -105,6 +139,8 @@ impl<M: AgentMemory> Agent<M> {
     /// in sessions that start from any state of the domain.
     ///
     /// The agent's own memory is the desk for the sum, so ask an agent in roomy memory, on a host. A session under way ends unlearned.
+    /// [`Lessons::of`] counts the commands. The sum is a bound for any session of that many words: sessions of few likely tasks leave much of
+    /// `pairs`, `commands` and `command_tokens` free, as [`most_used`](Self::most_used) shows.
     ///
     /// - With `states`, every plan is exact. A [`PushGrid`](crate::oomdp::PushGrid) can do with fewer: its plans are then approximate
     ///   where the goal is far.

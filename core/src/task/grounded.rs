@@ -110,11 +110,14 @@ pub(crate) fn ground_unless(
         while let Some(bound) = bindings {
             let grounded = GroundedTask { lifted: position as u8, bindings: bound, ..GroundedTask::UNUSED };
             if !(holds(&grounded, task) || task.has_way() && Way::of(&grounded, task).is_twin()) {
-                match tasks.get_mut(count).filter(|_| count < limit) {
-                    Some(slot) => *slot = grounded,
-                    None => return Err(CapacityError::full(Capacity::Tasks, limit)),
+                if let Some(slot) = tasks.get_mut(count).filter(|_| count < limit) {
+                    *slot = grounded;
                 }
                 count = count.saturating_add(1);
+                // Beyond what any memory has room for, nobody need know how many there are.
+                if count > TaskSet::MOST {
+                    return Err(CapacityError::new(Capacity::Tasks, limit, count));
+                }
             }
             bindings = next_binding(objects, task, bound, false);
         }
@@ -124,6 +127,9 @@ pub(crate) fn ground_unless(
         for grounded in group {
             grounded.prior = share;
         }
+    }
+    if count > limit {
+        return Err(CapacityError::new(Capacity::Tasks, limit, count));
     }
     let share = 1.0 / groups.max(1) as f32;
     for grounded in tasks.iter_mut().take(count) {

@@ -215,11 +215,8 @@ struct Ring<'m> {
     counted: u64,
 }
 
-const RING: Schema<'static> = Schema {
-    classes: &[Class { name: "place" }],
-    attributes: &[],
-    propositions: &[Proposition { name: "robotAt", parameters: &[ClassId::new(0)] }],
-};
+const RING: Schema<'static> =
+    Schema { classes: &[Class::new("place")], attributes: &[], propositions: &[Proposition::new("robotAt", &[ClassId::new(0)])] };
 
 impl Domain for Ring<'_> {
     type State = u64;
@@ -230,7 +227,7 @@ impl Domain for Ring<'_> {
     }
 
     fn actions(&self) -> &[ActionKind<'_>] {
-        &[ActionKind { name: "on", cost: 1 }, ActionKind { name: "back", cost: 2 }]
+        const { &[ActionKind::new("on", 1), ActionKind::new("back", 2)] }
     }
 
     fn step(&self, state: &u64, action: Action) -> Option<u64> {

@@ -1,6 +1,6 @@
 //! Whoever owns the tables lends them: homes and agents come and go in the same memory, and every refusal says what it knows.
 
-use goodbot::capacity::Capacity;
+use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::memory::{AgentArrays, AgentMemory, HomeMemory};
@@ -116,10 +116,13 @@ fn finishing_says_which_sessions_gave_way_and_usage_how_full_the_tables_are() {
     let mut gave_way = Vec::new();
     for _ in 0..3 {
         agent.hear(&home, &state, "go to the green room").unwrap();
-        gave_way.push(agent.finish(&home).unwrap().gave_way.positions().to_vec());
+        let gone = agent.finish(&home).unwrap().gave_way;
+        gave_way.push((gone.positions().to_vec(), gone.full(), gone.to_string()));
         agent.learn_fully();
     }
-    assert_eq!(gave_way, [vec![], vec![], vec![0]]);
+    let full = "1 older sessions gave way, because Capacities::sessions is full; raise it to keep them";
+    let none = || (vec![], None, "no session gave way".to_owned());
+    assert_eq!(gave_way, [none(), none(), (vec![0], Some(Capacity::Sessions), full.to_owned())]);
     assert_eq!((agent.usage().sessions, agent.most_used().sessions, agent.capacities().sessions), (2, 2, 2));
     assert_eq!(agent.most_used().fits_in(&agent.capacities().at_least(agent.usage())), Ok(()));
 }
@@ -133,4 +136,16 @@ fn who_leaves_an_environment_has_no_task_of_it_any_more() {
     agent.leave();
     assert!(agent.tasks().is_empty() && agent.most_likely().is_none());
     assert_eq!(agent.hear_again(&home, &state), Err(AgentError::NoSession));
+}
+
+#[test]
+fn too_few_tasks_are_told_how_many_a_command_may_mean() {
+    let mut roomy = goodbot::HeapMemory::new(&Capacities::SMALL);
+    let (home, state) = rooms(&mut roomy.home, "red");
+    let mut able = agent(&mut roomy.agent);
+    able.hear(&home, &state, "go to the green room").unwrap();
+    let tasks = able.tasks().len();
+    let mut small = goodbot::HeapMemory::new(&Capacities { tasks: 0, ..Capacities::SMALL });
+    let refused = agent(&mut small.agent).hear(&home, &state, "go to the green room");
+    assert_eq!(refused, Err(AgentError::Capacity(CapacityError::new(Capacity::Tasks, 0, tasks))));
 }

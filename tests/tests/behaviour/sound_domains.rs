@@ -17,6 +17,8 @@ struct Cart {
     objects: Vec<(ClassId, &'static str, &'static [&'static str])>,
     states: u64,
     number: fn(u64) -> u64,
+    /// Where something blue is.
+    blue: u64,
 }
 
 /// The cart's objects stand in memory of their own.
@@ -29,20 +31,20 @@ struct OnRail<'m> {
 
 const CART: ClassId = ClassId::new(0);
 const PLACE: ClassId = ClassId::new(1);
-const COLOR: Attribute<'static> = Attribute { name: "color", carriers: &[Carrier { class: PLACE, prefix: "placeIs" }] };
-const AT: Proposition<'static> = Proposition { name: "cartAtPlace", parameters: &[CART, PLACE] };
-const SOUND: Schema<'static> =
-    Schema { classes: &[Class { name: "cart" }, Class { name: "place" }], attributes: &[COLOR], propositions: &[AT] };
-const NO_PLACES: Schema<'static> = Schema { classes: &[Class { name: "cart" }], ..SOUND };
+const COLOR: Attribute<'static> = Attribute::new("color", &[Carrier::new(PLACE, "placeIs")]);
+const AT: Proposition<'static> = Proposition::new("cartAtPlace", &[CART, PLACE]);
+const SOUND: Schema<'static> = Schema { classes: &[Class::new("cart"), Class::new("place")], attributes: &[COLOR], propositions: &[AT] };
+const NO_PLACES: Schema<'static> = Schema { classes: &[Class::new("cart")], ..SOUND };
 
 impl Default for Cart {
     fn default() -> Self {
         Self {
             schema: SOUND,
-            actions: vec![ActionKind { name: "left", cost: 1 }, ActionKind { name: "right", cost: 1 }],
+            actions: vec![ActionKind::new("left", 1), ActionKind::new("right", 1)],
             objects: vec![(CART, "cart0", &[]), (PLACE, "place0", &["red"]), (PLACE, "place3", &["blue"])],
             states: 4,
             number: |state| state,
+            blue: 3,
         }
     }
 }
@@ -66,7 +68,7 @@ impl Domain for OnRail<'_> {
     }
 
     fn holds(&self, proposition: &GroundProposition, &place: &u64) -> bool {
-        place == if proposition.arguments[1] == ObjectId::new(1) { 0 } else { 3 }
+        place == if proposition.arguments[1] == ObjectId::new(1) { 0 } else { self.cart.blue }
     }
 
     fn state_count(&self) -> u64 {
@@ -136,9 +138,19 @@ fn a_step_that_wavers_is_found() {
 }
 
 #[test]
+fn a_proposition_that_holds_nowhere_is_found() {
+    // Of one place it holds, so a task can ask for it.
+    assert!(found(Cart { blue: 4, ..Cart::default() }).is_ok());
+    let nowhere =
+        Cart { blue: 4, objects: vec![(CART, "cart0", &[]), (CART, "cart1", &[]), (PLACE, "place3", &["blue"])], ..Cart::default() };
+    assert_eq!(found(nowhere.clone()), Err(DomainFlaw::NeverHolds { proposition: PropositionId::new(0) }));
+    assert_eq!(refusal(nowhere), "propositional function 0 holds in no state and of no objects; see what holds returns for it");
+}
+
+#[test]
 fn actions_are_refused_by_number_and_cost_when_a_command_is_heard_too() {
-    let many = Cart { actions: vec![ActionKind { name: "left", cost: 1 }; 16], ..Cart::default() };
-    let dear = Cart { actions: vec![ActionKind { name: "left", cost: 1 }, ActionKind { name: "right", cost: 17 }], ..Cart::default() };
+    let many = Cart { actions: vec![ActionKind::new("left", 1); 16], ..Cart::default() };
+    let dear = Cart { actions: vec![ActionKind::new("left", 1), ActionKind::new("right", 17)], ..Cart::default() };
     for (cart, flaw) in [(many, DomainFlaw::Actions { given: 16 }), (dear, DomainFlaw::Cost { action: Action::new(1), cost: 17 })] {
         assert_eq!(found(cart.clone()), Err(flaw));
         let tasks = [LiftedTask::parse("cartAtPlace(?c, ?p)", &SOUND).unwrap()];
@@ -151,10 +163,10 @@ fn actions_are_refused_by_number_and_cost_when_a_command_is_heard_too() {
 #[test]
 fn names_that_are_empty_or_stand_twice_are_found() {
     for name in ["", "left", "noop"] {
-        let actions = vec![ActionKind { name: "left", cost: 1 }, ActionKind { name, cost: 1 }];
+        let actions = vec![ActionKind::new("left", 1), ActionKind { name, cost: 1 }];
         assert_eq!(found(Cart { actions, ..Cart::default() }), Err(DomainFlaw::ActionName { action: Action::new(1) }));
     }
-    let schema = Schema { classes: &[Class { name: "cart" }, Class { name: "cart" }], ..SOUND };
+    let schema = Schema { classes: const { &[Class::new("cart"), Class::new("cart")] }, ..SOUND };
     assert_eq!(found(Cart { schema, ..Cart::default() }), Err(DomainFlaw::ClassName { class: PLACE }));
     let schema = Schema { propositions: &[AT, AT], ..SOUND };
     assert_eq!(found(Cart { schema, ..Cart::default() }), Err(DomainFlaw::PropositionName { proposition: PropositionId::new(1) }));
