@@ -1,35 +1,24 @@
 //! goodbot's development commands: `cargo xtask --help`.
 
-mod bench_wasm;
+mod benches;
 mod capi;
-mod compare;
 mod firmware;
 mod footprint;
 mod fuzz;
 mod guide;
-mod instructions;
 mod page;
 mod process;
 mod programs;
-mod project;
 mod steps;
 mod test;
 mod toolchain;
 
-use std::process::ExitCode;
-
 use anyhow::Result;
-use clap::{Parser, Subcommand};
+use clap::Parser;
 
 /// goodbot's development commands.
 #[derive(Parser)]
 #[command(name = "cargo xtask", bin_name = "cargo xtask")]
-struct Arguments {
-    #[command(subcommand)]
-    command: Task,
-}
-
-#[derive(Subcommand)]
 enum Task {
     /// Makes sure that goodbot can be built for microcontrollers and for the browser.
     Setup,
@@ -60,48 +49,23 @@ enum Task {
     /// Writes the file to drag onto a BBC micro:bit, `dist/goodbot.hex`.
     Microbit,
     /// Builds the C library, and puts it with its header into dist/c.
-    Library {
-        /// For this processor, such as thumbv7em-none-eabihf, instead of this machine.
-        #[arg(long)]
-        target: Option<toolchain::Target>,
-        /// What it is to have; what is left out takes no flash
-        #[arg(long, value_delimiter = ',', value_name = "LIST", default_values = capi::library::FEATURES)]
-        features: Vec<String>,
-    },
+    Library(capi::Library),
 }
 
-fn main() -> ExitCode {
-    run().unwrap_or_else(|error| {
-        eprintln!("error: {error:#}");
-        ExitCode::FAILURE
-    })
-}
-
-fn run() -> Result<ExitCode> {
-    match Arguments::parse().command {
-        Task::Setup => toolchain::setup()?,
-        Task::Programs => programs::list()?,
-        Task::Page => drop(page::build()?),
-        Task::Test(options) => return test::run(&options),
-        Task::Compare => compare::run()?,
-        Task::Fuzz(options) => fuzz::run(&options)?,
-        Task::BenchWasm => bench_wasm::run()?,
-        Task::Instructions { filter } => instructions::run(&filter)?,
-        Task::Plot => process::run(project::cargo().args([
-            "run",
-            "--release",
-            "--quiet",
-            "--package",
-            "goodbot-benches",
-            "--bin",
-            "plot",
-            "--",
-            "docs/planning-cost.svg",
-        ]))?,
-        Task::Capi => capi::header::write()?,
-        Task::Microbit => drop(firmware::microbit::deliver()?),
-        Task::Library { target, features } => capi::library::deliver(target, &features)?,
-        Task::Footprint(options) => return footprint::run(&options),
+fn main() -> Result<()> {
+    match Task::parse() {
+        Task::Setup => toolchain::setup(),
+        Task::Programs => programs::list(),
+        Task::Page => page::build(),
+        Task::Test(options) => test::run(&options),
+        Task::Compare => benches::compare(),
+        Task::Fuzz(options) => fuzz::run(&options),
+        Task::BenchWasm => benches::wasm(),
+        Task::Instructions { filter } => benches::instructions(&filter),
+        Task::Plot => benches::plot(),
+        Task::Footprint(options) => footprint::run(&options),
+        Task::Capi => capi::header(false),
+        Task::Microbit => firmware::deliver().map(drop),
+        Task::Library(options) => capi::deliver(&options),
     }
-    Ok(ExitCode::SUCCESS)
 }

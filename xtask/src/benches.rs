@@ -1,0 +1,67 @@
+//! What is measured, but for the footprint.
+
+use anyhow::{Context, Result};
+use xshell::cmd;
+
+use crate::process::{shell, target_dir};
+use crate::programs::{NODE, VALGRIND, python_with};
+use crate::toolchain::{self, WASM};
+
+/// goodbot beside others on the same work, in one run; those that cannot be installed are left out with a line.
+pub fn compare() -> Result<()> {
+    let sh = shell()?;
+    match python_with("nltk==3.10.4", "peers") {
+        Ok(programs) => sh.set_var("GOODBOT_PEERS_PYTHON", programs.join("python")),
+        Err(error) => eprintln!("skipped: NLTK cannot be installed: {error:#}"),
+    }
+    Ok(cmd!(sh, "cargo run --release --quiet --package goodbot-benches --bin compare").run()?)
+}
+
+/// Each benchmark here and in WebAssembly, in one run: its time, that in node, and the ratio.
+pub fn wasm() -> Result<()> {
+    let (sh, _) = (shell()?, NODE.path()?);
+    let module = toolchain::cargo(&sh, WASM, "rustc")?.args(["--quiet", "--release", "--package", "goodbot-benches", "--lib"]);
+    module.args(["--crate-type", "cdylib"]).run()?;
+    let module = toolchain::artifacts(WASM, "release").join("goodbot_benches.wasm");
+    Ok(cmd!(sh, "cargo run --release --quiet --package goodbot-benches --bin wasm -- {module}").run()?)
+}
+
+/// What a plan costs against states and tasks, drawn.
+pub fn plot() -> Result<()> {
+    let sh = shell()?;
+    Ok(cmd!(sh, "cargo run --release --quiet --package goodbot-benches --bin plot -- docs/planning-cost.svg").run()?)
+}
+
+/// Instructions that each work takes whose name has `filter` in it, by valgrind: the same whatever else the machine does.
+pub fn instructions(filter: &str) -> Result<()> {
+    let (sh, valgrind) = (shell()?, VALGRIND.path()?);
+    cmd!(sh, "cargo build --release --quiet --package goodbot-benches --bin measure").run()?;
+    let measure = target_dir().join("release/measure");
+    let count = |name: &str, times: &str| {
+        let run = cmd!(sh, "{valgrind} --tool=callgrind --callgrind-out-file=/dev/null {measure} {name} {times}");
+        let said = run.quiet().ignore_stdout().read_stderr()?;
+        collected(&said).context("callgrind gave no total")
+    };
+    println!("| work | instructions |\n|---|---|");
+    for name in cmd!(sh, "{measure}").read()?.lines().filter(|name| name.contains(filter)) {
+        // What comes before the work is in both counts.
+        println!("| {name} | {} |", count(name, "2")?.saturating_sub(count(name, "1")?));
+    }
+    Ok(())
+}
+
+/// The total that callgrind says at its end.
+fn collected(said: &str) -> Option<u64> {
+    said.rsplit_once("Collected :")?.1.split_whitespace().next()?.parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_total_is_read() {
+        assert_eq!(collected("==7== Events    : Ir\n==7== Collected : 1234\n==7== \n"), Some(1234));
+        assert_eq!(collected("==7== Events    : Ir\n"), None);
+    }
+}

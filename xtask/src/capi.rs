@@ -1,0 +1,143 @@
+//! The C interface: its header, its static library, and the C examples on this machine and on an emulated board.
+
+use std::path::PathBuf;
+
+use anyhow::{Result, ensure};
+use clap::Args;
+use xshell::cmd;
+
+use crate::firmware::{nothing_panics, run_alone};
+use crate::process::{shell, target_dir};
+use crate::programs::{ARM_GCC, GCC};
+use crate::toolchain::{self, CORTEX_M4F, TARGETS};
+
+const HEADER: &str = "capi/include/goodbot.h";
+
+/// The features that are chosen from, as `capi/Cargo.toml` has them.
+pub const FEATURES: [&str; 6] = ["asking", "derived", "home", "table", "unicode", "ways"];
+
+const WARNINGS: [&str; 5] = ["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror"];
+
+/// Writes the header, as cbindgen says it; or compares it with the one that is checked in.
+pub fn header(is_check: bool) -> Result<()> {
+    let sh = shell()?;
+    let header = cmd!(sh, "cargo run --package goodbot-header").read()? + "\n";
+    if is_check {
+        ensure!(sh.read_file(HEADER)? == header, "{HEADER} is stale: write it again with `cargo xtask capi`");
+        println!("{HEADER} is what capi/src says");
+        return Ok(());
+    }
+    Ok(sh.write_file(HEADER, header)?)
+}
+
+/// The names of all functions that a header declares.
+fn functions(header: &str) -> Vec<&str> {
+    let before_brackets = header.split('(').filter_map(|text| text.rsplit(|c: char| !c.is_ascii_alphanumeric() && c != '_').next());
+    before_brackets.filter(|name| name.starts_with("goodbot_")).collect()
+}
+
+/// Which library to build.
+#[derive(Args)]
+pub struct Library {
+    /// For this processor, instead of this machine.
+    #[arg(long, value_parser = TARGETS)]
+    target: Option<String>,
+    /// What it is to have; what is left out takes no flash
+    #[arg(long, value_delimiter = ',', value_name = "LIST", default_values = FEATURES)]
+    features: Vec<String>,
+}
+
+/// Builds the static library with these features, for this machine where there is no target. Gives where it is.
+pub fn library(target: Option<&str>, features: &[&str]) -> Result<PathBuf> {
+    let (sh, features) = (shell()?, features.join(","));
+    // Beside the workspace's own files: the features change what is built.
+    let own = target_dir().join("capi");
+    let (cargo, built) = match target {
+        None => (cmd!(sh, "cargo rustc --release --target-dir {own}"), own.join("release")),
+        Some(target) => {
+            (toolchain::cargo(&sh, target, "rustc")?.args(["--profile", "controller"]), toolchain::artifacts(target, "controller"))
+        }
+    };
+    let what =
+        ["--quiet", "--package", "goodbot-capi", "--crate-type", "staticlib", "--no-default-features", "--features", "alone", "--features"];
+    cargo.args(what).arg(features).run()?;
+    Ok(built.join("libgoodbot_capi.a"))
+}
+
+/// Builds it and puts it into a folder, with the header.
+pub fn deliver(options: &Library) -> Result<()> {
+    let (sh, target) = (shell()?, options.target.as_deref());
+    let features: Vec<_> = options.features.iter().map(String::as_str).collect();
+    let folder = format!("dist/c/{}", target.unwrap_or("host"));
+    sh.copy_file(library(target, &features)?, format!("{folder}/libgoodbot.a"))?;
+    sh.copy_file(HEADER, format!("{folder}/goodbot.h"))?;
+    eprintln!("written: libgoodbot.a and goodbot.h in {folder}");
+    Ok(())
+}
+
+/// Builds every example with the host's compiler, with both sanitizers, and runs it.
+pub fn on_host() -> Result<()> {
+    let (sh, gcc, library) = (shell()?, GCC.path()?, library(None, &FEATURES)?);
+    for example in ["home", "lift"] {
+        let binary = library.with_file_name(example);
+        let sanitizers = ["-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+        cmd!(sh, "{gcc} {WARNINGS...} {sanitizers...} -I capi/include capi/examples/{example}.c {library} -o {binary}").run()?;
+        cmd!(sh, "{binary}").run()?;
+    }
+    Ok(())
+}
+
+/// A program in C for the Cortex-M4F.
+#[derive(Clone, Copy, Debug)]
+pub struct Example {
+    name: &'static str,
+    features: &'static [&'static str],
+    /// Whether all functions are linked, also those that it does not call.
+    every_function: bool,
+}
+
+pub const HOME: Example = Example { name: "home", features: &FEATURES, every_function: false };
+pub const LIFT: Example = Example { name: "lift", ..HOME };
+/// With a library that has nothing else.
+pub const LIFT_ALONE: Example = Example { features: &["table"], ..LIFT };
+/// Not every function is in an example.
+pub const EVERY_FUNCTION: Example = Example { every_function: true, ..HOME };
+
+impl Example {
+    /// Builds it. Gives where it is.
+    pub fn build(self) -> Result<PathBuf> {
+        let Self { name, features, every_function } = self;
+        let (sh, gcc, library) = (shell()?, ARM_GCC.path()?, library(Some(CORTEX_M4F), features)?);
+        let binary = library.with_file_name(format!("{name}-{}{}.elf", features.len(), if every_function { "-all" } else { "" }));
+        let header = sh.read_file(HEADER)?;
+        let linked = functions(&header).into_iter().filter(|_| every_function).map(|function| format!("-Wl,--undefined={function}"));
+        let processor = ["-mthumb", "-mcpu=cortex-m4", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16", "-ffp-contract=off", "-O2"];
+        let sections = ["-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections", "--specs=nano.specs", "--specs=rdimon.specs"];
+        let gcc = cmd!(sh, "{gcc} {WARNINGS...} {processor...} {sections...} -nostartfiles -I capi/include -T capi/examples/board/link.ld");
+        let gcc = gcc.arg(format!("capi/examples/{name}.c")).arg("capi/examples/board/start.c").arg(library);
+        gcc.arg("-o").arg(&binary).args(linked).run()?;
+        Ok(binary)
+    }
+}
+
+/// Builds the examples for the Cortex-M4F and runs them in the emulator.
+pub fn on_board() -> Result<()> {
+    for example in [HOME, LIFT, EVERY_FUNCTION] {
+        let binary = example.build()?;
+        print!("{}", run_alone(&binary)?.0);
+        nothing_panics(&[binary])?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn functions_are_found_in_the_header() {
+        let header = "enum goodbot_status goodbot_save(struct goodbot *robot,\n    void *(to));\nconst char *goodbot_status_text(int32_t status);\n\
+                      typedef bool (*goodbot_holds)(void *context,\n * `goodbot_full` names it (see there).";
+        assert_eq!(functions(header), ["goodbot_save", "goodbot_status_text"]);
+    }
+}

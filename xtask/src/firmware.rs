@@ -1,0 +1,272 @@
+//! The firmware: built for each board and preset, and run in the emulator; programs for one board alone; the file for a micro:bit.
+
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+use std::time::Duration;
+
+use anyhow::{Context, Result, anyhow, ensure};
+use goodbot_formats::microbit::MicrobitFile;
+use object::elf::PT_LOAD;
+use object::read::elf::{ElfFile32, ProgramHeader};
+use object::{Endianness, Object, ObjectSection, ObjectSymbol};
+use xshell::cmd;
+
+use crate::process::{once, root, shell, within};
+use crate::programs::QEMU;
+use crate::toolchain::{self, CORTEX_M0, CORTEX_M3, CORTEX_M4F};
+
+/// What no run should come near; a binary for another processor would hang.
+const LIMIT: Duration = Duration::from_secs(180);
+/// What a firmware ends with that the processor stopped by a fault.
+const FAULT: i32 = 102;
+
+/// What a symbol's name has in it if it is there to panic.
+const PANIC: [&str; 8] = ["panic", "unwind", "unwrap_failed", "expect_failed", "slice_index", "_fail", "const_div", "begin_unwind"];
+
+/// What the linker puts into the flash, and into the RAM.
+pub const FLASH: [&str; 5] = [".vector_table", ".text", ".rodata", ".ARM.exidx", ".data"];
+pub const STATICS: [&str; 2] = [".data", ".bss"];
+
+/// A board that the emulator knows, which is also a feature of the firmware, and a preset of the library's capacities.
+#[derive(Debug)]
+pub struct Board {
+    pub name: &'static str,
+    pub processor: &'static str,
+    pub target: &'static str,
+    pub preset: &'static str,
+    /// Of how many calls at least each must fit into a tick.
+    pub calls_in_a_tick: u64,
+    /// What the course may take: bytes of RAM with the stack, bytes of flash, and instructions to hear a command and to choose an action once
+    /// it is planned.
+    pub most: [u64; 3],
+}
+
+const AN386: Board = Board {
+    name: "mps2-an386",
+    processor: "Cortex-M4F",
+    target: CORTEX_M4F,
+    preset: "small",
+    calls_in_a_tick: 4,
+    most: [32 * 1024, 100 * 1024, 1_000_000],
+};
+const UNBOUND: [u64; 3] = [u64::MAX; 3];
+
+/// What is built, run and measured. The micro:bit's floats are made of whole numbers, which takes flash and all of a tick of 10 ms.
+const BOARDS: [Board; 4] = [
+    AN386,
+    Board { preset: "tiny", most: UNBOUND, ..AN386 },
+    Board { name: "mps2-an385", processor: "Cortex-M3", target: CORTEX_M3, most: UNBOUND, ..AN386 },
+    Board {
+        name: "microbit",
+        processor: "Cortex-M0",
+        target: CORTEX_M0,
+        preset: "tiny",
+        calls_in_a_tick: 1,
+        most: [16 * 1024, 104 * 1024, 2_000_000],
+    },
+];
+
+/// What each firmware consists of.
+const BINARIES: [&str; 3] = ["course", "tick", "overflow"];
+
+/// What a binary said: lines of a name and a number among others.
+#[derive(Clone, Debug)]
+pub struct Report(pub String);
+
+impl Report {
+    /// All numbers of a name, in order.
+    pub fn all(&self, name: &str) -> Vec<u64> {
+        self.0.lines().filter_map(|line| line.strip_prefix(name)?.strip_prefix(' ')?.trim().parse().ok()).collect()
+    }
+
+    /// The number of a name.
+    pub fn number(&self, name: &str) -> Result<u64> {
+        self.all(name).first().copied().with_context(|| format!("the firmware did not report `{name}`"))
+    }
+
+    /// Bytes of RAM that it takes: what is static and the deepest stack.
+    pub fn ram(&self) -> Result<u64> {
+        Ok(self.number("statics")? + self.number("stack")?)
+    }
+}
+
+/// Runs a binary in the emulator, each instruction 64 ns of the board's time. It is an error if it ends with another code.
+fn emulate(board: &str, binary: &Path, code: i32) -> Result<Report> {
+    let (sh, qemu) = (shell()?, QEMU.path()?);
+    let machine = cmd!(sh, "{qemu} -M {board} -display none -monitor none -serial none -icount shift=6,sleep=off -chardev stdio,id=out");
+    let (ended, said) = within(LIMIT, machine.args(["-semihosting-config", "enable=on,target=native,chardev=out", "-kernel"]).arg(binary))?;
+    ensure!(ended == code, "{} ended with {ended} on {board}, not with {code}; it said:\n{said}", binary.display());
+    Ok(Report(said))
+}
+
+/// Runs a program on the Cortex-M4F.
+pub fn run_alone(binary: &Path) -> Result<Report> {
+    emulate(AN386.name, binary, 0)
+}
+
+/// Builds something of the firmware. Returns the folder where it is.
+fn build(target: &str, what: &[&str]) -> Result<PathBuf> {
+    let sh = shell()?;
+    let cargo =
+        toolchain::cargo(&sh, target, "build")?.args(["--quiet", "--release", "--locked", "--manifest-path", "firmware/Cargo.toml"]);
+    cargo.args(what).run()?;
+    Ok(toolchain::artifacts(target, "release"))
+}
+
+/// The firmware of one board and preset, built.
+#[derive(Debug)]
+pub struct Image {
+    pub board: &'static Board,
+    folder: PathBuf,
+}
+
+impl Image {
+    fn build(board: &'static Board) -> Result<Self> {
+        let sh = shell()?;
+        let features = if board.preset == "tiny" { format!("{},tiny", board.name) } else { board.name.to_owned() };
+        let built = build(board.target, &["--features", &features])?;
+        // The next preset is built into the same place.
+        let folder = built.join(format!("{}-{}", board.name, board.preset));
+        BINARIES.iter().try_for_each(|binary| sh.copy_file(built.join(binary), folder.join(binary)))?;
+        Ok(Self { board, folder })
+    }
+
+    /// Its name in what is printed.
+    pub fn name(&self) -> String {
+        format!("{} {}", self.board.name, self.board.preset)
+    }
+
+    /// One of its binaries.
+    pub fn binary(&self, name: &str) -> PathBuf {
+        self.folder.join(name)
+    }
+
+    /// All of them.
+    pub fn binaries(&self) -> [PathBuf; 3] {
+        BINARIES.map(|name| self.binary(name))
+    }
+
+    fn run(&'static self) -> Result<Trial> {
+        let run = |binary, code| emulate(self.board.name, &self.binary(binary), code);
+        // Otherwise what follows would prove nothing: a stack that runs over could change the numbers that are measured.
+        run("overflow", FAULT).context("no fault stops a stack that runs over")?;
+        let (course, tick) = (run("course", 0)?, run("tick", 0)?);
+        eprintln!("{}: {} of {} tests", self.name(), course.number("passed")?, course.number("tests")?);
+        Ok(Trial { image: self, course, tick })
+    }
+}
+
+/// One firmware, run: what the course cost, and what the loop with a fixed tick.
+#[derive(Debug)]
+pub struct Trial {
+    pub image: &'static Image,
+    pub course: Report,
+    pub tick: Report,
+}
+
+/// All firmware, built.
+pub fn images() -> Result<&'static [Image]> {
+    static DONE: OnceLock<Vec<Image>> = OnceLock::new();
+    Ok(once(&DONE, || BOARDS.iter().map(Image::build).collect::<Result<Vec<_>>>())?)
+}
+
+/// All firmware, built and run at once.
+pub fn trials() -> Result<&'static [Trial]> {
+    static DONE: OnceLock<Vec<Trial>> = OnceLock::new();
+    let run_all = || {
+        QEMU.path()?;
+        let threads: Vec<_> = images()?.iter().map(|image| std::thread::spawn(|| image.run())).collect();
+        threads.into_iter().map(|thread| thread.join().unwrap_or_else(|_| Err(anyhow!("a run could not be followed")))).collect()
+    };
+    Ok(once(&DONE, run_all)?)
+}
+
+/// A robot of one's own, the first plan for tasks with ways, and the lessons on wheels that slip: built for the Cortex-M4F.
+pub fn alone() -> Result<[PathBuf; 3]> {
+    // What has the same features is built once.
+    let folder = build(AN386.target, &["--bin", "arm", "--features", "mps2-an386 arm"])?;
+    build(AN386.target, &["--bin", "ways", "--bin", "wheels", "--features", "mps2-an386 ways wheels"])?;
+    Ok(["arm", "ways", "wheels"].map(|name| folder.join(name)))
+}
+
+/// Bytes that sections of a binary take.
+pub fn bytes(binary: &Path, sections: &[&str]) -> Result<u64> {
+    let program = std::fs::read(binary)?;
+    let program = object::File::parse(&*program)?;
+    Ok(program.sections().filter(|section| section.name().is_ok_and(|name| sections.contains(&name))).map(|section| section.size()).sum())
+}
+
+/// It is an error if a binary has symbols that are there to panic. The linker keeps only what is called.
+pub fn nothing_panics(binaries: &[PathBuf]) -> Result<()> {
+    let mut found = Vec::new();
+    for binary in binaries {
+        let program = std::fs::read(binary)?;
+        let program = object::File::parse(&*program)?;
+        let names = program.symbols().filter_map(|symbol| symbol.name().ok());
+        ensure!(program.symbols().count() > 0, "{} has no symbols", binary.display());
+        found.extend(names.filter(|name| is_panic(name)).map(|name| format!("{}: {name}", binary.display())));
+    }
+    ensure!(found.is_empty(), "these symbols are there to panic:\n{}", found.join("\n"));
+    println!("binaries without a symbol that is there to panic: {}", binaries.len());
+    Ok(())
+}
+
+fn is_panic(symbol: &str) -> bool {
+    PANIC.iter().any(|word| symbol.contains(word))
+}
+
+/// Builds the micro:bit's program, and the robot among embassy's tasks. Returns where they are.
+pub fn for_microbit() -> Result<[PathBuf; 2]> {
+    build(CORTEX_M0, &["--package", "goodbot-embassy"])?;
+    let folder = build(CORTEX_M0, &["--package", "goodbot-microbit"])?;
+    Ok(["microbit", "embassy"].map(|name| folder.join(name)))
+}
+
+/// Builds the micro:bit's program and writes `dist/goodbot.hex`. Returns where that is.
+pub fn deliver() -> Result<PathBuf> {
+    let program = std::fs::read(build(CORTEX_M0, &["--package", "goodbot-microbit"])?.join("microbit"))?;
+    let file = MicrobitFile::of_program(in_flash(&program)?)?;
+    let path = root().join("dist/goodbot.hex");
+    shell()?.write_file(&path, file.to_text())?;
+    println!("{}: {} bytes of flash; drag it onto a micro:bit (first version)", path.display(), file.len());
+    Ok(path)
+}
+
+/// The addresses in the flash, and the bytes there. What begins in the RAM with a value stands in the flash too: its physical address.
+fn in_flash(program: &[u8]) -> Result<Vec<(u32, &[u8])>> {
+    let elf = ElfFile32::<Endianness>::parse(program).context("the linked program cannot be read")?;
+    let mut parts = Vec::new();
+    for header in elf.elf_program_headers().iter().filter(|header| header.p_type(elf.endian()) == PT_LOAD) {
+        let bytes = header.data(elf.endian(), program).ok().context("the linked program is cut off")?;
+        parts.push((header.p_paddr(elf.endian()), bytes));
+    }
+    parts.sort_unstable();
+    Ok(parts)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_report_is_names_and_numbers() {
+        let report = Report("stack 4268\nplan 1\nplan 2\nerror: no room\n".to_owned());
+        assert_eq!(report.number("stack").unwrap(), 4268);
+        assert_eq!(report.all("plan"), [1, 2]);
+        assert!(report.number("statics").unwrap_err().to_string().contains("statics"));
+    }
+
+    #[test]
+    fn a_program_that_can_panic_is_refused_with_the_symbols_that_do() {
+        let error = nothing_panics(&[std::env::current_exe().unwrap()]).unwrap_err();
+        assert!(error.to_string().contains("panicking"), "{error}");
+    }
+
+    #[test]
+    fn a_symbol_that_panics_is_known_by_its_name() {
+        assert!(is_panic("_ZN4core9panicking9panic_fmt17h0123456789abcdefE"));
+        assert!(is_panic("_RNvNtNtCsX_4core5slice5index16slice_index_fail"));
+        assert!(is_panic("_RNvNvNtCsX_4core5slice20copy_from_slice_impl17len_mismatch_fail"));
+        assert!(!is_panic("_RNvMsX_NtCsX_7goodbot7sessionINtB2_5Agent4hear"));
+    }
+}

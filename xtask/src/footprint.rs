@@ -1,0 +1,302 @@
+//! `cargo xtask footprint`: what the robot costs on each board, as tables that are checked in.
+
+use std::collections::BTreeMap;
+
+use anyhow::{Context, Result, ensure};
+use clap::Args;
+use serde_json::{Value, json};
+
+use crate::capi::{EVERY_FUNCTION, HOME, LIFT, LIFT_ALONE};
+use crate::firmware::{FLASH, STATICS, Trial, alone, bytes, run_alone, trials};
+use crate::process::shell;
+use crate::toolchain::compiler;
+
+/// Where the numbers are kept, for the check and for people.
+const NUMBERS: &str = "docs/footprint.json";
+const PAGE: &str = "docs/footprint.md";
+const README: &str = "README.md";
+
+/// Per cent by which a number may rise before the tables have to be renewed: toolchains differ in the sizes that they come to.
+const INSTRUCTIONS_MAY_RISE: u64 = 5;
+const BYTES_MAY_RISE: u64 = 8;
+/// What a compiler that is not in the tables may add to either.
+const FOR_ANOTHER_COMPILER: u64 = 12;
+
+/// Numbers and their titles; of several names with a `+` between them, the sum.
+type Columns = [(&'static str, &'static str)];
+
+/// The README's table: the first compiler's.
+const BRIEF: [(&str, &str); 4] = [
+    ("flash", "flash"),
+    ("statics+stack", "RAM in all"),
+    ("hear", "hearing a command"),
+    ("hear-plan-act", "from a command to the first action"),
+];
+/// The page's tables, for each compiler.
+const BYTES: [(&str, &str); 4] =
+    [("flash", "flash"), ("statics", "static RAM"), ("stack", "deepest stack"), ("statics+stack", "RAM in all")];
+const PROGRAMS: [(&str, &str); 6] = [
+    ("flash", "flash"),
+    ("statics", "static RAM"),
+    ("stack", "deepest stack"),
+    ("instructions", "instructions"),
+    ("hear", "hearing a command"),
+    ("first-plan", "the first plan"),
+];
+const INSTRUCTIONS: [(&str, &str); 6] = [
+    ("hear", "hearing a command"),
+    ("act", "one action with feedback"),
+    ("hear-plan-act", "from a command to the first action"),
+    ("finish", "ending a session"),
+    ("round", "one EM round"),
+    ("kinds", "learning the kind of task"),
+];
+const CALLS: [(&str, &str); 5] = [
+    ("longest-hear-call", "`hear_on`, 1 cell"),
+    ("longest-plan-call", "`plan`, 8 expansions"),
+    ("longest-act-call", "an action with feedback"),
+    ("longest-finish-call", "`finish_on`, 1 cell"),
+    ("longest-learn-call", "`learn`, 16 cells"),
+];
+const PLANS: [(&str, &str); 6] = [("plan-a", "A"), ("plan-b", "B"), ("plan-c", "C"), ("plan-d", "D"), ("plan-e", "E"), ("plan-f", "F")];
+/// The lessons whose first plans those are; the first two lessons share an environment.
+const LESSONS: [usize; 6] = [0, 2, 3, 4, 5, 6];
+
+/// What to do with the tables.
+#[derive(Args)]
+pub struct Options {
+    /// Compares with the table that is checked in and writes nothing
+    #[arg(long)]
+    check: bool,
+    /// Writes the tables again from the numbers that are checked in, and measures nothing
+    #[arg(long, conflicts_with = "check")]
+    kept: bool,
+}
+
+/// Numbers by name, for each board and preset, or for each program.
+type Rows = BTreeMap<String, BTreeMap<String, u64>>;
+/// What one compiler's work costs: the course as `rows`, and other `programs`.
+type Footprint = BTreeMap<String, Rows>;
+/// What each compiler's work costs.
+type Kept = BTreeMap<String, Footprint>;
+
+/// Measures, and writes the tables or compares with them.
+pub fn run(options: &Options) -> Result<()> {
+    if options.check {
+        return check();
+    }
+    let sh = shell()?;
+    let mut kept = if options.kept { kept()? } else { kept().unwrap_or_default() };
+    if !options.kept {
+        renew(&mut kept, &compiler()?, measure(trials()?, false)?);
+    }
+    sh.write_file(NUMBERS, serde_json::to_string_pretty(&json!({ "version": 2, "compilers": kept }))? + "\n")?;
+    for (file, _, written) in files(&kept)? {
+        sh.write_file(file, written)?;
+    }
+    eprintln!("written: {NUMBERS}, and the tables in {PAGE} and {README}");
+    Ok(())
+}
+
+/// Compares with the numbers that are checked in.
+pub fn check() -> Result<()> {
+    let kept = kept()?;
+    for (file, is, should_be) in files(&kept)? {
+        ensure!(is == should_be, "{file} does not say what {NUMBERS} says: write both again with `cargo xtask footprint`");
+    }
+    let complaints = against(&kept, &compiler()?, &measure(trials()?, true)?);
+    ensure!(complaints.is_empty(), "{}\n{} numbers are higher than {PAGE} says", complaints.join("\n"), complaints.len());
+    println!("every row is within what {PAGE} says");
+    Ok(())
+}
+
+fn kept() -> Result<Kept> {
+    let mut kept: Value = serde_json::from_str(&shell()?.read_file(NUMBERS)?)?;
+    serde_json::from_value(kept.get_mut("compilers").map(Value::take).unwrap_or_default())
+        .with_context(|| format!("{NUMBERS} is not what `cargo xtask footprint` writes"))
+}
+
+/// Keeps the numbers of this compiler, and no longer those of its other versions.
+fn renew(kept: &mut Kept, compiler: &str, footprint: Footprint) {
+    let kind = |name: &str| name.rsplit_once(' ').map(|(kind, _)| kind.to_owned());
+    kept.retain(|name, _| kind(name) != kind(compiler));
+    kept.insert(compiler.to_owned(), footprint);
+}
+
+/// Measures what was built and run. What takes long to build is left out of a check.
+fn measure(trials: &[Trial], is_check: bool) -> Result<Footprint> {
+    let (mut rows, mut programs) = (Rows::new(), Rows::new());
+    for Trial { image, course, tick } in trials {
+        let mut row = BTreeMap::from([("flash".to_owned(), bytes(&image.binary("course"), &FLASH)?)]);
+        for name in ["statics", "stack"].into_iter().chain(INSTRUCTIONS.map(|(name, _)| name)) {
+            row.insert(name.to_owned(), course.number(name)?);
+        }
+        for (name, _) in CALLS {
+            row.insert(name.to_owned(), tick.number(name.trim_start_matches("longest-").trim_end_matches("-call"))?);
+        }
+        let plans = course.all("first-plan");
+        for ((name, _), lesson) in PLANS.into_iter().zip(LESSONS) {
+            row.insert(name.to_owned(), *plans.get(lesson).context("a lesson's plan is missing")?);
+        }
+        rows.insert(format!("{} ({}), {}", image.board.name, image.board.processor, image.board.preset), row);
+    }
+    let [arm, ways, _] = alone()?;
+    let mut binaries = vec![
+        ("Rust, an arm of one's own (firmware/src/arm.rs)", arm),
+        ("Rust, three storeys with ways (firmware/src/ways.rs)", ways),
+        ("C, every function, all features", EVERY_FUNCTION.build()?),
+        ("C, a robot in homes (capi/examples/home.c), all features", HOME.build()?),
+        ("C, a table robot (capi/examples/lift.c), all features", LIFT.build()?),
+    ];
+    if !is_check {
+        binaries.push(("C, a table robot (capi/examples/lift.c), `--features table`", LIFT_ALONE.build()?));
+    }
+    for (name, binary) in binaries {
+        let report = run_alone(&binary)?;
+        let row = programs.entry(name.to_owned()).or_default();
+        row.extend([("flash".to_owned(), bytes(&binary, &FLASH)?), ("statics".to_owned(), bytes(&binary, &STATICS)?)]);
+        for name in ["stack", "instructions", "tasks", "hear", "first-plan"] {
+            row.extend(report.all(name).first().map(|&number| (name.to_owned(), number)));
+        }
+    }
+    Ok(Footprint::from([("rows".to_owned(), rows), ("programs".to_owned(), programs)]))
+}
+
+/// What is higher, built by this compiler, than it was by the same one, or by any where it is not known.
+fn against(kept: &Kept, compiler: &str, found: &Footprint) -> Vec<String> {
+    if let Some(kept) = kept.get(compiler) {
+        return risen(found, kept, 0);
+    }
+    let complaints = kept.values().map(|kept| risen(found, kept, FOR_ANOTHER_COMPILER));
+    complaints.min_by_key(Vec::len).unwrap_or_else(|| vec!["the table is empty".to_owned()])
+}
+
+/// What is higher now than it was, by more than it may be and so many per cent more.
+fn risen(now: &Footprint, before: &Footprint, more: u64) -> Vec<String> {
+    let mut complaints = Vec::new();
+    for (kind, rows) in now {
+        for (row, numbers) in rows {
+            for (name, &found) in numbers {
+                let may_rise = more + if BYTES.iter().any(|(of, _)| of == name) { BYTES_MAY_RISE } else { INSTRUCTIONS_MAY_RISE };
+                match before.get(kind).and_then(|rows| rows.get(row)?.get(name)) {
+                    None => complaints.push(format!("{row}: {name} is {found}, and the table does not have it")),
+                    Some(was) if found * 100 > was * (100 + may_rise) => {
+                        complaints.push(format!("{row}: {name} is {found} and was {was}: more than {may_rise} % higher"));
+                    }
+                    Some(_) => {}
+                }
+            }
+        }
+    }
+    complaints
+}
+
+/// The files that have tables: each as it is, and as it should be.
+fn files(kept: &Kept) -> Result<[(&'static str, String, String); 2]> {
+    let (readme, page) = (shell()?.read_file(README)?, shell()?.read_file(PAGE)?);
+    let tables: [(&str, &str, &str, &Columns); 5] = [
+        ("bytes", "rows", "board, preset", &BYTES),
+        ("programs", "programs", "program", &PROGRAMS),
+        ("instructions", "rows", "board, preset", &INSTRUCTIONS),
+        ("calls", "rows", "board, preset", &CALLS),
+        ("plans", "rows", "board, preset", &PLANS),
+    ];
+    let rows = |footprint: &Footprint, kind| footprint.get(kind).cloned().unwrap_or_default();
+    let renewed = tables.into_iter().try_fold(page.clone(), |page, (mark, kind, head, columns)| {
+        let each = kept.iter().map(|(compiler, footprint)| format!("{compiler}:\n\n{}", table(head, &rows(footprint, kind), columns)));
+        with_table(&page, mark, &each.collect::<Vec<_>>().join("\n"))
+    })?;
+    let brief = kept.values().next().map(|footprint| table("board, preset", &rows(footprint, "rows"), &BRIEF)).unwrap_or_default();
+    let brief = with_table(&readme, "footprint", &brief)?;
+    Ok([(README, readme, brief), (PAGE, page, renewed)])
+}
+
+/// A text with this table between its marks.
+fn with_table(text: &str, mark: &str, table: &str) -> Result<String> {
+    let [begin, end] = [format!("<!-- {mark} -->\n"), format!("<!-- /{mark} -->")];
+    let found = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1)));
+    let (before, after) = found.with_context(|| format!("there is no line `{}` before a line `{end}`", begin.trim()))?;
+    Ok(format!("{before}{begin}{table}{end}{after}"))
+}
+
+/// One table of some numbers of all rows.
+fn table(head: &str, rows: &Rows, columns: &Columns) -> String {
+    let titles = columns.iter().map(|(_, title)| format!(" {title} |")).collect::<String>();
+    let mut text = format!("| {head} |{titles}\n|---|{}\n", "---:|".repeat(columns.len()));
+    for (row, numbers) in rows {
+        let number = |names: &str| names.split('+').map(|name| numbers.get(name)).sum::<Option<u64>>();
+        let cells = columns.iter().map(|(names, _)| format!(" {} |", number(names).map_or("-".to_owned(), grouped)));
+        text += &format!("| {row} |{}\n", cells.collect::<String>());
+    }
+    text
+}
+
+/// `1234567` as `1,234,567`.
+fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let groups: Vec<_> = digits.as_bytes().rchunks(3).rev().map(String::from_utf8_lossy).collect();
+    groups.join(",")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(name: &str, number: u64) -> Footprint {
+        let rows = BTreeMap::from([("board".to_owned(), BTreeMap::from([(name.to_owned(), number)]))]);
+        Footprint::from([("rows".to_owned(), rows)])
+    }
+
+    fn kept(name: &str, number: u64) -> Kept {
+        Kept::from([("rustc 1".to_owned(), of(name, number))])
+    }
+
+    #[test]
+    fn a_rise_of_more_than_five_per_cent_is_complained_of() {
+        let against = |found| against(&kept("hear", 1000), "rustc 1", &of("hear", found));
+        assert!(against(1050).is_empty());
+        assert_eq!(against(1051), ["board: hear is 1051 and was 1000: more than 5 % higher"]);
+        assert!(against(500).is_empty());
+    }
+
+    #[test]
+    fn sizes_may_differ_by_a_little_more() {
+        assert!(against(&kept("flash", 1000), "rustc 1", &of("flash", 1080)).is_empty());
+        assert_eq!(against(&kept("flash", 1000), "rustc 1", &of("flash", 1081)).len(), 1);
+    }
+
+    #[test]
+    fn a_number_that_the_table_does_not_have_is_complained_of() {
+        assert_eq!(against(&kept("hear", 1), "rustc 1", &of("act", 1)).len(), 1);
+        assert_eq!(against(&Kept::default(), "rustc 1", &of("act", 1)), ["the table is empty"]);
+    }
+
+    #[test]
+    fn a_compiler_that_is_not_in_the_table_may_come_to_more_and_not_to_much_more() {
+        assert!(against(&kept("hear", 1000), "rustc 2", &of("hear", 1170)).is_empty());
+        assert_eq!(against(&kept("hear", 1000), "rustc 2", &of("hear", 1171)).len(), 1);
+    }
+
+    #[test]
+    fn a_new_version_of_a_compiler_takes_the_place_of_the_old_one() {
+        let mut kept = kept("hear", 1000);
+        renew(&mut kept, "rustc 2", of("hear", 900));
+        renew(&mut kept, "another rustc 1", of("hear", 800));
+        assert_eq!(kept.keys().collect::<Vec<_>>(), ["another rustc 1", "rustc 2"]);
+    }
+
+    #[test]
+    fn the_table_takes_the_place_of_the_old_one_alone() {
+        let readme = "# Title\n<!-- footprint -->\n| old |\n<!-- /footprint -->\nThe end.\n";
+        assert_eq!(with_table(readme, "footprint", "| new |\n").unwrap(), readme.replace("old", "new"));
+        assert!(with_table("# Title\n", "footprint", "").is_err());
+    }
+
+    #[test]
+    fn a_table_has_numbers_grouped_by_thousands_sums_of_them_and_a_dash_where_there_is_none() {
+        let rows = Rows::from([("board".to_owned(), BTreeMap::from([("statics".to_owned(), 12_000), ("stack".to_owned(), 999)]))]);
+        let expected = "| preset | static | RAM in all | hearing |\n|---|---:|---:|---:|\n| board | 12,000 | 12,999 | - |\n";
+        assert_eq!(table("preset", &rows, &[("statics", "static"), ("statics+stack", "RAM in all"), ("hear", "hearing")]), expected);
+        assert_eq!([7, 999, 1_000, 1_234_567].map(grouped), ["7", "999", "1,000", "1,234,567"]);
+    }
+}

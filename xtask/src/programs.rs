@@ -1,0 +1,180 @@
+//! The programs that the commands use beside cargo: found on this machine, or fetched into a folder of the project's own.
+//!
+//! Nothing is installed. A program that the machine has is used if it runs. Else Debian's packages are fetched and unpacked by `fetch.sh`, below
+//! `target/programs` or the folder that `GOODBOT_PROGRAMS` names.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+use anyhow::{Context, Result, anyhow, ensure};
+use xshell::cmd;
+
+use crate::process::{folder_named_by, root, shell, target_dir};
+use crate::toolchain;
+
+/// A program that some command needs.
+#[derive(Debug)]
+pub struct Program {
+    /// The file that is looked for on the `PATH`.
+    pub name: &'static str,
+    /// What goes on after "needed".
+    pub why: &'static str,
+    /// The folder of the file in Debian's packages.
+    folder: &'static str,
+    /// Debian's packages that have it; none where it is not fetched.
+    packages: &'static [&'static str],
+}
+
+pub const QEMU: Program = Program { packages: &["qemu-system-arm"], ..installed("qemu-system-arm", "to run the firmware") };
+
+/// Chromium without windows: the whole browser takes more than twice the work for the same tests.
+pub const CHROMIUM: Program = Program {
+    packages: &["chromium-headless-shell", "fonts-dejavu-core"],
+    folder: "usr/lib/chromium",
+    ..installed("chromium-headless-shell", "to try the page")
+};
+
+pub const FIREFOX: Program = Program {
+    packages: &["firefox-esr", "fonts-dejavu-core"],
+    folder: "usr/lib/firefox-esr",
+    ..installed("firefox-esr", "to try the page in a second browser")
+};
+
+pub const ARM_GCC: Program = Program {
+    packages: &["gcc-arm-none-eabi", "libnewlib-arm-none-eabi"],
+    ..installed("arm-none-eabi-gcc", "to build C for a controller")
+};
+
+/// A Rust that has the standard library's sources.
+pub const RUSTC: Program = Program {
+    packages: &["rustc-web", "cargo-web", "rust-web-src"],
+    ..installed("rustc", "to build for microcontrollers and the browser")
+};
+pub const CARGO: Program = Program { name: "cargo", ..RUSTC };
+
+/// A program that is not fetched.
+const fn installed(name: &'static str, why: &'static str) -> Program {
+    Program { name, why, folder: "usr/bin", packages: &[] }
+}
+
+pub const NODE: Program = installed("node", "to make the page and to run WebAssembly (version 20 or newer)");
+pub const NPM: Program = installed("npm", "to get what the page's tests are made with");
+pub const GCC: Program = installed("gcc", "to build C for this machine");
+const PYTHON: Program = installed("python3", "to try the Python package (version 3.10 or newer, with venv)");
+pub const VALGRIND: Program = installed("valgrind", "to count instructions");
+
+/// Something that is neither here nor to be had.
+#[derive(Clone, Debug)]
+pub struct Missing(pub String);
+
+impl std::fmt::Display for Missing {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Missing {}
+
+/// Says of an error that it comes from what is not on this machine.
+pub fn missing(what: &str, why: &str, error: impl Into<anyhow::Error>) -> Missing {
+    Missing(format!("{what}, needed {why}: {:#}", error.into()))
+}
+
+impl Program {
+    /// Where the program is, fetched if it has to be, after it has shown that it runs. An error is a [`Missing`].
+    pub fn path(&self) -> Result<PathBuf> {
+        // What could not be had is not asked for again in the same run.
+        static FOUND: Mutex<Option<HashMap<&'static str, Result<PathBuf, Missing>>>> = Mutex::new(None);
+        let mut found = FOUND.lock().map_err(|_| anyhow!("another search for a program failed"))?;
+        let find = || match on_path(self.name).filter(|path| version(path).is_ok()) {
+            Some(path) => Ok(path),
+            None => self.fetch(),
+        };
+        let found = found.get_or_insert_default().entry(self.name);
+        Ok(found.or_insert_with(|| find().map_err(|error| missing(self.name, self.why, error))).clone()?)
+    }
+
+    /// Where its packages are unpacked. The folder can be moved.
+    pub fn tree(&self) -> PathBuf {
+        let folder = folder_named_by("GOODBOT_PROGRAMS").unwrap_or_else(|| target_dir().join("programs"));
+        folder.join(self.packages.first().unwrap_or(&self.name))
+    }
+
+    /// Whether its packages have been fetched.
+    pub fn is_fetched(&self) -> bool {
+        self.tree().join("packages").is_file()
+    }
+
+    /// Fetches its packages if that has not been done, and returns its launcher.
+    pub fn fetch(&self) -> Result<PathBuf> {
+        let (sh, tree, &Self { name, why, folder, packages }) = (shell()?, self.tree(), self);
+        ensure!(!packages.is_empty(), "not on the PATH, and not fetched; install it");
+        let launcher = tree.join("launch").join(name);
+        if !self.is_fetched() || !launcher.is_file() {
+            let fetch = cmd!(sh, "sh -eus -- {tree} {folder}/{name} {why} {packages...}").stdin(include_str!("fetch.sh"));
+            fetch.quiet().run().with_context(|| format!("install a package that has `{name}`"))?;
+        }
+        version(&launcher).with_context(|| format!("what was fetched into {} does not run here", tree.display()))?;
+        Ok(launcher)
+    }
+}
+
+/// Where on the `PATH` a program is, if it is there.
+pub fn on_path(name: &str) -> Option<PathBuf> {
+    std::env::split_paths(&std::env::var_os("PATH")?).map(|folder| folder.join(name)).find(|file| file.is_file())
+}
+
+/// The first line that a program says of itself.
+pub fn version(path: &Path) -> Result<String> {
+    let sh = shell()?;
+    Ok(cmd!(sh, "{path} --version").ignore_stderr().read()?.lines().next().unwrap_or_default().trim().to_owned())
+}
+
+/// Finds or fetches everything, and prints where it is.
+pub fn list() -> Result<()> {
+    for program in [&QEMU, &ARM_GCC, &CHROMIUM, &FIREFOX, &NODE, &NPM, &GCC] {
+        let path = program.path()?;
+        println!("{}: {}", path.display(), version(&path)?);
+    }
+    toolchain::setup()
+}
+
+/// Installs the npm packages that the page's `package-lock.json` names, if that has not been done since it last changed.
+pub fn npm_packages() -> Result<()> {
+    let (sh, page, npm, _) = (shell()?, root().join("page"), NPM.path()?, NODE.path()?);
+    sh.change_dir(&page);
+    let changed = |file: &str| page.join(file).metadata().and_then(|about| about.modified()).ok();
+    if changed("node_modules/.package-lock.json") < changed("package.json").max(changed("package-lock.json")) {
+        let install = cmd!(sh, "{npm} ci --no-audit --no-fund").run();
+        install.map_err(|error| missing("npm's packages", "to make the page and to try it", error))?;
+    }
+    Ok(())
+}
+
+/// The programs of a virtual environment of Python's, below the build folder, that has these packages.
+pub fn python_with(packages: &str, name: &str) -> Result<PathBuf> {
+    let (sh, python, folder) = (shell()?, PYTHON.path()?, target_dir().join(name));
+    let programs = folder.join("bin");
+    cmd!(sh, "{python} -c 'import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 10))'").quiet().run().map_err(|error| {
+        missing(PYTHON.name, "in version 3.10 or newer, with the modules venv and ensurepip (Debian's python3-venv)", error)
+    })?;
+    if !programs.join("pip").is_file() {
+        cmd!(sh, "{python} -m venv {folder}").run()?;
+    }
+    let install = cmd!(sh, "{programs}/python -m pip install --quiet --disable-pip-version-check --no-compile {packages}").run();
+    install.map_err(|error| missing(PYTHON.name, &format!("with {packages}"), error))?;
+    Ok(programs)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_program_that_cannot_be_had_is_missing_and_says_what_to_do() {
+        let error = installed("no-such-program-here", "for nothing").path().unwrap_err();
+        assert!(error.is::<Missing>());
+        assert_eq!(error.to_string(), "no-such-program-here, needed for nothing: not on the PATH, and not fetched; install it");
+    }
+}

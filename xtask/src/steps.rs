@@ -1,0 +1,220 @@
+//! What the steps of `cargo xtask test` do that are no command of their own.
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result, bail, ensure};
+use xshell::{Shell, cmd};
+
+use crate::firmware::{FLASH, Image, Report, alone, bytes, deliver, for_microbit, images, nothing_panics, run_alone, trials};
+use crate::process::{shell, target_dir};
+use crate::programs::{CHROMIUM, FIREFOX, Missing, NODE, QEMU, npm_packages, on_path, python_with};
+use crate::test::{Run, Step};
+use crate::toolchain::{self, WASM};
+
+/// The crates that are checked and tested together. The page's builder has none but its own dependencies, which take minutes; making the page
+/// tests it.
+const WORKSPACE: [&str; 3] = ["--workspace", "--exclude", "goodbot-page"];
+
+/// What must be in no file: why, where, and as which regular expression.
+const FORBIDDEN: [(&str, &str, &str); 2] = [
+    ("a place on one machine is named", "*", r#"(^|[[:space:]"'`=:,;|([{])/(work|root|home|Users)($|[^[:alnum:]_-])"#),
+    (
+        "the server that a package came from is named: write the file again with `npm config set omit-lockfile-registry-resolved true`",
+        "*package-lock.json",
+        r#""resolved": "http"#,
+    ),
+];
+
+/// Instructions that the first plan for the 50 tasks of a home of three storeys may take on the Cortex-M4F.
+const MOST_TO_PLAN_WAYS: u64 = 3_000_000;
+
+pub fn format() -> Result<()> {
+    let sh = shell()?;
+    Ok(cmd!(sh, "cargo fmt --all --check").run()?)
+}
+
+pub fn style() -> Result<()> {
+    let sh = shell()?;
+    for (what, files, expression) in FORBIDDEN {
+        let found = cmd!(sh, "git grep --untracked -nIE -e {expression} -- {files} :!xtask/src/steps.rs").ignore_status().output()?;
+        match found.status.code() {
+            Some(0) => bail!("{what}:\n{}", String::from_utf8_lossy(&found.stdout)),
+            Some(1) => {}
+            _ => bail!("`git grep` cannot look at the files: this takes git, and a clone"),
+        }
+    }
+    Ok(())
+}
+
+/// Of everything; and of the core as a controller has it, and without its optional parts.
+pub fn clippy() -> Result<()> {
+    let sh = shell()?;
+    cmd!(sh, "cargo clippy {WORKSPACE...} --all-targets -- -D warnings").run()?;
+    cmd!(sh, "cargo clippy --package goodbot --features defmt -- -D warnings").run()?;
+    Ok(cmd!(sh, "cargo clippy --package goodbot --no-default-features -- -D warnings").run()?)
+}
+
+pub fn docs() -> Result<()> {
+    let sh = shell()?;
+    Ok(cmd!(sh, "cargo doc {WORKSPACE...} --no-deps").env("RUSTDOCFLAGS", "-D warnings").run()?)
+}
+
+/// By cargo-nextest where it is, which runs the tests of several files at once and knows which take long, else by cargo.
+pub fn tests(run: &mut Run) -> Result<()> {
+    let sh = shell()?;
+    if run.chosen.contains(&Step::Page) {
+        // What the page exports is looked at then.
+        sh.set_var("GOODBOT_PAGE_EXPORT", "later");
+    }
+    let has_nextest = cmd!(sh, "cargo nextest --version").ignore_stdout().ignore_stderr().quiet().run().is_ok();
+    match (has_nextest, run.fast) {
+        (false, _) => run.count(cmd!(sh, "cargo test {WORKSPACE...}"))?,
+        (true, true) => run.count(cmd!(sh, "cargo nextest run --no-fail-fast --profile fast {WORKSPACE...}"))?,
+        (true, false) => {
+            run.count(cmd!(sh, "cargo nextest run --no-fail-fast {WORKSPACE...}"))?;
+            run.count(cmd!(sh, "cargo test --doc {WORKSPACE...}"))?;
+        }
+    }
+    ensure!(run.tally.passed > 0, "no test ran");
+    Ok(())
+}
+
+/// The command line, as the tests of the workspace have it: by itself it would be built with other features, once more.
+fn command_line(sh: &Shell) -> Result<PathBuf> {
+    cmd!(sh, "cargo test {WORKSPACE...} --no-run --test recorded --test exported_by_the_page").run()?;
+    Ok(target_dir().join("debug/goodbot"))
+}
+
+/// A wheel is built as the tests of Rust are built, which takes seconds where a release takes minutes, and tried.
+pub fn python(run: &mut Run) -> Result<()> {
+    let (sh, target) = (shell()?, target_dir());
+    let programs = python_with("--requirement=python/tests/requirements.txt", "python")?;
+    sh.set_var("GOODBOT_CLI", command_line(&sh)?);
+    sh.change_dir("python");
+    let (wheels, cache) = (target.join("python/wheels"), target.join("python/mypy"));
+    sh.remove_path(&wheels)?;
+    let build = cmd!(sh, "{programs}/maturin build --quiet --profile dev --locked --out {wheels} --interpreter {programs}/python");
+    build.env("CARGO_TARGET_DIR", &target).run()?;
+    let install = cmd!(sh, "{programs}/python -m pip install --quiet --disable-pip-version-check --no-deps --force-reinstall");
+    install.args(sh.read_dir(&wheels)?).run()?;
+    run.count(cmd!(sh, "{programs}/pytest -p no:cacheprovider"))?;
+    cmd!(sh, "{programs}/mypy --cache-dir {cache} --package goodbot").run()?;
+    cmd!(sh, "{programs}/mypy --cache-dir {cache} tests examples benches").run()?;
+    Ok(cmd!(sh, "{programs}/stubtest goodbot --allowlist tests/stubtest.txt").run()?)
+}
+
+/// In real browsers; then the tests on the host look at what the page exported.
+pub fn page(run: &mut Run) -> Result<()> {
+    let (sh, exported) = (shell()?, export(run));
+    match &exported {
+        Ok(folder) => sh.set_var("GOODBOT_PAGE_EXPORT", folder),
+        // Without a browser, these tests say that they are ignored.
+        Err(error) if error.is::<Missing>() => {}
+        Err(_) => return exported.map(drop),
+    }
+    run.count(cmd!(sh, "cargo test {WORKSPACE...} --test exported_by_the_page"))?;
+    exported.map(drop)
+}
+
+/// Tries the page, and returns the folder of what it exported.
+fn export(run: &mut Run) -> Result<PathBuf> {
+    let (sh, node) = (shell()?, NODE.path()?);
+    crate::page::build()?;
+    npm_packages()?;
+    sh.set_var("GOODBOT_CHROMIUM", CHROMIUM.path().or_else(|missing| on_path("chromium").ok_or(missing))?);
+    match FIREFOX.path() {
+        Ok(second) => sh.set_var("GOODBOT_FIREFOX", second),
+        // Its tests say that they are ignored.
+        Err(error) => eprintln!("the page is not tried in a second browser: {error:#}"),
+    }
+    // Nothing of an earlier run may pass for this one's.
+    let folder = target_dir().join("page-export");
+    sh.remove_path(&folder)?;
+    sh.set_var("GOODBOT_PAGE_EXPORT", sh.create_dir(&folder)?);
+    sh.set_var("GOODBOT_CLI", command_line(&sh)?);
+    sh.change_dir("page/tests");
+    // A page waits as long as it works, for frames and for a robot that takes its time.
+    let files = (2 * std::thread::available_parallelism()?.get()).to_string();
+    run.count(cmd!(sh, "{node} --test --test-reporter=spec --test-concurrency={files}"))?;
+    Ok(folder)
+}
+
+/// The course, all tests of it, on every board; programs of other kinds; and their bounds.
+pub fn course() -> Result<()> {
+    for trial in trials()? {
+        let name = trial.image.name();
+        let to_act = trial.course.number("hear")? + trial.course.number("act")?;
+        let found = [trial.course.ram()?, bytes(&trial.image.binary("course"), &FLASH)?, to_act];
+        println!(
+            "{name}: {} bytes of RAM, {} of flash, {} instructions to hear a command and choose an action",
+            found[0], found[1], found[2]
+        );
+        for (found, most) in found.into_iter().zip(trial.image.board.most) {
+            ensure!(found <= most, "{name}: {found}, and {most} are the most");
+        }
+    }
+    let [arm, planned, wheels] = alone()?;
+    let planned = run_alone(&planned)?;
+    let to_plan = planned.number("first-plan")?;
+    println!("three storeys, with {} bytes of RAM:\n{}", planned.ram()?, planned.0);
+    ensure!(to_plan <= MOST_TO_PLAN_WAYS, "three storeys: {to_plan} instructions for the first plan, and {MOST_TO_PLAN_WAYS} are the most");
+    println!("an arm:\n{}", run_alone(&arm)?.0);
+    println!("the lessons on wheels:\n{}", run_alone(&wheels)?.0);
+    Ok(())
+}
+
+/// Of the calls that a control loop makes, each takes a part of a tick.
+pub fn tick() -> Result<()> {
+    for trial in trials()? {
+        let (name, number) = (trial.image.name(), |name| trial.tick.number(name));
+        let (tick, missed) = (number("tick")?, number("missed")?);
+        println!("{name}: a tick of {tick} instructions; longest calls:");
+        for call in ["hear", "plan", "act", "finish", "learn"] {
+            let (longest, most) = (number(call)?, tick / trial.image.board.calls_in_a_tick);
+            println!("  {longest} to {call}");
+            ensure!(longest <= most, "{name}: one call to {call} took more than {most} instructions");
+        }
+        ensure!(missed == 0, "{name}: {missed} ticks were missed");
+    }
+    Ok(())
+}
+
+/// What is tried is the file itself.
+pub fn microbit(run: &mut Run) -> Result<()> {
+    let sh = shell()?;
+    sh.set_var("GOODBOT_MICROBIT", deliver()?);
+    let [microbit, embassy] = for_microbit()?;
+    sh.set_var("GOODBOT_EMBASSY", embassy);
+    sh.set_var("GOODBOT_QEMU", QEMU.path()?);
+    cmd!(sh, "cargo build --quiet {WORKSPACE...} --bin goodbot").run()?;
+    sh.set_var("GOODBOT_CLI", target_dir().join("debug/goodbot"));
+    run.count(cmd!(sh, "cargo test {WORKSPACE...} --test microbit"))?;
+    // A stack that runs over must stop at its end, and is never to come near.
+    nothing_panics(&[microbit])
+}
+
+/// Equal digests of the same drill.
+pub fn same_bits() -> Result<()> {
+    let (sh, node, folder) = (shell()?, NODE.path()?, target_dir().join("drill"));
+    let drill = ["--quiet", "--release", "--locked", "--package", "goodbot-drill", "--manifest-path", "firmware/Cargo.toml"];
+    let host = Report(cmd!(sh, "cargo run {drill...} --target-dir {folder}").read()?).number("digest")?;
+    toolchain::cargo(&sh, WASM, "rustc")?.args(drill).args(["--lib", "--crate-type", "cdylib"]).run()?;
+    let module = toolchain::artifacts(WASM, "release").join("goodbot_drill.wasm");
+    let script = "const bytes = require('fs').readFileSync(process.argv[1]); \
+                  WebAssembly.instantiate(bytes, {}).then(({ instance }) => console.log(instance.exports.goodbot_drill_digest() >>> 0));";
+    let wasm = cmd!(sh, "{node} --eval {script} {module}").read()?;
+    let mut all = vec![("this machine".to_owned(), host), ("WebAssembly".to_owned(), wasm.parse().context("node printed no digest")?)];
+    for trial in trials()? {
+        all.push((trial.image.name(), trial.course.number("digest")?));
+        all.push((format!("{}, in parts", trial.image.name()), trial.tick.number("digest")?));
+    }
+    all.iter().for_each(|(place, digest)| println!("{digest:08x} {place}"));
+    let other = all.iter().find(|(_, digest)| *digest != host);
+    ensure!(other.is_none(), "{} comes to other posteriors than this machine", other.map_or("", |(place, _)| place));
+    Ok(())
+}
+
+pub fn no_panic() -> Result<()> {
+    let images = images()?.iter().flat_map(Image::binaries);
+    nothing_panics(&images.chain(alone()?).collect::<Vec<_>>())
+}

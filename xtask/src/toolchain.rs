@@ -1,0 +1,152 @@
+//! What is needed to build for the targets other than the host.
+//!
+//! There are two ways to build for those [`TARGETS`]. rustup can add a target's ready-made standard library to the host's toolchain. Where
+//! that cannot be had, Debian's compiler comes with the standard library's sources, and cargo builds the library together with the project.
+//! The variable `CROSS_TOOLCHAIN_MODE` chooses: `rustup`, `build-std`, or `auto`, which tries rustup first and is what holds if it is not
+//! set.
+
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+use std::time::Duration;
+
+use anyhow::{Context, Result, bail, ensure};
+use xshell::{Cmd, Shell, cmd};
+
+use crate::process::{once, shell, target_dir, within};
+use crate::programs::{CARGO, RUSTC, missing};
+
+/// The browser.
+pub const WASM: &str = "wasm32-unknown-unknown";
+/// Cortex-M0 and M0+.
+pub const CORTEX_M0: &str = "thumbv6m-none-eabi";
+pub const CORTEX_M3: &str = "thumbv7m-none-eabi";
+/// Cortex-M4F and M7F: floats in registers of the floating-point unit.
+pub const CORTEX_M4F: &str = "thumbv7em-none-eabihf";
+/// The targets that goodbot is built for besides the host.
+pub const TARGETS: [&str; 4] = [WASM, CORTEX_M0, CORTEX_M3, CORTEX_M4F];
+
+/// How long rustup may take.
+const RUSTUP_LIMIT: Duration = Duration::from_secs(90);
+
+/// Debian's toolchain: its cargo builds the standard library from the sources that Debian has packaged, with Debian's linker.
+#[derive(Debug)]
+struct Debian {
+    cargo: PathBuf,
+    rustc: PathBuf,
+    /// The folder of the linkers.
+    linkers: PathBuf,
+}
+
+impl Debian {
+    /// The system's, or fetched.
+    fn find() -> Result<Self> {
+        let is_complete = |found: &Self| Path::new("/usr/lib/rustlib/src/rust/library/Cargo.lock").is_file() && found.cargo.is_file();
+        match Self::below(Path::new("/"), "/usr/bin/cargo".into(), "/usr/bin/rustc".into()) {
+            Ok(found) if is_complete(&found) => Ok(found),
+            _ => Self::below(&RUSTC.tree(), CARGO.fetch()?, RUSTC.fetch()?),
+        }
+    }
+
+    fn below(root: &Path, cargo: PathBuf, rustc: PathBuf) -> Result<Self> {
+        let sh = shell()?;
+        let about = own(cmd!(sh, "{rustc} -vV")).ignore_stderr().read()?;
+        let (_, llvm) = about.split_once("LLVM version: ").context("`rustc -vV` names no LLVM version")?;
+        let linkers = root.join(format!("usr/lib/llvm-{}/bin", llvm.split('.').next().unwrap_or_default()));
+        ensure!(linkers.join("wasm-ld").is_file(), "there is no linker in {}", linkers.display());
+        Ok(Self { cargo, rustc, linkers })
+    }
+}
+
+/// A program without the variables by which the cargo that runs this program names its own parts.
+fn own(program: Cmd) -> Cmd {
+    program.env_remove("CARGO").env_remove("RUSTUP_TOOLCHAIN").env_remove("LD_LIBRARY_PATH")
+}
+
+/// Debian's toolchain if that is used, and not rustup's. The first call sets up what is used.
+fn debian() -> Result<Option<&'static Debian>> {
+    static CHOSEN: OnceLock<Option<Debian>> = OnceLock::new();
+    let chosen = once(&CHOSEN, || {
+        let by_rustup = match std::env::var("CROSS_TOOLCHAIN_MODE").unwrap_or_default().as_str() {
+            "rustup" => add_by_rustup().map(|()| true)?,
+            "build-std" => false,
+            // rustup was asked once, and had none.
+            "" | "auto" if RUSTC.is_fetched() => lacking().is_ok_and(|lacking| lacking.is_empty()),
+            "" | "auto" => add_by_rustup().inspect_err(|error| eprintln!("{error:#}")).is_ok(),
+            other => bail!("CROSS_TOOLCHAIN_MODE is auto, rustup or build-std, not `{other}`"),
+        };
+        let to_do = "install Rust by rustup, and the targets by `rustup target add`";
+        let found = if by_rustup { None } else { Some(Debian::find().context(to_do)) };
+        Ok(found.transpose().map_err(|error| missing("a Rust toolchain for other targets", RUSTC.why, error))?)
+    })?;
+    Ok(chosen.as_ref())
+}
+
+/// The targets that rustup has not added.
+fn lacking() -> Result<Vec<&'static str>> {
+    let sh = shell()?;
+    let added = cmd!(sh, "rustup target list --installed").quiet().read()?;
+    Ok(TARGETS.into_iter().filter(|target| !added.lines().any(|line| line.trim() == *target)).collect())
+}
+
+fn add_by_rustup() -> Result<()> {
+    let add = || {
+        let (sh, lacking) = (shell()?, lacking()?);
+        if !lacking.is_empty() {
+            eprintln!("rustup adds {} (it is given {} s)", lacking.join(", "), RUSTUP_LIMIT.as_secs());
+            let (code, _) = within(RUSTUP_LIMIT, cmd!(sh, "rustup target add {lacking...}"))?;
+            ensure!(code == 0, "rustup could not add the targets");
+        }
+        Ok(())
+    };
+    Ok(add().map_err(|error: anyhow::Error| missing("standard libraries for other targets", RUSTC.why, error))?)
+}
+
+/// Makes sure that all targets can be built for, and says how.
+pub fn setup() -> Result<()> {
+    println!("{}: built by {}", TARGETS.join(", "), compiler()?);
+    Ok(())
+}
+
+/// The compiler that builds for the targets, such as `rustup's rustc 1.95.0`.
+pub fn compiler() -> Result<String> {
+    let sh = shell()?;
+    let (whose, version) = match debian()? {
+        None => ("rustup", cmd!(sh, "rustc --version").read()?),
+        Some(Debian { rustc, .. }) => ("Debian", own(cmd!(sh, "{rustc} --version")).read()?),
+    };
+    // Without the commit and the day.
+    Ok(format!("{whose}'s {}", version.split(" (").next().unwrap_or_default()))
+}
+
+/// Cargo's command `build` or `rustc` for a target, ready to be given its other arguments. Sets the target up if that has not been done. What
+/// is built is in [`artifacts`].
+pub fn cargo<'sh>(sh: &'sh Shell, target: &str, subcommand: &str) -> Result<Cmd<'sh>> {
+    let cargo = match debian()? {
+        None => cmd!(sh, "cargo"),
+        Some(Debian { cargo, rustc, linkers }) => {
+            let (crates, linker) = if target == WASM { ("std,panic_abort", "wasm-ld") } else { ("core,alloc", "ld.lld") };
+            let linker = format!("target.{target}.linker='{}'", linkers.join(linker).display());
+            // Without the first variable, cargo takes -Z options only if it is a nightly one.
+            own(cmd!(sh, "{cargo} -Zbuild-std={crates} --config {linker}").env("RUSTC_BOOTSTRAP", "1").env("RUSTC", rustc))
+        }
+    };
+    // Its own folder, so that the two kinds of build do not undo each other's work.
+    Ok(cargo.args([subcommand, "--target", target, "--target-dir"]).arg(target_dir().join("cross")))
+}
+
+/// Where [`cargo`] leaves what it builds with a profile.
+pub fn artifacts(target: &str, profile: &str) -> PathBuf {
+    target_dir().join("cross").join(target).join(profile)
+}
+
+/// Arguments for [`cargo`] by which a profile's panics end at once, without the code that words their messages. That can be had only
+/// where the standard library is built too; a ready-made one brings its messages along, and there are none then.
+pub fn without_panic_messages(profile: &str) -> Result<Vec<String>> {
+    if debian()?.is_none() {
+        return Ok(Vec::new());
+    }
+    // Not by -Z: what stands behind the subcommand would replace what stands before it.
+    let immediate = format!("profile.{profile}.panic=\"immediate-abort\"");
+    let settings = ["unstable.panic-immediate-abort=true", "unstable.build-std-features=[\"optimize_for_size\"]", &immediate];
+    Ok(settings.map(|setting| format!("--config={setting}")).to_vec())
+}
