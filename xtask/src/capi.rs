@@ -43,7 +43,7 @@ pub struct Library {
     #[arg(long, value_parser = TARGETS)]
     target: Option<String>,
     /// What it is to have; what is left out takes no flash
-    #[arg(long, value_delimiter = ',', value_name = "LIST", default_values = FEATURES)]
+    #[arg(long, value_delimiter = ',', value_name = "LIST", default_values = FEATURES, value_parser = FEATURES)]
     features: Vec<String>,
 }
 

@@ -215,16 +215,14 @@ fn is_panic(symbol: &str) -> bool {
     PANIC.iter().any(|word| symbol.contains(word))
 }
 
-/// Builds the micro:bit's program, and the robot among embassy's tasks. Returns where they are.
-pub fn for_microbit() -> Result<[PathBuf; 2]> {
-    build(CORTEX_M0, &["--package", "goodbot-embassy"])?;
-    let folder = build(CORTEX_M0, &["--package", "goodbot-microbit"])?;
-    Ok(["microbit", "embassy"].map(|name| folder.join(name)))
+/// Builds a program for the micro:bit: its own, `microbit`, or the robot among embassy's tasks, `embassy`. Returns where it is.
+pub fn for_microbit(name: &str) -> Result<PathBuf> {
+    Ok(build(CORTEX_M0, &["--package", &format!("goodbot-{name}")])?.join(name))
 }
 
 /// Builds the micro:bit's program and writes `dist/goodbot.hex`. Returns where that is.
 pub fn deliver() -> Result<PathBuf> {
-    let program = std::fs::read(build(CORTEX_M0, &["--package", "goodbot-microbit"])?.join("microbit"))?;
+    let program = std::fs::read(for_microbit("microbit")?)?;
     let file = MicrobitFile::of_program(in_flash(&program)?)?;
     let path = root().join("dist/goodbot.hex");
     shell()?.write_file(&path, file.to_text())?;

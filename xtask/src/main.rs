@@ -20,8 +20,6 @@ use clap::Parser;
 #[derive(Parser)]
 #[command(name = "cargo xtask", bin_name = "cargo xtask")]
 enum Task {
-    /// Makes sure that goodbot can be built for microcontrollers and for the browser.
-    Setup,
     /// Finds or fetches every program that the commands need, and says where it is.
     Programs,
     /// Writes the trainer page, `dist/goodbot.html`.
@@ -54,7 +52,6 @@ enum Task {
 
 fn main() -> Result<()> {
     match Task::parse() {
-        Task::Setup => toolchain::setup(),
         Task::Programs => programs::list(),
         Task::Page => page::build(),
         Task::Test(options) => test::run(&options),

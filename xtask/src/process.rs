@@ -1,13 +1,12 @@
 //! Where the project is, and programs that run in it.
 
-use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::OnceLock;
-use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
+use wait_timeout::ChildExt;
 use xshell::{Cmd, Shell};
 
 /// The project's top folder.
@@ -32,29 +31,17 @@ pub fn shell() -> Result<Shell> {
     Ok(sh)
 }
 
-/// Runs a program that is stopped when `limit` has passed, and returns its exit code and what it prints to its standard output.
+/// Runs a program that is stopped when `limit` has passed, and returns its exit code and what it prints to its standard output: some lines, for
+/// which a pipe has room.
 pub fn within(limit: Duration, command: Cmd) -> Result<(i32, String)> {
     let shown = command.to_string();
     let child = Command::from(command).stdin(Stdio::null()).stdout(Stdio::piped()).spawn();
     let mut child = child.with_context(|| format!("`{shown}` could not be started"))?;
-    let mut output = child.stdout.take().context("no standard output")?;
-    let reader = thread::spawn(move || {
-        let mut said = Vec::new();
-        // What was read before a failure is still worth showing.
-        let _ = output.read_to_end(&mut said);
-        String::from_utf8_lossy(&said).into_owned()
-    });
-    let said = || reader.join().unwrap_or_default();
-    let start = Instant::now();
-    while start.elapsed() < limit {
-        if let Some(status) = child.try_wait()? {
-            return Ok((status.code().with_context(|| format!("`{shown}` was stopped ({status})"))?, said()));
-        }
-        thread::sleep(Duration::from_millis(20));
-    }
+    let status = child.wait_timeout(limit)?;
     child.kill()?;
-    child.wait()?;
-    bail!("`{shown}` did not end within {} s; so far it said: {}", limit.as_secs(), said())
+    let said = String::from_utf8_lossy(&child.wait_with_output()?.stdout).into_owned();
+    let Some(status) = status else { bail!("`{shown}` did not end within {} s; so far it said: {said}", limit.as_secs()) };
+    Ok((status.code().with_context(|| format!("`{shown}` was stopped ({status})"))?, said))
 }
 
 /// What is made once in a run of this program.

@@ -11,7 +11,7 @@ use anyhow::{Context, Result, anyhow, ensure};
 use xshell::cmd;
 
 use crate::process::{folder_named_by, root, shell, target_dir};
-use crate::toolchain;
+use crate::toolchain::{self, TARGETS};
 
 /// A program that some command needs.
 #[derive(Debug)]
@@ -137,7 +137,8 @@ pub fn list() -> Result<()> {
         let path = program.path()?;
         println!("{}: {}", path.display(), version(&path)?);
     }
-    toolchain::setup()
+    println!("{}: built by {}", TARGETS.join(", "), toolchain::compiler()?);
+    Ok(())
 }
 
 /// Installs the npm packages that the page's `package-lock.json` names, if that has not been done since it last changed.

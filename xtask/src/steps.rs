@@ -7,7 +7,7 @@ use xshell::{Shell, cmd};
 
 use crate::firmware::{FLASH, Image, Report, alone, bytes, deliver, for_microbit, images, nothing_panics, run_alone, trials};
 use crate::process::{shell, target_dir};
-use crate::programs::{CHROMIUM, FIREFOX, Missing, NODE, QEMU, npm_packages, on_path, python_with};
+use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, npm_packages, on_path, python_with};
 use crate::test::{Run, Step};
 use crate::toolchain::{self, WASM};
 
@@ -105,19 +105,6 @@ pub fn python(run: &mut Run) -> Result<()> {
 
 /// In real browsers; then the tests on the host look at what the page exported.
 pub fn page(run: &mut Run) -> Result<()> {
-    let (sh, exported) = (shell()?, export(run));
-    match &exported {
-        Ok(folder) => sh.set_var("GOODBOT_PAGE_EXPORT", folder),
-        // Without a browser, these tests say that they are ignored.
-        Err(error) if error.is::<Missing>() => {}
-        Err(_) => return exported.map(drop),
-    }
-    run.count(cmd!(sh, "cargo test {WORKSPACE...} --test exported_by_the_page"))?;
-    exported.map(drop)
-}
-
-/// Tries the page, and returns the folder of what it exported.
-fn export(run: &mut Run) -> Result<PathBuf> {
     let (sh, node) = (shell()?, NODE.path()?);
     crate::page::build()?;
     npm_packages()?;
@@ -132,11 +119,12 @@ fn export(run: &mut Run) -> Result<PathBuf> {
     sh.remove_path(&folder)?;
     sh.set_var("GOODBOT_PAGE_EXPORT", sh.create_dir(&folder)?);
     sh.set_var("GOODBOT_CLI", command_line(&sh)?);
-    sh.change_dir("page/tests");
     // A page waits as long as it works, for frames and for a robot that takes its time.
     let files = (2 * std::thread::available_parallelism()?.get()).to_string();
+    let at_tests = sh.push_dir("page/tests");
     run.count(cmd!(sh, "{node} --test --test-reporter=spec --test-concurrency={files}"))?;
-    Ok(folder)
+    drop(at_tests);
+    run.count(cmd!(sh, "cargo test {WORKSPACE...} --test exported_by_the_page"))
 }
 
 /// The course, all tests of it, on every board; programs of other kinds; and their bounds.
@@ -144,13 +132,12 @@ pub fn course() -> Result<()> {
     for trial in trials()? {
         let name = trial.image.name();
         let to_act = trial.course.number("hear")? + trial.course.number("act")?;
-        let found = [trial.course.ram()?, bytes(&trial.image.binary("course"), &FLASH)?, to_act];
-        println!(
-            "{name}: {} bytes of RAM, {} of flash, {} instructions to hear a command and choose an action",
-            found[0], found[1], found[2]
-        );
-        for (found, most) in found.into_iter().zip(trial.image.board.most) {
-            ensure!(found <= most, "{name}: {found}, and {most} are the most");
+        let flash = bytes(&trial.image.binary("course"), &FLASH)?;
+        let found =
+            [("bytes of RAM", trial.course.ram()?), ("bytes of flash", flash), ("instructions to hear a command and to act", to_act)];
+        for ((what, found), most) in found.into_iter().zip(trial.image.board.most) {
+            println!("{name}: {found} {what}");
+            ensure!(found <= most, "{name}: {found} {what}, and {most} are the most");
         }
     }
     let [arm, planned, wheels] = alone()?;
@@ -183,14 +170,13 @@ pub fn tick() -> Result<()> {
 pub fn microbit(run: &mut Run) -> Result<()> {
     let sh = shell()?;
     sh.set_var("GOODBOT_MICROBIT", deliver()?);
-    let [microbit, embassy] = for_microbit()?;
-    sh.set_var("GOODBOT_EMBASSY", embassy);
+    sh.set_var("GOODBOT_EMBASSY", for_microbit("embassy")?);
     sh.set_var("GOODBOT_QEMU", QEMU.path()?);
     cmd!(sh, "cargo build --quiet {WORKSPACE...} --bin goodbot").run()?;
     sh.set_var("GOODBOT_CLI", target_dir().join("debug/goodbot"));
     run.count(cmd!(sh, "cargo test {WORKSPACE...} --test microbit"))?;
     // A stack that runs over must stop at its end, and is never to come near.
-    nothing_panics(&[microbit])
+    nothing_panics(&[for_microbit("microbit")?])
 }
 
 /// Equal digests of the same drill.

@@ -51,12 +51,11 @@ pub enum Step {
 }
 
 impl Step {
-    fn name(self) -> String {
-        self.to_possible_value().map(|step| step.get_name().to_owned()).unwrap_or_default()
-    }
-
-    fn about(self) -> String {
-        self.to_possible_value().and_then(|step| step.get_help().map(ToString::to_string)).unwrap_or_default()
+    /// What it is called, and what it checks.
+    fn described(self) -> (String, String) {
+        let value = self.to_possible_value();
+        let (name, about) = value.map(|value| (value.get_name().to_owned(), value.get_help().map(ToString::to_string))).unzip();
+        (name.unwrap_or_default(), about.flatten().unwrap_or_default())
     }
 
     /// Whether it is quick enough for `--fast`.
@@ -64,48 +63,30 @@ impl Step {
         matches!(self, Self::Format | Self::Style | Self::Clippy | Self::Tests)
     }
 
-    /// Does it; an error is the step's failure, or says by a [`Missing`] that it cannot be done here.
-    fn run(self, run: &mut Run) -> Result<()> {
+    /// What does it, and what to do when that has failed. An error is the step's failure, or says by a [`Missing`] that it cannot be done here.
+    fn work(self) -> (fn(&mut Run) -> Result<()>, &'static str) {
         match self {
-            Self::Format => steps::format(),
-            Self::Style => steps::style(),
-            Self::Clippy => steps::clippy(),
-            Self::Tests => steps::tests(run),
-            Self::Docs => steps::docs(),
-            Self::Python => steps::python(run),
-            Self::Page => steps::page(run),
-            Self::CHeader => capi::header(true),
-            Self::CHost => capi::on_host(),
-            Self::CBoard => capi::on_board(),
-            Self::Guide => guide::follow(),
-            Self::Firmware => steps::course(),
-            Self::Tick => steps::tick(),
-            Self::Microbit => steps::microbit(run),
-            Self::SameBits => steps::same_bits(),
-            Self::NoPanic => steps::no_panic(),
-            Self::Footprint => footprint::check(),
-        }
-    }
-
-    /// What to do when it has failed.
-    const fn next(self) -> &'static str {
-        match self {
-            Self::Format => "run `cargo fmt --all`",
-            Self::Style => "mend the lines that are listed",
-            Self::Clippy => "mend what clippy points at; an `#[expect(…, reason = \"…\")]` is for where it is wrong",
-            Self::Tests => "run the failed test alone: `cargo test --workspace`, and the test's name after it",
-            Self::Docs => "mend the doc comments that rustdoc points at",
-            Self::Python => "the tests are in python/tests; `maturin develop` in python/ builds what `pytest` there tries",
-            Self::Page => "see the test that failed in page/tests; the page is dist/goodbot.html",
-            Self::CHeader => "where a program that was compiled before would go wrong, raise GOODBOT_API_VERSION",
-            Self::CHost => "the examples are in capi/examples; the sanitizer says where",
-            Self::CBoard => "the examples are in capi/examples, what the board needs in capi/examples/board",
-            Self::Guide => "mend docs/robot.md, or what it speaks of",
-            Self::Firmware | Self::Tick => "`cargo xtask footprint` shows what each binary costs; the firmware is in firmware/",
-            Self::Microbit => "the tests are in tests/tests/microbit, the firmware in firmware/microbit and firmware/embassy",
-            Self::SameBits => "look for what is not + - * / on f32, or depends on the width of usize",
-            Self::NoPanic => "`arm-none-eabi-objdump -dC` on the binary shows who calls the symbols that are listed",
-            Self::Footprint => "make it cheaper, or renew the table on purpose: `cargo xtask footprint`",
+            Self::Format => (|_| steps::format(), "run `cargo fmt --all`"),
+            Self::Style => (|_| steps::style(), "mend the lines that are listed"),
+            Self::Clippy => (|_| steps::clippy(), "mend what clippy points at; an `#[expect(…, reason = \"…\")]` is for where it is wrong"),
+            Self::Tests => (steps::tests, "run the failed test alone: `cargo test --workspace`, and the test's name after it"),
+            Self::Docs => (|_| steps::docs(), "mend the doc comments that rustdoc points at"),
+            Self::Python => (steps::python, "the tests are in python/tests; `maturin develop` in python/ builds what `pytest` there tries"),
+            Self::Page => (steps::page, "see the test that failed in page/tests; the page is dist/goodbot.html"),
+            Self::CHeader => (|_| capi::header(true), "where a program that was compiled before would go wrong, raise GOODBOT_API_VERSION"),
+            Self::CHost => (|_| capi::on_host(), "the examples are in capi/examples; the sanitizer says where"),
+            Self::CBoard => (|_| capi::on_board(), "the examples are in capi/examples, what the board needs in capi/examples/board"),
+            Self::Guide => (|_| guide::follow(), "mend docs/robot.md, or what it speaks of"),
+            Self::Firmware => (|_| steps::course(), "`cargo xtask footprint` shows what each binary costs; the firmware is in firmware/"),
+            Self::Tick => (|_| steps::tick(), "`cargo xtask footprint` shows what each call costs; the firmware is in firmware/"),
+            Self::Microbit => {
+                (steps::microbit, "the tests are in tests/tests/microbit, the firmware in firmware/microbit and firmware/embassy")
+            }
+            Self::SameBits => (|_| steps::same_bits(), "look for what is not + - * / on f32, or depends on the width of usize"),
+            Self::NoPanic => {
+                (|_| steps::no_panic(), "`arm-none-eabi-objdump -dC` on the binary shows who calls the symbols that are listed")
+            }
+            Self::Footprint => (|_| footprint::check(), "make it cheaper, or renew the tables on purpose: `cargo xtask footprint`"),
         }
     }
 }
@@ -122,9 +103,6 @@ pub struct Options {
     /// Succeeds although a step was left out, because this machine has no program for it and none can be had
     #[arg(long)]
     allow_missing: bool,
-    /// Lists the steps and runs none
-    #[arg(long)]
-    list: bool,
 }
 
 /// The steps that were chosen, and how many tests they have counted so far.
@@ -136,55 +114,41 @@ pub struct Run {
     pub tally: Tally,
 }
 
-/// How a step ended.
-#[derive(Clone, Debug, PartialEq, Eq)]
-enum End {
-    Passed(Duration),
-    Failed(Duration),
-    LeftOut(String),
-    NotReached,
-}
+/// How a step ended, and after what time: an error is that it failed, or what is missing for it.
+type End = (Step, Duration, Result<(), Option<Missing>>);
 
-impl std::fmt::Display for End {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Passed(time) => write!(f, "passed {:>7.1} s", time.as_secs_f64()),
-            Self::Failed(time) => write!(f, "FAILED {:>7.1} s", time.as_secs_f64()),
-            Self::LeftOut(_) => f.write_str("LEFT OUT"),
-            Self::NotReached => f.write_str("not reached"),
-        }
-    }
+fn shown((_, time, result): &End) -> String {
+    let word = match result {
+        Ok(()) => "passed",
+        Err(None) => "FAILED",
+        Err(Some(_)) => "LEFT OUT",
+    };
+    format!("{word:8} {:>7.1} s", time.as_secs_f64())
 }
 
 /// Runs the steps that were asked for, up to the first that fails. One that cannot be done here is left out.
-pub fn run(options: &Options) -> Result<()> {
+pub fn run(options: &Options) -> ! {
     let mut run = Run { fast: options.fast, chosen: chosen(options), tally: Tally::default() };
-    if options.list {
-        run.chosen.iter().for_each(|step| println!("{:16} {}", step.name(), step.about()));
-        return Ok(());
-    }
     let start = Instant::now();
-    let mut ends = Vec::new();
+    let mut ends: Vec<End> = Vec::new();
     for step in run.chosen.clone() {
-        if matches!(ends.last(), Some((_, End::Failed(_) | End::NotReached))) {
-            ends.push((step, End::NotReached));
-            continue;
+        let ((name, about), start) = (step.described(), Instant::now());
+        println!("\n== {name}: {about}");
+        let result = (step.work().0)(&mut run).map_err(|error| {
+            let missing = error.downcast::<Missing>();
+            missing.inspect_err(|error| println!("{error:#}")).ok()
+        });
+        let end = (step, start.elapsed(), result);
+        println!("== {name}: {}", shown(&end));
+        ends.push(end);
+        if matches!(ends.last(), Some((_, _, Err(None)))) {
+            break;
         }
-        println!("\n== {}: {}", step.name(), step.about());
-        let start = Instant::now();
-        let end = match step.run(&mut run).map_err(|error| error.downcast::<Missing>()) {
-            Ok(()) => End::Passed(start.elapsed()),
-            Err(Ok(Missing(what))) => End::LeftOut(what),
-            Err(Err(error)) => {
-                println!("{error:#}");
-                End::Failed(start.elapsed())
-            }
-        };
-        println!("== {}: {end}", step.name());
-        ends.push((step, end));
     }
     println!("\n== summary, after {:.1} s", start.elapsed().as_secs_f64());
-    ends.iter().for_each(|(step, end)| println!("{:17} {:12} {}", end.to_string(), step.name(), step.about()));
+    for (position, (name, about)) in run.chosen.iter().map(|step| step.described()).enumerate() {
+        println!("{:18}  {name:12} {about}", ends.get(position).map_or("not reached".to_owned(), shown));
+    }
     let is_success = verdict(&ends, options.allow_missing);
     // Whoever counts tests reads the last line.
     if run.tally != Tally::default() {
@@ -200,19 +164,27 @@ fn chosen(options: &Options) -> Vec<Step> {
 }
 
 /// Says what to do next, and whether the whole run is a success: also with what was left out, where that is allowed.
-fn verdict(ends: &[(Step, End)], allow_missing: bool) -> bool {
-    let left_out = ends.iter().filter_map(|(step, end)| if let End::LeftOut(why) = end { Some((step.name(), why)) } else { None });
-    let left_out: Vec<_> = left_out.map(|(name, why)| format!("  {name:12} {}", why.lines().next().unwrap_or_default())).collect();
-    if !left_out.is_empty() {
-        println!("\n{} of {} steps were left out:\n{}", left_out.len(), ends.len(), left_out.join("\n"));
+fn verdict(ends: &[End], allow_missing: bool) -> bool {
+    let (mut left_out, mut failed) = (0, false);
+    for (step, _, result) in ends {
+        let name = step.described().0;
+        match result {
+            Ok(()) => {}
+            Err(None) => {
+                println!("\nFAILED at {name}. Next: {};\nthen `cargo xtask test --only {name}`.", step.work().1);
+                failed = true;
+            }
+            Err(Some(Missing(what))) => {
+                println!("left out: {name:12} {}", what.lines().next().unwrap_or_default());
+                left_out += 1;
+            }
+        }
     }
-    let failed = ends.iter().find(|(_, end)| matches!(end, End::Failed(_)));
-    if let Some((step, _)) = failed {
-        println!("\nFAILED at {0}. Next: {1};\nthen `cargo xtask test --only {0}`.", step.name(), step.next());
-    } else if !left_out.is_empty() && !allow_missing {
-        println!("This is no success: install what is named, or say `--allow-missing`.");
+    let is_incomplete = left_out > 0 && !allow_missing;
+    if is_incomplete && !failed {
+        println!("{left_out} of {} steps were left out. This is no success: install what is named, or say `--allow-missing`.", ends.len());
     }
-    failed.is_none() && (left_out.is_empty() || allow_missing)
+    !failed && !is_incomplete
 }
 
 /// How many tests ran, over all steps.
@@ -274,7 +246,7 @@ mod tests {
 
     #[test]
     fn steps_are_chosen_by_speed_and_by_name() {
-        let chosen = |fast, only: &[Step]| chosen(&Options { fast, only: only.to_vec(), allow_missing: false, list: false });
+        let chosen = |fast, only: &[Step]| chosen(&Options { fast, only: only.to_vec(), allow_missing: false });
         assert_eq!(chosen(false, &[]), Step::value_variants());
         let fast = chosen(true, &[]);
         assert!(fast.contains(&Step::Clippy) && !fast.contains(&Step::Docs));
@@ -283,12 +255,13 @@ mod tests {
 
     #[test]
     fn what_is_left_out_is_no_success_unless_that_is_allowed() {
-        let (passed, left_out) = (End::Passed(Duration::ZERO), End::LeftOut("no browser".to_owned()));
-        let verdict = |end: &End, allow_missing| verdict(&[(Step::Format, passed.clone()), (Step::Page, end.clone())], allow_missing);
-        assert!(verdict(&passed, false));
-        assert!(!verdict(&left_out, false));
-        assert!(verdict(&left_out, true));
-        assert!(!verdict(&End::Failed(Duration::ZERO), true));
+        let verdict =
+            |result, allow_missing| verdict(&[(Step::Format, Duration::ZERO, Ok(())), (Step::Page, Duration::ZERO, result)], allow_missing);
+        let left_out = || Err(Some(Missing("no browser".to_owned())));
+        assert!(verdict(Ok(()), false));
+        assert!(!verdict(left_out(), false));
+        assert!(verdict(left_out(), true));
+        assert!(!verdict(Err(None), true));
     }
 
     #[test]

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::time::Duration;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, ensure};
 use xshell::{Cmd, Shell, cmd};
 
 use crate::process::{once, shell, target_dir, within};
@@ -65,19 +65,20 @@ fn own(program: Cmd) -> Cmd {
 /// Debian's toolchain if that is used, and not rustup's. The first call sets up what is used.
 fn debian() -> Result<Option<&'static Debian>> {
     static CHOSEN: OnceLock<Option<Debian>> = OnceLock::new();
-    let chosen = once(&CHOSEN, || {
-        let by_rustup = match std::env::var("CROSS_TOOLCHAIN_MODE").unwrap_or_default().as_str() {
+    let mode = std::env::var("CROSS_TOOLCHAIN_MODE").unwrap_or_default();
+    ensure!(["", "auto", "rustup", "build-std"].contains(&&*mode), "CROSS_TOOLCHAIN_MODE is auto, rustup or build-std, not `{mode}`");
+    let choose = || {
+        let by_rustup = match mode.as_str() {
             "rustup" => add_by_rustup().map(|()| true)?,
             "build-std" => false,
             // rustup was asked once, and had none.
-            "" | "auto" if RUSTC.is_fetched() => lacking().is_ok_and(|lacking| lacking.is_empty()),
-            "" | "auto" => add_by_rustup().inspect_err(|error| eprintln!("{error:#}")).is_ok(),
-            other => bail!("CROSS_TOOLCHAIN_MODE is auto, rustup or build-std, not `{other}`"),
+            _ if RUSTC.is_fetched() => lacking().is_ok_and(|lacking| lacking.is_empty()),
+            _ => add_by_rustup().inspect_err(|error| eprintln!("{error:#}")).is_ok(),
         };
         let to_do = "install Rust by rustup, and the targets by `rustup target add`";
-        let found = if by_rustup { None } else { Some(Debian::find().context(to_do)) };
-        Ok(found.transpose().map_err(|error| missing("a Rust toolchain for other targets", RUSTC.why, error))?)
-    })?;
+        (!by_rustup).then(|| Debian::find().context(to_do)).transpose()
+    };
+    let chosen = once(&CHOSEN, || Ok(choose().map_err(|error| missing("a Rust toolchain for other targets", RUSTC.why, error))?))?;
     Ok(chosen.as_ref())
 }
 
@@ -89,25 +90,16 @@ fn lacking() -> Result<Vec<&'static str>> {
 }
 
 fn add_by_rustup() -> Result<()> {
-    let add = || {
-        let (sh, lacking) = (shell()?, lacking()?);
-        if !lacking.is_empty() {
-            eprintln!("rustup adds {} (it is given {} s)", lacking.join(", "), RUSTUP_LIMIT.as_secs());
-            let (code, _) = within(RUSTUP_LIMIT, cmd!(sh, "rustup target add {lacking...}"))?;
-            ensure!(code == 0, "rustup could not add the targets");
-        }
-        Ok(())
-    };
-    Ok(add().map_err(|error: anyhow::Error| missing("standard libraries for other targets", RUSTC.why, error))?)
-}
-
-/// Makes sure that all targets can be built for, and says how.
-pub fn setup() -> Result<()> {
-    println!("{}: built by {}", TARGETS.join(", "), compiler()?);
+    let (sh, lacking) = (shell()?, lacking()?);
+    if !lacking.is_empty() {
+        eprintln!("rustup adds {} (it is given {} s)", lacking.join(", "), RUSTUP_LIMIT.as_secs());
+        let (code, _) = within(RUSTUP_LIMIT, cmd!(sh, "rustup target add {lacking...}"))?;
+        ensure!(code == 0, "rustup could not add the targets");
+    }
     Ok(())
 }
 
-/// The compiler that builds for the targets, such as `rustup's rustc 1.95.0`.
+/// The compiler that builds for the targets, set up if that has not been done, such as `rustup's rustc 1.95.0`.
 pub fn compiler() -> Result<String> {
     let sh = shell()?;
     let (whose, version) = match debian()? {
@@ -125,9 +117,10 @@ pub fn cargo<'sh>(sh: &'sh Shell, target: &str, subcommand: &str) -> Result<Cmd<
         None => cmd!(sh, "cargo"),
         Some(Debian { cargo, rustc, linkers }) => {
             let (crates, linker) = if target == WASM { ("std,panic_abort", "wasm-ld") } else { ("core,alloc", "ld.lld") };
-            let linker = format!("target.{target}.linker='{}'", linkers.join(linker).display());
+            let variable = format!("CARGO_TARGET_{}_LINKER", target.replace('-', "_").to_uppercase());
             // Without the first variable, cargo takes -Z options only if it is a nightly one.
-            own(cmd!(sh, "{cargo} -Zbuild-std={crates} --config {linker}").env("RUSTC_BOOTSTRAP", "1").env("RUSTC", rustc))
+            let cargo = own(cmd!(sh, "{cargo} -Zbuild-std={crates}")).env("RUSTC_BOOTSTRAP", "1").env("RUSTC", rustc);
+            cargo.env(variable, linkers.join(linker))
         }
     };
     // Its own folder, so that the two kinds of build do not undo each other's work.
