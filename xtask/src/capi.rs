@@ -68,10 +68,10 @@ pub fn library(target: Option<&str>, features: &[&str]) -> Result<PathBuf> {
 pub fn deliver(options: &Library) -> Result<()> {
     let (sh, target) = (shell()?, options.target.as_deref());
     let features: Vec<_> = options.features.iter().map(String::as_str).collect();
-    let folder = format!("dist/c/{}", target.unwrap_or("host"));
-    sh.copy_file(library(target, &features)?, format!("{folder}/libgoodbot.a"))?;
-    sh.copy_file(HEADER, format!("{folder}/goodbot.h"))?;
-    eprintln!("written: libgoodbot.a and goodbot.h in {folder}");
+    let folder = sh.create_dir(format!("dist/c/{}", target.unwrap_or("host")))?;
+    sh.copy_file(library(target, &features)?, folder.join("libgoodbot.a"))?;
+    sh.copy_file(HEADER, &folder)?;
+    eprintln!("written: libgoodbot.a and goodbot.h in {}", folder.display());
     Ok(())
 }
 

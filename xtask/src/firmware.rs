@@ -126,7 +126,7 @@ impl Image {
         let features = if board.preset == "tiny" { format!("{},tiny", board.name) } else { board.name.to_owned() };
         let built = build(board.target, &["--features", &features])?;
         // The next preset is built into the same place.
-        let folder = built.join(format!("{}-{}", board.name, board.preset));
+        let folder = sh.create_dir(built.join(format!("{}-{}", board.name, board.preset)))?;
         BINARIES.iter().try_for_each(|binary| sh.copy_file(built.join(binary), folder.join(binary)))?;
         Ok(Self { board, folder })
     }

@@ -22,7 +22,7 @@ const FLAGS: &str = "--cfg fuzzing -Cpasses=sancov-module -Cllvm-args=-sanitizer
 /// The flags are for this target alone, not for the programs that build it.
 const HOST: &str = "x86_64-unknown-linux-gnu";
 
-/// Builds and runs the targets. libFuzzer says how many inputs each had.
+/// Builds and runs the targets. libFuzzer says how many inputs each had, at the head of its lines.
 pub fn run(options: &Options) -> Result<()> {
     let (sh, folder) = (shell()?, target_dir().join("fuzz"));
     let build = cmd!(sh, "cargo build --release --bins --target {HOST} --manifest-path fuzz/Cargo.toml --target-dir {folder}");

@@ -50,8 +50,15 @@ enum Task {
     Library(capi::Library),
 }
 
-fn main() -> Result<()> {
-    match Task::parse() {
+fn main() {
+    if let Err(error) = run(Task::parse()) {
+        eprintln!("error: {error:#}");
+        std::process::exit(1);
+    }
+}
+
+fn run(task: Task) -> Result<()> {
+    match task {
         Task::Programs => programs::list(),
         Task::Page => page::build(),
         Task::Test(options) => test::run(&options),
