@@ -34,36 +34,21 @@ pub struct Board {
     pub processor: &'static str,
     pub target: &'static str,
     pub preset: &'static str,
-    /// Of how many calls at least each must fit into a tick.
-    pub calls_in_a_tick: u64,
     /// What the course may take: bytes of RAM with the stack, bytes of flash, and instructions to hear a command and to choose an action once
     /// it is planned.
     pub most: [u64; 3],
 }
 
-const AN386: Board = Board {
-    name: "mps2-an386",
-    processor: "Cortex-M4F",
-    target: CORTEX_M4F,
-    preset: "small",
-    calls_in_a_tick: 4,
-    most: [32 * 1024, 100 * 1024, 1_000_000],
-};
+const AN386: Board =
+    Board { name: "mps2-an386", processor: "Cortex-M4F", target: CORTEX_M4F, preset: "small", most: [32 * 1024, 100 * 1024, 1_000_000] };
 const UNBOUND: [u64; 3] = [u64::MAX; 3];
 
-/// What is built, run and measured. The micro:bit's floats are made of whole numbers, which takes flash and all of a tick of 10 ms.
+/// What is built, run and measured. The micro:bit's floats are made of whole numbers, which takes flash and instructions.
 const BOARDS: [Board; 4] = [
     AN386,
     Board { preset: "tiny", most: UNBOUND, ..AN386 },
     Board { name: "mps2-an385", processor: "Cortex-M3", target: CORTEX_M3, most: UNBOUND, ..AN386 },
-    Board {
-        name: "microbit",
-        processor: "Cortex-M0",
-        target: CORTEX_M0,
-        preset: "tiny",
-        calls_in_a_tick: 1,
-        most: [16 * 1024, 104 * 1024, 2_000_000],
-    },
+    Board { name: "microbit", processor: "Cortex-M0", target: CORTEX_M0, preset: "tiny", most: [16 * 1024, 104 * 1024, 2_000_000] },
 ];
 
 /// What each firmware consists of.
