@@ -34,7 +34,8 @@ unpack() {
     cd "$apt/archives"
     rm -f ./*.deb
     # apt compares the files with the checksums in the signed lists.
-    get download $(awk '{ print $1 "=" $2 }' "$apt/wanted")
+    # What the lists name may be gone from the servers: the next attempt reads them again.
+    get download $(awk '{ print $1 "=" $2 }' "$apt/wanted") || { rm "$apt/updated" && exit 1; }
     rm -rf "$tree.unfinished" "$tree"
     mkdir "$tree.unfinished"
     for package in ./*.deb; do
@@ -53,7 +54,6 @@ unpack() {
 }
 
 fetch() {
-    command -v apt-get >/dev/null && command -v dpkg-deb >/dev/null || { echo "only Debian's packages can be fetched, and there is no apt-get here" && exit 1; }
     tree=$1 file=$2 apt=$(dirname "$1")/apt
     shift 2
     mkdir -p "$apt/state/lists/partial" "$apt/cache/archives/partial" "$apt/archives"

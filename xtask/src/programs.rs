@@ -112,6 +112,8 @@ impl Program {
         ensure!(!packages.is_empty(), "not on the PATH, and not fetched; install it");
         let launcher = tree.join("launch").join(name);
         if !self.is_fetched() || !launcher.is_file() {
+            let cannot = "only Debian's packages can be fetched, and there is no apt-get here";
+            ensure!(on_path("apt-get").is_some(), "install a package that has `{name}`: {cannot}");
             let fetch = cmd!(sh, "sh -eus -- {tree} {folder}/{name} {why} {packages...}").stdin(include_str!("fetch.sh"));
             fetch.quiet().run().with_context(|| format!("install a package that has `{name}`"))?;
         }
