@@ -16,7 +16,7 @@ use board::report;
 use domain::{Arm, Shelf};
 use goodbot::feedback::Feedback;
 use goodbot::memory::{AgentMemory, HomeMemory};
-use goodbot::oomdp::Domain;
+use goodbot::oomdp::{Domain, ObjectId};
 use goodbot::{Agent, Options};
 use goodbot_course::lesson::{Lesson, Turn};
 use goodbot_course::{CourseError, Trainer, generator};
