@@ -58,10 +58,10 @@ impl Training {
 
     /// Goes on, with at most about `budget` table cells of work (one pair, row or alignment table at least).
     pub(super) fn advance(&mut self, tables: &mut Tables<'_>, bitext: BitextRef<'_>, settings: &Settings, budget: u32) -> Progress {
-        let mut left = i64::from(budget.max(1));
+        let mut left = budget.max(1) as usize;
         if self.phase == Phase::Start {
             self.phase = start(tables, bitext, settings);
-            left = left.saturating_sub(tables.trained.words.saturating_mul(tables.trained.tokens) as i64);
+            left = left.saturating_sub(tables.trained.words.saturating_mul(tables.trained.tokens));
         }
         let (layout, tokens) = (tables.trained.layout, tables.trained.tokens);
         while left > 0 {
@@ -70,7 +70,7 @@ impl Training {
                 Phase::Roles(part) => {
                     let (t, a) = tables.parts();
                     let mut work = Work { layout: &layout, tokens, bitext, t, a };
-                    let (cells, next) = work.advance(part, &mut self.round, settings.rounds, usize::try_from(left).unwrap_or(usize::MAX));
+                    let (cells, next) = work.advance(part, &mut self.round, settings.rounds, left);
                     (cells, if next == Part::Done { Phase::Done } else { Phase::Roles(next) })
                 }
                 Phase::Expect(pair) => match bitext.pairs().get(pair) {
@@ -97,7 +97,7 @@ impl Training {
                 }
             };
             self.phase = next;
-            left = left.saturating_sub(work.max(1) as i64);
+            left = left.saturating_sub(work.max(1));
         }
         if self.is_done() { Progress::Done } else { Progress::Working }
     }

@@ -252,14 +252,18 @@ impl LanguageMut<'_> {
     /// The table of words, machine tokens or their parameters that has too little room, if there is one.
     fn full_of_vocabulary(&self) -> Option<Capacity> {
         let Capacities { words, word_bytes, tokens, token_bytes, .. } = self.read().rooms();
-        let tables = [
-            (Capacity::Words, self.words.len(), words),
-            (Capacity::WordBytes, self.words.read().byte_len(), word_bytes),
-            (Capacity::Tokens, self.tokens.len(), tokens),
-            (Capacity::TokenBytes, self.tokens.read().byte_len(), token_bytes),
-        ];
-        let full = tables.iter().find(|(_, used, room)| room.saturating_sub(*used) < room / FREE_PART);
-        full.map(|&(capacity, ..)| capacity).or_else(|| self.parameters_fit().err().map(|error| error.capacity))
+        let is_full = |used: usize, room: usize| room.saturating_sub(used) < room / FREE_PART;
+        if is_full(self.words.len(), words) {
+            Some(Capacity::Words)
+        } else if is_full(self.words.read().byte_len(), word_bytes) {
+            Some(Capacity::WordBytes)
+        } else if is_full(self.tokens.len(), tokens) {
+            Some(Capacity::Tokens)
+        } else if is_full(self.tokens.read().byte_len(), token_bytes) {
+            Some(Capacity::TokenBytes)
+        } else {
+            self.parameters_fit().err().map(|error| error.capacity)
+        }
     }
 
     /// The session to give way among the first so many.

@@ -77,8 +77,8 @@ pub struct Budget {
 }
 
 impl Budget {
-    /// Everything in one call, but for learning, which goes in the smallest parts, so that every round's end is seen.
-    pub const ROUNDS: Self = Self { hear: u32::MAX, plan: u32::MAX, finish: u32::MAX, learn: 1 };
+    /// Everything in one call, but for learning, which goes in parts of about a word of a pair, so that every round's end is seen.
+    pub const ROUNDS: Self = Self { hear: u32::MAX, plan: u32::MAX, finish: u32::MAX, learn: 64 };
 }
 
 /// How the run ended.

@@ -111,15 +111,6 @@ impl Scratch {
         Self { lifts: [0.0; MOST_ROLES + 2], emissions: [0.0; MOST_ROLES], moves: [0.0; MOST_ROLES + 2], into: [0.0; MOST_ROLES] };
 }
 
-/// How one memory moves on.
-#[derive(Clone, Copy)]
-pub(super) struct Step {
-    /// (1 - end) / (the sum of all moves).
-    pub scale: f32,
-    /// p0 times lift: background, a word of the task, each role present.
-    pub moves: Moves,
-}
-
 impl<'t, 'd> Reader<'t, 'd> {
     /// A reader that [`take_groups`](Self::take_groups) makes ready, where it stays: as the result of a function it would stand on the
     /// stack twice.
@@ -371,30 +362,23 @@ impl<'t, 'd> Reader<'t, 'd> {
         }
     }
 
-    /// How every memory moves on with these lifts, where training has not seen the lifted task.
-    #[inline(never)]
-    pub fn untrained_step(&self, lifts: &Moves) -> Option<Step> {
-        if self.form.is_some() {
-            return None;
-        }
-        Some(self.step_by(&self.untrained_row(), END, lifts))
-    }
-
     /// What stands for every row of p0 where training has not seen the lifted task.
     fn untrained_row(&self) -> Moves {
         prior(self.layout, self.present.iter().map(|present| present.kind()))
     }
 
-    /// How a memory moves on with these lifts, where training has seen the lifted task.
-    pub fn step(&self, memory: usize, lifts: &Moves) -> Step {
-        let (row, end) = self.trained_row(memory);
-        self.step_by(row, end, lifts)
-    }
-
-    fn step_by(&self, row: &[f32], end: f32, lifts: &Moves) -> Step {
-        let mut moves: Moves = [0.0; MOST_ROLES + 2];
-        let scale = self.scaled_moves(row, end, lifts, &mut moves);
-        Step { scale, moves }
+    /// Fills in how a memory moves on with these lifts, background, a word of the task and each role present, and returns their scale:
+    /// (1 - end) / (the sum of all moves).
+    #[inline(never)]
+    pub fn step(&self, memory: usize, lifts: &Moves, moves: &mut Moves) -> f32 {
+        let untrained;
+        let (row, end) = if self.form.is_some() {
+            self.trained_row(memory)
+        } else {
+            untrained = self.untrained_row();
+            (untrained.as_slice(), END)
+        };
+        self.scaled_moves(row, end, lifts, moves)
     }
 
     /// Fills in a memory's moves from its row of p0, and returns their scale.
@@ -429,7 +413,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         let (background, task) = self.background_and_task(word);
         self.emissions(word, emissions);
         // Where training has not seen the lifted task, every memory moves on in the same way.
-        let untrained = self.form.is_none().then(|| self.scaled_moves(&self.untrained_row(), END, lifts, moves));
+        let untrained = self.form.is_none().then(|| self.step(0, lifts, moves));
         let count = self.present.len();
         into.iter_mut().take(count).for_each(|slot| *slot = 0.0);
         let mut is_first = true;
@@ -462,15 +446,24 @@ impl<'t, 'd> Reader<'t, 'd> {
 }
 
 /// What a word can be, before anything is learned: background, a word of the task, each of these roles.
-pub(super) fn prior(layout: &Layout, roles: impl Iterator<Item = RoleKind> + Clone) -> Moves {
-    let whole: f32 = 1.0 + roles.clone().map(|kind| layout.weight_of(kind)).sum::<f32>();
-    let rest = (1.0 - BACKGROUND) / whole;
+pub(super) fn prior(layout: &Layout, roles: impl Iterator<Item = RoleKind>) -> Moves {
     let mut prior: Moves = [0.0; MOST_ROLES + 2];
-    let weights = [BACKGROUND, rest].into_iter().chain(roles.map(|kind| rest * layout.weight_of(kind)));
-    for (slot, weight) in prior.iter_mut().zip(weights) {
-        *slot = weight;
+    let (mut count, [background, task, of_roles @ ..]) = (0_usize, &mut prior);
+    for (slot, kind) in of_roles.iter_mut().zip(roles) {
+        *slot = layout.weight_of(kind);
+        count = count.saturating_add(1);
     }
+    (*background, *task) = (BACKGROUND, share_among(of_roles.get_mut(..count).unwrap_or(&mut [])));
     prior
+}
+
+/// Gives each role its part of what is no background, by its weight. Returns the part of a word of the task, whose weight is 1.
+#[inline(never)]
+fn share_among(weights: &mut [f32]) -> f32 {
+    let whole: f32 = 1.0 + weights.iter().sum::<f32>();
+    let rest = (1.0 - BACKGROUND) / whole;
+    weights.iter_mut().for_each(|weight| *weight *= rest);
+    rest
 }
 
 /// The words of a command; V stands for each that the parameters do not know.

@@ -64,8 +64,8 @@ pub(crate) enum Part {
     Count(usize),
     /// The rows' beginning, from this one on; the background's is the last.
     Begin(usize),
-    /// Expected counts, from this pair on, and from this step of it: forward word by word, then backward memory by memory of each word.
-    Expect(usize, u16),
+    /// Expected counts, from this pair on, and from here in it.
+    Expect(usize, Pass),
     /// How often words were seen together with values and lifted tasks, from this row on.
     Seen(usize, Seen),
     /// The rows, from this one on.
@@ -82,6 +82,20 @@ pub(crate) enum Part {
     Steps(u32, usize),
     /// Done.
     Done,
+}
+
+/// Which way the words of a pair are gone through, and where that stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Pass {
+    /// From this word on.
+    Forward(u8),
+    /// Back from this word and this memory on.
+    Backward { word: u8, memory: u8 },
+}
+
+impl Pass {
+    /// From the first word on.
+    const START: Self = Self::Forward(0);
 }
 
 /// How often words were seen together with values, and with lifted tasks.
@@ -185,12 +199,13 @@ impl Work<'_, '_> {
                 for row in 0..rows {
                     get_mut(self.t.counts, layout.row(row.checked_sub(1).map(|token| Symbol(token as u16)))).fill(0.0);
                 }
-                (rows.saturating_mul(layout.words()), if rounds > 0 { Part::Expect(0, 0) } else { Part::Kinds(0, 0) })
+                (rows.saturating_mul(layout.words()), if rounds > 0 { Part::Expect(0, Pass::START) } else { Part::Kinds(0, 0) })
             }
-            Part::Expect(position, step) => match pairs.get(position) {
+            Part::Expect(position, pass) => match pairs.get(position) {
                 Some(pair) => {
-                    let (cells, next) = self.expect(pair, usize::from(step), left);
-                    (cells, next.map_or(Part::Expect(position.saturating_add(1), 0), |next| Part::Expect(position, next as u16)))
+                    let (cells, next) = self.expect(pair, pass, left);
+                    let after = Part::Expect(position.saturating_add(1), Pass::START);
+                    (cells, next.map_or(after, |next| Part::Expect(position, next)))
                 }
                 None => {
                     get_mut(self.a.counts, layout.common()).fill(0.0);
@@ -241,7 +256,7 @@ impl Work<'_, '_> {
                 *round = round.saturating_add(1);
                 (
                     layout.roles().len().saturating_mul(VALUE_SORTS),
-                    if *round < self.rounds(rounds) { Part::Expect(0, 0) } else { Part::Kinds(0, 0) },
+                    if *round < self.rounds(rounds) { Part::Expect(0, Pass::START) } else { Part::Kinds(0, 0) },
                 )
             }
             Part::Kinds(batch, _) if batch >= kind::BATCHES || layout.forms().len() < 2 => (0, Part::Done),
@@ -271,10 +286,10 @@ impl Work<'_, '_> {
         self.bitext.command(pair.command).len().saturating_mul(self.bitext.sentence(pair.session).len())
     }
 
-    /// The expected counts of one pair, from a step on, with at most about `left` table cells of work and at least one word: how many it was,
-    /// and the next step, `None` where the pair is done. Between steps, the trellis and what stands behind it are kept.
+    /// The expected counts of one pair, from somewhere in it on, with at most about `left` table cells of work and at least one memory of a
+    /// word: how many it was, and where to go on, `None` where the pair is done. In between, the trellis and what stands behind it are kept.
     #[inline(never)]
-    fn expect(&mut self, pair: &Pair, mut step: usize, left: usize) -> (usize, Option<usize>) {
+    fn expect(&mut self, pair: &Pair, mut pass: Pass, left: usize) -> (usize, Option<Pass>) {
         let (sentence, description) = (self.bitext.sentence(pair.session), self.bitext.command(pair.command));
         let Some((parameters, trellis)) = self.a.values.split_at_mut_checked(self.layout.trellis()) else { return (0, None) };
         let mut reader = Reader::new(self.layout, self.t.values, parameters, description);
@@ -283,7 +298,7 @@ impl Work<'_, '_> {
         if reader.form.is_none() {
             return (0, None);
         }
-        if let Some(form) = reader.form.filter(|_| step == 0 && self.layout.has_ways()) {
+        if let Some(form) = reader.form.filter(|_| pass == Pass::START && self.layout.has_ways()) {
             let row = get_mut(counts.a, self.layout.naming(form));
             reader.naming(sentence.iter().map(|word| word.index()), |at| {
                 if let Some(slot) = row.get_mut(at) {
@@ -293,26 +308,28 @@ impl Work<'_, '_> {
         }
         let mut cells = 0_usize;
         while cells < left {
-            let Some(back) = step.checked_sub(sentence.len()) else {
-                if forward_word(&reader, sentence, step, trellis).is_none() {
-                    return (cells, None);
+            let next = match pass {
+                Pass::Forward(word) if usize::from(word) < sentence.len() => {
+                    cells = cells.saturating_add(description.len().saturating_mul(self.layout.moves()));
+                    forward_word(&reader, sentence, usize::from(word), trellis).map(|()| Pass::Forward(word.saturating_add(1)))
                 }
-                cells = cells.saturating_add(description.len().saturating_mul(self.layout.moves()));
-                step = step.saturating_add(1);
-                continue;
+                Pass::Forward(words) => begin_backward(&reader, sentence, trellis, |event| counts.add(event))
+                    .and_then(|()| Some(Pass::Backward { word: words.checked_sub(1)?, memory: 0 })),
+                Pass::Backward { word, memory } => {
+                    let most = left.saturating_sub(cells).div_ceil(description.len().max(1));
+                    let from = (usize::from(memory), most);
+                    let (done, next) = backward_word(&reader, sentence, usize::from(word), from, trellis, |event| counts.add(event));
+                    cells = cells.saturating_add(description.len().saturating_mul(done));
+                    match next < reader.memories() {
+                        true => Some(Pass::Backward { word, memory: next as u8 }),
+                        false => word.checked_sub(1).map(|word| Pass::Backward { word, memory: 0 }),
+                    }
+                }
             };
-            if back == 0 && begin_backward(&reader, sentence, trellis, |event| counts.add(event)).is_none() {
-                return (cells, None);
-            }
-            let words = back.checked_div(reader.memories()).unwrap_or(0);
-            let Some(position) = sentence.len().checked_sub(words.saturating_add(1)) else { return (cells, None) };
-            let memory = back.checked_rem(reader.memories()).unwrap_or(0);
-            let most = left.saturating_sub(cells).div_ceil(description.len().max(1));
-            let (done, next) = backward_word(&reader, sentence, position, (memory, most), trellis, |event| counts.add(event));
-            cells = cells.saturating_add(description.len().saturating_mul(done));
-            step = step.saturating_add(next.saturating_sub(memory));
+            let Some(next) = next else { return (cells, None) };
+            pass = next;
         }
-        (cells, Some(step))
+        (cells, Some(pass))
     }
 
     /// Where it stands how much each word names values, or speaks of lifted tasks: in counts that nothing else needs at that time.
@@ -631,7 +648,6 @@ fn backward_word(
     let words = reader.before(position, |position| sentence.get(position).map(|word| word.index()));
     let mut lifts: Moves = [0.0; MOST_ROLES + 2];
     reader.lifts(&words, &mut lifts);
-    let untrained = reader.untrained_step(&lifts);
     let (background, task) = reader.background_and_task(word.index());
     let mut emissions: Roles = [0.0; MOST_ROLES];
     reader.emissions(word.index(), &mut emissions);
@@ -650,10 +666,10 @@ fn backward_word(
             return (done, memory);
         }
         done = done.saturating_add(1);
-        let step = untrained.unwrap_or_else(|| reader.step(memory, &lifts));
-        let scale = step.scale / sum;
+        let mut moves: Moves = [0.0; MOST_ROLES + 2];
+        let scale = reader.step(memory, &lifts, &mut moves) / sum;
         let here = cell(after, memory);
-        let [of_background, of_task, moves @ ..] = &step.moves;
+        let [of_background, of_task, moves @ ..] = &moves;
         let (of_background, of_task) = (scale * of_background * background * here, scale * of_task * task * here);
         let mut roles: Roles = [0.0; MOST_ROLES];
         let mut total = of_background + of_task;
