@@ -26,9 +26,8 @@ const MOST_FAULTS: usize = 100;
 
 /// Check homes, session logs and beliefs: name every fault, and what is doubtful
 ///
-/// What a file is is seen from what is in it. Of a home it is asked whether it makes sense; of a
-/// session log also whether each step can be done where it is done, and whether the tasks it names
-/// are possible there.
+/// The file type is detected from its contents. A home must make sense. In a session log, each step
+/// must be one that can be done where it is done, and the tasks it names must be possible there.
 #[derive(Debug, Args)]
 #[command(after_help = "Warned of, and no fault: rooms that overlap or that no way leads to, doors that lead nowhere, colours and shapes \
 that are empty, ids that stand twice, probabilities that do not sum to 1, steps of a demonstration that move nothing.
