@@ -97,7 +97,7 @@ def test_a_full_table_is_named_with_its_limit(home: goodbot.Home) -> None:
     agent = goodbot.Agent(capacities={"tasks": 2})
     with pytest.raises(goodbot.CapacityError, match="Capacities::tasks is 2") as raised:
         agent.hear(home, home.start, "go to the red room")
-    assert (raised.value.capacity, raised.value.limit, raised.value.given) == ("tasks", 2, 3)
+    assert (raised.value.capacity, raised.value.limit, raised.value.given) == ("tasks", 2, 4)
     assert isinstance(raised.value, ValueError)
 
 

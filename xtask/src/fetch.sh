@@ -10,7 +10,8 @@ get() {
 
 # One line for each package that is needed: NAME VERSION BYTES. apt prints 'ADDRESS' NAME_VERSION_ARCHITECTURE.deb BYTES CHECKSUM.
 needed() {
-    get install --yes --print-uris "$@" >"$apt/uris"
+    # Lists that cannot be used, though apt took them for read, are read again by the next attempt.
+    get install --yes --print-uris "$@" >"$apt/uris" || { rm -f "$apt/updated" && exit 1; }
     sed -n "s/^'[^']*' \([^_ ]*\)_\([^_ ]*\)_[^ ]*\.deb \([0-9]*\) .*/\1 \2 \3/p" "$apt/uris" | sed 's/%3a/:/'
 }
 

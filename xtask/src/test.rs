@@ -129,6 +129,10 @@ fn shown((_, time, result): &End) -> String {
 /// Runs the steps that were asked for, up to the first that fails. One that cannot be done here is left out.
 pub fn run(options: &Options) -> ! {
     let mut run = Run { fast: options.fast, chosen: chosen(options), tally: Tally::default() };
+    if run.chosen.is_empty() {
+        eprintln!("no step was chosen: --fast leaves out those that --only names");
+        std::process::exit(2);
+    }
     let start = Instant::now();
     let mut ends: Vec<End> = Vec::new();
     for step in run.chosen.clone() {

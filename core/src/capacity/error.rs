@@ -1,6 +1,7 @@
 //! A table was full.
 
 use super::Capacity;
+use crate::task::TaskSet;
 use core::fmt;
 
 /// A table was full: which one, how much it holds, and how much was asked of it (at least).
@@ -34,7 +35,13 @@ const fn clamp(count: usize) -> u32 {
 impl fmt::Display for CapacityError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let field = self.capacity.field();
-        let remedy = if field.starts_with("Capacities") { "raise it" } else { "it is fixed: give fewer, or shorter ones" };
+        let remedy = match self.capacity {
+            Capacity::Tasks if self.given as usize > TaskSet::MOST => {
+                "more than 64 cannot be told apart: give fewer objects or lifted tasks"
+            }
+            _ if field.starts_with("Capacities") => "raise it",
+            _ => "it is fixed: give fewer, or shorter ones",
+        };
         write!(f, "no room: {field} is {}, and {} or more were given; {remedy}", self.limit, self.given)
     }
 }

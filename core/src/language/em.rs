@@ -56,7 +56,8 @@ impl Training {
         self.round
     }
 
-    /// Goes on, with at most about `budget` table cells of work (one pair, row or alignment table at least).
+    /// Goes on, with at most about `budget` table cells of work: at least one pair, row or alignment table, or of the role model one memory of
+    /// a word. The first call also takes the tables' sizes, which is not cut.
     pub(super) fn advance(&mut self, tables: &mut Tables<'_>, bitext: BitextRef<'_>, settings: &Settings, budget: u32) -> Progress {
         let mut left = budget.max(1) as usize;
         if self.phase == Phase::Start {

@@ -151,8 +151,8 @@ pub trait Domain {
     /// nothing. It is asked for actions of [`actions`](Self::actions) alone, never for doing nothing.
     fn step(&self, state: &Self::State, action: Action) -> Option<Self::State>;
 
-    /// Returns whether the proposition holds in the state. Its objects are of the classes that the propositional function names, and are
-    /// different ones.
+    /// Returns whether the proposition holds in the state. Its objects are of the classes that the propositional function names. They
+    /// are different ones, unless a lifted task names one variable twice.
     fn holds(&self, proposition: &GroundProposition, state: &Self::State) -> bool;
 
     /// A bound: every number that [`number`](Self::number) returns is below it. [`u64::MAX`] where no bound is known. No plan leads through a
@@ -227,7 +227,11 @@ pub fn action_named<D: Domain + ?Sized>(domain: &D, name: &str) -> Option<Action
     domain.actions().iter().take(Action::MOST).position(|kind| kind.name == name).map(|position| Action(position as u8))
 }
 
-/// What an action leads to, `noop` included.
+/// What an action leads to, `noop` included; nothing for an action that the domain does not have.
 pub fn apply<D: Domain + ?Sized>(domain: &D, state: &D::State, action: Action) -> Option<D::State> {
-    if action == Action::NOOP { Some(*state) } else { domain.step(state, action) }
+    match action {
+        Action::NOOP => Some(*state),
+        _ if action.index() < domain.actions().len() => domain.step(state, action),
+        _ => None,
+    }
 }

@@ -81,11 +81,6 @@ pub enum DomainFlaw {
         /// The state, by its number, and the action that lead to it; `None` where the session starts from it.
         from: Option<(u64, Action)>,
     },
-    /// A propositional function holds in no state that the robot can come to, of whichever objects: no task can ask for it.
-    NeverHolds {
-        /// The propositional function.
-        proposition: PropositionId,
-    },
     /// [`Domain::step`] returns now one state and now another.
     Step {
         /// The number of the state that it was asked in.
@@ -135,9 +130,6 @@ impl fmt::Display for DomainFlaw {
                 write_origin(f, from)?;
                 f.write_str("; give every state a number of its own that numbered turns back, and let no step lead to what is no state")
             }
-            Self::NeverHolds { proposition } => {
-                write!(f, "propositional function {} holds in no state and of no objects; see what holds returns for it", proposition.0)
-            }
             Self::Step { number, action } => {
                 write!(
                     f,
@@ -179,7 +171,15 @@ pub struct Checked {
     pub states: usize,
     /// Whether these are all that the robot can come to.
     pub all: bool,
+    /// The first propositional function that holds in none of these states, whichever objects it is asked of, where it could hold of some.
+    /// If you do not expect that, see what [`Domain::holds`] returns for it. One that can be asked of more than 4,096 lists of objects is
+    /// left out.
+    pub never_held: Option<PropositionId>,
 }
+
+/// A propositional function that can be asked of more lists of objects is not watched.
+#[cfg(feature = "alloc")]
+const MOST_GROUNDINGS: usize = 4_096;
 
 /// Tries whether a domain is what [`Domain`] asks for: its description, and what its functions say in every state that the actions lead to
 /// from `start`, or in the first `most` of them. Nothing else finds these mistakes before the robot does something strange, so call it in
@@ -208,10 +208,10 @@ pub fn check<D: Domain + ?Sized>(domain: &D, start: D::State, most: usize) -> Re
     let mut states: usize = 0;
     // Those that were not seen to hold, with all objects that each could hold of.
     let mut never_held = ground_propositions(&domain.world());
-    never_held.retain(|of_one| !of_one.is_empty());
     while let Some(state) = open.pop_front() {
         if states >= most {
-            return Ok(Checked { states, all: false });
+            open.push_back(state);
+            break;
         }
         states = states.saturating_add(1);
         never_held.retain(|of_one| !of_one.iter().any(|proposition| domain.holds(proposition, &state)));
@@ -227,15 +227,16 @@ pub fn check<D: Domain + ?Sized>(domain: &D, start: D::State, most: usize) -> Re
             }
         }
     }
-    match never_held.first().and_then(|of_one| of_one.first()) {
-        Some(proposition) => Err(DomainFlaw::NeverHolds { proposition: proposition.proposition }),
-        None => Ok(Checked { states, all: true }),
-    }
+    let never_held = never_held.iter().flatten().next().map(|proposition| proposition.proposition);
+    Ok(Checked { states, all: open.is_empty(), never_held })
 }
 
-/// For each propositional function all that can be said with it of different objects of its classes.
+/// For each propositional function all that can be said with it of different objects of its classes, if that is something and not too much.
 #[cfg(feature = "alloc")]
 fn ground_propositions(world: &World<'_>) -> Vec<Vec<GroundProposition>> {
+    let of_class = |class: ClassId| world.objects.iter().filter(|(_, object)| object.class == class).count();
+    let is_few =
+        |kind: &Proposition<'_>| kind.parameters.iter().map(|&class| of_class(class)).fold(1, usize::saturating_mul) <= MOST_GROUNDINGS;
     let of_one = |(position, kind): (usize, &Proposition<'_>)| {
         let mut arguments = Vec::from([Vec::new()]);
         for &class in kind.parameters {
@@ -247,7 +248,8 @@ fn ground_propositions(world: &World<'_>) -> Vec<Vec<GroundProposition>> {
         }
         arguments.iter().map(|objects| GroundProposition::new(PropositionId(position as u8), objects)).collect()
     };
-    world.schema.propositions.iter().enumerate().map(of_one).collect()
+    let few = world.schema.propositions.iter().enumerate().filter(|(_, kind)| is_few(kind));
+    few.map(of_one).filter(|of_one: &Vec<_>| !of_one.is_empty()).collect()
 }
 
 /// The number of a state, where it is as it must be.

@@ -67,7 +67,9 @@ impl fmt::Display for GaveWay {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.full {
             None => f.write_str("no session gave way"),
-            Some(full) => write!(f, "{} older sessions gave way, because {} is full; raise it to keep them", self.count, full.field()),
+            Some(full) => {
+                write!(f, "older sessions that gave way: {}, the last because {} is full; raise it to keep them", self.count, full.field())
+            }
         }
     }
 }
@@ -346,7 +348,8 @@ impl<M: AgentMemory> Agent<M> {
         Ok(Progress::Working)
     }
 
-    /// Goes on learning, with at most about `budget` table cells of work.
+    /// Goes on learning, with at most about `budget` table cells of work. The first call also gives the tables their new sizes, which is not
+    /// cut.
     pub fn learn(&mut self, budget: u32) -> Progress {
         self.language_mut().train(budget)
     }

@@ -120,7 +120,7 @@ fn finishing_says_which_sessions_gave_way_and_usage_how_full_the_tables_are() {
         gave_way.push((gone.positions().to_vec(), gone.full(), gone.to_string()));
         agent.learn_fully();
     }
-    let full = "1 older sessions gave way, because Capacities::sessions is full; raise it to keep them";
+    let full = "older sessions that gave way: 1, the last because Capacities::sessions is full; raise it to keep them";
     let none = || (vec![], None, "no session gave way".to_owned());
     assert_eq!(gave_way, [none(), none(), (vec![0], Some(Capacity::Sessions), full.to_owned())]);
     assert_eq!((agent.usage().sessions, agent.most_used().sessions, agent.capacities().sessions), (2, 2, 2));
