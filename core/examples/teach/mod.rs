@@ -6,8 +6,8 @@ use goodbot::oomdp::{Action, Domain, action_name};
 use goodbot::planning::Judgement;
 use goodbot::{Agent, AgentError};
 
-/// Gives a command that means a task, such as `liftAtFloor(lift, floor3)`, and judges what the robot does, until it has rightly rested three times in a row: where the task is done, or where it
-/// can no longer be done. Then it learns.
+/// Gives a command that means a task, such as `liftAtFloor(lift, floor3)`, and judges what the robot does, until it has rightly rested three
+/// times in a row: where the task is done, or where it can no longer be done. Then it learns.
 pub fn teach<D: Domain>(
     agent: &mut Agent<impl AgentMemory>,
     domain: &D,
