@@ -188,7 +188,7 @@ impl Robot {
 
     fn tell_what_was_done(&self, action: Action, state: &HomeState) {
         print("did ");
-        print(self.home.actions().get(usize::from(action.0)).filter(|_| action != Action::NOOP).map_or("nothing", |kind| kind.name));
+        print(self.home.actions().get(action.index()).filter(|_| action != Action::NOOP).map_or("nothing", |kind| kind.name));
         for &thing in [self.home.agent()].iter().chain(self.home.blocks()) {
             let cell = self.home.block_cell(state, thing).unwrap_or_else(|| self.home.agent_cell(state));
             say_place(self.home.objects().name(thing), cell);

@@ -325,7 +325,7 @@ impl<'a> Robot<'a> {
         self.doing = Doing::Planning;
         self.act_at = now.wrapping_add(self.pace);
         print("did ");
-        print(home.actions().get(usize::from(action.0)).filter(|_| action != Action::NOOP).map_or("nothing", |kind| kind.name));
+        print(home.actions().get(action.index()).filter(|_| action != Action::NOOP).map_or("nothing", |kind| kind.name));
         for &thing in [home.agent()].iter().chain(home.blocks()) {
             let cell = if thing == home.agent() { Some(home.agent_cell(state)) } else { home.block_cell(state, thing) };
             let Some(cell) = cell else { continue };
