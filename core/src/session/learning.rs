@@ -14,7 +14,7 @@ use crate::symbols::Symbol;
 use core::fmt;
 
 /// How many of the sessions that gave way are told by their positions.
-const MOST_TOLD: usize = 8;
+const MOST_TOLD: usize = 7;
 
 /// The sessions that gave way to a new one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,7 +35,7 @@ impl GaveWay {
         self.count as usize
     }
 
-    /// Their positions in the training data before the new session came, in order; at most eight are told.
+    /// Their positions in the training data before the new session came, in order; at most seven are told.
     pub fn positions(&self) -> &[u16] {
         self.told.get(..self.count().min(MOST_TOLD)).unwrap_or(&[])
     }
