@@ -1,11 +1,13 @@
 //! Which pairs of lengths there are, counted without a table: what the alignments of some data will take.
 
-/// The most tokens of one of Model 2's machine commands: four propositions with three arguments, and eight facts of two tokens.
-const MOST_TOKENS: usize = 32;
+use crate::capacity::TOKENS_PER_COMMAND;
 
-/// The pairs of lengths seen so far, one bit each.
+/// The pairs of lengths seen so far.
 pub(crate) struct SeenLengths {
-    seen: [u128; MOST_TOKENS + 1],
+    /// One bit for each length of an English command from 1 to 64, by the length of the machine command.
+    seen: [u64; TOKENS_PER_COMMAND + 1],
+    /// One bit for each length of a machine command that went with no English word.
+    wordless: u64,
     /// How many.
     pub pairs: usize,
     /// Cells of their alignment tables together.
@@ -14,12 +16,16 @@ pub(crate) struct SeenLengths {
 
 impl SeenLengths {
     pub fn new() -> Self {
-        Self { seen: [0; MOST_TOKENS + 1], pairs: 0, cells: 0 }
+        Self { seen: [0; TOKENS_PER_COMMAND + 1], wordless: 0, pairs: 0, cells: 0 }
     }
 
     pub fn see(&mut self, machine: usize, english: usize) {
-        let bit = 1_u128.checked_shl(english as u32).unwrap_or(0);
-        let Some(seen) = self.seen.get_mut(machine).filter(|seen| **seen & bit == 0) else { return };
+        let (seen, position) = match english.checked_sub(1) {
+            Some(position) => (self.seen.get_mut(machine), position),
+            None => (Some(&mut self.wordless), machine),
+        };
+        let bit = 1_u64.checked_shl(position as u32).unwrap_or(0);
+        let Some(seen) = seen.filter(|seen| **seen & bit == 0) else { return };
         *seen |= bit;
         self.pairs = self.pairs.saturating_add(1);
         self.cells = self.cells.saturating_add(machine.saturating_add(1).saturating_mul(english));

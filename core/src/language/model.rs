@@ -549,6 +549,10 @@ impl<'t> LanguageMut<'t> {
             words.push(word).map_err(|_| CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, sentence.len()))?;
         }
         self.tables.fits(self.tokens.len(), self.words.len())?;
+        if !self.is_model_2() {
+            // Its words take room even where no machine command is left to go with them.
+            self.want(&[], words.len())?;
+        }
         self.bitext.add_session(&words)?;
         for (command, weight) in pairs {
             self.bitext.add_pair(command, if is_weight(weight) { weight } else { 0.0 })?;

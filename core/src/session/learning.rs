@@ -262,6 +262,11 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
+    /// Whether the last session is among the training data, but its words and tokens not yet among those that were learned.
+    pub(crate) const fn is_tidying(&self) -> bool {
+        matches!(self.work, Work::Tidying)
+    }
+
     /// Gives the vocabulary room again, or lets one other session give way for that; then training begins.
     #[inline(never)]
     fn tidy(&mut self) -> Result<Progress, AgentError> {

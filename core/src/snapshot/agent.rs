@@ -10,12 +10,13 @@ use crate::session::Agent;
 
 impl<M: AgentMemory> Agent<M> {
     /// Saves all that was learned to the front of the buffer: the training data, the options, and the trainer strategies with what is
-    /// believed of them now. Gives the length. A session under way is not saved; a training under way begins anew when restored.
+    /// believed of them now. Gives the length. A session under way is not saved; a training under way begins anew when restored. While a session
+    /// joins the training data in parts ([`finish_on`](Self::finish_on)) there may be nothing whole to save: finish it first.
     ///
     /// # Errors
     /// [`SaveError`]; the buffer may then hold anything.
     pub fn save(&self, buffer: &mut [u8]) -> Result<usize, SaveError> {
-        self.writing().write(buffer)
+        self.writing()?.write(buffer)
     }
 
     /// Saves as [`save`](Self::save) does, into the memory that planning and training have in turn, so that no buffer is needed: what was
@@ -35,7 +36,7 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// [`SaveError`]: where the model takes more than that memory has, and [`SaveError::StillLearning`] while training needs it.
     pub fn save_in_place(&mut self) -> Result<&[u8], SaveError> {
-        if self.language().is_training() {
+        if self.language().is_training() || self.is_tidying() {
             return Err(SaveError::StillLearning);
         }
         self.workspace_to_training();
@@ -57,9 +58,9 @@ impl<M: AgentMemory> Agent<M> {
     /// Bytes that [`save`](Self::save) would write now.
     ///
     /// # Errors
-    /// [`SaveError::Unsound`].
+    /// [`SaveError::Unsound`] and [`SaveError::StillLearning`].
     pub fn saved_bytes(&self) -> Result<usize, SaveError> {
-        self.writing().bytes()
+        self.writing()?.bytes()
     }
 
     /// Takes over all that a model file holds, in place of what was learned here, and begins training on it: call
@@ -90,14 +91,17 @@ impl<M: AgentMemory> Agent<M> {
         self.lifted().first().map_or(0, |task| task.vocabulary())
     }
 
-    fn writing(&self) -> Writing<'_> {
+    fn writing(&self) -> Result<Writing<'_>, SaveError> {
+        if self.is_tidying() {
+            return Err(SaveError::StillLearning);
+        }
         let sizes = self.language().sizes(self.belief().most_strategies());
-        Writing {
+        Ok(Writing {
             vocabulary: self.vocabulary(),
             options: *self.options(),
             language: self.language(),
             strategies: Some(self.belief()),
             sizes,
-        }
+        })
     }
 }

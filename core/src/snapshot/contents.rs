@@ -5,11 +5,12 @@ use super::record::{
     CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OLDEST_VERSION, OPTIONS_BYTES, OptionsRecord, PairRecord, SessionRecord,
     Sizes, StrategyRecord, TrainerRecord, VERSION,
 };
-use crate::capacity::{Capacities, NAME_BYTES};
+use crate::capacity::{Capacities, NAME_BYTES, TOKENS_PER_COMMAND};
 use crate::checksum::CHECK;
 use crate::feedback::Strategy;
 use crate::language::Model;
 use crate::language::lengths::SeenLengths;
+use crate::language::roles::Layout;
 use crate::language::settings::is_weight;
 use crate::language::tokenizer::word_form;
 use crate::session::Options;
@@ -223,15 +224,10 @@ impl Contents<'_> {
 
     /// The least capacities of memory that has room for all of it.
     pub fn needs(&self) -> Capacities {
-        let (commands, mut pairs) = (self.commands.index(), self.pairs.iter());
-        let mut lengths = SeenLengths::new();
-        for session in self.sessions.iter() {
-            for pair in pairs.by_ref().take(session.pairs as usize) {
-                if let Some(command) = commands.get(usize::from(pair.command)) {
-                    lengths.see(command.len(), session.words.len());
-                }
-            }
-        }
+        let (alignments, length_pairs) = match self.options.language.model {
+            Model::Roles => (self.layout().cells(), 0),
+            Model::Model2 => self.alignment_tables(),
+        };
         Capacities {
             strategies: self.strategies.len(),
             words: self.words.len(),
@@ -244,11 +240,42 @@ impl Contents<'_> {
             sentence_words: self.sessions.iter().map(|session| session.words.len()).sum(),
             pairs: self.pairs.len(),
             translations: self.tokens.len().saturating_add(1).saturating_mul(self.words.len()),
-            alignments: lengths.cells,
-            length_pairs: lengths.pairs,
+            alignments,
+            length_pairs,
             ..Capacities::NONE
         }
     }
+
+    /// The role model's parameters.
+    fn layout(&self) -> Layout {
+        let mut layout = Layout::NONE;
+        for record in self.commands.iter() {
+            layout.see(&symbols(&record));
+        }
+        for session in self.sessions.iter() {
+            layout.see_length(session.words.len());
+        }
+        layout.with(self.words.len(), self.tokens.len())
+    }
+
+    /// Cells of Model 2's alignment tables together, and how many tables there are.
+    fn alignment_tables(&self) -> (usize, usize) {
+        let (commands, mut pairs) = (self.commands.index(), self.pairs.iter());
+        let mut lengths = SeenLengths::new();
+        for session in self.sessions.iter() {
+            for pair in pairs.by_ref().take(session.pairs as usize) {
+                if let Some(command) = commands.get(usize::from(pair.command)) {
+                    lengths.see(command.len(), session.words.len());
+                }
+            }
+        }
+        (lengths.cells, lengths.pairs)
+    }
+}
+
+/// The tokens of a machine command.
+pub(super) fn symbols(record: &CommandRecord) -> heapless::Vec<Symbol, TOKENS_PER_COMMAND> {
+    record.iter().map(|&token| Symbol(token)).collect()
 }
 
 /// What is between the header and the check, where both are right.

@@ -17,7 +17,8 @@ pub enum SaveError {
     },
     /// A setting or a weight is one that could not be restored: not a number, negative, or beyond any use.
     Unsound,
-    /// The last session is still being learned from, in the memory that the model would be written to.
+    /// The last session is still being learned from: it has not wholly joined the training data, or training needs the memory that the model
+    /// would be written to.
     StillLearning,
 }
 
@@ -26,7 +27,7 @@ impl fmt::Display for SaveError {
         match self {
             Self::Buffer { needed, given } => write!(f, "the model takes {needed} bytes and the buffer has {given}; give it a larger one"),
             Self::Unsound => f.write_str("a setting or a weight is not a number, negative or too large; correct it before saving"),
-            Self::StillLearning => f.write_str("the last session is still being learned from; learn on until it is done, or give a buffer"),
+            Self::StillLearning => f.write_str("the last session is still being learned from; go on until it is done, then save"),
         }
     }
 }

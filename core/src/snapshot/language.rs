@@ -1,10 +1,10 @@
 //! Saving and restoring the language model.
 
-use super::contents::Contents;
+use super::contents::{Contents, symbols};
 use super::error::{Part, RestoreError, SaveError};
 use super::record::Sizes;
 use super::writing::Writing;
-use crate::capacity::{Capacities, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
+use crate::capacity::{Capacities, WORDS_PER_COMMAND};
 use crate::language::{LanguageModel, LanguageMut, LanguageRef};
 use crate::memory::AgentMemory;
 use crate::session::Options;
@@ -78,7 +78,7 @@ impl LanguageMut<'_> {
     /// Takes the training data over, which were found to fit, and begins training.
     pub(super) fn take_over(&mut self, contents: &Contents<'_>) {
         self.clear(contents.options.language);
-        // Nothing here fails: the room was checked.
+        // Nothing here fails: `check_room` counted the entries of each table, and the parameters by the model that has them.
         for word in contents.words.iter() {
             let _ = self.words_mut().intern(word);
         }
@@ -86,11 +86,7 @@ impl LanguageMut<'_> {
             let _ = self.tokens_mut().intern(token);
         }
         for record in contents.commands.iter() {
-            let mut command: Vec<Symbol, TOKENS_PER_COMMAND> = Vec::new();
-            for &token in record.iter() {
-                let _ = command.push(Symbol(token));
-            }
-            let _ = self.bitext_mut().add_command(&command);
+            let _ = self.bitext_mut().add_command(&symbols(&record));
         }
         let mut pairs = contents.pairs.iter();
         for session in contents.sessions.iter() {

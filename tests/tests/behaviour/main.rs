@@ -25,6 +25,7 @@ mod one_life;
 mod optimal_sets;
 mod power_loss;
 mod reference_numbers;
+mod restoring;
 mod rows;
 mod second_robot;
 mod snapshot;
