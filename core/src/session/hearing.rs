@@ -192,7 +192,7 @@ impl<M: AgentMemory> Agent<M> {
                 return Ok(Progress::Working);
             }
             if position.task >= self.task_count {
-                self.weigh_kinds(domain)?;
+                self.weigh_kinds(domain);
                 // A command that nothing explains says nothing.
                 if any == Prior::Zero {
                     for position in 0..self.task_count {
@@ -276,16 +276,18 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Lets the role model's kind of task speak.
     #[inline(never)]
-    fn weigh_kinds<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+    fn weigh_kinds<D: Domain + ?Sized>(&mut self, domain: &D) {
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
         if language.is_model_2() {
-            return Ok(());
+            return;
         }
         let mut forms: Vec<Symbol, LIFTED_TASKS> = Vec::new();
         for lifted in &self.lifted {
+            // The tokens of this session's tasks are interned already. A kind of task that is not possible here can do without its token.
+            let form = form_token(&domain.world().schema, lifted, language.tokens_mut()).unwrap_or(Symbol(0));
             // As many as there are lifted tasks.
-            let _ = forms.push(form_token(&domain.world().schema, lifted, language.tokens_mut())?);
+            let _ = forms.push(form);
         }
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
         let form = |task: usize| {
@@ -295,7 +297,6 @@ impl<M: AgentMemory> Agent<M> {
         let prior = |task: usize| tasks.get(task).map_or(0.0, |task| task.prior);
         let mut belief = Belief::new(session.belief, &mut self.belief);
         language.read().weigh_kinds(&self.sentence, form, prior, belief.priors_mut());
-        Ok(())
     }
 
     /// Goes on with the machine commands of a task: adds Pr(c|s,l,t), which is the last argument of `each`, times what `each` returns for

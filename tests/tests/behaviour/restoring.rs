@@ -164,7 +164,8 @@ fn a_model_needs_exactly_what_it_says_and_one_entry_less_is_refused_by_name_and_
             let mut restored = self::agent(&exact, options);
             restored.restore(&bytes).unwrap();
             restored.learn_fully();
-            let translation = |agent: &Agent<AgentHeap>, word, token| agent.language().tables().translation(Symbol::new(word), Some(Symbol::new(token)));
+            let translation =
+                |agent: &Agent<AgentHeap>, word, token| agent.language().tables().translation(Symbol::new(word), Some(Symbol::new(token)));
             for word in 0..needs.words as u16 {
                 for token in 0..needs.tokens as u16 {
                     assert_eq!(translation(&restored, word, token).to_bits(), translation(&agent, word, token).to_bits());
