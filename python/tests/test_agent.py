@@ -118,8 +118,9 @@ def test_the_same_seed_gives_the_same_life(home: goodbot.Home) -> None:
 
 
 def test_a_model_goes_through_a_file_bit_for_bit(home: goodbot.Home, tmp_path: Path) -> None:
-    agent = goodbot.Agent(seed=1)
-    goodbot.Trainer(seed=1).teach(agent, home, home.start, "go to the red room", task(home, "red"))
+    agent, trainer = goodbot.Agent(seed=1), goodbot.Trainer(seed=1)
+    for command in ("go to the red room", "please walk over to that red one now", "red", "to the red room, if you like"):
+        trainer.teach(agent, home, home.start, command, task(home, "red"))
     file = tmp_path / "mine.goodbot"
     agent.save(file)
     again = goodbot.Agent.load(file)

@@ -129,7 +129,11 @@ fn a_log_of_a_session_is_read_by_its_reader_and_teaches_the_same() {
 #[test]
 fn a_saved_model_believes_the_same_to_the_last_bit() {
     let mut first = world("A");
-    train(&mut first, "go to the green room", "agentInRoom(agent0,room1)");
+    for command in ["go to the green room", "please walk over to that green one now", "green", "to the green room, if you like, my friend"]
+    {
+        train(&mut first, command, "agentInRoom(agent0,room1)");
+        first.reset();
+    }
     let mut second = world("A");
     second.restore(&first.save().unwrap()).unwrap();
     while !second.learn(100) {}

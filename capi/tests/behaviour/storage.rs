@@ -2,13 +2,13 @@
 
 use crate::robots;
 
-use goodbot_capi::capacities::goodbot_session_count;
+use goodbot_capi::capacities::{GoodbotLessons, goodbot_least_capacities, goodbot_session_count};
 use goodbot_capi::home::goodbot_home_place;
 use goodbot_capi::robot::Goodbot;
 use goodbot_capi::status::GoodbotStatus;
 use goodbot_capi::storage::*;
 use goodbot_capi::training::*;
-use robots::{at_home, hear_and_plan};
+use robots::{at_home, describe, hear_and_plan, in_homes, small};
 use std::ffi::{CStr, c_void};
 use std::ptr::{null, null_mut};
 
@@ -119,6 +119,28 @@ fn a_power_cut_at_any_byte_leaves_the_older_model_or_the_newer_one() {
         }
     }
     assert_eq!(newest, 2);
+}
+
+#[test]
+fn a_robot_in_the_least_capacities_loads_its_own_model() {
+    let commands = [c"go to the green room", c"please walk over to the red one now", c"take the chair to the green room", c"red"];
+    let (roomy, mut least) = (at_home(), small());
+    let lessons = GoodbotLessons { sessions: 4, words: 8, different_words: 15, word_bytes: 57 };
+    assert_eq!(unsafe { goodbot_least_capacities(roomy.robot, &raw const lessons, &raw mut least) }, GoodbotStatus::Ok);
+    let (mut flash, mut buffer, mut count) = (Flash::new(), vec![0; SLOT], 0);
+    let robots = [in_homes(least), in_homes(least)];
+    robots.iter().for_each(|owned| assert_eq!(describe(owned.robot), GoodbotStatus::Ok));
+    let [taught, restored] = robots.each_ref().map(|owned| owned.robot);
+    commands.iter().for_each(|command| learn(taught, command));
+    unsafe {
+        assert_eq!(goodbot_store(taught, &flash.handle(), null_mut()), GoodbotStatus::Ok);
+        for robot in [taught, restored] {
+            assert_eq!(goodbot_load(robot, &flash.handle(), buffer.as_mut_ptr(), buffer.len()), GoodbotStatus::Ok);
+            while goodbot_learn(robot, 1_000) == GoodbotStatus::Working {}
+            assert_eq!(goodbot_session_count(robot, &raw mut count), GoodbotStatus::Ok);
+            assert_eq!(count, 4);
+        }
+    }
 }
 
 #[test]
