@@ -1,6 +1,6 @@
 //! What a course costs: time and states of the search, time of learning, for each agent on average, on one core.
 //!
-//! `cargo run --release -p goodbot-course --example cost`
+//! `cargo run --profile dist -p goodbot-course --example cost`
 
 use goodbot::feedback::{SimulatedTrainer, Strategy};
 use goodbot::{Agent, Capacities, HeapMemory, Options, home};

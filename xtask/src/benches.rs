@@ -14,29 +14,29 @@ pub fn compare() -> Result<()> {
         Ok(programs) => sh.set_var("GOODBOT_PEERS_PYTHON", programs.join("python")),
         Err(error) => eprintln!("skipped: NLTK cannot be installed: {error:#}"),
     }
-    Ok(cmd!(sh, "cargo run --release --quiet --package goodbot-benches --bin compare").run()?)
+    Ok(cmd!(sh, "cargo run --profile dist --quiet --package goodbot-benches --bin compare").run()?)
 }
 
 /// Each benchmark here and in WebAssembly, in one run: its time, that in node, and the ratio.
 pub fn wasm() -> Result<()> {
     let (sh, _) = (shell()?, NODE.path()?);
-    let module = toolchain::cargo(&sh, WASM, "rustc")?.args(["--quiet", "--release", "--package", "goodbot-benches", "--lib"]);
+    let module = toolchain::cargo(&sh, WASM, "rustc")?.args(["--quiet", "--profile", "dist", "--package", "goodbot-benches", "--lib"]);
     module.args(["--crate-type", "cdylib"]).run()?;
-    let module = toolchain::artifacts(WASM, "release").join("goodbot_benches.wasm");
-    Ok(cmd!(sh, "cargo run --release --quiet --package goodbot-benches --bin wasm -- {module}").run()?)
+    let module = toolchain::artifacts(WASM, "dist").join("goodbot_benches.wasm");
+    Ok(cmd!(sh, "cargo run --profile dist --quiet --package goodbot-benches --bin wasm -- {module}").run()?)
 }
 
 /// What a plan costs against states and tasks, drawn.
 pub fn plot() -> Result<()> {
     let sh = shell()?;
-    Ok(cmd!(sh, "cargo run --release --quiet --package goodbot-benches --bin plot -- docs/planning-cost.svg").run()?)
+    Ok(cmd!(sh, "cargo run --profile dist --quiet --package goodbot-benches --bin plot -- docs/planning-cost.svg").run()?)
 }
 
 /// Instructions that each work takes whose name has `filter` in it, by valgrind: the same whatever else the machine does.
 pub fn instructions(filter: &str) -> Result<()> {
     let (sh, valgrind) = (shell()?, VALGRIND.path()?);
-    cmd!(sh, "cargo build --release --quiet --package goodbot-benches --bin measure").run()?;
-    let measure = target_dir().join("release/measure");
+    cmd!(sh, "cargo build --profile dist --quiet --package goodbot-benches --bin measure").run()?;
+    let measure = target_dir().join("dist/measure");
     let count = |name: &str, times: &str| {
         let run = cmd!(sh, "{valgrind} --tool=callgrind --callgrind-out-file=/dev/null {measure} {name} {times}");
         let said = run.quiet().ignore_stdout().read_stderr()?;

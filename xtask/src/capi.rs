@@ -53,7 +53,7 @@ pub fn library(target: Option<&str>, features: &[&str]) -> Result<PathBuf> {
     // Beside the workspace's own files: the features change what is built.
     let own = target_dir().join("capi");
     let (cargo, built) = match target {
-        None => (cmd!(sh, "cargo rustc --release --target-dir {own}"), own.join("release")),
+        None => (cmd!(sh, "cargo rustc --profile dist --target-dir {own}"), own.join("dist")),
         Some(target) => {
             (toolchain::cargo(&sh, target, "rustc")?.args(["--profile", "controller"]), toolchain::artifacts(target, "controller"))
         }

@@ -24,10 +24,12 @@ pub fn folder_named_by(variable: &str) -> Option<PathBuf> {
     std::path::absolute(std::env::var_os(variable)?).ok()
 }
 
-/// Where programs start: in the project's top folder.
+/// Where programs start: in the project's top folder. A user who may not enter it can still fetch programs, from where this one was started.
 pub fn shell() -> Result<Shell> {
     let sh = Shell::new()?;
-    sh.change_dir(root());
+    if root().join("Cargo.toml").is_file() {
+        sh.change_dir(root());
+    }
     Ok(sh)
 }
 

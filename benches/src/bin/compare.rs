@@ -144,5 +144,5 @@ fn against_nltk() -> Result<(), String> {
     }
     let seconds = reply["seconds"].as_array().cloned().unwrap_or_default();
     let theirs = seconds.iter().filter_map(Value::as_f64).map(Duration::from_secs_f64).collect();
-    show("NLTK's IBMModel2 / weighted EM", (median(theirs), median(times)), Some(200.0), None)
+    show("NLTK's IBMModel2 / weighted EM", (median(theirs), median(times)), Some(100.0), None)
 }
