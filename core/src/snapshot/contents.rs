@@ -275,7 +275,12 @@ impl Contents<'_> {
 
 /// The tokens of a machine command.
 pub(super) fn symbols(record: &CommandRecord) -> heapless::Vec<Symbol, TOKENS_PER_COMMAND> {
-    record.iter().map(|&token| Symbol(token)).collect()
+    let mut symbols = heapless::Vec::new();
+    for &token in record {
+        // As many as the record has, so they fit.
+        let _ = symbols.push(Symbol(token));
+    }
+    symbols
 }
 
 /// What is between the header and the check, where both are right.
