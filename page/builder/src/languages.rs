@@ -134,7 +134,7 @@ mod tests {
 
     #[test]
     fn keys_become_numbers_unless_a_script_puts_them_together() {
-        let all = languages(json!({ "color.red": "red", "name": "English", "nav.tour": "Tour", "n.steps": { "other": "{n} steps" } }));
+        let all = languages(json!({ "color.red": "red", "n.steps": { "other": "{n} steps" }, "name": "English", "nav.tour": "Tour" }));
         let mut scripts = "t(\"n.steps\"),t(`color.${name}`)".to_owned();
         let mut body = "<a data-t=\"nav.tour\"></a>".to_owned();
         let text = all.number(&mut scripts, &mut body).unwrap();
