@@ -128,6 +128,8 @@ test('a secret language is passed on by a link and found out from what the robot
   await page.click('#keep-guest');
   await page.getByText('is kept, under').first().waitFor();
   await page.click('#meet-secret');
+  // The link is packed first: the dialog opens when it is there.
+  await page.locator('#shared[open]').waitFor();
   const link = await page.inputValue('#link');
   assert.match(await page.textContent('#shared-about'), /finds out what its words mean/);
   await page.click('#close-link');
