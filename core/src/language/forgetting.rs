@@ -18,8 +18,8 @@
 //! The newest session never goes. One that could not be kept even alone is refused, and nothing is forgotten for it.
 
 use super::model::LanguageMut;
-use super::roles::Layout;
-use super::tables::TablesRef;
+use super::settings::Model;
+use super::{ibm2, roles};
 use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
 use crate::symbols::{Symbol, SymbolsRef};
 use crate::task::role::is_marker;
@@ -41,10 +41,10 @@ const STRANGE: usize = 2;
 const WELL_KNOWN: usize = 3;
 
 /// Machine commands of a smaller weight are left out where the alignment tables have no room for their lengths.
-const LIGHT: f32 = 0.1;
+pub(super) const LIGHT: f32 = 0.1;
 
 /// The least of a session's weight that must be kept.
-const LEAST_KEPT: f32 = 0.5;
+pub(super) const LEAST_KEPT: f32 = 0.5;
 
 /// What came of one try to keep a session.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,6 +54,16 @@ pub(crate) enum Room {
     Found,
     /// This session gave way, because this table was full; whether that is enough is not known yet.
     Made(u16, Capacity),
+}
+
+/// A session by itself.
+pub(crate) struct Alone {
+    /// Its different words.
+    pub words: usize,
+    /// Its different machine tokens.
+    pub tokens: usize,
+    /// The words of its command, each as often as it is said.
+    pub sentence: usize,
 }
 
 /// Why a session has to give way.
@@ -88,17 +98,17 @@ impl LanguageMut<'_> {
             words.push(word).map_err(|_| too_long)?;
         }
         self.check_alone(&words, session_tokens, pairs())?;
-        let (extent, length_pairs, wanted) = (self.bitext.extent(), self.tables.trained.length_pairs, self.tables.trained.wanted);
+        let (extent, wanted) = (self.bitext.extent(), self.tables.trained.wanted);
         let Err(error) = self.add_to_data(&words, &pairs) else { return Ok(Room::Found) };
         self.bitext.rewind(extent);
-        (self.tables.trained.length_pairs, self.tables.trained.wanted) = (length_pairs, wanted);
+        self.tables.trained.wanted = wanted;
         let want = match error.capacity {
             Capacity::Alignments | Capacity::LengthPairs => Want::Lengths(words.len()),
             _ => Want::Session,
         };
         let Some(session) = self.least(want, self.bitext.sessions()) else { return Err(error) };
         self.bitext.remove_session(session);
-        self.rebuild_lengths()?;
+        self.rebuild_wanted()?;
         Ok(Room::Made(session, error.capacity))
     }
 
@@ -107,65 +117,10 @@ impl LanguageMut<'_> {
         words: &[Symbol],
         pairs: impl Fn() -> I,
     ) -> Result<(), CapacityError> {
-        if !self.is_model_2() {
-            return self.add_descriptions(words, pairs);
+        match self.model() {
+            Model::Model2 => ibm2::data::add(self, words, pairs),
+            Model::Roles => roles::data::add(self, words, pairs),
         }
-        self.bitext.add_session(words)?;
-        for (command, _) in pairs().filter(|&(_, weight)| weight >= LIGHT) {
-            self.tables.add_lengths(command.len(), words.len())?;
-        }
-        let mut left_out = None;
-        for (command, _) in pairs() {
-            left_out = self.tables.add_lengths(command.len(), words.len()).err().or(left_out);
-        }
-        let has_table = |tables: TablesRef<'_>, command: &[Symbol]| tables.length_pair(command.len(), words.len()).is_some();
-        let mut kept = 1.0;
-        if let Some(error) = left_out {
-            kept = pairs().filter(|(command, _)| has_table(self.tables.read(), command)).map(|(_, weight)| weight).sum();
-            if kept < LEAST_KEPT {
-                return Err(error);
-            }
-        }
-        for (command, weight) in pairs().filter(|(command, _)| has_table(self.tables.read(), command)) {
-            self.bitext.add_pair(command, if left_out.is_some() { weight / kept } else { weight })?;
-        }
-        Ok(())
-    }
-
-    /// Adds a session of the role model. Its lighter descriptions are left out where not all have room: the parameters' room is made when the
-    /// vocabulary gets its own.
-    fn add_descriptions<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
-        &mut self,
-        words: &[Symbol],
-        pairs: impl Fn() -> I,
-    ) -> Result<(), CapacityError> {
-        let before = self.bitext.extent();
-        let Err(full) = self.add_heavy(words, &pairs, 0.0, 1.0) else { return Ok(()) };
-        self.bitext.rewind(before);
-        let kept: f32 = pairs().map(|(_, weight)| weight).filter(|&weight| weight >= LIGHT).sum();
-        if kept < LEAST_KEPT { Err(full) } else { self.add_heavy(words, &pairs, LIGHT, kept) }
-    }
-
-    fn add_heavy<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
-        &mut self,
-        words: &[Symbol],
-        pairs: &impl Fn() -> I,
-        least: f32,
-        whole: f32,
-    ) -> Result<(), CapacityError> {
-        self.bitext.add_session(words)?;
-        pairs()
-            .filter(|&(_, weight)| weight >= least)
-            .try_for_each(|(description, weight)| self.bitext.add_pair(description, weight / whole))
-    }
-
-    /// Whether the tables have room for the parameters of all data.
-    fn parameters_fit(&self) -> Result<(), CapacityError> {
-        let (words, tokens) = (self.words.len(), self.tokens.len());
-        if self.is_model_2() {
-            return self.tables.fits(tokens, words);
-        }
-        self.tables.read().fits_roles(tokens, &Layout::of(self.bitext.read(), words, tokens))
     }
 
     /// Whether a session could be kept if there were no other.
@@ -175,52 +130,18 @@ impl LanguageMut<'_> {
         tokens: &[Symbol],
         pairs: impl Iterator<Item = (&'a [Symbol], f32)>,
     ) -> Result<(), CapacityError> {
-        let rooms = self.read().rooms();
-        let fits = |capacity, limit: usize, given: usize| {
-            if given > limit { Err(CapacityError::new(capacity, limit, given)) } else { Ok(()) }
-        };
         if words.is_empty() {
             return Err(self.read().no_room_for_a_word());
         }
         let different = |table: SymbolsRef<'_>, used: &[Symbol]| table.iter().filter(|(symbol, _)| used.contains(symbol)).count();
-        let (word_count, token_count) = (different(self.words.read(), words), different(self.tokens.read(), tokens));
-        if !self.is_model_2() {
-            let mut layout = Layout::NONE.with(word_count, token_count);
-            layout.see_length(words.len());
-            let (mut longest, mut count) = (0_usize, 0_usize);
-            for (description, _) in pairs {
-                layout.see(description);
-                longest = longest.max(description.len());
-                count = count.saturating_add(1);
-            }
-            fits(Capacity::Sessions, rooms.sessions, 1)?;
-            fits(Capacity::SentenceWords, rooms.sentence_words, words.len())?;
-            fits(Capacity::Pairs, rooms.pairs, count.min(1))?;
-            fits(Capacity::Commands, rooms.commands, count.min(1))?;
-            fits(Capacity::CommandTokens, rooms.command_tokens, longest)?;
-            return self.tables.read().fits_roles(token_count, &layout);
-        }
-        let (mut count, mut command_tokens) = (0_usize, 0_usize);
-        // All of them have the same English length: one bit a machine length is enough.
-        let (mut seen, mut length_pairs, mut alignments) = (0_u64, 0_usize, 0_usize);
-        for (command, _) in pairs {
-            count = count.saturating_add(1);
-            command_tokens = command_tokens.saturating_add(command.len());
-            let bit = 1_u64.checked_shl(command.len() as u32).unwrap_or(0);
-            if seen & bit == 0 {
-                seen |= bit;
-                length_pairs = length_pairs.saturating_add(1);
-                alignments = alignments.saturating_add(command.len().saturating_add(1).saturating_mul(words.len()));
-            }
-        }
-        fits(Capacity::Sessions, rooms.sessions, 1)?;
-        fits(Capacity::SentenceWords, rooms.sentence_words, words.len())?;
-        fits(Capacity::Pairs, rooms.pairs, count)?;
-        fits(Capacity::Commands, rooms.commands, count)?;
-        fits(Capacity::CommandTokens, rooms.command_tokens, command_tokens)?;
-        fits(Capacity::LengthPairs, rooms.length_pairs, length_pairs)?;
-        fits(Capacity::Alignments, rooms.alignments, alignments)?;
-        fits(Capacity::Translations, rooms.translations, token_count.saturating_add(1).saturating_mul(word_count))
+        let (words, tokens, sentence) = (different(self.words.read(), words), different(self.tokens.read(), tokens), words.len());
+        let alone = Alone { words, tokens, sentence };
+        let needs = match self.model() {
+            Model::Model2 => ibm2::data::needs_alone(&alone, pairs),
+            Model::Roles => roles::data::needs_alone(&alone, pairs),
+        };
+        let translations = tokens.saturating_add(1).saturating_mul(words);
+        Capacities { sessions: 1, sentence_words: sentence, translations, ..needs }.fits_in(&self.read().rooms())
     }
 
     /// Makes sure that the vocabulary fits the tables and has an eighth free, now that a session was added, or lets one other session give

@@ -4,19 +4,17 @@
 //! - `bitext`: the training data, pairs of an English command and a machine command, each with a weight;
 //! - `spelling`: which words are variants of one;
 //! - `synonyms`: which words a table says mean the same;
-//! - `tables`: IBM Model 2's translation and alignment tables;
-//! - `likelihood`: Pr(e|m), exactly, without underflow;
-//! - [`forgetting`]: what gives way when memory is full;
-//! - `em`: weighted expectation maximisation, in steps as large as the caller allows;
-//! - `settings`: how it is trained;
+//! - `tables`: the parameters;
+//! - `settings`: which model it is, and how it is trained;
+//! - [`ibm2`]: IBM Model 2, the paper's;
 //! - [`roles`]: the role model, which is the default;
+//! - `training`: training, in steps as large as the caller allows;
+//! - [`forgetting`]: what gives way when memory is full;
 //! - `model`: all of it together.
 
 pub(crate) mod bitext;
-pub(crate) mod em;
 pub mod forgetting;
-pub(crate) mod lengths;
-pub(crate) mod likelihood;
+pub mod ibm2;
 pub(crate) mod model;
 pub mod roles;
 pub(crate) mod settings;
@@ -24,13 +22,15 @@ pub(crate) mod spelling;
 pub(crate) mod synonyms;
 pub(crate) mod tables;
 pub(crate) mod tokenizer;
+pub(crate) mod training;
 
 pub use bitext::{BitextRef, BitextTables, BitextTablesRef, Pair, Span};
-pub use em::Training;
+pub use ibm2::LengthPair;
 pub use model::{LanguageModel, LanguageMut, LanguageRef, LanguageTables, LanguageTablesRef};
 pub use roles::Meaning;
 pub use settings::{MOST_ROUNDS, MOST_WEIGHT, Model, SettingError, Settings};
 pub use spelling::is_slip;
 pub use synonyms::{SynonymError, Synonyms};
-pub use tables::{LengthPair, ParameterTables, ParameterTablesRef, TablesRef};
+pub use tables::{ParameterTables, ParameterTablesRef, TablesRef};
 pub use tokenizer::{Sentence, Word, for_each_piece, for_each_word, word_form};
+pub use training::Training;

@@ -1,22 +1,19 @@
 //! The language model as a whole: vocabularies, training data and parameters.
 
 use super::bitext::{Bitext, BitextRef, BitextTables, BitextTablesRef, Extent};
-use super::em::Training;
-use super::likelihood::{length_likelihood, likelihood};
+use super::roles::Meaning;
 use super::roles::forward::{Reading, likelihood_on};
-use super::roles::{self, Layout, Meaning};
-use super::settings::{SettingError, Settings, is_weight};
+use super::settings::{Model, SettingError, Settings, is_weight};
 use super::spelling::variant;
-use super::tables::{ParameterTables, ParameterTablesRef, Tables, TablesRef, Trained};
+use super::tables::{ParameterTables, ParameterTablesRef, Tables, TablesRef, Trained, Wanted};
 use super::tokenizer::{Sentence, for_each_piece, for_each_word, word_form};
+use super::training::Training;
+use super::{ibm2, roles};
 use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
 use crate::memory::AgentMemory;
 use crate::planning::Progress;
-use crate::probability::{Scaled, total};
+use crate::probability::Scaled;
 use crate::symbols::{Symbol, Symbols, SymbolsRef};
-
-/// What of the words is not known counts so much as a word that says nothing of the task.
-const UNKNOWN_SAYS_NOTHING: f32 = 0.5;
 
 /// The tables of a language model.
 #[derive(Debug)]
@@ -159,6 +156,11 @@ impl<'t> LanguageRef<'t> {
         self.settings
     }
 
+    /// Which model it is.
+    pub(crate) const fn model(self) -> Model {
+        self.settings.model.in_use()
+    }
+
     /// The English words.
     pub const fn words(self) -> SymbolsRef<'t> {
         self.words
@@ -192,31 +194,23 @@ impl<'t> LanguageRef<'t> {
     /// Pr(e|m), times Pr(n|l) where [`Settings::length`] says so. For the role model, `command` is a
     /// [description](crate::task::description).
     pub fn likelihood(self, sentence: &[Option<Symbol>], command: &[Symbol]) -> Scaled {
-        if self.settings.model.is_roles() {
-            let (translations, alignments) = self.tables.cells();
-            return roles::forward::likelihood(self.tables.layout(), translations, alignments, sentence, command, |_, _| {});
+        match self.model() {
+            Model::Model2 => ibm2::likelihood::likelihood(self.tables, sentence, command, self.settings.length),
+            Model::Roles => roles::forward::likelihood(self.tables.layout(), self.tables.cells(), sentence, command, |_, _| {}),
         }
-        let words = likelihood(self.tables, sentence, command);
-        if self.settings.length { words.scaled_by(length_likelihood(self.tables, command.len(), sentence.len())) } else { words }
     }
 
     /// Tells how probable each word of a command is after those before it, by its position, where `description` was meant. Nothing for
     /// Model 2 and before anything is learned.
     pub fn word_by_word(self, sentence: &[Option<Symbol>], description: &[Symbol], tell: impl FnMut(usize, f32)) {
-        if self.settings.model.is_roles() {
-            let (translations, alignments) = self.tables.cells();
-            let _ = roles::forward::likelihood(self.tables.layout(), translations, alignments, sentence, description, tell);
+        match self.model() {
+            Model::Model2 => {}
+            Model::Roles => drop(roles::forward::likelihood(self.tables.layout(), self.tables.cells(), sentence, description, tell)),
         }
     }
 
-    /// Lets the role model's kind of task speak: with weights of pi_t Pr(e|t) for tasks of lifted tasks with these tokens, makes of them
-    ///
-    /// ```text
-    /// q_l(e) pi_t Pr(e|t) / Z_l^(1/2),   Z_l the sum of pi_t Pr(e|t) over the tasks of the kind,
-    /// ```
-    ///
-    /// with Z_l^(3/4) where tasks have ways, whose kinds differ by few words; and leaves half of what of the words is not known to what is
-    /// probable without words, the tasks' `prior`. Model 2 leaves them as they are.
+    /// Lets the kind of task speak, for the role model: see [`roles::kind`]. `weights` are pi_t Pr(e|t) of each task, `form` gives the token of
+    /// its lifted task and `prior` its pi_t. Model 2 leaves the weights as they are.
     pub fn weigh_kinds(
         self,
         sentence: &[Option<Symbol>],
@@ -224,43 +218,15 @@ impl<'t> LanguageRef<'t> {
         prior: impl Fn(usize) -> f32,
         weights: &mut [Scaled],
     ) {
-        if !self.settings.model.is_roles() || self.tables.words() == 0 {
-            return;
-        }
-        let (count, layout, known) = (weights.len(), self.tables.layout(), self.known(sentence));
-        let kinds = roles::kind::Kinds::of(layout, self.tables.cells().1, &known, sentence.len().saturating_sub(known.len()));
-        for first in 0..count {
-            let token = form(first);
-            if (0..first).any(|before| form(before) == token) {
-                continue;
-            }
-            let whole = total(weights.iter().enumerate().filter(|&(task, _)| form(task) == token).map(|(_, &weight)| weight));
-            let root = whole.square_root();
-            let root = if layout.has_ways() { root.times(root.square_root()) } else { root };
-            let kind = kinds.share(layout, token);
-            for (_, weight) in weights.iter_mut().enumerate().filter(|&(task, _)| form(task) == token) {
-                *weight = weight.divided_by(root).scaled_by(kind);
-            }
-        }
-        let whole = total(weights.iter().copied());
-        let unknown = UNKNOWN_SAYS_NOTHING * self.unknown_share(sentence);
-        if !whole.is_zero() && unknown > 0.0 {
-            for (task, weight) in weights.iter_mut().enumerate() {
-                *weight = weight.scaled_by(1.0 - unknown).plus(whole.scaled_by(unknown * prior(task)));
-            }
+        match self.model() {
+            Model::Model2 => {}
+            Model::Roles => roles::kind::weigh(self.tables, sentence, form, prior, weights),
         }
     }
 
-    /// The words of a command that the parameters know.
-    fn known(self, sentence: &[Option<Symbol>]) -> heapless::Vec<Symbol, WORDS_PER_COMMAND> {
-        let words = self.tables.layout().words();
-        sentence.iter().copied().flatten().filter(|word| word.index() < words).take(WORDS_PER_COMMAND).collect()
-    }
-
-    /// What of a command's words the parameters do not know, from 0 to 1.
+    /// As [`TablesRef::unknown_share`].
     pub fn unknown_share(self, sentence: &[Option<Symbol>]) -> f32 {
-        let known = sentence.iter().flatten().filter(|word| word.index() < self.tables.words()).count();
-        1.0 - known as f32 / sentence.len().max(1) as f32
+        self.tables.unknown_share(sentence)
     }
 
     /// How much each table holds.
@@ -294,7 +260,10 @@ impl<'t> LanguageRef<'t> {
     /// The word here that `word` counts as. Slips are those of the first `learned` words.
     pub(crate) fn word_like(self, word: &str, learned: usize) -> Option<Symbol> {
         let letters = usize::from(self.settings.word_letters);
-        if self.settings.model.is_roles() { variant(self.words, learned, word, letters) } else { self.words.find(word_form(word, letters)) }
+        match self.model() {
+            Model::Model2 => self.words.find(word_form(word, letters)),
+            Model::Roles => variant(self.words, learned, word, letters),
+        }
     }
 
     /// The English words of the sessions that were learned from.
@@ -370,21 +339,15 @@ impl<'t> LanguageMut<'t> {
     /// As [`hear`](Self::hear).
     pub fn hear_into(&mut self, command: &str, sentence: &mut Sentence) -> Result<(), CapacityError> {
         sentence.clear();
-        let full = CapacityError::full(Capacity::WordsPerCommand, WORDS_PER_COMMAND);
-        if self.settings.model.is_roles() {
-            let letters = usize::from(self.settings.word_letters);
-            return for_each_piece(command, |word| {
-                let known = variant(self.words.read(), *self.learned_words, word, letters);
-                let word = known.or_else(|| self.words.intern(word).ok());
-                sentence.push(word).map_err(|_| full)
-            });
+        let (model, learned) = (self.model(), *self.learned_words);
+        let take = |word: &str| {
+            let symbol = self.take_word(word, learned).ok();
+            sentence.push(symbol).map_err(|_| CapacityError::full(Capacity::WordsPerCommand, WORDS_PER_COMMAND))
+        };
+        match model {
+            Model::Model2 => for_each_word(command, take),
+            Model::Roles => for_each_piece(command, take),
         }
-        let words = &mut self.words;
-        let letters = usize::from(self.settings.word_letters);
-        for_each_word(command, |word| {
-            let word = word_form(word, letters);
-            sentence.push(words.intern(word).ok()).map_err(|_| full)
-        })
     }
 
     /// Adds one session to the training data: its English command with each of `pairs`, a machine command and its weight. A weight that is
@@ -398,7 +361,7 @@ impl<'t> LanguageMut<'t> {
         sentence: &[Option<Symbol>],
         pairs: impl Iterator<Item = (&'a [Symbol], f32)>,
     ) -> Result<(), CapacityError> {
-        let (extent, length_pairs, wanted) = (self.bitext.extent(), self.tables.trained.length_pairs, self.tables.trained.wanted);
+        let (extent, wanted) = (self.bitext.extent(), self.tables.trained.wanted);
         let result = self.try_add_session(sentence, pairs);
         match result {
             Ok(()) => {
@@ -407,7 +370,7 @@ impl<'t> LanguageMut<'t> {
             }
             Err(_) => {
                 self.bitext.rewind(extent);
-                (self.tables.trained.length_pairs, self.tables.trained.wanted) = (length_pairs, wanted);
+                self.tables.trained.wanted = wanted;
             }
         }
         result
@@ -420,12 +383,12 @@ impl<'t> LanguageMut<'t> {
         self.tokens.truncate(0);
         self.bitext.rewind(Extent::default());
         (*self.learned_words, *self.learned_tokens) = (0, 0);
-        self.tables.trained.wanted = Layout::NONE;
+        self.tables.trained.wanted = Wanted::NONE;
     }
 
-    /// The symbol of a word that another model knows: that of the word here that it counts as, or a new one.
-    pub(crate) fn take_word(&mut self, word: &str) -> Result<Symbol, CapacityError> {
-        match self.read().word_like(word, 0) {
+    /// The symbol of a word: that of the word here that it counts as, or a new one. Slips are those of the first `learned` words.
+    pub(crate) fn take_word(&mut self, word: &str, learned: usize) -> Result<Symbol, CapacityError> {
+        match self.read().word_like(word, learned) {
             Some(known) => Ok(known),
             None => self.words.intern(word_form(word, self.settings.letters_kept())),
         }
@@ -446,30 +409,46 @@ impl<'t> LanguageMut<'t> {
     /// A [`CapacityError`] where the tables have no room.
     pub(crate) fn data_replaced(&mut self) -> Result<(), CapacityError> {
         (*self.learned_words, *self.learned_tokens) = (self.words.len(), self.tokens.len());
-        if self.settings.model.is_roles() {
-            self.tables.trained.length_pairs = 0;
-            self.tables.trained.wanted = Layout::of(self.bitext.read(), self.words.len(), self.tokens.len());
-            return self.tables.read().fits_roles(self.tokens.len(), &self.tables.trained.wanted);
+        self.tables.fits_rows(self.tokens.len(), self.words.len())?;
+        self.rebuild_wanted()?;
+        match self.model() {
+            Model::Model2 => Ok(()),
+            Model::Roles => self.tables.fits(&self.tables.trained.wanted.layout),
         }
-        self.tables.fits(self.tokens.len(), self.words.len())?;
-        self.rebuild_lengths()
     }
 
-    /// Takes note of one more machine command for a command of so many words, in what the parameters take.
+    /// Finds anew which parameters the data want now. A training must follow.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where Model 2's tables have no room. The role model's are not asked: a session may still give way for them.
+    pub(super) fn rebuild_wanted(&mut self) -> Result<(), CapacityError> {
+        self.tables.trained.wanted = Wanted::NONE;
+        match self.model() {
+            Model::Model2 => ibm2::data::rebuild(self),
+            Model::Roles => {
+                self.tables.trained.wanted.layout = self.layout_of_data();
+                Ok(())
+            }
+        }
+    }
+
+    /// Whether the tables have room for the parameters of all data.
+    pub(super) fn parameters_fit(&self) -> Result<(), CapacityError> {
+        match self.model() {
+            Model::Model2 => self.tables.fits_rows(self.tokens.len(), self.words.len()),
+            Model::Roles => self.tables.fits(&self.layout_of_data()),
+        }
+    }
+
+    /// Takes note of one more machine command for a command of so many words, in the parameters that the data want.
     ///
     /// # Errors
     /// A [`CapacityError`] where the tables have no room.
-    pub(super) fn want(&mut self, command: &[Symbol], words: usize) -> Result<(), CapacityError> {
-        if !self.settings.model.is_roles() {
-            return self.tables.add_lengths(command.len(), words);
+    fn want(&mut self, command: &[Symbol], words: usize) -> Result<(), CapacityError> {
+        match self.model() {
+            Model::Model2 => self.tables.add_lengths(command.len(), words),
+            Model::Roles => roles::data::want(self, command, words),
         }
-        let mut wanted = self.tables.trained.wanted;
-        wanted.see(command);
-        wanted.see_length(words);
-        let wanted = wanted.with(self.words.len(), self.tokens.len());
-        self.tables.read().fits_roles(self.tokens.len(), &wanted)?;
-        self.tables.trained.wanted = wanted;
-        Ok(())
     }
 
     /// Goes on with the role model's Pr(e|t), with at most about `left` table cells of work and at least one word. Returns whether all
@@ -494,8 +473,9 @@ impl<'t> LanguageMut<'t> {
         done
     }
 
-    pub(crate) fn is_model_2(&self) -> bool {
-        !self.settings.model.is_roles()
+    /// Which model it is.
+    pub(crate) const fn model(&self) -> Model {
+        self.settings.model.in_use()
     }
 
     /// Tells for each word of a command, the last first, what it was taken for where `description` was meant: its position, a meaning, and
@@ -510,31 +490,17 @@ impl<'t> LanguageMut<'t> {
         tell: impl FnMut(usize, Meaning, f32),
     ) -> Result<(), CapacityError> {
         let layout = self.tables.trained.layout;
-        if self.is_model_2() || layout.words() == 0 || self.read().is_training() {
+        if self.model() == Model::Model2 || layout.words() == 0 || self.read().is_training() {
             return Ok(());
         }
         let words: heapless::Vec<Symbol, WORDS_PER_COMMAND> =
             roles::forward::heard(&layout, sentence).take(WORDS_PER_COMMAND).map(|word| Symbol(word as u16)).collect();
         let mut wanted = layout;
         wanted.see_length(words.len());
-        self.tables.read().fits_roles(layout.tokens(), &wanted)?;
+        self.tables.fits(&wanted)?;
         let memory = &mut self.tables.memory;
         let Some((parameters, trellis)) = memory.alignments.split_at_mut_checked(layout.trellis()) else { return Ok(()) };
         roles::explanation::explain(&layout, memory.translations, parameters, trellis, &words, description, tell);
-        Ok(())
-    }
-
-    /// Lays the alignment tables out anew for the pairs of lengths that the data have now. A training must follow.
-    pub(super) fn rebuild_lengths(&mut self) -> Result<(), CapacityError> {
-        self.tables.trained.length_pairs = 0;
-        if !self.is_model_2() {
-            self.tables.trained.wanted = Layout::of(self.bitext.read(), self.words.len(), self.tokens.len());
-            return Ok(());
-        }
-        let bitext = self.bitext.read();
-        for pair in bitext.pairs() {
-            self.tables.add_lengths(bitext.command(pair.command).len(), bitext.sentence(pair.session).len())?;
-        }
         Ok(())
     }
 
@@ -548,8 +514,8 @@ impl<'t> LanguageMut<'t> {
             let word = word.ok_or(self.read().no_room_for_a_word())?;
             words.push(word).map_err(|_| CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, sentence.len()))?;
         }
-        self.tables.fits(self.tokens.len(), self.words.len())?;
-        if !self.is_model_2() {
+        self.tables.fits_rows(self.tokens.len(), self.words.len())?;
+        if self.model() == Model::Roles {
             // Its words take room even where no machine command is left to go with them.
             self.want(&[], words.len())?;
         }

@@ -21,9 +21,9 @@ pub enum Model {
 }
 
 impl Model {
-    /// Whether it is the role model. Without the feature `model2` every model in use is, and the compiler leaves out what others need.
-    pub(crate) const fn is_roles(self) -> bool {
-        !cfg!(feature = "model2") || matches!(self, Self::Roles)
+    /// The model that is built in. Without the feature `model2` it is always the role model, and the compiler leaves out the code of the other.
+    pub(crate) const fn in_use(self) -> Self {
+        if cfg!(feature = "model2") { self } else { Self::Roles }
     }
 
     /// Whether it is built in.
@@ -95,7 +95,10 @@ impl Settings {
     /// assert_eq!((Settings::SMOOTHED.letters_kept(), Settings::DEFAULT.letters_kept()), (4, 0));
     /// ```
     pub const fn letters_kept(&self) -> usize {
-        if self.model.is_roles() { 0 } else { self.word_letters as usize }
+        match self.model.in_use() {
+            Model::Model2 => self.word_letters as usize,
+            Model::Roles => 0,
+        }
     }
 
     /// Whether a model can be trained with them.

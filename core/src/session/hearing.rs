@@ -1,25 +1,15 @@
 //! How a session begins: a command becomes a belief over the tasks that are possible here (paper, Algorithm 1).
 
 use super::agent::{Agent, Position, Prior, Work};
-use super::candidates::{CandidateCount, Candidates};
+use super::candidates::CandidateCount;
 use super::error::AgentError;
-use crate::capacity::{CapacityError, LIFTED_TASKS};
 use crate::feedback::Belief;
-use crate::language::roles::forward::Reading;
-use crate::language::{LanguageMut, LanguageRef, Meaning};
-use crate::memory::{AgentMemory, AgentTables};
-use crate::oomdp::{Domain, Schema, check_actions, digest, vocabulary};
+use crate::memory::AgentMemory;
+use crate::oomdp::{Domain, check_actions, digest, vocabulary};
 use crate::planning::Progress;
 use crate::probability::Scaled;
-use crate::symbols::Symbol;
-use crate::task::description::{Scene, describe, form_token};
-use crate::task::grounded::expect_change;
-use crate::task::machine_command::{Tokens, head};
-use crate::task::{Expression, GroundedTask, LiftedTask, ground};
-use heapless::Vec;
-
-/// What is done for each machine command, with its share: one compiled copy of the loop over them serves all.
-type Each<'e> = dyn FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError> + 'e;
+use crate::task::description::Scene;
+use crate::task::{GroundedTask, LiftedTask, ground};
 
 impl<M: AgentMemory> Agent<M> {
     /// Hears a command in the state that the session starts from: the tasks possible here get their prior from the language model,
@@ -154,9 +144,7 @@ impl<M: AgentMemory> Agent<M> {
         if count == 0 {
             return Err(AgentError::NoTask);
         }
-        if self.options.language.model.is_roles() {
-            expect_change(domain, &self.lifted, state, tables.session.tasks.get_mut(..count).unwrap_or(&mut []));
-        }
+        self.expect_change(domain, state, count);
         self.plan_for(domain, count)?;
         self.task_count = count;
         self.domain = digest(domain);
@@ -173,12 +161,11 @@ impl<M: AgentMemory> Agent<M> {
     #[inline(never)]
     fn begin_to_understand<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
         self.candidates = CandidateCount::NONE;
-        let AgentTables { language, session, workspace } = self.memory.lend();
+        let session = self.memory.lend().session;
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
         Belief::new(session.belief, &mut self.belief).restart(tasks.iter().map(|task| Scaled::new(task.prior)), self.options.drift)?;
         // The tasks' own tokens come first, and what can be said of objects after them, as far as there is room.
-        let mut language = self.language.with(language, workspace);
-        intern_own_tokens(&mut language, &domain.world().schema, &self.lifted, tasks)?;
+        self.intern_own_tokens(domain)?;
         self.work = Work::Hearing(Position::of_task(0), Prior::Zero);
         Ok(())
     }
@@ -204,20 +191,7 @@ impl<M: AgentMemory> Agent<M> {
                 self.take_usage();
                 break;
             }
-            let done = match (self.options.language.model.is_roles(), &mut scene) {
-                (true, Some(scene)) => self.read_on(domain, scene, &mut position, &mut left)?,
-                (true, None) => true,
-                (false, _) => {
-                    let task = position.task;
-                    self.for_each_constraint(domain, &mut position, &mut left, &mut |candidates, language, sentence, tokens, _| {
-                        let found = match candidates.read().find(tokens) {
-                            Some(found) => found,
-                            None => candidates.add(task, tokens, language.likelihood(sentence, tokens))?,
-                        };
-                        Ok(candidates.read().entries().get(found).map_or(Scaled::ZERO, |entry| entry.likelihood))
-                    })?
-                }
-            };
+            let done = self.read_candidates(domain, &mut scene, &mut position, &mut left)?;
             if done {
                 let prior = position.sum.scaled_by(self.task(position.task).prior);
                 if !prior.is_zero() {
@@ -231,39 +205,6 @@ impl<M: AgentMemory> Agent<M> {
         Ok(Progress::Done)
     }
 
-    /// Tells for each word of the command what the role model takes it for where this task is meant, the last word first: its position, a
-    /// [`Meaning`], and the share of 1 that this meaning has. Nothing for Model 2 and before anything is learned.
-    ///
-    /// # Errors
-    /// [`AgentError::NoSession`], [`AgentError::OtherDomain`], [`AgentError::StillLearning`], and [`AgentError::Capacity`].
-    pub fn explain<D: Domain + ?Sized>(
-        &mut self,
-        domain: &D,
-        task: usize,
-        tell: impl FnMut(usize, Meaning, f32),
-    ) -> Result<(), AgentError> {
-        if self.domain != digest(domain) {
-            return Err(AgentError::OtherDomain);
-        }
-        if self.language.is_training() {
-            return Err(AgentError::StillLearning);
-        }
-        if let Work::Hearing(..) = self.work {
-            return Err(AgentError::StillHearing);
-        }
-        let start = self.start.ok_or(AgentError::NoSession)?;
-        let AgentTables { language, session, workspace } = self.memory.lend();
-        let mut language = self.language.with(language, workspace);
-        let Some(task) = session.tasks.get(..self.task_count).and_then(|tasks| tasks.get(task)) else { return Ok(()) };
-        if language.is_model_2() {
-            return Ok(());
-        }
-        let mut description = Tokens::new();
-        let mut scene = Scene::new(domain.numbered(start));
-        describe(domain, &self.lifted, task, &mut scene, language.tokens_mut(), &mut description)?;
-        Ok(language.explain(&self.sentence, &description, tell)?)
-    }
-
     /// What the descriptions of the session's tasks need to know of the state that it started from.
     pub(super) fn scene<D: Domain + ?Sized>(&self, domain: &D) -> Option<Scene<D::State>> {
         self.start.map(|start| Scene::new(domain.numbered(start)))
@@ -273,169 +214,4 @@ impl<M: AgentMemory> Agent<M> {
     pub fn started_from<D: Domain + ?Sized>(&self, domain: &D) -> Option<D::State> {
         self.start.filter(|_| self.domain == digest(domain)).map(|number| domain.numbered(number))
     }
-
-    /// Lets the role model's kind of task speak.
-    #[inline(never)]
-    fn weigh_kinds<D: Domain + ?Sized>(&mut self, domain: &D) {
-        let AgentTables { language, session, workspace } = self.memory.lend();
-        let mut language = self.language.with(language, workspace);
-        if language.is_model_2() {
-            return;
-        }
-        let mut forms: Vec<Symbol, LIFTED_TASKS> = Vec::new();
-        for lifted in &self.lifted {
-            // The tokens of this session's tasks are interned already. A kind of task that is not possible here can do without its token.
-            let form = form_token(&domain.world().schema, lifted, language.tokens_mut()).unwrap_or(Symbol(0));
-            // As many as there are lifted tasks.
-            let _ = forms.push(form);
-        }
-        let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
-        let form = |task: usize| {
-            let lifted = tasks.get(task).map_or(0, |task| usize::from(task.lifted));
-            forms.get(lifted).copied().unwrap_or(Symbol(0))
-        };
-        let prior = |task: usize| tasks.get(task).map_or(0.0, |task| task.prior);
-        let mut belief = Belief::new(session.belief, &mut self.belief);
-        language.read().weigh_kinds(&self.sentence, form, prior, belief.priors_mut());
-    }
-
-    /// Goes on with the machine commands of a task: adds Pr(c|s,l,t), which is the last argument of `each`, times what `each` returns for
-    /// the machine command to the position's sum. Returns whether all of the task's are done. For the role model, the task's description
-    /// is its only machine command.
-    pub(super) fn for_each_candidate<D: Domain + ?Sized>(
-        &mut self,
-        domain: &D,
-        scene: &mut Option<Scene<D::State>>,
-        position: &mut Position,
-        left: &mut u32,
-        mut each: impl FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError>,
-    ) -> Result<bool, AgentError> {
-        match (self.options.language.model.is_roles(), scene) {
-            (true, Some(scene)) => self.with_description(domain, scene, position, left, each).map(|()| true),
-            (true, None) => Ok(true),
-            (false, _) => self.for_each_constraint(domain, position, left, &mut each),
-        }
-    }
-
-    /// Goes on with Pr(e|t) of the role model for the task at the position, which keeps how far it is. Returns whether it is done.
-    #[inline(never)]
-    fn read_on<D: Domain + ?Sized>(
-        &mut self,
-        domain: &D,
-        scene: &mut Scene<D::State>,
-        position: &mut Position,
-        left: &mut u32,
-    ) -> Result<bool, AgentError> {
-        let AgentTables { language, session, workspace } = self.memory.lend();
-        let mut language = self.language.with(language, workspace);
-        let Some(task) = session.tasks.get(position.task) else { return Ok(true) };
-        let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
-        let added = match candidates.read().added_for(position.task) {
-            Some(added) => added,
-            None => {
-                let mut description = Tokens::new();
-                describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?;
-                *left = left.saturating_sub(description.len() as u32);
-                if let Some(entry) = candidates.read().find(&description).and_then(|found| candidates.read().entries().get(found)) {
-                    position.sum = entry.likelihood;
-                    return Ok(true);
-                }
-                let added = candidates.add(position.task, &description, Scaled::ZERO)?;
-                if *left == 0 {
-                    return Ok(false);
-                }
-                added
-            }
-        };
-        let mut reading = match position.constraint {
-            0 => Reading::START,
-            words => Reading { words, probability: position.sum },
-        };
-        let read = candidates.read();
-        let description = read.entries().get(added).map_or(&[][..], |entry| read.tokens(entry));
-        let done = language.likelihood_on(&self.sentence, description, &mut reading, left);
-        (position.constraint, position.sum) = (reading.words, reading.probability);
-        if let Some(entry) = candidates.entry_mut(added).filter(|_| done) {
-            entry.likelihood = reading.probability;
-        }
-        Ok(done)
-    }
-
-    #[inline(never)]
-    fn with_description<D: Domain + ?Sized>(
-        &mut self,
-        domain: &D,
-        scene: &mut Scene<D::State>,
-        position: &mut Position,
-        left: &mut u32,
-        mut each: impl FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError>,
-    ) -> Result<(), AgentError> {
-        let AgentTables { language, session, workspace } = self.memory.lend();
-        let mut language = self.language.with(language, workspace);
-        let Some(task) = session.tasks.get(position.task) else { return Ok(()) };
-        let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
-        let mut description = Tokens::new();
-        let read = candidates.read();
-        match read.added_for(position.task).and_then(|added| read.entries().get(added)) {
-            Some(entry) => {
-                let _ = description.extend_from_slice(read.tokens(entry));
-            }
-            None => describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?,
-        }
-        let value = each(&mut candidates, language.read(), &self.sentence, &description, 1.0)?;
-        position.sum = position.sum.plus(value);
-        let cells = description.len().saturating_mul(self.sentence.len().max(1)).saturating_mul(4);
-        *left = left.saturating_sub(cells as u32);
-        Ok(())
-    }
-
-    #[inline(never)]
-    fn for_each_constraint<D: Domain + ?Sized>(
-        &mut self,
-        domain: &D,
-        position: &mut Position,
-        left: &mut u32,
-        each: &mut Each<'_>,
-    ) -> Result<bool, AgentError> {
-        let AgentTables { language, session, workspace } = self.memory.lend();
-        let mut language = self.language.with(language, workspace);
-        let Some(task) = session.tasks.get(position.task) else { return Ok(true) };
-        let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { return Ok(true) };
-        let order = language.read().settings().order;
-        // Left where it was made, and the tokens too: taken out of their results, they would stand on the stack twice.
-        let expression = Expression::new(domain, lifted, task, order, language.tokens_mut());
-        let expression = expression.as_ref().map_err(|error| *error)?;
-        let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
-        let mut tokens = Tokens::new();
-        let share = 1.0 / f32::from(expression.constraints());
-        while position.constraint < expression.constraints() && *left > 0 {
-            expression.write_machine_command(position.constraint, &mut tokens)?;
-            let value = each(&mut candidates, language.read(), &self.sentence, &tokens, share)?;
-            position.sum = position.sum.plus(value.scaled_by(share));
-            position.constraint = position.constraint.saturating_add(1);
-            let cells = tokens.len().saturating_add(1).saturating_mul(self.sentence.len().max(1));
-            *left = left.saturating_sub(cells as u32);
-        }
-        Ok(position.constraint >= expression.constraints())
-    }
-}
-
-/// Interns the tokens of the lifted tasks that `tasks` ground: those of a machine command's propositions and classes, or of a description.
-#[inline(never)]
-fn intern_own_tokens(
-    language: &mut LanguageMut<'_>,
-    schema: &Schema<'_>,
-    lifted: &[LiftedTask],
-    tasks: &[GroundedTask],
-) -> Result<(), CapacityError> {
-    let is_model_2 = language.is_model_2();
-    for (position, lifted) in lifted.iter().enumerate() {
-        if tasks.iter().any(|task| usize::from(task.lifted) == position) {
-            match is_model_2 {
-                true => head(schema, lifted, language.tokens_mut()).map(drop)?,
-                false => form_token(schema, lifted, language.tokens_mut()).map(drop)?,
-            }
-        }
-    }
-    Ok(())
 }

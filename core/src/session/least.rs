@@ -1,22 +1,18 @@
 //! The least capacities for a domain and a number of lessons.
 
-use super::agent::{Agent, Position};
-use super::candidates::CandidateCount;
+use super::agent::Agent;
 use super::error::AgentError;
 #[cfg(feature = "alloc")]
 use crate::capacity::CapacityError;
-use crate::capacity::{Capacities, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
+use crate::capacity::{Capacities, WORDS_PER_COMMAND};
 #[cfg(feature = "alloc")]
 use crate::language::for_each_piece;
 use crate::language::forgetting::with_free_part;
 use crate::language::roles::Layout;
 use crate::memory::{AgentMemory, AgentTables};
-use crate::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, SearchKind, World};
+use crate::oomdp::{Domain, SearchKind};
 use crate::planning::Planner;
-use crate::probability::Scaled;
-use crate::task::description::{Scene, describe, groups};
 use crate::task::ground_unless;
-use crate::task::machine_command::Tokens;
 #[cfg(feature = "alloc")]
 use alloc::{collections::BTreeSet, string::String};
 
@@ -48,6 +44,11 @@ impl Lessons {
         Self { sessions, words, different_words, word_bytes: different_words.saturating_mul(12) }
     }
 
+    /// The most words of one command that are heard.
+    pub(super) fn heard_words(&self) -> usize {
+        self.words.min(WORDS_PER_COMMAND)
+    }
+
     /// What these commands take, each of them a session of its own, as the role model hears them.
     ///
     /// ```
@@ -77,61 +78,11 @@ impl Lessons {
     }
 }
 
-/// A domain in which every proposition holds, or none.
-struct Constant<'d, D: ?Sized> {
-    domain: &'d D,
-    holds: bool,
-}
-
-impl<D: Domain + ?Sized> Domain for Constant<'_, D> {
-    type State = ();
-    type Search = OneByOne;
-
-    fn world(&self) -> World<'_> {
-        self.domain.world()
-    }
-
-    fn actions(&self) -> &[ActionKind<'_>] {
-        &[]
-    }
-
-    fn step(&self, (): &(), _action: Action) -> Option<()> {
-        None
-    }
-
-    fn holds(&self, _proposition: &GroundProposition, (): &()) -> bool {
-        self.holds
-    }
-
-    fn state_count(&self) -> u64 {
-        1
-    }
-
-    fn number(&self, (): &()) -> u64 {
-        0
-    }
-
-    fn numbered(&self, _number: u64) {}
-}
-
-/// What the machine commands of all tasks take.
-#[derive(Clone, Copy, Default)]
-struct MachineCommands {
-    /// How many one session can have, and their tokens together.
-    candidates: usize,
-    candidate_tokens: usize,
-    /// How many the training data can have, and their tokens together.
-    commands: usize,
-    command_tokens: usize,
-    alignments: usize,
-    length_pairs: usize,
-}
-
 /// What was found of the worlds that were looked at.
-struct Survey {
-    least: Capacities,
+pub(super) struct Survey {
+    pub(super) least: Capacities,
     /// What the descriptions speak of.
-    layout: Layout,
+    pub(super) layout: Layout,
 }
 
 impl<M: AgentMemory> Agent<M> {
@@ -228,41 +179,11 @@ impl<M: AgentMemory> Agent<M> {
         let grounded = session.tasks.get(..tasks).unwrap_or(&[]);
         let (ground_propositions, states) = Planner::needs(&mut session.goals, domain, &self.lifted, grounded)?;
         self.task_count = tasks;
-        let words = lessons.words.min(WORDS_PER_COMMAND);
-        let (layout, mut longest) = (&mut survey.layout, 0);
-        let mut commands = MachineCommands::default();
-        if self.options.language.model.is_roles() {
-            for task in 0..tasks {
-                longest = longest.max(self.longest_description(domain, task, layout)?);
-            }
-        } else {
-            commands = self.machine_commands(domain, lessons.sessions, words)?;
-        }
-        let language = self.language();
-        let (tokens, token_bytes) = language.usage_of_tokens();
+        let commands = self.most_machine_commands(domain, lessons, known, survey)?;
+        let (tokens, token_bytes) = self.language().usage_of_tokens();
         let (tokens, token_bytes) = (tokens.saturating_sub(known), token_bytes.saturating_sub(known_bytes));
-        if self.options.language.model.is_roles() {
-            // Where the robot and its things are at the start decides what a task's description says: each session can have its own.
-            layout.see_length(words);
-            let descriptions = lessons.sessions.saturating_mul(tasks);
-            commands = MachineCommands {
-                candidates: tasks,
-                candidate_tokens: tasks.saturating_mul(longest),
-                commands: descriptions,
-                command_tokens: descriptions.saturating_mul(longest),
-                alignments: (*layout).with(lessons.different_words, tokens).cells(),
-                length_pairs: 0,
-            };
-        }
         let strategies = self.belief().strategies().len();
         let before = survey.least;
-        if !self.options.language.model.is_roles() {
-            // Other worlds have other machine commands.
-            commands.commands = commands.commands.saturating_add(before.commands);
-            commands.command_tokens = commands.command_tokens.saturating_add(before.command_tokens);
-            commands.alignments = commands.alignments.saturating_add(before.alignments);
-            commands.length_pairs = commands.length_pairs.saturating_add(before.length_pairs);
-        }
         let mut least = Capacities {
             cells: D::Search::grid(domain).map_or(0, cells),
             tasks,
@@ -279,7 +200,7 @@ impl<M: AgentMemory> Agent<M> {
             commands: commands.commands,
             command_tokens: commands.command_tokens,
             sessions: lessons.sessions,
-            sentence_words: lessons.sessions.saturating_mul(words),
+            sentence_words: lessons.sessions.saturating_mul(lessons.heard_words()),
             pairs: lessons.sessions.saturating_mul(commands.candidates),
             translations: tokens.saturating_add(1).saturating_mul(lessons.different_words),
             alignments: commands.alignments,
@@ -289,55 +210,6 @@ impl<M: AgentMemory> Agent<M> {
         domain.world().objects.usage(&mut least);
         survey.least = before.at_least(least);
         Ok(())
-    }
-
-    /// Model 2's machine commands are the same whatever the state.
-    fn machine_commands<D: Domain + ?Sized>(&mut self, domain: &D, sessions: usize, words: usize) -> Result<MachineCommands, AgentError> {
-        self.candidates = CandidateCount::NONE;
-        for task in 0..self.task_count {
-            let mut position = Position::of_task(task);
-            while !self.for_each_candidate(domain, &mut None, &mut position, &mut { u32::MAX }, |candidates, _, _, tokens, _| {
-                if candidates.read().find(tokens).is_none() {
-                    candidates.add(task, tokens, Scaled::ZERO)?;
-                }
-                Ok(Scaled::ZERO)
-            })? {}
-        }
-        // Of the lengths that commands can have, the longest take the most cells.
-        let different = sessions.min(words);
-        let english = (0..different).fold(0_usize, |sum, shorter| sum.saturating_add(words.saturating_sub(shorter)));
-        let candidates = self.candidates();
-        let has_length = |length: usize| candidates.entries().iter().any(|entry| candidates.tokens(entry).len() == length);
-        let (mut alignments, mut length_pairs) = (0_usize, 0_usize);
-        for length in (0..=TOKENS_PER_COMMAND).filter(|&length| has_length(length)) {
-            alignments = alignments.saturating_add(length.saturating_add(1).saturating_mul(english));
-            length_pairs = length_pairs.saturating_add(different);
-        }
-        let (count, tokens) = (candidates.entries().len(), candidates.all_tokens().len());
-        let (commands, command_tokens) = if sessions == 0 { (0, 0) } else { (count, tokens) };
-        Ok(MachineCommands { candidates: count, candidate_tokens: tokens, commands, command_tokens, alignments, length_pairs })
-    }
-
-    /// The most symbols that a task's description can have, whatever holds at the start. Takes note of what descriptions speak of.
-    fn longest_description<D: Domain + ?Sized>(&mut self, domain: &D, task: usize, layout: &mut Layout) -> Result<usize, AgentError> {
-        let AgentTables { language, session, workspace } = self.memory.lend();
-        let mut language = self.language.with(language, workspace);
-        let Some(task) = session.tasks.get(task) else { return Ok(0) };
-        let mut length = 1_usize;
-        for holds in [true, false] {
-            let mut description = Tokens::new();
-            let constant = Constant { domain, holds };
-            describe(&constant, &self.lifted, task, &mut Scene::new(()), language.tokens_mut(), &mut description)?;
-            layout.see(&description);
-            // What has no role of its own is most where nothing holds, and everything else where all does.
-            let counts = |of_others: bool| of_others != holds;
-            let longest = groups(&description).filter(|group| counts(group.marker.role.kind().is_of_others()));
-            length = longest.fold(length, |sum, group| sum.saturating_add(group.values.len()).saturating_add(1));
-            if description.is_full() {
-                length = TOKENS_PER_COMMAND;
-            }
-        }
-        Ok(length.min(TOKENS_PER_COMMAND))
     }
 }
 

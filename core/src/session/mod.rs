@@ -1,6 +1,7 @@
 //! The training session (paper, Algorithm 1): from a command to tasks, actions, feedback, and a language model that has learned.
 //!
 //! - `candidates`: the machine commands that this session's tasks can be expressed by, and how well each explains the command;
+//! - `machine_commands`: those machine commands, by language model;
 //! - `agent`: the robot's mind: plans, decides, takes feedback;
 //! - `done`: the last actions, which a word may be about;
 //! - `hearing`: how it hears a command;
@@ -18,6 +19,7 @@ mod hearing;
 mod hypotheses;
 pub(crate) mod learning;
 pub(crate) mod least;
+mod machine_commands;
 pub(crate) mod options;
 mod ways;
 

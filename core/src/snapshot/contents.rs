@@ -9,7 +9,7 @@ use crate::capacity::{Capacities, NAME_BYTES, TOKENS_PER_COMMAND};
 use crate::checksum::CHECK;
 use crate::feedback::Strategy;
 use crate::language::Model;
-use crate::language::lengths::SeenLengths;
+use crate::language::ibm2::lengths::SeenLengths;
 use crate::language::roles::Layout;
 use crate::language::settings::is_weight;
 use crate::language::tokenizer::word_form;

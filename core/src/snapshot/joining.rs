@@ -113,7 +113,7 @@ impl LanguageMut<'_> {
         let mut sentence: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
         for &word in &session.words {
             // As many as the record has, so they fit.
-            let _ = sentence.push(self.take_word(texts.words.get(usize::from(word)).unwrap_or(""))?);
+            let _ = sentence.push(self.take_word(texts.words.get(usize::from(word)).unwrap_or(""), 0)?);
         }
         self.bitext_mut().add_session(&sentence)?;
         for pair in pairs {

@@ -535,10 +535,9 @@ impl Reading {
 
 /// Pr(e|t); 1 for an untrained model. `tell` is told the position of each word, and the probability of it after those before.
 #[inline(never)]
-pub fn likelihood(
+pub(crate) fn likelihood(
     layout: &Layout,
-    translations: &[f32],
-    alignments: &[f32],
+    (translations, alignments): (&[f32], &[f32]),
     sentence: &[Option<Symbol>],
     description: &[Symbol],
     tell: impl FnMut(usize, f32),
@@ -585,7 +584,7 @@ mod tests {
         let description = [Symbol(0), role(RoleKind::Goal, 0), Symbol(1), role(RoleKind::Start, 1), Symbol(2)];
         let sentence = [Some(Symbol(0)), None, Some(Symbol(0)), None];
         let mut alignments = std::vec![0.5; layout.trellis() + 1];
-        let whole = likelihood(&layout, &[0.25], &alignments, &sentence, &description, |_, _| {});
+        let whole = likelihood(&layout, (&[0.25], &alignments), &sentence, &description, |_, _| {});
         let mut reading = Reading::START;
         while !likelihood_on(&layout, &[0.25], &mut alignments, &sentence, &description, &mut reading, 1) {}
         assert_eq!(reading.probability, whole);

@@ -10,12 +10,13 @@
 //! ```
 
 use super::layout::{Layout, cell, get, get_mut};
-use crate::capacity::LIFTED_TASKS;
+use crate::capacity::{LIFTED_TASKS, WORDS_PER_COMMAND};
 use crate::language::bitext::BitextRef;
-use crate::language::tables::Cells;
-use crate::probability::{exp, square_root};
+use crate::language::tables::{Cells, TablesRef};
+use crate::probability::{Scaled, exp, square_root, total};
 use crate::symbols::Symbol;
 use crate::task::description::form;
+use heapless::Vec;
 
 /// Batches: so many that more change little. After 30 the weights of rare words are still on their way.
 pub(super) const BATCHES: u32 = 100;
@@ -25,6 +26,8 @@ const PULL: f32 = 0.5;
 
 /// So many words of a command weigh as much as one different word.
 const WORDS_OF_LENGTH: f32 = 8.0;
+/// The weight of an unknown word, relative to a word that says nothing of the task.
+const UNKNOWN_SAYS_NOTHING: f32 = 0.5;
 /// What each row has behind its words: the constant, and the weight of the length.
 pub(super) const BEHIND_WORDS: usize = 2;
 
@@ -86,8 +89,51 @@ impl Kinds {
     }
 }
 
-/// Adds one session's part of the batch. The gradient stands in the counts of the lifted tasks' rows, what is behind the words in those of
-/// how common the words are.
+/// With weights of pi_t Pr(e|t) for tasks of lifted tasks with these tokens, makes of them
+///
+/// ```text
+/// q_l(e) pi_t Pr(e|t) / Z_l^(1/2),   Z_l the sum of pi_t Pr(e|t) over the tasks of the kind,
+/// ```
+///
+/// with Z_l^(3/4) where tasks have ways, whose kinds differ by few words. Half the share of unknown words falls back to the task prior.
+/// An untrained model leaves the weights as they are.
+pub(crate) fn weigh(
+    tables: TablesRef<'_>,
+    sentence: &[Option<Symbol>],
+    form: impl Fn(usize) -> Symbol,
+    prior: impl Fn(usize) -> f32,
+    weights: &mut [Scaled],
+) {
+    let (count, layout) = (weights.len(), tables.layout());
+    if layout.words() == 0 {
+        return;
+    }
+    let known: Vec<Symbol, WORDS_PER_COMMAND> =
+        sentence.iter().copied().flatten().filter(|word| word.index() < layout.words()).take(WORDS_PER_COMMAND).collect();
+    let kinds = Kinds::of(layout, tables.cells().1, &known, sentence.len().saturating_sub(known.len()));
+    for first in 0..count {
+        let token = form(first);
+        if (0..first).any(|before| form(before) == token) {
+            continue;
+        }
+        let whole = total(weights.iter().enumerate().filter(|&(task, _)| form(task) == token).map(|(_, &weight)| weight));
+        let root = whole.square_root();
+        let root = if layout.has_ways() { root.times(root.square_root()) } else { root };
+        let kind = kinds.share(layout, token);
+        for (_, weight) in weights.iter_mut().enumerate().filter(|&(task, _)| form(task) == token) {
+            *weight = weight.divided_by(root).scaled_by(kind);
+        }
+    }
+    let whole = total(weights.iter().copied());
+    let unknown = UNKNOWN_SAYS_NOTHING * tables.unknown_share(sentence);
+    if !whole.is_zero() && unknown > 0.0 {
+        for (task, weight) in weights.iter_mut().enumerate() {
+            *weight = weight.scaled_by(1.0 - unknown).plus(whole.scaled_by(unknown * prior(task)));
+        }
+    }
+}
+
+/// Adds one session's part of the batch. Gradients accumulate in the lifted tasks' count rows; bias and length reuse the counts of `common`.
 pub(super) fn count(layout: &Layout, bitext: BitextRef<'_>, session: u16, t: &mut Cells<'_>, a: &mut Cells<'_>) {
     let sentence = bitext.sentence(session);
     let length = length(sentence.len());

@@ -21,8 +21,10 @@
 //! - `start`: where training begins, from how often words and values come together;
 //! - [`training`]: expectation maximisation, in parts;
 //! - [`kind`]: which kind of task the words speak of, whatever is in the scene;
+//! - `data`: the room that training data take;
 //! - [`explanation`]: what each word was taken for.
 
+pub(crate) mod data;
 pub mod explanation;
 pub mod forward;
 pub mod kind;

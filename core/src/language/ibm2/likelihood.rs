@@ -1,12 +1,12 @@
 //! Pr(e|m), exactly: the product over the words of the sum over the tokens, NULL included, of a(j|i,l,n) t(e_i|m_j).
 
-use super::tables::TablesRef;
+use crate::language::tables::TablesRef;
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
 
-/// Pr(e|m) of an English command given a machine command; 1 for an untrained model. A word that the model was not trained on is skipped:
-/// it keeps its place in the sentence and says nothing.
-pub fn likelihood(tables: TablesRef<'_>, sentence: &[Option<Symbol>], command: &[Symbol]) -> Scaled {
+/// Pr(e|m) of an English command given a machine command, times Pr(n|l) with `length`; 1 for an untrained model. A word that the model was
+/// not trained on is skipped: it keeps its place in the sentence and says nothing.
+pub(crate) fn likelihood(tables: TablesRef<'_>, sentence: &[Option<Symbol>], command: &[Symbol], length: bool) -> Scaled {
     let width = command.len().saturating_add(1);
     let uniform = 1.0 / width as f32;
     let table = tables.alignment_table(command.len(), sentence.len());
@@ -23,7 +23,7 @@ pub fn likelihood(tables: TablesRef<'_>, sentence: &[Option<Symbol>], command: &
         };
         product = product.scaled_by(sum);
     }
-    product
+    if length { product.scaled_by(length_likelihood(tables, command.len(), sentence.len())) } else { product }
 }
 
 /// The sum over the tokens, NULL first, of the token's alignment times its translation into a word that the model knows.
@@ -39,7 +39,7 @@ fn explained(tables: TablesRef<'_>, word: Symbol, command: &[Symbol], mut alignm
 
 /// Pr(n|l): the weighted share of the English length among the data of this machine length; 0 for lengths never seen together, 1 for an
 /// untrained model.
-pub fn length_likelihood(tables: TablesRef<'_>, machine: usize, english: usize) -> f32 {
+fn length_likelihood(tables: TablesRef<'_>, machine: usize, english: usize) -> f32 {
     if tables.words() == 0 {
         return 1.0;
     }

@@ -1,0 +1,63 @@
+//! Room for the training data: a table of alignments for each pair of lengths.
+
+use super::lengths::SeenLengths;
+use crate::capacity::{Capacities, CapacityError};
+use crate::language::forgetting::{Alone, LEAST_KEPT, LIGHT};
+use crate::language::model::LanguageMut;
+use crate::language::tables::TablesRef;
+use crate::symbols::Symbol;
+
+/// Lays the alignment tables out anew for the pairs of lengths that the data have now.
+///
+/// # Errors
+/// A [`CapacityError`] where there is no room for one.
+pub(crate) fn rebuild(language: &mut LanguageMut<'_>) -> Result<(), CapacityError> {
+    language.tables.trained.wanted.length_pairs = 0;
+    let bitext = language.bitext.read();
+    for pair in bitext.pairs() {
+        language.tables.add_lengths(bitext.command(pair.command).len(), bitext.sentence(pair.session).len())?;
+    }
+    Ok(())
+}
+
+/// Adds a session. Where the alignment tables are full, its lighter machine commands are left out if they need a table of their own.
+///
+/// # Errors
+/// A [`CapacityError`]; some of it may have been added.
+pub(crate) fn add<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
+    language: &mut LanguageMut<'_>,
+    words: &[Symbol],
+    pairs: impl Fn() -> I,
+) -> Result<(), CapacityError> {
+    language.bitext.add_session(words)?;
+    for (command, _) in pairs().filter(|&(_, weight)| weight >= LIGHT) {
+        language.tables.add_lengths(command.len(), words.len())?;
+    }
+    let mut left_out = None;
+    for (command, _) in pairs() {
+        left_out = language.tables.add_lengths(command.len(), words.len()).err().or(left_out);
+    }
+    let has_table = |tables: TablesRef<'_>, command: &[Symbol]| tables.length_pair(command.len(), words.len()).is_some();
+    let mut kept = 1.0;
+    if let Some(error) = left_out {
+        kept = pairs().filter(|(command, _)| has_table(language.tables.read(), command)).map(|(_, weight)| weight).sum();
+        if kept < LEAST_KEPT {
+            return Err(error);
+        }
+    }
+    for (command, weight) in pairs().filter(|(command, _)| has_table(language.tables.read(), command)) {
+        language.bitext.add_pair(command, if left_out.is_some() { weight / kept } else { weight })?;
+    }
+    Ok(())
+}
+
+/// The room that a session takes by itself.
+pub(crate) fn needs_alone<'a>(alone: &Alone, pairs: impl Iterator<Item = (&'a [Symbol], f32)>) -> Capacities {
+    let (mut count, mut command_tokens, mut lengths) = (0_usize, 0_usize, SeenLengths::new());
+    for (command, _) in pairs {
+        count = count.saturating_add(1);
+        command_tokens = command_tokens.saturating_add(command.len());
+        lengths.see(command.len(), alone.sentence);
+    }
+    Capacities { pairs: count, commands: count, command_tokens, length_pairs: lengths.pairs, alignments: lengths.cells, ..Capacities::NONE }
+}

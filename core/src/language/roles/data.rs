@@ -1,0 +1,80 @@
+//! Room for the training data: the parameters of all that their descriptions speak of.
+
+use super::layout::Layout;
+use crate::capacity::{Capacities, Capacity, CapacityError};
+use crate::language::forgetting::{Alone, LEAST_KEPT, LIGHT};
+use crate::language::model::LanguageMut;
+use crate::language::tables::Tables;
+use crate::symbols::Symbol;
+
+impl LanguageMut<'_> {
+    /// The parameters of all data.
+    pub(in crate::language) fn layout_of_data(&self) -> Layout {
+        Layout::of(self.bitext.read(), self.words.len(), self.tokens.len())
+    }
+}
+
+impl Tables<'_> {
+    /// Whether there is room for these parameters.
+    pub(in crate::language) fn fits(&self, layout: &Layout) -> Result<(), CapacityError> {
+        self.fits_rows(layout.tokens(), layout.words())?;
+        let (room, cells) = (self.memory.alignments.len(), layout.cells());
+        if cells > room { Err(CapacityError::new(Capacity::Alignments, room, cells)) } else { Ok(()) }
+    }
+}
+
+/// Makes room for a description of a command of so many words.
+///
+/// # Errors
+/// A [`CapacityError`] where there is none; nothing has changed then.
+pub(crate) fn want(language: &mut LanguageMut<'_>, description: &[Symbol], words: usize) -> Result<(), CapacityError> {
+    let mut wanted = language.tables.trained.wanted.layout;
+    wanted.see(description);
+    wanted.see_length(words);
+    let wanted = wanted.with(language.words.len(), language.tokens.len());
+    language.tables.fits(&wanted)?;
+    language.tables.trained.wanted.layout = wanted;
+    Ok(())
+}
+
+/// Adds a session. Its lighter descriptions are left out where not all have room. The parameters get room together with the vocabulary.
+///
+/// # Errors
+/// A [`CapacityError`]; some of it may have been added.
+pub(crate) fn add<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
+    language: &mut LanguageMut<'_>,
+    words: &[Symbol],
+    pairs: impl Fn() -> I,
+) -> Result<(), CapacityError> {
+    let before = language.bitext.extent();
+    let Err(full) = add_heavy(language, words, &pairs, 0.0, 1.0) else { return Ok(()) };
+    language.bitext.rewind(before);
+    let kept: f32 = pairs().map(|(_, weight)| weight).filter(|&weight| weight >= LIGHT).sum();
+    if kept < LEAST_KEPT { Err(full) } else { add_heavy(language, words, &pairs, LIGHT, kept) }
+}
+
+fn add_heavy<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
+    language: &mut LanguageMut<'_>,
+    words: &[Symbol],
+    pairs: &impl Fn() -> I,
+    least: f32,
+    whole: f32,
+) -> Result<(), CapacityError> {
+    language.bitext.add_session(words)?;
+    pairs()
+        .filter(|&(_, weight)| weight >= least)
+        .try_for_each(|(description, weight)| language.bitext.add_pair(description, weight / whole))
+}
+
+/// The room that a session takes by itself, with one of its descriptions.
+pub(crate) fn needs_alone<'a>(alone: &Alone, pairs: impl Iterator<Item = (&'a [Symbol], f32)>) -> Capacities {
+    let mut layout = Layout::NONE.with(alone.words, alone.tokens);
+    layout.see_length(alone.sentence);
+    let mut longest = None;
+    for (description, _) in pairs {
+        layout.see(description);
+        longest = longest.max(Some(description.len()));
+    }
+    let count = usize::from(longest.is_some());
+    Capacities { pairs: count, commands: count, command_tokens: longest.unwrap_or(0), alignments: layout.cells(), ..Capacities::NONE }
+}

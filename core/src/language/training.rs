@@ -1,0 +1,109 @@
+//! A training, in steps as large as the caller allows. What each step does is the model's own: [`ibm2::training`](super::ibm2) and
+//! [`roles::training`](super::roles::training).
+
+use super::bitext::BitextRef;
+use super::ibm2;
+use super::roles::training::Work;
+use super::roles::{self, Layout};
+use super::settings::{Model, Settings};
+use super::tables::Tables;
+use crate::planning::Progress;
+
+/// Where the training stands.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Phase {
+    #[default]
+    Done,
+    /// The tables take their new sizes.
+    Start,
+    Model2(ibm2::training::Part),
+    Roles(roles::training::Part),
+}
+
+impl Phase {
+    const fn of_model_2(part: ibm2::training::Part) -> Self {
+        if let ibm2::training::Part::Done = part { Self::Done } else { Self::Model2(part) }
+    }
+}
+
+/// A training, under way or done.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Training {
+    phase: Phase,
+    round: u32,
+}
+
+impl Training {
+    /// No training is under way.
+    pub(super) const DONE: Self = Self { phase: Phase::Done, round: 0 };
+
+    /// Begins, for so many words and tokens. The caller has made sure that the tables have room. Without words there is nothing to train.
+    pub(super) fn begin(tables: &mut Tables<'_>, bitext: BitextRef<'_>, words: usize, tokens: usize, settings: &Settings) -> Self {
+        (tables.trained.words, tables.trained.tokens) = (words, tokens);
+        let is_nothing = words == 0 || (settings.rounds == 0 && settings.model.in_use() == Model::Model2);
+        Self { phase: if is_nothing { start(tables, bitext, settings) } else { Phase::Start }, round: 0 }
+    }
+
+    /// Whether it has come to its end.
+    pub fn is_done(&self) -> bool {
+        self.phase == Phase::Done
+    }
+
+    /// The round under way, from 0.
+    pub fn round(&self) -> u32 {
+        self.round
+    }
+
+    /// Goes on, with at most about `budget` table cells of work: at least one pair, row or alignment table, or of the role model one memory of
+    /// a word. The first call also sizes the tables, regardless of the budget.
+    pub(super) fn advance(&mut self, tables: &mut Tables<'_>, bitext: BitextRef<'_>, settings: &Settings, budget: u32) -> Progress {
+        let mut left = budget.max(1) as usize;
+        if self.phase == Phase::Start {
+            self.phase = start(tables, bitext, settings);
+            left = left.saturating_sub(tables.trained.words.saturating_mul(tables.trained.tokens));
+        }
+        let (layout, tokens) = (tables.trained.layout, tables.trained.tokens);
+        while left > 0 {
+            let (work, next) = match self.phase {
+                Phase::Done | Phase::Start => return Progress::Done,
+                Phase::Model2(part) => {
+                    let (cells, next) = ibm2::training::advance(tables, bitext, part, &mut self.round, settings);
+                    (cells, Phase::of_model_2(next))
+                }
+                Phase::Roles(part) => {
+                    let (t, a) = tables.parts();
+                    let mut work = Work { layout: &layout, tokens, bitext, t, a };
+                    let (cells, next) = work.advance(part, &mut self.round, settings.rounds, left);
+                    (cells, if next == roles::training::Part::Done { Phase::Done } else { Phase::Roles(next) })
+                }
+            };
+            self.phase = next;
+            left = left.saturating_sub(work.max(1));
+        }
+        if self.is_done() { Progress::Done } else { Progress::Working }
+    }
+}
+
+/// Gives the tables their new sizes.
+#[inline(never)]
+fn start(tables: &mut Tables<'_>, bitext: BitextRef<'_>, settings: &Settings) -> Phase {
+    let (words, tokens) = (tables.trained.words, tables.trained.tokens);
+    match settings.model.in_use() {
+        Model::Model2 => {
+            tables.trained.layout = Layout::NONE;
+            tables.clear_counts();
+            Phase::of_model_2(ibm2::training::start(tables, bitext, settings))
+        }
+        Model::Roles => {
+            tables.trained.layout = Layout::of(bitext, words, tokens);
+            tables.clear_counts();
+            if words == 0 {
+                return Phase::Done;
+            }
+            let layout = tables.trained.layout;
+            let (t, a) = tables.parts();
+            Work { layout: &layout, tokens, bitext, t, a }.clear();
+            Phase::Roles(roles::training::Part::Count(0))
+        }
+    }
+}

@@ -1,0 +1,233 @@
+//! A task as one description of all that can be said of it in the state where the session starts, for the role model.
+
+use super::MachineCommands;
+use crate::capacity::{CapacityError, LIFTED_TASKS, TOKENS_PER_COMMAND};
+use crate::feedback::Belief;
+use crate::language::roles::Layout;
+use crate::language::roles::forward::Reading;
+use crate::language::{LanguageRef, Meaning, Model};
+use crate::memory::{AgentMemory, AgentTables};
+use crate::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, World, digest};
+use crate::probability::Scaled;
+use crate::session::agent::{Agent, Position, Work};
+use crate::session::candidates::Candidates;
+use crate::session::error::AgentError;
+use crate::session::least::{Lessons, Survey};
+use crate::symbols::Symbol;
+use crate::task::description::{Scene, describe, form_token, groups};
+use crate::task::machine_command::Tokens;
+use heapless::Vec;
+
+/// A domain in which every proposition holds, or none.
+struct Constant<'d, D: ?Sized> {
+    domain: &'d D,
+    holds: bool,
+}
+
+impl<D: Domain + ?Sized> Domain for Constant<'_, D> {
+    type State = ();
+    type Search = OneByOne;
+
+    fn world(&self) -> World<'_> {
+        self.domain.world()
+    }
+
+    fn actions(&self) -> &[ActionKind<'_>] {
+        &[]
+    }
+
+    fn step(&self, (): &(), _action: Action) -> Option<()> {
+        None
+    }
+
+    fn holds(&self, _proposition: &GroundProposition, (): &()) -> bool {
+        self.holds
+    }
+
+    fn state_count(&self) -> u64 {
+        1
+    }
+
+    fn number(&self, (): &()) -> u64 {
+        0
+    }
+
+    fn numbered(&self, _number: u64) {}
+}
+
+impl<M: AgentMemory> Agent<M> {
+    /// Goes on with Pr(e|t) for the task at the position, which keeps how far it is: in `constraint` the words read, in `sum` how probable they
+    /// are. Returns whether it is done.
+    #[inline(never)]
+    pub(super) fn read_description<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        scene: &mut Scene<D::State>,
+        position: &mut Position,
+        left: &mut u32,
+    ) -> Result<bool, AgentError> {
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let Some(task) = session.tasks.get(position.task) else { return Ok(true) };
+        let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
+        let added = match candidates.read().added_for(position.task) {
+            Some(added) => added,
+            None => {
+                let mut description = Tokens::new();
+                describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?;
+                *left = left.saturating_sub(description.len() as u32);
+                if let Some(entry) = candidates.read().find(&description).and_then(|found| candidates.read().entries().get(found)) {
+                    position.sum = entry.likelihood;
+                    return Ok(true);
+                }
+                let added = candidates.add(position.task, &description, Scaled::ZERO)?;
+                if *left == 0 {
+                    return Ok(false);
+                }
+                added
+            }
+        };
+        let mut reading = match position.constraint {
+            0 => Reading::START,
+            words => Reading { words, probability: position.sum },
+        };
+        let read = candidates.read();
+        let description = read.entries().get(added).map_or(&[][..], |entry| read.tokens(entry));
+        let done = language.likelihood_on(&self.sentence, description, &mut reading, left);
+        (position.constraint, position.sum) = (reading.words, reading.probability);
+        if let Some(entry) = candidates.entry_mut(added).filter(|_| done) {
+            entry.likelihood = reading.probability;
+        }
+        Ok(done)
+    }
+
+    #[inline(never)]
+    pub(super) fn with_description<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        scene: &mut Scene<D::State>,
+        position: &mut Position,
+        left: &mut u32,
+        mut each: impl FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError>,
+    ) -> Result<(), AgentError> {
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let Some(task) = session.tasks.get(position.task) else { return Ok(()) };
+        let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
+        let mut description = Tokens::new();
+        let read = candidates.read();
+        match read.added_for(position.task).and_then(|added| read.entries().get(added)) {
+            Some(entry) => {
+                let _ = description.extend_from_slice(read.tokens(entry));
+            }
+            None => describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?,
+        }
+        let value = each(&mut candidates, language.read(), &self.sentence, &description, 1.0)?;
+        position.sum = position.sum.plus(value);
+        let cells = description.len().saturating_mul(self.sentence.len().max(1)).saturating_mul(4);
+        *left = left.saturating_sub(cells as u32);
+        Ok(())
+    }
+
+    /// Lets the kind of task speak.
+    #[inline(never)]
+    pub(super) fn weigh_kinds_of_descriptions<D: Domain + ?Sized>(&mut self, domain: &D) {
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let mut forms: Vec<Symbol, LIFTED_TASKS> = Vec::new();
+        for lifted in &self.lifted {
+            // The tokens of this session's tasks are interned already. A kind of task that is not possible here can do without its token.
+            let form = form_token(&domain.world().schema, lifted, language.tokens_mut()).unwrap_or(Symbol(0));
+            // As many as there are lifted tasks.
+            let _ = forms.push(form);
+        }
+        let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
+        let form = |task: usize| {
+            let lifted = tasks.get(task).map_or(0, |task| usize::from(task.lifted));
+            forms.get(lifted).copied().unwrap_or(Symbol(0))
+        };
+        let prior = |task: usize| tasks.get(task).map_or(0.0, |task| task.prior);
+        let mut belief = Belief::new(session.belief, &mut self.belief);
+        language.read().weigh_kinds(&self.sentence, form, prior, belief.priors_mut());
+    }
+
+    /// Tells for each word of the command what the role model takes it for where this task is meant, the last word first: its position, a
+    /// [`Meaning`], and the share of 1 that this meaning has. Nothing for Model 2 and before anything is learned.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSession`], [`AgentError::OtherDomain`], [`AgentError::StillLearning`], and [`AgentError::Capacity`].
+    pub fn explain<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        task: usize,
+        tell: impl FnMut(usize, Meaning, f32),
+    ) -> Result<(), AgentError> {
+        if self.domain != digest(domain) {
+            return Err(AgentError::OtherDomain);
+        }
+        if self.language.is_training() {
+            return Err(AgentError::StillLearning);
+        }
+        if let Work::Hearing(..) = self.work {
+            return Err(AgentError::StillHearing);
+        }
+        let start = self.start.ok_or(AgentError::NoSession)?;
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let Some(task) = session.tasks.get(..self.task_count).and_then(|tasks| tasks.get(task)) else { return Ok(()) };
+        if language.model() != Model::Roles {
+            return Ok(());
+        }
+        let mut description = Tokens::new();
+        let mut scene = Scene::new(domain.numbered(start));
+        describe(domain, &self.lifted, task, &mut scene, language.tokens_mut(), &mut description)?;
+        Ok(language.explain(&self.sentence, &description, tell)?)
+    }
+
+    /// Where the robot and its things are at the start decides what a task's description says: each session can have its own.
+    pub(super) fn most_descriptions<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        lessons: &Lessons,
+        known: usize,
+        survey: &mut Survey,
+    ) -> Result<MachineCommands, AgentError> {
+        let (tasks, mut longest) = (self.task_count, 0);
+        for task in 0..tasks {
+            longest = longest.max(self.longest_description(domain, task, &mut survey.layout)?);
+        }
+        survey.layout.see_length(lessons.heard_words());
+        let tokens = self.language().tokens().len().saturating_sub(known);
+        let descriptions = lessons.sessions.saturating_mul(tasks);
+        Ok(MachineCommands {
+            candidates: tasks,
+            candidate_tokens: tasks.saturating_mul(longest),
+            commands: descriptions,
+            command_tokens: descriptions.saturating_mul(longest),
+            alignments: survey.layout.with(lessons.different_words, tokens).cells(),
+            length_pairs: 0,
+        })
+    }
+
+    /// The most symbols that a task's description can have, whatever holds at the start. Takes note of what descriptions speak of.
+    fn longest_description<D: Domain + ?Sized>(&mut self, domain: &D, task: usize, layout: &mut Layout) -> Result<usize, AgentError> {
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let Some(task) = session.tasks.get(task) else { return Ok(0) };
+        let mut length = 1_usize;
+        for holds in [true, false] {
+            let mut description = Tokens::new();
+            let constant = Constant { domain, holds };
+            describe(&constant, &self.lifted, task, &mut Scene::new(()), language.tokens_mut(), &mut description)?;
+            layout.see(&description);
+            // What has no role of its own is most where nothing holds, and everything else where all does.
+            let counts = |of_others: bool| of_others != holds;
+            let longest = groups(&description).filter(|group| counts(group.marker.role.kind().is_of_others()));
+            length = longest.fold(length, |sum, group| sum.saturating_add(group.values.len()).saturating_add(1));
+            if description.is_full() {
+                length = TOKENS_PER_COMMAND;
+            }
+        }
+        Ok(length.min(TOKENS_PER_COMMAND))
+    }
+}

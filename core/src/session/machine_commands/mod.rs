@@ -1,0 +1,130 @@
+//! The machine commands that the tasks of a session are expressed by, as the language model wants them: one for each
+//! [constraint](constraints) on a task's objects, for IBM Model 2, or one [description](description) of the task, for the role model.
+//!
+//! The agent asks here, and nowhere else, which of the two it is.
+
+mod constraints;
+mod description;
+
+use super::agent::{Agent, Position};
+use super::candidates::Candidates;
+use super::error::AgentError;
+use super::least::{Lessons, Survey};
+use crate::capacity::CapacityError;
+use crate::language::{LanguageRef, Model};
+use crate::memory::{AgentMemory, AgentTables};
+use crate::oomdp::Domain;
+use crate::probability::Scaled;
+use crate::symbols::Symbol;
+use crate::task::description::{Scene, form_token};
+use crate::task::grounded::expect_change;
+use crate::task::machine_command::head;
+
+/// What is done for each machine command, with its share: one compiled copy of the loop over them serves all.
+pub(super) type Each<'e> =
+    dyn FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError> + 'e;
+
+/// The room that the machine commands of all tasks take.
+#[derive(Clone, Copy, Default)]
+pub(super) struct MachineCommands {
+    /// How many one session can have, and their tokens together.
+    pub candidates: usize,
+    pub candidate_tokens: usize,
+    /// How many the training data can have, and their tokens together.
+    pub commands: usize,
+    pub command_tokens: usize,
+    pub alignments: usize,
+    pub length_pairs: usize,
+}
+
+impl<M: AgentMemory> Agent<M> {
+    const fn model(&self) -> Model {
+        self.options.language.model.in_use()
+    }
+
+    /// Gives the tasks that are grounded for this session their priors, by what their goals change here, where the model wants that.
+    pub(super) fn expect_change<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, count: usize) {
+        match self.model() {
+            Model::Model2 => {}
+            Model::Roles => {
+                let tasks = self.memory.lend().session.tasks.get_mut(..count).unwrap_or(&mut []);
+                expect_change(domain, &self.lifted, state, tasks);
+            }
+        }
+    }
+
+    /// Interns the tokens of the lifted tasks that the session's tasks ground: those of a machine command's propositions and classes, or of a
+    /// description.
+    #[inline(never)]
+    pub(super) fn intern_own_tokens<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), CapacityError> {
+        let (model, schema) = (self.model(), &domain.world().schema);
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
+        for (position, lifted) in self.lifted.iter().enumerate() {
+            if tasks.iter().any(|task| usize::from(task.lifted) == position) {
+                match model {
+                    Model::Model2 => head(schema, lifted, language.tokens_mut()).map(drop)?,
+                    Model::Roles => form_token(schema, lifted, language.tokens_mut()).map(drop)?,
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Goes on with the likelihood of the command for the task at the position: the sum over its machine commands c of Pr(c|s,l,t) Pr(e|l,c).
+    /// Adds them to the candidates. Returns whether all of the task's are done.
+    pub(super) fn read_candidates<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        scene: &mut Option<Scene<D::State>>,
+        position: &mut Position,
+        left: &mut u32,
+    ) -> Result<bool, AgentError> {
+        match (self.model(), scene) {
+            (Model::Model2, _) => self.read_constraints(domain, position, left),
+            (Model::Roles, Some(scene)) => self.read_description(domain, scene, position, left),
+            (Model::Roles, None) => Ok(true),
+        }
+    }
+
+    /// Goes on with the machine commands of a task: adds Pr(c|s,l,t), which is the last argument of `each`, times what `each` returns for
+    /// the machine command to the position's sum. Returns whether all of the task's are done.
+    pub(super) fn for_each_candidate<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        scene: &mut Option<Scene<D::State>>,
+        position: &mut Position,
+        left: &mut u32,
+        mut each: impl FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError>,
+    ) -> Result<bool, AgentError> {
+        match (self.model(), scene) {
+            (Model::Model2, _) => self.for_each_constraint(domain, position, left, &mut each),
+            (Model::Roles, Some(scene)) => self.with_description(domain, scene, position, left, each).map(|()| true),
+            (Model::Roles, None) => Ok(true),
+        }
+    }
+
+    /// Lets the kind of task speak, when the likelihood of each task is known.
+    pub(super) fn weigh_kinds<D: Domain + ?Sized>(&mut self, domain: &D) {
+        match self.model() {
+            Model::Model2 => {}
+            Model::Roles => self.weigh_kinds_of_descriptions(domain),
+        }
+    }
+
+    /// The most room that the machine commands of the tasks grounded now take, together with those of the worlds before. Interns their tokens,
+    /// besides the `known` ones.
+    pub(super) fn most_machine_commands<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        lessons: &Lessons,
+        known: usize,
+        survey: &mut Survey,
+    ) -> Result<MachineCommands, AgentError> {
+        match self.model() {
+            Model::Model2 => self.most_constraints(domain, lessons, survey),
+            Model::Roles => self.most_descriptions(domain, lessons, known, survey),
+        }
+    }
+}
