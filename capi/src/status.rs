@@ -4,6 +4,7 @@ use goodbot::AgentError;
 use goodbot::capacity::CapacityError;
 use goodbot::home::{HomeError, Problem};
 use goodbot::oomdp::ObjectError;
+use goodbot::session::Phase;
 use goodbot::snapshot::{RestoreError, SaveError};
 use goodbot::task::TaskTextError;
 
@@ -142,14 +143,13 @@ impl From<AgentError> for Failure {
         match error {
             AgentError::EmptyCommand => GoodbotStatus::EmptyCommand,
             AgentError::NoTask => GoodbotStatus::NoTask,
-            AgentError::NoSession => GoodbotStatus::NoSession,
+            AgentError::NotNow(Phase::Hearing) => GoodbotStatus::StillHearing,
+            AgentError::NotNow(Phase::Finishing) => GoodbotStatus::StillFinishing,
+            AgentError::NotNow(Phase::Learning) => GoodbotStatus::StillLearning,
+            AgentError::NotNow(_) | AgentError::OtherDomain => GoodbotStatus::NoSession,
             AgentError::NotPlanned => GoodbotStatus::NotPlanned,
             AgentError::OtherVocabulary => GoodbotStatus::World,
-            AgentError::OtherDomain => GoodbotStatus::NoSession,
             AgentError::NothingDone => GoodbotStatus::NothingDone,
-            AgentError::StillHearing => GoodbotStatus::StillHearing,
-            AgentError::StillFinishing => GoodbotStatus::StillFinishing,
-            AgentError::StillLearning => GoodbotStatus::StillLearning,
             AgentError::NotAsked => GoodbotStatus::NotAsked,
             AgentError::NoAnswer => GoodbotStatus::NoAnswer,
             AgentError::NotApplicable => GoodbotStatus::NotApplicable,

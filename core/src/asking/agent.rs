@@ -160,7 +160,7 @@ impl<M: AgentMemory> Agent<M> {
     /// Takes in the trainer's answer to the question that was proposed last. It may also stay unanswered.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`], [`AgentError::NotAsked`] where no question waits for its answer, and [`AgentError::NoAnswer`] where it is
+    /// [`AgentError::NotNow`], [`AgentError::NotAsked`] where no question waits for its answer, and [`AgentError::NoAnswer`] where it is
     /// none to this question, which then goes on waiting.
     pub fn answer(&mut self, answer: Answer) -> Result<Evidence, AgentError> {
         self.check_under_way()?;
@@ -174,7 +174,7 @@ impl<M: AgentMemory> Agent<M> {
     /// this is wrong, and how many other answers there were, of which each is then as probable (1 for yes and no).
     ///
     /// # Errors
-    /// [`AgentError::NoSession`], [`AgentError::NoAnswer`] where there is no such task or no other answer, and [`AgentError::Setting`]
+    /// [`AgentError::NotNow`], [`AgentError::NoAnswer`] where there is no such task or no other answer, and [`AgentError::Setting`]
     /// where `eta` is out of range.
     pub fn answered(&mut self, tasks: TaskSet, yes: bool, eta: f32, others: u8) -> Result<Evidence, AgentError> {
         self.check_under_way()?;

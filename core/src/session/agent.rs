@@ -8,7 +8,8 @@ use super::candidates::{CandidateCount, CandidatesRef};
 use super::done::LastDone;
 use super::error::AgentError;
 use super::learning::GaveWay;
-use super::options::{Options, SessionTablesRef, Weights};
+use super::options::{Options, SessionTablesRef};
+use super::phase::{Phase, Progressed};
 #[cfg(feature = "asking")]
 use crate::asking::Asked;
 use crate::capacity::{Capacities, Capacity, CapacityError, LIFTED_TASKS};
@@ -55,43 +56,6 @@ pub enum Evidence {
     Impossible,
 }
 
-/// Work that goes in parts, and where it stands.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Work {
-    /// None is under way.
-    None,
-    /// The tasks get their priors, from this machine command on.
-    Hearing(Position, Prior),
-    /// The machine commands get their weights, from this one on.
-    Weighing(Position, Weights),
-    /// The session joins the training data; the others give way.
-    Keeping,
-    /// The vocabulary gets room again.
-    Tidying,
-}
-
-/// A machine command among those of all tasks, and the sum over those of its task before it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Position {
-    pub(super) task: usize,
-    pub(super) constraint: u16,
-    pub(super) sum: Scaled,
-}
-
-impl Position {
-    /// The first machine command of a task.
-    pub(super) const fn of_task(task: usize) -> Self {
-        Self { task, constraint: 0, sum: Scaled::ZERO }
-    }
-}
-
-/// Whether some task so far has a prior of more than 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Prior {
-    Zero,
-    Positive,
-}
-
 /// The probability that the session ends, or goes on, in a state where this is known of a task.
 fn probability_of_end(ending: &Ending, plan: OptimalSet, ends: bool) -> Option<f32> {
     plan.exact()?;
@@ -111,12 +75,11 @@ pub struct Agent<M> {
     pub(crate) belief: BeliefCount,
     planner: Planner,
     pub(super) sentence: Sentence,
-    pub(super) work: Work,
+    pub(super) progressed: Progressed,
     pub(super) gave_way: GaveWay,
     pub(super) start: Option<u64>,
     /// The digest of the domain that the session began in.
     pub(super) domain: u32,
-    pub(super) ended: bool,
     /// The state that was planned for last, and the state that the action done there leads to.
     pub(crate) planned: Option<u64>,
     pub(crate) expected: Option<u64>,
@@ -157,11 +120,10 @@ impl<M> Agent<M> {
             belief: BeliefCount::NONE,
             planner: Planner::new(),
             sentence: Sentence::new(),
-            work: Work::None,
+            progressed: Progressed::Idle,
             gave_way: GaveWay::NONE,
             start: None,
             domain: 0,
-            ended: false,
             planned: None,
             expected: None,
             dead: TaskSet::EMPTY,
@@ -246,7 +208,7 @@ impl<M: AgentMemory> Agent<M> {
     /// [`AgentError::Strategy`] or [`AgentError::Capacity`]; the strategies are then as before.
     pub fn set_strategies(&mut self, strategies: &[(Strategy, f32)]) -> Result<(), AgentError> {
         self.belief_mut().set_strategies(strategies)?;
-        (self.start, self.work) = (None, Work::None);
+        (self.start, self.progressed) = (None, Progressed::Idle);
         Ok(())
     }
 
@@ -259,7 +221,7 @@ impl<M: AgentMemory> Agent<M> {
         let options = Options { language: self.options.language, ..options };
         options.check()?;
         self.options = options;
-        (self.start, self.work) = (None, Work::None);
+        (self.start, self.progressed) = (None, Progressed::Idle);
         Ok(())
     }
 
@@ -335,13 +297,11 @@ impl<M: AgentMemory> Agent<M> {
         self.planner.plan(plan.optimal, plan.distances)
     }
 
+    /// Checks that a session is under way.
     pub(crate) fn check_under_way(&self) -> Result<(), AgentError> {
-        match self.work {
-            Work::Hearing(..) => Err(AgentError::StillHearing),
-            Work::Weighing(..) | Work::Keeping | Work::Tidying => Err(AgentError::StillFinishing),
-            Work::None if self.language.is_training() => Err(AgentError::StillLearning),
-            Work::None if self.start.is_none() || self.ended => Err(AgentError::NoSession),
-            Work::None => Ok(()),
+        match self.phase() {
+            Phase::Ready => Ok(()),
+            phase => Err(AgentError::NotNow(phase)),
         }
     }
 
@@ -359,7 +319,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Ends a session under way, and forgets which tasks it had.
     pub(crate) fn end_session(&mut self) {
-        (self.start, self.followed, self.work) = (None, None, Work::None);
+        (self.start, self.followed, self.progressed) = (None, None, Progressed::Idle);
         self.forget_plan();
         self.forget_questions();
         self.task_count = 0;
@@ -394,7 +354,7 @@ impl<M: AgentMemory> Agent<M> {
     /// Plans for `state`, with at most about `budget` expansions of the search. Call until done; a different state begins anew.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`], [`AgentError::OtherDomain`] where the session was begun in another domain, [`AgentError::StateNumber`], or
+    /// [`AgentError::NotNow`], [`AgentError::OtherDomain`] where the session was begun in another domain, [`AgentError::StateNumber`], or
     /// [`AgentError::Domain`] where an action leads to a state whose number is not below the domain's `state_count`. The last is seen where
     /// all states have room; [`check`](crate::oomdp::check) sees it everywhere.
     #[inline(never)]
@@ -478,7 +438,7 @@ impl<M: AgentMemory> Agent<M> {
     /// task. At the goal, in a dead end, and where no way is known, the action is to do nothing.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`], [`AgentError::OtherDomain`], or [`AgentError::NotPlanned`] where the plan for this state is not done.
+    /// [`AgentError::NotNow`], [`AgentError::OtherDomain`], or [`AgentError::NotPlanned`] where the plan for this state is not done.
     pub fn decide<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<Decision, AgentError> {
         self.decide_with(domain, state, &mut |_| 0)
     }
@@ -502,7 +462,7 @@ impl<M: AgentMemory> Agent<M> {
         draw: &mut dyn FnMut(usize) -> usize,
     ) -> Result<Decision, AgentError> {
         self.check_planned(domain, state)?;
-        let task = self.likeliest(draw).ok_or(AgentError::NoSession)?;
+        let task = self.likeliest(draw).ok_or(AgentError::NotNow(Phase::Idle))?;
         let plan = self.planned().optimal(task);
         let words = self.words_expected();
         let action = self.onward(task, words.as_ref(), draw);
@@ -564,7 +524,7 @@ impl<M: AgentMemory> Agent<M> {
     /// words the last counts.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`], or [`AgentError::NothingDone`] where no action was done since the command.
+    /// [`AgentError::NotNow`], or [`AgentError::NothingDone`] where no action was done since the command.
     pub fn feedback(&mut self, feedback: Feedback) -> Result<Evidence, AgentError> {
         self.check_under_way()?;
         if !self.done.is_something() {

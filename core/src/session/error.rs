@@ -1,5 +1,6 @@
 //! Why an agent could not do what it was asked.
 
+use super::phase::Phase;
 use crate::capacity::CapacityError;
 use crate::feedback::belief::BeliefError;
 use crate::language::SettingError;
@@ -28,22 +29,16 @@ pub enum AgentError {
     },
     /// The number of the state is not below the domain's `state_count`.
     StateNumber,
-    /// No session is under way: hear a command first.
-    NoSession,
+    /// The agent is in a phase that does not allow this. The phase says which call leads on.
+    NotNow(Phase),
     /// The plan for this state is not done: call `plan` until it is.
     NotPlanned,
     /// The session was begun in another domain: hear a command in this one.
     OtherDomain,
     /// No action was done since the command: there is nothing to judge.
     NothingDone,
-    /// The last session is still being learned from: call `learn` until it is.
-    StillLearning,
     /// The action cannot be done in the state that was planned for.
     NotApplicable,
-    /// The command is not heard to its end: call `hear_on` until it is.
-    StillHearing,
-    /// The session is not weighed and kept yet: call `finish_on` until it is.
-    StillFinishing,
     /// No question waits for an answer.
     NotAsked,
     /// This is no answer to the question that was asked.
@@ -108,16 +103,13 @@ impl fmt::Display for AgentError {
             }
             Self::OtherVocabulary => "the tasks are written in another robot's vocabulary; read them with this domain's schema",
             Self::StateNumber => "the number of this state is not below state_count; state_count must be more than every number of a state",
-            Self::NoSession => "no session is under way; give a command first",
             Self::NotPlanned => "the plan for this state is not done; plan on until it is",
             Self::OtherDomain => "the session was begun in another environment; give a command in this one",
             Self::NothingDone => "no action was done that could be judged; act first",
-            Self::StillLearning => "the last session is still being learned from; learn on until it is done",
             Self::NotApplicable => "the action cannot be done in this state; choose one that leads to a state",
-            Self::StillHearing => "the command is not heard to its end; hear on until it is",
-            Self::StillFinishing => "the session is not finished; finish on until it is",
             Self::NotAsked => "no question was asked that waits for an answer; ask first",
             Self::NoAnswer => "this is no answer to that question; answer yes, no, or one of the tasks that it names",
+            Self::NotNow(phase) => return phase.fmt(f),
             Self::Prior { task, value } => return write!(f, "the prior of task {task} is {value}; it must be a number of 0 or more"),
             Self::Weight { hypothesis, value } => {
                 return write!(f, "the weight of transcript {hypothesis} is {value}; it must be a number of 0 or more");

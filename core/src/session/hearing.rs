@@ -1,8 +1,9 @@
 //! How a session begins: a command becomes a belief over the tasks that are possible here (paper, Algorithm 1).
 
-use super::agent::{Agent, Position, Prior, Work};
+use super::agent::Agent;
 use super::candidates::CandidateCount;
 use super::error::AgentError;
+use super::phase::{Phase, Position, Prior, Progressed};
 use crate::feedback::Belief;
 use crate::memory::AgentMemory;
 use crate::oomdp::{Domain, check_actions, digest, vocabulary};
@@ -17,7 +18,7 @@ impl<M: AgentMemory> Agent<M> {
     /// ends, and what was said in it is not learned from: [`finish`](Self::finish) it before.
     ///
     /// # Errors
-    /// [`AgentError`]; no session is then under way (but for [`AgentError::StillLearning`], which changes nothing), and what was learned is
+    /// [`AgentError`]; no session is then under way (but for [`AgentError::NotNow`], which changes nothing), and what was learned is
     /// kept.
     pub fn hear<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
         self.begin_hearing(domain, state, command)?;
@@ -33,7 +34,7 @@ impl<M: AgentMemory> Agent<M> {
         self.open(domain, state, command)?;
         let result = self.begin_to_understand(domain);
         if result.is_err() {
-            self.start = None;
+            (self.start, self.progressed) = (None, Progressed::Idle);
         }
         result
     }
@@ -42,16 +43,16 @@ impl<M: AgentMemory> Agent<M> {
     /// whatever the budget.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`] where no command was begun, [`AgentError::OtherDomain`] where it was begun in another domain, and
+    /// [`AgentError::NotNow`] where no command was begun, [`AgentError::OtherDomain`] where it was begun in another domain, and
     /// [`AgentError::Capacity`]; in the last case no session is under way any more.
     pub fn hear_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Progress, AgentError> {
-        if let Work::Hearing(..) = self.work {
+        if let Progressed::Hearing(..) = self.progressed {
             if self.domain != digest(domain) {
                 return Err(AgentError::OtherDomain);
             }
             let result = self.understand_on(domain, budget);
             if result.is_err() {
-                (self.start, self.work) = (None, Work::None);
+                (self.start, self.progressed) = (None, Progressed::Idle);
             }
             return result;
         }
@@ -87,7 +88,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Ends the session that was about to begin: a belief of no tasks is a belief all the same.
     fn refuse_prior(&mut self, error: AgentError) -> Result<(), AgentError> {
-        self.start = None;
+        (self.start, self.progressed) = (None, Progressed::Idle);
         self.belief_mut().restart(core::iter::empty(), 0.0)?;
         Err(error)
     }
@@ -96,19 +97,16 @@ impl<M: AgentMemory> Agent<M> {
     /// again by this.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`] where the last session did not start in this state, [`AgentError::StillLearning`] while what it ended
-    /// with is being learned, and [`AgentError::StillHearing`] or [`AgentError::StillFinishing`] while it is not that far.
+    /// [`AgentError::NotNow`]: with [`Phase::Idle`] where the last session did not start in this state, and with the phase while a command is
+    /// being heard or a session finished or learned from.
     pub fn hear_again<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<(), AgentError> {
         if self.start != Some(domain.number(state)) || self.domain != digest(domain) || self.tasks().is_empty() {
-            return Err(AgentError::NoSession);
+            return Err(AgentError::NotNow(Phase::Idle));
         }
-        if self.language.is_training() {
-            return Err(AgentError::StillLearning);
+        if let phase @ (Phase::Learning | Phase::Hearing | Phase::Finishing) = self.phase() {
+            return Err(AgentError::NotNow(phase));
         }
-        if let Err(error @ (AgentError::StillHearing | AgentError::StillFinishing)) = self.check_session(domain) {
-            return Err(error);
-        }
-        self.ended = false;
+        self.progressed = Progressed::Ready;
         self.belief_mut().settle();
         self.forget_plan();
         self.begin_ways();
@@ -118,10 +116,9 @@ impl<M: AgentMemory> Agent<M> {
     #[inline(never)]
     fn open<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
         if self.language.is_training() {
-            return Err(AgentError::StillLearning);
+            return Err(AgentError::NotNow(Phase::Learning));
         }
-        (self.start, self.followed, self.work) = (None, None, Work::None);
-        self.ended = false;
+        (self.start, self.followed, self.progressed) = (None, None, Progressed::Idle);
         self.forget_plan();
         self.forget_questions();
         self.task_count = 0;
@@ -166,7 +163,7 @@ impl<M: AgentMemory> Agent<M> {
         Belief::new(session.belief, &mut self.belief).restart(tasks.iter().map(|task| Scaled::new(task.prior)), self.options.drift)?;
         // The tasks' own tokens come first, and what can be said of objects after them, as far as there is room.
         self.intern_own_tokens(domain)?;
-        self.work = Work::Hearing(Position::of_task(0), Prior::Zero);
+        self.progressed = Progressed::Hearing(Position::of_task(0), Prior::Zero);
         Ok(())
     }
 
@@ -174,7 +171,7 @@ impl<M: AgentMemory> Agent<M> {
     fn understand_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Progress, AgentError> {
         let mut left = budget.max(1);
         let mut scene = self.scene(domain);
-        while let Work::Hearing(mut position, mut any) = self.work {
+        while let Progressed::Hearing(mut position, mut any) = self.progressed {
             if left == 0 {
                 return Ok(Progress::Working);
             }
@@ -187,7 +184,7 @@ impl<M: AgentMemory> Agent<M> {
                         self.belief_mut().set_prior(position, prior);
                     }
                 }
-                self.work = Work::None;
+                self.progressed = Progressed::Ready;
                 self.take_usage();
                 break;
             }
@@ -200,7 +197,7 @@ impl<M: AgentMemory> Agent<M> {
                 self.belief_mut().set_prior(position.task, prior);
                 position = Position::of_task(position.task.saturating_add(1));
             }
-            self.work = Work::Hearing(position, any);
+            self.progressed = Progressed::Hearing(position, any);
         }
         Ok(Progress::Done)
     }

@@ -80,7 +80,7 @@ impl<M: AgentMemory> Agent<M> {
                     }
                 }
                 // The next transcript would fare no better.
-                Err(found @ (AgentError::StillLearning | AgentError::NoTask)) => return Err(found),
+                Err(found @ (AgentError::NotNow(_) | AgentError::NoTask)) => return Err(found),
                 Err(found) => error = found,
             }
             last = Some(position);

@@ -1,9 +1,10 @@
 //! The end of a session: each machine command takes its share of the posterior, and the language model learns from it.
 
-use super::agent::{Agent, Position, Work};
+use super::agent::Agent;
 use super::candidates::{Candidates, CandidatesRef};
 use super::error::AgentError;
 use super::options::Weights;
+use super::phase::{Phase, Position, Progressed};
 use crate::capacity::Capacity;
 use crate::language::forgetting::Room;
 use crate::memory::{AgentMemory, AgentTables};
@@ -104,16 +105,16 @@ impl<M: AgentMemory> Agent<M> {
     /// Ends the session without learning from it. What it made known of words and machine tokens is forgotten with the next command, so
     /// that the same session can still be taken up again with [`hear_again`](Self::hear_again).
     pub fn forget(&mut self) {
-        match self.work {
+        match self.progressed {
             // Half heard, it is no session.
-            Work::Hearing(..) => self.end_session(),
-            Work::Tidying => {
+            Progressed::Hearing(..) => self.end_session(),
+            Progressed::Tidying => {
                 // It has joined the training data already.
                 while let Ok(Progress::Working) = self.tidy() {}
             }
-            Work::None | Work::Weighing(..) | Work::Keeping => {}
+            _ => {}
         }
-        (self.ended, self.work) = (true, Work::None);
+        self.set_ended();
         self.forget_plan();
     }
 
@@ -127,7 +128,7 @@ impl<M: AgentMemory> Agent<M> {
     /// [`forgetting`](crate::language::forgetting) says; the result tells which.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`], [`AgentError::OtherDomain`], [`AgentError::StillHearing`], [`AgentError::StillLearning`], or
+    /// [`AgentError::NotNow`], [`AgentError::OtherDomain`], or
     /// [`AgentError::Capacity`] where the session could not be kept even alone: it is then forgotten and everything learned before is kept.
     /// Where none of its words found room, in a vocabulary that was restored full, others give way so that the next command is heard whole.
     pub fn finish<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<Finished, AgentError> {
@@ -148,14 +149,11 @@ impl<M: AgentMemory> Agent<M> {
     /// goes on, and [`finish`](Self::finish) makes room for it.
     pub fn finish_for_later<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
         self.check_session(domain)?;
-        if self.language.is_training() {
-            return Err(AgentError::StillLearning);
-        }
         self.weigh(domain)?;
         let AgentTables { language, session, workspace } = self.memory.lend();
         let candidates = CandidatesRef::new(session.read().candidates, self.candidates);
         self.language.with(language, workspace).add_session(&self.sentence, shares(candidates, self.options.least_weight))?;
-        self.ended = true;
+        self.set_ended();
         self.forget_plan();
         self.take_usage();
         Ok(())
@@ -174,9 +172,6 @@ impl<M: AgentMemory> Agent<M> {
     /// As [`finish`](Self::finish).
     pub fn begin_finishing<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
         self.check_session(domain)?;
-        if self.language.is_training() {
-            return Err(AgentError::StillLearning);
-        }
         self.gave_way = GaveWay::NONE;
         self.begin_weighing(self.options.weights);
         Ok(())
@@ -188,42 +183,46 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// As [`finish`](Self::finish).
     pub fn finish_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Option<Finished>, AgentError> {
-        if let Work::None | Work::Hearing(..) = self.work {
-            return Err(self.check_session(domain).err().unwrap_or(AgentError::NoSession));
+        if self.phase() != Phase::Finishing {
+            return Err(AgentError::NotNow(self.phase()));
         }
         if self.domain != digest(domain) {
             return Err(AgentError::OtherDomain);
         }
         let result = self.finish_part(domain, budget.max(1));
         if result.is_err() {
-            self.work = Work::None;
+            match self.progressed {
+                // Nothing was kept yet: the session goes on.
+                Progressed::Weighing(..) => self.progressed = Progressed::Ready,
+                _ => self.set_ended(),
+            }
         }
         result
     }
 
     fn finish_part<D: Domain + ?Sized>(&mut self, domain: &D, mut left: u32) -> Result<Option<Finished>, AgentError> {
         while left > 0 {
-            match self.work {
-                Work::Weighing(..) => {
+            match self.progressed {
+                Progressed::Weighing(..) => {
                     if self.weigh_on(domain, &mut left)? == Progress::Done {
                         self.workspace_to_training();
-                        self.work = Work::Keeping;
+                        self.progressed = Progressed::Keeping;
                     }
                 }
-                Work::Keeping => {
+                Progressed::Keeping => {
                     if self.keep()? == Progress::Done {
-                        self.work = Work::Tidying;
+                        self.progressed = Progressed::Tidying;
                     }
                     left = left.saturating_sub(self.kept_cells());
                 }
-                Work::Tidying => {
+                Progressed::Tidying => {
                     if self.tidy()? == Progress::Done {
-                        self.work = Work::None;
+                        self.set_ended();
                         return Ok(Some(Finished { gave_way: self.gave_way }));
                     }
                     left = left.saturating_sub(self.kept_cells());
                 }
-                Work::None | Work::Hearing(..) => return Err(AgentError::NoSession),
+                _ => return Err(AgentError::NotNow(self.phase())),
             }
         }
         Ok(None)
@@ -237,7 +236,6 @@ impl<M: AgentMemory> Agent<M> {
     /// Lets the session's machine commands join the training data, by their weights, or lets one other session give way.
     #[inline(never)]
     fn keep(&mut self) -> Result<Progress, AgentError> {
-        self.ended = true;
         self.forget_plan();
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
@@ -264,7 +262,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Whether the last session is among the training data, but its words and tokens not yet among those that were learned.
     pub(crate) const fn is_tidying(&self) -> bool {
-        matches!(self.work, Work::Tidying)
+        matches!(self.progressed, Progressed::Tidying)
     }
 
     /// Gives the vocabulary room again, or lets one other session give way for that; then training begins.
@@ -291,7 +289,7 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// [`AgentError::Capacity`].
     pub fn weigh<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
-        let work = self.work;
+        let progressed = self.progressed;
         self.begin_weighing(self.options.weights);
         let result = loop {
             match self.weigh_on(domain, &mut { u32::MAX }) {
@@ -300,7 +298,7 @@ impl<M: AgentMemory> Agent<M> {
                 Err(error) => break Err(error),
             }
         };
-        self.work = work;
+        self.progressed = progressed;
         result
     }
 
@@ -312,12 +310,12 @@ impl<M: AgentMemory> Agent<M> {
                 entry.weight = Scaled::ZERO;
             }
         }
-        self.work = Work::Weighing(Position::of_task(0), weights);
+        self.progressed = Progressed::Weighing(Position::of_task(0), weights);
     }
 
     fn weigh_on<D: Domain + ?Sized>(&mut self, domain: &D, left: &mut u32) -> Result<Progress, AgentError> {
         let mut scene = self.scene(domain);
-        while let Work::Weighing(mut position, weights) = self.work {
+        while let Progressed::Weighing(mut position, weights) = self.progressed {
             if position.task >= self.task_count {
                 let unexplained = weights == Weights::Paper && self.candidates().entries().iter().all(|entry| entry.weight.is_zero());
                 if !unexplained {
@@ -348,7 +346,7 @@ impl<M: AgentMemory> Agent<M> {
             if done {
                 position = Position::of_task(position.task.saturating_add(1));
             }
-            self.work = Work::Weighing(position, weights);
+            self.progressed = Progressed::Weighing(position, weights);
         }
         Ok(Progress::Working)
     }

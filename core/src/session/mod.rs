@@ -3,6 +3,7 @@
 //! - `candidates`: the machine commands that this session's tasks can be expressed by, and how well each explains the command;
 //! - `machine_commands`: those machine commands, by language model;
 //! - `agent`: the robot's mind: plans, decides, takes feedback;
+//! - `phase`: what it is doing, and which call leads on;
 //! - `done`: the last actions, which a word may be about;
 //! - `hearing`: how it hears a command;
 //! - `hypotheses`: how it hears one of which a recogniser of speech is not sure;
@@ -21,6 +22,7 @@ pub(crate) mod learning;
 pub(crate) mod least;
 mod machine_commands;
 pub(crate) mod options;
+pub(crate) mod phase;
 mod ways;
 
 pub use agent::{Agent, Decision, Evidence, NEGLIGIBLE};
@@ -30,3 +32,4 @@ pub use hypotheses::Hypothesis;
 pub use learning::{Finished, GaveWay};
 pub use least::Lessons;
 pub use options::{Options, SessionTables, SessionTablesRef, Weights};
+pub use phase::Phase;

@@ -7,7 +7,7 @@ use goodbot::feedback::{Ending, Feedback, LAGS, Strategy, population};
 use goodbot::home::{self, Cell, Home, HomeState};
 use goodbot::memory::AgentMemory;
 use goodbot::oomdp::Action;
-use goodbot::session::Evidence;
+use goodbot::session::{Evidence, Phase};
 use goodbot::task::TaskSet;
 use goodbot::{Agent, AgentError, Capacities, Options};
 use rooms::rooms;
@@ -120,7 +120,7 @@ fn an_answer_to_what_was_not_asked_is_refused_and_changes_nothing() {
     }
     assert_eq!(probabilities(&agent), before);
     agent.forget();
-    assert_eq!(agent.answer(Answer::Yes), Err(AgentError::NoSession));
+    assert_eq!(agent.answer(Answer::Yes), Err(AgentError::NotNow(Phase::Ended)));
 }
 
 #[test]

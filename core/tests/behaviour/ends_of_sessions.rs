@@ -7,6 +7,8 @@ use goodbot::home;
 use goodbot::language::Settings;
 use goodbot::memory::AgentArrays;
 use goodbot::oomdp::Action;
+use goodbot::planning::Progress;
+use goodbot::session::Phase;
 use goodbot::{Agent, AgentError, Capacities, Options};
 use rooms::rooms;
 
@@ -20,8 +22,8 @@ fn a_session_is_learned_from_once() {
     agent.hear(&home, &start, "go to the red room").unwrap();
     let _ = agent.finish(&home).unwrap();
     agent.learn_fully();
-    assert_eq!(agent.finish(&home), Err(AgentError::NoSession));
-    assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NoSession));
+    assert_eq!(agent.finish(&home), Err(AgentError::NotNow(Phase::Ended)));
+    assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NotNow(Phase::Ended)));
     assert_eq!(agent.language().bitext().sessions(), 1);
     // Said once more in the same place, it goes on, and counts as a session more.
     agent.hear_again(&home, &start).unwrap();
@@ -41,7 +43,7 @@ fn a_session_is_taken_up_again_when_it_is_learned_and_planned_as_before() {
     let before = plans(&agent);
     let _ = agent.finish(&home).unwrap();
     // Planning and training have one memory in turn.
-    assert_eq!(agent.hear_again(&home, &start), Err(AgentError::StillLearning));
+    assert_eq!(agent.hear_again(&home, &start), Err(AgentError::NotNow(Phase::Learning)));
     agent.learn_fully();
     agent.hear_again(&home, &start).unwrap();
     agent.plan_fully(&home, &start).unwrap();
@@ -55,8 +57,8 @@ fn a_forgotten_session_is_not_learned_from() {
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
     agent.hear(&home, &start, "go to the red room").unwrap();
     agent.forget();
-    assert_eq!(agent.finish(&home), Err(AgentError::NoSession));
-    assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NoSession));
+    assert_eq!(agent.finish(&home), Err(AgentError::NotNow(Phase::Ended)));
+    assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NotNow(Phase::Ended)));
     assert_eq!(agent.language().bitext().sessions(), 0);
 }
 
@@ -70,8 +72,8 @@ fn after_a_prior_that_is_no_probability_no_session_is_under_way() {
         assert!(
             matches!(error, AgentError::Prior { task: 0, value } if value.to_bits() == prior.to_bits()) || error == AgentError::NoPrior
         );
-        assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NoSession));
-        assert_eq!(agent.hear_again(&home, &start), Err(AgentError::NoSession));
+        assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NotNow(Phase::Idle)));
+        assert_eq!(agent.hear_again(&home, &start), Err(AgentError::NotNow(Phase::Idle)));
     }
 }
 
@@ -129,7 +131,7 @@ fn what_is_learned_later_is_learned_alike_and_words_mean_the_same_until_then() {
                 let _ = agent.feedback(Feedback::Reward).unwrap();
                 if later {
                     agent.finish_for_later(&home).unwrap();
-                    assert_eq!(agent.finish_for_later(&home), Err(AgentError::NoSession));
+                    assert_eq!(agent.finish_for_later(&home), Err(AgentError::NotNow(Phase::Ended)));
                     assert_eq!(learned(&agent), first);
                 } else {
                     let _ = agent.finish(&home).unwrap();
@@ -138,7 +140,7 @@ fn what_is_learned_later_is_learned_alike_and_words_mean_the_same_until_then() {
             }
             assert_eq!(agent.language().bitext().sessions(), 5);
             agent.begin_learning();
-            assert_eq!(agent.hear(&home, &start, "go"), Err(AgentError::StillLearning));
+            assert_eq!(agent.hear(&home, &start, "go"), Err(AgentError::NotNow(Phase::Learning)));
             agent.learn_fully();
             assert!(learned(&agent).len() > first.len());
             learned(&agent)
@@ -164,4 +166,29 @@ fn a_session_that_finds_no_room_for_later_goes_on_and_finishing_makes_room() {
     assert!(agent.finish(&home).unwrap().gave_way.count() > 0);
     agent.learn_fully();
     assert_eq!(agent.language().bitext().sessions(), full);
+}
+
+#[test]
+fn the_agent_says_what_it_is_doing_from_a_command_to_the_next() {
+    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
+    let (home, start) = rooms(&mut rooms_memory.home, None);
+    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let mut phases = vec![agent.phase()];
+    agent.begin_hearing(&home, &start, "go to the red room").unwrap();
+    phases.push(agent.phase());
+    while agent.hear_on(&home, 1).unwrap() == Progress::Working {}
+    phases.push(agent.phase());
+    assert_eq!(agent.finish_on(&home, 1), Err(AgentError::NotNow(Phase::Ready)), "nobody began to finish");
+    agent.begin_finishing(&home).unwrap();
+    phases.push(agent.phase());
+    while agent.finish_on(&home, 1).unwrap().is_none() {}
+    phases.push(agent.phase());
+    agent.learn_fully();
+    phases.push(agent.phase());
+    agent.hear_again(&home, &start).unwrap();
+    phases.push(agent.phase());
+    use Phase::{Ended, Finishing, Hearing, Idle, Learning, Ready};
+    assert_eq!(phases, [Idle, Hearing, Ready, Finishing, Learning, Ended, Ready]);
+    let refused = AgentError::NotNow(Finishing).to_string();
+    assert_eq!(refused, "the session is not finished; finish on until it is");
 }

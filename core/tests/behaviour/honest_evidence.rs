@@ -9,7 +9,7 @@ use goodbot::oomdp::{
     PropositionId, Schema, World, apply,
 };
 use goodbot::planning::{Judgement, OptimalSet, states_needed};
-use goodbot::session::Evidence;
+use goodbot::session::{Evidence, Phase};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, AgentError, Capacities, HeapMemory, Options};
 
@@ -114,7 +114,7 @@ fn a_plan_serves_no_other_state_and_a_session_no_other_home() {
     assert_eq!(agent.acted(&home, &next, Action::new(2)), Err(AgentError::NotPlanned));
     assert_eq!(agent.decide(&painted, &same_number), Err(AgentError::OtherDomain));
     assert_eq!(agent.plan(&painted, &same_number, 10), Err(AgentError::OtherDomain));
-    assert_eq!(agent.hear_again(&painted, &same_number), Err(AgentError::NoSession));
+    assert_eq!(agent.hear_again(&painted, &same_number), Err(AgentError::NotNow(Phase::Idle)));
     assert_eq!(agent.finish(&painted), Err(AgentError::OtherDomain));
     assert!(agent.decide(&home, &start).is_ok());
 }

@@ -4,7 +4,7 @@ use crate::rooms;
 
 use goodbot::home::{self, Home, HomeState};
 use goodbot::memory::AgentArrays;
-use goodbot::session::Hypothesis;
+use goodbot::session::{Hypothesis, Phase};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use rooms::rooms;
 
@@ -98,7 +98,7 @@ fn what_cannot_be_heard_is_passed_over_where_another_can() {
         let list = heard(&[("?!", 0.5), (&long, 0.5), ("go to the red room", 0.1), ("go to the green room", 0.0)]);
         assert_eq!(robot.hear_one_of(home, start, &list), Ok(2));
         assert_eq!(robot.hear_one_of(home, start, &heard(&[("?!", 1.0)])), Err(AgentError::EmptyCommand));
-        assert_eq!(robot.plan(home, start, 1), Err(AgentError::NoSession));
+        assert_eq!(robot.plan(home, start, 1), Err(AgentError::NotNow(Phase::Idle)));
     });
 }
 

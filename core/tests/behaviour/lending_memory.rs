@@ -6,6 +6,7 @@ use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::memory::{AgentArrays, AgentMemory, HomeMemory};
 use goodbot::oomdp::Action;
 use goodbot::planning::Progress;
+use goodbot::session::Phase;
 use goodbot::{Agent, AgentError, Capacities, Options};
 
 goodbot::memory! { struct Memory = Capacities::SMALL; }
@@ -78,7 +79,7 @@ fn in_parts(budget: u32) -> (usize, Vec<u32>) {
     for command in ["go to the green room", "please go to the green room now"] {
         agent.begin_hearing(&home, &state, command).unwrap();
         while agent.hear_on(&home, budget).unwrap() == Progress::Working {
-            assert_eq!(agent.plan(&home, &state, 1), Err(AgentError::StillHearing));
+            assert_eq!(agent.plan(&home, &state, 1), Err(AgentError::NotNow(Phase::Hearing)));
             calls += 1;
         }
         agent.plan_fully(&home, &state).unwrap();
@@ -87,7 +88,7 @@ fn in_parts(budget: u32) -> (usize, Vec<u32>) {
         bits.extend((0..agent.tasks().len()).map(|task| agent.belief().probability(task).to_bits()));
         agent.begin_finishing(&home).unwrap();
         while agent.finish_on(&home, budget).unwrap().is_none() {
-            assert_eq!(agent.plan(&home, &state, 1), Err(AgentError::StillFinishing));
+            assert_eq!(agent.plan(&home, &state, 1), Err(AgentError::NotNow(Phase::Finishing)));
             calls += 1;
         }
         agent.learn_fully();
@@ -135,7 +136,7 @@ fn who_leaves_an_environment_has_no_task_of_it_any_more() {
     agent.hear(&home, &state, "go to the green room").unwrap();
     agent.leave();
     assert!(agent.tasks().is_empty() && agent.most_likely().is_none());
-    assert_eq!(agent.hear_again(&home, &state), Err(AgentError::NoSession));
+    assert_eq!(agent.hear_again(&home, &state), Err(AgentError::NotNow(Phase::Idle)));
 }
 
 #[test]

@@ -9,7 +9,7 @@ use goodbot::memory::HomeMemory;
 use goodbot::memory::{AgentArrays, AgentMemory};
 use goodbot::oomdp::{Action, Domain, apply};
 use goodbot::planning::{OptimalSet, Progress};
-use goodbot::session::Evidence;
+use goodbot::session::{Evidence, Phase};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use rand_pcg::Pcg32;
 use rooms::rooms;
@@ -199,8 +199,8 @@ fn what_is_out_of_order_is_refused() {
     let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
     let (home, start) = rooms(&mut rooms_memory.home, None);
     let mut agent = agent(&mut memory.agent);
-    assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NoSession));
-    assert_eq!(agent.finish(&home), Err(AgentError::NoSession));
+    assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NotNow(Phase::Idle)));
+    assert_eq!(agent.finish(&home), Err(AgentError::NotNow(Phase::Idle)));
     assert_eq!(agent.hear(&home, &start, " , . "), Err(AgentError::EmptyCommand));
     agent.hear(&home, &start, "go").unwrap();
     assert_eq!(agent.decide(&home, &start), Err(AgentError::NotPlanned));
@@ -210,7 +210,7 @@ fn what_is_out_of_order_is_refused() {
     assert_eq!(agent.acted(&home, &start, Action::new(4)), Err(AgentError::NotApplicable));
     assert_eq!(agent.acted(&home, &start, Action::new(200)), Err(AgentError::NotApplicable));
     let _ = agent.finish(&home).unwrap();
-    assert_eq!(agent.hear(&home, &start, "go"), Err(AgentError::StillLearning));
+    assert_eq!(agent.hear(&home, &start, "go"), Err(AgentError::NotNow(Phase::Learning)));
     agent.learn_fully();
     assert_eq!(agent.hear(&home, &start, "go"), Ok(()));
 }

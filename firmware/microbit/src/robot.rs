@@ -11,7 +11,7 @@ use goodbot::feedback::Feedback;
 use goodbot::home::{HomeState, Moves, Problem, SCHEMA, paper_tasks};
 use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::Progress;
-use goodbot::session::Evidence;
+use goodbot::session::{Evidence, Phase};
 use goodbot::{AgentError, Options};
 use rand_pcg::Pcg32;
 
@@ -459,7 +459,7 @@ fn text(error: AgentError) -> &'static str {
     match error {
         AgentError::EmptyCommand => "the command has no word; say what to do",
         AgentError::NoTask => "there is nothing to do here: every task is done already",
-        AgentError::NoSession | AgentError::NotPlanned => "no lesson is under way; give a command first",
+        AgentError::NotNow(Phase::Idle | Phase::Ended) | AgentError::NotPlanned => "no lesson is under way; give a command first",
         AgentError::NothingDone => "no action was done that could be judged; let it act first",
         AgentError::Capacity(full) => full.capacity.name(),
         _ => "the robot is still at work",

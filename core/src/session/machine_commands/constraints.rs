@@ -5,10 +5,11 @@ use crate::capacity::TOKENS_PER_COMMAND;
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::Domain;
 use crate::probability::Scaled;
-use crate::session::agent::{Agent, Position};
+use crate::session::agent::Agent;
 use crate::session::candidates::{CandidateCount, Candidates};
 use crate::session::error::AgentError;
 use crate::session::least::{Lessons, Survey};
+use crate::session::phase::Position;
 use crate::task::Expression;
 use crate::task::machine_command::Tokens;
 

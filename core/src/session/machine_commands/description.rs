@@ -9,10 +9,11 @@ use crate::language::{LanguageRef, Meaning, Model};
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, World, digest};
 use crate::probability::Scaled;
-use crate::session::agent::{Agent, Position, Work};
+use crate::session::agent::Agent;
 use crate::session::candidates::Candidates;
 use crate::session::error::AgentError;
 use crate::session::least::{Lessons, Survey};
+use crate::session::phase::{Phase, Position};
 use crate::symbols::Symbol;
 use crate::task::description::{Scene, describe, form_token, groups};
 use crate::task::machine_command::Tokens;
@@ -155,7 +156,7 @@ impl<M: AgentMemory> Agent<M> {
     /// [`Meaning`], and the share of 1 that this meaning has. Nothing for Model 2 and before anything is learned.
     ///
     /// # Errors
-    /// [`AgentError::NoSession`], [`AgentError::OtherDomain`], [`AgentError::StillLearning`], and [`AgentError::Capacity`].
+    /// [`AgentError::NotNow`], [`AgentError::OtherDomain`], and [`AgentError::Capacity`].
     pub fn explain<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
@@ -165,13 +166,10 @@ impl<M: AgentMemory> Agent<M> {
         if self.domain != digest(domain) {
             return Err(AgentError::OtherDomain);
         }
-        if self.language.is_training() {
-            return Err(AgentError::StillLearning);
+        if let phase @ (Phase::Learning | Phase::Hearing) = self.phase() {
+            return Err(AgentError::NotNow(phase));
         }
-        if let Work::Hearing(..) = self.work {
-            return Err(AgentError::StillHearing);
-        }
-        let start = self.start.ok_or(AgentError::NoSession)?;
+        let start = self.start.ok_or(AgentError::NotNow(Phase::Idle))?;
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
         let Some(task) = session.tasks.get(..self.task_count).and_then(|tasks| tasks.get(task)) else { return Ok(()) };

@@ -6,10 +6,11 @@
 mod constraints;
 mod description;
 
-use super::agent::{Agent, Position};
+use super::agent::Agent;
 use super::candidates::Candidates;
 use super::error::AgentError;
 use super::least::{Lessons, Survey};
+use super::phase::Position;
 use crate::capacity::CapacityError;
 use crate::language::{LanguageRef, Model};
 use crate::memory::{AgentMemory, AgentTables};
