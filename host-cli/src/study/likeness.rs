@@ -101,8 +101,8 @@ pub fn markdown(options: &StudyOptions) -> Result<String, Failure> {
     }
     let [now, before, earlier] = population.late.map(|share| 100.0 * share);
     text += &format!(
-        "\nWhat real trainers say is meant for the last action in {now:.1} %, for the one before in {before:.1} %, for the one before that in \
-         {earlier:.1} % (fitted).\n"
+        "\nOf the words of real trainers, {now:.1} % judge the last action, {before:.1} % the one before and {earlier:.1} % the one before \
+         that (fitted).\n"
     );
     Ok(text)
 }

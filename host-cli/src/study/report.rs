@@ -46,49 +46,50 @@ fn link(column: Column, file: &Path) -> String {
 fn markdown(plan: &Plan, rows: &[Row], links: &[String], checks: Option<&str>) -> String {
     let (first, last) = (plan.seed, plan.seed_at(plan.runs - 1));
     let mut text = format!(
-        "# Beside others\n\n\
-         How goodbot does beside other agents that learn from a person's words, in the paper's course of seven lessons and five tests, with \
-         {} kinds of trainers. Every number is of {} seeds ({first} to {last}), each with other homes; all agents meet the same homes and the \
-         same trainers. Intervals are 95 %.\n\n\
-         `goodbot study --runs {} --seed {first}{} --report study.md` writes this page. With `--shard PART/OF --json` several machines share \
-         the work, and `--merge` joins what they wrote.\n\n",
+        "# Comparison with other agents\n\n\
+         Compares goodbot with other agents that learn from a person's words, in the paper's course of seven lessons and five tests, with \
+         {} kinds of trainers. Every number covers {} seeds ({first} to {last}). Each seed has its own homes; all agents meet the same \
+         homes and trainers. Intervals are 95 %.\n\n\
+         `goodbot study --runs {} --seed {first}{} --report study.md` writes this page. With `--shard PART/OF --json` several machines \
+         share the work, and `--merge` joins their parts.\n\n",
         plan.trainers.len(),
         plan.runs,
         plan.runs,
         if checks.is_some() { " --fit feedback.jsonl" } else { "" },
     );
     text += &format!(
-        "## What it does not show\n\
-         - No human took part: trainers are simulated. The trainer `population` is fitted to recorded sessions of twelve people, and these hold \
-         four commands only. A simulated trainer never tires, and never changes its mind.\n\
-         - The course is small and goodbot's language model was made for commands of this kind. The others were made for other ends: none of \
-         them understands commands, and in both forms they are what one would build of them for this course.\n\
-         - A lesson ends when the agent has done nothing three times at the goal, when the goal cannot be reached any more, or after \
-         {MOST_STEPS} steps. Real trainers leave sooner: the trainer `leaving`.\n\
-         - No agent is told which trainer it has. What `people` and `asking` expect was fitted to the same recorded sessions as the trainer \
-         `population`: there they know what the others do not.\n\n\
+        "## Limitations\n\
+         - No human took part: the trainers are simulated. The trainer `population` is fitted to recorded sessions of twelve people, with \
+         four commands only. A simulated trainer never tires and never changes its mind.\n\
+         - The course is small, and goodbot's language model was made for such commands. The other algorithms were made for other purposes \
+         and understand no commands. Both of their forms here are adaptations to this course.\n\
+         - A lesson ends when the agent has rested three times at the goal, when the goal becomes unreachable, or after {MOST_STEPS} \
+         steps. Real trainers leave sooner, as the trainer `leaving` does.\n\
+         - No agent is told which trainer it has. But `people` and `asking` expect trainers that were fitted to the same recorded sessions \
+         as `population`; there they know more than the other agents.\n\n\
          ## The columns\n\
-         - *Tests right*: of five commands in a new home. Nobody says a word. A test is right if the agent does what is meant and then rests, in at \
-         most {TEST_STEPS} steps.\n\
-         - *Words said*: how often the trainer said good bot or bad bot, or answered a question, in all seven lessons together. \
-         One answer in twenty is wrong, whoever the trainer is.\n\
-         - *Steps a lesson*: until the lesson ended at the goal; {MOST_STEPS} if it did not. The median is of all lessons of all seeds.\n\
-         - *Wrongly certain*: at how many of the twelve commands the agent held a wrong task for more than {:.0} % likely, at any time. \"-\" \
-         where an agent has no such probability.\n\
-         - *Gave up*: how many lessons ended before the goal.\n\n",
+         - *Tests right*: of five commands in a new home, without feedback. A test is right if the agent does the intended task and then \
+         rests, in at most {TEST_STEPS} steps.\n\
+         - *Words said*: how often the trainer said good bot or bad bot, or answered a question, in all seven lessons together. One answer \
+         in twenty is wrong, for every trainer.\n\
+         - *Steps a lesson*: steps until the lesson ended at the goal, or {MOST_STEPS} if it ended elsewhere. The median is over all \
+         lessons of all seeds.\n\
+         - *Wrongly certain*: the share of the twelve commands for which the agent ever gave a wrong task more than {:.0} %. An agent with \
+         \"-\" has no such probability.\n\
+         - *Gave up*: the share of lessons that ended before the goal.\n\n",
         100.0 * CERTAIN,
     );
-    text += "## The agents\nIn the tabular form an agent learns for each command, home and state which action is good. In the shared form it learns a weight \
+    text += "## The agents\nIn the tabular form an agent learns the good actions of each command, home and state. In the shared form it learns a weight \
              for each pair of a word (or two neighbours, or none) and a fact of a task (its kind, the colour of the room, the colour and shape of \
-             the block). The weights score the tasks of a command, and goodbot's exact planner acts for the best. There a word of the trainer \
-             judges every task: it speaks for those that would have done the same, and against the others. That is more than most of the originals \
-             ask for; it is what makes them comparable.\n\n| agent | what | settings |\n|---|---|---|\n";
+             the block). The weights score the tasks of a command, and goodbot's exact planner acts for the best one. In this form each \
+             word of the trainer judges every task: it supports the tasks that agree with the action and counts against the others. Most \
+             of the originals ask for less; this makes them comparable.\n\n| agent | what | settings |\n|---|---|---|\n";
     for agent in &plan.agents {
         text += &format!("| `{}` | {} | {} |\n", agent.name, agent.is, agent.learns);
     }
     text += &format!(
-        "\nThe settings of the others were chosen by one rule on seeds {} to {} with the trainers {}: the highest share of tests right, less steps \
-         a lesson / {MOST_STEPS} (`goodbot study --tune`).\n\n",
+        "\nOne rule chose the settings of the other algorithms, on seeds {} to {} with the trainers {}: the highest share of tests right \
+         minus steps a lesson / {MOST_STEPS} (`goodbot study --tune`).\n\n",
         SEEDS.start,
         SEEDS.end - 1,
         TRAINED_BY.join(", "),
@@ -106,12 +107,12 @@ fn markdown(plan: &Plan, rows: &[Row], links: &[String], checks: Option<&str>) -
     for trainer in &plan.trainers {
         text += &format!("| `{}` | {} |\n", trainer.name, trainer.does);
     }
-    text += "\nOf a population, the worst tenth are the people whose words tell least whether an action was right (mutual information); all agents \
-             meet the same.\n";
+    text += "\nThe worst tenth of a population are the people whose words tell least whether an action was right (mutual information). All \
+             agents meet the same people.\n";
     if let Some(checks) = checks {
         text += &format!(
-            "\n### Are simulated trainers like real ones?\nPeople drawn from the fit walk through the same recorded actions and say what they \
-             would have said. `goodbot study --fit feedback.jsonl --runs {}`; the recorded sessions are not in this repository.\n\n{checks}",
+            "\n### Are simulated trainers like real ones?\nPeople drawn from the fit judge the same recorded actions. `goodbot study --fit \
+             feedback.jsonl --runs {}`; the recorded sessions are not in this repository.\n\n{checks}",
             plan.runs
         );
     }
