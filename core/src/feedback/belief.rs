@@ -1,8 +1,8 @@
 //! The joint belief over tasks and trainer strategies (SABL with one strategy, I-SABL with several; paper, section 3 and footnote 1).
 //!
-//! What is kept for each task and strategy is the strategy's probability at the start times the probability of all evidence so far.
-//! The task's prior, which the language model gives, stands beside it: the posterior is their product, renormalised. Both are
-//! [`Scaled`], so a task that looked hopeless for a thousand steps can still come back.
+//! Each task and strategy has the strategy's probability at the start times the probability of all evidence so far. The task's prior, from
+//! the language model, is kept apart: the posterior is their product, renormalised. Both are [`Scaled`], so a task that looked hopeless for
+//! a thousand steps can still come back.
 
 use super::strategy::{Feedback, LAGS, Strategy};
 use crate::capacity::{Capacity, CapacityError};
@@ -28,7 +28,7 @@ crate::memory::tables! {
     }
 }
 
-/// How many tasks and strategies a belief is about.
+/// The numbers of tasks and strategies of a belief.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct BeliefCount {
     tasks: usize,
@@ -36,7 +36,7 @@ pub struct BeliefCount {
 }
 
 impl BeliefCount {
-    /// A belief about no tasks, in no trainer.
+    /// A belief without tasks and strategies.
     pub const NONE: Self = Self { tasks: 0, strategies: 0 };
 }
 
@@ -119,7 +119,7 @@ impl<'t> BeliefRef<'t> {
         total((0..self.count.tasks).map(|task| self.weight_with(task, strategy))).over(whole).clamp(0.0, 1.0)
     }
 
-    /// What the next session begins with: without evidence the probability that the strategy had, which rounding must not change.
+    /// The strategy's probability at the start of the next session. Without evidence it is the old one, to the bit.
     pub(crate) fn carried(self, strategy: usize, has_evidence: bool) -> f32 {
         if has_evidence { self.strategy_probability(strategy) } else { self.begun_with(strategy) }
     }
@@ -182,8 +182,8 @@ impl<'t> Belief<'t> {
         Ok(())
     }
 
-    /// Takes strategies with exactly these probabilities, now and before the trainer was met, which were checked and fit; none leaves those
-    /// that are. The belief is then about no tasks.
+    /// Takes strategies with exactly these probabilities, now and before the trainer was met. The caller has checked that they are sound
+    /// and fit. An empty list keeps the current strategies. The belief then has no tasks.
     pub(crate) fn take_over(&mut self, strategies: impl Iterator<Item = ((Strategy, f32), f32)>) {
         let mut count = 0_usize;
         let slots = self.memory.strategies.iter_mut().zip(self.memory.expected.iter_mut());
@@ -197,11 +197,11 @@ impl<'t> Belief<'t> {
         self.count.tasks = 0;
     }
 
-    /// Starts again with these task priors. The strategies keep their marginals so far, and drift back to what they were before the trainer
-    /// was met by the share `drift`, from 0 to 1.
+    /// Starts again with these task priors. The strategies keep their marginals so far, but drift back by the share `drift`, from 0 to 1,
+    /// to their probabilities before the trainer was met.
     ///
     /// # Errors
-    /// A [`CapacityError`] where there is no room for so many tasks and strategies; the belief is then about no tasks.
+    /// A [`CapacityError`] if the tasks and strategies do not fit; the belief then has no tasks.
     pub fn restart(&mut self, priors: impl ExactSizeIterator<Item = Scaled>, drift: f32) -> Result<(), CapacityError> {
         if self.count.tasks > 0 {
             let has_evidence = self.read().has_evidence();
@@ -238,7 +238,7 @@ impl<'t> Belief<'t> {
         Ok(())
     }
 
-    /// Forgets all evidence since the last start: the belief is about no tasks, and the strategies are as probable as they were then.
+    /// Forgets all evidence since the last start: the belief has no tasks, and the strategies have their probabilities of then.
     pub(crate) fn forget(&mut self) {
         self.count.tasks = 0;
     }
@@ -249,7 +249,7 @@ impl<'t> Belief<'t> {
         self.memory.settled.iter_mut().zip(self.memory.joint.iter()).take(used).for_each(|(settled, joint)| *settled = *joint);
     }
 
-    /// Replaces the prior of one task; nothing for a task that there is not.
+    /// Replaces the prior of one task; does nothing for a missing task.
     pub fn set_prior(&mut self, task: usize, prior: Scaled) {
         if let Some(slot) = self.memory.priors.get_mut(..self.count.tasks).and_then(|priors| priors.get_mut(task)) {
             *slot = prior;
@@ -261,15 +261,15 @@ impl<'t> Belief<'t> {
         self.memory.priors.get_mut(..self.count.tasks).unwrap_or(&mut [])
     }
 
-    /// Takes in the feedback to one action. `judged` says how the last action relates to each task, and the two before it, the last one
-    /// first: see [`Strategy::likelihood`]. A task for which nothing is known gets the posterior-weighted mean likelihood of the others: no
-    /// evidence for or against it. Evidence that every task and strategy holds impossible is ignored, and `false` given.
+    /// Takes in the feedback to one action. `judged` judges the last action and the two before it for each task, the last one first: see
+    /// [`Strategy::likelihood`]. A task without any known judgement gets the posterior-weighted mean likelihood of the others: no evidence
+    /// for or against it. Evidence that is impossible under every task and strategy is ignored, and the result is `false`.
     pub fn observe_feedback(&mut self, feedback: Feedback, judged: impl Fn(usize) -> [Judgement; LAGS]) -> bool {
         self.observe(&|strategy, task| strategy.likelihood(feedback, judged(task)))
     }
 
-    /// Takes in one piece of evidence by its likelihood for each strategy and task, `None` where that is unknown. It replaces the evidence
-    /// since [`settle`](Self::settle). Evidence that every task and strategy holds impossible is ignored, and `false` given.
+    /// Takes in one piece of evidence by its likelihood for each strategy and task, `None` if unknown. It replaces the evidence since
+    /// [`settle`](Self::settle). Evidence that is impossible under every task and strategy is ignored, and the result is `false`.
     pub fn observe(&mut self, likelihood: &dyn Fn(&Strategy, usize) -> Option<f32>) -> bool {
         let likely = |belief: &Self, task: usize, column: usize| {
             let (strategy, _) = belief.read().strategies().get(column)?;
@@ -313,8 +313,8 @@ impl<'t> Belief<'t> {
 
 #[cfg(feature = "asking")]
 impl Belief<'_> {
-    /// Takes in evidence that has nothing to do with the last action, by its likelihood for each task: it stays where a word about the
-    /// action is replaced. Evidence that every task holds impossible is ignored, and `false` given.
+    /// Takes in evidence unrelated to the last action, by its likelihood for each task. It stays when a later word replaces an earlier one
+    /// about the action. Evidence that is impossible under every task is ignored, and the result is `false`.
     pub(crate) fn observe_beside(&mut self, likelihood: impl Fn(usize) -> f32) -> bool {
         if (0..self.count.tasks).all(|task| self.read().weight(task).scaled_by(likelihood(task)).is_zero()) {
             return false;
@@ -330,7 +330,7 @@ impl Belief<'_> {
     }
 }
 
-/// Why a belief refused its strategies.
+/// The reason why a belief refused its strategies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]

@@ -3,9 +3,9 @@
 /// How probable it is that the trainer ends the session after an action.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ending {
-    /// Where the task is done, from 0 to less than 1.
+    /// If the task is done, from 0 to less than 1.
     pub at_goal: f32,
-    /// Where it is not, from 0 to less than 1.
+    /// If it is not, from 0 to less than 1.
     pub elsewhere: f32,
 }
 
@@ -23,7 +23,7 @@ impl Ending {
         [self.at_goal, self.elsewhere].iter().all(|value| (0.0..1.0).contains(value))
     }
 
-    /// The probability that the session ends in a state, or goes on, where the task is done there or is not.
+    /// The probability that the session ends, or goes on, in a state with the task done or not done.
     pub fn probability(&self, ends: bool, at_goal: bool) -> f32 {
         let ending = if at_goal { self.at_goal } else { self.elsewhere };
         if ends { ending } else { 1.0 - ending }

@@ -1,6 +1,6 @@
-//! What a word is worth, in bits, before it is said: how much it is expected to tell of whether an action was right.
+//! The expected information of a word, in bits, about whether an action was right.
 //!
-//! With c the probability that an action is right, the trainer's word F tells g = H(F) - c H(F|right) - (1 - c) H(F|wrong) of it.
+//! With c the probability that an action is right, the trainer's word F gives g = H(F) - c H(F|right) - (1 - c) H(F|wrong) of it.
 //!
 //! The logarithm is `libm`'s: it is written in `+ - * /` and operations on bits, and so gives the same bits on every target. A table
 //! would be as large, and coarser.

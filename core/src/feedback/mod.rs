@@ -3,7 +3,7 @@
 //! - `strategy`: how a trainer rewards, punishes and stays silent, and how late;
 //! - `ending`: when a trainer ends a session;
 //! - `belief`: the joint belief over tasks and trainer strategies, and how evidence changes it;
-//! - `information`: what a word is worth before it is said;
+//! - `information`: the expected information of a word, in bits;
 //! - [`population`]: the strategies of real people;
 //! - `simulated`: a trainer that draws its feedback from a strategy.
 

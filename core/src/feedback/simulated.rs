@@ -28,8 +28,8 @@ impl SimulatedTrainer {
         }
     }
 
-    /// Its feedback after these actions, the last one first, each judged for the intended task: about the last one, or one of the two before
-    /// it, as its lags say. About an action that there was not, or of which nothing is known, it says nothing.
+    /// Its feedback after these actions, the last one first, each judged for the intended task: about the last one, or one of the two
+    /// before it, according to its lags. It is silent about a missing action and about one with an unknown judgement.
     pub fn late_feedback<R: Rng + ?Sized>(&self, judged: [Judgement; LAGS], random: &mut R) -> Feedback {
         let mut draw = unit(random);
         let mut about = Judgement::Unknown;

@@ -61,13 +61,13 @@ impl fmt::Display for UnknownFeedback {
 
 impl core::error::Error for UnknownFeedback {}
 
-/// How many actions a word can be about: the last one, and those before it.
+/// The number of actions that a word can judge: the last one, and those before it.
 pub const LAGS: usize = 3;
 
-/// How far the probabilities of the lags together may be from 1.
+/// The tolerance for the sum of the lags' probabilities.
 const LAG_TOLERANCE: f32 = 1e-3;
 
-/// A trainer strategy: three probabilities, and for how late a word comes three more.
+/// A trainer strategy: three probabilities for feedback, and three for its lag.
 ///
 /// With lag k a word is about the action k actions before the last one. The paper's strategies have no lag: each word is about the last
 /// action.
@@ -132,14 +132,14 @@ impl Strategy {
     /// The mirror image: a trainer who rewards nearly every right action.
     pub const REWARD_ONLY: Self = Self { mu_plus: 0.05, mu_minus: 0.7, epsilon: 0.1, lags: Self::NO_LAG };
 
-    /// What unused memory holds.
+    /// The value of unused memory.
     pub const UNUSED: Self = Self { mu_plus: 0.0, mu_minus: 0.0, epsilon: 0.0, lags: [0.0; LAGS] };
 
     /// A strategy: the probability of silence after a correct action (`mu_plus`) and after an incorrect one (`mu_minus`), and of taking
     /// one for the other (`epsilon`), each in [0, 1]. It has no lag.
     ///
     /// # Errors
-    /// [`StrategyError`] names the parameter that is not.
+    /// [`StrategyError`] names the parameter outside [0, 1].
     pub fn new(mu_plus: f32, mu_minus: f32, epsilon: f32) -> Result<Self, StrategyError> {
         let check = |value: f32, error| if (0.0..=1.0).contains(&value) { Ok(()) } else { Err(error) };
         check(mu_plus, StrategyError::MuPlus)?;
@@ -148,7 +148,7 @@ impl Strategy {
         Ok(Self { mu_plus, mu_minus, epsilon, lags: Self::NO_LAG })
     }
 
-    /// A strategy whose numbers are known to be sound.
+    /// A strategy without checks; the caller guarantees sound numbers.
     pub(super) const fn known(mu_plus: f32, mu_minus: f32, epsilon: f32, lags: [f32; LAGS]) -> Self {
         Self { mu_plus, mu_minus, epsilon, lags }
     }
@@ -195,8 +195,8 @@ impl Strategy {
         }
     }
 
-    /// The probability of a feedback after these actions, the last one first, each judged for one task: the mean over what the word may be
-    /// about. An action whose judgement is unknown, or that there was not, is left out of the mean; `None` where nothing is left.
+    /// The probability of a feedback after these actions, the last one first, each judged for one task: the mean over the actions that the
+    /// word may judge. The mean leaves out actions that are missing or have an unknown judgement; `None` if none is left.
     ///
     /// ```
     /// use goodbot::feedback::{Feedback, Strategy};

@@ -1,12 +1,11 @@
-//! Approximate plans, for what the exact search left open.
+//! Approximate plans, for the tasks that the exact search left open.
 //!
-//! 1. *Frozen pieces.* Pieces that do not matter to a task are taken to stay where they are. Tasks that ask for the same pieces share a
-//!    search in the small space of the robot and those pieces. Where that finds no way, a piece may be in it: each other piece in turn may
-//!    then move too.
-//! 2. *Windows of regions.* Where the memory is too small for the robot and one piece on the whole floor, a search moves the two within a
+//! 1. *Frozen pieces.* Pieces that do not matter to a task are frozen. Tasks with the same pieces share a search in the small space of the
+//!    robot and those pieces. If that finds no path, a frozen piece may block it: each other piece in turn may then move too.
+//! 2. *Windows of regions.* If the memory is too small for the robot and one piece on the whole floor, a search moves the two within a
 //!    window of regions (see `window`).
 //!
-//! Such a plan can miss a shorter way, or a dead end. It is good to act on, and no evidence.
+//! Such a plan can miss a shorter way, or a dead end. The robot acts on it, but it is no evidence.
 
 mod trail;
 mod window;
@@ -36,8 +35,7 @@ impl Approximation {
         Self { waiting: unknown, ..Self::default() }
     }
 
-    /// The next search and its tasks, where `unknown` are still open; `None` where all is tried. `marks` holds zeros, before and
-    /// afterwards.
+    /// The next search and its tasks, of the open tasks `unknown`; `None` once all is tried. `marks` holds zeros, before and afterwards.
     #[inline(never)]
     pub(super) fn next<G: PushGrid + ?Sized>(
         &mut self,

@@ -1,15 +1,14 @@
 //! The exact search that expands rows of states at once, for robots on a floor of cells (see [`PushGrid`]).
 //!
-//! The states that differ only in the robot's cell make up a row: one bit a cell, line after line of the floor. There are as many rows as
-//! there are ways to place the other pieces. All states of a row at one distance are expanded together: the robot's moves reach the bits
-//! shifted by one cell each way, without the cells that are wall, occupied, or nearer. Only where the robot moves a piece beside it does it
-//! leave the row, one bit at a time.
+//! The states that differ only in the robot's cell make up a row: one bit a cell, line after line of the floor. Each arrangement of the
+//! other pieces has a row. All states of a row at one distance are expanded together: the robot's moves reach the bits shifted by one cell
+//! each way, without the cells that are wall, occupied, or nearer. Only moves of a piece leave the row, one bit at a time.
 //!
-//! A row has one plane of bits for each action, the states to which a shortest way begins with it, and two for the frontier: the distance
-//! under way and the next. A robot with four actions takes six bits for each cell of the floor.
+//! A row has one plane of bits for each action, the states with a shortest path that begins with it, and two for the frontier: the current
+//! distance and the next. A robot with four actions takes six bits for each cell of the floor.
 //!
-//! Where tasks have a way that the robot's cell decides, there are as many rows for each layer of the way. A cell that brings the way on
-//! takes the state to the row of another layer, and from a cell that must be avoided no move leads on.
+//! If the robot's cell determines the progress of the tasks' way, each layer of the way has its own rows. A cell with progress takes the
+//! state to the row of another layer, and no move leaves a cell to avoid.
 //!
 //! The approximate plans use the same search in a smaller [`View`] of the floor.
 
@@ -261,7 +260,7 @@ pub(super) struct RowSearch {
     ahead: bool,
 }
 
-/// From so many cells of the box to one of the view on, states are sooner expanded one by one.
+/// From this ratio of box cells to view cells on, expanding states one by one is faster.
 const SPARSE: usize = 16;
 /// The bit sets over the rows: two of the frontier, the rows that were ever reached, and the candidate rows.
 const SETS: usize = 4;
@@ -280,8 +279,8 @@ struct Spot {
 }
 
 impl RowSearch {
-    /// How a search for these tasks is laid out in so many words; `None` where it does not fit, where an action does not cost 1 or a task
-    /// asks for more than single pieces' cells, or where states are sooner expanded one by one. `way` is the one that all these tasks go.
+    /// The layout of a search for these tasks in this many words; `None` if it does not fit, if an action does not cost 1, if a task asks
+    /// for more than single pieces' cells, or if expanding states one by one is faster. `way` is shared by all these tasks.
     #[inline(never)]
     pub(super) fn layout<G: PushGrid + ?Sized>(
         grid: &G,
@@ -350,7 +349,7 @@ impl RowSearch {
         })
     }
 
-    /// The words that a search of the whole floor for these tasks takes, `None` where it is no search for rows.
+    /// The number of words for a search of the whole floor for these tasks, `None` if rows cannot search for them.
     pub(super) fn words_needed<G: PushGrid + ?Sized>(grid: &G, goals: &Goals<'_>, tasks: TaskSet) -> Option<usize> {
         let search = Self::layout(grid, goals, tasks, View::WHOLE, None, usize::MAX)?;
         let rows = search.bits.cells.checked_pow(search.pieces.count_ones())?;

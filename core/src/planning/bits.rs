@@ -23,7 +23,7 @@ pub(super) fn take_from(bits: &mut [u64], cursor: &mut usize) -> Option<usize> {
     }
 }
 
-/// Words for so many 16-bit entries.
+/// The number of words for this many 16-bit entries.
 pub(super) const fn entry_words(entries: usize) -> usize {
     entries.div_ceil(4)
 }

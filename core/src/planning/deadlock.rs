@@ -20,7 +20,7 @@ pub(super) fn moves<G: PushGrid + ?Sized>(grid: &G, piece: Piece, cell: CellId) 
         .map(move |direction| floor.neighbour(cell, direction))
 }
 
-/// The tasks that no piece rules out for ever. `scratch` holds zeros, before and afterwards; where it is too small, less is ruled out.
+/// The tasks that no piece rules out for ever. `scratch` holds zeros, before and afterwards; if it is too small, fewer tasks are ruled out.
 #[inline(never)]
 pub(super) fn possible<G: PushGrid + ?Sized>(
     grid: &G,

@@ -1,8 +1,8 @@
 //! Which tasks a state satisfies.
 //!
 //! A task is a conjunction of ground propositions. On a floor with pieces, most propositions depend on the cell of one piece. So for each
-//! cell of each piece the table keeps the tasks that it does not rule out, one bit a task, and the tasks that a state satisfies are the
-//! intersection over its pieces: as many look-ups as pieces, however many tasks. In other domains the propositions are asked one by one.
+//! cell of each piece the table keeps the tasks that it does not rule out, one bit a task. The tasks that a state satisfies are the
+//! intersection over its pieces: one look-up a piece, for any number of tasks. In other domains the propositions are asked one by one.
 
 use crate::capacity::{Capacity, CapacityError};
 use crate::oomdp::{CellId, Domain, GroundProposition, ObjectId, Piece, PropositionId, PushGrid, SearchKind};
@@ -17,7 +17,7 @@ pub struct GoalPart {
 }
 
 impl GoalPart {
-    /// What unused memory holds.
+    /// The value of unused memory.
     pub const UNUSED: Self = Self {
         proposition: GroundProposition { proposition: PropositionId(0), arguments: [ObjectId(0); crate::capacity::ARGUMENTS] },
         tasks: TaskSet::EMPTY,
@@ -32,17 +32,17 @@ crate::memory::tables! {
     GoalMemoryRef {
         /// One entry a distinct ground proposition.
         parts: GoalPart,
-        /// One entry a cell and piece; where there are too few, propositions are asked one by one.
+        /// One entry a cell and piece; with too few, propositions are asked one by one.
         entries: TaskSet,
     }
 }
 
-/// What the tasks of one session ask, beside the tables.
+/// The goals of one session's tasks, beside the tables.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct GoalTable {
     /// Distinct ground propositions: at most a few for each of 64 tasks.
     parts: u16,
-    /// Cells of each piece in the table; 0 until it is filled, and where there is none. A floor has no more cells than a `u16` counts.
+    /// Cells of each piece in the table; 0 without a table, or before it is filled. A floor has no more cells than a `u16` counts.
     tabled_cells: u16,
     /// Entries of the table that are filled.
     filled: u32,
@@ -104,7 +104,7 @@ impl GoalTable {
         self.tabled_cells == 0 && is_countable && cells.checked_mul(grid.pieces()).is_some_and(|all| all > 0 && all <= entries)
     }
 
-    /// Goes on filling the table of cells, at most this many. Returns how many. `state` is any state of the domain.
+    /// Fills at most this many more cells of the table. Returns how many. `state` is any state of the domain.
     pub(super) fn tabulate<G: PushGrid + ?Sized>(&mut self, memory: &mut GoalMemory<'_>, grid: &G, state: &G::State, most: usize) -> usize {
         let cells = grid.floor().cells.len();
         let all = cells.saturating_mul(grid.pieces());

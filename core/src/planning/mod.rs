@@ -12,11 +12,11 @@
 //! - `goals`: which tasks a state satisfies, at nearly the same cost for one task as for 64;
 //! - `deadlock`: tasks that one piece alone rules out for ever, told without a search;
 //! - `bitboard`: exact; expands the states that differ only in the robot's cell together, as rows of bits;
-//! - `one_by_one`: exact; serves every domain, and searches nearby through a hash table where the states do not fit the memory;
-//! - `approximate`: searches in smaller state spaces, for what the exact search left open; good to act on, no evidence;
-//! - `ways`: exact; tasks with a way, state by state in the product of the world and how far the way has come;
+//! - `one_by_one`: exact; serves every domain, and searches nearby through a hash table if the states do not fit the memory;
+//! - `approximate`: searches smaller state spaces for the tasks that the exact search left open; to act on, but no evidence;
+//! - `ways`: exact; tasks with a path constraint (a way), state by state in the product of the world and the way's progress;
 //! - `planner`: the order of all these;
-//! - `plan`: what is known afterwards, and how an action is judged by it.
+//! - `plan`: the result for each task, and how it judges an action.
 
 mod approximate;
 mod bitboard;

@@ -1,11 +1,11 @@
 //! The exact search that expands states one by one. It serves every domain.
 //!
-//! Each state that is reached carries the set of first actions with which some shortest way to it begins. The first goal state that the
-//! search meets for a task gives the task's distance, and the first actions of all its goal states at that distance are its optimal set:
-//! every action a with cost(s,a) + dist(step(s,a)) = dist(s).
+//! Each reached state carries the set of first actions of its shortest paths. The first goal state that the search meets for a task gives
+//! the task's distance, and the first actions of all its goal states at that distance are its optimal set: every action a with cost(s,a) +
+//! dist(step(s,a)) = dist(s).
 //!
-//! With costs of 1 and at most 8 actions this takes 11 bits a state. Where the states do not fit, the search keeps those that it meets in
-//! a hash table of state numbers. Once that is full, tasks that have no goal nearer than the first state without room stay *unknown*.
+//! With costs of 1 and at most 8 actions this takes 11 bits a state. If the states do not fit, the search keeps the states that it meets in
+//! a hash table of state numbers. Once that is full, tasks without a goal nearer than the first state without room stay *unknown*.
 
 mod frontier;
 
@@ -16,7 +16,7 @@ use crate::capacity::{Capacities, Capacity, CapacityError};
 use crate::oomdp::domain::MOST_COST;
 use crate::oomdp::{Action, ActionSet, Domain, SearchKind, cost, own_actions};
 
-/// Where a search state by state stands.
+/// The progress of a search state by state.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StateSearch {
     frontier: Frontier,
@@ -216,8 +216,8 @@ fn bytes<D: Domain + ?Sized>(domain: &D) -> usize {
     if domain.actions().len() > 8 { 2 } else { 1 }
 }
 
-/// The least [`Capacities::states`](crate::Capacities::states) with which every state of a domain has room, so that plans are exact. It is
-/// the number of states where actions cost 1 and are at most 8, and more otherwise. `None` where the states cannot be counted.
+/// The least [`Capacities::states`](crate::Capacities::states) for which every state of a domain has room, so that plans are exact. It is
+/// the number of states if there are at most 8 actions of cost 1, and more otherwise. `None` if the states cannot be counted.
 pub fn states_needed<D: Domain + ?Sized>(domain: &D) -> Option<usize> {
     let count = usize::try_from(domain.state_count()).ok().filter(|&count| count < usize::MAX / 1_024)?;
     let words = Frontier::new(count, ring(domain), bytes(domain)).words();

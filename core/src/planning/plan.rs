@@ -1,4 +1,4 @@
-//! What planning tells about each task in one state, and how an action is judged by it.
+//! The result of planning for each task in one state, and how it judges an action.
 
 use crate::oomdp::{Action, ActionSet, Domain, apply, own_actions};
 use crate::planning::goals::Goals;
@@ -16,7 +16,7 @@ pub enum Judgement {
     Unknown,
 }
 
-/// What planning tells about one task in one state.
+/// The result of planning for one task in one state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum OptimalSet {
@@ -24,17 +24,17 @@ pub enum OptimalSet {
     Goal,
     /// Exactly these actions begin a shortest way to the goal.
     Toward(ActionSet),
-    /// No goal can be reached any more: every action that can be done, and doing nothing, are equally right.
+    /// The goal is unreachable: every possible action, and doing nothing, are equally right.
     DeadEnd(ActionSet),
-    /// These actions lead to the goal in a smaller state space, in which some pieces stay where they are. They serve to act, but not as
-    /// evidence: a shorter way may exist.
+    /// These actions lead to the goal in a smaller state space, with some pieces frozen. The robot acts on them, but they are no evidence:
+    /// a shorter path may exist.
     Approximate(ActionSet),
-    /// The search was bounded before it found out, or the task is so improbable that it was not planned for.
+    /// The search reached its limit first, or the task was too improbable to plan for.
     Unknown,
 }
 
 impl OptimalSet {
-    /// The optimal set, `None` where it is not known exactly.
+    /// The optimal set, `None` if it is not known exactly.
     pub const fn exact(self) -> Option<ActionSet> {
         match self {
             Self::Goal => Some(ActionSet::NOOP),
@@ -61,7 +61,7 @@ impl OptimalSet {
     }
 }
 
-/// What a planner has found out so far, beside the tables.
+/// The progress of a plan, beside the tables.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Found {
     /// The distance under way.
@@ -96,7 +96,7 @@ impl Found {
         expansions: 0,
     };
 
-    /// What can be said of `state` without a search. The tasks in `with_ways` have still a way to go.
+    /// The results for `state` that need no search. The tasks in `with_ways` have unfinished ways.
     pub(super) fn at<D: Domain + ?Sized>(
         domain: &D,
         goals: &Goals<'_>,
@@ -126,7 +126,7 @@ impl Found {
     }
 }
 
-/// What a running search writes: what was found, and the tables of optimal sets and distances.
+/// The outputs of a running search: its progress, and the tables of optimal sets and distances.
 pub(super) struct Results<'t> {
     pub(super) found: &'t mut Found,
     pub(super) optimal: &'t mut [ActionSet],
@@ -156,7 +156,7 @@ impl Results<'_> {
     }
 }
 
-/// What is known of each task in the state that was planned for. Complete once planning is done.
+/// The results for each task in the planned state. Complete once planning is done.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<'t> {
     pub(super) found: &'t Found,
@@ -165,7 +165,7 @@ pub struct Plan<'t> {
 }
 
 impl Plan<'_> {
-    /// What is known of a task.
+    /// The result for a task.
     pub fn optimal(&self, task: usize) -> OptimalSet {
         let found = self.found;
         if found.goal_here.contains(task) {
@@ -180,8 +180,8 @@ impl Plan<'_> {
         }
     }
 
-    /// The cost of a shortest way to a task's goal; `None` where there is none or it is unknown. For an approximate plan this is the cost
-    /// of the way found, or of its first part.
+    /// The cost of a shortest path to a task's goal; `None` if there is none or it is unknown. For an approximate plan this is the cost of
+    /// the path found, or of its first part.
     pub fn distance(&self, task: usize) -> Option<u32> {
         match self.optimal(task) {
             OptimalSet::Goal => Some(0),
@@ -205,7 +205,7 @@ impl Plan<'_> {
         self.found.dead
     }
 
-    /// The tasks of which nothing is known, because the search was bounded.
+    /// The tasks with an unknown result, because the search reached its limit.
     pub fn unknown(&self) -> TaskSet {
         self.found.unknown
     }

@@ -1,13 +1,12 @@
 //! Plans for one state after another, for the tasks of one session.
 //!
-//! Each plan goes the same way, for all tasks at once:
-//! 1. what holds here, and what is a deadlock, needs no search. On a floor with pieces, the first plan of a session tabulates before which
-//!    cells the tasks ask for;
-//! 2. the exact search for all tasks without a way: by rows of bits where the domain is a floor with pieces and the rows fit, else state by
-//!    state. Where the states do not fit either, it looks as far as its hash table reaches, so that near goals are found exactly all the
-//!    same;
-//! 3. for the tasks of each way that is still to be gone, an exact search in the product of world and way: by rows of bits where the robot's
-//!    cell decides how the way goes on, else state by state;
+//! Each plan takes these steps, for all tasks at once:
+//! 1. goals that hold here, and deadlocks, need no search. On a floor with pieces, the first plan of a session begins by tabulating the
+//!    tasks' goal cells;
+//! 2. the exact search for all tasks without a way: by rows of bits if the domain is a floor with pieces and the rows fit, else state by
+//!    state. If the states do not fit either, it searches as far as its hash table reaches, so near goals are still found exactly;
+//! 3. for the tasks of each unfinished way, an exact search in the product of world and way: by rows of bits if the robot's cell determines
+//!    the way's progress, else state by state;
 //! 4. on a floor with pieces, the tasks without a way that are still open get an approximate plan. Those with one stay unknown.
 
 use super::Progress;
@@ -27,7 +26,7 @@ crate::memory::tables! {
     PlanMemory,
     /// The tables of the searches and of what they find, to be read.
     PlanMemoryRef {
-        /// As many entries as words of the workspace are for first actions and the frontier: see
+        /// One entry for each word of first actions and frontier in the workspace: see
         /// [`Capacities::search_words`](crate::Capacities::search_words).
         search_words: (),
         /// State numbers, where states are hashed; may be empty.
@@ -39,7 +38,7 @@ crate::memory::tables! {
     }
 }
 
-/// The tables of a [`Planner`], lent to it for the length of a call. What they hold between its calls belongs to it.
+/// The tables of a [`Planner`], lent to it for each call. Do not change their contents between its calls.
 #[derive(Debug)]
 pub struct PlanTables<'t> {
     /// One entry a distinct ground proposition.
@@ -73,8 +72,7 @@ impl<'t> PlanTables<'t> {
         }
     }
 
-    /// The same tables, with the tasks that are planned for and how far their ways have come. Without this, nothing is known of a task that
-    /// has a way.
+    /// The same tables, with the planned tasks and the progress of their ways. Without this, a task with a way is unknown.
     #[must_use]
     pub const fn with_ways(self, ways: Ways<'t>) -> Self {
         Self { ways, ..self }
@@ -87,10 +85,10 @@ impl<'t> PlanTables<'t> {
     }
 }
 
-/// So many cells of the table of goals take as long as an expansion.
+/// Tabulating this many goal cells costs about one expansion.
 const CELLS_AN_EXPANSION: usize = 4;
 
-/// The search under way, or what it left in the marks.
+/// The current search, or the contents that it left in the marks.
 #[derive(Clone, Copy, Debug)]
 enum Marked {
     /// Something else: the marks were in other hands.
@@ -162,8 +160,8 @@ impl Planner {
     /// Takes the tasks to plan for.
     ///
     /// # Errors
-    /// A [`CapacityError`] where the tasks have more distinct ground propositions than there is room for, or where the domain has more
-    /// states than fit and can neither be hashed nor planned for approximately; there are then no tasks.
+    /// A [`CapacityError`] if the tasks' distinct ground propositions do not fit, or if the domain's states do not fit and can
+    /// neither be hashed nor planned for approximately. The planner then has no tasks.
     pub fn set_tasks<D: Domain + ?Sized>(
         &mut self,
         tables: &mut PlanTables<'_>,
@@ -179,11 +177,12 @@ impl Planner {
         Ok(())
     }
 
-    /// What planning for these tasks takes: the number of distinct ground propositions, and the states with which every plan is exact.
+    /// The needs of planning for these tasks: the number of distinct ground propositions, and the number of states for which every plan is
+    /// exact.
     ///
     /// # Errors
-    /// A [`CapacityError`] where `goals` has no room for the propositions, or where the states cannot be counted and the domain cannot be
-    /// planned for approximately.
+    /// A [`CapacityError`] if the propositions do not fit into `goals`, or if the states cannot be counted and the domain cannot
+    /// be planned for approximately.
     pub(crate) fn needs<D: Domain + ?Sized>(
         goals: &mut GoalMemory<'_>,
         domain: &D,
@@ -203,7 +202,7 @@ impl Planner {
         Ok((parts, states.ok_or(CapacityError::full(Capacity::HashedStates, 0))?))
     }
 
-    /// Ends what is under way, because the marks are lent to something else. They may then hold anything.
+    /// Ends the current search, because the marks are lent to something else. They may then hold anything.
     pub fn release_marks(&mut self) {
         (self.stage, self.marked) = (Stage::Done, Marked::Anything);
     }
@@ -402,7 +401,7 @@ impl Planner {
         }
     }
 
-    /// What is known of each task, in the tables that planning wrote.
+    /// The results for each task, in the tables that planning wrote.
     pub fn plan<'t>(&'t self, optimal: &'t [ActionSet], distances: &'t [u32]) -> Plan<'t> {
         Plan { found: &self.found, optimal, distances }
     }

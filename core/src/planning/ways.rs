@@ -1,13 +1,13 @@
-//! Tasks with a way: the product of the world and how far the way has come.
+//! Tasks with a path constraint, called a way: the product of the world and the way's progress.
 //!
-//! The product has a copy of the world, a layer, for each state that the way can be in. A step changes the layer where it meets a clause or an
-//! earlier goal. From a state in which something must be avoided no step leads on: it may be the end, and nothing else. Tasks that go the same
-//! way to different goals are searched for together; a task whose way is behind is one without a way.
+//! The product has a copy of the world, a layer, for each state that the way can be in. A step changes the layer if it meets a clause or an
+//! earlier goal. No step leaves a state with something to avoid; such a state can only be the end. Tasks with the same way and different
+//! goals share a search. A task with a finished way is a task without one.
 
 use crate::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, World};
 use crate::task::{GroundedTask, LiftedTask, TaskSet, Way, WayState};
 
-/// The tasks that are planned for, with how far their ways have come.
+/// The planned tasks, with the progress of their ways.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Ways<'t> {
     /// The lifted tasks.
@@ -24,7 +24,7 @@ impl<'t> Ways<'t> {
         lifted.has_way().then(|| Way::of(task, lifted))
     }
 
-    /// How far the way of a task has come.
+    /// The progress of a task's way.
     fn state(&self, task: usize) -> WayState {
         self.tasks.get(task).map_or(WayState::START, |task| task.way)
     }
@@ -43,12 +43,12 @@ impl<'t> Ways<'t> {
         self.those(TaskSet::first(self.tasks.len()), |_, _| true)
     }
 
-    /// The tasks whose way is still to be gone.
+    /// The tasks with an unfinished way.
     pub(super) fn open(&self, tasks: TaskSet) -> TaskSet {
         self.those(tasks, |way, state| !way.is_behind(state))
     }
 
-    /// The tasks that have become impossible, because what must be avoided was not.
+    /// The tasks that have become impossible: the robot has met something to avoid.
     pub(super) fn broken(&self, tasks: TaskSet) -> TaskSet {
         self.those(tasks, |_, state| state.is_broken())
     }

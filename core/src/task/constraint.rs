@@ -25,7 +25,7 @@ pub type Facts = Vec<Fact, FACTS_PER_TASK>;
 /// The facts true of the objects that `task` binds.
 ///
 /// # Errors
-/// A [`CapacityError`] where there are more than [`FACTS_PER_TASK`].
+/// A [`CapacityError`] if there are more than [`FACTS_PER_TASK`].
 pub fn facts<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> Result<Facts, CapacityError> {
     let mut facts = Facts::new();
     let (schema, objects) = (domain.world().schema, domain.world().objects);

@@ -7,9 +7,9 @@
 //! blockInRoom | the block to move, shape: shapeChair | its goal, color: colorRed | where the robot is, color: colorBlue | ...
 //! ```
 //!
-//! Values are the same for all classes, `colorRed` for rooms and blocks. A value stands once in a group, and a group's values are sorted, so
-//! that the order of the objects plays no part. What finds no room in a description or in the vocabulary is left out, the other objects
-//! before all else.
+//! Values are the same for all classes, `colorRed` for rooms and blocks. A value occurs once in a group, and a group's values are sorted,
+//! so the order of the objects does not matter. Values without room in a description or in the vocabulary are left out, those of the other
+//! objects first.
 
 use super::machine_command::{Tokens, attribute_token};
 #[cfg(feature = "derived")]
@@ -61,7 +61,7 @@ pub fn has_value(description: &[Symbol], value: Symbol) -> bool {
 /// The token of a lifted task: the names of its propositions, with the numbers of their variables where there are several.
 ///
 /// # Errors
-/// A [`CapacityError`] where `tokens` has no room.
+/// A [`CapacityError`] if `tokens` has no room.
 #[inline(never)]
 pub(crate) fn form_token(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut Symbols<'_>) -> Result<Symbol, CapacityError> {
     let mut text: String<NAME_BYTES> = String::new();
@@ -100,8 +100,7 @@ pub(crate) fn form_token(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut 
     tokens.intern(&text)
 }
 
-/// What is the same for the descriptions of all tasks of one session: the state that it starts from, and the tokens of lifted tasks and of
-/// values as far as they were needed.
+/// The shared data of all descriptions of one session: its start state, and the tokens of lifted tasks and of values needed so far.
 #[derive(Clone, Debug)]
 pub struct Scene<S> {
     state: S,
@@ -113,7 +112,7 @@ pub struct Scene<S> {
     tokens: [[u16; ATTRIBUTES]; REMEMBERED],
 }
 
-/// What the tasks of a session speak of, and what words can tell apart.
+/// The propositions and classes that a session's tasks name, and the classes that words can tell apart.
 #[derive(Clone, Copy, Debug)]
 struct Spoken {
     /// The propositions that tasks are made of.
@@ -154,7 +153,7 @@ impl Bits {
     }
 }
 
-/// Of so many objects the tokens are remembered; those of others are looked up each time.
+/// The tokens of this many objects are cached; those of others are looked up each time.
 const REMEMBERED: usize = 16;
 /// Stands for a value that has no token: it is empty, or found no room.
 const NO_TOKEN: u16 = u16::MAX;
@@ -215,11 +214,11 @@ impl<S> Scene<S> {
     }
 }
 
-/// Writes the description of a task, one of those that ground a task of `all`, in place of what `description` held. Its tokens are
-/// interned in `tokens`, which must not forget any while the scene is in use.
+/// Replaces `description` by that of a task, which grounds a task of `all`. Its tokens are interned in `tokens`, which must not forget any
+/// while the scene is in use.
 ///
 /// # Errors
-/// A [`CapacityError`] where `tokens` has no room for the lifted task's own token.
+/// A [`CapacityError`] if `tokens` has no room for the lifted task's own token.
 pub fn describe<D: Domain + ?Sized>(
     domain: &D,
     all: &[LiftedTask],

@@ -13,14 +13,14 @@ pub struct GroundedTask {
     pub lifted: u8,
     /// The object of each variable.
     pub bindings: [ObjectId; VARIABLES_PER_TASK],
-    /// How far its way has come, where it has one.
+    /// The progress of its way, if it has one.
     pub way: WayState,
     /// Its probability before any command.
     pub prior: f32,
 }
 
 impl GroundedTask {
-    /// What unused memory holds.
+    /// The value of unused memory.
     pub const UNUSED: Self = Self { lifted: 0, bindings: [ObjectId(0); VARIABLES_PER_TASK], way: WayState::START, prior: 0.0 };
 
     /// The conjunction, with the objects in it; with a way, that of the goal. `lifted` is the task that it grounds.
@@ -29,7 +29,7 @@ impl GroundedTask {
         lifted.propositions().iter().map(move |&part| task.grounded(part))
     }
 
-    /// The goal's propositions and, behind them, what its way asks, with the objects in them. `lifted` is the task that it grounds.
+    /// The goal's propositions, then those of its way, with the objects in them. `lifted` is the task that it grounds.
     pub fn parts<'l>(&self, lifted: &'l LiftedTask) -> impl Iterator<Item = (Part, GroundProposition)> + Clone + use<'l> {
         let task = *self;
         lifted.parts().map(move |(part, proposition)| (part, task.grounded(proposition)))
@@ -42,12 +42,12 @@ impl GroundedTask {
     }
 }
 
-/// Grounds every lifted task that the environment permits: one task for each way to bind its variables to different objects, except
-/// those that hold already, and those whose way says nothing here. Pr(l|s) is uniform over the permissible lifted tasks and Pr(t|s,l) over the groundings left; what is left is
-/// renormalised (paper, section 3). Gives the number of tasks.
+/// Grounds every lifted task that the environment permits: one task for each binding of its variables to different objects, except those
+/// that hold already, and those whose way adds no constraint in this start state. Pr(l|s) is uniform over the permissible lifted tasks and
+/// Pr(t|s,l) over the remaining groundings, renormalised (paper, section 3). Returns the number of tasks.
 ///
 /// # Errors
-/// A [`CapacityError`] where `tasks` is too small.
+/// A [`CapacityError`] if `tasks` is too small.
 pub fn ground<D: Domain + ?Sized>(
     domain: &D,
     lifted: &[LiftedTask],
@@ -60,12 +60,12 @@ pub fn ground<D: Domain + ?Sized>(
     })
 }
 
-/// What a part of a task that only asks a thing to stay where it is takes from the task's prior.
+/// The factor of a task's prior for each part that only asks an object to stay where it is.
 const STAYING: f32 = 0.1;
 
-/// Makes tasks of [`ground`] less probable that ask a thing to stay where it is, each such part by a tenth, and leaves each lifted task as
-/// probable as it is. A command asks for a change: what nobody moves stays where it is, and nobody need say so. A thing is what has
-/// attributes, which words can tell it by. The robot, which has none, moves in any task, and where it shall come back to is worth a word.
+/// Makes tasks of [`ground`] less probable if they ask an object to stay where it is: a factor of a tenth for each such part. The sum over
+/// each lifted task stays. A command asks for a change; nobody needs to say that unmoved objects stay. This holds for objects with
+/// attributes, by which words tell them apart. The robot has none: it moves in any task, and coming back is worth a word.
 pub(crate) fn expect_change<D: Domain + ?Sized>(domain: &D, lifted: &[LiftedTask], state: &D::State, tasks: &mut [GroundedTask]) {
     let world = domain.world();
     let is_thing = |object: ObjectId| {

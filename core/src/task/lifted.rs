@@ -19,18 +19,18 @@ pub struct LiftedProposition {
     pub variables: [u8; ARGUMENTS],
 }
 
-/// A conjunction of propositional functions over typed variables: `blockInRoom(?o, ?r)`. Reward 1 and termination where it holds. It may have
-/// a [way](super::way): `agentInRoom(?a, ?goal) avoiding agentInRoom(?a, ?not)`.
+/// A conjunction of propositional functions over typed variables: `blockInRoom(?o, ?r)`. A state where it holds has reward 1 and is
+/// terminal. It may have a [way](super::way): `agentInRoom(?a, ?goal) avoiding agentInRoom(?a, ?not)`.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct LiftedTask {
-    /// The goal's, and those of the way behind them.
+    /// The goal's, then those of the way.
     propositions: Vec<LiftedProposition, PROPOSITIONS_PER_TASK, u8>,
     parts: Parts,
     pub(crate) variables: Vec<ClassId, VARIABLES_PER_TASK, u8>,
     vocabulary: u32,
 }
 
-/// What each proposition of a task is to its way. Without the feature `ways` all belong to the goal, and this takes no memory.
+/// The part of each proposition in the task's way. Without the feature `ways` all belong to the goal, and this takes no memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 struct Parts(#[cfg(feature = "ways")] [Part; PROPOSITIONS_PER_TASK]);
 
@@ -56,7 +56,7 @@ impl Parts {
     fn set(&mut self, _position: usize, _part: Part) {}
 }
 
-/// What is wrong with the text of a lifted task.
+/// A fault in the text of a lifted task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -84,9 +84,9 @@ pub enum TaskTextError {
         /// Which of its arguments, from 0.
         argument: u8,
     },
-    /// A way goes through what the goal asks for anyway, or asks for the same twice.
+    /// A way goes through something that the goal asks for anyway, or asks for the same twice.
     SaysNothing,
-    /// A way avoids what the task asks for.
+    /// A way avoids something that the task asks for.
     AvoidsGoal,
     /// It has a way, and the library was built without the feature `ways`.
     NoWays,
@@ -140,7 +140,7 @@ impl LiftedTask {
     /// The task that one propositional function holds, each argument a variable of its own.
     ///
     /// # Errors
-    /// [`TaskTextError`] where the schema does not have it, or it has more arguments than a proposition can.
+    /// [`TaskTextError`] if the schema lacks the function, or it has more arguments than a proposition can have.
     pub fn single(proposition: PropositionId, schema: &Schema<'_>) -> Result<Self, TaskTextError> {
         let mut task = Self::empty(schema);
         let parameters = schema.parameters(proposition);
@@ -159,8 +159,8 @@ impl LiftedTask {
         Ok(task)
     }
 
-    /// The task with one more clause of its way, about a proposition with so many alternatives. All but the last argument are variables of the
-    /// task where it has one of that class; the last is a new variable for each alternative.
+    /// The task with one more clause of its way, about a proposition with this many alternatives. All but the last argument are variables
+    /// of the task, if it has one of that class; the last is a new variable for each alternative.
     ///
     /// ```
     /// use goodbot::{home, task::{Clause, LiftedTask}};
@@ -217,8 +217,8 @@ impl LiftedTask {
         Self { propositions: Vec::new(), parts: Parts::default(), variables: Vec::new(), vocabulary: digest(schema) }
     }
 
-    /// Reads `agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2)`. A variable that stands twice is the same object; different variables are
-    /// bound to different objects. A [way](super::way) stands behind: `then` and the next goal, `through` a proposition `or` another, and
+    /// Reads `agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2)`. A repeated variable is the same object; different variables are bound to
+    /// different objects. A [way](super::way) follows the goal: `then` and the next goal, `through` a proposition `or` another, and
     /// `avoiding` a proposition `or` another.
     ///
     /// ```
@@ -387,7 +387,7 @@ impl LiftedTask {
         self.way().next().is_some()
     }
 
-    /// What it asks beside the goal, in the order of the text.
+    /// The parts of its way, in the order of the text.
     pub fn way(&self) -> impl Iterator<Item = (Part, LiftedProposition)> + Clone + '_ {
         self.parts().filter(|&(part, _)| part != Part::Goal)
     }
@@ -397,7 +397,7 @@ impl LiftedTask {
         self.propositions.iter().enumerate().map(|(position, &proposition)| (self.parts.get(position), proposition))
     }
 
-    /// In how many places a variable stands.
+    /// The number of places of a variable.
     pub(super) fn uses(&self, variable: u8) -> usize {
         self.propositions.iter().flat_map(|part| &part.variables).filter(|&&other| other == variable).count()
     }

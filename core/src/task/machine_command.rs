@@ -1,4 +1,4 @@
-//! Machine commands: a task and a constraint as a sentence of machine tokens, which a command is translated from.
+//! Machine commands: a task and a constraint as a sentence of machine tokens, from which a command is translated.
 //!
 //! `blockInRoom block room blockIsYellow block roomIsRed room`: the lifted task's propositions and the constraint's, each followed by
 //! the classes of its arguments. [`TokenOrder`] says in which order.
@@ -13,15 +13,15 @@ use heapless::{String, Vec};
 /// The machine tokens of one machine command.
 pub type Tokens = Vec<Symbol, TOKENS_PER_COMMAND, u8>;
 
-/// Where the facts of a constraint stand in a machine command.
+/// The position of a constraint's facts in a machine command.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TokenOrder {
     /// After all propositions of the task, by attribute and value (the reference). "The agent in the red room, the block in the blue one"
     /// and the same with the colours exchanged are then one machine command.
     #[default]
     Attributes,
-    /// Each after the first proposition of the task that its object is an argument of, in the order of the arguments. Where a fact
-    /// stands says what it is about.
+    /// Each after the first proposition of the task that has its object as an argument, in the order of the arguments. The position of a
+    /// fact tells its object.
     Propositions,
 }
 
@@ -35,11 +35,11 @@ pub struct Expression {
 }
 
 impl Expression {
-    /// The machine commands of `task`; their tokens are interned in `tokens`. A fact whose token finds no room there is left out: it
-    /// cannot be spoken of until others have given way (see [`forgetting`](crate::language::forgetting)).
+    /// The machine commands of `task`; their tokens are interned in `tokens`. A fact whose token finds no room there is left out: no
+    /// command can mention it until other tokens have given way (see [`forgetting`](crate::language::forgetting)).
     ///
     /// # Errors
-    /// A [`CapacityError`] where `tokens` has no room for the task's own propositions and classes, or the task has too many facts.
+    /// A [`CapacityError`] if `tokens` has no room for the task's own propositions and classes, or the task has too many facts.
     pub fn new<D: Domain + ?Sized>(
         domain: &D,
         lifted: &LiftedTask,
@@ -76,7 +76,7 @@ impl Expression {
         Ok(expression)
     }
 
-    /// How many constraints there are: two to the power of the number of facts.
+    /// The number of constraints: two to the power of the number of facts.
     pub fn constraints(&self) -> u16 {
         1 << self.facts.len().min(FACTS_PER_TASK)
     }
@@ -91,7 +91,7 @@ impl Expression {
         Ok(command)
     }
 
-    /// Like [`machine_command`](Self::machine_command), in place of what `command` held.
+    /// Like [`machine_command`](Self::machine_command), but replaces the contents of `command`.
     ///
     /// # Errors
     /// A [`CapacityError`] where it has too many tokens.

@@ -1,11 +1,11 @@
-//! Tasks (paper, section 3, task model): what the robot could be asked to do here.
+//! Tasks (paper, section 3, task model): the possible meanings of a command here.
 //!
 //! - `lifted`: a conjunction of propositional functions over typed variables;
 //! - `grounded`: its variables bound to objects;
 //! - `constraint`: which attributes of the bound objects a command may mention;
 //! - `machine_command`: a task and a constraint as the sentence that a command is translated from;
-//! - `role`: what an object is to a task;
-//! - [`way`]: what must hold, or must not, before the goal;
+//! - `role`: the part of an object in a task;
+//! - [`way`]: path constraints, which must hold, or must not, before the goal;
 //! - `wording`: the order in which a task is told, with its way;
 //! - [`description`]: a task and its scene by roles, which the role model reads.
 
@@ -34,7 +34,7 @@ pub use wording::{Piece, TaskText, Wording};
 pub struct TaskSet(pub(crate) u64);
 
 impl TaskSet {
-    /// How many tasks a session can have at most.
+    /// The most tasks of a session.
     pub const MOST: usize = 64;
     /// No task.
     pub const EMPTY: Self = Self(0);

@@ -1,7 +1,7 @@
-//! Roles: what an object is to a task, and the markers that say so in a [description](super::description).
+//! Roles: the part of an object in a task, and its marker in a [description](super::description).
 //!
-//! Roles come from the schema alone. For a task `blockInRoom(?o, ?r)` of a home they are the block that is to be moved, the room where it
-//! is to be, the room where it stands at the start, the room where the robot stands, the other rooms and the other blocks.
+//! Roles come from the schema alone. For a task `blockInRoom(?o, ?r)` of a home they are the block that is to be moved, its target room,
+//! its room at the start, the room of the robot, the other rooms and the other blocks.
 
 use super::way::Part;
 use crate::oomdp::{ClassId, PropositionId};
@@ -9,7 +9,7 @@ use crate::symbols::Symbol;
 use core::fmt;
 use core::str::FromStr;
 
-/// What an object is to a task.
+/// The part of an object in a task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum RoleKind {
     /// It is, by the goal, the last argument of a proposition: where something is to be.
@@ -31,9 +31,9 @@ pub enum RoleKind {
 }
 
 impl RoleKind {
-    /// How many kinds there are.
+    /// The number of kinds.
     pub const COUNT: usize = if cfg!(feature = "ways") { 8 } else { Self::WITHOUT_WAYS };
-    /// How many kinds there are where no task has a way: the first ones.
+    /// The number of kinds if no task has a way: the first ones.
     pub const WITHOUT_WAYS: usize = 5;
     const ALL: [Self; 8] =
         [Self::Goal, Self::Subject, Self::Start, Self::OtherPlace, Self::Other, Self::Through, Self::Avoiding, Self::Before];
@@ -73,7 +73,7 @@ const ABOUT_BITS: u32 = 6;
 const ABOUT: u16 = (1 << ABOUT_BITS) - 1;
 
 impl Role {
-    /// What unused memory holds.
+    /// The value of unused memory.
     pub(crate) const UNUSED: Self = Self(0);
 
     /// The role of an argument of a proposition.
@@ -114,10 +114,10 @@ impl Role {
     }
 }
 
-/// How many sorts of values there are: each attribute of the object, and each attribute of what is there.
+/// The number of sorts of values: each attribute of the object, and each attribute of the objects there.
 pub const VALUE_SORTS: usize = 2 * crate::capacity::ATTRIBUTES;
 
-/// What stands before the values of a role: the role and the sort of the values. A marker is a symbol above all that have a text.
+/// The symbol before the values of a role: the role and the sort of the values. A marker is a symbol above all that have a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Marker {
     /// Whose values follow.

@@ -1,8 +1,8 @@
 //! The trainers to expect: a population of strategies, fitted to what real people said.
 //!
 //! The paper's agent expects one trainer, silent seven times out of ten. Real people are quieter, mistake more, and a part of their words
-//! comes a step late. The numbers here are those under which the words of twelve recorded workers are most probable
-//! (`goodbot fit-trainers`; `docs/trainers.md` says how, and how right a robot is that expects them).
+//! comes a step late. These numbers make the words of twelve recorded workers most probable (`goodbot fit-trainers`; `docs/trainers.md`
+//! describes the fit and its accuracy).
 //!
 //! ```
 //! use goodbot::{Agent, Capacities, Options, feedback::population, home};
@@ -17,6 +17,6 @@ mod fitted;
 
 pub use fitted::{ENDING, STRATEGIES};
 
-/// The share by which what is believed of a trainer drifts back to the population from one command to the next: people change how they
-/// train, and somebody else may have taken over.
+/// The share by which the belief about a trainer drifts back to the population from one command to the next: people change how they train,
+/// and somebody else may have taken over.
 pub const DRIFT: f32 = 0.1;
