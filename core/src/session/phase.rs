@@ -91,7 +91,7 @@ impl<M> Agent<M> {
     /// let agent = Agent::new(memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
     /// assert_eq!(agent.phase(), Phase::Idle);
     /// assert_eq!(agent.phase().to_string(), "no session is under way; give a command first");
-    /// # Ok::<(), goodbot::AgentError>(())
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn phase(&self) -> Phase {
         match self.progressed {
