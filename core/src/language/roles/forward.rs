@@ -240,15 +240,20 @@ impl<'t, 'd> Reader<'t, 'd> {
         cell(self.translations, row.saturating_add(word))
     }
 
+    /// F(w) of a new word.
+    fn new_in_background(&self) -> f32 {
+        #[cfg(feature = "talk")]
+        if let Some(new) = self.new_in_background {
+            return new;
+        }
+        self.novelty(None)
+    }
+
     /// F(w) and A[l](w).
     pub fn background_and_task(&self, word: usize) -> (f32, f32) {
         if word >= self.layout.words() {
-            #[cfg(feature = "talk")]
-            let new = self.new_in_background;
-            #[cfg(not(feature = "talk"))]
-            let new = None;
             return (
-                new.unwrap_or_else(|| self.novelty(None)),
+                self.new_in_background(),
                 self.form.and_then(|form| self.layout.forms().get(form)).map_or(1.0, |&token| self.novelty(Some(token))),
             );
         }
