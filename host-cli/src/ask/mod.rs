@@ -24,7 +24,7 @@ use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Domain, apply};
 use goodbot::planning::OptimalSet;
-use goodbot::talk::{Listened, Verdict};
+use goodbot::talk::{Hypothesis, Listened, Verdict};
 use goodbot::{Agent, AgentError};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::SessionReader;
@@ -280,7 +280,8 @@ fn answer(
         }
     };
     let words = why::words(agent, home, start, &heard, best).map_err(fault)?;
-    let plan = if tasks.is_empty() { None } else { plan(agent, home, *start, best).map_err(fault)? };
+    let is_to_do = listened.is_none_or(|listened| listened.hypothesis == Hypothesis::Command && listened.verdict != Verdict::Done);
+    let plan = if tasks.is_empty() || !is_to_do { None } else { plan(agent, home, *start, best).map_err(fault)? };
     let tasks = tasks.into_iter().map(|(name, probability)| (name.to_string(), probability)).collect();
     Ok(Answer { heard, tasks, best, meanings, listened, words, expected, plan })
 }
@@ -408,6 +409,8 @@ fn print(
         Some((plan, _)) if plan.is_empty() => writeln!(out, "plan{purpose}: nothing to do")?,
         Some((plan, true)) => writeln!(out, "plan{purpose}: {}", plan.join(" "))?,
         Some((plan, false)) => writeln!(out, "plan{purpose}: {} (approximate: a shorter way may exist)", plan.join(" "))?,
+        None if answer.listened.is_some_and(|listened| listened.verdict == Verdict::Done) => writeln!(out, "no plan: it is done already")?,
+        None if answer.taken_for() != COMMAND => writeln!(out, "no plan: I do nothing that I was not told")?,
         None => writeln!(out, "plan{purpose}: none was found")?,
     }
     if let Some((task, words, _)) = &answer.expected {
