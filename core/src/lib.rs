@@ -90,6 +90,8 @@ pub mod snapshot;
 #[cfg(feature = "storage")]
 pub mod storage;
 pub mod symbols;
+#[cfg(feature = "talk")]
+pub mod talk;
 pub mod task;
 
 pub use capacity::Capacities;

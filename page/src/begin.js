@@ -1,17 +1,30 @@
 // The page's beginning: expands what is packed into it, and lets its scripts begin. It is a script by itself; the others are packed.
+import { noRobot as de } from '../languages/de.json';
+import { noRobot as en } from '../languages/en.json';
+import { noRobot as es } from '../languages/es.json';
+import { noRobot as fr } from '../languages/fr.json';
+import { noRobot as zh } from '../languages/zh.json';
 import { fromBase64 } from './base64.js';
-import { unpack } from './unpack.js';
+import { expanded } from './deflate.js';
 
-const packed = /** @type {HTMLElement} */ (document.getElementById('packed'));
-const sizes = String(packed.dataset.sizes).split(' ').map(Number);
-const whole = unpack(fromBase64(String(packed.textContent).trim()), sizes.reduce((sum, size) => sum + size));
-let at = 0;
-const parts = sizes.map(size => whole.slice(at, at += size));
-const [style, body, script, languages] = parts.splice(0, 4).map(part => new TextDecoder().decode(part));
-document.body.insertAdjacentHTML('afterbegin', body);
-for (const [tag, text] of [['style', style], ['script', script]]) {
-  const element = document.createElement(tag);
-  element.textContent = text;
-  document.head.append(element);
+async function begin() {
+  const packed = /** @type {HTMLElement} */ (document.getElementById('packed'));
+  const whole = await expanded(fromBase64(String(packed.textContent).trim()));
+  let at = 0;
+  const [style, body, script, languages, module] = String(packed.dataset.sizes).split(' ').map(size => whole.slice(at, at += Number(size)));
+  const text = part => new TextDecoder().decode(part);
+  const add = (tag, part) => { document.head.append(Object.assign(document.createElement(tag), { textContent: text(part) })); };
+  document.body.insertAdjacentHTML('afterbegin', text(body));
+  add('style', style);
+  add('script', script);
+  await /** @type {any} */ (globalThis).goodbotPage.begin(module, text(languages));
 }
-/** @type {any} */ (globalThis).goodbotPage.begin(parts, languages);
+
+begin().catch(error => {
+  // A browser that cannot expand anything has none of the page's texts but these.
+  const texts = { de, en, es, fr, zh };
+  const language = navigator.languages.map(one => one.toLowerCase().split('-')[0]).find(one => Object.hasOwn(texts, one)) || 'en';
+  document.body.innerHTML = `<p role="alert" lang="${language}">${texts[language]}</p>`;
+  document.body.classList.add('ready');
+  console.info(error);
+});

@@ -2,6 +2,7 @@
 import { fromAddress, fromBase64, toAddress } from './base64.js';
 import { expectTrainer, expectedNow } from './believes.js';
 import { world } from './core.js';
+import { expanded, packed } from './deflate.js';
 import { names, t } from './language.js';
 import { RULES, SPEEDS } from './session.js';
 import { state, tell } from './state.js';
@@ -29,12 +30,6 @@ export function checksum(bytes) {
   return ~sum >>> 0;
 }
 
-/** @param {Uint8Array} bytes
- * @param {GenericTransformStream} transform */
-async function through(bytes, transform) {
-  return new Uint8Array(await new Response(new Blob([/** @type {BlobPart} */ (bytes)]).stream().pipeThrough(transform)).arrayBuffer());
-}
-
 /** The address of this page with this tab's robot: what it knows, its name, its home and settings. `secret`: what it knows is to be found out. */
 export async function robotLink(secret = false) {
   const about = new TextEncoder().encode(JSON.stringify({ name: state.robot.name, home: JSON.parse(world.environment()), pull: state.settings.pull, ways: world.ways(), secret }));
@@ -43,11 +38,11 @@ export async function robotLink(secret = false) {
   whole.set([about.length >> 8, about.length & 255]);
   whole.set(about, 2);
   whole.set(model, 2 + about.length);
-  const packed = await through(whole, new CompressionStream('deflate-raw'));
-  const bytes = new Uint8Array(5 + packed.length);
-  new DataView(bytes.buffer).setUint32(1, checksum(packed));
+  const robot = await packed(whole);
+  const bytes = new Uint8Array(5 + robot.length);
+  new DataView(bytes.buffer).setUint32(1, checksum(robot));
   bytes[0] = ROBOT_VERSION;
-  bytes.set(packed, 5);
+  bytes.set(robot, 5);
   return location.href.split('#')[0] + '#robot=' + toAddress(bytes);
 }
 
@@ -63,9 +58,9 @@ export async function readRobot() {
       tell(t('link.newer'), true);
       return null;
     }
-    const packed = bytes.slice(5);
-    if (bytes[0] !== ROBOT_VERSION || new DataView(bytes.buffer).getUint32(1) !== checksum(packed)) throw new Error('checksum');
-    const whole = await through(packed, new DecompressionStream('deflate-raw'));
+    const robot = bytes.slice(5);
+    if (bytes[0] !== ROBOT_VERSION || new DataView(bytes.buffer).getUint32(1) !== checksum(robot)) throw new Error('checksum');
+    const whole = await expanded(robot);
     const length = whole[0] << 8 | whole[1];
     const { name, home, pull, ways, secret } = JSON.parse(new TextDecoder().decode(whole.slice(2, 2 + length)));
     return { name: String(name).slice(0, 40) || t('robots.some'), home, pull: pull === true, ways: ways === true, secret: secret === true, model: whole.slice(2 + length) };

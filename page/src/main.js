@@ -4,7 +4,6 @@ import { renderCharts, saveTable } from './charts.js';
 import { startCore, world } from './core.js';
 import { speakLanguage, t, takeLanguages, writePage } from './language.js';
 import { readLink } from './link.js';
-import { moduleOf } from './module.js';
 import { setUpNext } from './next.js';
 import { setUpOwnTests } from './owntests.js';
 import { watchSize } from './plan.js';
@@ -74,7 +73,7 @@ async function main(module, languages) {
   restoreSettings();
   speakLanguage(state.settings.language);
   writePage();
-  startCore(moduleOf(module));
+  startCore(module);
   // For the curious, at the browser's console, and for tests.
   Object.assign(window, { goodbot: world });
   await openLast();
@@ -93,8 +92,8 @@ async function main(module, languages) {
   document.body.classList.add('ready');
 }
 
-/** Begins, with what was packed: the core's module in parts, and the texts of all languages.
- * @param {Uint8Array[]} module
+/** Begins, with what was packed: the core's module, and the texts of all languages.
+ * @param {Uint8Array} module
  * @param {string} languages */
 export const begin = (module, languages) => main(module, languages).catch(error => {
   $('page').replaceChildren(make('p', { class: 'card', role: 'alert' }, t('noRobot')));

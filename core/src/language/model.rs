@@ -220,7 +220,10 @@ impl<'t> LanguageRef<'t> {
     ) {
         match self.model() {
             Model::Model2 => {}
-            Model::Roles => roles::kind::weigh(self.tables, sentence, form, prior, weights),
+            Model::Roles => {
+                roles::kind::weigh(self.tables, sentence, form, weights);
+                roles::kind::dilute(self.tables, sentence, prior, weights);
+            }
         }
     }
 

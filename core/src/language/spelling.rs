@@ -30,9 +30,14 @@ pub(super) fn variant(words: SymbolsRef<'_>, learned: usize, word: &str, letters
 /// assert!(!is_slip("take", "tale") && !is_slip("orange", "oarnges") && !is_slip("green", "green"));
 /// ```
 pub fn is_slip(one: &str, other: &str) -> bool {
+    one.chars().count().min(other.chars().count()) >= LEAST_LETTERS && is_slip_of_any_length(one, other)
+}
+
+/// Whether two words differ by one slip.
+pub(crate) fn is_slip_of_any_length(one: &str, other: &str) -> bool {
     let (a, b) = (one.chars().count(), other.chars().count());
     let (short, long) = if a <= b { (one, other) } else { (other, one) };
-    if a.min(b) < LEAST_LETTERS || a.abs_diff(b) > 1 {
+    if a.abs_diff(b) > 1 {
         return false;
     }
     let (mut shorter, mut longer) = (short.chars(), long.chars());

@@ -121,12 +121,12 @@ impl<'t> Tables<'t> {
 
 impl<'t> TablesRef<'t> {
     /// The role model's parameters.
-    pub(super) const fn layout(self) -> &'t Layout {
+    pub(crate) const fn layout(self) -> &'t Layout {
         &self.trained.layout
     }
 
     /// The cells of both tables.
-    pub(super) const fn cells(&self) -> (&'t [f32], &'t [f32]) {
+    pub(crate) const fn cells(&self) -> (&'t [f32], &'t [f32]) {
         (self.memory.translations, self.memory.alignments)
     }
 

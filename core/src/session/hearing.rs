@@ -10,7 +10,8 @@ use crate::oomdp::{Domain, check_actions, digest, vocabulary};
 use crate::planning::Progress;
 use crate::probability::Scaled;
 use crate::task::description::Scene;
-use crate::task::{GroundedTask, LiftedTask, ground};
+use crate::task::grounded::ground_with_done;
+use crate::task::{GroundedTask, LiftedTask};
 
 impl<M: AgentMemory> Agent<M> {
     /// Hears a command in the state that the session starts from: the tasks possible here get their prior from the language model,
@@ -31,7 +32,7 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// As [`hear`](Self::hear).
     pub fn begin_hearing<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
-        self.open(domain, state, command)?;
+        self.open(domain, state, command, 0.0)?;
         let result = self.begin_to_understand(domain);
         if result.is_err() {
             (self.start, self.progressed) = (None, Progressed::Idle);
@@ -114,7 +115,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     #[inline(never)]
-    fn open<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
+    pub(crate) fn open<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str, done: f32) -> Result<(), AgentError> {
         if self.language.is_training() {
             return Err(AgentError::NotNow(Phase::Learning));
         }
@@ -137,7 +138,7 @@ impl<M: AgentMemory> Agent<M> {
         if self.lifted.iter().any(|lifted| lifted.vocabulary() != vocabulary) {
             return Err(AgentError::OtherVocabulary);
         }
-        let count = ground(domain, &self.lifted, state, tables.session.tasks)?;
+        let count = ground_with_done(domain, &self.lifted, state, tables.session.tasks, done)?;
         if count == 0 {
             return Err(AgentError::NoTask);
         }
@@ -150,13 +151,13 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The task at a position.
-    pub(super) fn task(&self, position: usize) -> GroundedTask {
+    pub(crate) fn task(&self, position: usize) -> GroundedTask {
         self.tasks().get(position).copied().unwrap_or(GroundedTask::UNUSED)
     }
 
     /// Begins the belief with each task's Pr(l|s) Pr(t|s,l).
     #[inline(never)]
-    fn begin_to_understand<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+    pub(crate) fn begin_to_understand<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
         self.candidates = CandidateCount::NONE;
         let session = self.memory.lend().session;
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
@@ -203,7 +204,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// What the descriptions of the session's tasks need to know of the state that it started from.
-    pub(super) fn scene<D: Domain + ?Sized>(&self, domain: &D) -> Option<Scene<D::State>> {
+    pub(crate) fn scene<D: Domain + ?Sized>(&self, domain: &D) -> Option<Scene<D::State>> {
         self.start.map(|start| Scene::new(domain.numbered(start)))
     }
 

@@ -46,7 +46,7 @@ impl fmt::Display for Phase {
 
 /// The phase, with how far its work has come. Learning is the language model's own work.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Progressed {
+pub(crate) enum Progressed {
     Idle,
     /// The tasks get their priors, from this machine command on.
     Hearing(Position, Prior),
@@ -62,7 +62,7 @@ pub(super) enum Progressed {
 
 /// A machine command among those of all tasks, and the sum over those of its task before it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Position {
+pub(crate) struct Position {
     pub(super) task: usize,
     pub(super) constraint: u16,
     pub(super) sum: Scaled,
@@ -77,7 +77,7 @@ impl Position {
 
 /// Whether some task so far has a prior of more than 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Prior {
+pub(crate) enum Prior {
     Zero,
     Positive,
 }
@@ -91,7 +91,7 @@ impl<M> Agent<M> {
     /// let agent = Agent::new(memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
     /// assert_eq!(agent.phase(), Phase::Idle);
     /// assert_eq!(agent.phase().to_string(), "no session is under way; give a command first");
-    /// # Ok::<(), goodbot::AgentError>(())
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn phase(&self) -> Phase {
         match self.progressed {

@@ -60,6 +60,43 @@ pub fn ground<D: Domain + ?Sized>(
     })
 }
 
+/// As [`ground`], and with a share of `done` of each kind of task for those that hold already. Where there is no room for them, or `done` is 0,
+/// they are left out.
+pub(crate) fn ground_with_done<D: Domain + ?Sized>(
+    domain: &D,
+    lifted: &[LiftedTask],
+    state: &D::State,
+    tasks: &mut [GroundedTask],
+    done: f32,
+) -> Result<usize, CapacityError> {
+    if !cfg!(feature = "talk") || done == 0.0 {
+        return ground(domain, lifted, state, tasks);
+    }
+    let is_done = |task: &GroundedTask, lifted: &LiftedTask| task.propositions(lifted).all(|part| domain.holds(&part, state));
+    let found = ground_unless(domain.world().objects, lifted, tasks, |task, lifted| {
+        lifted.has_way() && Way::of(task, lifted).is_idle(|part| domain.holds(part, state))
+    });
+    let Ok(count) = found else { return ground(domain, lifted, state, tasks) };
+    let tasks = tasks.get_mut(..count).unwrap_or(&mut []);
+    for (position, kind) in lifted.iter().enumerate().filter(|(_, kind)| !kind.has_way()) {
+        let mut counts = [0.0_f32; 2];
+        let of_kind = |task: &&mut GroundedTask| usize::from(task.lifted) == position;
+        let part = |task: &GroundedTask| usize::from(is_done(task, kind));
+        for task in tasks.iter_mut().filter(of_kind) {
+            counts.iter_mut().skip(part(task)).take(1).for_each(|count| *count += 1.0);
+        }
+        let [open, held] = counts;
+        if open == 0.0 || held == 0.0 {
+            continue;
+        }
+        for task in tasks.iter_mut().filter(of_kind) {
+            let share = if is_done(task, kind) { done / held } else { (1.0 - done) / open };
+            task.prior *= share * (open + held);
+        }
+    }
+    Ok(count)
+}
+
 /// The factor of a task's prior for each part that only asks an object to stay where it is.
 const STAYING: f32 = 0.1;
 

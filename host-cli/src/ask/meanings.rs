@@ -1,14 +1,16 @@
-//! What a command may mean here, with what is done already.
+//! What an utterance may mean here, with what is done already.
 //!
-//! The agent leaves out tasks that hold already: there is nothing to do for them. But a person may well have meant one, and then the agent is
-//! sure of another. So each of these is asked for from where it does not hold yet, by moving one thing elsewhere.
+//! A robot with some lessons [listens](goodbot::talk). A robot with few takes everything for a command. It hears each task that is done already
+//! from a state where it is not done yet: one thing is moved elsewhere.
 
 use crate::load::task_name::{in_words, task_name};
 use goodbot::home::{Home, HomeState};
+use goodbot::language::Model;
 use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Domain;
 use goodbot::probability::{Scaled, total};
+use goodbot::talk::{ClosedWords, Listened};
 use goodbot::task::{GroundedTask, LiftedTask, ground};
 use goodbot::{Agent, AgentError, Capacities};
 
@@ -25,13 +27,51 @@ pub struct Meaning {
     pub done: bool,
 }
 
+/// With fewer lessons everything is a command: nothing is known yet of how people word what the robot can do.
+const FEW_LESSONS: usize = 20;
+
+/// All that the utterance may mean, the most probable first, and what the robot takes it for where it has had enough lessons. Afterwards the
+/// agent has heard the utterance as a command in `start`, if there is anything to do there.
+///
+/// # Errors
+/// An [`AgentError`] but that there is nothing to do.
+pub fn meanings(
+    agent: &mut Agent<impl AgentMemory>,
+    home: &Home<impl HomeMemory>,
+    start: &HomeState,
+    utterance: &str,
+) -> Result<(Option<Listened>, Vec<Meaning>), AgentError> {
+    let is_untaught = agent.language().bitext().sessions() < FEW_LESSONS;
+    if is_untaught || agent.options().language.model == Model::Model2 {
+        return Ok((None, of_command(agent, home, start, utterance)?));
+    }
+    let listened = agent.listen(home, start, utterance, ClosedWords::EUROPEAN)?;
+    let done = agent.done(home);
+    let mut meanings = Vec::new();
+    for (position, task) in agent.tasks().iter().enumerate() {
+        let Some(kind) = agent.lifted().get(usize::from(task.lifted)) else { continue };
+        let probability = listened.command * agent.belief().probability(position);
+        meanings.push(meaning(home, kind, task, probability, done.contains(position)));
+    }
+    meanings.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+    match agent.hear(home, start, utterance) {
+        Ok(()) | Err(AgentError::NoTask) => Ok((Some(listened), meanings)),
+        Err(error) => Err(error),
+    }
+}
+
+fn meaning(home: &Home<impl HomeMemory>, kind: &LiftedTask, task: &GroundedTask, probability: f32, done: bool) -> Meaning {
+    let name = task_name(home, kind, task).map(|name| name.to_string()).unwrap_or_default();
+    Meaning { name, words: in_words(home, kind, task), probability, done }
+}
+
 /// All that the command may mean, the most probable first. A word that was never heard says nothing, and makes every meaning less sure: so
 /// much of the belief as there are such words among all stays what it was before any word. Afterwards the agent has heard the command in
 /// `start`, if there is anything to do there.
 ///
 /// # Errors
 /// An [`AgentError`] but that there is nothing to do.
-pub fn meanings(
+fn of_command(
     agent: &mut Agent<impl AgentMemory>,
     home: &Home<impl HomeMemory>,
     start: &HomeState,
@@ -62,12 +102,7 @@ pub fn meanings(
     for (task, weight, done) in &explained {
         let Some(kind) = lifted.get(usize::from(task.lifted)) else { continue };
         let said = if whole.is_zero() { prior(task) } else { weight.scaled_by(prior(task)).over(whole) };
-        meanings.push(Meaning {
-            name: task_name(home, kind, task).map(|name| name.to_string()).unwrap_or_default(),
-            words: in_words(home, kind, task),
-            probability: (1.0 - unheard) * said + unheard * prior(task),
-            done: *done,
-        });
+        meanings.push(meaning(home, kind, task, (1.0 - unheard) * said + unheard * prior(task), *done));
     }
     meanings.sort_by(|a, b| b.probability.total_cmp(&a.probability));
     Ok(meanings)

@@ -24,6 +24,7 @@ use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Domain, apply};
 use goodbot::planning::OptimalSet;
+use goodbot::talk::{Hypothesis, Listened, Verdict};
 use goodbot::{Agent, AgentError};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::SessionReader;
@@ -34,6 +35,10 @@ use std::io::{BufRead, BufWriter, Write};
 use std::path::PathBuf;
 use why::Word;
 
+/// What a plain command is taken for.
+const COMMAND: &str = "a command";
+/// A robot with few lessons is sure from here on.
+const SURE: f32 = 0.5;
 /// The longest plan that is printed.
 const LONGEST_PLAN: usize = 1_000;
 
@@ -62,9 +67,9 @@ pub struct AskOptions {
     /// What was meant, such as "agentInRoom(agent0,room1)": tells word by word what speaks for it and what for the answer
     #[arg(long, value_name = "TASK", value_parser = expected)]
     expected: Option<GroundTaskText>,
-    /// Below this probability the answer is "unsure"
-    #[arg(long, value_name = "P", default_value = "0.5", value_parser = probability, allow_negative_numbers = true)]
-    threshold: f32,
+    /// Below this probability the answer is "unsure"; by default 0.5, and after 20 lessons a number that the lessons give
+    #[arg(long, value_name = "P", value_parser = probability, allow_negative_numbers = true)]
+    threshold: Option<f32>,
     #[command(flatten)]
     synonyms: SynonymOptions,
     #[command(flatten)]
@@ -78,8 +83,9 @@ pub struct AskOptions {
 }
 
 const EXAMPLES: &str = "\
-Tasks that are done already count among what may be meant; the plan is for the most likely one that is not. Each word that was never heard \
-makes the answer less sure.
+Tasks that are done already count among what may be meant; the plan is for the most likely one that is not. After 20 lessons the robot also \
+says what it takes the words for: a command, nothing that it can do, a thing that is not here, several commands, what shall not be, talk. With \
+fewer lessons, each word that was never heard makes the answer less sure.
 
 With --json, \"tasks\" are the robot's own beliefs, of what is still to do; \"meanings\" are what is shown without --json.
 
@@ -120,6 +126,8 @@ struct Answer {
     /// The most likely of these.
     best: usize,
     meanings: Vec<Meaning>,
+    /// What the robot takes the utterance for, if it has had enough lessons to tell.
+    listened: Option<Listened>,
     words: Vec<Word>,
     /// What was meant, in words, and how it explains the words.
     expected: Option<(GroundTaskText, String, Vec<Word>)>,
@@ -239,14 +247,16 @@ fn answer(
 ) -> Result<Answer, Failure> {
     let fault = |error: AgentError| Failure::Input(refusal::in_words(&error));
     let heard = in_known_words(synonyms, agent.language(), &question.command)?;
-    let meanings = meanings::meanings(agent, home, start, &heard).map_err(fault)?;
+    let (listened, meanings) = meanings::meanings(agent, home, start, &heard).map_err(fault)?;
     let mut tasks = Vec::new();
     for (position, task) in agent.tasks().iter().enumerate() {
         let Some(kind) = agent.lifted().get(usize::from(task.lifted)) else { continue };
         let text = task_name(home, kind, task).map_err(|error| Failure::Input(error.to_string()))?;
         tasks.push((text, agent.belief().probability(position)));
     }
-    let best = agent.most_likely().unwrap_or(0);
+    let to_do = meanings.iter().find(|meaning| !meaning.done).filter(|_| listened.is_some());
+    let position = to_do.and_then(|meaning| tasks.iter().position(|(name, _)| name.to_string() == meaning.name));
+    let best = position.or_else(|| agent.most_likely()).unwrap_or(0);
     let expected = match &question.expected {
         None => None,
         Some(task) => {
@@ -270,9 +280,10 @@ fn answer(
         }
     };
     let words = why::words(agent, home, start, &heard, best).map_err(fault)?;
-    let plan = if tasks.is_empty() { None } else { plan(agent, home, *start, best).map_err(fault)? };
+    let is_to_do = listened.is_none_or(|listened| listened.hypothesis == Hypothesis::Command && listened.verdict != Verdict::Done);
+    let plan = if tasks.is_empty() || !is_to_do { None } else { plan(agent, home, *start, best).map_err(fault)? };
     let tasks = tasks.into_iter().map(|(name, probability)| (name.to_string(), probability)).collect();
-    Ok(Answer { heard, tasks, best, meanings, words, expected, plan })
+    Ok(Answer { heard, tasks, best, meanings, listened, words, expected, plan })
 }
 
 /// The actions that lead to a task's goal, and whether there is no shorter way; nothing where they are not known or there are none.
@@ -313,31 +324,46 @@ impl Answer {
         }
     }
 
-    /// `sure`, `unsure` or `done`.
-    fn verdict(&self, threshold: f32) -> &'static str {
-        match self.meanings.first() {
-            Some(first) if first.probability >= threshold => {
-                if first.done {
-                    "done"
-                } else {
-                    "sure"
-                }
-            }
+    /// What the utterance is taken for.
+    fn taken_for(&self) -> String {
+        self.listened.map_or_else(|| COMMAND.to_owned(), |listened| listened.hypothesis.to_string())
+    }
+
+    /// The most likely task: one that is to do, unless the answer of a robot that listens is that it is done.
+    fn task(&self) -> Option<&String> {
+        match (&self.listened, self.meanings.first()) {
+            (Some(listened), Some(first)) if listened.verdict == Verdict::Done => Some(&first.name),
+            _ => self.tasks.get(self.best).map(|(name, _)| name),
+        }
+    }
+
+    /// `sure`, `unsure`, `done` or `none`.
+    fn verdict(&self, threshold: Option<f32>) -> &'static str {
+        let first = self.meanings.first();
+        let is_sure = match (&self.listened, threshold) {
+            (Some(listened), None) => matches!(listened.verdict, Verdict::Sure | Verdict::Done),
+            (_, threshold) => first.is_some_and(|first| first.probability >= threshold.unwrap_or(SURE)),
+        };
+        match (is_sure, first) {
+            (true, Some(Meaning { done: true, .. })) => "done",
+            (true, _) => "sure",
+            _ if self.listened.is_some_and(|listened| listened.verdict == Verdict::None) => "none",
             _ => "unsure",
         }
     }
 }
 
-fn to_json(answer: &Answer, question: &Question, threshold: f32) -> serde_json::Value {
+fn to_json(answer: &Answer, question: &Question, threshold: Option<f32>) -> serde_json::Value {
     let tasks: serde_json::Map<_, _> = answer.tasks.iter().map(|(name, share)| (name.clone(), json!(share))).collect();
     let word = |it: &Word| json!({"word": it.word, "token": it.token, "share": it.share, "probability": it.probability});
     let meaning = |it: &Meaning| json!({"task": it.name, "words": it.words, "probability": it.probability, "done": it.done});
     let mut line = json!({
-        "type": "answer", "command": question.command, "task": answer.tasks.get(answer.best).map(|(name, _)| name), "tied": answer.tied(),
+        "type": "answer", "command": question.command, "task": answer.task(), "tied": answer.tied(),
         "tasks": tasks, "plan": answer.plan.as_ref().map(|(actions, _)| actions), "exact": answer.plan.as_ref().map(|(_, exact)| exact), "words": answer.words.iter().map(word).collect::<Vec<_>>(),
         "verdict": answer.verdict(threshold), "meanings": answer.meanings.iter().map(meaning).collect::<Vec<_>>(),
     });
     if let Some(line) = line.as_object_mut() {
+        line.insert("taken_for".to_owned(), json!(answer.taken_for()));
         if answer.heard != question.command {
             line.insert("heard".to_owned(), json!(answer.heard));
         }
@@ -383,6 +409,8 @@ fn print(
         Some((plan, _)) if plan.is_empty() => writeln!(out, "plan{purpose}: nothing to do")?,
         Some((plan, true)) => writeln!(out, "plan{purpose}: {}", plan.join(" "))?,
         Some((plan, false)) => writeln!(out, "plan{purpose}: {} (approximate: a shorter way may exist)", plan.join(" "))?,
+        None if answer.listened.is_some_and(|listened| listened.verdict == Verdict::Done) => writeln!(out, "no plan: it is done already")?,
+        None if answer.taken_for() != COMMAND => writeln!(out, "no plan: I do nothing that I was not told")?,
         None => writeln!(out, "plan{purpose}: none was found")?,
     }
     if let Some((task, words, _)) = &answer.expected {
@@ -395,12 +423,16 @@ fn print(
     Ok(())
 }
 
-fn verdict(out: &mut impl Write, threshold: f32, answer: &Answer) -> std::io::Result<()> {
+fn verdict(out: &mut impl Write, threshold: Option<f32>, answer: &Answer) -> std::io::Result<()> {
     let percent = |meaning: &Meaning| format!("{} ({:.0} % sure)", meaning.words, 100.0 * meaning.probability);
     match (answer.verdict(threshold), answer.meanings.as_slice()) {
         ("done", [first, ..]) => writeln!(out, "\nanswer: already done here: {}", percent(first)),
         ("sure", [first, ..]) => writeln!(out, "\nanswer: {}", percent(first)),
-        (_, [first, second, ..]) => writeln!(out, "\nanswer: unsure: {}, or {}", percent(first), percent(second)),
+        ("none", _) => writeln!(out, "\nanswer: none of what I can do here; I take it for {}", answer.taken_for()),
+        (_, [first, second, ..]) if answer.taken_for() == COMMAND => {
+            writeln!(out, "\nanswer: unsure: {}, or {}", percent(first), percent(second))
+        }
+        (_, [_, _, ..]) => writeln!(out, "\nanswer: unsure: I take it for {}", answer.taken_for()),
         (_, [first]) => writeln!(out, "\nanswer: unsure: {}", percent(first)),
         (_, []) => writeln!(out, "\nanswer: there is nothing to do"),
     }

@@ -16,6 +16,7 @@ mod paper;
 mod replay;
 mod size;
 mod study;
+mod talk;
 mod teach;
 #[cfg(unix)]
 mod teach_screen;

@@ -1,12 +1,11 @@
 //! One HTML file out of its parts.
 
-use std::io::Write;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use lzma_rust2::{LzmaOptions, LzmaWriter};
+use zopfli::{Format, Options, compress};
 
 /// The page, and the parts that stand in it.
 pub struct Page {
@@ -32,12 +31,13 @@ fn read(folder: &Path, name: &str) -> Result<String> {
     std::fs::read_to_string(folder.join(name)).with_context(|| format!("page/{name} cannot be read"))
 }
 
-/// Puts the script that begins and the packed parts into the `index.html` of `folder`.
-pub fn assemble(folder: &Path, parts: &[&[u8]], script: &str) -> Result<Page> {
+/// Puts the script that begins and the parts, packed together, into the `index.html` of `folder`.
+pub fn assemble(folder: &Path, parts: &[(&str, &[u8])], script: &str) -> Result<Page> {
     let script = escaped(script);
-    let packed = STANDARD.encode(packed(&parts.concat())?);
+    let whole: Vec<u8> = parts.iter().flat_map(|(_, part)| *part).copied().collect();
+    let packed = STANDARD.encode(packed(&whole)?);
     let mut html = read(folder, "index.html")?;
-    let sizes = parts.iter().map(|part| part.len().to_string()).collect::<Vec<_>>().join(" ");
+    let sizes = parts.iter().map(|(_, part)| part.len().to_string()).collect::<Vec<_>>().join(" ");
     for (mark, text) in [("/*SIZES*/", &sizes), ("/*SCRIPT*/", &script), ("<!--PACKED-->", &packed)] {
         if html.matches(mark).count() != 1 {
             bail!("page/index.html must have {mark} once");
@@ -67,12 +67,11 @@ fn escaped(script: &str) -> String {
     script.replace("</script", "<\\/script").replace("<!--", "<\\!--")
 }
 
-/// An LZMA stream as `page/src/unpack.js` reads it.
-pub fn packed(bytes: &[u8]) -> Result<Vec<u8>> {
-    let options = LzmaOptions { lc: 2, lp: 0, pb: 0, nice_len: 128, ..LzmaOptions::with_preset(9) };
-    let mut writer = LzmaWriter::new_no_header(Vec::new(), &options, false)?;
-    writer.write_all(bytes)?;
-    Ok(writer.finish()?)
+/// What `page/src/begin.js` has the browser expand.
+fn packed(bytes: &[u8]) -> Result<Vec<u8>> {
+    let mut packed = Vec::new();
+    compress(Options::default(), Format::Deflate, bytes, &mut packed)?;
+    Ok(packed)
 }
 
 #[cfg(test)]

@@ -9,18 +9,18 @@ use flate2::write::GzEncoder;
 use super::assemble::Page;
 
 const MOST_BYTES: usize = 500_000;
-const MOST_GZIPPED: usize = 220_000;
+const MOST_GZIPPED: usize = 270_000;
 /// What the messages of panics take, where a ready-made standard library brings them along.
 const PANIC_MESSAGES: usize = 20_000;
 
 /// Says what the page is made of. It is an error if it is too large. `parts` are what is packed into it, with
-/// their sizes.
-pub fn check(page: &Page, parts: &[(&str, usize)], with_panic_messages: bool) -> Result<()> {
+/// their names.
+pub fn check(page: &Page, parts: &[(&str, &[u8])], with_panic_messages: bool) -> Result<()> {
     let most_gzipped = MOST_GZIPPED + if with_panic_messages { PANIC_MESSAGES } else { 0 };
     let Page { html, packed, script } = page;
     let whole = gzipped(html)?;
     println!("dist/goodbot.html: {} bytes (at most {MOST_BYTES}), gzipped {whole} (at most {most_gzipped})", html.len());
-    let listed = parts.iter().map(|(name, size)| format!("{name} ({size} bytes)")).collect::<Vec<_>>().join(", ");
+    let listed = parts.iter().map(|(name, part)| format!("{name} ({} bytes)", part.len())).collect::<Vec<_>>().join(", ");
     println!("  {listed}; packed together: {} bytes, gzipped {}", packed.len(), gzipped(packed)?);
     println!("  the script that expands them: {} bytes, gzipped {}", script.len(), gzipped(script)?);
     if html.len() > MOST_BYTES || whole > most_gzipped {

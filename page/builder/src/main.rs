@@ -1,13 +1,12 @@
 //! The trainer page as one HTML file: `goodbot-page MODULE OUT NODE [--with-panic-messages]`, as `cargo xtask page` calls it.
 //!
 //! The JavaScript glue of the WebAssembly module is generated, and both are put into `page/index.html` together with the page's own style
-//! and scripts. The module, the style, the body, the scripts and the texts of all languages are packed with LZMA; one small script expands
-//! them in the page. NODE runs what checks the scripts' types and joins them.
+//! and scripts. The style, the body, the scripts, the texts of all languages and the module are packed; one small script has the browser
+//! expand them. NODE runs what checks the scripts' types and joins them.
 
 mod assemble;
 mod budget;
 mod languages;
-mod module;
 mod scripts;
 
 use std::path::{Path, PathBuf};
@@ -34,18 +33,15 @@ fn main() -> Result<()> {
     let texts = languages::read(&source.join("languages"))?.number(&mut scripts.others, &mut body)?;
     let shown =
         [("the style", assemble::style(&source)?), ("the body", body), ("the scripts with the glue", scripts.others), ("the texts", texts)];
-    let module = module::sorted(&std::fs::read(&wasm)?)?;
+    let module = ("the module", &*std::fs::read(&wasm).with_context(|| format!("{} cannot be read", wasm.display()))?);
     // In the order in which page/src/begin.js takes them.
-    let parts: Vec<&[u8]> = shown.iter().map(|(_, text)| text.as_bytes()).chain(module.iter().map(Vec::as_slice)).collect();
+    let parts: Vec<(&str, &[u8])> = shown.iter().map(|(name, text)| (*name, text.as_bytes())).chain([module]).collect();
     let page = assemble::assemble(&source, &parts, &scripts.begin)?;
     if let Some(dist) = out.parent() {
         std::fs::create_dir_all(dist).with_context(|| format!("{} cannot be made", dist.display()))?;
     }
     std::fs::write(out, &page.html).with_context(|| format!("{} cannot be written", out.display()))?;
-    scripts::check_unpacking(&source, node, out, &wasm)?;
-    let module = ("the module", parts.iter().skip(shown.len()).map(|part| part.len()).sum());
-    let sizes: Vec<(&str, usize)> = shown.iter().map(|(name, text)| (*name, text.len())).chain([module]).collect();
-    budget::check(&page, &sizes, with_messages)
+    budget::check(&page, &parts, with_messages)
 }
 
 /// Generates the module as the page has it, and beside it in `folder` its glue and the glue's types. Returns the module's path.

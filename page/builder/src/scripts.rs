@@ -34,11 +34,6 @@ pub fn bundle(page: &Path, generated: &Path, node: &Path) -> Result<Scripts> {
     Ok(Scripts { begin: read(&begin)?, others: read(&others)? })
 }
 
-/// Expands the page `out` as a browser does, and compares the module in it with the one in the file `module`.
-pub fn check_unpacking(page: &Path, node: &Path, out: &Path, module: &Path) -> Result<()> {
-    run(Command::new(node).arg(page.join("builder/unpacking.mjs")).args([out, module]), "the page does not expand to what was packed")
-}
-
 fn run(command: &mut Command, failure: &str) -> Result<()> {
     if !command.status().with_context(|| format!("{} cannot be started", command.get_program().display()))?.success() {
         bail!("{failure}");

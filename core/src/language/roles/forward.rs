@@ -84,6 +84,9 @@ pub(super) struct Reader<'t, 'd> {
     ends: &'t [f32],
     pub present: Vec<Present, MOST_ROLES, u8>,
     pub groups: Vec<GroupShare, MOST_GROUPS, u8>,
+    /// How probable a new word is in the background, where that is not what training has found.
+    #[cfg(feature = "talk")]
+    pub new_in_background: Option<f32>,
 }
 
 /// The farthest word before another that is a cue for it.
@@ -129,6 +132,8 @@ impl<'t, 'd> Reader<'t, 'd> {
             ends: form.map_or(&[], |form| get(alignments, layout.end(form))),
             present: Vec::new(),
             groups: Vec::new(),
+            #[cfg(feature = "talk")]
+            new_in_background: None,
         }
     }
 
@@ -235,11 +240,20 @@ impl<'t, 'd> Reader<'t, 'd> {
         cell(self.translations, row.saturating_add(word))
     }
 
+    /// F(w) of a new word.
+    fn new_in_background(&self) -> f32 {
+        #[cfg(feature = "talk")]
+        if let Some(new) = self.new_in_background {
+            return new;
+        }
+        self.novelty(None)
+    }
+
     /// F(w) and A[l](w).
     pub fn background_and_task(&self, word: usize) -> (f32, f32) {
         if word >= self.layout.words() {
             return (
-                self.novelty(None),
+                self.new_in_background(),
                 self.form.and_then(|form| self.layout.forms().get(form)).map_or(1.0, |&token| self.novelty(Some(token))),
             );
         }

@@ -95,15 +95,8 @@ impl Kinds {
 /// q_l(e) pi_t Pr(e|t) / Z_l^(1/2),   Z_l the sum of pi_t Pr(e|t) over the tasks of the kind,
 /// ```
 ///
-/// with Z_l^(3/4) where tasks have ways, whose kinds differ by few words. Half the share of unknown words falls back to the task prior.
-/// An untrained model leaves the weights as they are.
-pub(crate) fn weigh(
-    tables: TablesRef<'_>,
-    sentence: &[Option<Symbol>],
-    form: impl Fn(usize) -> Symbol,
-    prior: impl Fn(usize) -> f32,
-    weights: &mut [Scaled],
-) {
+/// with Z_l^(3/4) where tasks have ways, whose kinds differ by few words. An untrained model leaves the weights as they are.
+pub(crate) fn weigh(tables: TablesRef<'_>, sentence: &[Option<Symbol>], form: impl Fn(usize) -> Symbol, weights: &mut [Scaled]) {
     let (count, layout) = (weights.len(), tables.layout());
     if layout.words() == 0 {
         return;
@@ -123,6 +116,13 @@ pub(crate) fn weigh(
         for (_, weight) in weights.iter_mut().enumerate().filter(|&(task, _)| form(task) == token) {
             *weight = weight.divided_by(root).scaled_by(kind);
         }
+    }
+}
+
+/// Half the share of unknown words falls back to the task prior.
+pub(crate) fn dilute(tables: TablesRef<'_>, sentence: &[Option<Symbol>], prior: impl Fn(usize) -> f32, weights: &mut [Scaled]) {
+    if tables.words() == 0 {
+        return;
     }
     let whole = total(weights.iter().copied());
     let unknown = UNKNOWN_SAYS_NOTHING * tables.unknown_share(sentence);

@@ -22,6 +22,7 @@
 //! - [`training`]: expectation maximisation, in parts;
 //! - [`kind`]: which kind of task the words speak of, whatever is in the scene;
 //! - `data`: the room that training data take;
+//! - `talk`: with words around the command, and how much of a task is named;
 //! - [`explanation`]: what each word was taken for.
 
 pub(crate) mod data;
@@ -30,6 +31,8 @@ pub mod forward;
 pub mod kind;
 pub mod layout;
 mod start;
+#[cfg(feature = "talk")]
+pub(crate) mod talk;
 pub mod training;
 
 pub use explanation::Meaning;

@@ -102,6 +102,27 @@ impl<M: AgentMemory> Agent<M> {
         Ok(done)
     }
 
+    /// Adds a task's description to the candidates, with Pr(e|t).
+    #[cfg(feature = "talk")]
+    pub(crate) fn add_description<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        scene: &mut Option<Scene<D::State>>,
+        task: usize,
+        likelihood: Scaled,
+    ) -> Result<(), AgentError> {
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let (Some(grounded), Some(scene)) = (session.tasks.get(task), scene) else { return Ok(()) };
+        let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
+        let mut description = Tokens::new();
+        describe(domain, &self.lifted, grounded, scene, language.tokens_mut(), &mut description)?;
+        if candidates.read().find(&description).is_none() {
+            candidates.add(task, &description, likelihood)?;
+        }
+        Ok(())
+    }
+
     #[inline(never)]
     pub(super) fn with_description<D: Domain + ?Sized>(
         &mut self,

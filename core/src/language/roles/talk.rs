@@ -1,0 +1,277 @@
+//! How well a task explains an utterance with words around the command, and how much of the task it names.
+//!
+//! Chatter is a state before and after the words of the command: "would you be so kind as to" and "please, thank you". The command's own
+//! words are read as [`forward`](super::forward) reads them.
+//!
+//! Coverage is how much is named of each thing that a task is about: nothing, something or all. People who mean the red bag of two bags
+//! say "red", and so a task whose things stay unnamed explains the words less well.
+
+use super::forward::{Memories, Reader, Scratch, heard};
+use super::layout::{Layout, MOST_ROLES, SHARES_NAMED, get};
+use crate::capacity::{LIFTED_TASKS, WORDS_PER_COMMAND};
+use crate::language::bitext::BitextRef;
+use crate::language::tables::TablesRef;
+use crate::probability::Scaled;
+use crate::symbols::Symbol;
+use crate::task::description::{form, groups};
+use crate::task::role::RoleKind;
+use heapless::Vec;
+
+/// How probable chatter is before and after a command, and how probable it is to go on.
+const ENTER: f32 = 0.15;
+const STAY: f32 = 0.85;
+
+/// Pseudo-counts of a thing that is not named, named in part, and named.
+const PSEUDO_COUNTS: [f32; SHARES_NAMED] = [0.5, 2.0, 4.0];
+/// A word is a sign of a kind of task if this share of the commands that have it are of the kind.
+const SIGN: f32 = 0.85;
+
+/// A word of an utterance.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Said {
+    pub symbol: Option<Symbol>,
+    /// How probable it is beside tasks.
+    pub chatter: f32,
+}
+
+/// How common a word is in commands; nothing for a word that was never heard.
+pub(crate) fn common(tables: TablesRef<'_>, word: Option<Symbol>) -> Option<f32> {
+    get(tables.cells().1, tables.layout().common()).get(word?.index()).copied()
+}
+
+/// F(w): how probable a word is in the background.
+pub(crate) fn background(tables: TablesRef<'_>, word: Option<Symbol>) -> Option<f32> {
+    get(tables.cells().0, tables.layout().row(None)).get(word?.index()).copied()
+}
+
+/// Pr(words | t), with chatter around the command. `new` is how probable a new word is in the background.
+pub(crate) fn likelihood(tables: TablesRef<'_>, said: &[Said], description: &[Symbol], new: f32) -> Scaled {
+    let (layout, (translations, alignments)) = (tables.layout(), tables.cells());
+    let mut reader = Reader::new(layout, translations, alignments, description);
+    reader.take_groups();
+    reader.new_in_background = Some(new);
+    let mut words: Vec<Option<Symbol>, WORDS_PER_COMMAND> = Vec::new();
+    for word in said {
+        let _ = words.push(word.symbol);
+    }
+    let number = |position: usize| words.get(position).and_then(|&word| heard(layout, &[word]).next());
+    let (mut before, mut after): (Memories, Memories) = ([0.0; MOST_ROLES + 1], [0.0; MOST_ROLES + 1]);
+    before.iter_mut().take(1).for_each(|slot| *slot = 1.0 - ENTER);
+    let (mut ahead, mut behind, mut whole, mut scratch) = (ENTER, 0.0_f32, Scaled::ONE, Scratch::NEW);
+    for (position, (word, said)) in heard(layout, &words).zip(said).enumerate() {
+        let stop: f32 = before.iter().take(reader.memories()).enumerate().map(|(memory, mass)| mass * reader.end(memory)).sum();
+        let mut sum = reader.advance(word, &reader.before(position, number), &before, &mut after, &mut scratch);
+        behind = (behind * STAY + stop * ENTER) * said.chatter;
+        ahead *= said.chatter;
+        // The command begins behind this word.
+        let begins = ahead * (1.0 - STAY);
+        after.iter_mut().take(1).for_each(|slot| *slot += begins);
+        ahead *= STAY;
+        sum += begins + ahead + behind;
+        if sum <= 0.0 {
+            return Scaled::ZERO;
+        }
+        whole = whole.scaled_by(sum);
+        before.iter_mut().zip(&after).take(reader.memories()).for_each(|(slot, mass)| *slot = mass / sum);
+        (ahead, behind) = (ahead / sum, behind / sum);
+    }
+    let stop: f32 = before.iter().take(reader.memories()).enumerate().map(|(memory, mass)| mass * reader.end(memory)).sum();
+    whole.scaled_by(stop * (1.0 - ENTER) + behind * (1.0 - STAY))
+}
+
+/// What the training data say of each word: the value that it names, and the kinds of task that it is a sign of.
+pub(crate) struct Senses<'t> {
+    tables: TablesRef<'t>,
+    bitext: BitextRef<'t>,
+    /// Whether a word speaks of no task, whatever lessons say.
+    is_plain: &'t dyn Fn(Symbol) -> bool,
+    known: Vec<Option<Sense>, MOST_WORDS>,
+}
+
+/// So many words are looked up once; the others each time.
+const MOST_WORDS: usize = 256;
+
+#[derive(Clone, Copy)]
+struct Sense {
+    value: Option<Symbol>,
+    /// One bit for each lifted task that training has seen.
+    acts: u8,
+}
+
+impl<'t> Senses<'t> {
+    pub fn new(tables: TablesRef<'t>, bitext: BitextRef<'t>, is_plain: &'t dyn Fn(Symbol) -> bool) -> Self {
+        let mut known = Vec::new();
+        while known.len() < tables.words() && known.push(None).is_ok() {}
+        Self { tables, bitext, is_plain, known }
+    }
+
+    fn of(&mut self, word: Symbol) -> Sense {
+        if let Some(&Some(sense)) = self.known.get(word.index()) {
+            return sense;
+        }
+        let value = value_of(self.tables, word);
+        let acts = if value.is_some() || (self.is_plain)(word) { 0 } else { sign_of(self.tables.layout(), self.bitext, word) };
+        let sense = Sense { value, acts };
+        if let Some(slot) = self.known.get_mut(word.index()) {
+            *slot = Some(sense);
+        }
+        sense
+    }
+}
+
+/// The values that an utterance names, and which kinds of task it has a sign of.
+pub(crate) struct Named {
+    values: Vec<Symbol, WORDS_PER_COMMAND>,
+    /// Words that were never heard.
+    new: usize,
+    acts: u8,
+}
+
+impl Named {
+    pub fn of(senses: &mut Senses<'_>, said: &[Said]) -> Self {
+        let mut named = Self { values: Vec::new(), new: 0, acts: 0 };
+        for word in said {
+            let Some(symbol) = word.symbol.filter(|symbol| symbol.index() < senses.tables.words()) else {
+                named.new = named.new.saturating_add(1);
+                continue;
+            };
+            let sense = senses.of(symbol);
+            if let Some(value) = sense.value {
+                let _ = named.values.push(value);
+            }
+            named.acts |= sense.acts;
+        }
+        named
+    }
+
+    /// Whether there is a sign of any kind of task.
+    pub fn acts(&self) -> bool {
+        self.acts != 0
+    }
+}
+
+/// The value that a word names sooner than anything else.
+fn value_of(tables: TablesRef<'_>, word: Symbol) -> Option<Symbol> {
+    let (layout, (rows, _)) = (tables.layout(), tables.cells());
+    let cell = |token: Option<Symbol>| get(rows, layout.row(token)).get(word.index()).copied().unwrap_or(0.0);
+    let other = layout.forms().iter().map(|&form| cell(Some(form))).fold(cell(None), f32::max);
+    let (mut best, mut most) = (None, other);
+    for token in (0..layout.tokens()).map(|token| Symbol(token as u16)).filter(|token| layout.form(*token).is_none()) {
+        let probability = cell(Some(token));
+        if probability > most {
+            (best, most) = (Some(token), probability);
+        }
+    }
+    best
+}
+
+/// The kinds of task that a word is a sign of.
+fn sign_of(layout: &Layout, bitext: BitextRef<'_>, word: Symbol) -> u8 {
+    let (mut with, mut all) = ([0.0_f32; LIFTED_TASKS], [0.0_f32; LIFTED_TASKS]);
+    for session in 0..bitext.sessions() as u16 {
+        let has = bitext.sentence(session).contains(&word);
+        for pair in bitext.pairs_of(session) {
+            let Some(row) = form(bitext.command(pair.command)).and_then(|token| layout.form(token)) else { continue };
+            if let (Some(with), Some(all)) = (with.get_mut(row), all.get_mut(row)) {
+                *all += pair.weight;
+                *with += if has { pair.weight } else { 0.0 };
+            }
+        }
+    }
+    let (sum_with, sum_all): (f32, f32) = (with.iter().sum(), all.iter().sum());
+    let only_one = all.iter().filter(|&&count| count > 0.0).count() < 2;
+    let is_sign = |(with, all): (f32, f32)| all > 0.0 && (only_one || (with + 0.5 * all / sum_all) / (sum_with + 0.5) >= SIGN);
+    with.into_iter().zip(all).enumerate().fold(0, |acts, (row, counts)| acts | u8::from(is_sign(counts)) << row)
+}
+
+/// How probable it is that commands name so much, for each lifted task: of the task itself, and of each role of a goal or a subject.
+pub(crate) struct Coverage {
+    counts: [[[f32; SHARES_NAMED]; MOST_ROLES + 1]; LIFTED_TASKS],
+}
+
+impl Coverage {
+    /// Counts what the training data name.
+    pub fn of(senses: &mut Senses<'_>) -> Self {
+        let (layout, bitext) = (senses.tables.layout(), senses.bitext);
+        let mut coverage = Self { counts: [[PSEUDO_COUNTS; MOST_ROLES + 1]; LIFTED_TASKS] };
+        for session in 0..bitext.sessions() as u16 {
+            let mut said: Vec<Said, WORDS_PER_COMMAND> = Vec::new();
+            for &word in bitext.sentence(session) {
+                let _ = said.push(Said { symbol: Some(word), chatter: 0.0 });
+            }
+            let named = Named::of(senses, &said);
+            for pair in bitext.pairs_of(session) {
+                let description = bitext.command(pair.command);
+                let Some(row) = form(description).and_then(|token| layout.form(token)) else { continue };
+                let Some(counts) = coverage.counts.get_mut(row) else { continue };
+                named_of(layout, &named, description, None, |role, share| {
+                    if let Some(count) = counts.get_mut(role).and_then(|counts| counts.get_mut(share)) {
+                        *count += pair.weight;
+                    }
+                });
+            }
+        }
+        coverage
+    }
+
+    /// How probable it is that of the task and its things so much is named. Of a thing that is not here, a new word may be the name.
+    pub fn share(&self, layout: &Layout, named: &Named, description: &[Symbol], ghost: Option<RoleKind>) -> Scaled {
+        let Some(row) = form(description).and_then(|token| layout.form(token)) else { return Scaled::ONE };
+        let Some(counts) = self.counts.get(row) else { return Scaled::ONE };
+        let (mut of_task, mut of_roles) = (1.0_f32, Scaled::ONE);
+        named_of(layout, named, description, ghost, |role, share| {
+            let Some(counts) = counts.get(role) else { return };
+            let probability = counts.get(share).copied().unwrap_or(0.0) / counts.iter().sum::<f32>();
+            if role == 0 { of_task = probability } else { of_roles = of_roles.scaled_by(probability) }
+        });
+        // A role counts half.
+        of_roles.square_root().scaled_by(of_task)
+    }
+
+    /// The most that a command of any kind gives away without a word of its task.
+    pub fn least_without_task(&self, layout: &Layout) -> f32 {
+        let without = |counts: &[[f32; SHARES_NAMED]; MOST_ROLES + 1]| {
+            counts.first().map_or(0.0, |counts| counts.first().copied().unwrap_or(0.0) / counts.iter().sum::<f32>())
+        };
+        self.counts.iter().take(layout.forms().len()).map(without).fold(0.0, f32::max)
+    }
+}
+
+/// Tells how much the words name: 0 for nothing, 1 for a part, 2 for all. Of the task itself at the position 0, of its roles behind that.
+/// One word names one thing.
+fn named_of(layout: &Layout, named: &Named, description: &[Symbol], ghost: Option<RoleKind>, mut tell: impl FnMut(usize, usize)) {
+    let row = form(description).and_then(|token| layout.form(token)).unwrap_or(0);
+    tell(0, if named.acts & 1 << row != 0 { 2 } else { 0 });
+    let mut left = named.values.clone();
+    let mut new = named.new;
+    let has_subject = groups(description).any(|group| group.marker.role.kind() == RoleKind::Subject);
+    for kind in [RoleKind::Goal, RoleKind::Subject] {
+        for (position, &role) in layout.roles().iter().enumerate().filter(|(_, role)| role.kind() == kind) {
+            let of_role = || groups(description).filter(move |group| group.marker.role == role);
+            let (mut all, mut said) = (0_usize, 0_usize);
+            for group in of_role().filter(|group| group.marker.sort & 1 == 0) {
+                all = all.saturating_add(1);
+                if let Some(found) = left.iter().position(|value| group.values.contains(value)) {
+                    left.swap_remove(found);
+                    said = said.saturating_add(1);
+                } else if ghost == Some(kind) && new > 0 {
+                    new = new.saturating_sub(1);
+                    said = said.saturating_add(1);
+                }
+            }
+            if all == 0 {
+                continue;
+            }
+            let names_guest = || {
+                let mut guests = of_role().filter(|group| group.marker.sort & 1 == 1);
+                !has_subject && guests.any(|group| left.iter().any(|value| group.values.contains(value)))
+            };
+            let share = match said {
+                0 => usize::from(names_guest()),
+                said if said == all => 2,
+                _ => 1,
+            };
+            tell(position.saturating_add(1), share);
+        }
+    }
+}

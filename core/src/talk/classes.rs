@@ -1,0 +1,236 @@
+//! Closed classes of words: what speaks about a command rather than in it. A table that is a shell's, apart from what is learned.
+
+use crate::language::for_each_piece;
+use core::fmt;
+
+/// A closed class of words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[repr(u8)]
+pub enum Class {
+    /// "not", "never", "except".
+    Negation,
+    /// "leave", "out", "away".
+    Out,
+    /// "but", "anywhere", "only".
+    But,
+    /// "stop", "wait".
+    Stop,
+    /// "good", "well".
+    Praise,
+    /// "bad", "wrong".
+    Blame,
+    /// "yes", "okay".
+    Yes,
+    /// "no".
+    No,
+    /// "again", "back", "undo".
+    Again,
+    /// "and", "then".
+    Connective,
+    /// "all", "both", "everything".
+    All,
+    /// "it", "there", "other".
+    Pronoun,
+    /// "hello", "thanks".
+    Greeting,
+    /// "what", "is", "where".
+    Asking,
+    /// "please", "could you", "I want".
+    Polite,
+}
+
+impl Class {
+    /// All classes, in order.
+    pub const ALL: [Self; 15] = [
+        Self::Negation,
+        Self::Out,
+        Self::But,
+        Self::Stop,
+        Self::Praise,
+        Self::Blame,
+        Self::Yes,
+        Self::No,
+        Self::Again,
+        Self::Connective,
+        Self::All,
+        Self::Pronoun,
+        Self::Greeting,
+        Self::Asking,
+        Self::Polite,
+    ];
+
+    /// Its name in a table.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Negation => "negation",
+            Self::Out => "out",
+            Self::But => "but",
+            Self::Stop => "stop",
+            Self::Praise => "praise",
+            Self::Blame => "blame",
+            Self::Yes => "yes",
+            Self::No => "no",
+            Self::Again => "again",
+            Self::Connective => "connective",
+            Self::All => "all",
+            Self::Pronoun => "pronoun",
+            Self::Greeting => "greeting",
+            Self::Asking => "asking",
+            Self::Polite => "polite",
+        }
+    }
+
+    /// Whether an utterance of such words alone is no command.
+    pub const fn is_talk(self) -> bool {
+        matches!(self, Self::Stop | Self::Praise | Self::Blame | Self::Yes | Self::No | Self::Again | Self::Greeting | Self::Asking)
+    }
+}
+
+/// The classes that a word is in, one bit each.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Classes(u16);
+
+impl Classes {
+    /// In no class.
+    pub const NONE: Self = Self(0);
+
+    /// Whether it is in a class.
+    pub const fn contains(self, class: Class) -> bool {
+        self.0 & (1 << class as u16) != 0
+    }
+
+    /// Whether it is in one of these.
+    pub fn contains_any(self, classes: &[Class]) -> bool {
+        classes.iter().any(|&class| self.contains(class))
+    }
+
+    const fn with(self, class: Class) -> Self {
+        Self(self.0 | 1 << class as u16)
+    }
+}
+
+/// A table of closed classes: in each line a class, a colon, and its words. What follows a `#` is a comment. A word may be in several
+/// classes, and a class on several lines.
+///
+/// ```
+/// use goodbot::talk::{Class, ClosedWords};
+/// let words = ClosedWords::new("negation: not don't never   # and more\nstop: stop wait")?;
+/// assert!(words.of("never").contains(Class::Negation) && words.of("stop").contains(Class::Stop));
+/// assert_eq!(ClosedWords::new("colour: red").unwrap_err().to_string(), "line 1: \"colour\" is no class of words");
+/// # Ok::<(), goodbot::talk::ClosedWordsError<'static>>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ClosedWords<'t> {
+    text: &'t str,
+}
+
+impl<'t> ClosedWords<'t> {
+    /// No words.
+    pub const NONE: Self = Self { text: "" };
+    /// The words of English, German, French and Spanish.
+    pub const EUROPEAN: ClosedWords<'static> = ClosedWords { text: include_str!("european.txt") };
+
+    /// The table that a text holds.
+    ///
+    /// # Errors
+    /// A [`ClosedWordsError`] with the first line that is none of a table.
+    pub fn new(text: &'t str) -> Result<Self, ClosedWordsError<'t>> {
+        for (line, content) in text.lines().enumerate() {
+            let content = without_comment(content);
+            let line = line.saturating_add(1);
+            let Some((name, words)) = content.split_once(':') else {
+                match content.split_whitespace().next() {
+                    None => continue,
+                    Some(word) => return Err(ClosedWordsError::NoClass { word, line }),
+                }
+            };
+            if !Class::ALL.iter().any(|class| class.name() == name.trim()) {
+                return Err(ClosedWordsError::NoSuchClass { name: name.trim(), line });
+            }
+            for word in words.split_whitespace() {
+                let mut alone = false;
+                let heard = for_each_piece(word, |piece| {
+                    alone = piece == word;
+                    Ok(())
+                });
+                if heard.is_err() || !alone {
+                    return Err(ClosedWordsError::NotAWord { word, line });
+                }
+            }
+        }
+        Ok(Self { text })
+    }
+
+    fn lines(self) -> impl Iterator<Item = (Class, core::str::SplitWhitespace<'t>)> {
+        self.text.lines().filter_map(|line| {
+            let (name, words) = without_comment(line).split_once(':')?;
+            let class = Class::ALL.iter().find(|class| class.name() == name.trim())?;
+            Some((*class, words.split_whitespace()))
+        })
+    }
+
+    /// The classes of a word, as [`for_each_piece`] gives it.
+    pub fn of(self, word: &str) -> Classes {
+        let mut classes = Classes::NONE;
+        for (class, mut words) in self.lines() {
+            if words.any(|other| other == word) {
+                classes = classes.with(class);
+            }
+        }
+        classes
+    }
+
+    /// How many words a class has.
+    pub fn count(self, class: Class) -> usize {
+        self.lines().filter(|(other, _)| *other == class).map(|(_, words)| words.count()).sum()
+    }
+
+    /// Whether there are no words.
+    pub fn is_empty(self) -> bool {
+        self.lines().next().is_none()
+    }
+}
+
+fn without_comment(line: &str) -> &str {
+    line.split('#').next().unwrap_or("")
+}
+
+/// Why a text is no table of closed classes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ClosedWordsError<'t> {
+    /// There is no class with this name.
+    NoSuchClass {
+        /// The name.
+        name: &'t str,
+        /// Its line, from 1.
+        line: usize,
+    },
+    /// A line has no class before its words.
+    NoClass {
+        /// Its first word.
+        word: &'t str,
+        /// The line, from 1.
+        line: usize,
+    },
+    /// A word is not written as commands are heard: in lower case, without punctuation.
+    NotAWord {
+        /// The word.
+        word: &'t str,
+        /// Its line, from 1.
+        line: usize,
+    },
+}
+
+impl fmt::Display for ClosedWordsError<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoSuchClass { name, line } => write!(f, "line {line}: {name:?} is no class of words"),
+            Self::NoClass { word, line } => write!(f, "line {line}: write a class and a colon before {word:?}"),
+            Self::NotAWord { word, line } => write!(f, "line {line}: write {word:?} in lower case and without punctuation"),
+        }
+    }
+}
+
+impl core::error::Error for ClosedWordsError<'_> {}

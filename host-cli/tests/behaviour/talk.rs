@@ -1,0 +1,187 @@
+//! What people say beside commands, and what `goodbot ask` makes of it. The lessons and the sentences have different words and homes.
+
+use crate::program::goodbot;
+use serde_json::{Value, json};
+
+const COLORS: [&str; 6] = ["red", "blue", "green", "yellow", "purple", "orange"];
+const SHAPES: [&str; 3] = ["bag", "chair", "basket"];
+
+/// A home: a row of rooms, the blocks by color, shape and room, and the room of the robot.
+struct Home {
+    rooms: Vec<&'static str>,
+    blocks: Vec<(&'static str, &'static str, usize)>,
+    robot: usize,
+}
+
+impl Home {
+    /// One of many homes: 3 to 5 rooms with 2 to 4 blocks, no two of which are alike.
+    fn number(seed: usize) -> Self {
+        // Steps that share no factor with the lengths go through all.
+        let pick = |of: usize, step: usize| (seed * step + seed / of + step) % of;
+        let rooms: Vec<_> = (0..3 + pick(3, 7)).map(|room| COLORS[(pick(6, 5) + room * [1, 5][seed % 2]) % 6]).collect();
+        let mut blocks: Vec<(&str, &str, usize)> = Vec::new();
+        for block in 0..2 + pick(3, 11) {
+            let found =
+                (COLORS[(pick(6, 13) + block * 2) % 6], SHAPES[(pick(3, 17) + block) % 3], (pick(rooms.len(), 19) + block) % rooms.len());
+            if !blocks.iter().any(|(color, shape, _)| (*color, *shape) == (found.0, found.1)) {
+                blocks.push(found);
+            }
+        }
+        let robot = pick(rooms.len(), 23);
+        Self { rooms, blocks, robot }
+    }
+
+    fn json(&self) -> Value {
+        let mut objects = Vec::new();
+        for (at, color) in self.rooms.iter().enumerate() {
+            objects.push(json!({"class": "room", "name": format!("room{at}"), "left": at * 4, "bottom": 0, "right": at * 4 + 4, "top": 6, "color": color}));
+            if at > 0 {
+                objects.push(json!({"class": "door", "name": format!("door{at}"), "left": at * 4, "bottom": 3, "right": at * 4, "top": 3}));
+            }
+        }
+        for (at, (color, shape, room)) in self.blocks.iter().enumerate() {
+            let (x, y) = (room * 4 + 1 + at % 3, [1, 5][at / 3]);
+            objects.push(json!({"class": "block", "name": format!("block{at}"), "x": x, "y": y, "color": color, "shape": shape}));
+        }
+        objects.push(json!({"class": "agent", "name": "agent0", "x": self.robot * 4 + 2, "y": 3}));
+        json!({"version": 1, "objects": objects})
+    }
+}
+
+fn go(room: usize) -> String {
+    format!("agentInRoom(agent0,room{room})")
+}
+
+fn take(block: usize, room: usize) -> String {
+    format!("blockInRoom(block{block},room{room})")
+}
+
+/// A model that was told what these commands mean, in `lessons` homes.
+fn taught(lessons: usize) -> (tempfile::TempDir, String) {
+    let going = ["go to the {} room", "move to the {} room", "walk into the {} room", "go into the {} room"];
+    let taking = ["take the {c} {s} to the {} room", "bring the {c} {s} to the {} room", "put the {c} {s} into the {} room"];
+    let mut log = String::new();
+    for lesson in 0..lessons {
+        let home = Home::number(lesson);
+        let room = (home.robot + 1 + lesson % (home.rooms.len() - 1)) % home.rooms.len();
+        let block = lesson % home.blocks.len();
+        let (color, shape, place) = home.blocks[block];
+        let (command, task) = if lesson % 2 == 0 || place == room {
+            let room = if room == home.robot { (room + 1) % home.rooms.len() } else { room };
+            (going[lesson / 2 % 4].replace("{}", home.rooms[room]), go(room))
+        } else {
+            let words = taking[lesson / 2 % 3].replace("{}", home.rooms[room]);
+            (words.replace("{c}", color).replace("{s}", shape), take(block, room))
+        };
+        let session = json!({"type": "session", "version": 1, "id": lesson.to_string(), "kind": "labelled", "environment": home.json(), "command": command, "intended": [task]});
+        log += &format!("{session}\n{}\n", json!({"type": "end", "learn": true}));
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let model = folder.path().join("words.goodbot").to_str().expect("a name").to_owned();
+    let run = goodbot(&["learn", "-", "--quiet", "--out", &model], log.as_bytes());
+    assert_eq!(run.code, 0, "{}", run.messages);
+    (folder, model)
+}
+
+/// The answers to sentences said in a home.
+fn asked(model: &str, home: &Home, sentences: &[String]) -> Vec<Value> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("home.json");
+    std::fs::write(&file, home.json().to_string()).expect("a file");
+    let run =
+        goodbot(&["ask", "--with", model, "--environment", file.to_str().expect("a name"), "--json", "-"], sentences.join("\n").as_bytes());
+    assert_eq!(run.code, 0, "{}", run.messages);
+    run.output.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect()
+}
+
+/// What was said, and the task that is meant, if the robot can do one.
+type Said = (String, Option<String>);
+
+/// Sentences to be followed, or of what is done already.
+fn to_follow(home: &Home) -> Vec<Said> {
+    let mut said = Vec::new();
+    for (room, color) in home.rooms.iter().enumerate() {
+        for words in [
+            "go to the {} room",
+            "would you be so kind as to go to the {} room",
+            "walk itno the {} rom",
+            "please go to the {} room now thank you",
+        ] {
+            said.push((words.replace("{}", color), Some(go(room))));
+        }
+        for (block, (of_block, shape, _)) in home.blocks.iter().enumerate() {
+            for words in
+                ["take the {c} {s} to the {} room", "could you bring the {c} {s} to the {} room", "put hte {c} {s} into the {} romo"]
+            {
+                said.push((words.replace("{c}", of_block).replace("{s}", shape).replace("{}", color), Some(take(block, room))));
+            }
+        }
+    }
+    said
+}
+
+/// Sentences that name no task, or the opposite of one, or several.
+fn not_to_follow(home: &Home) -> Vec<Said> {
+    let mut said: Vec<String> =
+        ["stop", "hello", "good robot", "no the other one", "do it again", "where is the bag", "take it there"].map(str::to_owned).into();
+    for color in &home.rooms {
+        for words in [
+            "don't go to the {} room",
+            "never go into the {} room",
+            "leave the {} room",
+            "bring everything to the {} room",
+            "go to the {} room and then walk into the green room",
+        ] {
+            said.push(words.replace("{}", color));
+        }
+    }
+    for color in COLORS.iter().filter(|color| !home.rooms.contains(color)) {
+        said.push(format!("go to the {color} room"));
+    }
+    said.into_iter().map(|words| (words, None)).collect()
+}
+
+#[test]
+fn after_enough_lessons_what_is_meant_is_followed_and_the_rest_is_not_taken_for_a_task() {
+    let (_folder, model) = taught(120);
+    let (mut follow, mut helpful, mut all, mut harmful, mut faults) = (0, 0, 0, 0, String::new());
+    for seed in [1_003, 1_010, 1_022, 1_037] {
+        let home = Home::number(seed);
+        let said = [to_follow(&home), not_to_follow(&home)].concat();
+        let sentences: Vec<String> = said.iter().map(|(words, _)| words.clone()).collect();
+        for ((words, meant), answer) in said.iter().zip(asked(&model, &home, &sentences)) {
+            let is_sure = answer["verdict"] == "sure" || answer["verdict"] == "done";
+            let is_right = is_sure && answer["task"].as_str() == meant.as_deref();
+            all += 1;
+            follow += usize::from(meant.is_some());
+            helpful += usize::from(is_right);
+            harmful += usize::from(is_sure && !is_right);
+            if is_sure != is_right || (meant.is_some() && !is_right) {
+                faults += &format!("{words}: {} {}\n", answer["verdict"], answer["task"]);
+            }
+        }
+    }
+    // Nine of ten and one of fifty are asked for.
+    assert!(helpful * 100 >= follow * 92 && harmful * 50 <= all, "helpful {helpful} of {follow}, harmful {harmful} of {all}\n{faults}");
+}
+
+#[test]
+fn the_answer_says_what_an_utterance_is_taken_for() {
+    let (_folder, model) = taught(120);
+    let home = Home { rooms: vec!["red", "blue", "green"], blocks: vec![("yellow", "bag", 2), ("red", "chair", 0)], robot: 0 };
+    let cases = [
+        ("go to the blue room", "sure", "a command"),
+        ("go to the red room", "done", "a command"),
+        ("take the yellow bag to the green room", "done", "a command"),
+        ("don't go to the blue room", "unsure", "what shall not be"),
+        ("go to the blue room and then go to the green room", "unsure", "several commands"),
+        ("go to the purple room", "none", "a thing that is not here"),
+        ("flub wib zonk", "none", "nothing that I can do"),
+    ];
+    let sentences: Vec<String> = cases.iter().map(|(words, ..)| (*words).to_owned()).collect();
+    for ((words, verdict, taken_for), answer) in cases.iter().zip(asked(&model, &home, &sentences)) {
+        assert_eq!((answer["verdict"].as_str(), answer["taken_for"].as_str()), (Some(*verdict), Some(*taken_for)), "{words}: {answer}");
+        let is_to_do = *taken_for == "a command" && *verdict != "done";
+        assert_eq!(answer["plan"].is_array(), is_to_do, "{words}: a plan only for what was told and is to do: {answer}");
+    }
+}
