@@ -1,6 +1,6 @@
 //! `goodbot microbit`: a micro:bit's file with what a robot learned elsewhere.
 
-use crate::load::home;
+use crate::load::input;
 use crate::messages::{counted, say};
 use crate::outcome::Failure;
 use crate::output::Output;
@@ -15,6 +15,7 @@ use goodbot::snapshot::Contents;
 use goodbot::storage::TwoSlots;
 use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::microbit::{MicrobitFile, SLOT_BYTES};
+use goodbot_lesson::home;
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -87,7 +88,7 @@ fn read_text(path: &Path) -> Result<String, Failure> {
 
 /// A home that the board has room for.
 fn described(name: &str) -> Result<goodbot_formats::environment::EnvironmentFile, Failure> {
-    let environment = home::read(name).map_err(|fault| Failure::Input(fault.to_string()))?;
+    let environment = input::home(name).map_err(|fault| Failure::Input(fault.to_string()))?;
     let mut memory = HomeHeap::new(&CAPACITIES);
     match home::build(&environment, Moves::Push, &mut memory) {
         Ok(_) => Ok(environment),

@@ -3,7 +3,6 @@
 //! A robot with some lessons [listens](goodbot::talk). A robot with few takes everything for a command. It hears each task that is done already
 //! from a state where it is not done yet: one thing is moved elsewhere.
 
-use crate::load::task_name::{in_words, task_name};
 use goodbot::home::{Home, HomeState};
 use goodbot::language::Model;
 use goodbot::memory::AgentMemory;
@@ -13,6 +12,7 @@ use goodbot::probability::{Scaled, total};
 use goodbot::talk::{ClosedWords, Listened};
 use goodbot::task::{GroundedTask, LiftedTask, ground};
 use goodbot::{Agent, AgentError, Capacities};
+use goodbot_lesson::name::{in_words, task_name};
 
 /// What a command may mean.
 #[derive(Clone, Debug)]

@@ -9,11 +9,9 @@ mod meanings;
 mod why;
 
 use crate::lessons::restored;
+use crate::load::input;
 use crate::load::kinds::TaskKinds;
-use crate::load::session::moves;
 use crate::load::synonyms::{SynonymOptions, in_known_words};
-use crate::load::task_name::{in_words, task_name};
-use crate::load::{Fault, home, input};
 use crate::outcome::Failure;
 use crate::refusal;
 use clap::{Args, ValueHint};
@@ -29,6 +27,9 @@ use goodbot::{Agent, AgentError};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::SessionReader;
 use goodbot_formats::task_text::GroundTaskText;
+use goodbot_lesson::checked::moves;
+use goodbot_lesson::name::{in_words, task_name};
+use goodbot_lesson::{Fault, home};
 use meanings::Meaning;
 use serde_json::json;
 use std::io::{BufRead, BufWriter, Write};
@@ -177,7 +178,7 @@ fn questions(options: &AskOptions) -> Result<Vec<Question>, Failure> {
         [only] if only == "-" => lines()?,
         words => vec![words.join(" ")],
     };
-    let environment = home::read(file).map_err(fault)?;
+    let environment = input::home(file).map_err(fault)?;
     let moves = if options.pull { Moves::PushAndPull } else { Moves::Push };
     let question = |command| Question {
         session: None,

@@ -1,10 +1,10 @@
 //! What is allowed and hardly meant: it is warned of, and no fault.
 
-use crate::load::home;
 use goodbot::home::{Cell, Home, HomeState, Moves};
 use goodbot::memory::HomeMemory;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use goodbot_formats::session::SessionHeader;
+use goodbot_lesson::home;
 use std::collections::BTreeSet;
 
 /// A doubt: the object's position in the environment, where it is one of them, and what is doubtful.

@@ -5,8 +5,8 @@
 mod doubts;
 
 use crate::load::content::Content;
+use crate::load::input;
 use crate::load::kinds::TaskKinds;
-use crate::load::{Fault, home, input, session};
 use crate::messages::counted;
 use crate::outcome;
 use clap::Args;
@@ -16,6 +16,7 @@ use goodbot_formats::environment::{self, EnvironmentFile};
 use goodbot_formats::map;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession, SessionReader};
+use goodbot_lesson::{Fault, checked, home};
 use serde_json::json;
 use std::collections::HashMap;
 use std::io::{BufRead, Write};
@@ -216,7 +217,7 @@ fn check_log(file: &str, log: impl BufRead, lifted: &[LiftedTask]) -> Findings {
 
 fn check_session(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask], warnings: &mut Vec<Fault>) -> Vec<Fault> {
     let mut memory = home::memory();
-    let session = match session::load(file, recorded, lifted, &mut memory) {
+    let session = match checked::check(file, recorded, lifted, &mut memory) {
         Ok(session) => session,
         Err(faults) => return faults,
     };

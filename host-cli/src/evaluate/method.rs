@@ -4,7 +4,6 @@ use super::folds::no_room;
 use crate::lessons::training;
 use crate::lessons::{Lesson, MachineCommand};
 use crate::load::synonyms::in_known_words;
-use crate::load::{home, session};
 use crate::outcome::Failure;
 use clap::ValueEnum;
 use goodbot::Agent;
@@ -14,6 +13,7 @@ use goodbot::language::for_each_word;
 use goodbot::language::{LanguageModel, Settings, Synonyms};
 use goodbot::memory::AgentHeap;
 use goodbot::task::TokenOrder;
+use goodbot_lesson::{checked, home};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -116,7 +116,7 @@ impl<'m> Trained<'m> {
             Self::Bags(bags) => bags.posterior(lesson).map_err(|error| no_room(error.into())),
             Self::Robot(agent) => {
                 let header = &lesson.header;
-                let moves = session::moves(header.action_names()).unwrap_or(Moves::Push);
+                let moves = checked::moves(header.action_names()).unwrap_or(Moves::Push);
                 let mut memory = home::memory();
                 let (home, start) = home::build(&header.environment, moves, &mut memory)
                     .map_err(|flaw| Failure::Input(format!("{}: {}", lesson.id, flaw.message(&header.environment))))?;

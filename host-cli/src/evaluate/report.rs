@@ -3,8 +3,8 @@
 use super::curve::Point;
 use super::folds::Answer;
 use crate::calibration::{self, RANGES, Range};
-use crate::load::fault::quoted;
 use crate::messages::counted;
+use goodbot_lesson::fault::quoted;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io::{self, Write};

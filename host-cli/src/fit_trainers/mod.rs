@@ -58,7 +58,7 @@ pub struct FitOptions {
 /// # Errors
 /// [`Failure`].
 pub fn run(options: &FitOptions) -> Result<(), Failure> {
-    let faults = |faults: Vec<crate::load::Fault>| Failure::Input(faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"));
+    let faults = |faults: Vec<goodbot_lesson::Fault>| Failure::Input(faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"));
     let walks = walk::read(&options.files, &options.kinds.lifted()?).map_err(faults)?;
     let trainers = fit::by_trainer(&walks);
     if trainers.len() < 3 {

@@ -1,15 +1,15 @@
 //! Recorded sessions as what a trainer saw: actions that were right or wrong for each task, and where the trainer ended the session.
 
-use crate::load::session::{Session, load};
-use crate::load::{Fault, home, input};
+use crate::load::input;
 use goodbot::feedback::Feedback;
-use goodbot::home::HomeState;
-use goodbot::memory::{AgentHeap, HomeMemory};
-use goodbot::oomdp::apply;
+use goodbot::memory::AgentHeap;
 use goodbot::planning::{Judgement, OptimalSet};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::session::{Kind, RecordedSession, SessionReader};
+use goodbot_lesson::checked::check;
+use goodbot_lesson::replay::{Event, Replay, Rules};
+use goodbot_lesson::{Fault, home};
 
 /// One step of a session.
 #[derive(Clone, Debug)]
@@ -72,31 +72,38 @@ pub fn read(files: &[String], lifted: &[LiftedTask]) -> Result<Vec<Walk>, Vec<Fa
 
 fn walk(agent: &mut Agent<AgentHeap>, file: &str, recorded: &RecordedSession, lifted: &[LiftedTask]) -> Result<Walk, Vec<Fault>> {
     let header = &recorded.header;
-    let mut memory = home::memory();
-    let session = load(file, recorded, lifted, &mut memory)?;
-    let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
-    agent.hear(&session.home, &session.start, &header.command).map_err(at(recorded.header_line))?;
-    let prior = session.prior.clone().unwrap_or_else(|| session.tasks.iter().map(|(task, _)| task.prior).collect());
-    let intended = header.meant().and_then(Result::ok).and_then(|meant| session.tasks.iter().position(|(_, name)| name.is_same(&meant)));
-    let mut steps = vec![];
-    for step in &session.steps {
-        agent.plan_fully(&session.home, &step.before).map_err(at(step.line))?;
-        let judged = (0..session.tasks.len()).map(|task| agent.planned().judge(task, step.action)).collect();
-        let after = apply(&session.home, &step.before, step.action).unwrap_or(step.before);
-        let at_goal = goals(agent, &session, &after).map_err(at(step.line))?;
-        steps.push(WalkStep { judged, feedback: step.feedback, at_goal });
+    let session = check(file, recorded, lifted, home::memory())?;
+    let mut replay = Replay::new(Rules::PLANS);
+    let mut steps: Vec<WalkStep> = vec![];
+    loop {
+        let event = replay.advance(agent, &session, u32::MAX);
+        let event = event.map_err(|refused| vec![Fault::on_line(file, refused.line, refused.error)])?;
+        let planned = match event {
+            Event::Ended => break,
+            Event::Planned(planned) => planned,
+            _ => continue,
+        };
+        // Where one step ends, the next begins.
+        if let Some(last) = steps.last_mut() {
+            last.at_goal = (0..session.tasks.len()).map(|task| at_goal(agent.planned().optimal(task))).collect();
+        }
+        steps.extend(planned.map(|step| WalkStep {
+            judged: (0..session.tasks.len()).map(|task| agent.planned().judge(task, step.action)).collect(),
+            feedback: step.feedback,
+            at_goal: vec![],
+        }));
     }
     agent.forget();
     let trainer = trainer_of(header.id.as_deref(), file).to_owned();
-    Ok(Walk { trainer, continues: header.continues, prior, intended, steps })
+    let prior = session.prior.unwrap_or_else(|| session.tasks.iter().map(|(task, _)| task.prior).collect());
+    Ok(Walk { trainer, continues: header.continues, prior, intended: session.intended, steps })
 }
 
-fn goals(agent: &mut Agent<AgentHeap>, session: &Session<impl HomeMemory>, state: &HomeState) -> Result<Vec<Option<bool>>, AgentError> {
-    agent.plan_fully(&session.home, state)?;
-    let goal = |task| match agent.planned().optimal(task) {
+/// Whether a task is done, as its plan says; nothing where that is not known.
+const fn at_goal(plan: OptimalSet) -> Option<bool> {
+    match plan {
         OptimalSet::Approximate(_) | OptimalSet::Unknown => None,
         OptimalSet::Goal => Some(true),
         OptimalSet::Toward(_) | OptimalSet::DeadEnd(_) => Some(false),
-    };
-    Ok((0..session.tasks.len()).map(goal).collect())
+    }
 }

@@ -1,15 +1,12 @@
 //! One session, walked by an agent that knows no word: which task do the steps speak for?
 
 use super::{Lesson, MachineCommand, Reading};
-use crate::load::fault::quoted;
-use crate::load::session::{Session, load};
-use crate::load::{Fault, home};
 use goodbot::capacity::TOKENS_PER_COMMAND;
-use goodbot::home::HomeState;
+use goodbot::feedback::Strategy;
 use goodbot::language::{LanguageRef, Model};
 use goodbot::memory::AgentHeap;
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::{Action, Domain, ObjectId, apply};
+use goodbot::oomdp::{Domain, ObjectId, apply};
 use goodbot::probability::total;
 use goodbot::session::Evidence;
 use goodbot::symbols::{Symbol, Symbols, SymbolsRef};
@@ -18,6 +15,10 @@ use goodbot::task::description::{Scene, describe};
 use goodbot::task::{Expression, LiftedTask, Marker, Part};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, StepRecord};
+use goodbot_lesson::checked::{CheckedSession, check};
+use goodbot_lesson::fault::quoted;
+use goodbot_lesson::replay::{Event, Replay, Rules};
+use goodbot_lesson::{Fault, home};
 
 /// Sees what a session shows.
 pub struct Witness {
@@ -39,15 +40,10 @@ impl Witness {
     pub fn lesson(&mut self, file: &str, recorded: &RecordedSession) -> Result<Lesson, Vec<Fault>> {
         let header = &recorded.header;
         let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
-        let mut memory = home::memory();
-        let session = load(file, recorded, &self.lifted, &mut memory)?;
-        // What is no task here was refused when the session was loaded.
-        let meant = header.meant().and_then(Result::ok);
-        let intended = meant.and_then(|meant| session.tasks.iter().position(|(_, name)| name.is_same(&meant)));
-        let strategies = session.strategies.clone().unwrap_or_else(|| vec![(goodbot::feedback::Strategy::BALANCED, 1.0)]);
-        self.agent.set_strategies(&strategies).map_err(at(recorded.header_line))?;
-        self.agent.hear(&session.home, &session.start, &header.command).map_err(at(recorded.header_line))?;
-        let remarks = self.watch(file, recorded, &session)?;
+        let session = check(file, recorded, &self.lifted, home::memory())?;
+        self.agent.set_strategies(&[(Strategy::BALANCED, 1.0)]).map_err(at(recorded.header_line))?;
+        let remarks = self.watch(file, &session)?;
+        let intended = session.intended;
         let beliefs: Vec<f32> = match (header.kind, intended) {
             (Kind::Labelled, Some(told)) => (0..session.tasks.len()).map(|task| f32::from(u8::from(task == told))).collect(),
             _ => (0..session.tasks.len()).map(|task| self.agent.belief().probability(task)).collect(),
@@ -75,41 +71,27 @@ impl Witness {
         Ok(lesson)
     }
 
-    fn watch(&mut self, file: &str, recorded: &RecordedSession, session: &Session<impl HomeMemory>) -> Result<Vec<Fault>, Vec<Fault>> {
+    fn watch(&mut self, file: &str, session: &CheckedSession<impl HomeMemory>) -> Result<Vec<Fault>, Vec<Fault>> {
         let mut remarks = vec![];
-        let mut last: HomeState = session.start;
-        let answered = |agent: &mut Agent<AgentHeap>, steps: usize| {
-            session.answer(agent, steps).map_err(|(line, error)| vec![Fault::on_line(file, line, error)])
-        };
-        for (count, step) in session.steps.iter().enumerate() {
-            answered(&mut self.agent, count)?;
-            let at = |error: AgentError| vec![Fault::on_line(file, step.line, error)];
-            if step.bump && recorded.header.kind == Kind::Demonstration {
-                let cell = session.home.agent_cell(&step.before);
-                let message =
-                    format!("walks into a wall or a held block at {}, {}; nothing moves, and the step still counts", cell.x, cell.y);
-                remarks.push(Fault::on_line(file, step.line, message).in_field("action"));
-            }
-            self.agent.plan_fully(&session.home, &step.before).map_err(at)?;
-            last = apply(&session.home, &step.before, step.action).unwrap_or(last);
-            let evidence = match recorded.header.kind {
-                Kind::Feedback => {
-                    self.agent.acted(&session.home, &step.before, step.action).map_err(at)?;
-                    self.agent.feedback(step.feedback)
+        let mut replay = Replay::new(Rules::BY_ITSELF);
+        loop {
+            let event = replay.advance(&mut self.agent, session, u32::MAX);
+            match event.map_err(|refused| vec![Fault::on_line(file, refused.line, refused.error)])? {
+                Event::Ended => return Ok(remarks),
+                Event::Took(step, evidence) => {
+                    if step.bump && session.kind == Kind::Demonstration {
+                        let cell = session.home.agent_cell(&step.before);
+                        let message = format!(
+                            "walks into a wall or a held block at {}, {}; nothing moves, and the step still counts",
+                            cell.x, cell.y
+                        );
+                        remarks.push(Fault::on_line(file, step.line, message).in_field("action"));
+                    }
+                    remarks.extend(remark(evidence).map(|message| Fault::on_line(file, step.line, message)));
                 }
-                Kind::Demonstration => self.agent.demonstrated(&session.home, &step.before, step.action),
-                Kind::Labelled => continue,
-            };
-            remarks.extend(remark(evidence.map_err(at)?).map(|message| Fault::on_line(file, step.line, message)));
+                Event::Working | Event::Heard | Event::Answered(_) | Event::Planned(_) | Event::Closed(_) => {}
+            }
         }
-        answered(&mut self.agent, session.steps.len())?;
-        // A trainer who shows the way stops where it is done.
-        if recorded.header.kind == Kind::Demonstration {
-            let at = |error: AgentError| vec![Fault::on_line(file, recorded.end_line, error)];
-            self.agent.plan_fully(&session.home, &last).map_err(at)?;
-            let _ = self.agent.demonstrated(&session.home, &last, Action::NOOP).map_err(at)?;
-        }
-        Ok(remarks)
     }
 
     /// The machine commands by their share of the posterior; those up to [`Options::least_weight`] are dropped.
@@ -128,7 +110,7 @@ impl Witness {
         pairs
     }
 
-    fn readings(&mut self, session: &Session<impl HomeMemory>, beliefs: &[f32]) -> Result<Vec<Reading>, AgentError> {
+    fn readings(&mut self, session: &CheckedSession<impl HomeMemory>, beliefs: &[f32]) -> Result<Vec<Reading>, AgentError> {
         let mut readings = Vec::new();
         for (position, (task, name)) in session.tasks.iter().enumerate() {
             let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
@@ -145,7 +127,7 @@ impl Witness {
     }
 
     /// The first in order of a task's shortest plans.
-    fn plan(&mut self, session: &Session<impl HomeMemory>, task: usize) -> Result<MachineCommand, AgentError> {
+    fn plan(&mut self, session: &CheckedSession<impl HomeMemory>, task: usize) -> Result<MachineCommand, AgentError> {
         let (mut state, mut plan) = (session.start, vec![]);
         self.agent.hear_again(&session.home, &session.start)?;
         while plan.len() < TOKENS_PER_COMMAND {

@@ -11,7 +11,7 @@ pub mod evidence;
 pub mod restored;
 pub mod training;
 
-use crate::load::{Fault, input};
+use crate::load::input;
 use crate::messages::{bar, counted, say};
 use crate::outcome::Failure;
 use evidence::Witness;
@@ -19,6 +19,7 @@ use goodbot::Options;
 use goodbot::task::LiftedTask;
 use goodbot_formats::session::{Kind, RecordedSession, SessionHeader, SessionReader};
 use goodbot_formats::task_text::GroundTaskText;
+use goodbot_lesson::Fault;
 use rayon::prelude::*;
 
 /// A machine command: its tokens.

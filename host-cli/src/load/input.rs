@@ -1,10 +1,12 @@
 //! Files, and standard input under the name `-`.
 
-use super::Fault;
 use super::content::Content;
 use crate::whole_file::MOST_BYTES;
+use goodbot_formats::Problem;
+use goodbot_formats::environment::EnvironmentFile;
+use goodbot_lesson::{Fault, home};
 use std::fs::File;
-use std::io::{BufRead, BufReader, Read};
+use std::io::{BufRead, BufReader, Read, Write};
 
 /// How standard input is called in messages.
 const STANDARD_INPUT: &str = "standard input";
@@ -36,6 +38,28 @@ pub fn log(file: &str) -> Result<BufReader<Box<dyn Read>>, Fault> {
 fn is_home(head: &[u8]) -> bool {
     let text: String = String::from_utf8_lossy(head).chars().filter(|c| !c.is_whitespace()).take(200).collect();
     text.trim_start_matches('\u{feff}').starts_with('{') && text.contains("\"objects\":[") && !text.contains("\"type\":")
+}
+
+/// A home from a file, as JSON or drawn as text.
+///
+/// # Errors
+/// What is wrong with the file.
+pub fn home(file: &str) -> Result<EnvironmentFile, Fault> {
+    let (name, bytes) = (name(file), bytes(file)?);
+    let content = Content::of(&bytes);
+    if !matches!(content, Content::Environment | Content::Map) {
+        return Err(Fault::new(name, format!("this is {}, not a home; name a home (goodbot example home prints one)", content.name())));
+    }
+    let text = String::from_utf8(bytes).map_err(|_| Fault::new(name, Problem::NotUtf8))?;
+    home::parse(name, &text)
+}
+
+/// Writes faults to standard error, where anyone still reads it.
+pub fn tell(faults: &[Fault]) {
+    let mut messages = std::io::stderr().lock();
+    for fault in faults {
+        let _ = writeln!(messages, "{fault}");
+    }
 }
 
 /// All of a file.

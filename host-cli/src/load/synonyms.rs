@@ -1,10 +1,11 @@
 //! Tables of synonyms.
 
-use super::{Fault, input};
+use super::input;
 use crate::outcome::Failure;
 use crate::refusal;
 use clap::{Args, ValueHint};
 use goodbot::language::{LanguageRef, Synonyms};
+use goodbot_lesson::Fault;
 
 /// Where the table is.
 #[derive(Debug, Args)]

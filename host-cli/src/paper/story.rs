@@ -3,7 +3,6 @@
 use super::experiment::{Run, run_seed};
 use super::lexicon::Lexicon;
 use crate::cli::PaperOptions;
-use crate::load::task_name::in_words;
 use crate::outcome::Failure;
 use goodbot::Agent;
 use goodbot::feedback::Feedback;
@@ -13,6 +12,7 @@ use goodbot::memory::HomeMemory;
 use goodbot::oomdp::action_name;
 use goodbot::planning::OptimalSet;
 use goodbot_course::{CourseTrainer, Ending, LESSONS, LessonReport, Observer, Scene, Step, TESTS, TestReport};
+use goodbot_lesson::name::in_words;
 use std::io::{self, Write};
 
 /// Cells of a belief's bar.

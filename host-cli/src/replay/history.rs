@@ -3,12 +3,9 @@
 use super::believes::Believes;
 use crate::fit_trainers::walk::trainer_of;
 use crate::lessons::evidence;
-use crate::load::session::{Session, load};
-use crate::load::{Fault, home};
 use goodbot::feedback::Feedback;
 use goodbot::home::Home;
 use goodbot::memory::{AgentHeap, HomeMemory};
-use goodbot::oomdp::apply;
 use goodbot::session::{Evidence, Options};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, AgentError, Capacities};
@@ -16,6 +13,9 @@ use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession};
 use goodbot_formats::task_text::GroundTaskText;
+use goodbot_lesson::checked::{CheckedSession, Step, check};
+use goodbot_lesson::replay::{Event, Replay, Rules};
+use goodbot_lesson::{Fault, home};
 
 /// The name of the paper's trainer strategy, which is considered where no session names others.
 const BALANCED: &str = "balanced";
@@ -141,13 +141,13 @@ impl History {
             return Err(vec![Fault::on_line(file, recorded.header_line, message).in_field("kind")]);
         }
         self.check_continues(file, recorded)?;
-        let mut memory = home::memory();
-        let session = load(file, recorded, &self.lifted, &mut memory)?;
+        let session = check(file, recorded, &self.lifted, home::memory())?;
         self.meet(file, recorded).map_err(at(recorded.header_line))?;
-        self.begin(recorded, &session).map_err(at(recorded.header_line))?;
-        let id = header.id.clone().unwrap_or_else(|| format!("{file}:{}", recorded.header_line));
+        if let (Some(records), false) = (&header.strategies, self.expects()) {
+            self.strategies = records.iter().map(|record| record.name.clone()).collect();
+        }
         let mut outcome = Outcome {
-            id,
+            id: header.id.clone().unwrap_or_else(|| format!("{file}:{}", recorded.header_line)),
             command: header.command.clone(),
             kind: header.kind,
             continues: header.continues,
@@ -159,58 +159,68 @@ impl History {
             trained: false,
             remarks: vec![],
         };
-        outcome.beliefs.push(self.belief(&outcome.id, 0, &session));
-        let answered = |agent: &mut Agent<AgentHeap>, steps: usize| {
-            session.answer(agent, steps).map_err(|(line, error)| vec![Fault::on_line(file, line, error)])
-        };
-        for (step, count) in session.steps.iter().zip(1_u64..) {
-            answered(&mut self.agent, count as usize - 1)?;
-            self.agent.plan_fully(&session.home, &step.before).map_err(at(step.line))?;
-            let counted = match header.kind {
-                Kind::Feedback => {
-                    let [reward, punish, neutral] = &mut outcome.feedback;
-                    *match step.feedback {
-                        Feedback::Reward => reward,
-                        Feedback::Punish => punish,
-                        Feedback::Neutral => neutral,
-                    } += 1;
-                    self.agent.acted(&session.home, &step.before, step.action).map_err(at(step.line))?;
-                    self.agent.feedback(step.feedback)
-                }
-                Kind::Demonstration => self.agent.demonstrated(&session.home, &step.before, step.action),
-                // Has no steps, and was refused.
-                Kind::Labelled => Ok(Evidence::Used),
-            };
-            let mut remark = |message: &str| outcome.remarks.push(Fault::on_line(file, step.line, message));
-            if let Some(message) = evidence::remark(counted.map_err(at(step.line))?) {
-                remark(message);
-            }
-            let plan = self.agent.planned();
-            if !plan.unknown().union(plan.approximate()).is_empty() {
-                remark(
-                    "the search was bounded: for some tasks the optimal actions are not known exactly, and the step says nothing of these",
-                );
-            }
-            if step.bump && header.kind == Kind::Demonstration {
-                remark("the demonstration goes against a wall or a block that is held, and nothing moves");
-            }
-            outcome.beliefs.push(self.belief(&outcome.id, count, &session));
-        }
-        if session.answers.iter().any(|answer| answer.after == session.steps.len()) {
-            answered(&mut self.agent, session.steps.len())?;
-            // What was answered behind the last step belongs to the last belief.
-            outcome.beliefs.pop();
-            outcome.beliefs.push(self.belief(&outcome.id, session.steps.len() as u64, &session));
-        }
-        if self.ends(&session, header.kind).map_err(at(recorded.end_line))? {
-            outcome.beliefs.push(self.belief(&outcome.id, session.steps.len() as u64 + 1, &session));
-        }
+        self.walk(file, &session, &mut outcome)?;
         if recorded.learn {
             outcome.trained = self.learn(&session.home).map_err(at(recorded.end_line))?;
         } else {
             self.agent.forget();
         }
         Ok(outcome)
+    }
+
+    fn walk(&mut self, file: &str, session: &CheckedSession<impl HomeMemory>, outcome: &mut Outcome) -> Result<(), Vec<Fault>> {
+        let mut replay = Replay::new(Rules { strategies: !self.expects(), ..Rules::AS_IT_WAS });
+        let mut taken = 0;
+        loop {
+            let event = replay.advance(&mut self.agent, session, u32::MAX);
+            match event.map_err(|refused| vec![Fault::on_line(file, refused.line, refused.error)])? {
+                Event::Working | Event::Planned(_) => continue,
+                Event::Ended => return Ok(()),
+                Event::Heard | Event::Closed(Evidence::Used) => {}
+                Event::Closed(_) => continue,
+                Event::Answered(answer) => {
+                    if answer.after < session.steps.len() {
+                        continue;
+                    }
+                    // An answer after the last step belongs to the last belief.
+                    outcome.beliefs.pop();
+                    taken -= 1;
+                }
+                Event::Took(step, evidence) => {
+                    if session.kind == Kind::Feedback {
+                        let [reward, punish, neutral] = &mut outcome.feedback;
+                        *match step.feedback {
+                            Feedback::Reward => reward,
+                            Feedback::Punish => punish,
+                            Feedback::Neutral => neutral,
+                        } += 1;
+                    }
+                    self.remark(file, session.kind, step, evidence, &mut outcome.remarks);
+                }
+            }
+            outcome.beliefs.push(self.belief(&outcome.id, taken, session));
+            taken += 1;
+        }
+    }
+
+    /// Remarks on a step that was just taken.
+    fn remark(&self, file: &str, kind: Kind, step: &Step, evidence: Evidence, remarks: &mut Vec<Fault>) {
+        let mut remark = |message: &str| remarks.push(Fault::on_line(file, step.line, message));
+        if let Some(message) = evidence::remark(evidence) {
+            remark(message);
+        }
+        let plan = self.agent.planned();
+        if !plan.unknown().union(plan.approximate()).is_empty() {
+            remark("the search was bounded: for some tasks the optimal actions are not known exactly, and the step says nothing of these");
+        }
+        if step.bump && kind == Kind::Demonstration {
+            remark("the demonstration goes against a wall or a block that is held, and nothing moves");
+        }
+    }
+
+    /// Whether it expects of trainers what it was told, and not what the sessions say.
+    fn expects(&self) -> bool {
+        self.believes.as_ref().and_then(Believes::strategies).is_some()
     }
 
     /// Ends a session that is learned from. Gives whether the words were learned anew.
@@ -251,33 +261,7 @@ impl History {
         Ok(())
     }
 
-    /// Takes in that the trainer ended the session, where that is evidence. Gives whether it was.
-    fn ends(&mut self, session: &Session<impl HomeMemory>, kind: Kind) -> Result<bool, AgentError> {
-        let Some(last) = session.steps.last().filter(|_| kind == Kind::Feedback && self.agent.options().ending.is_evidence()) else {
-            return Ok(false);
-        };
-        let state = apply(&session.home, &last.before, last.action).unwrap_or(last.before);
-        self.agent.plan_fully(&session.home, &state)?;
-        Ok(self.agent.trainer_ended(&session.home, &state)? == Evidence::Used)
-    }
-
-    fn begin(&mut self, recorded: &RecordedSession, session: &Session<impl HomeMemory>) -> Result<(), AgentError> {
-        let header = &recorded.header;
-        let expected = self.believes.as_ref().and_then(Believes::strategies).is_some();
-        if let (Some(strategies), Some(records), false) = (&session.strategies, &header.strategies, expected) {
-            self.agent.set_strategies(strategies)?;
-            self.strategies = records.iter().map(|record| record.name.clone()).collect();
-        }
-        if header.continues {
-            self.agent.hear_again(&session.home, &session.start)
-        } else if session.prior.is_some() {
-            self.agent.hear_with_prior(&session.home, &session.start, &header.command, |task, _| session.prior_of(task))
-        } else {
-            self.agent.hear(&session.home, &session.start, &header.command)
-        }
-    }
-
-    fn belief(&self, id: &str, step: u64, session: &Session<impl HomeMemory>) -> PosteriorLine<f32> {
+    fn belief(&self, id: &str, step: u64, session: &CheckedSession<impl HomeMemory>) -> PosteriorLine<f32> {
         let belief = self.agent.belief();
         let tasks = session.tasks.iter().enumerate().map(|(position, (_, name))| (name.clone(), belief.probability(position)));
         let strategies = self.strategies.iter().enumerate().map(|(position, name)| (name.clone(), belief.strategy_probability(position)));

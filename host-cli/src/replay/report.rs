@@ -2,11 +2,11 @@
 
 use super::history::Outcome;
 use crate::fit_trainers::believing::Rightness;
-use crate::load::fault::quoted;
 use crate::messages::counted;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::Kind;
 use goodbot_formats::task_text::GroundTaskText;
+use goodbot_lesson::fault::quoted;
 use std::fmt;
 
 /// The most likely task of a belief.

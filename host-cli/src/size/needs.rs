@@ -2,7 +2,7 @@
 
 use super::SizeOptions;
 use crate::lessons::{self, Lesson, training};
-use crate::load::{home, input};
+use crate::load::input;
 use crate::outcome::Failure;
 use crate::refusal;
 use goodbot::home::{Home, HomeState, Moves};
@@ -13,6 +13,7 @@ use goodbot::snapshot::most_bytes;
 use goodbot::{Agent, AgentError, Capacities};
 use goodbot_capi::capacities::bytes_32;
 use goodbot_formats::environment::EnvironmentFile;
+use goodbot_lesson::home;
 use std::collections::BTreeSet;
 
 /// States that a home is given at most: exact plans in larger ones cost more memory than they are worth on a controller.
@@ -95,7 +96,7 @@ impl Needs {
 fn homes(files: &[String], log: &[Lesson]) -> Result<Vec<(Home<HomeHeap>, HomeState)>, Failure> {
     let mut environments: Vec<(&str, EnvironmentFile)> = Vec::new();
     for file in files {
-        let environment = home::read(file).map_err(|fault| Failure::Input(fault.to_string()))?;
+        let environment = input::home(file).map_err(|fault| Failure::Input(fault.to_string()))?;
         environments.push((input::name(file), environment));
     }
     for lesson in log {

@@ -1,11 +1,14 @@
 //! What real trainers said, from session logs: each action judged for what they meant.
 
-use crate::load::{Fault, home, input, session};
+use crate::load::input;
 use crate::outcome::Failure;
 use goodbot::memory::AgentHeap;
 use goodbot::planning::OptimalSet;
 use goodbot::{Agent, Capacities, Options, home::paper_tasks};
 use goodbot_formats::session::{Kind, RecordedSession, SessionReader};
+use goodbot_lesson::checked::check;
+use goodbot_lesson::replay::{Event, Replay, Rules};
+use goodbot_lesson::{Fault, home};
 use goodbot_study::trainer::population::{Observed, Record};
 
 /// The trainers of some logs, each with a name.
@@ -63,20 +66,21 @@ impl Judge {
     }
 
     fn lesson(&mut self, file: &str, recorded: &RecordedSession) -> Result<Vec<Observed>, Vec<Fault>> {
-        let refused = |error: goodbot::AgentError| vec![Fault::on_line(file, recorded.header_line, error)];
         let agent = &mut self.0;
-        let session = session::load(file, recorded, agent.lifted(), home::memory())?;
-        let meant = recorded.header.meant().and_then(Result::ok);
-        let intended = meant.and_then(|meant| session.tasks.iter().position(|(_, name)| name.is_same(&meant)));
-        let Some(intended) = intended else { return Ok(Vec::new()) };
-        agent.hear(&session.home, &session.start, &recorded.header.command).map_err(refused)?;
-        let mut observed = Vec::new();
-        for step in &session.steps {
-            agent.plan_fully(&session.home, &step.before).map_err(refused)?;
-            let right = agent.planned().optimal(intended);
-            let correct = right.exact().is_some_and(|actions| actions.contains(step.action));
-            observed.push(Observed { correct, at_goal: right == OptimalSet::Goal, said: step.feedback });
+        let session = check(file, recorded, agent.lifted(), home::memory())?;
+        let Some(intended) = session.intended else { return Ok(Vec::new()) };
+        let (mut replay, mut observed) = (Replay::new(Rules::PLANS), Vec::new());
+        loop {
+            let event = replay.advance(agent, &session, u32::MAX);
+            match event.map_err(|refused| vec![Fault::on_line(file, refused.line, refused.error)])? {
+                Event::Ended => return Ok(observed),
+                Event::Planned(Some(step)) => {
+                    let right = agent.planned().optimal(intended);
+                    let correct = right.exact().is_some_and(|actions| actions.contains(step.action));
+                    observed.push(Observed { correct, at_goal: right == OptimalSet::Goal, said: step.feedback });
+                }
+                _ => {}
+            }
         }
-        Ok(observed)
     }
 }

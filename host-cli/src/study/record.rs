@@ -3,8 +3,9 @@
 use super::plan::Plan;
 use super::runs::Run;
 use super::shard::Shard;
-use crate::load::{Fault, input};
+use crate::load::input;
 use crate::outcome::Failure;
+use goodbot_lesson::Fault;
 use goodbot_study::agent::AGENTS;
 use goodbot_study::trainer::TRAINERS;
 use goodbot_study::trainer::population::Population;

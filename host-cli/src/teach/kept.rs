@@ -3,12 +3,12 @@
 //! Both are written as soon as a session is over, so that nothing is left to lose. The log is appended to, the model replaced as a whole. A
 //! file that is something else is never written to. While a robot is being taught its log is locked, so that two do not teach it at once.
 
-use crate::load::Fault;
 use crate::outcome::Failure;
 use crate::output::are_one;
 use crate::whole_file::{read_model, write_whole};
 use etcetera::BaseStrategy;
 use goodbot_formats::session::{RecordedSession, SessionReader};
+use goodbot_lesson::Fault;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};

@@ -1,9 +1,9 @@
 //! The tour: the paper's seven lessons and five tests, one after the other; and homes to teach in.
 
 use super::scene::scene;
-use crate::load::home as homes;
 use goodbot_course::{Exercise, HomeName, Homes, LESSONS, Layout, TESTS, generator};
 use goodbot_formats::environment::EnvironmentFile;
+use goodbot_lesson::home as homes;
 use rand_core::Rng;
 
 /// What to look out for in each lesson.

@@ -25,7 +25,7 @@ mod terminal;
 mod trainer;
 mod visit;
 
-use crate::load::{home as homes, input};
+use crate::load::input;
 use crate::messages::{counted, is_colored};
 use crate::outcome::Failure;
 use crate::output::Output;
@@ -211,5 +211,5 @@ fn home(options: &TeachOptions) -> Result<EnvironmentFile, Failure> {
     if file == "-" {
         return Err(Failure::Input("standard input is where requests come from; name a file for the home".to_owned()));
     }
-    homes::read(file).map_err(|fault| Failure::Input(fault.to_string()))
+    input::home(file).map_err(|fault| Failure::Input(fault.to_string()))
 }

@@ -1,10 +1,10 @@
 //! Tasks, objects and ideas as a person calls them.
 
-use crate::load::task_name::{place_in_words, way_in_words};
 use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, ROOM, SHAPE};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Domain, GroundProposition, ObjectId};
 use goodbot::task::{GroundedTask, LiftedTask};
+use goodbot_lesson::name::{place_in_words, way_in_words};
 
 /// A task as a person says it: `take the yellow bag to the blue room`, `go to the green room, but not through the yellow room`.
 pub fn task_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {

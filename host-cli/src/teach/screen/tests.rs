@@ -1,13 +1,13 @@
 //! The screen, looked at.
 
 use super::*;
-use crate::load::home;
 use crate::teach::classroom::Classroom;
 use crate::teach::keys::Intent;
 use crate::teach::lessons::{Tour, first_home};
 use crate::teach::pace::Pace;
 use crate::teach::trainer::Trainer;
 use goodbot_formats::environment::EnvironmentFile;
+use goodbot_lesson::home;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::style::Color;

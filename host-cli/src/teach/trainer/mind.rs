@@ -1,12 +1,12 @@
 //! The robot's mind and its home, each made anew when it is replaced during a visit.
 
 use super::{Refusal, refused};
-use crate::load::home as homes;
 use goodbot::feedback::population;
 use goodbot::home::{self, Home, HomeState, Moves};
 use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::environment::EnvironmentFile;
+use goodbot_lesson::home as homes;
 
 /// A mind that has learned nothing yet, and expects what real people do. `ways` says whether commands may mean tasks with a way.
 pub fn new_mind(capacities: &Capacities, ways: bool) -> Result<Agent<AgentHeap>, Refusal> {

@@ -2,7 +2,6 @@
 
 use super::{Refusal, Trainer, no_session, refused};
 use crate::lessons::evidence;
-use crate::load::task_name::task_name;
 use crate::teach::plain_names::{task_words, token_words};
 use goodbot::language::Model;
 use goodbot::language::for_each_word;
@@ -10,6 +9,7 @@ use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
 use goodbot::task::GroundedTask;
 use goodbot_formats::task_text::GroundTaskText;
+use goodbot_lesson::name::task_name;
 
 /// A task that the command may mean.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,23 +1,23 @@
 //! A recorded session, checked against its home and walked through before anything is believed of it.
 
-use super::fault::quoted;
-use super::task_name::task_name;
-use super::{Fault, home};
+use crate::fault::{Fault, quoted};
+use crate::home;
+use crate::name::task_name;
 use goodbot::capacity::{Capacity, CapacityError, PROPOSITIONS_PER_TASK};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{Home, HomeState, Moves, SCHEMA};
 use goodbot::language::for_each_word;
-use goodbot::memory::{AgentMemory, HomeMemory};
+use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain, action_named, apply};
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
-use goodbot::{Agent, AgentError, Capacities};
-use goodbot_formats::session::{FeedbackWord, RecordedAnswer, RecordedSession, StepRecord, StrategyRecord};
+use goodbot::{AgentError, Capacities};
+use goodbot_formats::session::{FeedbackWord, Kind, RecordedAnswer, RecordedSession, StepRecord, StrategyRecord};
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
 
 /// One step of a session.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
-    /// The line it stands on.
+    /// Its line.
     pub line: usize,
     /// Where everything was before it.
     pub before: HomeState,
@@ -31,29 +31,52 @@ pub struct Step {
 
 /// A session that can be replayed.
 #[derive(Debug)]
-pub struct Session<M> {
+pub struct CheckedSession<M> {
+    /// What was said.
+    pub command: String,
+    /// How it teaches.
+    pub kind: Kind,
+    /// Whether it is the command before, once more.
+    pub continues: bool,
+    /// The line of its header.
+    pub header_line: usize,
+    /// The line of its end.
+    pub end_line: usize,
     /// The home.
     pub home: Home<M>,
     /// Where everything is at the beginning.
     pub start: HomeState,
     /// The tasks that there are here, with their names.
     pub tasks: Vec<(GroundedTask, GroundTaskText)>,
+    /// The task that was meant, by its position, where the record names one of the tasks.
+    pub intended: Option<usize>,
     /// The tasks' recorded prior, in their order.
     pub prior: Option<Vec<f32>>,
     /// The recorded strategies.
-    pub strategies: Option<Vec<(Strategy, f32)>>,
+    pub strategies: Option<Vec<Expected>>,
     /// The steps.
     pub steps: Vec<Step>,
-    /// The answers.
+    /// The answers, in the order of the steps that they follow.
     pub answers: Vec<SessionAnswer>,
 }
 
+/// A trainer strategy that a session names.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Expected {
+    /// The strategy.
+    pub strategy: Strategy,
+    /// How probable it is, as a share of the most probable one: single precision then never makes all of them 0.
+    pub share: f32,
+    /// How probable it is, as it is recorded.
+    pub recorded: f32,
+}
+
 /// An answer of a session.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SessionAnswer {
-    /// The line it stands on.
+    /// Its line.
     pub line: usize,
-    /// How many steps stand before it.
+    /// How many steps come before it.
     pub after: usize,
     /// The tasks that it is about.
     pub tasks: TaskSet,
@@ -65,22 +88,19 @@ pub struct SessionAnswer {
     pub others: u8,
 }
 
-impl<M> Session<M> {
-    /// Has an agent take in the answers that stand behind so many steps.
-    ///
-    /// # Errors
-    /// What the agent refuses, with the line.
-    pub fn answer(&self, agent: &mut Agent<impl AgentMemory>, steps: usize) -> Result<(), (usize, AgentError)> {
-        self.answers.iter().filter(|answer| answer.after == steps).try_for_each(|answer| {
-            let taken = agent.answered(answer.tasks, answer.yes, answer.eta, answer.others);
-            taken.map(|_| ()).map_err(|error| (answer.line, error))
-        })
-    }
-
+impl<M> CheckedSession<M> {
     /// The recorded prior of a task, 0 where the record does not name it.
     pub fn prior_of(&self, task: &GroundedTask) -> f32 {
         let position = self.tasks.iter().position(|(known, _)| known == task);
         position.and_then(|position| self.prior.as_ref()?.get(position).copied()).unwrap_or(0.0)
+    }
+}
+
+impl<M: HomeMemory> CheckedSession<M> {
+    /// Where everything is at the end.
+    pub fn end(&self) -> HomeState {
+        let after = |last: &Step| apply(&self.home, &last.before, last.action).unwrap_or(last.before);
+        self.steps.last().map_or(self.start, after)
     }
 }
 
@@ -112,7 +132,12 @@ impl Checker<'_> {
 ///
 /// # Errors
 /// All that is wrong with it.
-pub fn load<M: HomeMemory>(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask], memory: M) -> Result<Session<M>, Vec<Fault>> {
+pub fn check<M: HomeMemory>(
+    file: &str,
+    recorded: &RecordedSession,
+    lifted: &[LiftedTask],
+    memory: M,
+) -> Result<CheckedSession<M>, Vec<Fault>> {
     let mut checker = Checker { file, recorded, faults: Vec::new() };
     let header = &recorded.header;
     let moves = moves(header.action_names());
@@ -135,14 +160,23 @@ pub fn load<M: HomeMemory>(file: &str, recorded: &RecordedSession, lifted: &[Lif
     checker.intended(&home);
     let tasks = checker.tasks(&home, &start, lifted);
     checker.intended_task(&home, &start, &tasks, lifted.iter().any(LiftedTask::has_way));
-    let prior = header.prior.as_ref().map(|prior| checker.prior(prior, &tasks));
-    let strategies = header.strategies.as_ref().map(|strategies| checker.strategies(strategies));
-    let steps = checker.walk(&home, &start);
-    let answers = checker.answers(&tasks);
-    match checker.faults.is_empty() {
-        true => Ok(Session { home, start, tasks, prior, strategies, steps, answers }),
-        false => Err(checker.faults),
-    }
+    let meant = header.meant().and_then(Result::ok);
+    let session = CheckedSession {
+        command: header.command.clone(),
+        kind: header.kind,
+        continues: header.continues,
+        header_line: recorded.header_line,
+        end_line: recorded.end_line,
+        intended: meant.and_then(|meant| tasks.iter().position(|(_, name)| name.is_same(&meant))),
+        prior: header.prior.as_ref().map(|prior| checker.prior(prior, &tasks)),
+        strategies: header.strategies.as_ref().map(|strategies| checker.strategies(strategies)),
+        steps: checker.walk(&home, &start),
+        answers: checker.answers(&tasks),
+        home,
+        start,
+        tasks,
+    };
+    if checker.faults.is_empty() { Ok(session) } else { Err(checker.faults) }
 }
 
 impl Checker<'_> {
@@ -267,7 +301,7 @@ impl Checker<'_> {
         values
     }
 
-    fn strategies(&mut self, records: &[StrategyRecord]) -> Vec<(Strategy, f32)> {
+    fn strategies(&mut self, records: &[StrategyRecord]) -> Vec<Expected> {
         let most = Capacities::STANDARD.strategies;
         if records.len() > most {
             self.fault("strategies", format!("are {}, and {most} are the most; leave out the least probable", records.len()));
@@ -278,7 +312,10 @@ impl Checker<'_> {
             let strategy = Strategy::new(record.mu_plus as f32, record.mu_minus as f32, record.epsilon as f32);
             let lags = record.lags.map_or(Strategy::NO_LAG, |lags| lags.map(|lag| lag as f32));
             match strategy.and_then(|strategy| strategy.with_lags(lags)) {
-                Ok(strategy) => strategies.push((strategy, (record.prior / largest) as f32)),
+                Ok(strategy) => {
+                    let share = (record.prior / largest) as f32;
+                    strategies.push(Expected { strategy, share, recorded: record.prior as f32 });
+                }
                 Err(error) => self.fault(format!("strategies[{position}]"), error),
             }
         }
@@ -286,9 +323,8 @@ impl Checker<'_> {
     }
 
     fn answers(&mut self, tasks: &[(GroundedTask, GroundTaskText)]) -> Vec<SessionAnswer> {
-        let recorded = self.recorded;
         let mut answers = vec![];
-        for RecordedAnswer { line, after, answer } in &recorded.answers {
+        for RecordedAnswer { line, after, answer } in &self.recorded.answers {
             let mut named = TaskSet::EMPTY;
             for name in &answer.tasks {
                 match tasks.iter().position(|(_, task)| task.is_same(name)) {

@@ -1,12 +1,10 @@
 //! A home from an environment, and what is wrong with it.
 
-use super::content::Content;
-use super::{Fault, input};
+use crate::fault::{Fault, quoted};
 use goodbot::Capacities;
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves, Problem as HomeProblem};
 use goodbot::memory::{HomeHeap, HomeMemory};
-use goodbot_formats::Problem;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use goodbot_formats::map;
 
@@ -23,7 +21,7 @@ impl Flaw {
     /// What is wrong and what to do, naming the object.
     pub fn message(&self, environment: &EnvironmentFile) -> String {
         match self.object.and_then(|object| environment.objects.get(object)) {
-            Some(object) => format!("object {}: {}", super::fault::quoted(object.name()), self.problem),
+            Some(object) => format!("object {}: {}", quoted(object.name()), self.problem),
             None => match self.problem {
                 HomeProblem::Capacity(CapacityError { capacity: Capacity::Objects, limit, given }) => {
                     format!("are {given}, and {limit} are the most; leave out some")
@@ -37,20 +35,6 @@ impl Flaw {
     pub fn field(&self) -> String {
         self.object.map_or_else(|| "objects".to_owned(), |object| format!("objects[{object}]"))
     }
-}
-
-/// A home from a file, as JSON or drawn as text.
-///
-/// # Errors
-/// What is wrong with the file.
-pub fn read(file: &str) -> Result<EnvironmentFile, Fault> {
-    let (name, bytes) = (input::name(file), input::bytes(file)?);
-    let content = Content::of(&bytes);
-    if !matches!(content, Content::Environment | Content::Map) {
-        return Err(Fault::new(name, format!("this is {}, not a home; name a home (goodbot example home prints one)", content.name())));
-    }
-    let text = String::from_utf8(bytes).map_err(|_| Fault::new(name, Problem::NotUtf8))?;
-    parse(name, &text)
 }
 
 /// A home from a text, as JSON or drawn.

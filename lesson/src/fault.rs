@@ -2,7 +2,6 @@
 
 use goodbot_formats::FormatError;
 use std::fmt;
-use std::io::Write;
 
 /// A fault in a file. Displayed as `FILE:LINE: field "x": what is wrong; what to do`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,14 +49,6 @@ impl fmt::Display for Fault {
             write!(f, "field {}: ", quoted(field))?;
         }
         f.write_str(&self.message)
-    }
-}
-
-/// Writes faults to standard error, where anyone still reads it.
-pub fn tell(faults: &[Fault]) {
-    let mut messages = std::io::stderr().lock();
-    for fault in faults {
-        let _ = writeln!(messages, "{fault}");
     }
 }
 

@@ -1,0 +1,17 @@
+//! What a lesson is, once for all shells: the command line, the page, Python and the laboratory.
+//!
+//! - [`fault`]: what is wrong with a file, and where;
+//! - [`home`]: a home from an environment;
+//! - [`name`]: a grounded task as a text, for files and for people;
+//! - [`checked`]: a recorded session, checked, with the place of each fault;
+//! - [`replay`]: a recorded session, gone through once more.
+
+#![deny(missing_docs)]
+
+pub mod checked;
+pub mod fault;
+pub mod home;
+pub mod name;
+pub mod replay;
+
+pub use fault::Fault;

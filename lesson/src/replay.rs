@@ -1,0 +1,231 @@
+//! A recorded session, gone through once more by an agent: the same command in the same home, the same actions, words and answers.
+
+use crate::checked::{CheckedSession, Expected, SessionAnswer, Step};
+use goodbot::feedback::Strategy;
+use goodbot::memory::{AgentMemory, HomeMemory};
+use goodbot::oomdp::Action;
+use goodbot::planning::Progress;
+use goodbot::session::Evidence;
+use goodbot::{Agent, AgentError};
+use goodbot_formats::session::Kind;
+use std::fmt;
+
+/// What of a recorded session counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rules {
+    /// Whether the trainer strategies that the session names are believed.
+    pub strategies: bool,
+    /// Whether the recorded prior counts, and the session before, where this one goes on from it. Otherwise the command alone is heard.
+    pub context: bool,
+    /// Whether feedback, demonstrations and answers are evidence. Otherwise each step is only planned for.
+    pub evidence: bool,
+    /// Whether the end is planned for too. A demonstration that is evidence then ends with a rest: who shows the way stops where it is done.
+    pub end: bool,
+}
+
+impl Rules {
+    /// The session as it was.
+    pub const AS_IT_WAS: Self = Self { strategies: true, context: true, evidence: true, end: false };
+    /// What the session shows of the task, whatever was known before.
+    pub const BY_ITSELF: Self = Self { strategies: true, context: false, evidence: true, end: true };
+    /// Plans alone: for who judges the trainer, and not the task.
+    pub const PLANS: Self = Self { strategies: false, context: false, evidence: false, end: true };
+}
+
+/// What has just happened.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event<'s> {
+    /// The budget was used up; go on.
+    Working,
+    /// The command was heard.
+    Heard,
+    /// The trainer answered a question.
+    Answered(&'s SessionAnswer),
+    /// The plan for a step is done, and the step is still to be taken; without a step, the plan for the end.
+    Planned(Option<&'s Step>),
+    /// A step was taken, and what was said to it taken in.
+    Took(&'s Step, Evidence),
+    /// The end was taken in as evidence.
+    Closed(Evidence),
+    /// Nothing is left.
+    Ended,
+}
+
+/// What an agent refused, and the line that led to it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReplayError {
+    /// The line in the log.
+    pub line: usize,
+    /// Why it was refused.
+    pub error: AgentError,
+}
+
+impl fmt::Display for ReplayError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.error.fmt(f)
+    }
+}
+
+impl std::error::Error for ReplayError {}
+
+#[derive(Clone, Copy, Debug)]
+enum Next {
+    Hear,
+    Plan(usize),
+    Take(usize),
+    PlanEnd,
+    TakeEnd,
+    Nothing,
+}
+
+/// A walk through a recorded session. Finish, or forget, when it has ended.
+///
+/// ```
+/// use goodbot::memory::AgentHeap;
+/// use goodbot::{Agent, Capacities, Options, home::paper_tasks};
+/// use goodbot_formats::session::SessionReader;
+/// use goodbot_lesson::{checked, home, replay::{Event, Replay, Rules}};
+///
+/// let log = r#"{"type":"session","version":1,"kind":"feedback","command":"go there","environment":{"version":1,"objects":[
+///   {"class":"room","name":"a","left":0,"bottom":0,"right":3,"top":3,"color":"red"},
+///   {"class":"room","name":"b","left":3,"bottom":0,"right":6,"top":3,"color":"blue"},
+///   {"class":"door","name":"d","left":3,"bottom":1,"right":3,"top":1},
+///   {"class":"agent","name":"r","x":2,"y":1}]}}
+/// {"type":"step","action":"east","feedback":"reward"}
+/// {"type":"end","learn":true}"#.replace(",\n", ",");
+/// let recorded = SessionReader::new(log.as_bytes()).next().unwrap()?;
+/// let lifted = paper_tasks().unwrap();
+/// let mut agent = Agent::new(AgentHeap::new(&Capacities::SMALL), &lifted, Options::DEFAULT)?;
+/// let session = checked::check("log", &recorded, &lifted, home::memory()).expect("a sound session");
+/// let mut replay = Replay::new(Rules::AS_IT_WAS);
+/// while replay.advance(&mut agent, &session, u32::MAX)? != Event::Ended {}
+/// let _ = agent.finish(&session.home)?;
+/// agent.learn_fully();
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Replay {
+    rules: Rules,
+    next: Next,
+    answered: usize,
+}
+
+impl Replay {
+    /// A walk that has not begun.
+    pub const fn new(rules: Rules) -> Self {
+        Self { rules, next: Next::Hear, answered: 0 }
+    }
+
+    /// Goes on to what happens next. `session` is the same at each call, and nothing else is done with the agent in between that changes
+    /// its belief or its plan. A plan takes at most about `budget` looks.
+    ///
+    /// # Errors
+    /// What the agent refuses, with the line.
+    pub fn advance<'s, M: HomeMemory>(
+        &mut self,
+        agent: &mut Agent<impl AgentMemory>,
+        session: &'s CheckedSession<M>,
+        budget: u32,
+    ) -> Result<Event<'s>, ReplayError> {
+        let line = match self.next {
+            Next::Hear => session.header_line,
+            Next::Plan(position) | Next::Take(position) => session.steps.get(position).map_or(session.end_line, |step| step.line),
+            Next::PlanEnd | Next::TakeEnd | Next::Nothing => session.end_line,
+        };
+        let at = |error| ReplayError { line, error };
+        match self.next {
+            Next::Hear => {
+                self.hear(agent, session).map_err(at)?;
+                self.next = Next::Plan(0);
+                Ok(Event::Heard)
+            }
+            Next::Plan(position) => {
+                if let Some(answer) = self.answer_before(session, position) {
+                    let taken = agent.answered(answer.tasks, answer.yes, answer.eta, answer.others);
+                    let _ = taken.map_err(|error| ReplayError { line: answer.line, error })?;
+                    self.answered += 1;
+                    return Ok(Event::Answered(answer));
+                }
+                let Some(step) = session.steps.get(position) else {
+                    self.next = if self.plans_end(agent, session) { Next::PlanEnd } else { Next::Nothing };
+                    return self.advance(agent, session, budget);
+                };
+                if agent.plan(&session.home, &step.before, budget).map_err(at)? == Progress::Working {
+                    return Ok(Event::Working);
+                }
+                self.next = if self.rules.evidence { Next::Take(position) } else { Next::Plan(position + 1) };
+                Ok(Event::Planned(Some(step)))
+            }
+            Next::Take(position) => {
+                let Some(step) = session.steps.get(position) else { return Ok(Event::Ended) };
+                let evidence = take(agent, session, step).map_err(at)?;
+                self.next = Next::Plan(position + 1);
+                Ok(Event::Took(step, evidence))
+            }
+            Next::PlanEnd => {
+                if agent.plan(&session.home, &session.end(), budget).map_err(at)? == Progress::Working {
+                    return Ok(Event::Working);
+                }
+                self.next = if self.rules.evidence { Next::TakeEnd } else { Next::Nothing };
+                Ok(Event::Planned(None))
+            }
+            Next::TakeEnd => {
+                self.next = Next::Nothing;
+                let end = session.end();
+                match session.kind {
+                    Kind::Demonstration => agent.demonstrated(&session.home, &end, Action::NOOP).map(Event::Closed),
+                    Kind::Feedback if agent.options().ending.is_evidence() => agent.trainer_ended(&session.home, &end).map(Event::Closed),
+                    Kind::Feedback | Kind::Labelled => Ok(Event::Ended),
+                }
+                .map_err(at)
+            }
+            Next::Nothing => Ok(Event::Ended),
+        }
+    }
+
+    fn hear<M: HomeMemory>(self, agent: &mut Agent<impl AgentMemory>, session: &CheckedSession<M>) -> Result<(), AgentError> {
+        if let Some(strategies) = session.strategies.as_ref().filter(|_| self.rules.strategies) {
+            expect(agent, strategies)?;
+        }
+        let (home, start) = (&session.home, &session.start);
+        if session.continues && self.rules.context {
+            agent.hear_again(home, start)
+        } else if session.prior.is_some() && self.rules.context {
+            agent.hear_with_prior(home, start, &session.command, |task, _| session.prior_of(task))
+        } else {
+            agent.hear(home, start, &session.command)
+        }
+    }
+
+    fn answer_before<'s, M>(self, session: &'s CheckedSession<M>, position: usize) -> Option<&'s SessionAnswer> {
+        session.answers.get(self.answered).filter(|answer| self.rules.evidence && answer.after <= position)
+    }
+
+    fn plans_end<M>(self, agent: &Agent<impl AgentMemory>, session: &CheckedSession<M>) -> bool {
+        let ends = session.kind == Kind::Feedback && agent.options().ending.is_evidence() && !session.steps.is_empty();
+        match session.kind {
+            _ if !self.rules.evidence => self.rules.end,
+            Kind::Demonstration => self.rules.end,
+            Kind::Feedback | Kind::Labelled => ends,
+        }
+    }
+}
+
+/// Believes these strategies. Where they are believed already, to the last bit, nothing changes: an agent's own log teaches it the same again.
+fn expect(agent: &mut Agent<impl AgentMemory>, strategies: &[Expected]) -> Result<(), AgentError> {
+    let belief = agent.belief();
+    let known = belief.strategies().iter().enumerate().map(|(at, &(strategy, _))| (strategy, belief.strategy_probability(at)));
+    if known.eq(strategies.iter().map(|expected| (expected.strategy, expected.recorded))) {
+        return Ok(());
+    }
+    let scaled: Vec<(Strategy, f32)> = strategies.iter().map(|expected| (expected.strategy, expected.share)).collect();
+    agent.set_strategies(&scaled)
+}
+
+fn take<M: HomeMemory>(agent: &mut Agent<impl AgentMemory>, session: &CheckedSession<M>, step: &Step) -> Result<Evidence, AgentError> {
+    if session.kind == Kind::Demonstration {
+        return agent.demonstrated(&session.home, &step.before, step.action);
+    }
+    agent.acted(&session.home, &step.before, step.action)?;
+    agent.feedback(step.feedback)
+}
