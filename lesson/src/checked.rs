@@ -3,105 +3,27 @@
 use crate::fault::{Fault, quoted};
 use crate::home;
 use crate::name::task_name;
+use crate::walk::{Expected, SessionAnswer, Step, Walk};
 use goodbot::capacity::{Capacity, CapacityError, PROPOSITIONS_PER_TASK};
-use goodbot::feedback::{Feedback, Strategy};
+use goodbot::feedback::Feedback;
 use goodbot::home::{Home, HomeState, Moves, SCHEMA};
 use goodbot::language::for_each_word;
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::{Action, Domain, action_named, apply};
+use goodbot::oomdp::Domain;
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
 use goodbot::{AgentError, Capacities};
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedAnswer, RecordedSession, StepRecord, StrategyRecord};
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
 
-/// One step of a session.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Step {
-    /// Its line.
-    pub line: usize,
-    /// Where everything was before it.
-    pub before: HomeState,
-    /// What was done.
-    pub action: Action,
-    /// What the trainer said; silence in a demonstration.
-    pub feedback: Feedback,
-    /// Whether it was a move that moved nothing.
-    pub bump: bool,
-}
-
-/// A session that can be replayed.
+/// A session that can be gone through.
 #[derive(Debug)]
 pub struct CheckedSession<M> {
-    /// What was said.
-    pub command: String,
-    /// How it teaches.
-    pub kind: Kind,
-    /// Whether it is the command before, once more.
-    pub continues: bool,
-    /// The line of its header.
-    pub header_line: usize,
-    /// The line of its end.
-    pub end_line: usize,
-    /// The home.
-    pub home: Home<M>,
-    /// Where everything is at the beginning.
-    pub start: HomeState,
+    /// What happens in it.
+    pub walk: Walk<M>,
     /// The tasks that there are here, with their names.
     pub tasks: Vec<(GroundedTask, GroundTaskText)>,
     /// The task that was meant, by its position, where the record names one of the tasks.
     pub intended: Option<usize>,
-    /// The tasks' recorded prior, in their order.
-    pub prior: Option<Vec<f32>>,
-    /// The recorded strategies.
-    pub strategies: Option<Vec<Expected>>,
-    /// The steps.
-    pub steps: Vec<Step>,
-    /// The answers, in the order of the steps that they follow.
-    pub answers: Vec<SessionAnswer>,
-}
-
-/// A trainer strategy that a session names.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Expected {
-    /// The strategy.
-    pub strategy: Strategy,
-    /// How probable it is, as a share of the most probable one: single precision then never makes all of them 0.
-    pub share: f32,
-    /// How probable it is, as it is recorded.
-    pub recorded: f32,
-}
-
-/// An answer of a session.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SessionAnswer {
-    /// Its line.
-    pub line: usize,
-    /// How many steps come before it.
-    pub after: usize,
-    /// The tasks that it is about.
-    pub tasks: TaskSet,
-    /// Whether what is meant is among them.
-    pub yes: bool,
-    /// The probability that it is wrong.
-    pub eta: f32,
-    /// How many other answers there were.
-    pub others: u8,
-}
-
-impl<M> CheckedSession<M> {
-    /// The recorded prior of a task, 0 where the record does not name it.
-    pub fn prior_of(&self, task: &GroundedTask) -> f32 {
-        let position = self.tasks.iter().position(|(known, _)| known == task);
-        position.and_then(|position| self.prior.as_ref()?.get(position).copied()).unwrap_or(0.0)
-    }
-}
-
-impl<M: HomeMemory> CheckedSession<M> {
-    /// Where everything is at the end.
-    pub fn end(&self) -> HomeState {
-        let after = |last: &Step| apply(&self.home, &last.before, last.action).unwrap_or(last.before);
-        self.steps.last().map_or(self.start, after)
-    }
 }
 
 /// The moves that a session's actions are.
@@ -161,22 +83,41 @@ pub fn check<M: HomeMemory>(
     let tasks = checker.tasks(&home, &start, lifted);
     checker.intended_task(&home, &start, &tasks, lifted.iter().any(LiftedTask::has_way));
     let meant = header.meant().and_then(Result::ok);
-    let session = CheckedSession {
+    let walk = Walk {
         command: header.command.clone(),
         kind: header.kind,
         continues: header.continues,
         header_line: recorded.header_line,
         end_line: recorded.end_line,
-        intended: meant.and_then(|meant| tasks.iter().position(|(_, name)| name.is_same(&meant))),
         prior: header.prior.as_ref().map(|prior| checker.prior(prior, &tasks)),
         strategies: header.strategies.as_ref().map(|strategies| checker.strategies(strategies)),
         steps: checker.walk(&home, &start),
         answers: checker.answers(&tasks),
         home,
         start,
-        tasks,
     };
-    if checker.faults.is_empty() { Ok(session) } else { Err(checker.faults) }
+    if !checker.faults.is_empty() {
+        return Err(checker.faults);
+    }
+    let intended = meant.and_then(|meant| tasks.iter().position(|(_, name)| name.is_same(&meant)));
+    Ok(CheckedSession { walk, tasks, intended })
+}
+
+/// As [`check`], for a session that is gone through: one that was labelled has no steps.
+///
+/// # Errors
+/// All that is wrong with it.
+pub fn check_steps<M: HomeMemory>(
+    file: &str,
+    recorded: &RecordedSession,
+    lifted: &[LiftedTask],
+    memory: M,
+) -> Result<CheckedSession<M>, Vec<Fault>> {
+    if recorded.header.kind == Kind::Labelled {
+        let message = "a labelled session has no steps to go through; learn from it with goodbot learn";
+        return Err(vec![Fault::on_line(file, recorded.header_line, message).in_field("kind")]);
+    }
+    check(file, recorded, lifted, memory)
 }
 
 impl Checker<'_> {
@@ -282,14 +223,13 @@ impl Checker<'_> {
         named
     }
 
-    fn prior(&mut self, prior: &[(GroundTaskText, f64)], tasks: &[(GroundedTask, GroundTaskText)]) -> Vec<f32> {
-        let mut values = vec![0.0; tasks.len()];
+    fn prior(&mut self, prior: &[(GroundTaskText, f64)], tasks: &[(GroundedTask, GroundTaskText)]) -> Vec<(GroundedTask, f32)> {
+        let mut values = Vec::new();
         let largest = prior.iter().map(|&(_, value)| value).fold(0.0, f64::max);
         for (name, value) in prior {
-            let found = tasks.iter().position(|(_, task)| task.is_same(name));
-            match found.and_then(|position| values.get_mut(position)) {
+            match tasks.iter().find(|(_, task)| task.is_same(name)) {
                 // In any unit: the largest is 1, so that single precision never makes all of them 0.
-                Some(slot) => *slot = (value / largest) as f32,
+                Some(&(task, _)) => values.push((task, (value / largest) as f32)),
                 None if tasks.is_empty() => {}
                 None => {
                     let message = "is no task here: it holds at the beginning already, names what is not here, or is of a kind not asked \
@@ -309,13 +249,8 @@ impl Checker<'_> {
         let largest = records.iter().map(|record| record.prior).fold(0.0, f64::max);
         let mut strategies = Vec::new();
         for (position, record) in records.iter().enumerate() {
-            let strategy = Strategy::new(record.mu_plus as f32, record.mu_minus as f32, record.epsilon as f32);
-            let lags = record.lags.map_or(Strategy::NO_LAG, |lags| lags.map(|lag| lag as f32));
-            match strategy.and_then(|strategy| strategy.with_lags(lags)) {
-                Ok(strategy) => {
-                    let share = (record.prior / largest) as f32;
-                    strategies.push(Expected { strategy, share, recorded: record.prior as f32 });
-                }
+            match Expected::new(record, largest) {
+                Ok(expected) => strategies.push(expected),
                 Err(error) => self.fault(format!("strategies[{position}]"), error),
             }
         }
@@ -349,18 +284,17 @@ impl Checker<'_> {
         let mut state = *start;
         let mut steps = Vec::new();
         for (line, record) in &self.recorded.steps {
-            let Some((action, next)) = action_named(home, &record.action).and_then(|action| Some((action, apply(home, &state, action)?)))
-            else {
-                let message = impossible(record, home.agent_cell(&state).x, home.agent_cell(&state).y);
-                self.faults.push(Fault::on_line(self.file, *line, message).in_field("action"));
-                break;
-            };
             let feedback = match record.feedback {
                 Some(FeedbackWord::Reward) => Feedback::Reward,
                 Some(FeedbackWord::Punish) => Feedback::Punish,
                 Some(FeedbackWord::Neutral) | None => Feedback::Neutral,
             };
-            steps.push(Step { line: *line, before: state, action, feedback, bump: action != Action::NOOP && next == state });
+            let Some((step, next)) = Step::from(home, state, &record.action, feedback, *line) else {
+                let message = impossible(record, home.agent_cell(&state).x, home.agent_cell(&state).y);
+                self.faults.push(Fault::on_line(self.file, *line, message).in_field("action"));
+                break;
+            };
+            steps.push(step);
             state = next;
         }
         steps

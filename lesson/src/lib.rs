@@ -4,6 +4,7 @@
 //! - [`home`]: a home from an environment;
 //! - [`name`]: a grounded task as a text, for files and for people;
 //! - [`checked`]: a recorded session, checked, with the place of each fault;
+//! - [`walk`]: what happens in a session;
 //! - [`replay`]: a recorded session, gone through once more.
 
 #![deny(missing_docs)]
@@ -13,5 +14,6 @@ pub mod fault;
 pub mod home;
 pub mod name;
 pub mod replay;
+pub mod walk;
 
 pub use fault::Fault;

@@ -1,11 +1,12 @@
 //! A recorded session, gone through once more by an agent: the same command in the same home, the same actions, words and answers.
 
-use crate::checked::{CheckedSession, Expected, SessionAnswer, Step};
+use crate::walk::{Expected, SessionAnswer, Step, Walk};
 use goodbot::feedback::Strategy;
 use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::oomdp::Action;
 use goodbot::planning::Progress;
 use goodbot::session::Evidence;
+use goodbot::task::GroundedTask;
 use goodbot::{Agent, AgentError};
 use goodbot_formats::session::Kind;
 use std::fmt;
@@ -78,7 +79,7 @@ enum Next {
     Nothing,
 }
 
-/// A walk through a recorded session. Finish, or forget, when it has ended.
+/// A walk through a recorded walk. Finish, or forget, when it has ended.
 ///
 /// ```
 /// use goodbot::memory::AgentHeap;
@@ -98,8 +99,8 @@ enum Next {
 /// let mut agent = Agent::new(AgentHeap::new(&Capacities::SMALL), &lifted, Options::DEFAULT)?;
 /// let session = checked::check("log", &recorded, &lifted, home::memory()).expect("a sound session");
 /// let mut replay = Replay::new(Rules::AS_IT_WAS);
-/// while replay.advance(&mut agent, &session, u32::MAX)? != Event::Ended {}
-/// let _ = agent.finish(&session.home)?;
+/// while replay.advance(&mut agent, &session.walk, u32::MAX)? != Event::Ended {}
+/// let _ = agent.finish(&session.walk.home)?;
 /// agent.learn_fully();
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -116,7 +117,7 @@ impl Replay {
         Self { rules, next: Next::Hear, answered: 0 }
     }
 
-    /// Goes on to what happens next. `session` is the same at each call, and nothing else is done with the agent in between that changes
+    /// Goes on to what happens next. `walk` is the same at each call, and nothing else is done with the agent in between that changes
     /// its belief or its plan. A plan takes at most about `budget` looks.
     ///
     /// # Errors
@@ -124,46 +125,46 @@ impl Replay {
     pub fn advance<'s, M: HomeMemory>(
         &mut self,
         agent: &mut Agent<impl AgentMemory>,
-        session: &'s CheckedSession<M>,
+        walk: &'s Walk<M>,
         budget: u32,
     ) -> Result<Event<'s>, ReplayError> {
         let line = match self.next {
-            Next::Hear => session.header_line,
-            Next::Plan(position) | Next::Take(position) => session.steps.get(position).map_or(session.end_line, |step| step.line),
-            Next::PlanEnd | Next::TakeEnd | Next::Nothing => session.end_line,
+            Next::Hear => walk.header_line,
+            Next::Plan(position) | Next::Take(position) => walk.steps.get(position).map_or(walk.end_line, |step| step.line),
+            Next::PlanEnd | Next::TakeEnd | Next::Nothing => walk.end_line,
         };
         let at = |error| ReplayError { line, error };
         match self.next {
             Next::Hear => {
-                self.hear(agent, session).map_err(at)?;
+                self.hear(agent, walk).map_err(at)?;
                 self.next = Next::Plan(0);
                 Ok(Event::Heard)
             }
             Next::Plan(position) => {
-                if let Some(answer) = self.answer_before(session, position) {
+                if let Some(answer) = self.answer_before(walk, position) {
                     let taken = agent.answered(answer.tasks, answer.yes, answer.eta, answer.others);
                     let _ = taken.map_err(|error| ReplayError { line: answer.line, error })?;
                     self.answered += 1;
                     return Ok(Event::Answered(answer));
                 }
-                let Some(step) = session.steps.get(position) else {
-                    self.next = if self.plans_end(agent, session) { Next::PlanEnd } else { Next::Nothing };
-                    return self.advance(agent, session, budget);
+                let Some(step) = walk.steps.get(position) else {
+                    self.next = if self.plans_end(agent, walk) { Next::PlanEnd } else { Next::Nothing };
+                    return self.advance(agent, walk, budget);
                 };
-                if agent.plan(&session.home, &step.before, budget).map_err(at)? == Progress::Working {
+                if agent.plan(&walk.home, &step.before, budget).map_err(at)? == Progress::Working {
                     return Ok(Event::Working);
                 }
                 self.next = if self.rules.evidence { Next::Take(position) } else { Next::Plan(position + 1) };
                 Ok(Event::Planned(Some(step)))
             }
             Next::Take(position) => {
-                let Some(step) = session.steps.get(position) else { return Ok(Event::Ended) };
-                let evidence = take(agent, session, step).map_err(at)?;
+                let Some(step) = walk.steps.get(position) else { return Ok(Event::Ended) };
+                let evidence = take(agent, walk, step).map_err(at)?;
                 self.next = Next::Plan(position + 1);
                 Ok(Event::Took(step, evidence))
             }
             Next::PlanEnd => {
-                if agent.plan(&session.home, &session.end(), budget).map_err(at)? == Progress::Working {
+                if agent.plan(&walk.home, &walk.end(), budget).map_err(at)? == Progress::Working {
                     return Ok(Event::Working);
                 }
                 self.next = if self.rules.evidence { Next::TakeEnd } else { Next::Nothing };
@@ -171,10 +172,10 @@ impl Replay {
             }
             Next::TakeEnd => {
                 self.next = Next::Nothing;
-                let end = session.end();
-                match session.kind {
-                    Kind::Demonstration => agent.demonstrated(&session.home, &end, Action::NOOP).map(Event::Closed),
-                    Kind::Feedback if agent.options().ending.is_evidence() => agent.trainer_ended(&session.home, &end).map(Event::Closed),
+                let end = walk.end();
+                match walk.kind {
+                    Kind::Demonstration => agent.demonstrated(&walk.home, &end, Action::NOOP).map(Event::Closed),
+                    Kind::Feedback if agent.options().ending.is_evidence() => agent.trainer_ended(&walk.home, &end).map(Event::Closed),
                     Kind::Feedback | Kind::Labelled => Ok(Event::Ended),
                 }
                 .map_err(at)
@@ -183,27 +184,28 @@ impl Replay {
         }
     }
 
-    fn hear<M: HomeMemory>(self, agent: &mut Agent<impl AgentMemory>, session: &CheckedSession<M>) -> Result<(), AgentError> {
-        if let Some(strategies) = session.strategies.as_ref().filter(|_| self.rules.strategies) {
+    fn hear<M: HomeMemory>(self, agent: &mut Agent<impl AgentMemory>, walk: &Walk<M>) -> Result<(), AgentError> {
+        if let Some(strategies) = walk.strategies.as_ref().filter(|_| self.rules.strategies) {
             expect(agent, strategies)?;
         }
-        let (home, start) = (&session.home, &session.start);
-        if session.continues && self.rules.context {
+        let (home, start) = (&walk.home, &walk.start);
+        if walk.continues && self.rules.context {
             agent.hear_again(home, start)
-        } else if session.prior.is_some() && self.rules.context {
-            agent.hear_with_prior(home, start, &session.command, |task, _| session.prior_of(task))
+        } else if let Some(prior) = walk.prior.as_ref().filter(|_| self.rules.context) {
+            let of = |task: &GroundedTask| prior.iter().find(|(known, _)| known == task).map_or(0.0, |&(_, share)| share);
+            agent.hear_with_prior(home, start, &walk.command, |task, _| of(task))
         } else {
-            agent.hear(home, start, &session.command)
+            agent.hear(home, start, &walk.command)
         }
     }
 
-    fn answer_before<'s, M>(self, session: &'s CheckedSession<M>, position: usize) -> Option<&'s SessionAnswer> {
-        session.answers.get(self.answered).filter(|answer| self.rules.evidence && answer.after <= position)
+    fn answer_before<'s, M>(self, walk: &'s Walk<M>, position: usize) -> Option<&'s SessionAnswer> {
+        walk.answers.get(self.answered).filter(|answer| self.rules.evidence && answer.after <= position)
     }
 
-    fn plans_end<M>(self, agent: &Agent<impl AgentMemory>, session: &CheckedSession<M>) -> bool {
-        let ends = session.kind == Kind::Feedback && agent.options().ending.is_evidence() && !session.steps.is_empty();
-        match session.kind {
+    fn plans_end<M>(self, agent: &Agent<impl AgentMemory>, walk: &Walk<M>) -> bool {
+        let ends = walk.kind == Kind::Feedback && agent.options().ending.is_evidence() && !walk.steps.is_empty();
+        match walk.kind {
             _ if !self.rules.evidence => self.rules.end,
             Kind::Demonstration => self.rules.end,
             Kind::Feedback | Kind::Labelled => ends,
@@ -222,10 +224,10 @@ fn expect(agent: &mut Agent<impl AgentMemory>, strategies: &[Expected]) -> Resul
     agent.set_strategies(&scaled)
 }
 
-fn take<M: HomeMemory>(agent: &mut Agent<impl AgentMemory>, session: &CheckedSession<M>, step: &Step) -> Result<Evidence, AgentError> {
-    if session.kind == Kind::Demonstration {
-        return agent.demonstrated(&session.home, &step.before, step.action);
+fn take<M: HomeMemory>(agent: &mut Agent<impl AgentMemory>, walk: &Walk<M>, step: &Step) -> Result<Evidence, AgentError> {
+    if walk.kind == Kind::Demonstration {
+        return agent.demonstrated(&walk.home, &step.before, step.action);
     }
-    agent.acted(&session.home, &step.before, step.action)?;
+    agent.acted(&walk.home, &step.before, step.action)?;
     agent.feedback(step.feedback)
 }

@@ -28,28 +28,33 @@ function checkRecord(record) {
   if (action) throw new Error(t('log.action', { name: action }));
 }
 
-// Probabilities in any unit: the largest becomes 1, so that single precision never makes all of them 0.
-const inUnit = numbers => numbers.map(number => number / Math.max(...numbers));
+const numbersOf = one => [one.mu_plus, one.mu_minus, one.epsilon, one.prior, ...(one.lags || NO_LAG)];
 
 /** Takes in an answer as the log has it. */
 export const answerRecorded = record => world.answerAs(record.tasks.join('\n'), record.yes, record.eta, record.others ?? 1);
 
-// Begins a session as the log has it; `last` is the one before.
-export function beginRecorded(record, last) {
-  if (record.continues) {
-    if (!last || last.command !== record.command || JSON.stringify(last.environment) !== JSON.stringify(record.environment)) {
-      throw new Error(t('log.continues'));
-    }
-    world.hearAgain(record.command);
-    return;
-  }
+/** Begins a session of this page's own anew, as the log has it. */
+export function beginAnew(record) {
   world.setPulls((record.actions || []).includes('pull'));
   world.setEnvironment(JSON.stringify(record.environment));
+  if (record.strategies) world.setStrategies(Float32Array.from(record.strategies.flatMap(numbersOf)));
+  world.hear(record.command);
+}
+
+// Probabilities in any unit: the largest becomes 1, so that single precision never makes all of them 0.
+const inUnit = numbers => numbers.map(number => number / Math.max(...numbers));
+
+// Tells the robot how a recorded session begins; `last` is the one before.
+function tellBeginning(record, last) {
+  const same = last && last.command === record.command && JSON.stringify(last.environment) === JSON.stringify(record.environment);
+  if (record.continues && !same) throw new Error(t('log.continues'));
+  world.setPulls((record.actions || []).includes('pull'));
+  world.beginRecorded(JSON.stringify(record.environment), record.command, record.kind === 'demonstration', record.continues === true);
   if (record.strategies) {
-    world.setStrategies(Float32Array.from(record.strategies.flatMap(one => [one.mu_plus, one.mu_minus, one.epsilon, one.prior, ...(one.lags || NO_LAG)])));
+    const shares = inUnit(record.strategies.map(one => one.prior));
+    world.recordedStrategies(Float32Array.from(record.strategies.flatMap((one, at) => [...numbersOf(one), shares[at]])));
   }
-  if (record.prior) world.hearWithPrior(record.command, Object.keys(record.prior).join('\n'), Float32Array.from(inUnit(Object.values(record.prior))));
-  else world.hear(record.command);
+  if (record.prior) world.recordedPrior(Object.keys(record.prior).join('\n'), Float32Array.from(inUnit(Object.values(record.prior))));
 }
 
 // Goes through the lines, and gives those that were learned from, with the sessions that they go on from.
@@ -70,29 +75,21 @@ export async function learnFrom(lines) {
       own.push(line);
       if ((record.type === 'session') !== (session === null)) throw new Error(t(session ? 'log.noEnd' : 'log.noBeginning'));
       if (record.type === 'session') {
-        beginRecorded(record, last);
+        tellBeginning(record, last);
         session = record;
         if (!record.continues) unlearned = [];
         own = [line];
       } else if (record.type === 'answer') {
-        answerRecorded(record);
+        world.recordedAnswer(record.tasks.join('\n'), record.yes, record.eta, record.others ?? 1);
       } else if (record.type === 'step') {
-        await inParts(() => world.plan(PLAN_BUDGET));
-        if (session.kind === 'demonstration') world.demonstrate(record.action);
-        else {
-          world.actAs(record.action);
-          world.judge(record.feedback);
-        }
+        world.recordedStep(record.action, record.feedback || '');
       } else {
+        await inParts(() => world.replayOn(PLAN_BUDGET, record.learn));
         if (record.learn) {
-          world.finish();
           await inParts(() => world.learn(LEARN_BUDGET));
           learned.push(...unlearned, ...own);
           unlearned = [];
-        } else {
-          world.setAside();
-          unlearned.push(...own);
-        }
+        } else unlearned.push(...own);
         [session, last] = [null, session];
         state.sessions = world.sessions();
         state.progress = t('say.line', { n: number, of: lines.length });

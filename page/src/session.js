@@ -4,7 +4,7 @@ import { askTrainer } from './asking.js';
 import { ask } from './dialog.js';
 import { t } from './language.js';
 import { lessonLearned, spaced, unknownWords } from './learned.js';
-import { answerRecorded, beginRecorded, learnFrom } from './logs.js';
+import { answerRecorded, beginAnew, learnFrom } from './logs.js';
 import { renderPlan } from './plan.js';
 import { render } from './render.js';
 import { ofTab } from './shelf.js';
@@ -155,7 +155,7 @@ export async function takeUpSession() {
     const [first, ...steps] = kept.steps.map(parsed);
     state.mode = kept.mode;
     if (kept.at !== null && kept.at !== state.tour.at) return false;
-    beginRecorded(first, null);
+    beginAnew(first);
     session = newSession(first.command, {});
     refresh();
     session.heard = ranked();

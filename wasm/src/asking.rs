@@ -8,7 +8,7 @@ use goodbot::asking::{Answer, Asking, Considered, Subject};
 use goodbot::home::BLOCK_IN_ROOM;
 use goodbot::oomdp::ObjectId;
 use goodbot::session::Evidence;
-use goodbot::task::Part;
+use goodbot::task::{Part, TaskSet};
 
 impl World {
     /// Proposes a question where it teaches more than acting does, with at most about `budget` looks: see
@@ -97,5 +97,22 @@ impl World {
             recording.steps.push(Line::Answer(line));
         }
         Ok(Told { outcome, before, after: self.probabilities() })
+    }
+
+    /// Takes in an answer that is told in full, as a log has it: whether what is meant is among the tasks of these names, how often that is
+    /// wrong, and how many other answers there were.
+    ///
+    /// # Errors
+    /// A name that is no task's; what [`Agent::answered`](goodbot::Agent::answered) refuses.
+    pub fn answer_as(&mut self, names: Vec<String>, yes: bool, eta: f32, others: u8) -> Result<(), Refusal> {
+        let known = self.belief().tasks;
+        let position =
+            |name: &String| known.iter().position(|task| task.name == *name).ok_or_else(|| Refusal(format!("{name} is no task here")));
+        let tasks = names.iter().map(position).collect::<Result<TaskSet, Refusal>>()?;
+        let _ = self.mind.answered(tasks, yes, eta, others).map_err(Refusal::from)?;
+        if let Some(recording) = &mut self.recording {
+            recording.steps.push(Line::Answer(AnswerLine::new(names, yes, eta, others)));
+        }
+        Ok(())
     }
 }

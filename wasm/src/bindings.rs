@@ -2,6 +2,7 @@
 //! [`view`](crate::view). A refusal is thrown as an `Error` whose message is for people.
 
 use goodbot::feedback::Strategy;
+use goodbot_lesson::walk::Expected;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -12,6 +13,12 @@ type Thrown<T> = Result<T, JsError>;
 
 fn thrown(refusal: Refusal) -> JsError {
     JsError::new(&refusal.0)
+}
+
+/// A strategy of seven numbers, with how probable it is.
+fn strategy_of(&[mu_plus, mu_minus, epsilon, prior, ref lags @ ..]: &[f32; 7]) -> Thrown<(Strategy, f32)> {
+    let strategy = Strategy::new(mu_plus, mu_minus, epsilon).and_then(|strategy| strategy.with_lags(*lags));
+    Ok((strategy.map_err(|error| thrown(Refusal::from(error)))?, prior))
 }
 
 fn json(value: &impl Serialize) -> Thrown<String> {
@@ -109,28 +116,54 @@ impl Goodbot {
         }
         let mut strategies = Vec::new();
         for strategy in numbers.as_chunks::<7>().0 {
-            let &[mu_plus, mu_minus, epsilon, prior, lags @ ..] = strategy;
-            let strategy = Strategy::new(mu_plus, mu_minus, epsilon).and_then(|strategy| strategy.with_lags(lags));
-            strategies.push((strategy.map_err(|error| thrown(Refusal::from(error)))?, prior));
+            strategies.push(strategy_of(strategy)?);
         }
         self.0.set_strategies(&strategies).map_err(thrown)
     }
 
-    /// Takes up the last command again in the same home, as a log has it: what was believed goes on.
-    #[wasm_bindgen(js_name = hearAgain)]
-    pub fn hear_again(&mut self, command: &str) -> Thrown<()> {
-        self.0.hear_again(command).map_err(thrown)
+    /// Begins to tell of a recorded session: its home as JSON, its command, whether the trainer showed the way, and whether it goes on from the
+    /// session before.
+    #[wasm_bindgen(js_name = beginRecorded)]
+    pub fn begin_recorded(&mut self, environment: &str, command: &str, shown: bool, continues: bool) -> Thrown<()> {
+        self.0.begin_recorded(environment, command, shown, continues).map_err(thrown)
     }
 
-    /// Hears a command with a prior, as a log has it: the names of tasks on a line each, and a number for each of them.
-    #[wasm_bindgen(js_name = hearWithPrior)]
-    pub fn hear_with_prior(&mut self, command: &str, tasks: &str, prior: &[f32]) -> Thrown<()> {
-        self.0.hear_with_prior(command, tasks.lines().zip(prior.iter().copied())).map_err(thrown)
+    /// The trainer strategies that the session names: seven numbers each, as `setStrategies` takes them, and how probable each is as a share of
+    /// the most probable one.
+    #[wasm_bindgen(js_name = recordedStrategies)]
+    pub fn recorded_strategies(&mut self, numbers: &[f32]) -> Thrown<()> {
+        let mut expected = Vec::new();
+        for strategy in numbers.as_chunks::<8>().0 {
+            let &[ref numbers @ .., share] = strategy;
+            let (strategy, recorded) = strategy_of(numbers)?;
+            expected.push(Expected { strategy, share, recorded });
+        }
+        self.0.recorded_strategies(expected).map_err(thrown)
     }
 
-    /// Does the action of this name as the trainer showed it, and learns from that.
-    pub fn demonstrate(&mut self, action: &str) -> Thrown<()> {
-        self.0.demonstrate(action).map_err(thrown)
+    /// The prior of the session's tasks: their names on a line each, and a number up to 1 for each.
+    #[wasm_bindgen(js_name = recordedPrior)]
+    pub fn recorded_prior(&mut self, tasks: &str, prior: &[f32]) -> Thrown<()> {
+        self.0.recorded_prior(tasks.lines().zip(prior.iter().copied())).map_err(thrown)
+    }
+
+    /// The session's next step: the action's name, and what was said to it; empty where the trainer showed the way.
+    #[wasm_bindgen(js_name = recordedStep)]
+    pub fn recorded_step(&mut self, action: &str, feedback: &str) -> Thrown<()> {
+        self.0.recorded_step(action, feedback).map_err(thrown)
+    }
+
+    /// The session's next answer, as `answerAs` takes it.
+    #[wasm_bindgen(js_name = recordedAnswer)]
+    pub fn recorded_answer(&mut self, tasks: &str, yes: bool, eta: f32, others: u8) -> Thrown<()> {
+        self.0.recorded_answer(tasks.lines(), yes, eta, others).map_err(thrown)
+    }
+
+    /// Goes through the session that was told, by a step or by about `budget` looks of planning. Gives whether it is done; where it is learned
+    /// from, call `learn` until that is done too.
+    #[wasm_bindgen(js_name = replayOn)]
+    pub fn replay_on(&mut self, budget: u32, learn: bool) -> Thrown<bool> {
+        self.0.replay_on(budget, learn).map_err(thrown)
     }
 
     /// The name of the task that the command most likely means where that is done already; nothing where something is left to do.
@@ -231,12 +264,6 @@ impl Goodbot {
     /// Ends the session without learning from it.
     pub fn forget(&mut self) {
         self.0.forget();
-    }
-
-    /// Ends the session without learning from it, so that `hearAgain` can take it up again.
-    #[wasm_bindgen(js_name = setAside)]
-    pub fn set_aside(&mut self) {
-        self.0.set_aside();
     }
 
     /// The session under way as lines of a log that is not learned from.

@@ -14,10 +14,6 @@ pub struct Recording {
     pub environment: EnvironmentFile,
     /// The actions of the robot, where they are not the four moves.
     pub actions: Option<&'static [&'static str]>,
-    /// Whether it goes on from the session before.
-    pub continues: bool,
-    /// How it teaches: `feedback`, or `demonstration`.
-    pub kind: &'static str,
     /// The trainer strategies to consider, where they are not the ones that every robot starts with.
     pub strategies: Option<Vec<StrategyLine>>,
     /// What was done.
@@ -41,8 +37,7 @@ pub struct StrategyLine {
 pub struct Step {
     r#type: &'static str,
     action: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    feedback: Option<&'static str>,
+    feedback: &'static str,
 }
 
 /// An answer of a log: its tasks, whether what is meant is among them, how often an answer is wrong, and how many others there were.
@@ -81,8 +76,6 @@ struct Header<'a> {
     command: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
     actions: Option<&'static [&'static str]>,
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
-    continues: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     strategies: &'a Option<Vec<StrategyLine>>,
 }
@@ -95,7 +88,7 @@ struct End {
 
 impl Step {
     /// An action and what was said to it.
-    pub fn new(action: String, feedback: Option<&'static str>) -> Self {
+    pub fn new(action: String, feedback: &'static str) -> Self {
         Self { r#type: "step", action, feedback }
     }
 }
@@ -103,8 +96,8 @@ impl Step {
 impl Recording {
     /// The session as lines, each with its end.
     pub fn lines(&self, learn: bool) -> Result<String, serde_json::Error> {
-        let &Self { ref command, ref environment, actions, continues, kind, ref strategies, ref steps } = self;
-        let header = Header { r#type: "session", version: 1, kind, environment, command, actions, continues, strategies };
+        let &Self { ref command, ref environment, actions, ref strategies, ref steps } = self;
+        let header = Header { r#type: "session", version: 1, kind: "feedback", environment, command, actions, strategies };
         let mut lines = serde_json::to_string(&header)?;
         for step in steps {
             lines.push('\n');

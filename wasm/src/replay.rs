@@ -1,172 +1,177 @@
-//! A session of a log, once more: the same command in the same home, the same actions and the same feedback teach the same.
+//! A recorded session, once more: the same command in the same home, the same actions and the same feedback teach the same.
 //!
-//! A log may say more than the page itself does: the tasks' prior, the trainer strategies, a session that goes on from the one before, and
-//! demonstrations.
+//! The strict reader of logs is large: the page reads their lines itself, and tells what they say.
 
-use std::cell::RefCell;
+use goodbot::feedback::Feedback;
+use goodbot::home::HomeState;
+use goodbot::memory::HomeHeap;
+use goodbot::task::{GroundedTask, TaskSet, ground};
+use goodbot_formats::environment::EnvironmentFile;
+use goodbot_formats::session::{FeedbackWord, Kind, RecordedAnswer, RecordedSession, StrategyRecord};
+use goodbot_lesson::replay::{Event, Replay, Rules};
+use goodbot_lesson::walk::{Expected, SessionAnswer, Step, Walk};
 
-use goodbot::feedback::Strategy;
-use goodbot::oomdp::{action_named, apply};
-use goodbot::task::{GroundedTask, LiftedTask, TaskSet};
-use goodbot_formats::session::{Kind, RecordedSession, StrategyRecord};
-
-use crate::log::{AnswerLine, Line, Step};
+use crate::cells::{MIND, ROOMS};
 use crate::training::task_name;
-use crate::world::{Refusal, World};
+use crate::world::{Refusal, World, build};
+
+/// A recorded session that is being told, and then gone through.
+#[derive(Debug)]
+pub struct Replaying {
+    replay: Replay,
+    walk: Walk<HomeHeap>,
+    /// Where the last step led.
+    end: HomeState,
+    environment: EnvironmentFile,
+    /// The tasks here, each with its name.
+    tasks: Vec<(GroundedTask, String)>,
+}
+
+fn not_begun() -> Refusal {
+    Refusal("no recorded session was begun".to_owned())
+}
 
 impl World {
-    /// Takes the trainer strategies of a log, each with how probable it is, in any unit. Where they are what is believed already, to the last
-    /// bit, nothing changes: a log of this robot's own teaches it the same again. A session under way ends unlearned.
+    /// Begins to tell of a recorded session: its home, its command, whether the trainer showed the way, and whether it goes on from the session
+    /// before. Then [`recorded_step`](Self::recorded_step) and [`recorded_answer`](Self::recorded_answer) in their order, and at the end
+    /// [`replay_on`](Self::replay_on) until that is done. A session under way ends unlearned.
     ///
     /// # Errors
-    /// What is no probability.
-    pub fn set_strategies(&mut self, strategies: &[(Strategy, f32)]) -> Result<(), Refusal> {
+    /// Why the home cannot be used.
+    pub fn begin_recorded(&mut self, environment: &str, command: &str, shown: bool, continues: bool) -> Result<(), Refusal> {
+        let environment = EnvironmentFile::parse(environment).map_err(Refusal::from)?;
+        let (home, start) = build(&environment, self.moves, &ROOMS)?;
         self.forget();
-        let belief = self.agent().belief();
-        let known = belief.strategies().iter().enumerate().map(|(at, (strategy, _))| (*strategy, belief.strategy_probability(at)));
-        if known.eq(strategies.iter().copied()) {
-            return Ok(());
-        }
-        // The largest is 1, so that single precision never makes all of them 0.
-        let largest = strategies.iter().map(|(_, prior)| *prior).fold(0.0, f32::max);
-        let scaled: Vec<_> = strategies.iter().map(|(strategy, prior)| (*strategy, prior / largest)).collect();
-        self.mind.set_strategies(&scaled).map_err(Refusal::from)
-    }
-
-    /// Hears a command with a prior for each task by its name in logs, instead of what the words say; 0 for the tasks that are not named. A
-    /// session under way ends unlearned.
-    ///
-    /// # Errors
-    /// As [`hear`](Self::hear); a name that is no task's, and numbers that are no probabilities.
-    pub fn hear_with_prior<'n>(&mut self, command: &str, prior: impl Iterator<Item = (&'n str, f32)> + Clone) -> Result<(), Refusal> {
-        self.forget();
-        let Self { mind, rooms, state, .. } = self;
-        let known = RefCell::new(Vec::new());
-        let of = |task: &GroundedTask, lifted: &LiftedTask| {
-            let name = task_name(rooms, lifted, task);
-            let found = prior.clone().find(|(named, _)| *named == name);
-            known.borrow_mut().push(name);
-            found.map_or(0.0, |(_, prior)| prior)
+        let lifted = self.mind.lifted();
+        let mut tasks = vec![GroundedTask::UNUSED; MIND.tasks];
+        let count = ground(&home, lifted, &start, &mut tasks).map_err(Refusal::from)?;
+        let named = |task: GroundedTask| Some((task, task_name(&home, lifted.get(usize::from(task.lifted))?, &task)));
+        let tasks = tasks.into_iter().take(count).filter_map(named).collect();
+        let walk = Walk {
+            command: command.to_owned(),
+            kind: if shown { Kind::Demonstration } else { Kind::Feedback },
+            continues,
+            header_line: 0,
+            end_line: 0,
+            home,
+            start,
+            prior: None,
+            strategies: None,
+            steps: Vec::new(),
+            answers: Vec::new(),
         };
-        let heard = mind.hear_with_prior(rooms, state, command, of).map_err(Refusal::from);
-        let known = known.into_inner();
-        let strange = prior.map(|(name, _)| name).find(|&name| !known.is_empty() && known.iter().all(|known| known != name));
-        if let Some(name) = strange {
-            self.mind.forget();
-            return Err(Refusal(format!("“prior” names {name}, which is no task of this page")));
-        }
-        heard?;
-        self.record(command, false)
-    }
-
-    /// Puts everything back, and takes up the last command again: what was believed goes on.
-    ///
-    /// # Errors
-    /// Where the last session was not one of this command in this home.
-    pub fn hear_again(&mut self, command: &str) -> Result<(), Refusal> {
-        self.reset();
-        let Self { mind, rooms, state, .. } = self;
-        mind.hear_again(rooms, state).map_err(Refusal::from)?;
-        self.record(command, true)
-    }
-
-    /// Takes in that the trainer did the action of this name to show the way, and does it. The plan must be done.
-    ///
-    /// # Errors
-    /// As [`act_as`](Self::act_as).
-    pub fn demonstrate(&mut self, action: &str) -> Result<(), Refusal> {
-        self.check_judged()?;
-        let done = action_named(self.home(), action).ok_or_else(|| Refusal(format!("{action} is no action here")))?;
-        let Self { mind, rooms, state, .. } = self;
-        let _ = mind.demonstrated(rooms, state, done).map_err(Refusal::from)?;
-        *state = apply(rooms, state, done).unwrap_or(*state);
-        if let Some(recording) = &mut self.recording {
-            recording.kind = "demonstration";
-            recording.steps.push(Line::Step(Step::new(action.to_owned(), None)));
-        }
+        self.replaying = Some(Replaying { replay: Replay::new(Rules::AS_IT_WAS), walk, end: start, environment, tasks });
         Ok(())
     }
 
-    /// Takes in an answer that is told in full, as a log has it: whether what is meant is among the tasks of these names, how often that is
-    /// wrong, and how many other answers there were.
+    /// How probable each task was beforehand, by its name in logs, in any unit up to 1; 0 for the tasks that are not named.
     ///
     /// # Errors
-    /// A name that is no task's; what [`Agent::answered`](goodbot::Agent::answered) refuses.
-    pub fn answer_as(&mut self, names: Vec<String>, yes: bool, eta: f32, others: u8) -> Result<(), Refusal> {
-        let known = self.belief().tasks;
-        let position =
-            |name: &String| known.iter().position(|task| task.name == *name).ok_or_else(|| Refusal(format!("{name} is no task here")));
-        let tasks = names.iter().map(position).collect::<Result<TaskSet, Refusal>>()?;
-        let _ = self.mind.answered(tasks, yes, eta, others).map_err(Refusal::from)?;
-        if let Some(recording) = &mut self.recording {
-            recording.steps.push(Line::Answer(AnswerLine::new(names, yes, eta, others)));
-        }
+    /// A name that is no task's.
+    pub fn recorded_prior<'n>(&mut self, prior: impl Iterator<Item = (&'n str, f32)>) -> Result<(), Refusal> {
+        let told = self.replaying.as_mut().ok_or_else(not_begun)?;
+        let named = |(name, share): (&str, f32)| {
+            let known = told.tasks.iter().find(|(_, known)| known == name);
+            known.map(|&(task, _)| (task, share)).ok_or_else(|| Refusal(format!("“prior” names {name}, which is no task of this page")))
+        };
+        told.walk.prior = Some(prior.map(named).collect::<Result<_, _>>()?);
         Ok(())
     }
 
-    /// Takes in the answers of a recorded session that stand behind so many steps.
-    fn take_recorded_answers(&mut self, session: &RecordedSession, steps: usize) -> Result<(), Refusal> {
-        for recorded in session.answers_after(steps) {
-            let answer = &recorded.answer;
-            let names = answer.tasks.iter().map(ToString::to_string).collect();
-            self.answer_as(names, answer.yes, answer.eta as f32, answer.others)?;
-        }
+    /// The trainer strategies that the session names.
+    ///
+    /// # Errors
+    /// Where no session was begun.
+    pub fn recorded_strategies(&mut self, strategies: Vec<Expected>) -> Result<(), Refusal> {
+        self.replaying.as_mut().ok_or_else(not_begun)?.walk.strategies = Some(strategies);
         Ok(())
     }
 
-    /// Goes through a recorded session and learns from it to the end, if it is to be learned from. The robot is then where the session
-    /// ended.
+    /// What was done next, by the action's name, and what was said to it.
+    ///
+    /// # Errors
+    /// Where it cannot be done there.
+    pub fn recorded_step(&mut self, action: &str, feedback: &str) -> Result<(), Refusal> {
+        let told = self.replaying.as_mut().ok_or_else(not_begun)?;
+        let feedback = feedback.parse().unwrap_or(Feedback::Neutral);
+        let step = Step::from(&told.walk.home, told.end, action, feedback, 0);
+        let (step, next) = step.ok_or_else(|| Refusal(format!("{action} is no action here")))?;
+        told.walk.steps.push(step);
+        told.end = next;
+        Ok(())
+    }
+
+    /// What was answered next, as [`answer_as`](Self::answer_as) has it.
+    ///
+    /// # Errors
+    /// A name that is no task's.
+    pub fn recorded_answer<'n>(&mut self, names: impl Iterator<Item = &'n str>, yes: bool, eta: f32, others: u8) -> Result<(), Refusal> {
+        let told = self.replaying.as_mut().ok_or_else(not_begun)?;
+        let mut tasks = TaskSet::EMPTY;
+        for name in names {
+            let position = told.tasks.iter().position(|(_, known)| known == name);
+            tasks = tasks.with(position.ok_or_else(|| Refusal(format!("{name} is no task here")))?);
+        }
+        let after = told.walk.steps.len();
+        told.walk.answers.push(SessionAnswer { line: 0, after, tasks, yes, eta, others });
+        Ok(())
+    }
+
+    /// Goes on with the recorded session that was told, by a step or by about `budget` looks of planning. Gives whether it is done: the robot
+    /// is then where the session ended. Where `learn` says so, it has begun to learn from it; otherwise the next one can go on from it.
     ///
     /// # Errors
     /// Why the session cannot be gone through; what was learned before is kept.
-    pub fn replay(&mut self, session: &RecordedSession) -> Result<(), Refusal> {
-        let header = &session.header;
-        if header.kind == Kind::Labelled {
-            return Err(Refusal("a labelled session has no steps to go through; learn from it with goodbot learn".to_owned()));
+    pub fn replay_on(&mut self, budget: u32, learn: bool) -> Result<bool, Refusal> {
+        let told = self.replaying.as_mut().ok_or_else(not_begun)?;
+        match told.replay.advance(&mut self.mind, &told.walk, budget) {
+            Ok(Event::Ended) => {}
+            Ok(_) => return Ok(false),
+            Err(refused) => {
+                self.forget();
+                return Err(Refusal::from(refused));
+            }
         }
-        if header.continues {
-            self.hear_again(&header.command)?;
+        let Some(Replaying { walk, end, environment, .. }) = self.replaying.take() else { return Ok(true) };
+        (self.rooms, self.file, self.start, self.state) = (walk.home, environment, walk.start, end);
+        if learn {
+            self.gave_way += self.mind.finish(&self.rooms).map_err(Refusal::from)?.gave_way.count();
         } else {
-            self.set_pulls(header.action_names().any(|name| name == "pull"))?;
-            self.set_environment(&header.environment.to_json_line())?;
-            if let Some(records) = &header.strategies {
-                let strategy = |record: &StrategyRecord| -> Result<(Strategy, f32), Refusal> {
-                    let strategy = Strategy::new(record.mu_plus as f32, record.mu_minus as f32, record.epsilon as f32);
-                    let lags = record.lags.map_or(Strategy::NO_LAG, |lags| lags.map(|lag| lag as f32));
-                    let strategy = strategy.and_then(|strategy| strategy.with_lags(lags)).map_err(Refusal::from)?;
-                    Ok((strategy, record.prior as f32))
-                };
-                self.set_strategies(&records.iter().map(strategy).collect::<Result<Vec<_>, Refusal>>()?)?;
+            self.mind.forget();
+        }
+        Ok(true)
+    }
+
+    /// Tells of a session as a host has read it, goes through it, and learns from it if that is so recorded.
+    ///
+    /// # Errors
+    /// Why the session cannot be gone through; what was learned before is kept.
+    pub fn replay(&mut self, recorded: &RecordedSession) -> Result<(), Refusal> {
+        let header = &recorded.header;
+        self.set_pulls(header.action_names().any(|name| name == "pull"))?;
+        let shown = header.kind == Kind::Demonstration;
+        self.begin_recorded(&header.environment.to_json_line(), &header.command, shown, header.continues)?;
+        if let Some(records) = &header.strategies {
+            let most = records.iter().map(|record| record.prior).fold(0.0, f64::max);
+            let expected = |record: &StrategyRecord| Expected::new(record, most).map_err(Refusal::from);
+            self.recorded_strategies(records.iter().map(expected).collect::<Result<_, _>>()?)?;
+        }
+        if let Some(prior) = &header.prior {
+            let most = prior.iter().map(|(_, share)| *share).fold(0.0, f64::max);
+            let named: Vec<(String, f32)> = prior.iter().map(|(task, share)| (task.to_string(), (share / most) as f32)).collect();
+            self.recorded_prior(named.iter().map(|(name, share)| (name.as_str(), *share)))?;
+        }
+        for done in 0..=recorded.steps.len() {
+            for RecordedAnswer { answer, .. } in recorded.answers_after(done) {
+                let names: Vec<String> = answer.tasks.iter().map(ToString::to_string).collect();
+                self.recorded_answer(names.iter().map(String::as_str), answer.yes, answer.eta as f32, answer.others)?;
             }
-            match &header.prior {
-                None => self.hear(&header.command)?,
-                Some(prior) => {
-                    // In any unit: the largest is 1, so that single precision never makes all of them 0.
-                    let largest = prior.iter().map(|(_, prior)| *prior).fold(0.0, f64::max);
-                    let prior: Vec<(String, f32)> =
-                        prior.iter().map(|(task, prior)| (task.to_string(), (prior / largest) as f32)).collect();
-                    self.hear_with_prior(&header.command, prior.iter().map(|(task, prior)| (task.as_str(), *prior)))?;
-                }
+            if let Some((_, step)) = recorded.steps.get(done) {
+                self.recorded_step(&step.action, step.feedback.map_or("", FeedbackWord::as_str))?;
             }
         }
-        for (done, (_, step)) in session.steps.iter().enumerate() {
-            self.take_recorded_answers(session, done)?;
-            while !self.plan(u32::MAX)? {}
-            match step.feedback {
-                None => self.demonstrate(&step.action)?,
-                Some(feedback) => {
-                    self.act_as(&step.action)?;
-                    self.judge(feedback.as_str())?;
-                }
-            }
-        }
-        self.take_recorded_answers(session, session.steps.len())?;
-        if session.learn {
-            self.finish()?;
-            while !self.learn(u32::MAX) {}
-        } else {
-            self.set_aside();
-        }
+        while !self.replay_on(u32::MAX, recorded.learn)? {}
+        while !self.learn(u32::MAX) {}
         Ok(())
     }
 }

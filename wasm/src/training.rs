@@ -24,6 +24,24 @@ use crate::world::{Acted, Refusal, World, thing};
 const CLEARLY: f32 = 0.6;
 
 impl World {
+    /// Takes trainer strategies, each with how probable it is, in any unit. Where they are what is believed already, to the last bit, nothing
+    /// changes. A session under way ends unlearned.
+    ///
+    /// # Errors
+    /// What is no probability.
+    pub fn set_strategies(&mut self, strategies: &[(Strategy, f32)]) -> Result<(), Refusal> {
+        self.forget();
+        let belief = self.agent().belief();
+        let known = belief.strategies().iter().enumerate().map(|(at, (strategy, _))| (*strategy, belief.strategy_probability(at)));
+        if known.eq(strategies.iter().copied()) {
+            return Ok(());
+        }
+        // The largest is 1, so that single precision never makes all of them 0.
+        let largest = strategies.iter().map(|(_, prior)| *prior).fold(0.0, f32::max);
+        let scaled: Vec<_> = strategies.iter().map(|(strategy, prior)| (*strategy, prior / largest)).collect();
+        self.mind.set_strategies(&scaled).map_err(Refusal::from)
+    }
+
     /// Whether the robot expects what real people do, and learns how its trainer uses reward and punishment; else it expects the paper's
     /// balanced trainer. A session under way ends unlearned.
     ///
@@ -57,7 +75,7 @@ impl World {
         self.forget();
         let Self { mind, rooms, state, .. } = self;
         mind.hear(rooms, state, command).map_err(Refusal::from)?;
-        self.record(command, false)
+        self.record(command)
     }
 
     /// The name of the task that the command most likely means, where that is done already; `None` where something is left to do. The mind knows no
@@ -114,15 +132,13 @@ impl World {
     }
 
     /// Begins to write down the session that the mind has begun.
-    pub(crate) fn record(&mut self, command: &str, continues: bool) -> Result<(), Refusal> {
+    fn record(&mut self, command: &str) -> Result<(), Refusal> {
         let environment = self.environment_now();
         let actions = self.pulls().then_some(PULLING);
         let Self { mind, scout, rooms, .. } = self;
         scout.set_tasks(rooms, mind.lifted(), mind.tasks()).map_err(Refusal::from)?;
-        let known = mind.belief().strategies();
-        let strategies = if continues { None } else { strategies(known) };
-        let command = command.to_owned();
-        self.recording = Some(Recording { command, environment, actions, continues, kind: "feedback", strategies, steps: Vec::new() });
+        let strategies = strategies(mind.belief().strategies());
+        self.recording = Some(Recording { command: command.to_owned(), environment, actions, strategies, steps: Vec::new() });
         Ok(())
     }
 
@@ -214,7 +230,7 @@ impl World {
         };
         let action = action_name(self.home(), action).to_owned();
         if let Some(recording) = &mut self.recording {
-            recording.steps.push(Line::Step(Step::new(action.clone(), Some(feedback.name()))));
+            recording.steps.push(Line::Step(Step::new(action.clone(), feedback.name())));
         }
         let judgements = judgements.iter().map(words).collect();
         Ok(Evidence { action, feedback: feedback.name(), outcome, judgements, before, after: self.probabilities() })
@@ -271,17 +287,8 @@ impl World {
 
     /// Ends the session, if one is under way, without learning from it: of the trainer, too, the robot believes what it believed before.
     pub fn forget(&mut self) {
-        if self.recording.take().is_some() {
+        if self.recording.take().is_some() | self.replaying.take().is_some() {
             self.mind.forget_evidence();
-        }
-        (self.acted, self.ahead) = (None, None);
-    }
-
-    /// Ends the session, if one is under way, without learning from it, so that it can be taken up again with
-    /// [`hear_again`](Self::hear_again).
-    pub fn set_aside(&mut self) {
-        if self.recording.take().is_some() {
-            self.mind.forget();
         }
         (self.acted, self.ahead) = (None, None);
     }

@@ -17,6 +17,7 @@ use rand_pcg::Pcg32;
 
 use crate::cells::{MIND, MOST_OF_A_FIELD, ROOMS};
 use crate::log::Recording;
+use crate::replay::Replaying;
 use crate::route::{Lookahead, Scout};
 use crate::view::{Extent, Place, Scene, Thing};
 
@@ -63,6 +64,7 @@ pub struct World {
     pub(crate) recording: Option<Recording>,
     pub(crate) ahead: Option<Lookahead>,
     pub(crate) random: Pcg32,
+    pub(crate) replaying: Option<Replaying>,
 }
 
 impl fmt::Debug for World {
@@ -87,7 +89,7 @@ fn plain_mind(capacities: &Capacities, ways: bool) -> Result<Agent<AgentHeap>, R
 }
 
 /// Builds the home of a file. The message of a refusal names the object.
-fn build(file: &EnvironmentFile, moves: Moves, room: &Capacities) -> Result<(Home<HomeHeap>, HomeState), Refusal> {
+pub(crate) fn build(file: &EnvironmentFile, moves: Moves, room: &Capacities) -> Result<(Home<HomeHeap>, HomeState), Refusal> {
     let refuse = |error: HomeError| {
         let object = error.object.and_then(|at| file.objects.get(usize::from(at)));
         Refusal(object.map_or_else(|| error.problem.to_string(), |object| format!("{}: {}", object.name(), error.problem)))
@@ -162,6 +164,7 @@ impl World {
             recording: None,
             ahead: None,
             random: Pcg32::new(seed, 1),
+            replaying: None,
         })
     }
 

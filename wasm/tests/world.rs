@@ -1,6 +1,6 @@
 //! The world that the page shows, as examples.
 
-use goodbot_formats::session::SessionReader;
+use goodbot_formats::session::{RecordedSession, SessionReader};
 use goodbot_wasm::view::About;
 use goodbot_wasm::world::check;
 use goodbot_wasm::{World, course};
@@ -213,32 +213,46 @@ fn a_robot_that_pulls_says_so_in_its_log() {
     assert_eq!(other.sessions(), 1);
 }
 
+/// The session of a log, with another end.
+fn recorded(log: &str, learn: bool) -> RecordedSession {
+    RecordedSession { learn, ..SessionReader::new(log.as_bytes()).next().unwrap().unwrap() }
+}
+
 #[test]
-fn a_robot_hears_the_same_command_again_and_goes_on_believing() {
+fn a_recorded_session_goes_on_from_the_one_before() {
     let mut world = world("A");
+    world.set_learns_style(false).unwrap();
     world.hear("go to the red room").unwrap();
     while !world.plan(1_000).unwrap() {}
     world.act().unwrap();
     world.judge("punish").unwrap();
-    let believed = world.belief().tasks;
-    world.finish().unwrap();
-    while !world.learn(1_000) {}
-    world.hear_again("go to the red room").unwrap();
-    assert_eq!(world.belief().tasks, believed);
-    assert!(world.log(false).unwrap().contains("\"continues\":true"));
+    let log = world.log(false).unwrap();
+    let mut again = recorded(&log, true);
+    again.header.continues = true;
+    let [mut once, mut twice, mut aside] = [1, 2, 3].map(|seed| World::new(seed).unwrap());
+    once.replay(&recorded(&log, true)).unwrap();
+    twice.replay(&recorded(&log, false)).unwrap();
+    twice.replay(&again).unwrap();
+    aside.replay(&recorded(&log, false)).unwrap();
+    assert_eq!([once.sessions(), twice.sessions(), aside.sessions()], [1, 1, 0]);
+    // The second session is evidence on top of the first.
+    assert_ne!(once.heat(), twice.heat());
+    assert!(World::new(1).unwrap().replay(&again).is_err());
 }
 
 #[test]
 fn a_recorded_prior_takes_the_place_of_what_the_words_say() {
     let mut world = world("A");
-    world.hear_with_prior("go to the red room", [("agentInRoom(agent0,room1)", 0.5)].into_iter()).unwrap();
-    let probability = |world: &World, name: &str| world.belief().tasks.iter().find(|task| task.name == name).map(|task| task.probability);
-    assert_eq!(probability(&world, "agentInRoom(agent0,room1)"), Some(1.0));
-    assert_eq!(probability(&world, "agentInRoom(agent0,room2)"), Some(0.0));
-    assert!(world.hear_with_prior("go to the red room", [("agentInRoom(agent0,room1)", f32::NAN)].into_iter()).is_err());
-    let strange = world.hear_with_prior("go to the red room", [("agentInRoom(agent0,room9)", 0.5)].into_iter());
-    assert!(strange.unwrap_err().0.contains("room9"));
-    assert!(!world.is_listening());
+    let home = world.environment();
+    let mut begin = |prior: &[(&str, f32)]| {
+        world.begin_recorded(&home, "go there", false, false).unwrap();
+        world.recorded_prior(prior.iter().copied()).map(|()| {
+            assert!(!world.replay_on(1, true).unwrap(), "the command alone was heard");
+            [0, 1].map(|task| world.agent().belief().probability(task))
+        })
+    };
+    assert_eq!(begin(&[("agentInRoom(agent0,room1)", 0.5)]).unwrap(), [1.0, 0.0]);
+    assert!(begin(&[("agentInRoom(agent0,room9)", 0.5)]).unwrap_err().0.contains("room9"));
 }
 
 #[test]
@@ -250,14 +264,13 @@ fn a_recorded_prior_leaves_what_is_believed_of_the_trainer_to_the_last_bit() {
         let style = world.belief().trainer;
         [style.good, style.bad, style.mistakes, style.late].map(f32::to_bits)
     };
-    let mut other = World::new(7).unwrap();
-    other.restore(&world.save().unwrap()).unwrap();
-    other.set_environment(&world.environment()).unwrap();
-    while !other.learn(1_000) {}
     world.reset();
+    let before = believed(&world);
     world.hear("go to the red room").unwrap();
-    other.hear_with_prior("go to the red room", [("agentInRoom(agent0,room1)", 1.0)].into_iter()).unwrap();
-    assert_eq!(believed(&other), believed(&world));
+    let mut session = recorded(&world.log(true).unwrap(), true);
+    session.header.prior = Some(vec![("agentInRoom(agent0,room1)".parse().unwrap(), 1.0)]);
+    world.replay(&session).unwrap();
+    assert_eq!(believed(&world), before);
 }
 
 #[test]

@@ -222,8 +222,8 @@ fn check_session(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask], 
         Err(faults) => return faults,
     };
     if recorded.header.kind == Kind::Demonstration {
-        for step in session.steps.iter().filter(|step| step.bump) {
-            let cell = session.home.agent_cell(&step.before);
+        for step in session.walk.steps.iter().filter(|step| step.bump) {
+            let cell = session.walk.home.agent_cell(&step.before);
             let message = format!(
                 "the demonstration goes against a wall or a block that is held: the agent stays at {}, {}; remove the step, or correct the \
                  steps before it",

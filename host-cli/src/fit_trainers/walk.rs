@@ -4,7 +4,7 @@ use crate::load::input;
 use goodbot::feedback::Feedback;
 use goodbot::memory::AgentHeap;
 use goodbot::planning::{Judgement, OptimalSet};
-use goodbot::task::LiftedTask;
+use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::session::{Kind, RecordedSession, SessionReader};
 use goodbot_lesson::checked::check;
@@ -76,7 +76,7 @@ fn walk(agent: &mut Agent<AgentHeap>, file: &str, recorded: &RecordedSession, li
     let mut replay = Replay::new(Rules::PLANS);
     let mut steps: Vec<WalkStep> = vec![];
     loop {
-        let event = replay.advance(agent, &session, u32::MAX);
+        let event = replay.advance(agent, &session.walk, u32::MAX);
         let event = event.map_err(|refused| vec![Fault::on_line(file, refused.line, refused.error)])?;
         let planned = match event {
             Event::Ended => break,
@@ -95,7 +95,11 @@ fn walk(agent: &mut Agent<AgentHeap>, file: &str, recorded: &RecordedSession, li
     }
     agent.forget();
     let trainer = trainer_of(header.id.as_deref(), file).to_owned();
-    let prior = session.prior.unwrap_or_else(|| session.tasks.iter().map(|(task, _)| task.prior).collect());
+    let prior = |task: &GroundedTask| match &session.walk.prior {
+        Some(recorded) => recorded.iter().find(|(known, _)| known == task).map_or(0.0, |&(_, share)| share),
+        None => task.prior,
+    };
+    let prior = session.tasks.iter().map(|(task, _)| prior(task)).collect();
     Ok(Walk { trainer, continues: header.continues, prior, intended: session.intended, steps })
 }
 

@@ -48,7 +48,7 @@ impl Witness {
             (Kind::Labelled, Some(told)) => (0..session.tasks.len()).map(|task| f32::from(u8::from(task == told))).collect(),
             _ => (0..session.tasks.len()).map(|task| self.agent.belief().probability(task)).collect(),
         };
-        self.agent.weigh(&session.home).map_err(at(recorded.end_line))?;
+        self.agent.weigh(&session.walk.home).map_err(at(recorded.end_line))?;
         let shown = match header.kind {
             Kind::Demonstration => recorded.steps.iter().map(|(_, step)| step.action.clone()).collect(),
             Kind::Feedback | Kind::Labelled => vec![],
@@ -75,12 +75,12 @@ impl Witness {
         let mut remarks = vec![];
         let mut replay = Replay::new(Rules::BY_ITSELF);
         loop {
-            let event = replay.advance(&mut self.agent, session, u32::MAX);
+            let event = replay.advance(&mut self.agent, &session.walk, u32::MAX);
             match event.map_err(|refused| vec![Fault::on_line(file, refused.line, refused.error)])? {
                 Event::Ended => return Ok(remarks),
                 Event::Took(step, evidence) => {
-                    if step.bump && session.kind == Kind::Demonstration {
-                        let cell = session.home.agent_cell(&step.before);
+                    if step.bump && session.walk.kind == Kind::Demonstration {
+                        let cell = session.walk.home.agent_cell(&step.before);
                         let message = format!(
                             "walks into a wall or a held block at {}, {}; nothing moves, and the step still counts",
                             cell.x, cell.y
@@ -116,10 +116,10 @@ impl Witness {
             let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
             readings.push(Reading {
                 name: name.clone(),
-                label: label(&session.home, lifted, &task.bindings),
+                label: label(&session.walk.home, lifted, &task.bindings),
                 prior: task.prior,
                 belief: beliefs.get(position).copied().unwrap_or(0.0),
-                commands: commands(&session.home, &self.lifted, task, &session.start, self.agent.options())?,
+                commands: commands(&session.walk.home, &self.lifted, task, &session.walk.start, self.agent.options())?,
                 plan: if self.plans { self.plan(session, position)? } else { vec![] },
             });
         }
@@ -128,17 +128,18 @@ impl Witness {
 
     /// The first in order of a task's shortest plans.
     fn plan(&mut self, session: &CheckedSession<impl HomeMemory>, task: usize) -> Result<MachineCommand, AgentError> {
-        let (mut state, mut plan) = (session.start, vec![]);
-        self.agent.hear_again(&session.home, &session.start)?;
+        let (mut state, mut plan) = (session.walk.start, vec![]);
+        self.agent.hear_again(&session.walk.home, &session.walk.start)?;
         while plan.len() < TOKENS_PER_COMMAND {
-            self.agent.plan_fully(&session.home, &state)?;
+            self.agent.plan_fully(&session.walk.home, &state)?;
             let actions = self.agent.planned().optimal(task).onward();
-            let Some((action, next)) =
-                actions.and_then(|actions| actions.iter().next()).and_then(|action| Some((action, apply(&session.home, &state, action)?)))
+            let Some((action, next)) = actions
+                .and_then(|actions| actions.iter().next())
+                .and_then(|action| Some((action, apply(&session.walk.home, &state, action)?)))
             else {
                 break;
             };
-            plan.push(session.home.actions().get(action.index()).map_or_else(String::new, |action| action.name.to_owned()));
+            plan.push(session.walk.home.actions().get(action.index()).map_or_else(String::new, |action| action.name.to_owned()));
             state = next;
         }
         Ok(plan)

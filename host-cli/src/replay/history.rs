@@ -13,8 +13,9 @@ use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession};
 use goodbot_formats::task_text::GroundTaskText;
-use goodbot_lesson::checked::{CheckedSession, Step, check};
+use goodbot_lesson::checked::{CheckedSession, check_steps};
 use goodbot_lesson::replay::{Event, Replay, Rules};
+use goodbot_lesson::walk::Step;
 use goodbot_lesson::{Fault, home};
 
 /// The name of the paper's trainer strategy, which is considered where no session names others.
@@ -136,12 +137,8 @@ impl History {
     fn try_replay(&mut self, file: &str, recorded: &RecordedSession) -> Result<Outcome, Vec<Fault>> {
         let header = &recorded.header;
         let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
-        if header.kind == Kind::Labelled {
-            let message = "a labelled session has no steps to go through; learn from it with goodbot learn";
-            return Err(vec![Fault::on_line(file, recorded.header_line, message).in_field("kind")]);
-        }
         self.check_continues(file, recorded)?;
-        let session = check(file, recorded, &self.lifted, home::memory())?;
+        let session = check_steps(file, recorded, &self.lifted, home::memory())?;
         self.meet(file, recorded).map_err(at(recorded.header_line))?;
         if let (Some(records), false) = (&header.strategies, self.expects()) {
             self.strategies = records.iter().map(|record| record.name.clone()).collect();
@@ -153,7 +150,7 @@ impl History {
             continues: header.continues,
             intended: header.meant().and_then(Result::ok),
             beliefs: vec![],
-            steps: session.steps.len(),
+            steps: session.walk.steps.len(),
             feedback: [0; 3],
             learned: recorded.learn,
             trained: false,
@@ -161,7 +158,7 @@ impl History {
         };
         self.walk(file, &session, &mut outcome)?;
         if recorded.learn {
-            outcome.trained = self.learn(&session.home).map_err(at(recorded.end_line))?;
+            outcome.trained = self.learn(&session.walk.home).map_err(at(recorded.end_line))?;
         } else {
             self.agent.forget();
         }
@@ -172,14 +169,14 @@ impl History {
         let mut replay = Replay::new(Rules { strategies: !self.expects(), ..Rules::AS_IT_WAS });
         let mut taken = 0;
         loop {
-            let event = replay.advance(&mut self.agent, session, u32::MAX);
+            let event = replay.advance(&mut self.agent, &session.walk, u32::MAX);
             match event.map_err(|refused| vec![Fault::on_line(file, refused.line, refused.error)])? {
                 Event::Working | Event::Planned(_) => continue,
                 Event::Ended => return Ok(()),
                 Event::Heard | Event::Closed(Evidence::Used) => {}
                 Event::Closed(_) => continue,
                 Event::Answered(answer) => {
-                    if answer.after < session.steps.len() {
+                    if answer.after < session.walk.steps.len() {
                         continue;
                     }
                     // An answer after the last step belongs to the last belief.
@@ -187,7 +184,7 @@ impl History {
                     taken -= 1;
                 }
                 Event::Took(step, evidence) => {
-                    if session.kind == Kind::Feedback {
+                    if session.walk.kind == Kind::Feedback {
                         let [reward, punish, neutral] = &mut outcome.feedback;
                         *match step.feedback {
                             Feedback::Reward => reward,
@@ -195,7 +192,7 @@ impl History {
                             Feedback::Neutral => neutral,
                         } += 1;
                     }
-                    self.remark(file, session.kind, step, evidence, &mut outcome.remarks);
+                    self.remark(file, session.walk.kind, step, evidence, &mut outcome.remarks);
                 }
             }
             outcome.beliefs.push(self.belief(&outcome.id, taken, session));

@@ -71,7 +71,7 @@ impl Judge {
         let Some(intended) = session.intended else { return Ok(Vec::new()) };
         let (mut replay, mut observed) = (Replay::new(Rules::PLANS), Vec::new());
         loop {
-            let event = replay.advance(agent, &session, u32::MAX);
+            let event = replay.advance(agent, &session.walk, u32::MAX);
             match event.map_err(|refused| vec![Fault::on_line(file, refused.line, refused.error)])? {
                 Event::Ended => return Ok(observed),
                 Event::Planned(Some(step)) => {

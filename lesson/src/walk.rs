@@ -1,0 +1,113 @@
+//! What happens in a session: a command in a home, steps, what was said to them, and answers.
+
+use goodbot::feedback::{Feedback, Strategy, StrategyError};
+use goodbot::home::{Home, HomeState};
+use goodbot::memory::HomeMemory;
+use goodbot::oomdp::{Action, action_named, apply};
+use goodbot::task::{GroundedTask, TaskSet};
+use goodbot_formats::session::{Kind, StrategyRecord};
+
+/// One step of a session.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// Its line.
+    pub line: usize,
+    /// Where everything was before it.
+    pub before: HomeState,
+    /// What was done.
+    pub action: Action,
+    /// What the trainer said; silence in a demonstration.
+    pub feedback: Feedback,
+    /// Whether it was a move that moved nothing.
+    pub bump: bool,
+}
+
+impl Step {
+    /// A step from a state, with where everything is after it; `None` where there is no such action, or it cannot be done there.
+    pub fn from(
+        home: &Home<impl HomeMemory>,
+        before: HomeState,
+        action: &str,
+        feedback: Feedback,
+        line: usize,
+    ) -> Option<(Self, HomeState)> {
+        let action = action_named(home, action)?;
+        let next = apply(home, &before, action)?;
+        Some((Self { line, before, action, feedback, bump: action != Action::NOOP && next == before }, next))
+    }
+}
+
+/// An answer of a session.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SessionAnswer {
+    /// Its line.
+    pub line: usize,
+    /// How many steps come before it.
+    pub after: usize,
+    /// The tasks that it is about.
+    pub tasks: TaskSet,
+    /// Whether what is meant is among them.
+    pub yes: bool,
+    /// The probability that it is wrong.
+    pub eta: f32,
+    /// How many other answers there were.
+    pub others: u8,
+}
+
+/// A trainer strategy that a session names.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Expected {
+    /// The strategy.
+    pub strategy: Strategy,
+    /// How probable it is, as a share of the most probable one: single precision then never makes all of them 0.
+    pub share: f32,
+    /// How probable it is, as it is recorded.
+    pub recorded: f32,
+}
+
+impl Expected {
+    /// A recorded strategy; `most` is how probable the most probable one is.
+    ///
+    /// # Errors
+    /// What is no probability.
+    pub fn new(record: &StrategyRecord, most: f64) -> Result<Self, StrategyError> {
+        let strategy = Strategy::new(record.mu_plus as f32, record.mu_minus as f32, record.epsilon as f32)?;
+        let strategy = strategy.with_lags(record.lags.map_or(Strategy::NO_LAG, |lags| lags.map(|lag| lag as f32)))?;
+        Ok(Self { strategy, share: (record.prior / most) as f32, recorded: record.prior as f32 })
+    }
+}
+
+/// A session from its command to its end.
+#[derive(Debug)]
+pub struct Walk<M> {
+    /// What was said.
+    pub command: String,
+    /// How it teaches.
+    pub kind: Kind,
+    /// Whether it is the command before, once more.
+    pub continues: bool,
+    /// The line of its header.
+    pub header_line: usize,
+    /// The line of its end.
+    pub end_line: usize,
+    /// The home.
+    pub home: Home<M>,
+    /// Where everything is at the beginning.
+    pub start: HomeState,
+    /// The recorded prior of the tasks that it names; it is 0 for others.
+    pub prior: Option<Vec<(GroundedTask, f32)>>,
+    /// The recorded strategies.
+    pub strategies: Option<Vec<Expected>>,
+    /// The steps.
+    pub steps: Vec<Step>,
+    /// The answers, in the order of the steps that they follow.
+    pub answers: Vec<SessionAnswer>,
+}
+
+impl<M: HomeMemory> Walk<M> {
+    /// Where everything is at the end.
+    pub fn end(&self) -> HomeState {
+        let after = |last: &Step| apply(&self.home, &last.before, last.action).unwrap_or(last.before);
+        self.steps.last().map_or(self.start, after)
+    }
+}
