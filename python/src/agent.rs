@@ -8,9 +8,9 @@ use crate::place::{Place, in_place, task_name};
 use crate::robot::{self, Robot};
 use goodbot::asking::{Answer, Asking, Subject};
 use goodbot::feedback::{Feedback, Strategy};
-use goodbot::home::{self, SCHEMA};
+use goodbot::home::{self, Home, SCHEMA};
 use goodbot::language::{Meaning, Synonyms};
-use goodbot::memory::AgentHeap;
+use goodbot::memory::{AgentHeap, HomeMemory};
 use goodbot::oomdp::{Action, Domain, Schema};
 use goodbot::planning::{OptimalSet, Progress};
 use goodbot::session::Evidence;
@@ -18,6 +18,7 @@ use goodbot::snapshot::{Contents, SAVED};
 use goodbot::symbols::Symbol;
 use goodbot::task::{LiftedTask, TaskSet};
 use goodbot::{Agent as Core, AgentError, Capacities, Options};
+use goodbot_lesson::checked::CheckedSession;
 use pyo3::exceptions::PyFileExistsError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyString};
@@ -29,7 +30,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, TryLockError};
 
 /// About how much work is done before others may run: some milliseconds.
-const PART: u32 = 1 << 16;
+pub const PART: u32 = 1 << 16;
 /// The most that any table may hold, whatever a file says.
 const MOST_OF_A_FIELD: usize = 1 << 24;
 /// The most bytes of a model file.
@@ -258,6 +259,21 @@ impl Mind {
         }
         self.name_tasks(py, place);
         Ok(())
+    }
+
+    /// Finishes to the end in a home.
+    pub fn finish_home(&mut self, py: Python<'_>, home: &Home<impl HomeMemory + Sync>) -> PyResult<()> {
+        self.core.begin_finishing(home).map_err(|refused| error::agent(py, refused))?;
+        while py.detach(|| self.core.finish_on(home, PART)).map_err(|refused| error::agent(py, refused))?.is_none() {
+            py.check_signals()?;
+        }
+        Ok(())
+    }
+
+    /// Takes note of a recorded session that was heard.
+    pub fn heard<M>(&mut self, py: Python<'_>, session: &CheckedSession<M>) {
+        session.walk.command.clone_into(&mut self.command);
+        self.names = session.tasks.iter().map(|(_, name)| PyString::new(py, &name.to_string()).unbind()).collect();
     }
 
     pub fn hear_again(&mut self, py: Python<'_>, place: &Place) -> PyResult<()> {

@@ -1,18 +1,18 @@
 //! Recorded sessions: read, written, and gone through once more.
 
-use crate::agent::{Agent, Mind, evidence_name};
-use crate::error::{format, value};
+use crate::agent::{Agent, Mind, PART, evidence_name};
+use crate::error::{self, format, value};
 use crate::home::{Home, Rooms, environment};
-use crate::place::Place;
 use goodbot::Capacities;
-use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{HomeState, Moves};
-use goodbot::oomdp::{Domain, apply};
+use goodbot::oomdp::Domain;
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, SessionHeader, SessionReader, StepRecord};
 use goodbot_formats::task_text::GroundTaskText;
+use goodbot_lesson::checked::{check_steps, moves};
+use goodbot_lesson::replay::{Event, Replay, Rules};
+use goodbot_lesson::{Fault, home};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::collections::HashMap;
 
 /// A recorded session: a command in a home, and what was done and said.
 ///
@@ -27,14 +27,6 @@ use std::collections::HashMap;
 #[pyclass(frozen, eq, module = "goodbot")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Session(pub RecordedSession);
-
-const fn word(feedback: FeedbackWord) -> Feedback {
-    match feedback {
-        FeedbackWord::Reward => Feedback::Reward,
-        FeedbackWord::Punish => Feedback::Punish,
-        FeedbackWord::Neutral => Feedback::Neutral,
-    }
-}
 
 fn kind_of(name: &str) -> PyResult<Kind> {
     match name {
@@ -94,81 +86,41 @@ pub fn parse_log(py: Python<'_>, text: &[u8], file: Option<String>) -> PyResult<
 }
 
 impl Session {
-    fn moves(&self) -> PyResult<Moves> {
-        let mut names: Vec<&str> = self.0.header.action_names().filter(|&name| name != "noop").collect();
-        names.sort_unstable();
-        match names.as_slice() {
-            ["east", "north", "south", "west"] => Ok(Moves::Push),
-            ["east", "north", "pull", "south", "west"] => Ok(Moves::PushAndPull),
-            _ => Err(value("a home has the actions north, south, east and west, and may have pull; this session has others")),
-        }
-    }
-
     fn home(&self, py: Python<'_>) -> PyResult<Home> {
-        Home::of(py, &self.0.header.environment, self.moves()?, &Capacities::STANDARD, "")
-    }
-
-    /// Hears the command, as the header has it: with its strategies, its prior, or again.
-    fn hear(&self, py: Python<'_>, mind: &mut Mind, place: &Place) -> PyResult<()> {
-        let header = &self.0.header;
-        if header.continues {
-            return mind.hear_again(py, place);
-        }
-        // In any unit: the largest is 1, so that single precision never makes all of them 0.
-        let largest = |numbers: &mut dyn Iterator<Item = f64>| numbers.fold(0.0, f64::max);
-        if let Some(records) = &header.strategies {
-            let whole = largest(&mut records.iter().map(|record| record.prior));
-            let mut strategies = Vec::new();
-            for record in records {
-                let strategy = Strategy::new(record.mu_plus as f32, record.mu_minus as f32, record.epsilon as f32).map_err(value)?;
-                strategies.push((strategy, (record.prior / whole) as f32));
-            }
-            mind.set_strategies(py, &strategies)?;
-        }
-        match &header.prior {
-            None => mind.hear(py, place, &header.command),
-            Some(prior) => {
-                let whole = largest(&mut prior.iter().map(|(_, prior)| *prior));
-                let prior: HashMap<String, f32> = prior.iter().map(|(task, prior)| (task.to_string(), (prior / whole) as f32)).collect();
-                mind.hear_with_prior(py, place, &header.command, &prior)
-            }
-        }
+        let moves = moves(self.0.header.action_names());
+        let moves =
+            moves.ok_or_else(|| value("a home has the actions north, south, east and west, and may have pull; this session has others"))?;
+        Home::of(py, &self.0.header.environment, moves, &Capacities::STANDARD, "")
     }
 
     fn replay(&self, py: Python<'_>, mind: &mut Mind, learn: bool) -> PyResult<Vec<&'static str>> {
-        if self.0.header.kind == Kind::Labelled {
-            return Err(value("a labelled session has no steps to go through; learn from it with goodbot learn"));
-        }
-        let home = Py::new(py, self.home(py)?)?;
-        let mut place = Place::Home(home.clone_ref(py), home.get().start);
-        self.hear(py, mind, &place)?;
+        let session = check_steps("", &self.0, mind.core.lifted(), home::memory()).map_err(|faults| value(told(&faults)))?;
+        let mut replay = Replay::new(Rules::AS_IT_WAS);
         let mut evidence = Vec::new();
-        for (_, step) in &self.0.steps {
-            mind.plan(py, &place)?;
-            let action = place.action(&step.action)?;
-            let (next, came) = match step.feedback {
-                Some(feedback) => {
-                    let next = mind.acted(py, &place, action)?;
-                    (next, mind.core.feedback(word(feedback)))
-                }
-                None => {
-                    let Place::Home(_, state) = &place else { break };
-                    let came = mind.core.demonstrated(&home.get().rooms, state, action);
-                    let next = apply(&home.get().rooms, state, action).unwrap_or(*state);
-                    (Place::Home(home.clone_ref(py), next), came)
-                }
-            };
-            evidence.push(evidence_name(mind.settled(py, &place, came)?));
-            place = next;
+        loop {
+            let event = py.detach(|| replay.advance(&mut mind.core, &session.walk, PART));
+            match event.map_err(|refused| error::agent(py, refused.error))? {
+                Event::Ended => break,
+                Event::Working => py.check_signals()?,
+                Event::Heard => mind.heard(py, &session),
+                Event::Took(_, came) => evidence.push(evidence_name(came)),
+                Event::Answered(_) | Event::Planned(_) | Event::Closed(_) => {}
+            }
         }
         if learn {
-            mind.finish(py, &place)?;
+            mind.finish_home(py, &session.walk.home)?;
             mind.learn(py)?;
         } else {
             mind.core.forget();
         }
         Ok(evidence)
     }
+}
+
+/// What is wrong with a session, a line each.
+fn told(faults: &[Fault]) -> String {
+    let one = |fault: &Fault| fault.field.as_ref().map_or_else(|| fault.message.clone(), |field| format!("{field}: {}", fault.message));
+    faults.iter().map(one).collect::<Vec<_>>().join("\n")
 }
 
 #[pymethods]
