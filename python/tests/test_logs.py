@@ -6,6 +6,7 @@ import json
 import subprocess
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import goodbot
@@ -85,3 +86,28 @@ def test_the_course_of_a_seed_is_the_command_lines(cli: str) -> None:
     assert isinstance(said, dict) and len(rows) == 12
     steps = [row["steps"] for row in rows if row["kind"] == "lesson"]
     assert str(steps[0]) in json.dumps(said)
+
+
+# The paper's two kinds of tasks, and each with the ways of `goodbot replay --routes`.
+ROUTES = ["agentInRoom(?a,?r)", "blockInRoom(?b,?r)"] + [
+    goal + way
+    for goal in ("agentInRoom(?a,?r)", "blockInRoom(?b,?r)")
+    for way in (
+        " through agentInRoom(?a,?v)",
+        " avoiding agentInRoom(?a,?v)",
+        " through agentInRoom(?a,?v) or agentInRoom(?a,?w)",
+    )
+]
+
+
+def test_a_log_with_all_that_logs_may_say_is_believed_as_in_every_other_shell(root: Path) -> None:
+    """A prior, strategies with lags, answers, ways, a demonstration, a session that goes on: to the bit as `goodbot replay`."""
+    fixtures = root / "tests/fixtures"
+    recorded = [json.loads(line) for line in (fixtures / "lesson-beliefs.jsonl").read_text().splitlines()]
+    ends = [one for one, after in zip(recorded, recorded[1:] + [{"step": 0}]) if after["step"] == 0]
+    sessions = goodbot.read_log(fixtures / "lesson.jsonl")
+    agent = goodbot.Agent(tasks=ROUTES)
+    for session, end in zip(sessions, ends, strict=True):
+        session.teach(agent)
+        assert agent.tasks == list(end["tasks"])
+        assert agent.beliefs.tobytes() == np.array(list(end["tasks"].values()), np.float32).tobytes()

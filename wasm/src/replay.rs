@@ -142,11 +142,22 @@ impl World {
         Ok(true)
     }
 
-    /// Tells of a session as a host has read it, goes through it, and learns from it if that is so recorded.
+    /// Goes through a session as a host has read it, and learns from it if that is so recorded.
     ///
     /// # Errors
     /// Why the session cannot be gone through; what was learned before is kept.
     pub fn replay(&mut self, recorded: &RecordedSession) -> Result<(), Refusal> {
+        self.tell(recorded)?;
+        while !self.replay_on(u32::MAX, recorded.learn)? {}
+        while !self.learn(u32::MAX) {}
+        Ok(())
+    }
+
+    /// Tells of a session as a host has read it, in the order in which the page does.
+    ///
+    /// # Errors
+    /// What is no session here.
+    pub fn tell(&mut self, recorded: &RecordedSession) -> Result<(), Refusal> {
         let header = &recorded.header;
         self.set_pulls(header.action_names().any(|name| name == "pull"))?;
         let shown = header.kind == Kind::Demonstration;
@@ -170,8 +181,6 @@ impl World {
                 self.recorded_step(&step.action, step.feedback.map_or("", FeedbackWord::as_str))?;
             }
         }
-        while !self.replay_on(u32::MAX, recorded.learn)? {}
-        while !self.learn(u32::MAX) {}
         Ok(())
     }
 }

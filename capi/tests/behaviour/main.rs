@@ -8,6 +8,7 @@ mod explained;
 mod hypotheses;
 mod memory;
 mod options;
+mod recorded;
 mod sensing;
 mod statuses;
 mod storage;

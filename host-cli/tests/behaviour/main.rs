@@ -12,6 +12,7 @@ mod language;
 mod merge;
 mod microbit;
 mod nothing_lost;
+mod one_lesson;
 mod paper;
 mod replay;
 mod size;
