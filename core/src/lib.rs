@@ -51,8 +51,17 @@
 //!
 //! # Features
 //! On by default: `asking`, `snapshot`, `storage` (which needs it), `model2` (the paper's language model), `ways` (through, avoiding, then),
-//! `unicode` (letters beyond ASCII) and `derived` (facts such as leftmost). A controller takes those that it needs. `storage-async` stores as embassy does,
-//! and `defmt` logs errors. `alloc` brings [`HeapMemory`] and `oomdp::check`, for hosts; `std` brings `alloc`.
+//! `unicode` (letters beyond ASCII) and `derived` (facts such as leftmost). A controller takes those that it needs. The others:
+//!
+//! | feature | what it adds |
+//! |---|---|
+//! | `alloc` | for hosts: `HeapMemory`, `oomdp::check`, `Lessons::of`, `Synonyms::in_known_words`, and with `snapshot` `Agent::saved` |
+//! | `std` | `alloc`, by the name that programs with the standard library look for |
+//! | `storage-async` | `storage` over `embedded-storage-async`, as embassy has it |
+//! | `talk` | what people say beside commands |
+//! | `defmt` | errors, and what calls return, logged by defmt |
+//!
+//! Every error is a [`core::error::Error`], which is the standard library's: `?` turns it into a `Box<dyn Error>` with any features.
 //!
 //! # What it promises
 //! No allocation, no `unsafe`, no panic on any input. Every capacity is a field of [`Capacities`], and an error names the field to raise.
@@ -68,7 +77,7 @@
 
 #[cfg(feature = "alloc")]
 extern crate alloc;
-#[cfg(any(feature = "std", test))]
+#[cfg(test)]
 extern crate std;
 
 #[macro_use]

@@ -94,7 +94,7 @@ pub enum Command {
     Replay(ReplayArgs),
     /// Simulate sessions with questions and without: what they cost and what they save
     Questions(QuestionsOptions),
-    /// Simulate how commands that say how are learned from reward and punishment: through a room, or avoiding one
+    /// Simulate how the robot learns commands with a way: through a room, or around it
     Ways(WaysOptions),
     /// Find what trainers to expect, from what real ones said
     FitTrainers(FitOptions),

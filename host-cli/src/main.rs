@@ -13,6 +13,7 @@ mod cli;
 mod evaluate;
 mod example;
 mod fit_trainers;
+mod help;
 mod inspect;
 mod learn;
 mod learner;
@@ -36,14 +37,15 @@ mod teach;
 mod ways;
 mod whole_file;
 
-use clap::{CommandFactory, Parser};
+use clap::{CommandFactory, FromArgMatches};
 use cli::{Cli, Color, Command};
 use outcome::Failure;
 use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    let matches = help::arguments().try_get_matches();
+    let cli = match matches.and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
         Err(error) => return misuse::tell(&error),
     };

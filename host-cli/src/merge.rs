@@ -62,10 +62,7 @@ pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     if learns(&ours.options) != learns(&theirs.options) {
         say!("{}: trained with other settings; those of {} stay", options.second.display(), options.first.display());
     }
-    let size = agent.saved_bytes().map_err(|error| Failure::Input(error.to_string()))?;
-    let mut bytes = vec![0; size];
-    agent.save(&mut bytes).map_err(|error| Failure::Input(error.to_string()))?;
-    target.write(&bytes)?;
+    target.write(&agent.saved().map_err(|error| Failure::Input(error.to_string()))?)?;
     let (words, sessions) = (agent.language().words().len(), agent.language().bitext().sessions());
     say!("{}: {}, {added} of them added; {}", target.name(), counted(sessions, "session"), counted(words, "word"));
     Ok(())

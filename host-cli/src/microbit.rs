@@ -112,10 +112,7 @@ fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
         let mut learned = Agent::new(AgentHeap::new(&room), &tasks, Options::DEFAULT).map_err(|error| Failure::Input(error.to_string()))?;
         learned.restore(&model).map_err(|error| refused(path, &error))?;
         learned.set_strategies(&[(Strategy::BALANCED, 1.0)]).map_err(|error| refused(path, &error))?;
-        let mut bytes = vec![0; learned.saved_bytes().map_err(|error| refused(path, &error))?];
-        let length = learned.save(&mut bytes).map_err(|error| refused(path, &error))?;
-        bytes.truncate(length);
-        model = bytes;
+        model = learned.saved().map_err(|error| refused(path, &error))?;
     }
     agent.restore(&model).map_err(|error| small(&error))?;
     let mut flash = Flash(vec![0xff; 2 * SLOT_BYTES as usize]);

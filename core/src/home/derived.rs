@@ -107,7 +107,7 @@ impl<M: HomeMemory> Home<M> {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "alloc"))]
 mod tests {
     use super::*;
     use crate::home::{HomeBuilder, Moves};

@@ -7,6 +7,8 @@ use crate::capacity::{Capacity, CapacityError};
 use crate::feedback::BeliefRef;
 use crate::memory::{AgentMemory, AgentTables};
 use crate::session::Agent;
+#[cfg(feature = "alloc")]
+use alloc::{vec, vec::Vec};
 
 impl<M: AgentMemory> Agent<M> {
     /// Saves all that was learned to the front of the buffer: the training data, the options, and the trainer strategies with what is
@@ -61,6 +63,27 @@ impl<M: AgentMemory> Agent<M> {
     /// [`SaveError::Unsound`] and [`SaveError::StillLearning`].
     pub fn saved_bytes(&self) -> Result<usize, SaveError> {
         self.writing()?.bytes()
+    }
+
+    /// A model file on the heap, with what [`save`](Self::save) writes.
+    ///
+    /// ```
+    /// use goodbot::{Agent, Capacities, HeapMemory, Options, home};
+    /// let memory = HeapMemory::new(&Capacities::SMALL);
+    /// let agent = Agent::new(memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
+    /// let file: Vec<u8> = agent.saved()?;
+    /// assert_eq!(file.len(), agent.saved_bytes()?);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SaveError`], as for [`save`](Self::save).
+    #[cfg(feature = "alloc")]
+    pub fn saved(&self) -> Result<Vec<u8>, SaveError> {
+        let mut file = vec![0; self.saved_bytes()?];
+        let length = self.save(&mut file)?;
+        file.truncate(length);
+        Ok(file)
     }
 
     /// Takes over all that a model file holds, in place of what was learned here, and begins training on it: call

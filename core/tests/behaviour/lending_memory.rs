@@ -1,6 +1,6 @@
 //! Whoever owns the tables lends them: homes and agents come and go in the same memory, and every refusal says what it knows.
 
-use goodbot::capacity::{Capacity, CapacityError};
+use goodbot::capacity::Capacity;
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::memory::{AgentArrays, AgentMemory, HomeMemory};
@@ -139,6 +139,7 @@ fn who_leaves_an_environment_has_no_task_of_it_any_more() {
     assert_eq!(agent.hear_again(&home, &state), Err(AgentError::NotNow(Phase::Idle)));
 }
 
+#[cfg(feature = "alloc")]
 #[test]
 fn too_few_tasks_are_told_how_many_a_command_may_mean() {
     let mut roomy = goodbot::HeapMemory::new(&Capacities::SMALL);
@@ -148,5 +149,5 @@ fn too_few_tasks_are_told_how_many_a_command_may_mean() {
     let tasks = able.tasks().len();
     let mut small = goodbot::HeapMemory::new(&Capacities { tasks: 0, ..Capacities::SMALL });
     let refused = agent(&mut small.agent).hear(&home, &state, "go to the green room");
-    assert_eq!(refused, Err(AgentError::Capacity(CapacityError::new(Capacity::Tasks, 0, tasks))));
+    assert_eq!(refused, Err(AgentError::Capacity(goodbot::capacity::CapacityError::new(Capacity::Tasks, 0, tasks))));
 }

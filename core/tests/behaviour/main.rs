@@ -7,11 +7,13 @@ mod any_order;
 mod asking;
 mod bad_homes;
 mod ends_of_sessions;
-#[cfg(feature = "std")]
+#[cfg(feature = "alloc")]
 mod honest_evidence;
 mod hypotheses;
 mod lending_memory;
-#[cfg(all(feature = "std", feature = "snapshot"))]
+#[cfg(feature = "std")]
+mod on_a_host;
+#[cfg(all(feature = "alloc", feature = "snapshot"))]
 mod role_model;
 mod sessions;
 mod settings;

@@ -238,15 +238,10 @@ fn errors_are_in_plain_words_and_near_misses_are_suggested() {
 }
 
 #[test]
-fn examples_are_sound_and_the_manual_has_every_command() {
+fn examples_are_sound() {
     for what in ["home", "map", "log"] {
         let text = goodbot(&["example", what], b"").output;
         assert_eq!(goodbot(&["check", "-"], text.as_bytes()).code, 0, "{what}");
-    }
-    let manual = goodbot(&["man"], b"").output;
-    assert!(manual.contains(".TH goodbot 1"), "{manual}");
-    for command in ["PAPER", "LEARN", "ASK", "INSPECT", "EVALUATE", "REPLAY", "CHECK", "MERGE"] {
-        assert!(manual.contains(&format!("GOODBOT {command}")), "{command}");
     }
 }
 

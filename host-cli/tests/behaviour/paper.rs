@@ -260,15 +260,6 @@ fn the_picture_of_many_runs_has_a_bar_for_each_lesson_and_test() {
 }
 
 #[test]
-fn help_and_completions_teach() {
-    assert!(output(&["--help"]).contains("goodbot --runs 200 --json | tail -1"));
-    assert!(output(&["paper", "--help"]).contains("punish-only  0.7,0.05,0.1"));
-    for shell in ["bash", "zsh", "fish"] {
-        assert!(output(&["completions", shell]).contains("trainer"));
-    }
-}
-
-#[test]
 #[cfg(unix)]
 fn a_reader_who_leaves_early_is_no_error() {
     use std::process::{Command, Stdio};

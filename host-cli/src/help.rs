@@ -1,0 +1,47 @@
+//! The help of the whole program: its commands in groups, for eighteen in one list are too many to read.
+
+use crate::cli::Cli;
+use clap::builder::StyledStr;
+use clap::{Command, CommandFactory};
+
+/// The commands that most people need.
+const EVERYDAY: [&str; 10] = ["teach", "learn", "ask", "inspect", "replay", "merge", "check", "example", "size", "microbit"];
+/// The commands about this program itself.
+const ITSELF: [&str; 3] = ["completions", "man", "help"];
+
+/// What can be typed, with help in groups. A command that no list names is one of the laboratory.
+pub fn arguments() -> Command {
+    let everyday = group(|name| EVERYDAY.contains(&name));
+    let laboratory = group(|name| !EVERYDAY.contains(&name) && !ITSELF.contains(&name));
+    let itself = group(|name| ITSELF.contains(&name));
+    let cli = Cli::command();
+    let heading = |text: &str| {
+        let style = cli.get_styles().get_header();
+        format!("{style}{text}:{style:#}")
+    };
+    let template = format!(
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{{options}}{{after-help}}",
+        heading("Commands"),
+        everyday.ansi(),
+        heading("The laboratory"),
+        laboratory.ansi(),
+        heading("This program"),
+        itself.ansi(),
+        heading("Options"),
+    );
+    cli.help_template(template)
+}
+
+/// The lines for those commands that are in a group, as clap writes them.
+fn group(has: impl Fn(&str) -> bool) -> StyledStr {
+    // clap adds this one by itself.
+    let is_help_hidden = !has("help");
+    Cli::command()
+        .mut_subcommands(|command| {
+            let is_hidden = !has(command.get_name());
+            command.hide(is_hidden)
+        })
+        .disable_help_subcommand(is_help_hidden)
+        .help_template("{subcommands}")
+        .render_help()
+}
