@@ -4,10 +4,14 @@ use crate::program;
 
 use program::{Run, THREE_STOREYS, goodbot};
 use serde_json::{Value, json};
+use std::io::{BufRead, BufReader, Write};
+use std::process::{Command, Stdio};
 use tempfile::TempDir;
 
+/// What was answered, without the line that ends each answer.
 fn answers(run: &Run) -> Vec<Value> {
-    run.output.lines().map(|line| serde_json::from_str(line).unwrap_or_else(|error| panic!("{error}: {line}"))).collect()
+    let read = |line| serde_json::from_str(line).unwrap_or_else(|error| panic!("{error}: {line}"));
+    run.output.lines().map(read).filter(|line: &Value| line["type"] != "done").collect()
 }
 
 fn teach(arguments: &[&str], requests: &str) -> (Run, Vec<Value>) {
@@ -29,7 +33,7 @@ fn a_session_is_heard_walked_judged_and_learned_from() {
     let (run, answers) = teach(&[], "command go to the red room\nstep\ngood\nstep\nsilence\nfinish\nwords\nquit\nstep\n");
     assert_eq!((run.code, run.messages.as_str()), (0, ""));
     assert_eq!(types(&answers), ["ready", "heard", "acted", "judged", "acted", "judged", "finished", "words", "bye"]);
-    assert_eq!(answers[0]["protocol"], 1);
+    assert_eq!(answers[0]["protocol"], 2);
     assert_eq!(answers[3]["feedback"], "reward");
     assert_eq!(answers[6], json!({"type": "finished", "learned": true, "steps": 2, "sessions": 1, "gave_way": 0}));
     assert!(answers[7]["ideas"].as_array().unwrap().iter().any(|idea| idea["words"] == "color red"));
@@ -220,6 +224,59 @@ fn the_whole_tour_is_taught_in_lines() {
     let right = tested.iter().filter(|test| test["right"] == true).count();
     assert_eq!(last["lesson"], json!({"over": true, "score": format!("{right} of 5 tests understood")}));
     assert!(right >= 4, "{tested:?}");
+}
+
+#[test]
+fn every_answer_ends_with_a_line_of_one_type() {
+    let requests = "command go to the red room\nstep\nfly\nask\nanswer 9\nundo\nfinish\nnext\nhelp\n";
+    let run = goodbot(&["teach"], requests.as_bytes());
+    let done = run.output.lines().filter(|line| *line == r#"{"type":"done"}"#).count();
+    assert_eq!(done, requests.lines().count());
+    // The greeting is no answer, and after the last one only the farewell comes.
+    let last: Vec<&str> = run.output.lines().rev().take(2).collect();
+    assert!(last[0].starts_with(r#"{"type":"bye""#) && last[1] == r#"{"type":"done"}"#, "{last:?}");
+}
+
+/// The bridge of docs/teach.md: it says good to what is right for the task that it means, and bad to what is wrong.
+#[test]
+fn a_program_that_means_one_task_teaches_it_in_any_seed() {
+    for seed in ["1", "2", "3"] {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_goodbot"))
+            .args(["teach", "--lines", "--seed", seed])
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let (mut input, mut output) = (child.stdin.take().unwrap(), BufReader::new(child.stdout.take().unwrap()).lines());
+        let mut ask = |request: &str| {
+            writeln!(input, "{request}").unwrap();
+            let answers: Vec<Value> = output
+                .by_ref()
+                .map(|line| serde_json::from_str(&line.unwrap()).unwrap())
+                .take_while(|line: &Value| line["type"] != "done")
+                .filter(|line| line["type"] != "ready")
+                .collect();
+            answers[0].clone()
+        };
+        let meant =
+            |answer: &Value| answer["tasks"].as_array().unwrap().iter().find(|task| task["words"] == "go to the red room").unwrap().clone();
+        ask("command go to the red room");
+        let (mut good, mut arrived) = (0, false);
+        for _ in 0..30 {
+            let step = ask("step");
+            let right = meant(&step)["right"].as_bool().unwrap();
+            good += usize::from(right);
+            let judged = ask(if right { "good" } else { "bad" });
+            arrived = right && step["plan"] == "goal" && judged["tasks"][0] == meant(&judged);
+            if arrived {
+                break;
+            }
+        }
+        assert!(arrived && good > 2, "seed {seed}: {good} good");
+        drop(ask);
+        drop(input);
+        child.wait().unwrap();
+    }
 }
 
 /// Nobody reads the answers any more: that is no fault.

@@ -17,7 +17,7 @@ use serde_json::{Map, Value, json};
 use std::io::{self, BufRead, Write};
 
 /// The version of what is written here.
-const PROTOCOL: u32 = 1;
+const PROTOCOL: u32 = 2;
 
 /// How it ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -84,20 +84,19 @@ pub fn speak(classroom: &mut Classroom, seed: u64, input: impl BufRead, mut outp
             Ok(line) => line,
             Err(message) => {
                 spoken.refused += 1;
-                write(&mut output, &[error(message, "send a shorter line of text in UTF-8")])?;
+                write(&mut output, &[error(message, "send a shorter line of text in UTF-8"), done()])?;
                 continue;
             }
         };
         if line.trim() == "quit" {
             break;
         }
-        match speaker.answer(line.trim()) {
-            Ok(answers) => write(&mut output, &answers)?,
-            Err(Misunderstood { message, instead }) => {
-                spoken.refused += 1;
-                write(&mut output, &[error(&message, instead)])?;
-            }
-        }
+        let mut answers = speaker.answer(line.trim()).unwrap_or_else(|Misunderstood { message, instead }| {
+            spoken.refused += 1;
+            vec![error(&message, instead)]
+        });
+        answers.push(done());
+        write(&mut output, &answers)?;
     }
     write(&mut output, &[speaker.farewell()])?;
     Ok(spoken)
@@ -110,6 +109,11 @@ fn write(output: &mut impl Write, answers: &[Value]) -> io::Result<()> {
 
 fn error(message: &str, instead: &str) -> Value {
     json!({"type": "error", "message": message, "do": instead})
+}
+
+/// The last line of each answer: who reads up to it never waits in vain.
+fn done() -> Value {
+    json!({"type": "done"})
 }
 
 const fn plan_word(plan: OptimalSet) -> &'static str {
@@ -245,6 +249,11 @@ impl Speaker<'_> {
         });
         self.add_cells(&mut answer);
         self.add_tasks(&mut answer);
+        if let Some(tasks) = answer.get_mut("tasks").and_then(Value::as_array_mut) {
+            for (meaning, task) in self.classroom.trainer.meanings().iter().zip(tasks) {
+                task["right"] = acted.is_right(meaning.position).into();
+            }
+        }
         Ok(vec![answer])
     }
 

@@ -73,6 +73,17 @@ pub struct Acted {
     before: HomeState,
 }
 
+impl Acted {
+    /// Whether the step was right for a task, by its position; `None` where no plan says so exactly.
+    pub fn is_right(&self, task: usize) -> Option<bool> {
+        match self.judgements.get(task)? {
+            Judgement::Correct => Some(true),
+            Judgement::Incorrect => Some(false),
+            Judgement::Unknown => None,
+        }
+    }
+}
+
 /// One robot, one home, and the session under way.
 pub struct Trainer {
     mind: Agent<AgentHeap>,
