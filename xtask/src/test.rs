@@ -24,6 +24,8 @@ pub enum Step {
     Tests,
     /// the documentation is built without a warning
     Docs,
+    /// the command line compiles for Windows and macOS
+    Portable,
     /// the Python package's tests, types and stubs, of a wheel in an environment of its own
     Python,
     /// the trainer page works in a browser, from a file
@@ -71,6 +73,7 @@ impl Step {
             Self::Clippy => (|_| steps::clippy(), "mend what clippy points at; an `#[expect(…, reason = \"…\")]` is for where it is wrong"),
             Self::Tests => (steps::tests, "run the failed test alone: `cargo test --workspace`, and the test's name after it"),
             Self::Docs => (|_| steps::docs(), "mend the doc comments that rustdoc points at"),
+            Self::Portable => (|_| steps::portable(), "put what only Unix has behind `#[cfg(unix)]`"),
             Self::Python => (steps::python, "the tests are in python/tests; `maturin develop` in python/ builds what `pytest` there tries"),
             Self::Page => (steps::page, "see the test that failed in page/tests; the page is dist/goodbot.html"),
             Self::CHeader => (|_| capi::header(true), "where a program that was compiled before would go wrong, raise GOODBOT_API_VERSION"),
