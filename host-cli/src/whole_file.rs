@@ -44,6 +44,7 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
         return std::fs::OpenOptions::new().write(true).open(path)?.write_all(bytes);
     }
     let folder = folder_of(path);
+    #[cfg_attr(not(unix), expect(unused_mut, reason = "Unix alone has permissions to set"))]
     let mut builder = tempfile::Builder::new();
     // As any new file; a temporary one would be for its owner alone.
     #[cfg(unix)]

@@ -9,7 +9,7 @@ use crate::firmware::{FLASH, Image, Report, alone, bytes, deliver, for_microbit,
 use crate::process::{shell, target_dir};
 use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, npm_packages, on_path, python_with};
 use crate::test::{Run, Step};
-use crate::toolchain::{self, WASM};
+use crate::toolchain::{self, DESKTOPS, WASM};
 
 /// The crates that are checked and tested together. The page's builder has none but its own dependencies, which take minutes; making the page
 /// tests it.
@@ -59,6 +59,16 @@ pub fn clippy() -> Result<()> {
 pub fn docs() -> Result<()> {
     let sh = shell()?;
     Ok(cmd!(sh, "cargo doc {WORKSPACE...} --no-deps").env("RUSTDOCFLAGS", "-D warnings").run()?)
+}
+
+/// For other systems than this one, as far as a compiler can tell without a linker for them.
+pub fn portable() -> Result<()> {
+    let sh = shell()?;
+    toolchain::add_desktops()?;
+    for target in DESKTOPS {
+        toolchain::cargo(&sh, target, "check")?.args(["--locked", "--package", "goodbot-cli", "--package", "goodbot-drive"]).run()?;
+    }
+    Ok(())
 }
 
 /// By cargo-nextest where it is, which runs the tests of several files at once and knows which take long, else by cargo.

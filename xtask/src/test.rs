@@ -18,23 +18,25 @@ pub enum Step {
     Format,
     /// no file names a place on one machine, or a package's server
     Style,
-    /// clippy has nothing to say
+    /// clippy finds no fault
     Clippy,
     /// the tests of all crates
     Tests,
     /// the documentation is built without a warning
     Docs,
+    /// the command line compiles for Windows and macOS
+    Portable,
     /// the Python package's tests, types and stubs, of a wheel in an environment of its own
     Python,
     /// the trainer page works in a browser, from a file
     Page,
-    /// the C header is what the C interface says
+    /// the C header matches the C interface
     CHeader,
     /// the C examples run under AddressSanitizer and UBSan
     CHost,
-    /// the C examples run on an emulated Cortex-M4F, and have nothing in them that panics
+    /// the C examples run on an emulated Cortex-M4F and contain no panic
     CBoard,
-    /// the programs of docs/robot.md are built in an empty folder and say what it promises
+    /// the programs of docs/robot.md, built in an empty folder, print what it promises
     Guide,
     /// the paper's course passes on emulated Cortex-M4F, M3 and M0, in its bounds
     Firmware,
@@ -44,7 +46,7 @@ pub enum Step {
     Microbit,
     /// this machine, WebAssembly and every board come to the same posteriors, bit for bit
     SameBits,
-    /// the linked firmware has nothing in it that panics
+    /// the linked firmware contains no panic
     NoPanic,
     /// nothing costs more than docs/footprint.md says
     Footprint,
@@ -67,22 +69,25 @@ impl Step {
     fn work(self) -> (fn(&mut Run) -> Result<()>, &'static str) {
         match self {
             Self::Format => (|_| steps::format(), "run `cargo fmt --all`"),
-            Self::Style => (|_| steps::style(), "mend the lines that are listed"),
-            Self::Clippy => (|_| steps::clippy(), "mend what clippy points at; an `#[expect(…, reason = \"…\")]` is for where it is wrong"),
+            Self::Style => (|_| steps::style(), "mend the listed lines"),
+            Self::Clippy => {
+                (|_| steps::clippy(), "mend the code that clippy names; where clippy is wrong, write `#[expect(…, reason = \"…\")]`")
+            }
             Self::Tests => (steps::tests, "run the failed test alone: `cargo test --workspace`, and the test's name after it"),
             Self::Docs => (|_| steps::docs(), "mend the doc comments that rustdoc points at"),
+            Self::Portable => (|_| steps::portable(), "mark code for Unix alone with `#[cfg(unix)]`"),
             Self::Python => (steps::python, "the tests are in python/tests; `maturin develop` in python/ builds what `pytest` there tries"),
             Self::Page => (steps::page, "see the test that failed in page/tests; the page is dist/goodbot.html"),
             Self::CHeader => (|_| capi::header(true), "where a program that was compiled before would go wrong, raise GOODBOT_API_VERSION"),
             Self::CHost => (|_| capi::on_host(), "the examples are in capi/examples; the sanitizer says where"),
             Self::CBoard => (|_| capi::on_board(), "the examples are in capi/examples, what the board needs in capi/examples/board"),
-            Self::Guide => (|_| guide::follow(), "mend docs/robot.md, or what it speaks of"),
+            Self::Guide => (|_| guide::follow(), "mend docs/robot.md, or the code that it describes"),
             Self::Firmware => (|_| steps::course(), "`cargo xtask footprint` shows what each binary costs; the firmware is in firmware/"),
             Self::Tick => (|_| steps::tick(), "`cargo xtask footprint` shows what each call costs; the firmware is in firmware/"),
             Self::Microbit => {
                 (steps::microbit, "the tests are in tests/tests/microbit, the firmware in firmware/microbit and firmware/embassy")
             }
-            Self::SameBits => (|_| steps::same_bits(), "look for what is not + - * / on f32, or depends on the width of usize"),
+            Self::SameBits => (|_| steps::same_bits(), "look for code that is more than + - * / on f32, or depends on the width of usize"),
             Self::NoPanic => {
                 (|_| steps::no_panic(), "`arm-none-eabi-objdump -dC` on the binary shows who calls the symbols that are listed")
             }

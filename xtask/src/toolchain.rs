@@ -22,6 +22,8 @@ pub const CORTEX_M0: &str = "thumbv6m-none-eabi";
 pub const CORTEX_M3: &str = "thumbv7m-none-eabi";
 /// Cortex-M4F and M7F: floats in registers of the floating-point unit.
 pub const CORTEX_M4F: &str = "thumbv7em-none-eabihf";
+/// The other systems on which the command line runs. It is checked for them, and not linked: a linker for them is not to be had everywhere.
+pub const DESKTOPS: [&str; 2] = ["x86_64-pc-windows-msvc", "aarch64-apple-darwin"];
 /// The targets that goodbot is built for besides the host.
 pub const TARGETS: [&str; 4] = [WASM, CORTEX_M0, CORTEX_M3, CORTEX_M4F];
 
@@ -69,11 +71,11 @@ fn debian() -> Result<Option<&'static Debian>> {
     ensure!(["", "auto", "rustup", "build-std"].contains(&&*mode), "CROSS_TOOLCHAIN_MODE is auto, rustup or build-std, not `{mode}`");
     let choose = || {
         let by_rustup = match mode.as_str() {
-            "rustup" => add_by_rustup().map(|()| true)?,
+            "rustup" => add_by_rustup(&TARGETS).map(|()| true)?,
             "build-std" => false,
             // rustup was asked once, and had none.
-            _ if RUSTC.is_fetched() => lacking().is_ok_and(|lacking| lacking.is_empty()),
-            _ => add_by_rustup().inspect_err(|error| eprintln!("{error:#}")).is_ok(),
+            _ if RUSTC.is_fetched() => lacking(&TARGETS).is_ok_and(|lacking| lacking.is_empty()),
+            _ => add_by_rustup(&TARGETS).inspect_err(|error| eprintln!("{error:#}")).is_ok(),
         };
         let to_do = "install Rust by rustup, and the targets by `rustup target add`";
         (!by_rustup).then(|| Debian::find().context(to_do)).transpose()
@@ -82,15 +84,15 @@ fn debian() -> Result<Option<&'static Debian>> {
     Ok(chosen.as_ref())
 }
 
-/// The targets that rustup has not added.
-fn lacking() -> Result<Vec<&'static str>> {
+/// Those of the targets that rustup has not added.
+fn lacking(targets: &[&'static str]) -> Result<Vec<&'static str>> {
     let sh = shell()?;
     let added = cmd!(sh, "rustup target list --installed").quiet().read()?;
-    Ok(TARGETS.into_iter().filter(|target| !added.lines().any(|line| line.trim() == *target)).collect())
+    Ok(targets.iter().copied().filter(|target| !added.lines().any(|line| line.trim() == *target)).collect())
 }
 
-fn add_by_rustup() -> Result<()> {
-    let (sh, lacking) = (shell()?, lacking()?);
+fn add_by_rustup(targets: &[&'static str]) -> Result<()> {
+    let (sh, lacking) = (shell()?, lacking(targets)?);
     if !lacking.is_empty() {
         eprintln!("rustup adds {} (it is given {} s)", lacking.join(", "), RUSTUP_LIMIT.as_secs());
         let (code, _) = within(RUSTUP_LIMIT, cmd!(sh, "rustup target add {lacking...}"))?;
@@ -110,13 +112,24 @@ pub fn compiler() -> Result<String> {
     Ok(format!("{whose}'s {}", version.split(" (").next().unwrap_or_default()))
 }
 
-/// Cargo's command `build` or `rustc` for a target, ready to be given its other arguments. Sets the target up if that has not been done. What
+/// Sets up the targets [`DESKTOPS`], as far as that has to be done.
+pub fn add_desktops() -> Result<()> {
+    if debian()?.is_none() {
+        add_by_rustup(&DESKTOPS)
+            .map_err(|error| missing("the targets of Windows and macOS", "to check the command line for them", error))?;
+    }
+    Ok(())
+}
+
+/// Cargo's command `build`, `check` or `rustc` for a target, ready to be given its other arguments. Sets the target up if that has not been done. What
 /// is built is in [`artifacts`].
 pub fn cargo<'sh>(sh: &'sh Shell, target: &str, subcommand: &str) -> Result<Cmd<'sh>> {
     let cargo = match debian()? {
         None => cmd!(sh, "cargo"),
         Some(Debian { cargo, rustc, linkers }) => {
-            let (crates, linker) = if target == WASM { ("std,panic_abort", "wasm-ld") } else { ("core,alloc", "ld.lld") };
+            let has_std = target == WASM || DESKTOPS.contains(&target);
+            let crates = if has_std { "std,panic_abort" } else { "core,alloc" };
+            let linker = if target == WASM { "wasm-ld" } else { "ld.lld" };
             let variable = format!("CARGO_TARGET_{}_LINKER", target.replace('-', "_").to_uppercase());
             // Without the first variable, cargo takes -Z options only if it is a nightly one.
             let cargo = own(cmd!(sh, "{cargo} -Zbuild-std={crates}")).env("RUSTC_BOOTSTRAP", "1").env("RUSTC", rustc);

@@ -29,6 +29,8 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
+/// A bound is for a fault, which changes a ratio many times over. It is no more than about half of the least ratio ever measured, and no less than a
+/// third above the greatest, because the load of a machine changes ratios too.
 fn show(what: &str, times: (Duration, Duration), least: Option<f64>, most: Option<f64>) -> Result<(), String> {
     let ratio = ratio(times);
     println!("{what}: {ratio:.2} ({:.3} ms against {:.3} ms)", times.0.as_secs_f64() * 1e3, times.1.as_secs_f64() * 1e3);
