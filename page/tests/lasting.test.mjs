@@ -329,10 +329,19 @@ test('while a log is gone through, nothing else changes the robot', async () => 
   await teach(page, 'go to the red room');
   const session = await log(page);
   await opened(page, 'Your robots');
+  // Pressed as soon as it learns: the log is soon over.
+  await page.evaluate(() => {
+    const observer = new MutationObserver(() => {
+      if (document.body.dataset.phase !== 'learning') return;
+      observer.disconnect();
+      document.getElementById('new-robot').click();
+      document.querySelector('[data-mode=build]').click();
+      document.body.dataset.pressed = 'yes';
+    });
+    observer.observe(document.body, { attributes: true });
+  });
   await page.setInputFiles('#load-log', { name: 'long.jsonl', mimeType: 'application/jsonl', buffer: Buffer.from(session.repeat(120)) });
-  await page.waitForSelector('body[data-phase=learning]');
-  await page.click('#new-robot');
-  await page.click('[data-mode=build]');
+  await page.waitForSelector('body[data-pressed=yes]');
   await page.getByText('The robot has gone through the log').first().waitFor();
   const count = await sessions(page);
   assert.ok(count > 1);
