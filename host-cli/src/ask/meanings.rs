@@ -28,7 +28,7 @@ pub struct Meaning {
 }
 
 /// With fewer lessons everything is a command: nothing is known yet of how people word what the robot can do.
-const FEW_LESSONS: usize = 20;
+pub const FEW_LESSONS: usize = 20;
 
 /// All that the utterance may mean, the most probable first, and what the robot takes it for where it has had enough lessons. Afterwards the
 /// agent has heard the utterance as a command in `start`, if there is anything to do there.

@@ -5,7 +5,7 @@
 //! - [`drawing`]: the home as text.
 
 mod drawing;
-mod meanings;
+pub mod meanings;
 mod why;
 
 use crate::lessons::restored;

@@ -5,7 +5,7 @@ use super::kept::{Kept, Past};
 use super::lessons::{Tour, is_lesson};
 use super::next_lesson::{Next, propose};
 use super::session::Session;
-use super::trainer::{Meaning, Refusal, Trainer};
+use super::trainer::{Heard, Meaning, Refusal, Trainer};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::RecordedSession;
 
@@ -80,17 +80,19 @@ impl Classroom {
     }
 
     /// Says a command. In the tour everything is put back before, and what is meant is known.
-    pub fn say(&mut self, command: &str) -> Result<(), Refusal> {
+    pub fn say(&mut self, command: &str) -> Result<Heard, Refusal> {
         self.forget()?;
         let stop = self.tour.as_ref().and_then(Tour::stop);
         if stop.is_some() {
             self.trainer.put_back();
         }
         let id = stop.map_or_else(|| Some(format!("said-{}", self.sessions + 1)), |stop| stop.id());
-        self.trainer.hear(command, id, stop.map(|stop| &stop.exercise.intention))?;
-        self.words.hear(command);
-        add_once(&mut self.said, command);
-        Ok(())
+        let heard = self.trainer.hear(command, id, stop.map(|stop| &stop.exercise.intention))?;
+        if heard == Heard::Command {
+            self.words.hear(command);
+            add_once(&mut self.said, command);
+        }
+        Ok(heard)
     }
 
     /// What to teach next.

@@ -6,11 +6,12 @@ use crate::teach::classroom::Classroom;
 use crate::teach::lessons::random_home;
 use crate::teach::next_lesson::Next;
 use crate::teach::session::Judged;
-use crate::teach::trainer::{Meaning, Refusal};
+use crate::teach::trainer::{Heard, Meaning, Refusal};
 use goodbot::asking::{Answer, Asking};
 use goodbot::feedback::Feedback;
 use goodbot::planning::OptimalSet;
 use goodbot::session::Evidence;
+use goodbot::talk::Hypothesis;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use lines::Lines;
 use serde_json::{Map, Value, json};
@@ -207,9 +208,18 @@ impl Speaker<'_> {
                 instead: "send what the robot shall do, such as: command go to the red room",
             });
         }
-        self.classroom.say(said)?;
+        let heard = self.classroom.say(said)?;
+        if heard != Heard::Command {
+            let (verdict, taken_for, words) = match &heard {
+                Heard::Done(words) => ("done", Hypothesis::Command, Some(words)),
+                Heard::Nothing(taken_for) => ("none", *taken_for, None),
+                Heard::Command => ("try", Hypothesis::Command, None),
+            };
+            let taken_for = taken_for.to_string();
+            return Ok(vec![json!({"type": "heard", "command": said, "verdict": verdict, "taken_for": taken_for, "done": words})]);
+        }
         let words: Vec<Value> = self.support()?;
-        let mut heard = json!({"type": "heard", "command": said, "words": words});
+        let mut heard = json!({"type": "heard", "command": said, "verdict": "try", "words": words});
         self.add_tasks(&mut heard);
         let Some(tested) = self.classroom.tested() else { return Ok(vec![heard]) };
         let result = json!({"type": "tested", "right": tested.right, "task": tested.heard.name, "words": tested.heard.words});

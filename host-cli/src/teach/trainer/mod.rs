@@ -14,16 +14,19 @@ mod thoughts;
 
 pub use thoughts::{Idea, Meaning, WordSupport};
 
+use crate::ask::meanings::FEW_LESSONS;
 use crate::lessons::restored::room_for;
 use crate::teach::scene::{Scene, scene};
 use crate::teach::session::{Judged, Session, Step};
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
 use goodbot::home::{Home, HomeState};
+use goodbot::language::Model;
 use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::oomdp::{action_name, action_named};
 use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::session::{Evidence, Finished};
 use goodbot::snapshot::Contents;
+use goodbot::talk::{ClosedWords, Hypothesis, Verdict};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities};
 use goodbot_course::exercise::Intention;
@@ -52,6 +55,17 @@ pub fn refused(error: impl fmt::Display) -> Refusal {
 
 fn no_session() -> Refusal {
     Refusal("no session is under way; give a command first".to_owned())
+}
+
+/// What came of words to the robot.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Heard {
+    /// A session has begun.
+    Command,
+    /// The task that is meant, in words, is done already. No session has begun.
+    Done(String),
+    /// The words are taken for something that the robot does not do. No session has begun.
+    Nothing(Hypothesis),
 }
 
 /// What the robot did last.
@@ -93,6 +107,8 @@ pub struct Trainer {
     session: Option<Session>,
     acted: Option<Acted>,
     random: Pcg32,
+    /// The words for which there was nothing to do, if they were the last.
+    declined: Option<String>,
 }
 
 impl Trainer {
@@ -101,7 +117,7 @@ impl Trainer {
     pub fn new(file: &EnvironmentFile, seed: u64, ways: bool) -> Result<Self, Refusal> {
         let (rooms, start) = build(file)?;
         let mind = new_mind(&Capacities::STANDARD, ways)?;
-        Ok(Self { mind, rooms, start, state: start, session: None, acted: None, random: generator(seed) })
+        Ok(Self { mind, rooms, start, state: start, session: None, acted: None, random: generator(seed), declined: None })
     }
 
     /// Whether commands may mean ways too.
@@ -176,15 +192,40 @@ impl Trainer {
 
     /// Hears a command where everything is now. A session under way ends unlearned. `intention` is what the trainer means, where that is
     /// known: it is written down, and never learned from.
-    pub fn hear(&mut self, command: &str, id: Option<String>, intention: Option<&Intention>) -> Result<(), Refusal> {
+    ///
+    /// With some lessons, the robot first asks itself whether there is anything to do. Said once more, the words are a command all the same.
+    pub fn hear(&mut self, command: &str, id: Option<String>, intention: Option<&Intention>) -> Result<Heard, Refusal> {
         self.forget();
+        if self.declined.take().is_none_or(|declined| declined != command) && intention.is_none() {
+            let heard = self.listen(command)?;
+            if heard != Heard::Command {
+                self.declined = Some(command.to_owned());
+                return Ok(heard);
+            }
+        }
         let environment = self.scene().environment;
         self.mind.hear(&self.rooms, &self.state, command).map_err(refused)?;
         let intended = intention.and_then(|intention| intention.find(&self.mind, &self.rooms));
         let mut session = Session::new(id, command, environment, intended, self.state);
         session.strategies = self.mind.belief().strategies().to_vec();
         self.session = Some(session);
-        Ok(())
+        Ok(Heard::Command)
+    }
+
+    /// What the words are taken for.
+    fn listen(&mut self, words: &str) -> Result<Heard, Refusal> {
+        if self.lessons_learned() < FEW_LESSONS || self.mind.options().language.model != Model::Roles {
+            return Ok(Heard::Command);
+        }
+        let listened = self.mind.listen(&self.rooms, &self.state, words, ClosedWords::EUROPEAN).map_err(refused)?;
+        let task = self.words_of(listened.task).unwrap_or_default();
+        self.mind.forget();
+        Ok(match (listened.verdict, listened.hypothesis) {
+            (Verdict::Done, _) => Heard::Done(task),
+            // A thing that nobody has named is perhaps to be learned.
+            (_, Hypothesis::Command | Hypothesis::Absent | Hypothesis::About) => Heard::Command,
+            (_, taken_for) => Heard::Nothing(taken_for),
+        })
     }
 
     /// Goes on planning for where everything is now, with at most about `budget` looks. Gives whether the robot can act.

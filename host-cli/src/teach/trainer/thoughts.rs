@@ -52,6 +52,12 @@ impl Trainer {
         task_name(&self.rooms, self.mind.lifted().get(usize::from(task.lifted))?, task).ok()
     }
 
+    /// A task as a person says it.
+    pub(super) fn words_of(&self, position: usize) -> Option<String> {
+        let task = self.mind.tasks().get(position)?;
+        Some(task_words(&self.rooms, self.mind.lifted().get(usize::from(task.lifted))?, task))
+    }
+
     /// The tasks that the command may mean, the likeliest first. None where no command was heard.
     pub fn meanings(&self) -> Vec<Meaning> {
         let agent = &self.mind;

@@ -12,7 +12,7 @@ use crate::teach::pace::Pace;
 use crate::teach::plain_names::percent;
 use crate::teach::prompt::Prompt;
 use crate::teach::session::{Judged, Step};
-use crate::teach::trainer::{Acted, Refusal, WordSupport};
+use crate::teach::trainer::{Acted, Heard, Refusal, WordSupport};
 use goodbot::asking::{Answer, Asking};
 use goodbot::feedback::Feedback;
 use std::time::Duration;
@@ -290,7 +290,11 @@ impl Visit {
             self.message = "Write what it shall do, such as: go to the red room".to_owned();
             return Ok(());
         }
-        self.classroom.say(&command)?;
+        let heard = self.classroom.say(&command)?;
+        if heard != Heard::Command {
+            self.message = telling::declined(&heard);
+            return Ok(());
+        }
         self.support = self.classroom.trainer.word_support()?;
         self.prompt.said();
         (self.phase, self.message, self.rests) = (Phase::Planning, String::new(), 0);

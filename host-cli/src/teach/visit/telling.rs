@@ -2,9 +2,18 @@
 
 use super::{Phase, Visit};
 use crate::teach::plain_names::{action_words, percent};
-use crate::teach::trainer::Meaning;
+use crate::teach::trainer::{Heard, Meaning};
 use goodbot::feedback::Feedback;
 use goodbot::planning::OptimalSet;
+
+/// What came of words for which there is nothing to do.
+pub fn declined(heard: &Heard) -> String {
+    match heard {
+        Heard::Command => String::new(),
+        Heard::Done(words) => format!("That is done already: \"{words}\". Say it once more, and it tries."),
+        Heard::Nothing(taken_for) => format!("It takes that for {taken_for}, and waits. Say it once more, and it tries."),
+    }
+}
 
 impl Visit {
     /// What the robot did last, and what was said to that.
