@@ -199,7 +199,7 @@ impl Replay {
         }
     }
 
-    fn answer_before<'s, M>(self, walk: &'s Walk<M>, position: usize) -> Option<&'s SessionAnswer> {
+    fn answer_before<M>(self, walk: &Walk<M>, position: usize) -> Option<&SessionAnswer> {
         walk.answers.get(self.answered).filter(|answer| self.rules.evidence && answer.after <= position)
     }
 
