@@ -93,7 +93,7 @@ enum Next {
 ///   {"class":"door","name":"d","left":3,"bottom":1,"right":3,"top":1},
 ///   {"class":"agent","name":"r","x":2,"y":1}]}}
 /// {"type":"step","action":"east","feedback":"reward"}
-/// {"type":"end","learn":true}"#.replace(",\n", ",");
+/// {"type":"end","learn":true}"#.replace("\n  ", "");
 /// let recorded = SessionReader::new(log.as_bytes()).next().unwrap()?;
 /// let lifted = paper_tasks().unwrap();
 /// let mut agent = Agent::new(AgentHeap::new(&Capacities::SMALL), &lifted, Options::DEFAULT)?;
@@ -213,8 +213,12 @@ impl Replay {
     }
 }
 
-/// Believes these strategies. Where they are believed already, to the last bit, nothing changes: an agent's own log teaches it the same again.
-fn expect(agent: &mut Agent<impl AgentMemory>, strategies: &[Expected]) -> Result<(), AgentError> {
+/// Expects these strategies of the trainer. Where they are expected already, to the last bit, nothing changes: an agent's own log teaches it the
+/// same again.
+///
+/// # Errors
+/// What the agent refuses.
+pub fn expect(agent: &mut Agent<impl AgentMemory>, strategies: &[Expected]) -> Result<(), AgentError> {
     let belief = agent.belief();
     let known = belief.strategies().iter().enumerate().map(|(at, &(strategy, _))| (strategy, belief.strategy_probability(at)));
     if known.eq(strategies.iter().map(|expected| (expected.strategy, expected.recorded))) {

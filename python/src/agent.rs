@@ -348,13 +348,6 @@ impl Mind {
         self.core.set_strategies(strategies).map_err(|refused| error::agent(py, refused))
     }
 
-    fn saved(&self) -> PyResult<Vec<u8>> {
-        let mut bytes = vec![0; self.core.saved_bytes().map_err(error::save)?];
-        let length = self.core.save(&mut bytes).map_err(error::save)?;
-        bytes.truncate(length);
-        Ok(bytes)
-    }
-
     /// How many tasks there are, while a session has some.
     fn count(&self) -> usize {
         self.core.tasks().len()
@@ -488,7 +481,7 @@ impl Agent {
     /// Raises `FileExistsError`, `OSError` and `ModelError`.
     #[pyo3(signature = (path, *, force=false))]
     fn save(&self, path: PathBuf, force: bool) -> PyResult<()> {
-        self.with(|mind| write_model(&path, &mind.saved()?, force))
+        self.with(|mind| write_model(&path, &mind.core.saved().map_err(error::save)?, force))
     }
 
     /// What was learned, as the bytes of a model file. A session under way is not in them.
@@ -496,7 +489,7 @@ impl Agent {
     /// >>> goodbot.Agent.from_bytes(goodbot.Agent().to_bytes()).sessions
     /// 0
     fn to_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
-        self.with(|mind| Ok(PyBytes::new(py, &mind.saved()?)))
+        self.with(|mind| Ok(PyBytes::new(py, &mind.core.saved().map_err(error::save)?)))
     }
 
     /// Replaces the trainer strategies: for each mu+, mu-, epsilon and prior. A session under way ends unlearned.

@@ -12,6 +12,8 @@ use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::random::unit;
 use goodbot::session;
 use goodbot::task::{GroundedTask, LiftedTask, Piece, Wording};
+use goodbot_lesson::replay::expect;
+use goodbot_lesson::walk::Expected;
 use rand_pcg::Pcg32;
 
 use crate::log::{Line, PULLING, Recording, Step, strategies};
@@ -31,15 +33,10 @@ impl World {
     /// What is no probability.
     pub fn set_strategies(&mut self, strategies: &[(Strategy, f32)]) -> Result<(), Refusal> {
         self.forget();
-        let belief = self.agent().belief();
-        let known = belief.strategies().iter().enumerate().map(|(at, (strategy, _))| (*strategy, belief.strategy_probability(at)));
-        if known.eq(strategies.iter().copied()) {
-            return Ok(());
-        }
         // The largest is 1, so that single precision never makes all of them 0.
         let largest = strategies.iter().map(|(_, prior)| *prior).fold(0.0, f32::max);
-        let scaled: Vec<_> = strategies.iter().map(|(strategy, prior)| (*strategy, prior / largest)).collect();
-        self.mind.set_strategies(&scaled).map_err(Refusal::from)
+        let expected = |&(strategy, recorded): &(Strategy, f32)| Expected { strategy, share: recorded / largest, recorded };
+        expect(&mut self.mind, &strategies.iter().map(expected).collect::<Vec<_>>()).map_err(Refusal::from)
     }
 
     /// Whether the robot expects what real people do, and learns how its trainer uses reward and punishment; else it expects the paper's

@@ -127,13 +127,6 @@ fn taught(bytes: &[u8], ways: bool) -> Result<Agent<AgentHeap>, Refusal> {
     Ok(mind)
 }
 
-fn saved(mind: &Agent<AgentHeap>) -> Result<Vec<u8>, Refusal> {
-    let mut bytes = vec![0; mind.saved_bytes().map_err(Refusal::from)?];
-    let len = mind.save(&mut bytes).map_err(Refusal::from)?;
-    bytes.truncate(len);
-    Ok(bytes)
-}
-
 /// Says why an environment cannot be used, if it cannot.
 ///
 /// # Errors
@@ -224,7 +217,7 @@ impl World {
     /// # Errors
     /// Where it is still learning.
     pub fn save(&self) -> Result<Vec<u8>, Refusal> {
-        saved(&self.mind)
+        self.mind.saved().map_err(Refusal::from)
     }
 
     /// Replaces what the robot has learned by a model file, and begins to learn from what it holds: [`learn`](Self::learn) until that is
@@ -256,7 +249,7 @@ impl World {
         if !matches!(self.mind.belief().strategies(), [(Strategy::BALANCED, _)]) {
             let mut mind = taught(&bytes, self.ways())?;
             mind.set_strategies(&[(Strategy::BALANCED, 1.0)]).map_err(Refusal::from)?;
-            bytes = saved(&mind)?;
+            bytes = mind.saved().map_err(Refusal::from)?;
         }
         plain_mind(&Capacities::TINY, false)?.restore(&bytes).map_err(Refusal::from)?;
         Ok(bytes)

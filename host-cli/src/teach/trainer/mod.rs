@@ -145,10 +145,7 @@ impl Trainer {
 
     /// What the robot has learned, as the bytes of a model file. It must not be learning.
     pub fn save(&self) -> Result<Vec<u8>, Refusal> {
-        let mut bytes = vec![0; self.mind.saved_bytes().map_err(refused)?];
-        let length = self.mind.save(&mut bytes).map_err(refused)?;
-        bytes.truncate(length);
-        Ok(bytes)
+        self.mind.saved().map_err(refused)
     }
 
     /// Moves the robot to another home. A session under way ends unlearned.
