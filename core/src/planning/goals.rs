@@ -107,7 +107,11 @@ impl GoalTable {
                     None => &mut table.of_several,
                 };
                 *asked = asked.with(position);
-                let known = memory.parts.iter_mut().take(table.parts()).find(|part| part.proposition == proposition && part.sign == Sign::of(task.way));
+                let known = memory
+                    .parts
+                    .iter_mut()
+                    .take(table.parts())
+                    .find(|part| part.proposition == proposition && part.sign == Sign::of(task.way));
                 if let Some(part) = known {
                     part.tasks = part.tasks.with(position);
                     continue;
@@ -201,7 +205,8 @@ impl Goals<'_> {
     #[inline(never)]
     fn allowed_by<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State, piece: Piece, cell: CellId) -> TaskSet {
         let there = grid.put(state, piece, cell);
-        let ruled_out = self.parts().filter(|part| part.piece == Some(piece) && grid.holds(&part.proposition, &there) == part.sign.is_negated());
+        let ruled_out =
+            self.parts().filter(|part| part.piece == Some(piece) && grid.holds(&part.proposition, &there) == part.sign.is_negated());
         ruled_out.fold(self.table.all, |left, part| left.without(part.tasks))
     }
 

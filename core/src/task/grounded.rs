@@ -4,7 +4,7 @@ use super::lifted::LiftedProposition;
 use super::way::{Part, Way, WayState};
 use super::{LiftedTask, TaskSet};
 use crate::capacity::{Capacity, CapacityError, VARIABLES_PER_TASK};
-use crate::oomdp::{Domain, GroundProposition, ObjectId, Objects};
+use crate::oomdp::{Domain, GroundProposition, ObjectId, Objects, World};
 
 /// A lifted task with its variables bound to objects, and its prior Pr(l|s) Pr(t|s,l).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -123,16 +123,19 @@ pub(crate) fn share_with_done(lifted: &[LiftedTask], tasks: &mut [GroundedTask],
 /// The factor of a task's prior for each part that only asks an object to stay where it is.
 const STAYING: f32 = 0.1;
 
+/// Whether an object is of a class with attributes.
+pub(crate) fn is_thing(world: &World<'_>, object: ObjectId) -> bool {
+    let carries = |class| world.schema.attributes.iter().any(|attribute| attribute.carriers.iter().any(|it| it.class == class));
+    world.objects.get(object).is_some_and(|object| carries(object.class))
+}
+
 /// Makes tasks of [`ground`] less probable if they ask an object to stay where it is: a factor of a tenth for each such part. The sum over
 /// each lifted task stays. A command asks for a change; nobody needs to say that unmoved objects stay. This holds for objects with
 /// attributes, by which words tell them apart. The robot has none: it moves in any task, and coming back is worth a word.
 pub(crate) fn expect_change<D: Domain + ?Sized>(domain: &D, lifted: &[LiftedTask], state: &D::State, tasks: &mut [GroundedTask]) {
     let world = domain.world();
-    let is_thing = |object: ObjectId| {
-        let carries = |class| world.schema.attributes.iter().any(|attribute| attribute.carriers.iter().any(|it| it.class == class));
-        world.objects.get(object).is_some_and(|object| carries(object.class))
-    };
-    let stays = |part: &GroundProposition| part.arguments.first().is_some_and(|&object| is_thing(object)) && domain.holds(part, state);
+    let stays =
+        |part: &GroundProposition| part.arguments.first().is_some_and(|&object| is_thing(&world, object)) && domain.holds(part, state);
     let mut rest = tasks;
     while let Some(first) = rest.first().map(|task| task.lifted) {
         let count = rest.iter().take_while(|task| task.lifted == first).count();

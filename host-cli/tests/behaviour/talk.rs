@@ -56,6 +56,16 @@ fn take(block: usize, room: usize) -> String {
     format!("blockInRoom(block{block},room{room})")
 }
 
+/// What shall not be.
+fn not(task: &str) -> String {
+    format!("!{task}")
+}
+
+/// One task after another.
+fn then(tasks: &[String]) -> String {
+    tasks.join(" then ")
+}
+
 /// A model that was told what these commands mean, in `lessons` homes.
 fn taught(lessons: usize) -> (tempfile::TempDir, String) {
     let going = ["go to the {} room", "move to the {} room", "walk into the {} room", "go into the {} room"];
@@ -120,23 +130,39 @@ fn to_follow(home: &Home) -> Vec<Said> {
     said
 }
 
-/// Sentences that name no task, or the opposite of one, or several.
+/// Sentences of what shall not be, of one thing after another, and of all things.
+fn to_follow_in_parts(home: &Home) -> Vec<Said> {
+    let mut said = Vec::new();
+    for (room, color) in home.rooms.iter().enumerate() {
+        for words in ["don't go to the {} room", "never go into the {} room", "leave the {} room", "stay out of the {} room"] {
+            said.push((words.replace("{}", color), Some(not(&go(room)))));
+        }
+        let first = (room + 1) % home.rooms.len();
+        for words in ["go to the {a} room and then walk into the {} room", "please move to the {a} room, then go to the {} room"] {
+            let words = words.replace("{a}", home.rooms[first]).replace("{}", color);
+            said.push((words, Some(then(&[go(first), go(room)]))));
+        }
+        let elsewhere = (0..home.blocks.len()).filter(|&block| home.blocks[block].2 != room);
+        let mut tasks: Vec<String> = elsewhere.map(|block| take(block, room)).collect();
+        if tasks.is_empty() {
+            tasks = (0..home.blocks.len()).map(|block| take(block, room)).collect();
+        }
+        said.push((format!("bring everything to the {color} room"), Some(then(&tasks))));
+    }
+    for (block, (color, shape, place)) in home.blocks.iter().enumerate() {
+        let words = format!("take the {color} {shape} out of the {} room", home.rooms[*place]);
+        said.push((words, Some(not(&take(block, *place)))));
+    }
+    said
+}
+
+/// Sentences that name no task.
 fn not_to_follow(home: &Home) -> Vec<Said> {
     let mut said: Vec<String> =
         ["stop", "hello", "good robot", "no the other one", "do it again", "where is the bag", "take it there"].map(str::to_owned).into();
-    for color in &home.rooms {
-        for words in [
-            "don't go to the {} room",
-            "never go into the {} room",
-            "leave the {} room",
-            "bring everything to the {} room",
-            "go to the {} room and then walk into the green room",
-        ] {
-            said.push(words.replace("{}", color));
-        }
-    }
     for color in COLORS.iter().filter(|color| !home.rooms.contains(color)) {
         said.push(format!("go to the {color} room"));
+        said.push(format!("don't go to the {color} room"));
     }
     said.into_iter().map(|words| (words, None)).collect()
 }
@@ -147,7 +173,7 @@ fn after_enough_lessons_what_is_meant_is_followed_and_the_rest_is_not_taken_for_
     let (mut follow, mut helpful, mut all, mut harmful, mut faults) = (0, 0, 0, 0, String::new());
     for seed in [1_003, 1_010, 1_022, 1_037] {
         let home = Home::number(seed);
-        let said = [to_follow(&home), not_to_follow(&home)].concat();
+        let said = [to_follow(&home), to_follow_in_parts(&home), not_to_follow(&home)].concat();
         let sentences: Vec<String> = said.iter().map(|(words, _)| words.clone()).collect();
         for ((words, meant), answer) in said.iter().zip(asked(&model, &home, &sentences)) {
             let is_sure = answer["verdict"] == "sure" || answer["verdict"] == "done";
@@ -173,15 +199,19 @@ fn the_answer_says_what_an_utterance_is_taken_for() {
         ("go to the blue room", "sure", "a command"),
         ("go to the red room", "done", "a command"),
         ("take the yellow bag to the green room", "done", "a command"),
-        ("don't go to the blue room", "unsure", "what shall not be"),
-        ("go to the blue room and then go to the green room", "unsure", "several commands"),
+        ("don't go to the blue room", "done", "what shall not be"),
+        ("leave the red room", "sure", "what shall not be"),
+        ("go to the blue room and then go to the green room", "sure", "several commands"),
+        ("bring all chairs to the blue room", "sure", "all things of a kind"),
+        ("bring all bags to the green room", "done", "all things of a kind"),
         ("go to the purple room", "none", "a thing that is not here"),
         ("flub wib zonk", "none", "nothing that I can do"),
     ];
     let sentences: Vec<String> = cases.iter().map(|(words, ..)| (*words).to_owned()).collect();
     for ((words, verdict, taken_for), answer) in cases.iter().zip(asked(&model, &home, &sentences)) {
         assert_eq!((answer["verdict"].as_str(), answer["taken_for"].as_str()), (Some(*verdict), Some(*taken_for)), "{words}: {answer}");
-        let is_to_do = *taken_for == "a command" && *verdict != "done";
+        // The blocks stand along walls, and the robot cannot pull.
+        let is_to_do = *verdict == "sure" && !words.contains("chairs");
         assert_eq!(answer["plan"].is_array(), is_to_do, "{words}: a plan only for what was told and is to do: {answer}");
     }
 }
