@@ -1,6 +1,6 @@
 //! Closed classes of words: what speaks about a command rather than in it. A table that is a shell's, apart from what is learned.
 
-use crate::language::for_each_piece;
+use crate::language::{for_each_piece, is_slip};
 use core::fmt;
 
 /// A closed class of words.
@@ -183,6 +183,18 @@ impl<'t> ClosedWords<'t> {
         let mut classes = Classes::NONE;
         for (class, mut words) in self.lines() {
             if words.any(|other| other == word) {
+                classes = classes.with(class);
+            }
+        }
+        classes
+    }
+
+    /// The classes of a word that is a slip for one that turns a command round, or parts it.
+    pub(super) fn of_slip(self, word: &str) -> Classes {
+        let mut classes = Classes::NONE;
+        for (class, mut words) in self.lines() {
+            let is_cue = matches!(class, Class::Negation | Class::Out | Class::All | Class::Connective);
+            if is_cue && words.any(|other| is_slip(word, other)) {
                 classes = classes.with(class);
             }
         }

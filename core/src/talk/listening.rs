@@ -41,7 +41,7 @@ const POLITE: f32 = 0.6;
 const OTHER_CLOSED: f32 = 1e-3;
 /// How probable a word is as a cue of a negation, of several commands or of all things.
 pub(super) const CUE: f32 = 0.15;
-/// How much less probable a word is that turns commands round where it does not, as long as no command had it.
+/// How much less probable a word is that turns commands round, or parts them, where it does not, as long as no command had it.
 const TURNS: f32 = 0.03;
 /// How often a word is mistyped, alone and beside another that is.
 const SLIP: f32 = 0.02;
@@ -49,6 +49,8 @@ const ANOTHER_SLIP: f32 = 0.15;
 /// How probable each letter of a word is that was never heard, and the word before its letters.
 const LETTER: f32 = 1.0 / 12.0;
 const NEW_SPELLING: f32 = 0.2;
+/// The factor of tasks of another kind than that of the command before, where no word tells the kind.
+const OTHER_KIND: f32 = 0.05;
 /// So many letters a plural has more.
 const LONGEST_ENDING: usize = 2;
 /// Not sure if a done task of the same kind explains the words a fifth as well.
@@ -186,9 +188,10 @@ pub(super) struct Heard {
     /// How often it was said in commands.
     pub count: f32,
     /// How much less probable it is in a command than its reading says: its spelling as a slip for the word that it is taken for, against that
-    /// of a word never heard; or a word that turns commands round, which no command had yet. 1 for any other word.
+    /// of a word never heard; or a word that turns commands round or parts them, which no command had yet. 1 for any other word.
     factor: f32,
     is_new: bool,
+    is_mended: bool,
 }
 
 pub(super) type Words = Vec<Heard, WORDS_PER_COMMAND>;
@@ -249,10 +252,22 @@ impl Heard {
         };
         let is_new = classes == Classes::NONE && symbol.is_none_or(|symbol| symbol.index() >= language.tables().words());
         let count = symbol.map_or(0.0, |symbol| count(language.bitext(), symbol) as f32);
-        let turns = [Class::Negation, Class::Out, Class::But, Class::All];
+        let turns = [Class::Negation, Class::Out, Class::But, Class::All, Class::Connective];
         let factor = if count == 0.0 && classes.contains_any(&turns) { TURNS } else { 1.0 };
         let beside = factor * share(common, if polite { NEW / 2.0 } else { NEW });
-        Self { said: Said { symbol, chatter }, classes, beside, count, factor, is_new }
+        Self { said: Said { symbol, chatter }, classes, beside, count, factor, is_new, is_mended: false }
+    }
+
+    /// Nothing stands before it.
+    const fn begin(&mut self) {
+        if self.classes.contains(Class::Connective) {
+            self.factor = 1.0;
+        }
+    }
+
+    /// Whether it was heard for the first time, and is in no class, whatever it was mended to.
+    pub fn is_strange(&self) -> bool {
+        self.is_new || self.is_mended
     }
 
     /// Whether it was heard for the first time, and is in no class.
@@ -264,7 +279,7 @@ impl Heard {
     fn mended(self, language: LanguageRef<'_>, symbol: Symbol, slip: f32) -> Self {
         let meant = Self::new(language, Some(symbol), Classes::NONE);
         let said = Said { symbol: Some(symbol), chatter: self.said.chatter / slip + meant.said.chatter };
-        Self { said, beside: self.beside + slip * meant.beside, count: meant.count, factor: slip, is_new: false, ..self }
+        Self { said, beside: self.beside + slip * meant.beside, count: meant.count, factor: slip, is_new: false, is_mended: true, ..self }
     }
 }
 
@@ -301,11 +316,13 @@ pub(super) struct View {
     pub done: f32,
     /// Whether another word is the sign of a task.
     pub has_act: bool,
+    /// The kind of task that the command before was of: a command without a word of its own for that is most probably of the same.
+    pub kind: Option<u8>,
 }
 
 impl View {
     /// As a command.
-    const PLAIN: Self = Self { done: DONE, has_act: false };
+    pub const PLAIN: Self = Self { done: DONE, has_act: false, kind: None };
 }
 
 /// How well the tasks here explain some words.
@@ -318,6 +335,8 @@ pub(super) struct Explained {
     pub likelihoods: Vec<Scaled, { TaskSet::MOST }>,
     /// Each task's share of the belief, in no unit.
     pub weights: Vec<Scaled, { TaskSet::MOST }>,
+    /// The tasks of whose kind a word is a sign.
+    pub signed: TaskSet,
     /// The tasks of which a word names the place, and no word anything that they are not about.
     pub fitting: TaskSet,
     /// Whether a word is a sign of a kind of task.
@@ -357,14 +376,23 @@ struct Judged {
 }
 
 /// Where words stand in an utterance.
-#[derive(Clone, Copy, PartialEq)]
-enum Place {
-    /// They are all of it.
-    Whole,
-    /// They are what is left of it. The task's own word may be left out.
-    Rest,
-    /// They are one of its commands.
-    Part { is_first: bool },
+#[derive(Clone, Copy)]
+struct Place {
+    /// Whether they may be several commands.
+    may_part: bool,
+    /// Whether a command is before them. The task's own word may then be left out.
+    is_rest: bool,
+    /// The kind of task that it was of.
+    kind: Option<u8>,
+}
+
+impl Place {
+    const WHOLE: Self = Self { may_part: true, is_rest: false, kind: None };
+
+    /// How a command here is read.
+    const fn view(self) -> View {
+        View { has_act: self.is_rest, kind: self.kind, ..View::PLAIN }
+    }
 }
 
 impl<M: AgentMemory> Agent<M> {
@@ -381,7 +409,7 @@ impl<M: AgentMemory> Agent<M> {
         utterance: &str,
         words: ClosedWords<'_>,
     ) -> Result<Listened, AgentError> {
-        self.listen_to(domain, state, utterance, words, Place::Whole)
+        self.listen_to(domain, state, utterance, words, Place::WHOLE)
     }
 
     /// Hears the rest of an utterance of several commands, from [`Listened::rest`] on, in the state that the part before leads to. A command
@@ -396,7 +424,8 @@ impl<M: AgentMemory> Agent<M> {
         rest: &str,
         words: ClosedWords<'_>,
     ) -> Result<Listened, AgentError> {
-        self.listen_to(domain, state, rest, words, Place::Rest)
+        let kind = self.most_likely().map(|task| self.task(task).lifted);
+        self.listen_to(domain, state, rest, words, Place { is_rest: true, kind, ..Place::WHOLE })
     }
 
     fn listen_to<D: Domain + ?Sized>(
@@ -435,14 +464,18 @@ impl<M: AgentMemory> Agent<M> {
         let (sentence, language) = (&self.sentence, self.language.read(self.memory.read().language, self.memory.read().workspace.len()));
         for_each_piece(utterance, |piece| {
             let symbol = sentence.get(words.len()).copied().flatten();
-            let _ = words.push(Heard::new(language, symbol, closed.of(piece)));
+            let heard = Heard::new(language, symbol, closed.of(piece));
+            let is_cue = heard.is_new() && slip_for(language, piece, SLIP).is_none();
+            let _ = words.push(if is_cue { Heard::new(language, symbol, closed.of_slip(piece)) } else { heard });
             Ok(())
         })?;
+        // "Then go on" has nothing before it.
+        words.iter_mut().take(1).for_each(Heard::begin);
         let wording = Wording::of(language, closed);
         let mended = mend(language, utterance, &words)?;
-        let mut all = self.explain_all(domain, &words, &wording, View::PLAIN)?;
+        let mut all = self.explain_all(domain, &words, &wording, place.view())?;
         if let Some(mended) = mended {
-            let other = self.explain_all(domain, &mended, &wording, View::PLAIN)?;
+            let other = self.explain_all(domain, &mended, &wording, place.view())?;
             if other.here.exceeds(all.here) {
                 (all, words) = (other, mended);
             }
@@ -484,7 +517,7 @@ impl<M: AgentMemory> Agent<M> {
         wording: &Wording<'_>,
         place: Place,
     ) -> Result<Judged, AgentError> {
-        let parting = if let Place::Part { .. } = place { None } else { self.part(domain, &words, wording)? };
+        let parting = if place.may_part { self.part(domain, &words, wording, place.is_rest)? } else { None };
         let hypotheses = self.hypotheses(domain, &words, wording, &explained, place, parting)?;
         let whole = total(hypotheses.iter().map(|(_, weight)| *weight));
         let mut best = (Hypothesis::Command, Scaled::ZERO);
@@ -500,8 +533,8 @@ impl<M: AgentMemory> Agent<M> {
                 for word in words.get(..parting.end).unwrap_or(&[]) {
                     let _ = first.push(*word);
                 }
-                let explained = self.explain_all(domain, &first, wording, View::PLAIN)?;
-                let part = self.judge(domain, first, explained, wording, Place::Part { is_first: place == Place::Whole })?;
+                let explained = self.explain_all(domain, &first, wording, place.view())?;
+                let part = self.judge(domain, first, explained, wording, Place { may_part: false, ..place })?;
                 let (probability, command) = (share * part.probability, share * part.command);
                 return Ok(Judged { hypothesis: best.0, probability, command, rest: Some(parting.begin), ..part });
             }
@@ -613,6 +646,7 @@ impl<M: AgentMemory> Agent<M> {
             absent: Scaled::ZERO,
             likelihoods: Vec::new(),
             weights: Vec::new(),
+            signed: TaskSet::EMPTY,
             fitting: TaskSet::EMPTY,
             acts,
             done: view.done,
@@ -645,7 +679,11 @@ impl<M: AgentMemory> Agent<M> {
             }
             let _ = forms.push(form(&description).unwrap_or(Symbol(0)));
             let _ = explained.likelihoods.push(whole);
-            let _ = explained.weights.push(whole.scaled_by(task.prior));
+            let is_other = !acts && view.kind.is_some_and(|kind| kind != task.lifted);
+            let _ = explained.weights.push(whole.scaled_by(if is_other { OTHER_KIND * task.prior } else { task.prior }));
+            if named.acts_for(tables.layout(), &description) {
+                explained.signed = explained.signed.with(position);
+            }
             let _ = ghosts.push(if kinds > 0.0 { absent.scaled_by(task.prior / kinds) } else { Scaled::ZERO });
         }
         let language = language.read();
@@ -689,7 +727,7 @@ impl<M: AgentMemory> Agent<M> {
         };
         add(Hypothesis::Nothing, no_task(&|_, word| word.beside).scaled_by(NOTHING));
         add(Hypothesis::Absent, explained.absent.scaled_by(ABSENT));
-        if !explained.acts && place != Place::Rest && place != (Place::Part { is_first: false }) {
+        if !explained.acts && !place.is_rest {
             let without = wording.coverage.least_without_task(self.language().tables().layout());
             add(Hypothesis::About, explained.here.scaled_by(ABOUT / without));
         }

@@ -2,7 +2,7 @@
 //! after another.
 
 use super::classes::Class;
-use super::listening::{ALL, CUE, Explained, NEGATED, SEVERAL, View, Wording, Words, learned};
+use super::listening::{ALL, CUE, Explained, Heard, NEGATED, SEVERAL, View, Wording, Words, learned};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
@@ -34,7 +34,7 @@ pub(super) struct Rest {
 }
 
 /// The words without those of some classes, and how probable these are. Side by side they are one: "out of", "all things".
-fn without(words: &Words, cues: &[Class]) -> Option<(Words, f32)> {
+fn without(words: &[Heard], cues: &[Class]) -> Option<(Words, f32)> {
     let is_out = cues.contains(&Class::Out) && words.iter().any(|word| word.classes.contains(Class::Out));
     let (mut rest, mut probability, mut before) = (Words::new(), 1.0, Before::Other);
     for word in words {
@@ -43,7 +43,7 @@ fn without(words: &Words, cues: &[Class]) -> Option<(Words, f32)> {
             before = Before::Cue;
         } else if is_out && word.classes.contains(Class::From) {
             before = Before::From;
-        } else if before == Before::From && word.is_new() {
+        } else if before == Before::From && word.is_strange() {
             // An article in a case that no command had: "aus dem Zimmer".
             before = Before::Other;
         } else {
@@ -63,26 +63,26 @@ enum Before {
 }
 
 /// The words read as what shall not be, if there is a sign of that.
-pub(super) fn negated(words: &Words) -> Option<Rest> {
+pub(super) fn negated(words: &[Heard]) -> Option<Rest> {
     let cues = [Class::Negation, Class::Out, Class::But];
     let (rest, probability) = without(words, &cues)?;
     let prior = NEGATED * probability / learned(words, |word| word.classes.contains_any(&cues));
     let has = |class| words.iter().any(|word| word.classes.contains(class));
     let (is_out, is_not) = (has(Class::Out), has(Class::Negation));
     // Who says "leave" speaks of a place where something is, and needs no other word for a task.
-    let view = if is_out { View { done: CHANGE, has_act: true } } else { View { done: EITHER, has_act: false } };
+    let view = if is_out { View { done: CHANGE, has_act: true, ..View::PLAIN } } else { View { done: EITHER, ..View::PLAIN } };
     // "Do not leave" is the opposite of the opposite, and so is "not anywhere but".
     let is_clear = !(is_not && (is_out || has(Class::But)));
     Some(Rest { words: rest, prior, view, is_clear })
 }
 
 /// The words read as a command about all things of a kind, if there is a sign of that.
-pub(super) fn all(words: &Words) -> Option<Rest> {
+pub(super) fn all(words: &[Heard]) -> Option<Rest> {
     let (rest, probability) = without(words, &[Class::All])?;
     let cue = words.iter().position(|word| word.classes.contains(Class::All))?;
     let mut named = words.iter().skip(cue.saturating_add(1)).take(NAME_OF_ALL);
     let is_clear = !named.any(|word| word.is_new());
-    let view = View { done: EITHER, has_act: false };
+    let view = View { done: EITHER, ..View::PLAIN };
     Some(Rest { words: rest, prior: ALL * UNNAMED * probability, view, is_clear })
 }
 
@@ -117,6 +117,7 @@ impl<M: AgentMemory> Agent<M> {
         domain: &D,
         words: &Words,
         wording: &Wording<'_>,
+        is_rest: bool,
     ) -> Result<Option<Parting>, AgentError> {
         let clauses = clauses(words);
         let mut parting = None;
@@ -136,7 +137,7 @@ impl<M: AgentMemory> Agent<M> {
                 if first == 0 && next.is_none() {
                     continue;
                 }
-                let here = self.clause(domain, words, (start, end), wording)?;
+                let here = self.clause(domain, words.get(start..end).unwrap_or(&[]), wording, is_rest || first > 0)?;
                 let rest = ahead.get(after).copied().unwrap_or(Scaled::ZERO);
                 let connective = next.map_or(Scaled::ONE, |_| {
                     let learned = words.get(end).map_or(1.0, |word| 1.0 + word.count);
@@ -153,21 +154,17 @@ impl<M: AgentMemory> Agent<M> {
         Ok(parting)
     }
 
-    /// How probable some words are as one command, of whatever reading.
+    /// How probable some words are as one command, of whatever reading. A rest may leave out the task's own word.
     fn clause<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        words: &Words,
-        (start, end): (usize, usize),
+        clause: &[Heard],
         wording: &Wording<'_>,
+        is_rest: bool,
     ) -> Result<Scaled, AgentError> {
-        let mut clause = Words::new();
-        for word in words.get(start..end).unwrap_or(&[]) {
-            let _ = clause.push(*word);
-        }
         // Where the command before leads to is not known yet.
-        let mut sum = self.explain_all(domain, &clause, wording, View { done: EITHER, has_act: false })?.here;
-        for rest in [negated(&clause), all(&clause)].into_iter().flatten() {
+        let mut sum = self.explain_all(domain, clause, wording, View { done: EITHER, has_act: is_rest, ..View::PLAIN })?.here;
+        for rest in [negated(clause), all(clause)].into_iter().flatten() {
             let here = self.explain_all(domain, &rest.words, wording, View { done: EITHER, ..rest.view })?.here;
             sum = sum.plus(here.scaled_by(rest.prior));
         }
@@ -200,10 +197,10 @@ impl<M: AgentMemory> Agent<M> {
             part.arguments.get(last).copied().filter(|_| is_thing).map(|place| (task.lifted, place))
         };
         let likelihood = |task: usize| explained.likelihoods.get(task).copied().unwrap_or(Scaled::ZERO);
-        let (mut best, mut most) = (None, Scaled::ZERO);
+        let (mut likeliest, mut best, mut most) = (None, None, Scaled::ZERO);
         for task in (0..self.task_count).filter(|&task| place(task).is_some() && explained.fitting.contains(task)) {
             if likelihood(task).exceeds(most) {
-                (best, most) = (place(task), likelihood(task));
+                (likeliest, best, most) = (Some(task), place(task), likelihood(task));
             }
         }
         if best.is_none() {
@@ -216,7 +213,7 @@ impl<M: AgentMemory> Agent<M> {
         let of_things: TaskSet = (0..self.task_count).filter(|&task| place(task).is_some()).collect();
         let others = TaskSet::first(self.task_count).without(of_things);
         let [of_things, others] = [of_things, others].map(|tasks| total(tasks.iter().map(weight)));
-        let is_elsewhere = explained.acts && others.exceeds(of_things);
+        let is_elsewhere = explained.acts && others.exceeds(of_things) && likeliest.is_none_or(|task| !explained.signed.contains(task));
         let probability = if is_elsewhere { 0.0 } else { total(there().map(weight)).over(of_things) };
         (there().filter(fits).collect(), probability)
     }

@@ -166,9 +166,16 @@ impl Named {
         // An article goes with several values.
         let is_own = |&(word, value): &(Symbol, Symbol)| {
             let most = own().flat_map(|group| group.values).map(|&value| cell(value, word)).fold(0.0, f32::max);
-            !is_name(word, value) || most * FOREIGN >= cell(value, word)
+            let said = self.words.iter().filter(|&&other| other == word).count();
+            let known = own().filter(|group| group.values.contains(&value)).count();
+            !is_name(word, value) || most * FOREIGN >= cell(value, word) && (said == 1 || said <= known)
         };
-        places && self.words.iter().zip(&self.values).map(|(&word, &value)| (word, value)).all(|named| is_own(&named))
+        places && self.words.iter().copied().zip(self.values.iter().copied()).all(|named| is_own(&named))
+    }
+
+    /// Whether there is a sign of a task's kind.
+    pub fn acts_for(&self, layout: &Layout, description: &[Symbol]) -> bool {
+        form(description).and_then(|token| layout.form(token)).is_some_and(|row| self.acts & 1 << row != 0)
     }
 
     /// Another word is the sign of a task, of whatever kind.
@@ -280,8 +287,7 @@ impl Coverage {
 /// Tells how much the words name: 0 for nothing, 1 for a part, 2 for all. Of the task itself at the position 0, of its roles behind that.
 /// One word names one thing.
 fn named_of(layout: &Layout, named: &Named, description: &[Symbol], ghost: Option<RoleKind>, mut tell: impl FnMut(usize, usize)) {
-    let row = form(description).and_then(|token| layout.form(token)).unwrap_or(0);
-    tell(0, if named.acts & 1 << row != 0 { 2 } else { 0 });
+    tell(0, if named.acts_for(layout, description) { 2 } else { 0 });
     let mut left = named.values.clone();
     let mut new = named.new;
     let has_subject = groups(description).any(|group| group.marker.role.kind() == RoleKind::Subject);
