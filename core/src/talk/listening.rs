@@ -28,7 +28,7 @@ use heapless::Vec;
 const NOTHING: f32 = 0.15;
 const ABSENT: f32 = 0.05;
 const ABOUT: f32 = 0.05;
-pub(super) const NEGATED: f32 = 0.08;
+pub(super) const NEGATED: f32 = 0.1;
 pub(super) const SEVERAL: f32 = 0.05;
 pub(super) const ALL: f32 = 0.03;
 const TALK: f32 = 0.02;
@@ -42,7 +42,7 @@ const OTHER_CLOSED: f32 = 1e-3;
 /// How probable a word is as a cue of a negation, of several commands or of all things.
 pub(super) const CUE: f32 = 0.15;
 /// How much less probable a word is that turns commands round, or parts them, where it does not, as long as no command had it.
-const TURNS: f32 = 0.03;
+const TURNS: f32 = 0.01;
 /// How often a word is mistyped, alone and beside another that is.
 const SLIP: f32 = 0.02;
 const ANOTHER_SLIP: f32 = 0.15;
@@ -389,9 +389,9 @@ struct Place {
 impl Place {
     const WHOLE: Self = Self { may_part: true, is_rest: false, kind: None };
 
-    /// How a command here is read.
-    const fn view(self) -> View {
-        View { has_act: self.is_rest, kind: self.kind, ..View::PLAIN }
+    /// How what is read so is read here.
+    const fn view(self, view: View) -> View {
+        View { has_act: view.has_act || self.is_rest, kind: self.kind, ..view }
     }
 }
 
@@ -473,9 +473,9 @@ impl<M: AgentMemory> Agent<M> {
         words.iter_mut().take(1).for_each(Heard::begin);
         let wording = Wording::of(language, closed);
         let mended = mend(language, utterance, &words)?;
-        let mut all = self.explain_all(domain, &words, &wording, place.view())?;
+        let mut all = self.explain_all(domain, &words, &wording, place.view(View::PLAIN))?;
         if let Some(mended) = mended {
-            let other = self.explain_all(domain, &mended, &wording, place.view())?;
+            let other = self.explain_all(domain, &mended, &wording, place.view(View::PLAIN))?;
             if other.here.exceeds(all.here) {
                 (all, words) = (other, mended);
             }
@@ -533,24 +533,26 @@ impl<M: AgentMemory> Agent<M> {
                 for word in words.get(..parting.end).unwrap_or(&[]) {
                     let _ = first.push(*word);
                 }
-                let explained = self.explain_all(domain, &first, wording, place.view())?;
+                let explained = self.explain_all(domain, &first, wording, place.view(View::PLAIN))?;
                 let part = self.judge(domain, first, explained, wording, Place { may_part: false, ..place })?;
                 let (probability, command) = (share * part.probability, share * part.command);
                 return Ok(Judged { hypothesis: best.0, probability, command, rest: Some(parting.begin), ..part });
             }
             (hypothesis @ Hypothesis::Negated, _) => {
                 if let Some(rest) = negated(&words) {
-                    let mut explained = self.explain_all(domain, &rest.words, wording, rest.view)?;
+                    let mut explained = self.explain_all(domain, &rest.words, wording, place.view(rest.view))?;
                     let (task, of_tasks) = self.negate(&mut explained);
                     self.plan_for(domain, self.task_count)?;
-                    let is_clear = rest.is_clear && explained.fitting.contains(task);
+                    let is_of_thing = self.place_of_thing(domain, task).is_some();
+                    let has_act = explained.acts || place.is_rest || if is_of_thing { rest.is_act_for_things } else { rest.is_act };
+                    let is_clear = rest.is_clear && has_act && explained.fitting.contains(task);
                     let (words, tasks, probability) = (rest.words, TaskSet::of(task), share * of_tasks);
                     return Ok(Judged { hypothesis, explained, words, task, tasks, probability, command: share, is_clear, rest: None });
                 }
             }
             (hypothesis @ Hypothesis::All, _) => {
                 if let Some(rest) = all(&words) {
-                    let explained = self.explain_all(domain, &rest.words, wording, rest.view)?;
+                    let explained = self.explain_all(domain, &rest.words, wording, place.view(rest.view))?;
                     let (tasks, of_place) = self.all_that_fit(domain, &explained);
                     let task = tasks.iter().next().unwrap_or(explained.best().0);
                     let (words, is_clear, probability) = (rest.words, rest.is_clear && !tasks.is_empty(), share * of_place);
@@ -744,7 +746,7 @@ impl<M: AgentMemory> Agent<M> {
         }
         for (hypothesis, rest) in [(Hypothesis::Negated, negated(words)), (Hypothesis::All, all(words))] {
             let Some(rest) = rest else { continue };
-            let explained = self.explain_all(domain, &rest.words, wording, rest.view)?;
+            let explained = self.explain_all(domain, &rest.words, wording, place.view(rest.view))?;
             add(hypothesis, explained.here.scaled_by(rest.prior));
             add(Hypothesis::Absent, explained.absent.scaled_by(rest.prior * ABSENT));
         }

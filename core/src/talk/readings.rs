@@ -5,7 +5,7 @@ use super::classes::Class;
 use super::listening::{ALL, CUE, Explained, Heard, NEGATED, SEVERAL, View, Wording, Words, learned};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::memory::AgentMemory;
-use crate::oomdp::Domain;
+use crate::oomdp::{Domain, ObjectId};
 use crate::probability::{Scaled, total};
 use crate::session::{Agent, AgentError};
 use crate::task::TaskSet;
@@ -31,6 +31,10 @@ pub(super) struct Rest {
     pub view: View,
     /// Whether it says clearly what is meant.
     pub is_clear: bool,
+    /// Whether it needs no word of a task: "leave the red room".
+    pub is_act: bool,
+    /// The same where it is about a thing. "Leave the chair in the red room" says the opposite of "out of the red room".
+    pub is_act_for_things: bool,
 }
 
 /// The words without those of some classes, and how probable these are. Side by side they are one: "out of", "all things".
@@ -72,8 +76,11 @@ pub(super) fn negated(words: &[Heard]) -> Option<Rest> {
     // Who says "leave" speaks of a place where something is, and needs no other word for a task.
     let view = if is_out { View { done: CHANGE, has_act: true, ..View::PLAIN } } else { View { done: EITHER, ..View::PLAIN } };
     // "Do not leave" is the opposite of the opposite, and so is "not anywhere but".
-    let is_clear = !(is_not && (is_out || has(Class::But)));
-    Some(Rest { words: rest, prior, view, is_clear })
+    // "Why don't you go" is no command.
+    let is_question = words.iter().any(|word| word.classes.contains(Class::Asking) && word.count == 0.0);
+    let is_clear = !(is_question || is_not && (is_out || has(Class::But)));
+    let is_act = is_out || rest.iter().any(Heard::is_new);
+    Some(Rest { words: rest, prior, view, is_clear, is_act, is_act_for_things: is_out && has(Class::From) })
 }
 
 /// The words read as a command about all things of a kind, if there is a sign of that.
@@ -83,7 +90,7 @@ pub(super) fn all(words: &[Heard]) -> Option<Rest> {
     let mut named = words.iter().skip(cue.saturating_add(1)).take(NAME_OF_ALL);
     let is_clear = !named.any(|word| word.is_new());
     let view = View { done: EITHER, ..View::PLAIN };
-    Some(Rest { words: rest, prior: ALL * UNNAMED * probability, view, is_clear })
+    Some(Rest { words: rest, prior: ALL * UNNAMED * probability, view, is_clear, is_act: false, is_act_for_things: false })
 }
 
 /// Where an utterance parts: the words of the first command, and those behind them.
@@ -165,7 +172,9 @@ impl<M: AgentMemory> Agent<M> {
         // Where the command before leads to is not known yet.
         let mut sum = self.explain_all(domain, clause, wording, View { done: EITHER, has_act: is_rest, ..View::PLAIN })?.here;
         for rest in [negated(clause), all(clause)].into_iter().flatten() {
-            let here = self.explain_all(domain, &rest.words, wording, View { done: EITHER, ..rest.view })?.here;
+            let here = self
+                .explain_all(domain, &rest.words, wording, View { done: EITHER, has_act: is_rest || rest.view.has_act, ..rest.view })?
+                .here;
             sum = sum.plus(here.scaled_by(rest.prior));
         }
         Ok(sum)
@@ -183,19 +192,19 @@ impl<M: AgentMemory> Agent<M> {
         explained.best()
     }
 
+    /// Of a task about one thing and its place: the kind of task, and the place.
+    pub(super) fn place_of_thing<D: Domain + ?Sized>(&self, domain: &D, task: usize) -> Option<(u8, ObjectId)> {
+        let (world, task) = (domain.world(), self.task(task));
+        let lifted = self.lifted.get(usize::from(task.lifted)).filter(|lifted| !lifted.has_way() && lifted.propositions().len() == 1)?;
+        let part = task.propositions(lifted).next()?;
+        let last = world.schema.parameters(part.proposition).len().checked_sub(1).filter(|&last| last > 0)?;
+        let is_thing = is_thing(&world, part.arguments.first().copied()?);
+        part.arguments.get(last).copied().filter(|_| is_thing).map(|place| (task.lifted, place))
+    }
+
     /// The tasks that bring all fitting things to one place, and how probable that place is.
     pub(super) fn all_that_fit<D: Domain + ?Sized>(&self, domain: &D, explained: &Explained) -> (TaskSet, f32) {
-        let world = domain.world();
-        // A kind of task, and the place.
-        let place = |task: usize| {
-            let task = self.task(task);
-            let lifted =
-                self.lifted.get(usize::from(task.lifted)).filter(|lifted| !lifted.has_way() && lifted.propositions().len() == 1)?;
-            let part = task.propositions(lifted).next()?;
-            let last = world.schema.parameters(part.proposition).len().checked_sub(1).filter(|&last| last > 0)?;
-            let is_thing = is_thing(&world, part.arguments.first().copied()?);
-            part.arguments.get(last).copied().filter(|_| is_thing).map(|place| (task.lifted, place))
-        };
+        let place = |task: usize| self.place_of_thing(domain, task);
         let likelihood = |task: usize| explained.likelihoods.get(task).copied().unwrap_or(Scaled::ZERO);
         let (mut likeliest, mut best, mut most) = (None, None, Scaled::ZERO);
         for task in (0..self.task_count).filter(|&task| place(task).is_some() && explained.fitting.contains(task)) {
