@@ -5,7 +5,7 @@ use super::readings::{Parting, all, negated};
 use crate::capacity::{CapacityError, LIFTED_TASKS, WORDS_PER_COMMAND};
 use crate::language::bitext::BitextRef;
 use crate::language::roles::kind;
-use crate::language::roles::talk::{Coverage, Named, Said, Senses, background, common, likelihood};
+use crate::language::roles::talk::{Coverage, Named, Said, Senses, background, common, is_of_task, likelihood};
 use crate::language::spelling::is_slip_of_any_length;
 use crate::language::tokenizer::start_of_piece;
 use crate::language::{LanguageRef, Model, for_each_piece};
@@ -192,6 +192,8 @@ pub(super) struct Heard {
     factor: f32,
     is_new: bool,
     is_mended: bool,
+    /// Whether it is of some task sooner than of the background.
+    is_of_task: bool,
 }
 
 pub(super) type Words = Vec<Heard, WORDS_PER_COMMAND>;
@@ -250,12 +252,13 @@ impl Heard {
             false if classes.contains_any(&cues) => OTHER_CLOSED,
             false => share(background(language.tables(), symbol), NEW),
         };
+        let is_of_task = is_of_task(language.tables(), symbol);
         let is_new = classes == Classes::NONE && symbol.is_none_or(|symbol| symbol.index() >= language.tables().words());
         let count = symbol.map_or(0.0, |symbol| count(language.bitext(), symbol) as f32);
         let turns = [Class::Negation, Class::Out, Class::But, Class::All, Class::Connective];
         let factor = if count == 0.0 && classes.contains_any(&turns) { TURNS } else { 1.0 };
         let beside = factor * share(common, if polite { NEW / 2.0 } else { NEW });
-        Self { said: Said { symbol, chatter }, classes, beside, count, factor, is_new, is_mended: false }
+        Self { said: Said { symbol, chatter }, classes, beside, count, factor, is_new, is_mended: false, is_of_task }
     }
 
     /// Nothing stands before it.
@@ -270,6 +273,11 @@ impl Heard {
         self.is_new || self.is_mended
     }
 
+    /// Whether it may be the word of a task.
+    pub const fn may_act(&self) -> bool {
+        self.is_new || self.is_of_task
+    }
+
     /// Whether it was heard for the first time, and is in no class.
     pub const fn is_new(&self) -> bool {
         self.is_new
@@ -279,7 +287,16 @@ impl Heard {
     fn mended(self, language: LanguageRef<'_>, symbol: Symbol, slip: f32) -> Self {
         let meant = Self::new(language, Some(symbol), Classes::NONE);
         let said = Said { symbol: Some(symbol), chatter: self.said.chatter / slip + meant.said.chatter };
-        Self { said, beside: self.beside + slip * meant.beside, count: meant.count, factor: slip, is_new: false, is_mended: true, ..self }
+        Self {
+            said,
+            beside: self.beside + slip * meant.beside,
+            count: meant.count,
+            factor: slip,
+            is_new: false,
+            is_mended: true,
+            is_of_task: meant.is_of_task,
+            ..self
+        }
     }
 }
 

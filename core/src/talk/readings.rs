@@ -79,8 +79,8 @@ pub(super) fn negated(words: &[Heard]) -> Option<Rest> {
     // "Why don't you go" is no command.
     let is_question = words.iter().any(|word| word.classes.contains(Class::Asking) && word.count == 0.0);
     let is_clear = !(is_question || is_not && (is_out || has(Class::But)));
-    let is_act = is_out || rest.iter().any(Heard::is_new);
-    Some(Rest { words: rest, prior, view, is_clear, is_act, is_act_for_things: is_out && has(Class::From) })
+    let is_act = is_out || rest.iter().any(Heard::may_act);
+    Some(Rest { words: rest, prior, view, is_clear, is_act, is_act_for_things: is_act && (is_not || has(Class::From)) })
 }
 
 /// The words read as a command about all things of a kind, if there is a sign of that.

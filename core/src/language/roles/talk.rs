@@ -29,6 +29,9 @@ const SIGN: f32 = 0.85;
 /// A word that one value explains so much better than another does not name the other.
 const FOREIGN: f32 = 5.0;
 
+/// A word is of a task if it is so much more probable there than in the background.
+const OF_TASK: f32 = 2.0;
+
 /// A word of an utterance.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Said {
@@ -196,6 +199,14 @@ fn beside_values(tables: TablesRef<'_>, word: Symbol) -> f32 {
     let (layout, (rows, _)) = (tables.layout(), tables.cells());
     let cell = |token: Option<Symbol>| get(rows, layout.row(token)).get(word.index()).copied().unwrap_or(0.0);
     layout.forms().iter().map(|&form| cell(Some(form))).fold(cell(None), f32::max)
+}
+
+/// Whether a word is of some task sooner than of the background.
+pub(crate) fn is_of_task(tables: TablesRef<'_>, word: Option<Symbol>) -> bool {
+    word.is_some_and(|word| {
+        let background = background(tables, Some(word)).unwrap_or(f32::MAX);
+        value_of(tables, word).is_none() && beside_values(tables, word) > OF_TASK * background
+    })
 }
 
 /// The value that a word names sooner than anything else.
