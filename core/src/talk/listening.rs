@@ -1,7 +1,7 @@
 //! The hypotheses of what an utterance is, and the verdict.
 
 use super::classes::{Class, Classes, ClosedWords};
-use super::readings::{Parting, all, negated};
+use super::readings::{Parting, all, has_more, negated};
 use crate::capacity::{CapacityError, LIFTED_TASKS, WORDS_PER_COMMAND};
 use crate::language::bitext::BitextRef;
 use crate::language::roles::kind;
@@ -583,7 +583,7 @@ impl<M: AgentMemory> Agent<M> {
         let (tasks, probability) = (TaskSet::of(task), command * of_command);
         // "This or that" leaves the choice to the robot.
         let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0);
-        let is_clear = !is_choice && !self.has_rival(domain, &explained, task);
+        let is_clear = !is_choice && !has_more(&words) && !self.has_rival(domain, &explained, task);
         Ok(Judged { hypothesis: best.0, explained, words, task, tasks, probability, command, is_clear, rest: None })
     }
 

@@ -93,6 +93,13 @@ pub(super) fn all(words: &[Heard]) -> Option<Rest> {
     Some(Rest { words: rest, prior: ALL * UNNAMED * probability, view, is_clear, is_act: false, is_act_for_things: false })
 }
 
+/// Whether a connective stands before words that may be a command of their own: who does a half of what is said does something else.
+pub(super) fn has_more(words: &[Heard]) -> bool {
+    let is_connective = |word: &Heard| word.classes.contains(Class::Connective);
+    let mut behind = words.iter().skip_while(|word| is_connective(word)).skip_while(|word| !is_connective(word) || word.count > 0.0);
+    behind.any(Heard::may_act)
+}
+
 /// Where an utterance parts: the words of the first command, and those behind them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Parting {
