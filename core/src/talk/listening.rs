@@ -739,7 +739,7 @@ impl<M: AgentMemory> Agent<M> {
             Some((_, sum)) => *sum = sum.plus(weight),
             None => drop(hypotheses.push((hypothesis, weight))),
         };
-        add(Hypothesis::Command, explained.here.scaled_by(1.0 - NOTHING - ABSENT - NEGATED - SEVERAL));
+        add(Hypothesis::Command, explained.here.scaled_by(1.0 - NOTHING - ABSENT - ABOUT - SEVERAL));
         let no_task = |of: &dyn Fn(usize, &Heard) -> f32| {
             let words = words.iter().enumerate();
             words.fold(Scaled::new(wording.end), |product, (position, word)| product.scaled_by((1.0 - wording.end) * of(position, word)))
