@@ -311,6 +311,9 @@ fn impossible(record: &StepRecord, x: i32, y: i32) -> String {
 
 /// Whether a proposition is about what is here; what is wrong with it otherwise.
 pub fn known_atom(home: &Home<impl HomeMemory>, atom: &GroundAtomText) -> Result<goodbot::oomdp::GroundProposition, String> {
+    if atom.is_negated() {
+        return Err(format!("{atom} is what shall not be, which no session is about; name what shall be"));
+    }
     let Some(proposition) = SCHEMA.proposition(atom.function()) else {
         let known: Vec<&str> = SCHEMA.propositions.iter().map(|known| known.name).collect();
         return Err(format!("{} is no propositional function; known are {}", quoted(atom.function()), known.join(", ")));

@@ -17,7 +17,8 @@ pub fn task_name<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &Gro
         let names = part.arguments.iter().take(parameters).map(|&object| domain.world().objects.name(object));
         GroundAtomText::new(schema.proposition_name(part.proposition), names)
     };
-    let goal = task.propositions(lifted).map(atom).collect::<Result<_, _>>()?;
+    let signed = |part| atom(part).map(|atom| if task.is_negated() { atom.negated() } else { atom });
+    let goal = task.propositions(lifted).map(signed).collect::<Result<_, _>>()?;
     let mut way = WayText::default();
     let place = |lists: &mut Vec<Vec<GroundAtomText>>, position: u8, atom| {
         let position = usize::from(position);
@@ -41,8 +42,12 @@ pub fn in_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &Ground
     let part = |part: GroundProposition| {
         let [subject, place, _] = part.arguments;
         let goes = home.world().objects.get(subject).is_some_and(|known| known.class == AGENT);
-        let subject = if goes { "go".to_owned() } else { format!("take {}", thing(home, subject)) };
-        format!("{subject} to {}", thing(home, place))
+        match (goes, task.is_negated()) {
+            (true, false) => format!("go to {}", thing(home, place)),
+            (true, true) => format!("stay out of {}", thing(home, place)),
+            (false, false) => format!("take {} to {}", thing(home, subject), thing(home, place)),
+            (false, true) => format!("keep {} out of {}", thing(home, subject), thing(home, place)),
+        }
     };
     way_in_words(lifted, task, part, |it| place_in_words(home, it, |object| thing(home, object)))
 }

@@ -30,7 +30,7 @@ impl<S: Copy + PartialEq> BruteForce<S> {
         let distances = tasks
             .iter()
             .map(|task| {
-                let goal = |state: &S| task.propositions(&lifted[usize::from(task.lifted)]).all(|part| domain.holds(&part, state));
+                let goal = |state: &S| task.is_reached(&lifted[usize::from(task.lifted)], |part| domain.holds(part, state));
                 let mut distances: Vec<Option<u32>> = states.iter().map(|state| goal(state).then_some(0)).collect();
                 let mut changed = true;
                 while changed {

@@ -140,6 +140,6 @@ impl Sweep {
 
 /// The tasks that hold in a state.
 pub fn satisfied<D: Domain>(domain: &D, state: &D::State, lifted: &[LiftedTask], tasks: &[GroundedTask]) -> TaskSet {
-    let holds = |task: &GroundedTask| task.propositions(&lifted[usize::from(task.lifted)]).all(|part| domain.holds(&part, state));
+    let holds = |task: &GroundedTask| task.is_reached(&lifted[usize::from(task.lifted)], |part| domain.holds(part, state));
     tasks.iter().enumerate().filter(|(_, task)| holds(task)).fold(TaskSet::EMPTY, |set, (position, _)| set.with(position))
 }

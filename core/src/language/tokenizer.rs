@@ -51,13 +51,22 @@ pub fn for_each_word(command: &str, mut take: impl FnMut(&str) -> Result<(), Cap
 /// # Errors
 /// As [`for_each_word`].
 pub fn for_each_piece(command: &str, mut take: impl FnMut(&str) -> Result<(), CapacityError>) -> Result<(), CapacityError> {
-    let pieces = || command.split(|letter| !is_of_word(letter)).map(|word| word.trim_matches(is_apostrophe));
-    let words = || pieces().filter(|word| word.chars().any(is_alphanumeric));
-    let count = words().count();
+    let count = pieces(command).count();
     if count > WORDS_PER_COMMAND {
         return Err(CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, count));
     }
-    words().try_for_each(|word| take(&lower_case(word)?))
+    pieces(command).try_for_each(|word| take(&lower_case(word)?))
+}
+
+/// Where a word of [`for_each_piece`] begins in a command, in bytes. `None` where there are fewer words.
+#[cfg(feature = "talk")]
+pub(crate) fn start_of_piece(command: &str, position: usize) -> Option<usize> {
+    Some(pieces(command).nth(position)?.as_ptr().addr().saturating_sub(command.as_ptr().addr()))
+}
+
+fn pieces(command: &str) -> impl Iterator<Item = &str> {
+    let words = command.split(|letter| !is_of_word(letter)).map(|word| word.trim_matches(is_apostrophe));
+    words.filter(|word| word.chars().any(is_alphanumeric))
 }
 
 #[cfg(feature = "unicode")]

@@ -6,12 +6,35 @@
 
 use crate::capacity::{Capacity, CapacityError};
 use crate::oomdp::{CellId, Domain, GroundProposition, ObjectId, Piece, PropositionId, PushGrid, SearchKind};
-use crate::task::{GroundedTask, LiftedTask, TaskSet};
+use crate::task::{GroundedTask, LiftedTask, TaskSet, WayState};
 
-/// A ground proposition and the tasks that it is a part of.
+/// Whether a proposition is not to hold. Without the feature `talk` each is to hold, and this takes no memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Sign(#[cfg(feature = "talk")] bool);
+
+impl Sign {
+    const PLAIN: Self = Self::of(WayState::START);
+
+    const fn of(_way: WayState) -> Self {
+        Self(
+            #[cfg(feature = "talk")]
+            _way.is_negated(),
+        )
+    }
+
+    const fn is_negated(self) -> bool {
+        #[cfg(feature = "talk")]
+        return self.0;
+        #[cfg(not(feature = "talk"))]
+        false
+    }
+}
+
+/// A ground proposition, or its opposite, and the tasks that it is a part of.
 #[derive(Clone, Copy, Debug)]
 pub struct GoalPart {
     proposition: GroundProposition,
+    sign: Sign,
     tasks: TaskSet,
     piece: Option<Piece>,
 }
@@ -20,6 +43,7 @@ impl GoalPart {
     /// The value of unused memory.
     pub const UNUSED: Self = Self {
         proposition: GroundProposition { proposition: PropositionId(0), arguments: [ObjectId(0); crate::capacity::ARGUMENTS] },
+        sign: Sign::PLAIN,
         tasks: TaskSet::EMPTY,
         piece: None,
     };
@@ -83,14 +107,18 @@ impl GoalTable {
                     None => &mut table.of_several,
                 };
                 *asked = asked.with(position);
-                let known = memory.parts.iter_mut().take(table.parts()).find(|part| part.proposition == proposition);
+                let known = memory
+                    .parts
+                    .iter_mut()
+                    .take(table.parts())
+                    .find(|part| part.proposition == proposition && part.sign == Sign::of(task.way));
                 if let Some(part) = known {
                     part.tasks = part.tasks.with(position);
                     continue;
                 }
                 let limit = memory.parts.len();
                 let slot = memory.parts.get_mut(table.parts()).ok_or(CapacityError::full(Capacity::GroundPropositions, limit))?;
-                *slot = GoalPart { proposition, tasks: TaskSet::of(position), piece };
+                *slot = GoalPart { proposition, sign: Sign::of(task.way), tasks: TaskSet::of(position), piece };
                 table.parts = table.parts.saturating_add(1);
             }
         }
@@ -177,7 +205,8 @@ impl Goals<'_> {
     #[inline(never)]
     fn allowed_by<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State, piece: Piece, cell: CellId) -> TaskSet {
         let there = grid.put(state, piece, cell);
-        let ruled_out = self.parts().filter(|part| part.piece == Some(piece) && !grid.holds(&part.proposition, &there));
+        let ruled_out =
+            self.parts().filter(|part| part.piece == Some(piece) && grid.holds(&part.proposition, &there) == part.sign.is_negated());
         ruled_out.fold(self.table.all, |left, part| left.without(part.tasks))
     }
 
@@ -195,7 +224,7 @@ impl Goals<'_> {
             }
         }
         for part in self.parts().filter(|part| grid.is_none() || part.piece.is_none()) {
-            if !satisfied.common(part.tasks).is_empty() && !domain.holds(&part.proposition, state) {
+            if !satisfied.common(part.tasks).is_empty() && domain.holds(&part.proposition, state) == part.sign.is_negated() {
                 satisfied = satisfied.without(part.tasks);
             }
         }

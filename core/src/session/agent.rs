@@ -344,7 +344,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Takes the first `count` tasks to plan for.
-    pub(super) fn plan_for<D: Domain + ?Sized>(&mut self, domain: &D, count: usize) -> Result<(), CapacityError> {
+    pub(crate) fn plan_for<D: Domain + ?Sized>(&mut self, domain: &D, count: usize) -> Result<(), CapacityError> {
         let AgentTables { session, workspace, .. } = self.memory.lend();
         let tasks = session.tasks.get(..count).unwrap_or(&[]);
         let mut tables = PlanTables::new(session.goals, session.plan, workspace);

@@ -12,6 +12,7 @@ use crate::oomdp::{Domain, digest};
 use crate::planning::Progress;
 use crate::probability::{Scaled, total};
 use crate::symbols::Symbol;
+use crate::task::GroundedTask;
 use core::fmt;
 
 /// How many of the sessions that gave way are told by their positions.
@@ -123,6 +124,11 @@ impl<M: AgentMemory> Agent<M> {
         self.end_session();
     }
 
+    /// Whether the session is about what shall not be. The words of the tasks are not what was said: nothing is learned of them.
+    fn is_negated(&self) -> bool {
+        self.tasks().iter().any(GroundedTask::is_negated)
+    }
+
     /// Ends the session and learns from it: each machine command with its share of the posterior joins the training data, and training on
     /// all of them begins. Call [`learn`](Self::learn) until it is done. Where memory is full, other sessions give way, as
     /// [`forgetting`](crate::language::forgetting) says; the result tells which.
@@ -149,6 +155,10 @@ impl<M: AgentMemory> Agent<M> {
     /// goes on, and [`finish`](Self::finish) makes room for it.
     pub fn finish_for_later<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
         self.check_session(domain)?;
+        if self.is_negated() {
+            self.forget();
+            return Ok(());
+        }
         self.weigh(domain)?;
         let AgentTables { language, session, workspace } = self.memory.lend();
         let candidates = CandidatesRef::new(session.read().candidates, self.candidates);
@@ -203,6 +213,10 @@ impl<M: AgentMemory> Agent<M> {
     fn finish_part<D: Domain + ?Sized>(&mut self, domain: &D, mut left: u32) -> Result<Option<Finished>, AgentError> {
         while left > 0 {
             match self.progressed {
+                Progressed::Weighing(..) if self.is_negated() => {
+                    self.forget();
+                    return Ok(Some(Finished { gave_way: self.gave_way }));
+                }
                 Progressed::Weighing(..) => {
                     if self.weigh_on(domain, &mut left)? == Progress::Done {
                         self.workspace_to_training();

@@ -3,7 +3,7 @@
 use super::agent::Agent;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
-use crate::task::{LiftedTask, Way, WayState};
+use crate::task::{LiftedTask, Way};
 
 impl<M: AgentMemory> Agent<M> {
     /// The robot has come to a state: every task's way goes on.
@@ -21,7 +21,7 @@ impl<M: AgentMemory> Agent<M> {
     /// The session begins again from its first state.
     pub(super) fn begin_ways(&mut self) {
         for task in self.memory.lend().session.tasks.iter_mut().take(self.task_count) {
-            task.way = WayState::START;
+            task.way = task.way.at_start();
         }
     }
 }

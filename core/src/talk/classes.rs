@@ -1,6 +1,6 @@
 //! Closed classes of words: what speaks about a command rather than in it. A table that is a shell's, apart from what is learned.
 
-use crate::language::for_each_piece;
+use crate::language::{for_each_piece, is_slip};
 use core::fmt;
 
 /// A closed class of words.
@@ -12,6 +12,8 @@ pub enum Class {
     Negation,
     /// "leave", "out", "away".
     Out,
+    /// "of", "from": behind a word such as "out".
+    From,
     /// "but", "anywhere", "only".
     But,
     /// "stop", "wait".
@@ -28,6 +30,8 @@ pub enum Class {
     Again,
     /// "and", "then".
     Connective,
+    /// "or".
+    Or,
     /// "all", "both", "everything".
     All,
     /// "it", "there", "other".
@@ -42,9 +46,10 @@ pub enum Class {
 
 impl Class {
     /// All classes, in order.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 17] = [
         Self::Negation,
         Self::Out,
+        Self::From,
         Self::But,
         Self::Stop,
         Self::Praise,
@@ -53,6 +58,7 @@ impl Class {
         Self::No,
         Self::Again,
         Self::Connective,
+        Self::Or,
         Self::All,
         Self::Pronoun,
         Self::Greeting,
@@ -65,6 +71,7 @@ impl Class {
         match self {
             Self::Negation => "negation",
             Self::Out => "out",
+            Self::From => "from",
             Self::But => "but",
             Self::Stop => "stop",
             Self::Praise => "praise",
@@ -73,6 +80,7 @@ impl Class {
             Self::No => "no",
             Self::Again => "again",
             Self::Connective => "connective",
+            Self::Or => "or",
             Self::All => "all",
             Self::Pronoun => "pronoun",
             Self::Greeting => "greeting",
@@ -89,7 +97,7 @@ impl Class {
 
 /// The classes that a word is in, one bit each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Classes(u16);
+pub struct Classes(u32);
 
 impl Classes {
     /// In no class.
@@ -97,7 +105,7 @@ impl Classes {
 
     /// Whether it is in a class.
     pub const fn contains(self, class: Class) -> bool {
-        self.0 & (1 << class as u16) != 0
+        self.0 & (1 << class as u32) != 0
     }
 
     /// Whether it is in one of these.
@@ -106,7 +114,7 @@ impl Classes {
     }
 
     const fn with(self, class: Class) -> Self {
-        Self(self.0 | 1 << class as u16)
+        Self(self.0 | 1 << class as u32)
     }
 }
 
@@ -175,6 +183,18 @@ impl<'t> ClosedWords<'t> {
         let mut classes = Classes::NONE;
         for (class, mut words) in self.lines() {
             if words.any(|other| other == word) {
+                classes = classes.with(class);
+            }
+        }
+        classes
+    }
+
+    /// The classes of a word that is a slip for one that turns a command round, or parts it.
+    pub(super) fn of_slip(self, word: &str) -> Classes {
+        let mut classes = Classes::NONE;
+        for (class, mut words) in self.lines() {
+            let is_cue = matches!(class, Class::Negation | Class::Out | Class::All | Class::Connective);
+            if is_cue && words.any(|other| is_slip(word, other)) {
                 classes = classes.with(class);
             }
         }

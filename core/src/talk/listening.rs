@@ -1,11 +1,13 @@
 //! The hypotheses of what an utterance is, and the verdict.
 
 use super::classes::{Class, Classes, ClosedWords};
+use super::readings::{Parting, all, has_more, negated};
 use crate::capacity::{CapacityError, LIFTED_TASKS, WORDS_PER_COMMAND};
 use crate::language::bitext::BitextRef;
 use crate::language::roles::kind;
-use crate::language::roles::talk::{Coverage, Named, Said, Senses, background, common, likelihood};
+use crate::language::roles::talk::{Coverage, Named, Said, Senses, background, common, is_of_task, likelihood};
 use crate::language::spelling::is_slip_of_any_length;
+use crate::language::tokenizer::start_of_piece;
 use crate::language::{LanguageRef, Model, for_each_piece};
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::Domain;
@@ -16,6 +18,7 @@ use crate::session::{Agent, AgentError};
 use crate::symbols::Symbol;
 use crate::task::TaskSet;
 use crate::task::description::{describe, form, groups};
+use crate::task::grounded::share_with_done;
 use crate::task::machine_command::Tokens;
 use crate::task::role::RoleKind;
 use core::fmt;
@@ -25,9 +28,9 @@ use heapless::Vec;
 const NOTHING: f32 = 0.15;
 const ABSENT: f32 = 0.05;
 const ABOUT: f32 = 0.05;
-const NEGATED: f32 = 0.05;
-const SEVERAL: f32 = 0.05;
-const ALL: f32 = 0.03;
+pub(super) const NEGATED: f32 = 0.1;
+pub(super) const SEVERAL: f32 = 0.05;
+pub(super) const ALL: f32 = 0.03;
 const TALK: f32 = 0.02;
 /// The share of each kind of task that is for tasks that are done already.
 const DONE: f32 = 0.03;
@@ -37,15 +40,19 @@ const NEW: f32 = 0.5;
 const POLITE: f32 = 0.6;
 const OTHER_CLOSED: f32 = 1e-3;
 /// How probable a word is as a cue of a negation, of several commands or of all things.
-const CUE: f32 = 0.15;
-/// "All" things need no name: e^4.
-const UNNAMED: f32 = 54.598_15;
+pub(super) const CUE: f32 = 0.15;
+/// How much less probable a word is that turns commands round, or parts them, where it does not, as long as no command had it.
+const TURNS: f32 = 0.01;
 /// How often a word is mistyped, alone and beside another that is.
 const SLIP: f32 = 0.02;
 const ANOTHER_SLIP: f32 = 0.15;
 /// How probable each letter of a word is that was never heard, and the word before its letters.
 const LETTER: f32 = 1.0 / 12.0;
 const NEW_SPELLING: f32 = 0.2;
+/// The factor of tasks of another kind than that of the command before, where no word tells the kind.
+const OTHER_KIND: f32 = 0.05;
+/// So many letters a plural has more.
+const LONGEST_ENDING: usize = 2;
 /// Not sure if a done task of the same kind explains the words a fifth as well.
 const RIVAL: f32 = 5.0;
 
@@ -109,16 +116,25 @@ pub struct Listened {
     pub verdict: Verdict,
     /// What the utterance is most likely taken for.
     pub hypothesis: Hypothesis,
-    /// The most likely task of the session, by its position.
+    /// The most likely task of the session, by its position. Where the utterance says what shall not be, the session's tasks are
+    /// [negated](GroundedTask::is_negated).
     pub task: usize,
-    /// How probable it is that the utterance is a command for that task, from 0 to 1.
+    /// All tasks that are meant. They are several where the utterance is about all things of a kind: one for each thing that is not yet where
+    /// it is to be, or, where all are, one for each.
+    pub tasks: TaskSet,
+    /// How probable it is that these tasks are meant, from 0 to 1.
     pub probability: f32,
-    /// How probable it is that the utterance is a command for one of the tasks, from 0 to 1.
+    /// How probable it is that one of the session's tasks is meant, from 0 to 1.
     pub command: f32,
+    /// How probable tasks must be to be sure of them; several commands together.
+    pub sure: f32,
+    /// Where the rest of the utterance begins, in bytes, if it has several commands. The session is about the first. The rest is for
+    /// [`Agent::listen_on`], in the state that the first leads to.
+    pub rest: Option<usize>,
 }
 
 /// How commands are worded, as far as was learned.
-struct Wording<'c> {
+pub(super) struct Wording<'c> {
     closed: ClosedWords<'c>,
     coverage: Coverage,
     /// How probable a new word is in a command.
@@ -164,18 +180,23 @@ fn count(bitext: BitextRef<'_>, word: Symbol) -> usize {
 
 /// One word, with its classes.
 #[derive(Clone, Copy)]
-struct Heard {
+pub(super) struct Heard {
     said: Said,
-    classes: Classes,
+    pub classes: Classes,
     /// How probable it is where no task is meant.
     beside: f32,
     /// How often it was said in commands.
-    count: f32,
-    /// How probable its spelling is as a slip for the word that it is taken for, against that of a word never heard; 1 for a word as it was said.
-    slip: f32,
+    pub count: f32,
+    /// How much less probable it is in a command than its reading says: its spelling as a slip for the word that it is taken for, against that
+    /// of a word never heard; or a word that turns commands round or parts them, which no command had yet. 1 for any other word.
+    factor: f32,
+    is_new: bool,
+    is_mended: bool,
+    /// Whether it is of some task sooner than of the background.
+    is_of_task: bool,
 }
 
-type Words = Vec<Heard, WORDS_PER_COMMAND>;
+pub(super) type Words = Vec<Heard, WORDS_PER_COMMAND>;
 
 /// The known word that a word never heard is most probably a slip for, and how probable its spelling is then, against that of a new word.
 fn slip_for(language: LanguageRef<'_>, piece: &str, rate: f32) -> Option<(Symbol, f32)> {
@@ -185,7 +206,7 @@ fn slip_for(language: LanguageRef<'_>, piece: &str, rate: f32) -> Option<(Symbol
     for position in 0..language.tables().words() {
         let (symbol, known) = (Symbol(position as u16), language.words().text(Symbol(position as u16)));
         let length = known.chars().count();
-        if length < 2 || !is_slip_of_any_length(piece, known) {
+        if length < 2 || !(is_slip_of_any_length(piece, known) || is_plural(piece, known)) {
             continue;
         }
         // So many slips of a word there are: an exchange, a letter left out, put in or taken for another.
@@ -196,6 +217,18 @@ fn slip_for(language: LanguageRef<'_>, piece: &str, rate: f32) -> Option<(Symbol
         }
     }
     best
+}
+
+/// Whether a word is the plural of another, as in German: Stühle, Stuhl.
+fn is_plural(piece: &str, known: &str) -> bool {
+    let plain = |letter: char| match letter {
+        'ä' => 'a',
+        'ö' => 'o',
+        'ü' => 'u',
+        other => other,
+    };
+    let mut rest = piece.chars().map(plain);
+    known.chars().map(plain).all(|letter| rest.next() == Some(letter)) && rest.count() <= LONGEST_ENDING
 }
 
 impl Heard {
@@ -219,27 +252,61 @@ impl Heard {
             false if classes.contains_any(&cues) => OTHER_CLOSED,
             false => share(background(language.tables(), symbol), NEW),
         };
+        let is_of_task = is_of_task(language.tables(), symbol);
+        let is_new = classes == Classes::NONE && symbol.is_none_or(|symbol| symbol.index() >= language.tables().words());
         let count = symbol.map_or(0.0, |symbol| count(language.bitext(), symbol) as f32);
-        let beside = share(common, if polite { NEW / 2.0 } else { NEW });
-        Self { said: Said { symbol, chatter }, classes, beside, count, slip: 1.0 }
+        let turns = [Class::Negation, Class::Out, Class::But, Class::All, Class::Connective];
+        let factor = if count == 0.0 && classes.contains_any(&turns) { TURNS } else { 1.0 };
+        let beside = factor * share(common, if polite { NEW / 2.0 } else { NEW });
+        Self { said: Said { symbol, chatter }, classes, beside, count, factor, is_new, is_mended: false, is_of_task }
+    }
+
+    /// Nothing stands before it.
+    const fn begin(&mut self) {
+        if self.classes.contains(Class::Connective) {
+            self.factor = 1.0;
+        }
+    }
+
+    /// Whether it was heard for the first time, and is in no class, whatever it was mended to.
+    pub fn is_strange(&self) -> bool {
+        self.is_new || self.is_mended
+    }
+
+    /// Whether it may be the word of a task.
+    pub const fn may_act(&self) -> bool {
+        self.is_new || self.is_of_task
+    }
+
+    /// Whether it was heard for the first time, and is in no class.
+    pub const fn is_new(&self) -> bool {
+        self.is_new
     }
 
     /// The same word as a slip for a known one.
     fn mended(self, language: LanguageRef<'_>, symbol: Symbol, slip: f32) -> Self {
         let meant = Self::new(language, Some(symbol), Classes::NONE);
         let said = Said { symbol: Some(symbol), chatter: self.said.chatter / slip + meant.said.chatter };
-        Self { said, beside: self.beside + slip * meant.beside, count: meant.count, slip, ..self }
+        Self {
+            said,
+            beside: self.beside + slip * meant.beside,
+            count: meant.count,
+            factor: slip,
+            is_new: false,
+            is_mended: true,
+            is_of_task: meant.is_of_task,
+            ..self
+        }
     }
 }
 
 /// The words with slips of the pen mended, where there are any. Who types in haste does so for a sentence.
 fn mend(language: LanguageRef<'_>, utterance: &str, words: &Words) -> Result<Option<Words>, CapacityError> {
-    let (known, mut slips, mut mended) = (language.tables().words(), 0_usize, words.clone());
-    let is_new = |word: &Heard| word.classes == Classes::NONE && word.said.symbol.is_none_or(|symbol| symbol.index() >= known);
+    let (mut slips, mut mended) = (0_usize, words.clone());
     for rate in [SLIP, ANOTHER_SLIP] {
         let mut position = 0_usize;
         for_each_piece(utterance, |piece| {
-            let word = words.get(position).filter(|word| is_new(word));
+            let word = words.get(position).filter(|word| word.is_new());
             if let (Some(word), Some(slot)) = (word, mended.get_mut(position))
                 && let Some((symbol, slip)) = slip_for(language, piece, rate)
                 && (rate == SLIP || slips > 1)
@@ -254,23 +321,50 @@ fn mend(language: LanguageRef<'_>, utterance: &str, words: &Words) -> Result<Opt
     Ok(Some(mended).filter(|_| slips > 0))
 }
 
+/// A word that was learned speaks for what was learned.
+pub(super) fn learned(words: &[Heard], of: impl Fn(&Heard) -> bool) -> f32 {
+    1.0 + words.iter().filter(|word| of(word)).map(|word| word.count).fold(0.0, f32::max)
+}
+
+/// How some words are read.
+#[derive(Clone, Copy)]
+pub(super) struct View {
+    /// The share of the tasks that hold already.
+    pub done: f32,
+    /// Whether another word is the sign of a task.
+    pub has_act: bool,
+    /// The kind of task that the command before was of: a command without a word of its own for that is most probably of the same.
+    pub kind: Option<u8>,
+}
+
+impl View {
+    /// As a command.
+    pub const PLAIN: Self = Self { done: DONE, has_act: false, kind: None };
+}
+
 /// How well the tasks here explain some words.
-struct Explained {
+pub(super) struct Explained {
     /// Pr(words) where one of the tasks is meant.
-    here: Scaled,
+    pub here: Scaled,
     /// Pr(words) where a thing is meant that is not here.
     absent: Scaled,
     /// Pr(words | t) of each task, with its coverage.
-    likelihoods: Vec<Scaled, { TaskSet::MOST }>,
+    pub likelihoods: Vec<Scaled, { TaskSet::MOST }>,
     /// Each task's share of the belief, in no unit.
-    weights: Vec<Scaled, { TaskSet::MOST }>,
+    pub weights: Vec<Scaled, { TaskSet::MOST }>,
+    /// The tasks of whose kind a word is a sign.
+    pub signed: TaskSet,
+    /// The tasks of which a word names the place, and no word anything that they are not about.
+    pub fitting: TaskSet,
     /// Whether a word is a sign of a kind of task.
-    acts: bool,
+    pub acts: bool,
+    /// The share of the tasks that hold already.
+    done: f32,
 }
 
 impl Explained {
     /// The most likely task, with its probability.
-    fn best(&self) -> (usize, f32) {
+    pub fn best(&self) -> (usize, f32) {
         let whole = total(self.weights.iter().copied());
         let mut best = (0, Scaled::ZERO);
         for (task, &weight) in self.weights.iter().enumerate() {
@@ -279,6 +373,42 @@ impl Explained {
             }
         }
         (best.0, best.1.over(whole))
+    }
+}
+
+/// What some words are taken for.
+struct Judged {
+    hypothesis: Hypothesis,
+    explained: Explained,
+    /// The words that name the tasks.
+    words: Words,
+    task: usize,
+    tasks: TaskSet,
+    probability: f32,
+    command: f32,
+    /// Whether nothing but the probability stands against the tasks.
+    is_clear: bool,
+    /// Where the rest begins, in words.
+    rest: Option<usize>,
+}
+
+/// Where words stand in an utterance.
+#[derive(Clone, Copy)]
+struct Place {
+    /// Whether they may be several commands.
+    may_part: bool,
+    /// Whether a command is before them. The task's own word may then be left out.
+    is_rest: bool,
+    /// The kind of task that it was of.
+    kind: Option<u8>,
+}
+
+impl Place {
+    const WHOLE: Self = Self { may_part: true, is_rest: false, kind: None };
+
+    /// How what is read so is read here.
+    const fn view(self, view: View) -> View {
+        View { has_act: view.has_act || self.is_rest, kind: self.kind, ..view }
     }
 }
 
@@ -296,72 +426,165 @@ impl<M: AgentMemory> Agent<M> {
         utterance: &str,
         words: ClosedWords<'_>,
     ) -> Result<Listened, AgentError> {
+        self.listen_to(domain, state, utterance, words, Place::WHOLE)
+    }
+
+    /// Hears the rest of an utterance of several commands, from [`Listened::rest`] on, in the state that the part before leads to. A command
+    /// may leave out a word that the part before has: "and then to the red room".
+    ///
+    /// # Errors
+    /// As [`hear`](Self::hear).
+    pub fn listen_on<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        state: &D::State,
+        rest: &str,
+        words: ClosedWords<'_>,
+    ) -> Result<Listened, AgentError> {
+        let kind = self.most_likely().map(|task| self.task(task).lifted);
+        self.listen_to(domain, state, rest, words, Place { is_rest: true, kind, ..Place::WHOLE })
+    }
+
+    fn listen_to<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        state: &D::State,
+        utterance: &str,
+        words: ClosedWords<'_>,
+        place: Place,
+    ) -> Result<Listened, AgentError> {
+        self.open(domain, state, utterance, DONE)?;
         if self.options.language.model.in_use() != Model::Roles || self.language().tables().words() == 0 {
-            self.open(domain, state, utterance, DONE)?;
             self.begin_to_understand(domain)?;
             while self.hear_on(domain, u32::MAX)? == Progress::Working {}
             let task = self.most_likely().unwrap_or(0);
-            let probability = self.belief().probability(task);
-            return Ok(Listened { verdict: Verdict::Unsure, hypothesis: Hypothesis::Command, task, probability, command: 1.0 });
+            let (hypothesis, probability) = (Hypothesis::Command, self.belief().probability(task));
+            let tasks = TaskSet::of(task);
+            return Ok(Listened { verdict: Verdict::Unsure, hypothesis, task, tasks, probability, command: 1.0, sure: 1.0, rest: None });
         }
-        self.open(domain, state, utterance, DONE)?;
-        let result = self.listen_here(domain, utterance, words);
+        let result = self.listen_here(domain, utterance, words, place);
         if result.is_err() {
             (self.start, self.progressed) = (None, Progressed::Idle);
         }
         result
     }
 
-    fn listen_here<D: Domain + ?Sized>(&mut self, domain: &D, utterance: &str, closed: ClosedWords<'_>) -> Result<Listened, AgentError> {
+    fn listen_here<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        utterance: &str,
+        closed: ClosedWords<'_>,
+        place: Place,
+    ) -> Result<Listened, AgentError> {
         self.begin_to_understand(domain)?;
         let mut words: Words = Vec::new();
         let (sentence, language) = (&self.sentence, self.language.read(self.memory.read().language, self.memory.read().workspace.len()));
         for_each_piece(utterance, |piece| {
             let symbol = sentence.get(words.len()).copied().flatten();
-            let _ = words.push(Heard::new(language, symbol, closed.of(piece)));
+            let heard = Heard::new(language, symbol, closed.of(piece));
+            let is_cue = heard.is_new() && slip_for(language, piece, SLIP).is_none();
+            let _ = words.push(if is_cue { Heard::new(language, symbol, closed.of_slip(piece)) } else { heard });
             Ok(())
         })?;
+        // "Then go on" has nothing before it.
+        words.iter_mut().take(1).for_each(Heard::begin);
         let wording = Wording::of(language, closed);
         let mended = mend(language, utterance, &words)?;
-        let mut all = self.explain_all(domain, &words, &wording)?;
+        let mut all = self.explain_all(domain, &words, &wording, place.view(View::PLAIN))?;
         if let Some(mended) = mended {
-            let other = self.explain_all(domain, &mended, &wording)?;
+            let other = self.explain_all(domain, &mended, &wording, place.view(View::PLAIN))?;
             if other.here.exceeds(all.here) {
                 (all, words) = (other, mended);
-                // What is learned of the session are the words that were meant.
-                self.sentence.iter_mut().zip(&words).for_each(|(slot, word)| *slot = word.said.symbol);
             }
         }
-        let hypotheses = self.hypotheses(domain, &words, &wording, &all)?;
-        let whole = total(hypotheses.iter().map(|(_, weight)| *weight));
-        let share = |wanted: Hypothesis| hypotheses.iter().find(|(it, _)| *it == wanted).map_or(0.0, |(_, weight)| weight.over(whole));
-        let (task, of_command) = all.best();
-        let command = share(Hypothesis::Command);
-        let probability = command * of_command;
+        let judged = self.judge(domain, words, all, &wording, place)?;
         let done = self.done(domain);
-        let kind = |task: usize| self.task(task).lifted;
-        let fits = all.likelihoods.get(task).copied().unwrap_or(Scaled::ZERO);
-        let is_rival = |other: usize| {
-            let likelihood = all.likelihoods.get(other).copied().unwrap_or(Scaled::ZERO);
-            done.contains(other) && kind(other) == kind(task) && likelihood.scaled_by(RIVAL).exceeds(fits)
-        };
-        let has_rival = !done.contains(task) && (0..all.weights.len()).any(is_rival);
-        let mut hypothesis = (Hypothesis::Command, Scaled::ZERO);
-        for &(it, weight) in &hypotheses {
-            if weight.exceeds(hypothesis.1) {
-                hypothesis = (it, weight);
-            }
-        }
-        let verdict = if probability >= wording.sure && !has_rival {
-            if done.contains(task) { Verdict::Done } else { Verdict::Sure }
+        let is_done = !judged.tasks.is_empty() && judged.tasks.without(done).is_empty();
+        let verdict = if judged.probability >= wording.sure && judged.is_clear {
+            if is_done { Verdict::Done } else { Verdict::Sure }
         } else {
-            match hypothesis.0 {
+            match judged.hypothesis {
                 Hypothesis::Nothing | Hypothesis::Absent | Hypothesis::Talk(_) => Verdict::None,
                 _ => Verdict::Unsure,
             }
         };
-        self.believe(domain, &all)?;
-        Ok(Listened { verdict, hypothesis: hypothesis.0, task, probability, command })
+        self.believe(domain, &judged)?;
+        let Judged { hypothesis, task, probability, command, .. } = judged;
+        let tasks = if is_done { judged.tasks } else { judged.tasks.without(done) };
+        let rest = judged.rest.and_then(|rest| start_of_piece(utterance, rest));
+        Ok(Listened { verdict, hypothesis, task, tasks, probability, command, sure: wording.sure, rest })
+    }
+
+    /// Whether a task that is done explains the words nearly as well as the one that is to be done.
+    fn has_rival<D: Domain + ?Sized>(&self, domain: &D, explained: &Explained, task: usize) -> bool {
+        let done = self.done(domain);
+        let likelihood = |task: usize| explained.likelihoods.get(task).copied().unwrap_or(Scaled::ZERO);
+        let is_rival = |other: usize| {
+            self.task(other).lifted == self.task(task).lifted && likelihood(other).scaled_by(RIVAL).exceeds(likelihood(task))
+        };
+        !done.contains(task) && done.iter().any(is_rival)
+    }
+
+    /// What words are taken for, and the tasks that they then mean.
+    fn judge<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: Words,
+        explained: Explained,
+        wording: &Wording<'_>,
+        place: Place,
+    ) -> Result<Judged, AgentError> {
+        let parting = if place.may_part { self.part(domain, &words, wording, place.is_rest)? } else { None };
+        let hypotheses = self.hypotheses(domain, &words, wording, &explained, place, parting)?;
+        let whole = total(hypotheses.iter().map(|(_, weight)| *weight));
+        let mut best = (Hypothesis::Command, Scaled::ZERO);
+        for &(hypothesis, weight) in &hypotheses {
+            if weight.exceeds(best.1) {
+                best = (hypothesis, weight);
+            }
+        }
+        let share = best.1.over(whole);
+        match (best.0, parting) {
+            (Hypothesis::Several, Some(parting)) => {
+                let mut first = Words::new();
+                for word in words.get(..parting.end).unwrap_or(&[]) {
+                    let _ = first.push(*word);
+                }
+                let explained = self.explain_all(domain, &first, wording, place.view(View::PLAIN))?;
+                let part = self.judge(domain, first, explained, wording, Place { may_part: false, ..place })?;
+                let (probability, command) = (share * part.probability, share * part.command);
+                return Ok(Judged { hypothesis: best.0, probability, command, rest: Some(parting.begin), ..part });
+            }
+            (hypothesis @ Hypothesis::Negated, _) => {
+                if let Some(rest) = negated(&words) {
+                    let mut explained = self.explain_all(domain, &rest.words, wording, place.view(rest.view))?;
+                    let (task, of_tasks) = self.negate(&mut explained);
+                    self.plan_for(domain, self.task_count)?;
+                    let is_of_thing = self.place_of_thing(domain, task).is_some();
+                    let has_act = explained.acts || place.is_rest || if is_of_thing { rest.is_act_for_things } else { rest.is_act };
+                    let is_clear = rest.is_clear && has_act && explained.fitting.contains(task);
+                    let (words, tasks, probability) = (rest.words, TaskSet::of(task), share * of_tasks);
+                    return Ok(Judged { hypothesis, explained, words, task, tasks, probability, command: share, is_clear, rest: None });
+                }
+            }
+            (hypothesis @ Hypothesis::All, _) => {
+                if let Some(rest) = all(&words) {
+                    let explained = self.explain_all(domain, &rest.words, wording, place.view(rest.view))?;
+                    let (tasks, of_place) = self.all_that_fit(domain, &explained);
+                    let task = tasks.iter().next().unwrap_or(explained.best().0);
+                    let (words, is_clear, probability) = (rest.words, rest.is_clear && !tasks.is_empty(), share * of_place);
+                    return Ok(Judged { hypothesis, explained, words, task, tasks, probability, command: share, is_clear, rest: None });
+                }
+            }
+            _ => {}
+        }
+        let (task, of_command) = explained.best();
+        let command = hypotheses.iter().find(|(it, _)| *it == Hypothesis::Command).map_or(0.0, |(_, weight)| weight.over(whole));
+        let (tasks, probability) = (TaskSet::of(task), command * of_command);
+        // "This or that" leaves the choice to the robot.
+        let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0);
+        let is_clear = !is_choice && !has_more(&words) && !self.has_rival(domain, &explained, task);
+        Ok(Judged { hypothesis: best.0, explained, words, task, tasks, probability, command, is_clear, rest: None })
     }
 
     /// The tasks of the session that hold where it starts: a robot that is told to do one rests.
@@ -370,13 +593,28 @@ impl<M: AgentMemory> Agent<M> {
         let holds = |task: usize| {
             let task = self.task(task);
             let lifted = self.lifted().get(usize::from(task.lifted));
-            lifted.is_some_and(|lifted| !lifted.has_way() && task.propositions(lifted).all(|part| domain.holds(&part, &state)))
+            lifted.is_some_and(|lifted| !lifted.has_way() && task.is_reached(lifted, |part| domain.holds(part, &state)))
         };
         (0..self.tasks().len()).filter(|&task| holds(task)).fold(TaskSet::EMPTY, TaskSet::with)
     }
 
+    /// Gives the tasks that hold already a share of `done`.
+    fn share<D: Domain + ?Sized>(&mut self, domain: &D, done: f32) {
+        if let Some(state) = self.started_from(domain) {
+            let tasks = self.memory.lend().session.tasks.get_mut(..self.task_count).unwrap_or(&mut []);
+            share_with_done(&self.lifted, tasks, done, |part| domain.holds(part, &state));
+        }
+    }
+
     /// Begins the session with what the words say of each task.
-    fn believe<D: Domain + ?Sized>(&mut self, domain: &D, all: &Explained) -> Result<(), AgentError> {
+    fn believe<D: Domain + ?Sized>(&mut self, domain: &D, judged: &Judged) -> Result<(), AgentError> {
+        let all = &judged.explained;
+        self.share(domain, all.done);
+        // What is learned of the session are the words that were meant.
+        self.sentence.clear();
+        for word in &judged.words {
+            let _ = self.sentence.push(word.said.symbol);
+        }
         let mut scene = self.scene(domain);
         for task in 0..self.tasks().len() {
             let likelihood = all.likelihoods.get(task).copied().unwrap_or(Scaled::ZERO);
@@ -395,7 +633,14 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// How well the tasks explain these words.
-    fn explain_all<D: Domain + ?Sized>(&mut self, domain: &D, words: &[Heard], wording: &Wording<'_>) -> Result<Explained, AgentError> {
+    pub(super) fn explain_all<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: &[Heard],
+        wording: &Wording<'_>,
+        view: View,
+    ) -> Result<Explained, AgentError> {
+        self.share(domain, view.done);
         let mut said: Vec<Said, WORDS_PER_COMMAND> = Vec::new();
         let mut sentence: Vec<Option<Symbol>, WORDS_PER_COMMAND> = Vec::new();
         for word in words {
@@ -406,16 +651,28 @@ impl<M: AgentMemory> Agent<M> {
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
-        let named = {
+        let mut named = {
             let language = language.read();
             let is_plain = |word| is_plain(language, wording.closed, word);
             Named::of(&mut Senses::new(language.tables(), language.bitext(), &is_plain), &said)
         };
-        let mut explained =
-            Explained { here: Scaled::ZERO, absent: Scaled::ZERO, likelihoods: Vec::new(), weights: Vec::new(), acts: named.acts() };
+        let acts = named.acts();
+        if view.has_act {
+            named.act();
+        }
+        let mut explained = Explained {
+            here: Scaled::ZERO,
+            absent: Scaled::ZERO,
+            likelihoods: Vec::new(),
+            weights: Vec::new(),
+            signed: TaskSet::EMPTY,
+            fitting: TaskSet::EMPTY,
+            acts,
+            done: view.done,
+        };
         let mut forms: Vec<Symbol, { TaskSet::MOST }> = Vec::new();
         let mut ghosts: Vec<Scaled, { TaskSet::MOST }> = Vec::new();
-        for task in tasks {
+        for (position, task) in tasks.iter().enumerate() {
             let mut description = Tokens::new();
             if let Some(scene) = &mut scene {
                 describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?;
@@ -426,6 +683,9 @@ impl<M: AgentMemory> Agent<M> {
                 likelihood(tables, &said, description, wording.new).times(share)
             };
             let whole = explain(&description, None);
+            if named.fits(tables, &description) {
+                explained.fitting = explained.fitting.with(position);
+            }
             let mut absent = Scaled::ZERO;
             let mut kinds = 0.0_f32;
             for ghost in [RoleKind::Goal, RoleKind::Subject] {
@@ -438,7 +698,11 @@ impl<M: AgentMemory> Agent<M> {
             }
             let _ = forms.push(form(&description).unwrap_or(Symbol(0)));
             let _ = explained.likelihoods.push(whole);
-            let _ = explained.weights.push(whole.scaled_by(task.prior));
+            let is_other = !acts && view.kind.is_some_and(|kind| kind != task.lifted);
+            let _ = explained.weights.push(whole.scaled_by(if is_other { OTHER_KIND * task.prior } else { task.prior }));
+            if named.acts_for(tables.layout(), &description) {
+                explained.signed = explained.signed.with(position);
+            }
             let _ = ghosts.push(if kinds > 0.0 { absent.scaled_by(task.prior / kinds) } else { Scaled::ZERO });
         }
         let language = language.read();
@@ -454,8 +718,8 @@ impl<M: AgentMemory> Agent<M> {
             explained.here = explained.here.plus(of_kind(&explained.weights).scaled_by(share));
             explained.absent = explained.absent.plus(of_kind(&ghosts).scaled_by(share));
         }
-        let slips = words.iter().fold(Scaled::ONE, |product, word| product.scaled_by(word.slip));
-        (explained.here, explained.absent) = (explained.here.times(slips), explained.absent.times(slips));
+        let factors = words.iter().fold(Scaled::ONE, |product, word| product.scaled_by(word.factor));
+        (explained.here, explained.absent) = (explained.here.times(factors), explained.absent.times(factors));
         kind::weigh(language.tables(), &sentence, |task| forms.get(task).copied().unwrap_or(Symbol(0)), &mut explained.weights);
         Ok(explained)
     }
@@ -464,27 +728,28 @@ impl<M: AgentMemory> Agent<M> {
     fn hypotheses<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        words: &[Heard],
+        words: &Words,
         wording: &Wording<'_>,
-        all: &Explained,
+        explained: &Explained,
+        place: Place,
+        parting: Option<Parting>,
     ) -> Result<Vec<(Hypothesis, Scaled), 16>, AgentError> {
-        let mut hypotheses = Vec::new();
-        let mut add = |hypothesis: Hypothesis, weight: Scaled| {
-            let _ = hypotheses.push((hypothesis, weight));
+        let mut hypotheses: Vec<(Hypothesis, Scaled), 16> = Vec::new();
+        let mut add = |hypothesis: Hypothesis, weight: Scaled| match hypotheses.iter_mut().find(|(known, _)| *known == hypothesis) {
+            Some((_, sum)) => *sum = sum.plus(weight),
+            None => drop(hypotheses.push((hypothesis, weight))),
         };
-        add(Hypothesis::Command, all.here.scaled_by(1.0 - NOTHING - ABSENT - NEGATED - SEVERAL));
+        add(Hypothesis::Command, explained.here.scaled_by(1.0 - NOTHING - ABSENT - ABOUT - SEVERAL));
         let no_task = |of: &dyn Fn(usize, &Heard) -> f32| {
             let words = words.iter().enumerate();
             words.fold(Scaled::new(wording.end), |product, (position, word)| product.scaled_by((1.0 - wording.end) * of(position, word)))
         };
         add(Hypothesis::Nothing, no_task(&|_, word| word.beside).scaled_by(NOTHING));
-        add(Hypothesis::Absent, all.absent.scaled_by(ABSENT));
-        if !all.acts {
+        add(Hypothesis::Absent, explained.absent.scaled_by(ABSENT));
+        if !explained.acts && !place.is_rest {
             let without = wording.coverage.least_without_task(self.language().tables().layout());
-            add(Hypothesis::About, all.here.scaled_by(ABOUT / without));
+            add(Hypothesis::About, explained.here.scaled_by(ABOUT / without));
         }
-        // A word that was learned speaks for what was learned.
-        let learned = |of: &dyn Fn(&Heard) -> bool| 1.0 + words.iter().filter(|word| of(word)).map(|word| word.count).fold(0.0, f32::max);
         for class in Class::ALL.into_iter().filter(|class| class.is_talk()) {
             if !words.iter().any(|word| word.classes.contains(class)) {
                 continue;
@@ -494,42 +759,17 @@ impl<M: AgentMemory> Agent<M> {
                 true => 0.5 / size * if position == 0 { 3.0 } else { 1.0 } + 0.5 * word.beside,
                 false => 0.8 * word.beside,
             });
-            add(Hypothesis::Talk(class), weight.scaled_by(TALK / learned(&|word| word.classes.contains(class))));
+            add(Hypothesis::Talk(class), weight.scaled_by(TALK / learned(words, |word| word.classes.contains(class))));
         }
-        let negations = [Class::Negation, Class::Out, Class::But];
-        for (hypothesis, prior, cues) in
-            [(Hypothesis::Negated, NEGATED, &negations[..]), (Hypothesis::All, ALL * UNNAMED, &[Class::All][..])]
-        {
-            let mut rest: Words = Vec::new();
-            for word in words.iter().filter(|word| !word.classes.contains_any(cues)) {
-                let _ = rest.push(*word);
-            }
-            let count = words.len().saturating_sub(rest.len());
-            if count == 0 || rest.is_empty() {
-                continue;
-            }
-            let explained = self.explain_all(domain, &rest, wording)?.here;
-            let explained = (0..count).fold(explained, |product, _| product.scaled_by(CUE));
-            let learned = if hypothesis == Hypothesis::Negated { learned(&|word| word.classes.contains_any(cues)) } else { 1.0 };
-            add(hypothesis, explained.scaled_by(prior / learned));
+        for (hypothesis, rest) in [(Hypothesis::Negated, negated(words)), (Hypothesis::All, all(words))] {
+            let Some(rest) = rest else { continue };
+            let explained = self.explain_all(domain, &rest.words, wording, place.view(rest.view))?;
+            add(hypothesis, explained.here.scaled_by(rest.prior));
+            add(Hypothesis::Absent, explained.absent.scaled_by(rest.prior * ABSENT));
         }
-        let mut several = Scaled::ZERO;
-        for (position, word) in words.iter().enumerate().take(words.len().saturating_sub(1)).skip(1) {
-            if !word.classes.contains(Class::Connective) {
-                continue;
-            }
-            let (before, after) = words.split_at_checked(position).unwrap_or((&[], &[]));
-            let skipped =
-                after.iter().take(after.len().saturating_sub(1)).take_while(|word| word.classes.contains(Class::Connective)).count();
-            let after = after.get(skipped..).unwrap_or(&[]);
-            let first = self.explain_all(domain, before, wording)?.here;
-            let second = self.explain_all(domain, after, wording)?.here;
-            let weight = first.times(second).scaled_by(SEVERAL * CUE).divided_by(Scaled::new(1.0 + word.count).square_root());
-            if weight.exceeds(several) {
-                several = weight;
-            }
+        if let Some(parting) = parting {
+            add(Hypothesis::Several, parting.weight);
         }
-        add(Hypothesis::Several, several);
         Ok(hypotheses)
     }
 }

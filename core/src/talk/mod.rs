@@ -7,10 +7,12 @@
 //! the belief that the words give a command, and says what it takes the utterance for.
 //!
 //! - `classes`: closed classes of words, from a table;
-//! - `listening`: the hypotheses, and the verdict.
+//! - `listening`: the hypotheses, and the verdict;
+//! - `readings`: what shall not be, all things of a kind, and one command after another.
 
 mod classes;
 pub(crate) mod listening;
+mod readings;
 
 pub use classes::{Class, Classes, ClosedWords, ClosedWordsError};
 pub use listening::{Hypothesis, Listened, Verdict};

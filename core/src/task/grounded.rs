@@ -4,7 +4,7 @@ use super::lifted::LiftedProposition;
 use super::way::{Part, Way, WayState};
 use super::{LiftedTask, TaskSet};
 use crate::capacity::{Capacity, CapacityError, VARIABLES_PER_TASK};
-use crate::oomdp::{Domain, GroundProposition, ObjectId, Objects};
+use crate::oomdp::{Domain, GroundProposition, ObjectId, Objects, World};
 
 /// A lifted task with its variables bound to objects, and its prior Pr(l|s) Pr(t|s,l).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,7 +13,7 @@ pub struct GroundedTask {
     pub lifted: u8,
     /// The object of each variable.
     pub bindings: [ObjectId; VARIABLES_PER_TASK],
-    /// The progress of its way, if it has one.
+    /// The progress of its way, if it has one; or that it is not to hold.
     pub way: WayState,
     /// Its probability before any command.
     pub prior: f32,
@@ -22,6 +22,25 @@ pub struct GroundedTask {
 impl GroundedTask {
     /// The value of unused memory.
     pub const UNUSED: Self = Self { lifted: 0, bindings: [ObjectId(0); VARIABLES_PER_TASK], way: WayState::START, prior: 0.0 };
+
+    /// Whether the goal is that it does not hold: `!agentInRoom(agent0,room1)`.
+    pub const fn is_negated(&self) -> bool {
+        self.way.is_negated()
+    }
+
+    /// Its opposite: the goal is any state where it does not hold. `None` for a task of several propositions, or with a way. `lifted` is the
+    /// task that it grounds.
+    #[cfg(feature = "talk")]
+    #[must_use]
+    pub fn negated(&self, lifted: &LiftedTask) -> Option<Self> {
+        let is_single = lifted.propositions().len() == 1 && !lifted.has_way();
+        is_single.then_some(Self { way: WayState::NEGATED, ..*self })
+    }
+
+    /// Whether its goal is reached, its way aside, in a state of which `holds` tells. `lifted` is the task that it grounds.
+    pub fn is_reached(&self, lifted: &LiftedTask, holds: impl Fn(&GroundProposition) -> bool) -> bool {
+        self.propositions(lifted).all(|part| holds(&part)) != self.is_negated()
+    }
 
     /// The conjunction, with the objects in it; with a way, that of the goal. `lifted` is the task that it grounds.
     pub fn propositions(&self, lifted: &LiftedTask) -> impl Iterator<Item = GroundProposition> {
@@ -72,44 +91,51 @@ pub(crate) fn ground_with_done<D: Domain + ?Sized>(
     if !cfg!(feature = "talk") || done == 0.0 {
         return ground(domain, lifted, state, tasks);
     }
-    let is_done = |task: &GroundedTask, lifted: &LiftedTask| task.propositions(lifted).all(|part| domain.holds(&part, state));
     let found = ground_unless(domain.world().objects, lifted, tasks, |task, lifted| {
         lifted.has_way() && Way::of(task, lifted).is_idle(|part| domain.holds(part, state))
     });
     let Ok(count) = found else { return ground(domain, lifted, state, tasks) };
     let tasks = tasks.get_mut(..count).unwrap_or(&mut []);
+    share_with_done(lifted, tasks, done, |part| domain.holds(part, state));
+    Ok(count)
+}
+
+/// Gives the tasks of each kind that hold already a share of `done` of the kind's prior, where there are others too.
+pub(crate) fn share_with_done(lifted: &[LiftedTask], tasks: &mut [GroundedTask], done: f32, holds: impl Fn(&GroundProposition) -> bool) {
     for (position, kind) in lifted.iter().enumerate().filter(|(_, kind)| !kind.has_way()) {
-        let mut counts = [0.0_f32; 2];
+        let mut sums = [0.0_f32; 2];
         let of_kind = |task: &&mut GroundedTask| usize::from(task.lifted) == position;
-        let part = |task: &GroundedTask| usize::from(is_done(task, kind));
+        let part = |task: &GroundedTask| usize::from(task.propositions(kind).all(|part| holds(&part)));
         for task in tasks.iter_mut().filter(of_kind) {
-            counts.iter_mut().skip(part(task)).take(1).for_each(|count| *count += 1.0);
+            sums.iter_mut().skip(part(task)).take(1).for_each(|sum| *sum += task.prior);
         }
-        let [open, held] = counts;
+        let [open, held] = sums;
         if open == 0.0 || held == 0.0 {
             continue;
         }
         for task in tasks.iter_mut().filter(of_kind) {
-            let share = if is_done(task, kind) { done / held } else { (1.0 - done) / open };
+            let share = if part(task) == 1 { done / held } else { (1.0 - done) / open };
             task.prior *= share * (open + held);
         }
     }
-    Ok(count)
 }
 
 /// The factor of a task's prior for each part that only asks an object to stay where it is.
 const STAYING: f32 = 0.1;
+
+/// Whether an object is of a class with attributes.
+pub(crate) fn is_thing(world: &World<'_>, object: ObjectId) -> bool {
+    let carries = |class| world.schema.attributes.iter().any(|attribute| attribute.carriers.iter().any(|it| it.class == class));
+    world.objects.get(object).is_some_and(|object| carries(object.class))
+}
 
 /// Makes tasks of [`ground`] less probable if they ask an object to stay where it is: a factor of a tenth for each such part. The sum over
 /// each lifted task stays. A command asks for a change; nobody needs to say that unmoved objects stay. This holds for objects with
 /// attributes, by which words tell them apart. The robot has none: it moves in any task, and coming back is worth a word.
 pub(crate) fn expect_change<D: Domain + ?Sized>(domain: &D, lifted: &[LiftedTask], state: &D::State, tasks: &mut [GroundedTask]) {
     let world = domain.world();
-    let is_thing = |object: ObjectId| {
-        let carries = |class| world.schema.attributes.iter().any(|attribute| attribute.carriers.iter().any(|it| it.class == class));
-        world.objects.get(object).is_some_and(|object| carries(object.class))
-    };
-    let stays = |part: &GroundProposition| part.arguments.first().is_some_and(|&object| is_thing(object)) && domain.holds(part, state);
+    let stays =
+        |part: &GroundProposition| part.arguments.first().is_some_and(|&object| is_thing(&world, object)) && domain.holds(part, state);
     let mut rest = tasks;
     while let Some(first) = rest.first().map(|task| task.lifted) {
         let count = rest.iter().take_while(|task| task.lifted == first).count();

@@ -35,7 +35,7 @@ pub enum Clause {
     Avoiding,
 }
 
-/// How far a task's way has come.
+/// How far a task's way has come. A task that is not to hold has no way, and says so here.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct WayState(u8);
 
@@ -43,6 +43,8 @@ pub struct WayState(u8);
 const PASSED: u8 = 7;
 const STAGE: u32 = 3;
 const STAGES: u8 = 3 << STAGE;
+/// The task is not to hold.
+const NEGATED: u8 = 1 << 5;
 /// The task was done once.
 const ENDED: u8 = 1 << 6;
 /// What must be avoided was not.
@@ -51,6 +53,20 @@ const BROKEN: u8 = 1 << 7;
 impl WayState {
     /// Before the first state.
     pub const START: Self = Self(0);
+
+    /// The task is not to hold, at any time.
+    #[cfg(feature = "talk")]
+    pub const NEGATED: Self = Self(NEGATED);
+
+    /// Whether the task is not to hold.
+    pub const fn is_negated(self) -> bool {
+        cfg!(feature = "talk") && self.0 & NEGATED != 0
+    }
+
+    /// As at the start of a session.
+    pub(crate) const fn at_start(self) -> Self {
+        if cfg!(feature = "talk") { Self(self.0 & NEGATED) } else { Self::START }
+    }
 
     /// Whether the task was done once. Its way then asks nothing more.
     pub const fn has_ended(self) -> bool {

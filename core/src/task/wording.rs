@@ -71,7 +71,7 @@ impl Wording {
     }
 }
 
-/// A grounded task as files write it, such as `blockInRoom(block0,room1)`: what [`Agent::task_text`](crate::Agent::task_text) gives.
+/// A grounded task as files write it, such as `blockInRoom(block0,room1)` or `!blockInRoom(block0,room1)`: what [`Agent::task_text`](crate::Agent::task_text) gives.
 #[derive(Clone, Copy, Debug)]
 pub struct TaskText<'a> {
     task: &'a GroundedTask,
@@ -98,7 +98,7 @@ impl<'a> TaskText<'a> {
 
 impl fmt::Display for TaskText<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut written = Ok(());
+        let mut written = if self.task.is_negated() { f.write_str("!") } else { Ok(()) };
         Wording::FILES.tell(self.task.parts(self.lifted), |piece| {
             if written.is_ok() {
                 written = match piece {

@@ -410,3 +410,30 @@ fn more_tasks_than_fit_are_refused_by_name_and_nothing_learned_is_lost() {
     assert_eq!(agent.hear(&crowded, &state, command), Err(AgentError::Capacity(CapacityError::new(Capacity::Tasks, 12, 65))));
     assert_eq!(posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command), before);
 }
+
+#[cfg(feature = "talk")]
+#[test]
+fn what_shall_not_be_is_followed_and_teaches_no_words() {
+    let (memory, options) = learned();
+    let mut agent = Agent::new(memory.agent, &paper_tasks().unwrap(), options).unwrap();
+    taught(&mut agent);
+    let sessions = agent.language().bitext().sessions();
+    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let (home, mut state) = home(&mut memory.home, ["red", "green", "blue"], None, [0, 1, 2]);
+    let words = goodbot::talk::ClosedWords::new("negation: not\nout: leave").unwrap();
+    let listened = agent.listen(&home, &state, "leave the red room", words).unwrap();
+    assert_eq!(listened.hypothesis, goodbot::talk::Hypothesis::Negated);
+    assert_eq!(agent.task_text(&home, listened.task).unwrap().to_string(), "!agentInRoom(agent0,room0)");
+    for _ in 0..20 {
+        agent.plan_fully(&home, &state).unwrap();
+        let action = agent.planned().optimal(listened.task).onward().and_then(|actions| actions.iter().next());
+        let Some(action) = action else { break };
+        state = agent.acted(&home, &state, action).unwrap();
+        let _ = agent.feedback(Feedback::Reward).unwrap();
+    }
+    assert!(agent.tasks()[listened.task].is_reached(&agent.lifted()[0], |part| home.holds(part, &state)));
+    assert_eq!(agent.finish(&home).unwrap().gave_way.count(), 0);
+    agent.learn_fully();
+    assert_eq!(agent.language().bitext().sessions(), sessions);
+    assert_eq!(agent.phase(), goodbot::session::Phase::Ended);
+}

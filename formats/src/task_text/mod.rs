@@ -6,6 +6,8 @@
 //! there when reading, and ` AND ` may stand for ` & `; what is written has no blank inside the
 //! parentheses and one on each side of `&`.
 //!
+//! `!` before a ground proposition says that it is not to hold: `!agentInRoom(agent0,room1)`.
+//!
 //! A task may have a [way](WayText). It stands behind: `then` and the next goal, `through` a proposition `or` another, `avoiding` a
 //! proposition `or` another: `agentInRoom(agent0,room0) through agentInRoom(agent0,room1) or agentInRoom(agent0,room2)`.
 //!
@@ -34,9 +36,10 @@ mod way;
 pub use parse::TaskTextError;
 pub use way::WayText;
 
-/// A proposition about objects: `agentInRoom(agent0,room1)`.
+/// A proposition about objects: `agentInRoom(agent0,room1)`, or its opposite: `!agentInRoom(agent0,room1)`.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct GroundAtomText {
+    negated: bool,
     function: String,
     arguments: Vec<String>,
 }
@@ -69,7 +72,18 @@ impl GroundAtomText {
         I: IntoIterator<Item: Into<String>>,
     {
         let (function, arguments) = checked(function.into(), arguments)?;
-        Ok(GroundAtomText { function, arguments })
+        Ok(GroundAtomText { negated: false, function, arguments })
+    }
+
+    /// The opposite.
+    #[must_use]
+    pub fn negated(self) -> Self {
+        GroundAtomText { negated: !self.negated, ..self }
+    }
+
+    /// Whether it is not to hold.
+    pub fn is_negated(&self) -> bool {
+        self.negated
     }
 
     /// The function's name, such as `agentInRoom`.
@@ -173,7 +187,7 @@ where
         return Err(TaskTextError::Empty);
     }
     for name in std::iter::once(&function).chain(&names) {
-        if !is_usable_name(name) {
+        if !is_usable_name(name) || function.starts_with('!') {
             let name = name.clone();
             return Err(TaskTextError::UnusableName { name });
         }
@@ -183,7 +197,8 @@ where
 
 impl fmt::Display for GroundAtomText {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}({})", self.function, self.arguments.join(","))
+        let sign = if self.negated { "!" } else { "" };
+        write!(f, "{sign}{}({})", self.function, self.arguments.join(","))
     }
 }
 

@@ -112,8 +112,24 @@ impl<'a> Rest<'a> {
         Ok(&left[..end])
     }
 
+    /// A proposition about objects, or its opposite.
+    fn ground_atom(&mut self) -> Result<GroundAtomText, TaskTextError> {
+        let negated = self.accept("!");
+        let (function, arguments) = self.atom(false)?;
+        Ok(GroundAtomText { negated, function, arguments })
+    }
+
+    fn lifted_atom(&mut self) -> Result<LiftedAtomText, TaskTextError> {
+        let (function, variables) = self.atom(true)?;
+        Ok(LiftedAtomText { function, variables })
+    }
+
     /// A function and its arguments, each with `?` before it or each without.
     fn atom(&mut self, lifted: bool) -> Result<(String, Vec<String>), TaskTextError> {
+        self.skip_blanks();
+        if self.left().starts_with('!') {
+            return Err(self.expected("a name"));
+        }
         let function = self.name()?.to_string();
         if !self.accept("(") {
             return Err(self.expected("\"(\""));
@@ -163,14 +179,14 @@ enum Clause {
     Avoiding,
 }
 
-fn task<A>(text: &str, lifted: bool, made: impl Fn((String, Vec<String>)) -> A) -> Result<Task<A>, TaskTextError> {
+fn task<A>(text: &str, read: impl Fn(&mut Rest<'_>) -> Result<A, TaskTextError>) -> Result<Task<A>, TaskTextError> {
     if text.trim().is_empty() {
         return Err(TaskTextError::Empty);
     }
     let mut rest = Rest { text, at: 0 };
     let (mut goal, mut way, mut clause) = (Vec::new(), WayText::default(), Clause::Goal);
     loop {
-        let atom = made(rest.atom(lifted)?);
+        let atom = read(&mut rest)?;
         match (clause, way.through.last_mut()) {
             (Clause::Goal, _) => goal.push(atom),
             (Clause::Through, Some(alternatives)) => alternatives.push(atom),
@@ -198,7 +214,7 @@ impl FromStr for GroundTaskText {
     type Err = TaskTextError;
 
     fn from_str(text: &str) -> Result<Self, TaskTextError> {
-        let (goal, way) = task(text, false, |(function, arguments)| GroundAtomText { function, arguments })?;
+        let (goal, way) = task(text, |rest| rest.ground_atom())?;
         GroundTaskText::with_way(goal, way)
     }
 }
@@ -208,9 +224,9 @@ impl FromStr for GroundAtomText {
 
     fn from_str(text: &str) -> Result<Self, TaskTextError> {
         let mut rest = Rest { text, at: 0 };
-        let (function, arguments) = rest.atom(false)?;
+        let atom = rest.ground_atom()?;
         match rest.end() {
-            Ok(()) => Ok(GroundAtomText { function, arguments }),
+            Ok(()) => Ok(atom),
             Err(_) => Err(rest.expected("the end")),
         }
     }
@@ -220,7 +236,7 @@ impl FromStr for LiftedTaskText {
     type Err = TaskTextError;
 
     fn from_str(text: &str) -> Result<Self, TaskTextError> {
-        let (goal, way) = task(text, true, |(function, variables)| LiftedAtomText { function, variables })?;
+        let (goal, way) = task(text, |rest| rest.lifted_atom())?;
         LiftedTaskText::with_way(goal, way)
     }
 }

@@ -99,3 +99,12 @@ fn a_very_long_task_is_read_in_linear_time() {
     let open = "f(".repeat(1 << 20);
     assert!(open.parse::<GroundTaskText>().is_err());
 }
+
+#[test]
+fn an_exclamation_mark_says_what_shall_not_be() {
+    let task: GroundTaskText = "! f(a) then g(b)".parse().unwrap();
+    assert_eq!(task.to_string(), "!f(a) then g(b)");
+    assert!(task.way().before[0][0].is_negated() && !task.atoms()[0].is_negated());
+    assert!(!task.is_same(&"f(a) then g(b)".parse().unwrap()));
+    assert!("!f(?a)".parse::<LiftedTaskText>().is_err());
+}

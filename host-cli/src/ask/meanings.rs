@@ -3,13 +3,14 @@
 //! A robot with some lessons [listens](goodbot::talk). A robot with few takes everything for a command. It hears each task that is done already
 //! from a state where it is not done yet: one thing is moved elsewhere.
 
+use super::following::{self, Followed};
 use goodbot::home::{Home, HomeState};
 use goodbot::language::Model;
 use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Domain;
 use goodbot::probability::{Scaled, total};
-use goodbot::talk::{ClosedWords, Listened};
+use goodbot::talk::{ClosedWords, Listened, Verdict};
 use goodbot::task::{GroundedTask, LiftedTask, ground};
 use goodbot::{Agent, AgentError, Capacities};
 use goodbot_lesson::name::{in_words, task_name};
@@ -27,11 +28,21 @@ pub struct Meaning {
     pub done: bool,
 }
 
+/// What was made of an utterance.
+#[derive(Debug)]
+pub struct Heard {
+    /// What it is taken for, where the robot has had enough lessons to tell.
+    pub listened: Option<Listened>,
+    /// What it leads to, if it is no plain command.
+    pub followed: Option<Followed>,
+    /// All that it may mean, the most probable first.
+    pub meanings: Vec<Meaning>,
+}
+
 /// With fewer lessons everything is a command: nothing is known yet of how people word what the robot can do.
 pub const FEW_LESSONS: usize = 20;
 
-/// All that the utterance may mean, the most probable first, and what the robot takes it for where it has had enough lessons. Afterwards the
-/// agent has heard the utterance as a command in `start`, if there is anything to do there.
+/// What the utterance is taken for, and all that it may mean. Afterwards the agent has heard the utterance as a command in `start`, if there is anything to do there.
 ///
 /// # Errors
 /// An [`AgentError`] but that there is nothing to do.
@@ -40,24 +51,39 @@ pub fn meanings(
     home: &Home<impl HomeMemory>,
     start: &HomeState,
     utterance: &str,
-) -> Result<(Option<Listened>, Vec<Meaning>), AgentError> {
+) -> Result<Heard, AgentError> {
     let is_untaught = agent.language().bitext().sessions() < FEW_LESSONS;
     if is_untaught || agent.options().language.model == Model::Model2 {
-        return Ok((None, of_command(agent, home, start, utterance)?));
+        return Ok(Heard { listened: None, followed: None, meanings: of_command(agent, home, start, utterance)? });
     }
     let listened = agent.listen(home, start, utterance, ClosedWords::EUROPEAN)?;
-    let done = agent.done(home);
-    let mut meanings = Vec::new();
-    for (position, task) in agent.tasks().iter().enumerate() {
-        let Some(kind) = agent.lifted().get(usize::from(task.lifted)) else { continue };
-        let probability = listened.command * agent.belief().probability(position);
-        meanings.push(meaning(home, kind, task, probability, done.contains(position)));
-    }
+    let followed = match following::is_followed(listened.hypothesis) {
+        true => Some(following::follow(agent, home, start, utterance, listened)?),
+        false => None,
+    };
+    let mut meanings: Vec<Meaning> = match &followed {
+        Some(Followed { name, .. }) if name.is_empty() => vec![],
+        Some(Followed { name, words, probability, verdict, .. }) => {
+            vec![Meaning { name: name.clone(), words: words.clone(), probability: *probability, done: *verdict == Verdict::Done }]
+        }
+        None => of_session(agent, home, listened),
+    };
     meanings.sort_by(|a, b| b.probability.total_cmp(&a.probability));
     match agent.hear(home, start, utterance) {
-        Ok(()) | Err(AgentError::NoTask) => Ok((Some(listened), meanings)),
+        Ok(()) | Err(AgentError::NoTask) => Ok(Heard { listened: Some(listened), followed, meanings }),
         Err(error) => Err(error),
     }
+}
+
+/// What the agent's session may be about.
+fn of_session(agent: &Agent<impl AgentMemory>, home: &Home<impl HomeMemory>, listened: Listened) -> Vec<Meaning> {
+    let done = agent.done(home);
+    let of = |(position, task): (usize, &GroundedTask)| {
+        let kind = agent.lifted().get(usize::from(task.lifted))?;
+        let probability = listened.command * agent.belief().probability(position);
+        Some(meaning(home, kind, task, probability, done.contains(position)))
+    };
+    agent.tasks().iter().enumerate().filter_map(of).collect()
 }
 
 fn meaning(home: &Home<impl HomeMemory>, kind: &LiftedTask, task: &GroundedTask, probability: f32, done: bool) -> Meaning {

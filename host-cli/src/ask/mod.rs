@@ -1,11 +1,15 @@
 //! `goodbot ask`: what does a command mean here?
 //!
 //! - [`meanings`]: what it may mean, with what is done already;
+//! - [`following`]: several tasks, one after another, and what shall not be;
+//! - [`plan`]: the actions that lead to a goal;
 //! - [`why`]: word by word, what speaks for a task;
 //! - [`drawing`]: the home as text.
 
 mod drawing;
+mod following;
 pub mod meanings;
+mod plan;
 mod why;
 
 use crate::lessons::restored;
@@ -15,22 +19,22 @@ use crate::load::synonyms::{SynonymOptions, in_known_words};
 use crate::outcome::Failure;
 use crate::refusal;
 use clap::{Args, ValueHint};
+use following::Followed;
 use goodbot::home::Map;
 use goodbot::home::{Home, HomeState, Moves};
 use goodbot::language::Synonyms;
 use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::{Domain, apply};
-use goodbot::planning::OptimalSet;
 use goodbot::talk::{Hypothesis, Listened, Verdict};
 use goodbot::{Agent, AgentError};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::SessionReader;
-use goodbot_formats::task_text::GroundTaskText;
+use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
 use goodbot_lesson::checked::moves;
 use goodbot_lesson::name::{in_words, task_name};
 use goodbot_lesson::{Fault, home};
-use meanings::Meaning;
+use meanings::{Heard, Meaning};
+use plan::{Plan, plan};
 use serde_json::json;
 use std::io::{BufRead, BufWriter, Write};
 use std::path::PathBuf;
@@ -40,8 +44,6 @@ use why::Word;
 const COMMAND: &str = "a command";
 /// A robot with few lessons is sure from here on.
 const SURE: f32 = 0.5;
-/// The longest plan that is printed.
-const LONGEST_PLAN: usize = 1_000;
 
 /// The options of `goodbot ask`.
 #[derive(Debug, Args)]
@@ -129,11 +131,12 @@ struct Answer {
     meanings: Vec<Meaning>,
     /// What the robot takes the utterance for, if it has had enough lessons to tell.
     listened: Option<Listened>,
+    /// What it leads to, if it is no plain command.
+    followed: Option<Followed>,
     words: Vec<Word>,
     /// What was meant, in words, and how it explains the words.
     expected: Option<(GroundTaskText, String, Vec<Word>)>,
-    /// The actions, and whether there is no shorter way.
-    plan: Option<(Vec<String>, bool)>,
+    plan: Option<Plan>,
 }
 
 /// Runs the command.
@@ -248,7 +251,7 @@ fn answer(
 ) -> Result<Answer, Failure> {
     let fault = |error: AgentError| Failure::Input(refusal::in_words(&error));
     let heard = in_known_words(synonyms, agent.language(), &question.command)?;
-    let (listened, meanings) = meanings::meanings(agent, home, start, &heard).map_err(fault)?;
+    let Heard { listened, followed, meanings } = meanings::meanings(agent, home, start, &heard).map_err(fault)?;
     let mut tasks = Vec::new();
     for (position, task) in agent.tasks().iter().enumerate() {
         let Some(kind) = agent.lifted().get(usize::from(task.lifted)) else { continue };
@@ -272,6 +275,7 @@ fn answer(
                     Some((task.clone(), text, words))
                 }
                 (_, _, Some(done)) => Some((task.clone(), done.words.clone(), vec![])),
+                _ if is_of_parts(task) => Some((task.clone(), "several parts".to_owned(), vec![])),
                 _ => {
                     let known: Vec<&str> = meanings.iter().map(|meaning| meaning.name.as_str()).collect();
                     let message = format!("{}: {task} is no task here; tasks are {}", question.source, known.join(", "));
@@ -282,32 +286,18 @@ fn answer(
     };
     let words = why::words(agent, home, start, &heard, best).map_err(fault)?;
     let is_to_do = listened.is_none_or(|listened| listened.hypothesis == Hypothesis::Command && listened.verdict != Verdict::Done);
-    let plan = if tasks.is_empty() || !is_to_do { None } else { plan(agent, home, *start, best).map_err(fault)? };
+    let plan = match &followed {
+        Some(followed) => followed.plan.clone().filter(|_| followed.verdict == Verdict::Sure),
+        None if tasks.is_empty() || !is_to_do => None,
+        None => plan(agent, home, *start, best).map_err(fault)?.map(|(plan, _)| plan),
+    };
     let tasks = tasks.into_iter().map(|(name, probability)| (name.to_string(), probability)).collect();
-    Ok(Answer { heard, tasks, best, meanings, listened, words, expected, plan })
+    Ok(Answer { heard, tasks, best, meanings, listened, followed, words, expected, plan })
 }
 
-/// The actions that lead to a task's goal, and whether there is no shorter way; nothing where they are not known or there are none.
-fn plan<D: Domain>(
-    agent: &mut Agent<impl AgentMemory>,
-    home: &D,
-    start: D::State,
-    task: usize,
-) -> Result<Option<(Vec<String>, bool)>, AgentError> {
-    let (mut state, mut plan, mut exact) = (start, vec![], true);
-    while plan.len() < LONGEST_PLAN {
-        agent.plan_fully(home, &state)?;
-        let here = agent.planned().optimal(task);
-        if here == OptimalSet::Goal {
-            return Ok(Some((plan, exact)));
-        }
-        let Some(actions) = here.onward() else { return Ok(None) };
-        exact &= here.exact().is_some();
-        let Some((action, next)) = actions.iter().next().and_then(|action| Some((action, apply(home, &state, action)?))) else { break };
-        plan.push(home.actions().get(action.index()).map_or_else(String::new, |action| action.name.to_owned()));
-        state = next;
-    }
-    Ok(None)
+/// Whether a task is none of those that one command means: something shall not be, or comes after something else.
+fn is_of_parts(task: &GroundTaskText) -> bool {
+    !task.way().before.is_empty() || task.atoms().iter().any(GroundAtomText::is_negated)
 }
 
 impl Answer {
@@ -333,6 +323,7 @@ impl Answer {
     /// The most likely task: one that is to do, unless the answer of a robot that listens is that it is done.
     fn task(&self) -> Option<&String> {
         match (&self.listened, self.meanings.first()) {
+            (_, Some(first)) if self.followed.is_some() => Some(&first.name),
             (Some(listened), Some(first)) if listened.verdict == Verdict::Done => Some(&first.name),
             _ => self.tasks.get(self.best).map(|(name, _)| name),
         }
@@ -342,7 +333,10 @@ impl Answer {
     fn verdict(&self, threshold: Option<f32>) -> &'static str {
         let first = self.meanings.first();
         let is_sure = match (&self.listened, threshold) {
-            (Some(listened), None) => matches!(listened.verdict, Verdict::Sure | Verdict::Done),
+            (Some(listened), None) => {
+                let verdict = self.followed.as_ref().map_or(listened.verdict, |followed| followed.verdict);
+                matches!(verdict, Verdict::Sure | Verdict::Done)
+            }
             (_, threshold) => first.is_some_and(|first| first.probability >= threshold.unwrap_or(SURE)),
         };
         match (is_sure, first) {
@@ -360,7 +354,7 @@ fn to_json(answer: &Answer, question: &Question, threshold: Option<f32>) -> serd
     let meaning = |it: &Meaning| json!({"task": it.name, "words": it.words, "probability": it.probability, "done": it.done});
     let mut line = json!({
         "type": "answer", "command": question.command, "task": answer.task(), "tied": answer.tied(),
-        "tasks": tasks, "plan": answer.plan.as_ref().map(|(actions, _)| actions), "exact": answer.plan.as_ref().map(|(_, exact)| exact), "words": answer.words.iter().map(word).collect::<Vec<_>>(),
+        "tasks": tasks, "plan": answer.plan.as_ref().map(|plan| &plan.actions), "exact": answer.plan.as_ref().map(|plan| plan.is_exact), "words": answer.words.iter().map(word).collect::<Vec<_>>(),
         "verdict": answer.verdict(threshold), "meanings": answer.meanings.iter().map(meaning).collect::<Vec<_>>(),
     });
     if let Some(line) = line.as_object_mut() {
@@ -405,17 +399,17 @@ fn print(
     if answer.tied() > 1 {
         writeln!(out, "the plan is for one of {} equally likely", answer.tied())?;
     }
-    let purpose = answer.purpose();
+    let purpose = if answer.followed.is_some() { String::new() } else { answer.purpose() };
     match &answer.plan {
-        Some((plan, _)) if plan.is_empty() => writeln!(out, "plan{purpose}: nothing to do")?,
-        Some((plan, true)) => writeln!(out, "plan{purpose}: {}", plan.join(" "))?,
-        Some((plan, false)) => writeln!(out, "plan{purpose}: {} (approximate: a shorter way may exist)", plan.join(" "))?,
-        None if answer.listened.is_some_and(|listened| listened.verdict == Verdict::Done) => writeln!(out, "no plan: it is done already")?,
+        Some(plan) if plan.actions.is_empty() => writeln!(out, "plan{purpose}: nothing to do")?,
+        Some(plan) if plan.is_exact => writeln!(out, "plan{purpose}: {}", plan.actions.join(" "))?,
+        Some(plan) => writeln!(out, "plan{purpose}: {} (approximate: a shorter way may exist)", plan.actions.join(" "))?,
+        None if answer.verdict(options.threshold) == "done" => writeln!(out, "no plan: it is done already")?,
         None if answer.taken_for() != COMMAND => writeln!(out, "no plan: I do nothing that I was not told")?,
         None => writeln!(out, "plan{purpose}: none was found")?,
     }
     if let Some((task, words, _)) = &answer.expected {
-        let right = answer.tasks.get(answer.best).is_some_and(|(name, _)| name.parse().is_ok_and(|it: GroundTaskText| it.is_same(task)));
+        let right = answer.task().is_some_and(|name| name.parse().is_ok_and(|it: GroundTaskText| it.is_same(task)));
         writeln!(out, "expected: {words}, {task}{}", if right { "  (right)" } else { "" })?;
     }
     if options.why || options.expected.is_some() {
@@ -434,6 +428,9 @@ fn verdict(out: &mut impl Write, threshold: Option<f32>, answer: &Answer) -> std
             writeln!(out, "\nanswer: unsure: {}, or {}", percent(first), percent(second))
         }
         (_, [_, _, ..]) => writeln!(out, "\nanswer: unsure: I take it for {}", answer.taken_for()),
+        (_, [first]) if answer.taken_for() != COMMAND => {
+            writeln!(out, "\nanswer: unsure: I take it for {}: {}", answer.taken_for(), percent(first))
+        }
         (_, [first]) => writeln!(out, "\nanswer: unsure: {}", percent(first)),
         (_, []) => writeln!(out, "\nanswer: there is nothing to do"),
     }

@@ -56,10 +56,54 @@ fn take(block: usize, room: usize) -> String {
     format!("blockInRoom(block{block},room{room})")
 }
 
-/// A model that was told what these commands mean, in `lessons` homes.
-fn taught(lessons: usize) -> (tempfile::TempDir, String) {
-    let going = ["go to the {} room", "move to the {} room", "walk into the {} room", "go into the {} room"];
-    let taking = ["take the {c} {s} to the {} room", "bring the {c} {s} to the {} room", "put the {c} {s} into the {} room"];
+/// What shall not be.
+fn not(task: &str) -> String {
+    format!("!{task}")
+}
+
+/// One task after another.
+fn then(tasks: &[String]) -> String {
+    tasks.join(" then ")
+}
+
+/// How commands are worded in lessons.
+struct Wording {
+    going: [&'static str; 4],
+    taking: [&'static str; 3],
+    /// The words for colors and shapes, if others than their own.
+    names: &'static [(&'static str, &'static str)],
+}
+
+const ENGLISH: Wording = Wording {
+    going: ["go to the {} room", "move to the {} room", "walk into the {} room", "go into the {} room"],
+    taking: ["take the {c} {s} to the {} room", "bring the {c} {s} to the {} room", "put the {c} {s} into the {} room"],
+    names: &[],
+};
+
+const GERMAN: Wording = Wording {
+    going: ["geh ins {} Zimmer", "lauf ins {} Zimmer", "fahr in das {} Zimmer", "geh in das {} Zimmer"],
+    taking: ["bring die {c} {s} ins {} Zimmer", "trag die {c} {s} ins {} Zimmer", "stell die {c} {s} in das {} Zimmer"],
+    names: &[
+        ("red", "rote"),
+        ("blue", "blaue"),
+        ("green", "grüne"),
+        ("yellow", "gelbe"),
+        ("purple", "lila"),
+        ("orange", "orange"),
+        ("bag", "Tasche"),
+        ("chair", "Bank"),
+        ("basket", "Kiste"),
+    ],
+};
+
+impl Wording {
+    fn name(&self, value: &'static str) -> &'static str {
+        self.names.iter().find(|(known, _)| *known == value).map_or(value, |(_, name)| name)
+    }
+}
+
+/// A model that was told what commands mean, in `lessons` homes.
+fn taught(lessons: usize, wording: &Wording) -> (tempfile::TempDir, String) {
     let mut log = String::new();
     for lesson in 0..lessons {
         let home = Home::number(lesson);
@@ -68,10 +112,10 @@ fn taught(lessons: usize) -> (tempfile::TempDir, String) {
         let (color, shape, place) = home.blocks[block];
         let (command, task) = if lesson % 2 == 0 || place == room {
             let room = if room == home.robot { (room + 1) % home.rooms.len() } else { room };
-            (going[lesson / 2 % 4].replace("{}", home.rooms[room]), go(room))
+            (wording.going[lesson / 2 % 4].replace("{}", wording.name(home.rooms[room])), go(room))
         } else {
-            let words = taking[lesson / 2 % 3].replace("{}", home.rooms[room]);
-            (words.replace("{c}", color).replace("{s}", shape), take(block, room))
+            let words = wording.taking[lesson / 2 % 3].replace("{}", wording.name(home.rooms[room]));
+            (words.replace("{c}", wording.name(color)).replace("{s}", wording.name(shape)), take(block, room))
         };
         let session = json!({"type": "session", "version": 1, "id": lesson.to_string(), "kind": "labelled", "environment": home.json(), "command": command, "intended": [task]});
         log += &format!("{session}\n{}\n", json!({"type": "end", "learn": true}));
@@ -120,34 +164,50 @@ fn to_follow(home: &Home) -> Vec<Said> {
     said
 }
 
-/// Sentences that name no task, or the opposite of one, or several.
+/// Sentences of what shall not be, of one thing after another, and of all things.
+fn to_follow_in_parts(home: &Home) -> Vec<Said> {
+    let mut said = Vec::new();
+    for (room, color) in home.rooms.iter().enumerate() {
+        for words in ["don't go to the {} room", "never go into the {} room", "leave the {} room", "stay out of the {} room"] {
+            said.push((words.replace("{}", color), Some(not(&go(room)))));
+        }
+        let first = (room + 1) % home.rooms.len();
+        for words in ["go to the {a} room and then walk into the {} room", "please move to the {a} room, then go to the {} room"] {
+            let words = words.replace("{a}", home.rooms[first]).replace("{}", color);
+            said.push((words, Some(then(&[go(first), go(room)]))));
+        }
+        let elsewhere = (0..home.blocks.len()).filter(|&block| home.blocks[block].2 != room);
+        let mut tasks: Vec<String> = elsewhere.map(|block| take(block, room)).collect();
+        if tasks.is_empty() {
+            tasks = (0..home.blocks.len()).map(|block| take(block, room)).collect();
+        }
+        said.push((format!("bring everything to the {color} room"), Some(then(&tasks))));
+    }
+    for (block, (color, shape, place)) in home.blocks.iter().enumerate() {
+        let words = format!("take the {color} {shape} out of the {} room", home.rooms[*place]);
+        said.push((words, Some(not(&take(block, *place)))));
+    }
+    said
+}
+
+/// Sentences that name no task.
 fn not_to_follow(home: &Home) -> Vec<Said> {
     let mut said: Vec<String> =
         ["stop", "hello", "good robot", "no the other one", "do it again", "where is the bag", "take it there"].map(str::to_owned).into();
-    for color in &home.rooms {
-        for words in [
-            "don't go to the {} room",
-            "never go into the {} room",
-            "leave the {} room",
-            "bring everything to the {} room",
-            "go to the {} room and then walk into the green room",
-        ] {
-            said.push(words.replace("{}", color));
-        }
-    }
     for color in COLORS.iter().filter(|color| !home.rooms.contains(color)) {
         said.push(format!("go to the {color} room"));
+        said.push(format!("don't go to the {color} room"));
     }
     said.into_iter().map(|words| (words, None)).collect()
 }
 
 #[test]
 fn after_enough_lessons_what_is_meant_is_followed_and_the_rest_is_not_taken_for_a_task() {
-    let (_folder, model) = taught(120);
+    let (_folder, model) = taught(120, &ENGLISH);
     let (mut follow, mut helpful, mut all, mut harmful, mut faults) = (0, 0, 0, 0, String::new());
     for seed in [1_003, 1_010, 1_022, 1_037] {
         let home = Home::number(seed);
-        let said = [to_follow(&home), not_to_follow(&home)].concat();
+        let said = [to_follow(&home), to_follow_in_parts(&home), not_to_follow(&home)].concat();
         let sentences: Vec<String> = said.iter().map(|(words, _)| words.clone()).collect();
         for ((words, meant), answer) in said.iter().zip(asked(&model, &home, &sentences)) {
             let is_sure = answer["verdict"] == "sure" || answer["verdict"] == "done";
@@ -167,28 +227,32 @@ fn after_enough_lessons_what_is_meant_is_followed_and_the_rest_is_not_taken_for_
 
 #[test]
 fn the_answer_says_what_an_utterance_is_taken_for() {
-    let (_folder, model) = taught(120);
+    let (_folder, model) = taught(120, &ENGLISH);
     let home = Home { rooms: vec!["red", "blue", "green"], blocks: vec![("yellow", "bag", 2), ("red", "chair", 0)], robot: 0 };
     let cases = [
         ("go to the blue room", "sure", "a command"),
         ("go to the red room", "done", "a command"),
         ("take the yellow bag to the green room", "done", "a command"),
-        ("don't go to the blue room", "unsure", "what shall not be"),
-        ("go to the blue room and then go to the green room", "unsure", "several commands"),
+        ("don't go to the blue room", "done", "what shall not be"),
+        ("leave the red room", "sure", "what shall not be"),
+        ("go to the blue room and then go to the green room", "sure", "several commands"),
+        ("bring all chairs to the blue room", "sure", "all things of a kind"),
+        ("bring all bags to the green room", "done", "all things of a kind"),
         ("go to the purple room", "none", "a thing that is not here"),
         ("flub wib zonk", "none", "nothing that I can do"),
     ];
     let sentences: Vec<String> = cases.iter().map(|(words, ..)| (*words).to_owned()).collect();
     for ((words, verdict, taken_for), answer) in cases.iter().zip(asked(&model, &home, &sentences)) {
         assert_eq!((answer["verdict"].as_str(), answer["taken_for"].as_str()), (Some(*verdict), Some(*taken_for)), "{words}: {answer}");
-        let is_to_do = *taken_for == "a command" && *verdict != "done";
+        // The blocks stand along walls, and the robot cannot pull.
+        let is_to_do = *verdict == "sure" && !words.contains("chairs");
         assert_eq!(answer["plan"].is_array(), is_to_do, "{words}: a plan only for what was told and is to do: {answer}");
     }
 }
 
 #[test]
 fn a_robot_that_is_taught_waits_where_there_is_nothing_to_do_and_tries_when_it_is_told_again() {
-    let (_folder, model) = taught(60);
+    let (_folder, model) = taught(60, &ENGLISH);
     let home = Home { rooms: vec!["red", "blue", "green"], blocks: vec![("yellow", "chair", 1)], robot: 0 }.json();
     let requests = format!(
         "home {home}\ncommand go to the red room\nstep\ncommand hello\ncommand go to the red room\ncommand go to the red room\nforget\n\
@@ -200,4 +264,135 @@ fn a_robot_that_is_taught_waits_where_there_is_nothing_to_do_and_tries_when_it_i
     assert_eq!(heard, ["done", "none", "done", "try", "try"], "{}{}", run.output, run.messages);
     assert!(answers.iter().any(|line| line["done"] == "go to the red room"));
     assert!(answers.iter().any(|line| line["message"] == "no session is under way"), "it waits");
+}
+
+/// Checks verdicts and tasks of sentences in a home.
+fn check(model: &str, home: &Home, cases: &[(&str, &str, &str)]) {
+    let sentences: Vec<String> = cases.iter().map(|(words, ..)| (*words).to_owned()).collect();
+    for ((words, verdict, task), answer) in cases.iter().zip(asked(model, home, &sentences)) {
+        assert_eq!(answer["verdict"], *verdict, "{words}: {answer}");
+        if ["sure", "done"].contains(verdict) {
+            assert_eq!(answer["task"], *task, "{words}");
+        }
+    }
+}
+
+/// Three rooms with the robot in the first, a yellow bag in the last, and two chairs.
+fn three_rooms() -> Home {
+    let blocks = vec![("yellow", "bag", 2), ("red", "chair", 0), ("green", "chair", 1)];
+    Home { rooms: vec!["red", "blue", "green"], blocks, robot: 0 }
+}
+
+#[test]
+fn what_shall_not_be_is_a_task_of_its_own_and_planned_for() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let home = three_rooms();
+    let cases = [
+        ("leave the red room", "sure", "!agentInRoom(agent0,room0)"),
+        ("stay out of the blue room", "done", "!agentInRoom(agent0,room1)"),
+        ("never go into the green room", "done", "!agentInRoom(agent0,room2)"),
+        ("go anywhere but the red room", "sure", "!agentInRoom(agent0,room0)"),
+        ("dont go to teh red room", "sure", "!agentInRoom(agent0,room0)"),
+        ("please take the yellow bag out of the green room", "sure", "!blockInRoom(block0,room2)"),
+        ("take the chair out of the blue room", "sure", "!blockInRoom(block2,room1)"),
+        ("don't put the yellow bag into the red room", "done", "!blockInRoom(block0,room0)"),
+    ];
+    check(&model, &home, &cases);
+    let [answer] = &asked(&model, &home, &["leave the red room".to_owned()])[..] else { panic!("one answer") };
+    assert_eq!((&answer["plan"], &answer["exact"]), (&json!(["east", "east"]), &json!(true)), "{answer}");
+}
+
+#[test]
+fn what_only_sounds_like_a_negation_is_not_followed() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let cases = [
+        ("don't leave the red room", "unsure", ""),
+        ("leave the green chair in the blue room", "unsure", ""),
+        ("why don't you go to the blue room", "unsure", ""),
+        ("not the red one", "unsure", ""),
+        ("take the yellow bag out of the green room to the blue room", "unsure", ""),
+        ("go to the red room or to the blue room", "unsure", ""),
+        ("don't go to the purple room", "none", ""),
+        ("never mind", "none", ""),
+    ];
+    let sentences: Vec<String> = cases.iter().map(|(words, ..)| (*words).to_owned()).collect();
+    for ((words, ..), answer) in cases.iter().zip(asked(&model, &three_rooms(), &sentences)) {
+        assert!(answer["verdict"] == "unsure" || answer["verdict"] == "none", "{words}: {answer}");
+        assert!(answer["plan"].is_null() || answer["taken_for"] == "a command", "{words}: {answer}");
+    }
+}
+
+#[test]
+fn commands_one_after_another_are_each_heard_where_the_one_before_leads_to() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let home = three_rooms();
+    let cases = [
+        ("go to the blue room and then go to the red room", "sure", "agentInRoom(agent0,room1) then agentInRoom(agent0,room0)"),
+        ("go to the blue room and then to the green room", "sure", "agentInRoom(agent0,room1) then agentInRoom(agent0,room2)"),
+        ("leave the red room and go to the green room", "sure", "!agentInRoom(agent0,room0) then agentInRoom(agent0,room2)"),
+        ("go to the red room and don't go to the blue room", "done", "agentInRoom(agent0,room0) then !agentInRoom(agent0,room1)"),
+        (
+            "take the yellow bag to the blue room and the red chair to the green room",
+            "sure",
+            "blockInRoom(block0,room1) then blockInRoom(block1,room2)",
+        ),
+        ("go to the blue room and turn left", "unsure", ""),
+    ];
+    check(&model, &home, &cases);
+    let [answer] = &asked(&model, &home, &[cases[0].0.to_owned()])[..] else { panic!("one answer") };
+    let there_and_back: Vec<&str> = ["east"; 2].into_iter().chain(["west"; 1]).collect();
+    assert!(answer["plan"].as_array().is_some_and(|plan| plan.len() > there_and_back.len()), "{answer}");
+}
+
+#[test]
+fn all_things_of_a_kind_are_a_task_each_without_those_that_are_there() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let cases = [
+        ("take all chairs to the green room", "sure", "blockInRoom(block1,room2) then blockInRoom(block2,room2)"),
+        ("bring both chairs to the red room", "sure", "blockInRoom(block2,room0)"),
+        ("everything to the green room", "sure", "blockInRoom(block1,room2) then blockInRoom(block2,room2)"),
+        ("bring all bags to the green room", "done", "blockInRoom(block0,room2)"),
+        ("put all zonks into the green room", "unsure", ""),
+        ("take all chairs", "unsure", ""),
+    ];
+    check(&model, &three_rooms(), &cases);
+}
+
+#[test]
+fn german_is_taken_apart_as_well() {
+    let (_folder, model) = taught(120, &GERMAN);
+    let cases = [
+        ("geh nicht ins blaue Zimmer", "done", "!agentInRoom(agent0,room1)"),
+        ("verlass das rote Zimmer", "sure", "!agentInRoom(agent0,room0)"),
+        ("geh nihct ins rote Zimmer", "sure", "!agentInRoom(agent0,room0)"),
+        ("bring die gelbe Tasche aus dem grünen Zimmer heraus", "sure", "!blockInRoom(block0,room2)"),
+        ("geh ins blaue Zimmer und dann ins grüne Zimmer", "sure", "agentInRoom(agent0,room1) then agentInRoom(agent0,room2)"),
+        ("bring alle Bänke ins grüne Zimmer", "sure", "blockInRoom(block1,room2) then blockInRoom(block2,room2)"),
+        ("bring alles ins grüne Zimmer", "sure", "blockInRoom(block1,room2) then blockInRoom(block2,room2)"),
+        ("die gelbe Tasche ist nicht im roten Zimmer", "unsure", ""),
+    ];
+    check(&model, &three_rooms(), &cases);
+}
+
+#[test]
+fn long_utterances_get_an_answer_or_are_refused_in_plain_words() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let home = three_rooms();
+    let ways: Vec<String> = (0..10).map(|part| format!("go to {}", ["blue", "red"][part % 2])).collect();
+    let tasks: Vec<String> = (0..10).map(|part| go([1, 0][part % 2])).collect();
+    let [answer] = &asked(&model, &home, &[ways.join(" then ")])[..] else { panic!("one answer") };
+    assert_eq!((answer["taken_for"].as_str(), answer["task"].as_str()), (Some("several commands"), Some(&*then(&tasks))), "{answer}");
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("home.json");
+    std::fs::write(&file, home.json().to_string()).expect("a file");
+    for long in [["go to the blue room"; 50].join(" and then "), "again ".repeat(1_000), "and ".repeat(1_000)] {
+        let run = goodbot(&["ask", "--with", &model, "--environment", file.to_str().expect("a name"), "--json", &long], b"");
+        assert!(run.code == 2 && run.messages.contains("too many words in a command"), "{} {}", run.code, run.messages);
+    }
+    for short in
+        ["again ".repeat(64), "and ".repeat(64), "not ".repeat(64), "all ".repeat(64), "go and ".repeat(32), "leave and ".repeat(32)]
+    {
+        let [answer] = &asked(&model, &home, &[short])[..] else { panic!("one answer") };
+        assert!(answer["verdict"] == "none" || answer["verdict"] == "unsure", "{answer}");
+    }
 }

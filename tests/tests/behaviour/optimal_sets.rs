@@ -19,7 +19,12 @@ const ROOMY: Capacities = Capacities { states: 1 << 15, hashed_states: 1 << 15, 
 fn compare<D: Domain>(domain: &D, start: &D::State, lifted: &[LiftedTask], every: usize) -> usize {
     let mut tasks = [GroundedTask::UNUSED; 64];
     let count = ground(domain, lifted, start, &mut tasks).unwrap();
-    let tasks = &tasks[..count];
+    compare_all(domain, start, lifted, &tasks[..count], every)
+}
+
+/// The same for these tasks.
+fn compare_all<D: Domain>(domain: &D, start: &D::State, lifted: &[LiftedTask], tasks: &[GroundedTask], every: usize) -> usize {
+    let count = tasks.len();
     let truth = BruteForce::new(domain, start, lifted, tasks);
     // State numbers that lie far apart have no room in a sweep.
     let sweep = (domain.state_count() < 1 << 24).then(|| Sweep::new(domain, start, lifted, tasks));
@@ -58,6 +63,42 @@ fn search_and_sweep_give_the_optimal_sets_of_brute_force_in_random_homes() {
         let compared = compare(&home, &start, &lifted, 7);
         assert!(compared > 0, "{size:?}");
     }
+}
+
+/// The tasks that a home permits, and the opposite of each.
+fn with_opposites<D: Domain>(domain: &D, start: &D::State, lifted: &[LiftedTask]) -> Vec<GroundedTask> {
+    let mut tasks = [GroundedTask::UNUSED; 64];
+    let count = ground(domain, lifted, start, &mut tasks).unwrap();
+    let opposite = |task: &GroundedTask| task.negated(&lifted[usize::from(task.lifted)]).unwrap();
+    tasks[..count].iter().flat_map(|task| [*task, opposite(task)]).collect()
+}
+
+#[test]
+fn what_shall_not_be_is_planned_as_exactly_as_what_shall() {
+    let (mut random, lifted, mut reached) = (Pcg32::new(9, 9), home::paper_tasks().unwrap(), 0);
+    for round in 0..8 {
+        let mut memory = HeapMemory::new(&ROOMY);
+        let size = Size { columns: 2 + round % 2, rows: 1 + round / 6, side: 2 + round % 2, blocks: 1 + i32::from(round % 4 == 0) };
+        let moves = if round % 2 == 0 { Moves::Push } else { Moves::PushAndPull };
+        let (home, start) = random_home(&mut random, size, moves, &mut memory.home);
+        let tasks = with_opposites(&home, &start, &lifted);
+        assert!(compare_all(&home, &start, &lifted, &tasks, 5) > 0, "{size:?}");
+        // With little memory it may not know, but it is never wrong.
+        let truth = BruteForce::new(&home, &start, &lifted, &tasks);
+        for states in [64, 256, 1_024] {
+            let little = Capacities { states, hashed_states: 64, ..ROOMY };
+            let mut planner = OwnPlanner::new(&little, &home, &lifted, &tasks);
+            for (position, state) in truth.states.iter().enumerate().step_by(11) {
+                let plan = planner.plan_for(&home, state, TaskSet::first(tasks.len()), 100);
+                for task in 0..tasks.len() {
+                    let (found, known) = (plan.optimal(task), truth.optimal(position, task));
+                    assert!(found.exact().is_none() || found == known, "{found:?} is {known:?}: {:?}", tasks[task]);
+                    reached += usize::from(found.exact().is_some() && tasks[task].is_negated());
+                }
+            }
+        }
+    }
+    assert!(reached > 1_000, "{reached}");
 }
 
 /// The tasks of the robot and of the crate.

@@ -26,6 +26,12 @@ const PSEUDO_COUNTS: [f32; SHARES_NAMED] = [0.5, 2.0, 4.0];
 /// A word is a sign of a kind of task if this share of the commands that have it are of the kind.
 const SIGN: f32 = 0.85;
 
+/// A word that one value explains so much better than another does not name the other.
+const FOREIGN: f32 = 5.0;
+
+/// A word is of a task if it is so much more probable there than in the background.
+const OF_TASK: f32 = 2.0;
+
 /// A word of an utterance.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Said {
@@ -121,6 +127,8 @@ impl<'t> Senses<'t> {
 
 /// The values that an utterance names, and which kinds of task it has a sign of.
 pub(crate) struct Named {
+    /// The words that name a value, and the values.
+    words: Vec<Symbol, WORDS_PER_COMMAND>,
     values: Vec<Symbol, WORDS_PER_COMMAND>,
     /// Words that were never heard.
     new: usize,
@@ -129,7 +137,7 @@ pub(crate) struct Named {
 
 impl Named {
     pub fn of(senses: &mut Senses<'_>, said: &[Said]) -> Self {
-        let mut named = Self { values: Vec::new(), new: 0, acts: 0 };
+        let mut named = Self { words: Vec::new(), values: Vec::new(), new: 0, acts: 0 };
         for word in said {
             let Some(symbol) = word.symbol.filter(|symbol| symbol.index() < senses.tables.words()) else {
                 named.new = named.new.saturating_add(1);
@@ -137,11 +145,47 @@ impl Named {
             };
             let sense = senses.of(symbol);
             if let Some(value) = sense.value {
+                let _ = named.words.push(symbol);
                 let _ = named.values.push(value);
             }
             named.acts |= sense.acts;
         }
         named
+    }
+
+    /// Whether a word names the place of a task, and no word anything that the task is not about.
+    pub fn fits(&self, tables: TablesRef<'_>, description: &[Symbol]) -> bool {
+        let (layout, (rows, _)) = (tables.layout(), tables.cells());
+        let is_goal = |position: usize| layout.roles().get(position).is_some_and(|role| role.kind() == RoleKind::Goal);
+        let mut places = false;
+        named_of(layout, self, description, None, |role, share| {
+            places |= share > 0 && role.checked_sub(1).is_some_and(is_goal);
+        });
+        let cell = |value: Symbol, word: Symbol| get(rows, layout.row(Some(value))).get(word.index()).copied().unwrap_or(0.0);
+        // A word of a task may go with a value by chance.
+        let is_name = |word: Symbol, value: Symbol| beside_values(tables, word) * FOREIGN < cell(value, word);
+        let of_task = |kind: RoleKind| matches!(kind, RoleKind::Goal | RoleKind::Subject);
+        let own = || groups(description).filter(|group| of_task(group.marker.role.kind()) && group.marker.sort & 1 == 0);
+        // An article goes with several values.
+        let is_own = |&(word, value): &(Symbol, Symbol)| {
+            let most = own().flat_map(|group| group.values).map(|&value| cell(value, word)).fold(0.0, f32::max);
+            let said = self.words.iter().filter(|&&other| other == word).count();
+            let known = own().filter(|group| group.values.contains(&value)).count();
+            !is_name(word, value) || most * FOREIGN >= cell(value, word) && (said == 1 || said <= known)
+        };
+        places && self.words.iter().copied().zip(self.values.iter().copied()).all(|named| is_own(&named))
+    }
+
+    /// Whether there is a sign of a task's kind.
+    pub fn acts_for(&self, layout: &Layout, description: &[Symbol]) -> bool {
+        form(description).and_then(|token| layout.form(token)).is_some_and(|row| self.acts & 1 << row != 0)
+    }
+
+    /// Another word is the sign of a task, of whatever kind.
+    pub fn act(&mut self) {
+        if self.acts == 0 {
+            self.acts = u8::MAX;
+        }
     }
 
     /// Whether there is a sign of any kind of task.
@@ -150,12 +194,26 @@ impl Named {
     }
 }
 
+/// How probable a word is as what it is at most, no value: a word of a task, or of the background.
+fn beside_values(tables: TablesRef<'_>, word: Symbol) -> f32 {
+    let (layout, (rows, _)) = (tables.layout(), tables.cells());
+    let cell = |token: Option<Symbol>| get(rows, layout.row(token)).get(word.index()).copied().unwrap_or(0.0);
+    layout.forms().iter().map(|&form| cell(Some(form))).fold(cell(None), f32::max)
+}
+
+/// Whether a word is of some task sooner than of the background.
+pub(crate) fn is_of_task(tables: TablesRef<'_>, word: Option<Symbol>) -> bool {
+    word.is_some_and(|word| {
+        let background = background(tables, Some(word)).unwrap_or(f32::MAX);
+        value_of(tables, word).is_none() && beside_values(tables, word) > OF_TASK * background
+    })
+}
+
 /// The value that a word names sooner than anything else.
 fn value_of(tables: TablesRef<'_>, word: Symbol) -> Option<Symbol> {
     let (layout, (rows, _)) = (tables.layout(), tables.cells());
     let cell = |token: Option<Symbol>| get(rows, layout.row(token)).get(word.index()).copied().unwrap_or(0.0);
-    let other = layout.forms().iter().map(|&form| cell(Some(form))).fold(cell(None), f32::max);
-    let (mut best, mut most) = (None, other);
+    let (mut best, mut most) = (None, beside_values(tables, word));
     for token in (0..layout.tokens()).map(|token| Symbol(token as u16)).filter(|token| layout.form(*token).is_none()) {
         let probability = cell(Some(token));
         if probability > most {
@@ -240,8 +298,7 @@ impl Coverage {
 /// Tells how much the words name: 0 for nothing, 1 for a part, 2 for all. Of the task itself at the position 0, of its roles behind that.
 /// One word names one thing.
 fn named_of(layout: &Layout, named: &Named, description: &[Symbol], ghost: Option<RoleKind>, mut tell: impl FnMut(usize, usize)) {
-    let row = form(description).and_then(|token| layout.form(token)).unwrap_or(0);
-    tell(0, if named.acts & 1 << row != 0 { 2 } else { 0 });
+    tell(0, if named.acts_for(layout, description) { 2 } else { 0 });
     let mut left = named.values.clone();
     let mut new = named.new;
     let has_subject = groups(description).any(|group| group.marker.role.kind() == RoleKind::Subject);

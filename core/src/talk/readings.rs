@@ -1,0 +1,236 @@
+//! The readings of an utterance that lead to tasks other than a plain command's: what shall not be, all things of a kind, and one command
+//! after another.
+
+use super::classes::Class;
+use super::listening::{ALL, CUE, Explained, Heard, NEGATED, SEVERAL, View, Wording, Words, learned};
+use crate::capacity::WORDS_PER_COMMAND;
+use crate::memory::AgentMemory;
+use crate::oomdp::{Domain, ObjectId};
+use crate::probability::{Scaled, total};
+use crate::session::{Agent, AgentError};
+use crate::task::TaskSet;
+use crate::task::grounded::is_thing;
+use heapless::Vec;
+
+/// The share of tasks that hold already where nothing says whether a change is asked for.
+const EITHER: f32 = 0.5;
+/// The same where a change is asked for, and the task is what shall not be.
+const CHANGE: f32 = 0.65;
+/// "All" things need no name: e^4.
+const UNNAMED: f32 = 54.598_15;
+/// So many clauses may be one command at most: "the bag and the chair".
+const CLAUSES_PER_COMMAND: usize = 2;
+/// So many words behind "all" may name what is meant.
+const NAME_OF_ALL: usize = 2;
+
+/// Some words without those that say how to read them.
+pub(super) struct Rest {
+    pub words: Words,
+    /// How probable this reading is before the other words.
+    pub prior: f32,
+    pub view: View,
+    /// Whether it says clearly what is meant.
+    pub is_clear: bool,
+    /// Whether it needs no word of a task: "leave the red room".
+    pub is_act: bool,
+    /// The same where it is about a thing. "Leave the chair in the red room" says the opposite of "out of the red room".
+    pub is_act_for_things: bool,
+}
+
+/// The words without those of some classes, and how probable these are. Side by side they are one: "out of", "all things".
+fn without(words: &[Heard], cues: &[Class]) -> Option<(Words, f32)> {
+    let is_out = cues.contains(&Class::Out) && words.iter().any(|word| word.classes.contains(Class::Out));
+    let (mut rest, mut probability, mut before) = (Words::new(), 1.0, Before::Other);
+    for word in words {
+        if word.classes.contains_any(cues) {
+            probability *= if before == Before::Cue { 1.0 } else { CUE };
+            before = Before::Cue;
+        } else if is_out && word.classes.contains(Class::From) {
+            before = Before::From;
+        } else if before == Before::From && word.is_strange() {
+            // An article in a case that no command had: "aus dem Zimmer".
+            before = Before::Other;
+        } else {
+            before = Before::Other;
+            let _ = rest.push(*word);
+        }
+    }
+    Some((rest, probability)).filter(|(rest, _)| rest.len() < words.len() && !rest.is_empty())
+}
+
+/// What a word stands behind.
+#[derive(Clone, Copy, PartialEq)]
+enum Before {
+    Cue,
+    From,
+    Other,
+}
+
+/// The words read as what shall not be, if there is a sign of that.
+pub(super) fn negated(words: &[Heard]) -> Option<Rest> {
+    let cues = [Class::Negation, Class::Out, Class::But];
+    let (rest, probability) = without(words, &cues)?;
+    let prior = NEGATED * probability / learned(words, |word| word.classes.contains_any(&cues));
+    let has = |class| words.iter().any(|word| word.classes.contains(class));
+    let (is_out, is_not) = (has(Class::Out), has(Class::Negation));
+    // Who says "leave" speaks of a place where something is, and needs no other word for a task.
+    let view = if is_out { View { done: CHANGE, has_act: true, ..View::PLAIN } } else { View { done: EITHER, ..View::PLAIN } };
+    // "Do not leave" is the opposite of the opposite, and so is "not anywhere but".
+    // "Why don't you go" is no command.
+    let is_question = words.iter().any(|word| word.classes.contains(Class::Asking) && word.count == 0.0);
+    let is_clear = !(is_question || is_not && (is_out || has(Class::But)));
+    let is_act = is_out || rest.iter().any(Heard::may_act);
+    Some(Rest { words: rest, prior, view, is_clear, is_act, is_act_for_things: is_act && (is_not || has(Class::From)) })
+}
+
+/// The words read as a command about all things of a kind, if there is a sign of that.
+pub(super) fn all(words: &[Heard]) -> Option<Rest> {
+    let (rest, probability) = without(words, &[Class::All])?;
+    let cue = words.iter().position(|word| word.classes.contains(Class::All))?;
+    let mut named = words.iter().skip(cue.saturating_add(1)).take(NAME_OF_ALL);
+    let is_clear = !named.any(|word| word.is_new());
+    let view = View { done: EITHER, ..View::PLAIN };
+    Some(Rest { words: rest, prior: ALL * UNNAMED * probability, view, is_clear, is_act: false, is_act_for_things: false })
+}
+
+/// Whether a connective stands before words that may be a command of their own: who does a half of what is said does something else.
+pub(super) fn has_more(words: &[Heard]) -> bool {
+    let is_connective = |word: &Heard| word.classes.contains(Class::Connective);
+    let mut behind = words.iter().skip_while(|word| is_connective(word)).skip_while(|word| !is_connective(word) || word.count > 0.0);
+    behind.any(Heard::may_act)
+}
+
+/// Where an utterance parts: the words of the first command, and those behind them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Parting {
+    pub end: usize,
+    pub begin: usize,
+    pub weight: Scaled,
+}
+
+/// The clauses of an utterance: what stands between connectives.
+fn clauses(words: &Words) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
+    let mut clauses = Vec::new();
+    let mut begin = 0;
+    let is_connective = |at: usize| words.get(at).is_some_and(|word| word.classes.contains(Class::Connective));
+    for at in 0..=words.len() {
+        if at == words.len() || is_connective(at) {
+            if begin < at {
+                let _ = clauses.push((begin, at));
+            }
+            begin = at.saturating_add(1);
+        }
+    }
+    clauses
+}
+
+impl<M: AgentMemory> Agent<M> {
+    /// Where the words part into commands with the most probability, and how probable they then are.
+    pub(super) fn part<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: &Words,
+        wording: &Wording<'_>,
+        is_rest: bool,
+    ) -> Result<Option<Parting>, AgentError> {
+        let clauses = clauses(words);
+        let mut parting = None;
+        // How probable the words are from each clause on; from behind the last, certain.
+        let mut ahead: Vec<Scaled, { WORDS_PER_COMMAND + 1 }> = Vec::new();
+        let _ = ahead.resize(clauses.len().saturating_add(1), Scaled::ZERO);
+        ahead.iter_mut().rev().take(1).for_each(|slot| *slot = Scaled::ONE);
+        if clauses.len() < 2 {
+            return Ok(None);
+        }
+        for (first, &(start, _)) in clauses.iter().enumerate().rev() {
+            let mut best = Scaled::ZERO;
+            parting = None;
+            for (last, &(_, end)) in clauses.iter().enumerate().skip(first).take(CLAUSES_PER_COMMAND) {
+                let after = last.saturating_add(1);
+                let next = clauses.get(after).map(|&(begin, _)| begin);
+                if first == 0 && next.is_none() {
+                    continue;
+                }
+                let here = self.clause(domain, words.get(start..end).unwrap_or(&[]), wording, is_rest || first > 0)?;
+                let rest = ahead.get(after).copied().unwrap_or(Scaled::ZERO);
+                let connective = next.map_or(Scaled::ONE, |_| {
+                    let learned = words.get(end).map_or(1.0, |word| 1.0 + word.count);
+                    Scaled::new(SEVERAL * CUE).divided_by(Scaled::new(learned).square_root())
+                });
+                let weight = here.times(rest).times(connective);
+                if weight.exceeds(best) {
+                    best = weight;
+                    parting = next.map(|begin| Parting { end, begin, weight });
+                }
+            }
+            ahead.iter_mut().skip(first).take(1).for_each(|slot| *slot = best);
+        }
+        Ok(parting)
+    }
+
+    /// How probable some words are as one command, of whatever reading. A rest may leave out the task's own word.
+    fn clause<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        clause: &[Heard],
+        wording: &Wording<'_>,
+        is_rest: bool,
+    ) -> Result<Scaled, AgentError> {
+        // Where the command before leads to is not known yet.
+        let mut sum = self.explain_all(domain, clause, wording, View { done: EITHER, has_act: is_rest, ..View::PLAIN })?.here;
+        for rest in [negated(clause), all(clause)].into_iter().flatten() {
+            let here = self
+                .explain_all(domain, &rest.words, wording, View { done: EITHER, has_act: is_rest || rest.view.has_act, ..rest.view })?
+                .here;
+            sum = sum.plus(here.scaled_by(rest.prior));
+        }
+        Ok(sum)
+    }
+
+    /// The opposite of the likeliest task, with its probability. The session is then about what shall not be.
+    pub(super) fn negate(&mut self, explained: &mut Explained) -> (usize, f32) {
+        let session = self.memory.lend().session;
+        for (task, weight) in session.tasks.iter_mut().take(self.task_count).zip(&mut explained.weights) {
+            match self.lifted.get(usize::from(task.lifted)).and_then(|lifted| task.negated(lifted)) {
+                Some(negated) => *task = negated,
+                None => *weight = Scaled::ZERO,
+            }
+        }
+        explained.best()
+    }
+
+    /// Of a task about one thing and its place: the kind of task, and the place.
+    pub(super) fn place_of_thing<D: Domain + ?Sized>(&self, domain: &D, task: usize) -> Option<(u8, ObjectId)> {
+        let (world, task) = (domain.world(), self.task(task));
+        let lifted = self.lifted.get(usize::from(task.lifted)).filter(|lifted| !lifted.has_way() && lifted.propositions().len() == 1)?;
+        let part = task.propositions(lifted).next()?;
+        let last = world.schema.parameters(part.proposition).len().checked_sub(1).filter(|&last| last > 0)?;
+        let is_thing = is_thing(&world, part.arguments.first().copied()?);
+        part.arguments.get(last).copied().filter(|_| is_thing).map(|place| (task.lifted, place))
+    }
+
+    /// The tasks that bring all fitting things to one place, and how probable that place is.
+    pub(super) fn all_that_fit<D: Domain + ?Sized>(&self, domain: &D, explained: &Explained) -> (TaskSet, f32) {
+        let place = |task: usize| self.place_of_thing(domain, task);
+        let likelihood = |task: usize| explained.likelihoods.get(task).copied().unwrap_or(Scaled::ZERO);
+        let (mut likeliest, mut best, mut most) = (None, None, Scaled::ZERO);
+        for task in (0..self.task_count).filter(|&task| place(task).is_some() && explained.fitting.contains(task)) {
+            if likelihood(task).exceeds(most) {
+                (likeliest, best, most) = (Some(task), place(task), likelihood(task));
+            }
+        }
+        if best.is_none() {
+            return (TaskSet::EMPTY, 0.0);
+        }
+        let there = || (0..self.task_count).filter(|&task| place(task) == best);
+        let weight = |task: usize| explained.weights.get(task).copied().unwrap_or(Scaled::ZERO);
+        let fits = |&task: &usize| explained.fitting.contains(task);
+        // It is about things, unless other words say otherwise: "everything to the red room" has no word of a task.
+        let of_things: TaskSet = (0..self.task_count).filter(|&task| place(task).is_some()).collect();
+        let others = TaskSet::first(self.task_count).without(of_things);
+        let [of_things, others] = [of_things, others].map(|tasks| total(tasks.iter().map(weight)));
+        let is_elsewhere = explained.acts && others.exceeds(of_things) && likeliest.is_none_or(|task| !explained.signed.contains(task));
+        let probability = if is_elsewhere { 0.0 } else { total(there().map(weight)).over(of_things) };
+        (there().filter(fits).collect(), probability)
+    }
+}

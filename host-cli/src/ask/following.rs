@@ -1,0 +1,71 @@
+//! What an utterance of several parts leads to: a task for each, and one plan for all.
+
+use super::plan::{Plan, plan};
+use goodbot::home::{Home, HomeState};
+use goodbot::memory::{AgentMemory, HomeMemory};
+use goodbot::talk::{ClosedWords, Hypothesis, Listened, Verdict};
+use goodbot::{Agent, AgentError};
+use goodbot_lesson::name::{in_words, task_name};
+
+/// The tasks of an utterance, one after another.
+#[derive(Clone, Debug)]
+pub struct Followed {
+    /// The tasks, as in files, with `then` between them.
+    pub name: String,
+    /// The tasks in words.
+    pub words: String,
+    /// How probable they are all together.
+    pub probability: f32,
+    /// What comes of the whole utterance.
+    pub verdict: Verdict,
+    /// The actions of all, if they are known.
+    pub plan: Option<Plan>,
+}
+
+/// Whether an utterance is followed in another way than a plain command.
+pub const fn is_followed(hypothesis: Hypothesis) -> bool {
+    matches!(hypothesis, Hypothesis::Negated | Hypothesis::Several | Hypothesis::All)
+}
+
+/// Follows an utterance, of which the agent has heard the first part, each part in the state that the one before leads to.
+///
+/// # Errors
+/// An [`AgentError`].
+pub fn follow(
+    agent: &mut Agent<impl AgentMemory>,
+    home: &Home<impl HomeMemory>,
+    start: &HomeState,
+    utterance: &str,
+    first: Listened,
+) -> Result<Followed, AgentError> {
+    let (mut state, mut part, mut rest) = (*start, first, utterance);
+    let (mut names, mut words, mut verdicts) = (vec![], vec![], vec![]);
+    let (mut probability, mut whole) = (1.0, Some(Plan::default()));
+    loop {
+        probability *= part.probability;
+        verdicts.push(if part.tasks.is_empty() { Verdict::Unsure } else { part.verdict });
+        for task in part.tasks.iter() {
+            let Some((grounded, kind)) =
+                agent.tasks().get(task).and_then(|grounded| Some((*grounded, agent.lifted().get(usize::from(grounded.lifted))?.clone())))
+            else {
+                continue;
+            };
+            names.push(task_name(home, &kind, &grounded).map(|name| name.to_string()).unwrap_or_default());
+            words.push(in_words(home, &kind, &grounded));
+            let planned = plan(agent, home, state, task)?;
+            state = planned.as_ref().map_or(state, |(_, end)| *end);
+            whole = whole.zip(planned).map(|(whole, (more, _))| whole.and(more));
+        }
+        let Some(behind) = part.rest.and_then(|at| rest.get(at..)) else { break };
+        rest = behind;
+        part = agent.listen_on(home, &state, rest, ClosedWords::EUROPEAN)?;
+    }
+    let verdict = if verdicts.iter().all(|verdict| *verdict == Verdict::Done) {
+        Verdict::Done
+    } else if verdicts.iter().all(|verdict| matches!(verdict, Verdict::Sure | Verdict::Done)) && probability >= first.sure {
+        Verdict::Sure
+    } else {
+        Verdict::Unsure
+    };
+    Ok(Followed { name: names.join(" then "), words: words.join(", then "), probability, verdict, plan: whole })
+}
