@@ -90,10 +90,10 @@ fn what_shall_not_be_is_planned_as_exactly_as_what_shall() {
             let mut planner = OwnPlanner::new(&little, &home, &lifted, &tasks);
             for (position, state) in truth.states.iter().enumerate().step_by(11) {
                 let plan = planner.plan_for(&home, state, TaskSet::first(tasks.len()), 100);
-                for task in 0..tasks.len() {
+                for (task, it) in tasks.iter().enumerate() {
                     let (found, known) = (plan.optimal(task), truth.optimal(position, task));
-                    assert!(found.exact().is_none() || found == known, "{found:?} is {known:?}: {:?}", tasks[task]);
-                    reached += usize::from(found.exact().is_some() && tasks[task].is_negated());
+                    assert!(found.exact().is_none() || found == known, "{found:?} is {known:?}: {it:?}");
+                    reached += usize::from(found.exact().is_some() && it.is_negated());
                 }
             }
         }
