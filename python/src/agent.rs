@@ -16,6 +16,7 @@ use goodbot::planning::{OptimalSet, Progress};
 use goodbot::session::Evidence;
 use goodbot::snapshot::{Contents, SAVED};
 use goodbot::symbols::Symbol;
+use goodbot::talk::{ClosedWords, Verdict};
 use goodbot::task::{LiftedTask, TaskSet};
 use goodbot::{Agent as Core, AgentError, Capacities, Options};
 use goodbot_lesson::checked::CheckedSession;
@@ -515,6 +516,49 @@ impl Agent {
                 None => mind.hear(domain.py(), &place, command),
                 Some(prior) => mind.hear_with_prior(domain.py(), &place, command, prior),
             }
+        })
+    }
+
+    /// Hears words that may be no command, in a state. Returns a dict: `verdict` is `sure`, `unsure`, `done` or `none`; `taken_for` says what
+    /// the words are taken for; `tasks` are the tasks that are meant, of which those with `!` shall not be; `probability` is how sure that is;
+    /// `rest` is what else was said, or None. A session begins, as with `hear`. `goes_on` hears the rest of an utterance, in the state that the
+    /// part before leads to.
+    ///
+    /// A robot with few lessons takes everything for a command, and one of the paper's model does.
+    ///
+    /// Raises as `hear` does.
+    #[pyo3(signature = (domain, state, words, *, goes_on=false))]
+    fn listen<'py>(
+        &self,
+        domain: &Bound<'py, PyAny>,
+        state: &Bound<'py, PyAny>,
+        words: &str,
+        goes_on: bool,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let py = domain.py();
+        self.with(|mind| {
+            mind.forget_robot();
+            let place = mind.place(domain, state)?;
+            let listened = in_place!(&place, |domain, state| match goes_on {
+                false => mind.core.listen(domain, state, words, ClosedWords::EUROPEAN),
+                true => mind.core.listen_on(domain, state, words, ClosedWords::EUROPEAN),
+            });
+            let listened = mind.settled(py, &place, listened)?;
+            words.clone_into(&mut mind.command);
+            mind.name_tasks(py, &place);
+            let heard = PyDict::new(py);
+            let verdict = match listened.verdict {
+                Verdict::Sure => "sure",
+                Verdict::Unsure => "unsure",
+                Verdict::Done => "done",
+                Verdict::None => "none",
+            };
+            heard.set_item("verdict", verdict)?;
+            heard.set_item("taken_for", listened.hypothesis.to_string())?;
+            heard.set_item("tasks", listened.tasks.iter().map(|task| mind.task_text(py, task)).collect::<Vec<_>>())?;
+            heard.set_item("probability", listened.probability)?;
+            heard.set_item("rest", listened.rest.and_then(|from| words.get(from..)))?;
+            Ok(heard)
         })
     }
 

@@ -81,7 +81,7 @@ pub fn action_of<D: Domain>(domain: &D, name: &str) -> PyResult<Action> {
 /// A task as logs write it: `agentInRoom(agent0,room1) avoiding agentInRoom(agent0,room2)`.
 pub fn task_name<D: Domain>(domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> String {
     let schema = domain.world().schema;
-    let mut name = String::new();
+    let mut name = if task.is_negated() { "!".to_owned() } else { String::new() };
     Wording::FILES.tell(task.parts(lifted), |piece| match piece {
         Piece::Between(sign) => name.push_str(sign),
         Piece::Proposition(_, part) => {

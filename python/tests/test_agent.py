@@ -244,3 +244,27 @@ def test_tasks_with_a_way_are_told_with_it(home: goodbot.Home) -> None:
     agent.hear(home, home.start, "go", prior={around[0]: 1.0})
     assert agent.most_likely == around[0]
     assert set(home.tasks(kinds=kinds)) == set(agent.tasks)
+
+
+def test_words_that_are_no_command_are_told_apart() -> None:
+    home = goodbot.Home.from_map(
+        """
+        #########
+        #ggg#rrr#
+        ##+###+##
+        #bb@bbbb#
+        #########
+        """
+    )
+    agent = goodbot.Agent(seed=1)
+    red, green = "agentInRoom(agent0,room2)", "agentInRoom(agent0,room1)"
+    for lesson in range(24):
+        color, task = [("red", red), ("green", green)][lesson % 2]
+        goodbot.Trainer(seed=lesson).teach(agent, home, home.start, f"go to the {color} room", task)
+    heard = agent.listen(home, home.start, "go to the red room please")
+    assert (heard["verdict"], heard["tasks"], heard["rest"]) == ("sure", [red], None)
+    assert agent.listen(home, home.start, "hello")["verdict"] == "none"
+    heard = agent.listen(home, home.start, "don't go to the red room")
+    assert (heard["verdict"], heard["tasks"]) == ("done", ["!" + red])
+    heard = agent.listen(home, home.start, "go to the red room and then to the green room")
+    assert (heard["tasks"], heard["rest"]) == ([red], "to the green room")

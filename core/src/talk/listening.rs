@@ -117,7 +117,7 @@ pub struct Listened {
     /// What the utterance is most likely taken for.
     pub hypothesis: Hypothesis,
     /// The most likely task of the session, by its position. Where the utterance says what shall not be, the session's tasks are
-    /// [negated](GroundedTask::is_negated).
+    /// [negated](crate::task::GroundedTask::is_negated).
     pub task: usize,
     /// All tasks that are meant. They are several where the utterance is about all things of a kind: one for each thing that is not yet where
     /// it is to be, or, where all are, one for each.
