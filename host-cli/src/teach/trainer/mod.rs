@@ -190,15 +190,15 @@ impl Trainer {
     /// Hears a command where everything is now. A session under way ends unlearned. `intention` is what the trainer means, where that is
     /// known: it is written down, and never learned from.
     ///
-    /// With some lessons, the robot first asks itself whether there is anything to do. Said once more, the words are a command all the same.
+    /// With some lessons, the robot first asks itself whether there is anything to do. Said once more, the words are a command all the same, unless
+    /// they say what shall not be.
     pub fn hear(&mut self, command: &str, id: Option<String>, intention: Option<&Intention>) -> Result<Heard, Refusal> {
         self.forget();
-        if self.declined.take().is_none_or(|declined| declined != command) && intention.is_none() {
-            let heard = self.listen(command)?;
-            if heard != Heard::Command {
-                self.declined = Some(command.to_owned());
-                return Ok(heard);
-            }
+        let is_again = self.declined.take().is_some_and(|declined| declined == command);
+        let heard = if intention.is_some() { Heard::Command } else { self.listen(command)? };
+        if heard != Heard::Command && (!is_again || heard == Heard::Nothing(Hypothesis::Negated)) {
+            self.declined = Some(command.to_owned());
+            return Ok(heard);
         }
         let environment = self.scene().environment;
         self.mind.hear(&self.rooms, &self.state, command).map_err(refused)?;
@@ -218,6 +218,7 @@ impl Trainer {
         let task = self.words_of(listened.task).unwrap_or_default();
         self.mind.forget();
         Ok(match (listened.verdict, listened.hypothesis) {
+            (_, Hypothesis::Negated) => Heard::Nothing(Hypothesis::Negated),
             (Verdict::Done, _) => Heard::Done(task),
             // A thing that nobody has named is perhaps to be learned.
             (_, Hypothesis::Command | Hypothesis::Absent | Hypothesis::About) => Heard::Command,

@@ -5,12 +5,14 @@ use crate::teach::plain_names::{action_words, percent};
 use crate::teach::trainer::{Heard, Meaning};
 use goodbot::feedback::Feedback;
 use goodbot::planning::OptimalSet;
+use goodbot::talk::Hypothesis;
 
 /// What came of words for which there is nothing to do.
 pub fn declined(heard: &Heard) -> String {
     match heard {
         Heard::Command => String::new(),
         Heard::Done(words) => format!("That is done already: \"{words}\". Say it once more, and it tries."),
+        Heard::Nothing(Hypothesis::Negated) => "It takes that for what shall not be, and waits. Say what it shall do.".to_owned(),
         Heard::Nothing(taken_for) => format!("It takes that for {taken_for}, and waits. Say it once more, and it tries."),
     }
 }
