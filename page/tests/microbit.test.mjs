@@ -133,7 +133,8 @@ test('what is no such program is refused in every language', async () => {
 
 test('a robot that knows more than a micro:bit holds is refused, and why', async () => {
   const page = await open(browser);
-  await page.selectOption('#speed', 'once');
+  // It waits after each step: nothing moves under the pointer.
+  await page.selectOption('#speed', 'step');
   await play(page, 'Test');
   for (let lesson = 1; lesson <= 8; lesson += 1) {
     await page.click('#reset');
