@@ -201,7 +201,7 @@ test('a tab, a setting and another robot ask before they end a session in which 
     assert.match(await page.textContent('#ask'), /A session is under way: “go to the red room”/);
     await answer(page, 'stay');
     assert.ok(await page.isVisible('#finish'), 'the session goes on');
-    assert.ok(!await page.isChecked('#set-pull'));
+    await page.waitForFunction(() => !document.getElementById('set-pull').checked);
     await page.click('#drop');
   }
   await begin(page, 'go to the red room');
