@@ -79,7 +79,7 @@ enum Next {
     Nothing,
 }
 
-/// A walk through a recorded walk. Finish, or forget, when it has ended.
+/// A walk through a recorded session. Finish, or forget, when it has ended.
 ///
 /// ```
 /// use goodbot::memory::AgentHeap;

@@ -4,7 +4,7 @@ use crate::error::{format, full, misformed, value};
 use crate::options::{as_dict, capacities_of};
 use crate::place::{action_of, task_name};
 use goodbot::capacity::{Capacity, CapacityError};
-use goodbot::home::{self, Area, BLOCK, COLOR, Cell, DOOR, HomeBuilder, HomeError, HomeState, Map, Moves, Problem, ROOM, SHAPE};
+use goodbot::home::{self, Area, BLOCK, COLOR, Cell, DOOR, HomeState, Map, Moves, Problem, ROOM, SHAPE};
 use goodbot::memory::HomeHeap;
 use goodbot::oomdp::{Domain, GroundProposition, ObjectId, apply};
 use goodbot::task::{GroundedTask, LiftedTask, ground};
@@ -12,6 +12,7 @@ use goodbot::{Capacities, home::SCHEMA};
 use goodbot_course::{Exercise, HomeName, Layout, generator};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord, object_line};
 use goodbot_formats::map;
+use goodbot_lesson::home::Flaw;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -50,23 +51,6 @@ pub struct Home {
     pub rooms: Rooms,
     pub start: HomeState,
     mark: u64,
-}
-
-/// The home of an environment.
-pub fn built(environment: &EnvironmentFile, moves: Moves, capacities: &Capacities) -> Result<(Rooms, HomeState), HomeError> {
-    let mut builder = HomeBuilder::new(HomeHeap::new(capacities));
-    for object in &environment.objects {
-        match object {
-            ObjectRecord::Room { name, left, bottom, right, top, color } => {
-                builder.room(name, Area::new(*left, *bottom, *right, *top), color)
-            }
-            ObjectRecord::Door { name, left, bottom, right, top } => builder.door(name, Area::new(*left, *bottom, *right, *top)),
-            ObjectRecord::Agent { name, x, y } => builder.agent(name, Cell::new(*x, *y)),
-            ObjectRecord::Block { name, x, y, color, shape } => builder.block(name, Cell::new(*x, *y), color, shape),
-        }?;
-    }
-    let (rooms, start) = builder.build(moves)?;
-    Ok((rooms.with_derived(environment.derived), start))
 }
 
 /// The objects of a home where they are in a state.
@@ -138,7 +122,8 @@ impl Home {
 
     /// The home of an environment.
     pub fn of(py: Python<'_>, environment: &EnvironmentFile, moves: Moves, capacities: &Capacities, text: &str) -> PyResult<Self> {
-        let (rooms, start) = built(environment, moves, capacities).map_err(|error| flaw(py, environment, &error, text))?;
+        let built = goodbot_lesson::home::build(environment, moves, HomeHeap::new(capacities));
+        let (rooms, start) = built.map_err(|error| flaw(py, environment, &error, text))?;
         Ok(Self::new(rooms, start))
     }
 
@@ -166,13 +151,11 @@ impl Home {
 }
 
 /// What is wrong with a home, naming the object and its line.
-fn flaw(py: Python<'_>, environment: &EnvironmentFile, error: &HomeError, text: &str) -> PyErr {
+fn flaw(py: Python<'_>, environment: &EnvironmentFile, error: &Flaw, text: &str) -> PyErr {
     if let Problem::Capacity(error) = error.problem {
         return full(py, error);
     }
-    let position = error.object.map(usize::from);
-    let object = position.and_then(|position| environment.objects.get(position));
-    let message = object.map_or_else(|| error.problem.to_string(), |object| format!("object {:?}: {}", object.name(), error.problem));
+    let (position, message) = (error.object, error.message(environment));
     let line = position.and_then(|position| object_line(text, position)).unwrap_or(1);
     misformed(py, message, line, position.map(|position| format!("objects[{position}]")).as_deref())
 }

@@ -5,7 +5,7 @@ use crate::home::Home;
 use crate::robot::Robot;
 use goodbot::home::HomeState;
 use goodbot::oomdp::{Action, Domain, action_name, action_named};
-use goodbot::task::{GroundedTask, LiftedTask, Piece, Wording};
+use goodbot::task::{GroundedTask, LiftedTask, TaskText};
 use pyo3::prelude::*;
 use std::sync::Arc;
 
@@ -80,15 +80,5 @@ pub fn action_of<D: Domain>(domain: &D, name: &str) -> PyResult<Action> {
 
 /// A task as logs write it: `agentInRoom(agent0,room1) avoiding agentInRoom(agent0,room2)`.
 pub fn task_name<D: Domain>(domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> String {
-    let schema = domain.world().schema;
-    let mut name = if task.is_negated() { "!".to_owned() } else { String::new() };
-    Wording::FILES.tell(task.parts(lifted), |piece| match piece {
-        Piece::Between(sign) => name.push_str(sign),
-        Piece::Proposition(_, part) => {
-            let count = schema.parameters(part.proposition).len();
-            let names: Vec<&str> = part.arguments.iter().take(count).map(|&object| domain.world().objects.name(object)).collect();
-            name.push_str(&format!("{}({})", schema.proposition_name(part.proposition), names.join(",")));
-        }
-    });
-    name
+    TaskText::new(task, lifted, domain.world()).to_string()
 }

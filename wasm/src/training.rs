@@ -11,7 +11,7 @@ use goodbot::oomdp::{Action, Domain, action_name, action_named};
 use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::random::unit;
 use goodbot::session;
-use goodbot::task::{GroundedTask, LiftedTask, Piece, Wording};
+use goodbot::task::{GroundedTask, LiftedTask, TaskText};
 use goodbot_lesson::replay::expect;
 use goodbot_lesson::walk::Expected;
 use rand_pcg::Pcg32;
@@ -412,15 +412,5 @@ const fn plan_word(plan: &OptimalSet) -> &'static str {
 
 /// The task as logs write it.
 pub(crate) fn task_name(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
-    let mut name = String::new();
-    Wording::FILES.tell(task.parts(lifted), |piece| match piece {
-        Piece::Between(sign) => name.push_str(sign),
-        Piece::Proposition(_, part) => {
-            let parameters = home.world().schema.parameters(part.proposition).len();
-            let names: Vec<&str> = part.arguments.iter().take(parameters).map(|&object| home.objects().name(object)).collect();
-            name += home.world().schema.proposition_name(part.proposition);
-            name = name.clone() + "(" + &names.join(",") + ")";
-        }
-    });
-    name
+    TaskText::new(task, lifted, home.world()).to_string()
 }

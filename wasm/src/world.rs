@@ -4,7 +4,7 @@ use std::fmt;
 
 use goodbot::feedback::{Strategy, population};
 use goodbot::home::Map;
-use goodbot::home::{self, Area, BLOCK, COLOR, Cell, DOOR, Home, HomeBuilder, HomeError, HomeState, Moves, ROOM, SHAPE};
+use goodbot::home::{self, Area, BLOCK, COLOR, DOOR, Home, HomeState, Moves, ROOM, SHAPE};
 use goodbot::language::Model;
 use goodbot::memory::{AgentHeap, HomeHeap, HomeMemory};
 use goodbot::oomdp::{Action, ObjectId};
@@ -13,6 +13,7 @@ use goodbot::snapshot::{Contents, SAVED};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+use goodbot_lesson::home::Flaw;
 use rand_pcg::Pcg32;
 
 use crate::cells::{MIND, MOST_OF_A_FIELD, ROOMS};
@@ -90,24 +91,10 @@ fn plain_mind(capacities: &Capacities, ways: bool) -> Result<Agent<AgentHeap>, R
 
 /// Builds the home of a file. The message of a refusal names the object.
 pub(crate) fn build(file: &EnvironmentFile, moves: Moves, room: &Capacities) -> Result<(Home<HomeHeap>, HomeState), Refusal> {
-    let refuse = |error: HomeError| {
-        let object = error.object.and_then(|at| file.objects.get(usize::from(at)));
-        Refusal(object.map_or_else(|| error.problem.to_string(), |object| format!("{}: {}", object.name(), error.problem)))
-    };
-    let mut builder = HomeBuilder::new(HomeHeap::new(room));
-    for object in &file.objects {
-        match object {
-            ObjectRecord::Room { name, left, bottom, right, top, color } => {
-                builder.room(name, Area::new(*left, *bottom, *right, *top), color)
-            }
-            ObjectRecord::Door { name, left, bottom, right, top } => builder.door(name, Area::new(*left, *bottom, *right, *top)),
-            ObjectRecord::Agent { name, x, y } => builder.agent(name, Cell::new(*x, *y)),
-            ObjectRecord::Block { name, x, y, color, shape } => builder.block(name, Cell::new(*x, *y), color, shape),
-        }
-        .map_err(refuse)?;
-    }
-    let (home, start) = builder.build(moves).map_err(refuse)?;
-    Ok((home.with_derived(file.derived), start))
+    goodbot_lesson::home::build(file, moves, HomeHeap::new(room)).map_err(|Flaw { object, problem }| {
+        let object = object.and_then(|at| file.objects.get(at));
+        Refusal(object.map_or_else(|| problem.to_string(), |object| format!("{}: {problem}", object.name())))
+    })
 }
 
 /// A robot that has learned more than the page's own, on another machine, keeps its room.

@@ -209,12 +209,12 @@ impl Speaker<'_> {
             });
         }
         let heard = self.classroom.say(said)?;
-        if heard != Heard::Command {
-            let (verdict, taken_for, words) = match &heard {
-                Heard::Done(words) => ("done", Hypothesis::Command, Some(words)),
-                Heard::Nothing(taken_for) => ("none", *taken_for, None),
-                Heard::Command => ("try", Hypothesis::Command, None),
-            };
+        let declined = match &heard {
+            Heard::Command => None,
+            Heard::Done(words) => Some(("done", Hypothesis::Command, Some(words))),
+            Heard::Nothing(taken_for) => Some(("none", *taken_for, None)),
+        };
+        if let Some((verdict, taken_for, words)) = declined {
             let taken_for = taken_for.to_string();
             return Ok(vec![json!({"type": "heard", "command": said, "verdict": verdict, "taken_for": taken_for, "done": words})]);
         }
