@@ -1,15 +1,15 @@
 //! `goodbot merge`: what two robots learned, in one model.
 
-use crate::messages::{counted, say};
-use crate::outcome::Failure;
-use crate::output::Output;
-use crate::whole_file::read_model;
 use clap::{Args, ValueHint};
 use goodbot::capacity::{TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use goodbot::home::paper_tasks;
 use goodbot::memory::AgentHeap;
 use goodbot::snapshot::{Contents, RestoreError};
 use goodbot::{Agent, Capacities, Options};
+use goodbot_console::messages::{counted, say};
+use goodbot_console::outcome::Failure;
+use goodbot_console::output::Output;
+use goodbot_console::whole_file::read_model;
 use std::path::{Path, PathBuf};
 
 /// Join what two robots learned

@@ -1,16 +1,16 @@
 //! `goodbot learn`: a model from recorded sessions.
 
-use crate::learner::Learner;
-use crate::lessons::{self, training};
-use crate::load::kinds::TaskKinds;
-use crate::messages::counted;
-use crate::outcome::Failure;
-use crate::output::{self, Output};
-use crate::refusal;
 use clap::{Args, ValueHint};
 use goodbot::memory::AgentHeap;
 use goodbot::snapshot::most_bytes;
 use goodbot::{Agent, Capacities};
+use goodbot_console::learner::Learner;
+use goodbot_console::lessons::{self, training};
+use goodbot_console::load::kinds::TaskKinds;
+use goodbot_console::messages::counted;
+use goodbot_console::outcome::Failure;
+use goodbot_console::output::{self, Output};
+use goodbot_console::refusal;
 use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;

@@ -1,11 +1,11 @@
 //! One run for each seed, as many at a time as the machine has cores.
 
 use super::lexicon::Lexicon;
+use super::options::{Layouts, PaperOptions, WeightsChoice};
 use super::summary::REPORTED;
-use crate::cli::{Layouts, PaperOptions, WeightsChoice};
-use crate::messages::bar;
-use crate::outcome::Failure;
 use goodbot::{Agent, Capacities, HeapMemory, Options, home, session::Weights};
+use goodbot_console::messages::bar;
+use goodbot_console::outcome::Failure;
 use goodbot_course::{CourseError, Homes, Observer, Results, generator, run_course};
 use indicatif::ProgressBar;
 use rayon::prelude::*;

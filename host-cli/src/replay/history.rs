@@ -1,18 +1,18 @@
 //! The agent that goes through recorded sessions, one after the other.
 
 use super::believes::Believes;
-use crate::fit_trainers::walk::trainer_of;
-use crate::lessons::evidence;
 use goodbot::feedback::Feedback;
 use goodbot::home::Home;
 use goodbot::memory::{AgentHeap, HomeMemory};
 use goodbot::session::{Evidence, Options};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, AgentError, Capacities};
+use goodbot_console::lessons::evidence;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession};
 use goodbot_formats::task_text::GroundTaskText;
+use goodbot_lab::fit_trainers::walk::trainer_of;
 use goodbot_lesson::checked::{CheckedSession, check_steps};
 use goodbot_lesson::replay::{Event, Replay, Rules};
 use goodbot_lesson::walk::Step;

@@ -9,7 +9,7 @@ mod thoughts;
 use super::keys::Focus;
 use super::palette::Palette;
 use super::visit::{Phase, Visit};
-use crate::messages::counted;
+use goodbot_console::messages::counted;
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Position, Rect};
 use ratatui::style::{Modifier, Style};

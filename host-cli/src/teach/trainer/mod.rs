@@ -15,7 +15,6 @@ mod thoughts;
 pub use thoughts::{Idea, Meaning, WordSupport};
 
 use crate::ask::meanings::FEW_LESSONS;
-use crate::lessons::restored::room_for;
 use crate::teach::scene::{Scene, scene};
 use crate::teach::session::{Judged, Session, Step};
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
@@ -29,6 +28,7 @@ use goodbot::snapshot::Contents;
 use goodbot::talk::{ClosedWords, Hypothesis, Verdict};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities};
+use goodbot_console::lessons::restored::room_for;
 use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
 use goodbot_course::next_lesson::times_heard;

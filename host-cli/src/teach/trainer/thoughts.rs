@@ -1,13 +1,13 @@
 //! What the robot thinks: the tasks, which word speaks for which, and what it calls things.
 
 use super::{Refusal, Trainer, no_session, refused};
-use crate::lessons::evidence;
 use crate::teach::plain_names::{task_words, token_words};
 use goodbot::language::Model;
 use goodbot::language::for_each_word;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
 use goodbot::task::GroundedTask;
+use goodbot_console::lessons::evidence;
 use goodbot_formats::task_text::GroundTaskText;
 use goodbot_lesson::name::task_name;
 

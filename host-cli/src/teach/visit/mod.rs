@@ -3,7 +3,6 @@
 mod telling;
 mod time;
 
-use crate::messages::counted;
 use crate::teach::classroom::{Classroom, Tested};
 use crate::teach::keys::{Focus, Intent};
 use crate::teach::lessons::{Stop, Tour, random_home};
@@ -15,6 +14,7 @@ use crate::teach::session::{Judged, Step};
 use crate::teach::trainer::{Acted, Heard, Refusal, WordSupport};
 use goodbot::asking::{Answer, Asking};
 use goodbot::feedback::Feedback;
+use goodbot_console::messages::counted;
 use std::time::Duration;
 
 /// How much of the work is done between two looks at the keyboard.
