@@ -1,6 +1,6 @@
 //! `goodbot teach`: train the robot, on a screen or in lines.
 //!
-//! - [`trainer`]: one robot, its home and the session under way; all that is asked of the core ([`scene`], [`session`]);
+//! - [`trainer`]: one robot, its home and the session under way; all that is asked of the core, in its [`scene`];
 //! - [`kept`]: what is kept where; [`lessons`]: the tour; [`next_lesson`]: what to teach next; [`classroom`]: these together;
 //! - [`protocol`]: lines in, JSON out;
 //! - [`visit`]: what keys do and what happens by itself; [`keys`], [`prompt`], [`pace`]; drawn by [`screen`] in the colours of [`palette`],
@@ -20,7 +20,6 @@ mod prompt;
 mod protocol;
 mod scene;
 mod screen;
-mod session;
 mod terminal;
 mod trainer;
 mod visit;
