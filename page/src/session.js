@@ -7,7 +7,7 @@ import { lessonLearned, spaced, unknownWords } from './learned.js';
 import { answerRecorded, beginAnew, learnFrom } from './logs.js';
 import { renderPlan } from './plan.js';
 import { render } from './render.js';
-import { ofTab } from './shelf.js';
+import { underWay } from './shelf.js';
 import { $, announce, attempt, inParts, nextFrame, percent, state, tell } from './state.js';
 import { change, travel } from './store.js';
 import { attend, enterStop } from './tour.js';
@@ -144,16 +144,19 @@ export function keepSession(session) {
   if (session.looking || session.intended !== null || state.robot.log !== undefined) return;
   const steps = attempt(() => logNow(session).trimEnd().split('\n').slice(0, -1)) || [];
   if (session.given && session.decided) steps.push(JSON.stringify({ type: 'step', action: session.decided.action, feedback: session.feedback, ...timeOfStep(session) }));
-  ofTab.put('session', JSON.stringify({ robot: state.robot.id, mode: state.mode, at: state.mode === 'tour' ? state.tour.at : null, home: world.environment(), steps }));
+  underWay.put(JSON.stringify({ robot: state.robot.id, mode: state.mode, at: state.mode === 'tour' ? state.tour.at : null, home: world.environment(), steps }));
 }
 
-/** Takes up the session that was under way when this tab was reloaded. Returns whether there was one. */
+/** Takes up the session that was under way when this tab was reloaded, or another one closed. Returns whether there was one. */
 export async function takeUpSession() {
   /** @type {import('./state.js').Session} */
   let session;
   try {
-    const kept = JSON.parse(ofTab.get('session') || 'null');
+    const { value, closed } = await underWay.get();
+    const kept = JSON.parse(value || 'null');
     if (!kept || kept.robot !== state.robot.id) return false;
+    // A session in which nothing was said yet is not taken up from a tab that was closed.
+    if (closed && !kept.steps.some(step => /"type":"answer"|"feedback":"(reward|punish)"/.test(step))) return false;
     const [first, ...steps] = kept.steps.map(parsed);
     state.mode = kept.mode;
     if (kept.at !== null && kept.at !== state.tour.at) return false;
@@ -178,11 +181,12 @@ export async function takeUpSession() {
       session.steps += 1;
     }
   } catch {
-    ofTab.put('session', null);
+    underWay.put(null);
     stopSession();
     return false;
   }
   refresh();
+  keepSession(session);
   session.paused = true;
   state.session = session;
   $('command').value = session.command;
@@ -203,7 +207,7 @@ export function stopSession() {
   state.route = null;
   if (state.phase !== 'learning') state.phase = 'none';
   world.forget();
-  if (session) ofTab.put('session', null);
+  if (session) underWay.put(null);
 }
 
 export function wake(session) {
@@ -450,7 +454,7 @@ export async function finishSession() {
   } catch (error) {
     tell(t('session.failed', { why: error.message }), true);
   }
-  ofTab.put('session', null);
+  underWay.put(null);
   state.heat = { now: heatNow(), before: heat };
   state.said = [t('say.thanks'), lessonLearned(session.heardNew)];
   state.session = null;
