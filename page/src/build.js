@@ -43,7 +43,7 @@ const nameFor = kind => {
 };
 
 const MOST_STEPS_BACK = 60;
-// A home of all that the robot has room for is much shorter.
+// A home of all that the robot has room for is much shorter. The field takes one more, so that what is cut off does not pass.
 const MOST_CHARACTERS = 100000;
 
 /** Goes on with one's own drawing; the first one begins with the home that is shown. */

@@ -88,9 +88,9 @@ test('a home that is too large is refused in plain words, `null` is no drawing, 
   await play(page, 'A');
   await page.click('[data-mode=build]');
   const refuse = async (text, why) => {
-    await page.fill('#home-text', text);
+    await page.evaluate(value => { document.getElementById('home-text').value = value; }, text);
     const began = Date.now();
-    await page.click('#import');
+    await page.evaluate(() => document.getElementById('import').click());
     await page.waitForFunction(() => !document.getElementById('toast').hidden);
     assert.match(await page.textContent('#toast'), why);
     assert.match(await page.textContent('#build-error'), why, 'and nothing beside it says that it is a home');
@@ -106,7 +106,7 @@ test('a home that is too large is refused in plain words, `null` is no drawing, 
   const blocks = Array.from({ length: 12 }, (_, at) => ({ class: 'block', name: 'block' + at, x: 1 + at % 7, y: 3 + Math.floor(at / 7), color: 'red', shape: 'bag' }));
   await refuse(home(room(0, 8), ...blocks, agent), /too many things: there are at most \d+/);
   for (const text of ['null', '[1, 2]', '"home"', '7']) await refuse(text, /no home: (something in it|line 1: is )/);
-  const took = await refuse('#####\n#rrr#\n'.repeat(30000), /too long: a home has at most \d+ characters/);
+  const took = await refuse('#rrr#'.repeat(600000), /too long: a home has at most \d+ characters/);
   assert.ok(took < 3000, took + ' ms');
   await page.fill('#home-text', home(room(0), agent));
   await page.click('#import');
