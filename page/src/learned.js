@@ -24,7 +24,8 @@ export function meanings(heat) {
   return found;
 }
 
-const WORD = /[\p{L}\p{M}\p{N}'’]+/gu;
+/** What words are made of. */
+export const WORD = /[\p{L}\p{M}\p{N}'’]+/gu;
 let [written, writtenIn] = [/** @type {Map<string, string>} */ (new Map()), ''];
 
 /** A word as it was written in a command. The robot keeps small letters only, but German nouns have a capital. A capital at a command's

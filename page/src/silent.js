@@ -1,5 +1,5 @@
 // What the trainer's words are worth: a second robot hears the same lessons, and nobody says a word to it.
-import { Goodbot, parsed, world } from './core.js';
+import { Goodbot, parsed } from './core.js';
 import { LEARN_BUDGET } from './session.js';
 import { state } from './state.js';
 import { askedIn, sceneOf, taskWords } from './words.js';
@@ -16,18 +16,15 @@ const sureOf = (tasks, { intended }) => tasks.find(task => task.name === intende
  * @param {Stop[]} stops
  * @returns {[string, number, number][]} */
 export function sureness(stops) {
-  const key = [state.robot.model, world.ways(), document.documentElement.lang].join();
+  const key = [state.robot.model, document.documentElement.lang].join();
   if (about === key) return known;
   const commandOf = stop => taskWords(stop.intended, sceneOf(JSON.parse(stop.home)));
   const silent = new Goodbot(state.settings.seed);
-  silent.setWays(world.ways());
-  const learn = () => { while (!silent.learn(LEARN_BUDGET)); };
-  learn();
   for (const stop of stops.filter(({ test }) => !test)) {
     silent.setEnvironment(stop.home);
     silent.hear(commandOf(stop));
     silent.finish();
-    learn();
+    while (!silent.learn(LEARN_BUDGET));
   }
   known = stops.filter(({ test }) => test).map(stop => {
     const command = commandOf(stop);
