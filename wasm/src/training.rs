@@ -233,6 +233,11 @@ impl World {
         Ok(Evidence { action, feedback: feedback.name(), outcome, judgements, before, after: self.probabilities() })
     }
 
+    /// Nobody judges the last action, and that is no silence either: what the robot believes stays as it is, as a test wants it.
+    pub fn unjudged(&mut self) {
+        self.acted = None;
+    }
+
     /// What a trainer who means the given task and follows the paper's balanced strategy would say to the last action.
     ///
     /// # Errors
@@ -384,6 +389,7 @@ impl World {
         let cells = tokens.iter().flat_map(|(token, _)| words.iter().map(|(word, _)| tables.translation(*word, Some(*token))));
         Heat {
             cells: cells.collect(),
+            idle: words.iter().map(|(word, _)| tables.translation(*word, None)).collect(),
             words: words.iter().map(|(_, text)| (*text).to_owned()).collect(),
             tokens: tokens.iter().map(|(_, text)| (*text).to_owned()).collect(),
             letters: self.agent().options().language.letters_kept(),
