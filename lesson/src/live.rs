@@ -353,6 +353,11 @@ impl Lesson {
         Ok(())
     }
 
+    /// The last step is over. Nobody judges it, and that is no silence either: it is left out of the session.
+    pub fn leave_unjudged(&mut self) {
+        self.acted = None;
+    }
+
     /// Takes in the answer to the question that was asked last.
     ///
     /// # Errors
