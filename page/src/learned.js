@@ -32,12 +32,12 @@ let [written, writtenIn] = [/** @type {Map<string, string>} */ (new Map()), ''];
  * beginning tells nothing.
  * @param {string} word */
 export function asWritten(word) {
-  const log = logOf(state.robot);
   const said = state.session?.command || '';
-  if (writtenIn !== log + said) {
-    writtenIn = log + said;
+  const key = [state.robot.id, state.robot.changed, said].join();
+  if (writtenIn !== key) {
+    writtenIn = key;
     written = new Map();
-    const commands = [...log.matchAll(/"command":("(?:[^"\\]|\\.)*")/g)].map(([, json]) => parsed(json));
+    const commands = [...logOf(state.robot).matchAll(/"command":("(?:[^"\\]|\\.)*")/g)].map(([, json]) => parsed(json));
     for (const command of [...commands, said]) for (const one of (command.match(WORD) || []).slice(1)) written.set(one.toLowerCase(), one);
   }
   return written.get(word) || word;
