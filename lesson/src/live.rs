@@ -105,9 +105,11 @@ pub enum Judged {
 
 /// What is known of a session besides its walk.
 #[derive(Clone, Debug)]
-pub(crate) struct Session {
-    pub(crate) environment: EnvironmentFile,
-    pub(crate) strategies: Vec<(Strategy, f32)>,
+pub struct Session {
+    /// The home when the command was heard.
+    pub environment: EnvironmentFile,
+    /// The trainer strategies that were expected then, each with its probability.
+    pub strategies: Vec<(Strategy, f32)>,
     /// For each step that was taken, and each task, whether it was right.
     judgements: Vec<Vec<Judgement>>,
     /// Where it is walked again.
@@ -142,9 +144,9 @@ pub(crate) struct Session {
 pub struct Lesson {
     /// The robot.
     pub agent: Agent<AgentHeap>,
-    pub(crate) walk: Walk<HomeHeap>,
+    walk: Walk<HomeHeap>,
     state: HomeState,
-    pub(crate) session: Option<Session>,
+    session: Option<Session>,
     acted: Option<Acted>,
 }
 
@@ -192,6 +194,11 @@ impl Lesson {
     /// Whether a session is under way.
     pub const fn is_under_way(&self) -> bool {
         self.session.is_some()
+    }
+
+    /// The session under way: its walk so far, and what else is known of it.
+    pub fn session(&self) -> Option<(&Walk<HomeHeap>, &Session)> {
+        self.session.as_ref().map(|session| (&self.walk, session))
     }
 
     /// The command of the session under way.

@@ -16,7 +16,7 @@ impl Lesson {
     /// The session under way as a log has it: what was heard, done, judged and answered. `learn` says whether it is learned from.
     /// Nothing where no session is under way.
     pub fn recorded(&self, learn: bool) -> Option<RecordedSession> {
-        let session = self.session.as_ref()?;
+        let (walk, session) = self.session()?;
         let home = self.home();
         let step = |step: &Step| StepRecord::new(action_name(home, step.action).to_owned(), Some(word(step.feedback)));
         let answer = |given: &SessionAnswer| {
@@ -24,13 +24,13 @@ impl Lesson {
             let answer = AnswerRecord { tasks, yes: given.yes, eta: given.eta.into(), others: given.others, said_ms: None };
             RecordedAnswer { line: 1, after: given.after, answer }
         };
-        let steps = &self.walk.steps;
+        let steps = &walk.steps;
         Some(RecordedSession {
             header: SessionHeader {
                 id: None,
                 kind: Kind::Feedback,
                 environment: session.environment.clone(),
-                command: self.walk.command.clone(),
+                command: walk.command.clone(),
                 intended: None,
                 before: None,
                 through: None,
@@ -42,7 +42,7 @@ impl Lesson {
             },
             header_line: 1,
             steps: steps.iter().map(step).zip(2..).map(|(step, line)| (line, step)).collect(),
-            answers: self.walk.answers.iter().map(answer).collect(),
+            answers: walk.answers.iter().map(answer).collect(),
             learn,
             end_line: steps.len() + 2,
         })

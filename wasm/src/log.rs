@@ -1,30 +1,66 @@
-//! A session as the lines of a log. The writer of goodbot's formats reads every line again, which is large; this one does not, and a test
-//! has its lines read.
+//! A session as the lines of a log. The records of goodbot's formats are read again when they are written, which is large; these lines are
+//! not, and a test has them read.
 
-use goodbot_formats::session::RecordedSession;
-use serde::Serialize;
+use crate::training::task_name;
+use goodbot::feedback::Strategy;
+use goodbot::oomdp::{Domain, action_name};
+use goodbot_lesson::live::Lesson;
+use std::fmt::{Display, Write};
 
-#[derive(Serialize)]
-struct End {
-    learn: bool,
-}
+/// The actions of a robot that pulls too, as logs name them.
+const PULLING: &str = r#","actions":["north","south","east","west","pull"]"#;
 
-/// The session as lines, each with its end.
-pub fn lines(session: &RecordedSession) -> Result<String, serde_json::Error> {
-    let mut lines = line("session\",\"version\":1,\"", &session.header)?;
-    for done in 0..=session.steps.len() {
-        for answered in session.answers_after(done) {
-            lines += &line("answer\",\"", &answered.answer)?;
+/// The session under way as lines, each with its end. Nothing where none is under way.
+pub fn lines(lesson: &Lesson, learn: bool) -> Option<String> {
+    let (walk, session) = lesson.session()?;
+    let (agent, home) = (&lesson.agent, lesson.home());
+    let environment = session.environment.to_json_line();
+    let command = quoted(&walk.command);
+    let mut log = format!(r#"{{"type":"session","version":1,"kind":"feedback","environment":{environment},"command":{command}"#);
+    if home.actions().len() > 4 {
+        log += PULLING;
+    }
+    // The paper's one is what every robot begins with.
+    if !matches!(session.strategies.as_slice(), [(Strategy::BALANCED, _)]) {
+        let strategies = session.strategies.iter().enumerate().map(|(at, (it, prior))| strategy(at + 1, it, *prior));
+        let _ = write!(log, r#","strategies":{}"#, list(strategies));
+    }
+    log += "}\n";
+    let mut answers = walk.answers.iter().peekable();
+    for done in 0..=walk.steps.len() {
+        while let Some(given) = answers.next_if(|answer| answer.after <= done) {
+            let name = |position: usize| {
+                let task = agent.tasks().get(position)?;
+                Some(quoted(&task_name(home, agent.lifted().get(usize::from(task.lifted))?, task)))
+            };
+            let (tasks, yes, eta, others) = (list(given.tasks.iter().filter_map(name)), given.yes, given.eta, given.others);
+            let _ = writeln!(log, r#"{{"type":"answer","tasks":{tasks},"yes":{yes},"eta":{eta},"others":{others}}}"#);
         }
-        if let Some((_, step)) = session.steps.get(done) {
-            lines += &line("step\",\"", step)?;
+        if let Some(step) = walk.steps.get(done) {
+            let (action, feedback) = (quoted(action_name(home, step.action)), step.feedback.name());
+            let _ = writeln!(log, r#"{{"type":"step","action":{action},"feedback":"{feedback}"}}"#);
         }
     }
-    Ok(lines + &line("end\",\"", &End { learn: session.learn })?)
+    let _ = writeln!(log, r#"{{"type":"end","learn":{learn}}}"#);
+    Some(log)
 }
 
-/// A record as a line that begins with its type.
-fn line(beginning: &str, record: &impl Serialize) -> Result<String, serde_json::Error> {
-    let fields = serde_json::to_string(record)?;
-    Ok(format!("{{\"type\":\"{beginning}{}\n", fields.trim_start_matches("{\"")))
+fn strategy(number: usize, strategy: &Strategy, prior: f32) -> String {
+    let (plus, minus, mistakes) = (strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon());
+    let mut record = format!(r#"{{"name":"strategy {number}","mu_plus":{plus},"mu_minus":{minus},"epsilon":{mistakes},"prior":{prior}"#);
+    if strategy.lags() != Strategy::NO_LAG {
+        let _ = write!(record, r#","lags":{}"#, list(strategy.lags()));
+    }
+    record + "}"
+}
+
+/// A list as JSON, of what is JSON already.
+fn list(items: impl IntoIterator<Item = impl Display>) -> String {
+    let items: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
+    format!("[{}]", items.join(","))
+}
+
+/// A text as JSON.
+fn quoted(text: &str) -> String {
+    serde_json::Value::from(text).to_string()
 }

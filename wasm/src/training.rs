@@ -263,8 +263,7 @@ impl World {
     /// # Errors
     /// Where no session is under way.
     pub fn log(&self, learn: bool) -> Result<String, Refusal> {
-        let session = self.lesson.recorded(learn).ok_or(LiveError::NoSession).map_err(Refusal::from)?;
-        lines(&session).map_err(Refusal::from)
+        lines(&self.lesson, learn).ok_or(LiveError::NoSession).map_err(Refusal::from)
     }
 
     /// What the robot believes. No tasks where no command was heard.
