@@ -1,8 +1,13 @@
 //! A training, in steps as large as the caller allows. What each step does is the model's own: [`ibm2::training`](super::ibm2) and
 //! [`roles::training`](super::roles::training).
 
-use super::bitext::BitextRef;
+use super::bitext::{BitextRef, LeftOut};
 use super::ibm2;
+use super::layer::Layer;
+#[cfg(feature = "layer")]
+use super::bitext::FOLDS;
+#[cfg(feature = "layer")]
+use super::layer;
 use super::roles::training::Work;
 use super::roles::{self, Layout};
 use super::settings::{Model, Settings};
@@ -18,6 +23,11 @@ enum Phase {
     Start,
     Model2(ibm2::training::Part),
     Roles(roles::training::Part),
+    /// A model that has not seen some sessions is asked for them, from this one on.
+    #[cfg(feature = "layer")]
+    Understand(u16),
+    #[cfg(feature = "layer")]
+    Layer(layer::training::Part),
 }
 
 impl Phase {
@@ -31,17 +41,28 @@ impl Phase {
 pub struct Training {
     phase: Phase,
     round: u32,
+    /// The sessions that the role model under way is not to see.
+    left_out: LeftOut,
 }
 
 impl Training {
     /// No training is under way.
-    pub(super) const DONE: Self = Self { phase: Phase::Done, round: 0 };
+    pub(super) const DONE: Self = Self { phase: Phase::Done, round: 0, left_out: LeftOut::NONE };
 
     /// Begins, for so many words and tokens. The caller has made sure that the tables have room. Without words there is nothing to train.
-    pub(super) fn begin(tables: &mut Tables<'_>, bitext: BitextRef<'_>, words: usize, tokens: usize, settings: &Settings) -> Self {
+    pub(super) fn begin(
+        tables: &mut Tables<'_>,
+        bitext: BitextRef<'_>,
+        layer: &mut Layer<'_>,
+        words: usize,
+        tokens: usize,
+        settings: &Settings,
+    ) -> Self {
         (tables.trained.words, tables.trained.tokens) = (words, tokens);
         let is_nothing = words == 0 || (settings.rounds == 0 && settings.model.in_use() == Model::Model2);
-        Self { phase: if is_nothing { start(tables, bitext, settings) } else { Phase::Start }, round: 0 }
+        layer.begin();
+        let left_out = first_left_out(layer, bitext, settings);
+        Self { phase: if is_nothing { start(tables, bitext, settings) } else { Phase::Start }, round: 0, left_out }
     }
 
     /// Whether it has come to its end.
@@ -56,8 +77,16 @@ impl Training {
 
     /// Goes on, with at most about `budget` table cells of work: at least one pair, row or alignment table, or of the role model one memory of
     /// a word. The first call also sizes the tables, regardless of the budget.
-    pub(super) fn advance(&mut self, tables: &mut Tables<'_>, bitext: BitextRef<'_>, settings: &Settings, budget: u32) -> Progress {
+    pub(super) fn advance(
+        &mut self,
+        tables: &mut Tables<'_>,
+        bitext: BitextRef<'_>,
+        layer: &mut Layer<'_>,
+        settings: &Settings,
+        budget: u32,
+    ) -> Progress {
         let mut left = budget.max(1) as usize;
+        let bitext = bitext.without(self.left_out);
         if self.phase == Phase::Start {
             self.phase = start(tables, bitext, settings);
             left = left.saturating_sub(tables.trained.words.saturating_mul(tables.trained.tokens));
@@ -74,7 +103,23 @@ impl Training {
                     let (t, a) = tables.parts();
                     let mut work = Work { layout: &layout, tokens, bitext, t, a };
                     let (cells, next) = work.advance(part, &mut self.round, settings.rounds, left);
-                    (cells, if next == roles::training::Part::Done { Phase::Done } else { Phase::Roles(next) })
+                    (cells, if next == roles::training::Part::Done { self.after_roles(layer, bitext, settings) } else { Phase::Roles(next) })
+                }
+                #[cfg(feature = "layer")]
+                Phase::Understand(session) if usize::from(session) < bitext.sessions() => {
+                    let next = session.saturating_add(FOLDS as u16);
+                    (layer.understand(tables.read(), bitext, session), Phase::Understand(next))
+                }
+                #[cfg(feature = "layer")]
+                Phase::Understand(_) => {
+                    // The next model is trained on others.
+                    *self = Self { phase: Phase::Start, round: 0, left_out: self.left_out.next() };
+                    return Progress::Working;
+                }
+                #[cfg(feature = "layer")]
+                Phase::Layer(part) => {
+                    let (cells, next) = layer.advance(tables.read(), bitext, part);
+                    (cells, if next == layer::training::Part::Done { Phase::Done } else { Phase::Layer(next) })
                 }
             };
             self.phase = next;
@@ -82,6 +127,35 @@ impl Training {
         }
         if self.is_done() { Progress::Done } else { Progress::Working }
     }
+}
+
+impl Training {
+    /// What follows a trained role model.
+    #[cfg(feature = "layer")]
+    fn after_roles(&self, layer: &Layer<'_>, bitext: BitextRef<'_>, settings: &Settings) -> Phase {
+        match self.left_out.first() {
+            Some(first) => Phase::Understand(first),
+            None if layer.is_wanted(settings, bitext.sessions()) => Phase::Layer(layer::training::Part::Clear),
+            None => Phase::Done,
+        }
+    }
+
+    #[cfg(not(feature = "layer"))]
+    #[expect(clippy::unused_self, reason = "as with the feature")]
+    const fn after_roles(&self, _layer: &Layer<'_>, _bitext: BitextRef<'_>, _settings: &Settings) -> Phase {
+        Phase::Done
+    }
+}
+
+/// What the first role model is not to see.
+#[cfg(feature = "layer")]
+fn first_left_out(layer: &Layer<'_>, bitext: BitextRef<'_>, settings: &Settings) -> LeftOut {
+    if layer.is_wanted(settings, bitext.sessions()) { LeftOut::FIRST } else { LeftOut::NONE }
+}
+
+#[cfg(not(feature = "layer"))]
+const fn first_left_out(_layer: &Layer<'_>, _bitext: BitextRef<'_>, _settings: &Settings) -> LeftOut {
+    LeftOut::NONE
 }
 
 /// Gives the tables their new sizes.

@@ -58,9 +58,27 @@ impl LanguageRef<'_> {
         Sizes::new(&Capacities { strategies, ..self.rooms() })
     }
 
+    /// Whether the tasks of a model's sessions fit here, where there is any room for such.
+    #[cfg(feature = "layer")]
+    fn check_room_for_possible(self, contents: &Contents<'_>) -> Result<(), RestoreError> {
+        let mut rooms = Capacities::NONE;
+        self.possible().room(&mut rooms);
+        let commands = contents.possible_commands;
+        let needs = Capacities {
+            commands: commands.len(),
+            command_tokens: commands.iter().map(|command| command.len()).sum(),
+            sessions: contents.possible_counts.len(),
+            pairs: contents.possible.len(),
+            ..Capacities::NONE
+        };
+        if rooms.pairs > 0 { Ok(needs.fits_in(&rooms)?) } else { Ok(()) }
+    }
+
     /// Whether a model's training data fit here, and whether no word or token stands twice.
     pub(super) fn check_room(self, contents: &Contents<'_>) -> Result<(), RestoreError> {
         Capacities { strategies: 0, ..contents.needs() }.fits_in(&self.rooms())?;
+        #[cfg(feature = "layer")]
+        self.check_room_for_possible(contents)?;
         let distinct = |texts: super::contents::Section<'_, &str>| {
             texts.iter().enumerate().all(|(position, text)| texts.iter().take(position).all(|other| other != text))
         };
@@ -75,6 +93,22 @@ impl LanguageRef<'_> {
 }
 
 impl LanguageMut<'_> {
+    /// Takes over the tasks of all sessions, where there is room for them: memory without any is that of a layer that is silent.
+    #[cfg(feature = "layer")]
+    fn take_over_possible(&mut self, contents: &Contents<'_>) {
+        let possible = self.possible_mut();
+        for record in contents.possible_commands.iter() {
+            let _ = possible.add_command(&symbols(&record));
+        }
+        let mut pairs = contents.possible.iter();
+        for count in contents.possible_counts.iter() {
+            let _ = possible.add_session(&[]);
+            for pair in pairs.by_ref().take(count as usize) {
+                let _ = possible.add_pair_with(pair.command, pair.weight);
+            }
+        }
+    }
+
     /// Takes the training data over, which were found to fit, and begins training.
     pub(super) fn take_over(&mut self, contents: &Contents<'_>) {
         self.clear(contents.options.language);
@@ -102,6 +136,8 @@ impl LanguageMut<'_> {
         for (session, _) in contents.heard_again.iter().enumerate().filter(|&(_, again)| again) {
             self.bitext_mut().set_heard_again(session as u16);
         }
+        #[cfg(feature = "layer")]
+        self.take_over_possible(contents);
         let _ = self.data_replaced();
         self.begin_training();
     }
