@@ -262,7 +262,9 @@ impl LanguageMut<'_> {
                 continue;
             }
             #[cfg(feature = "layer")]
-            self.layer.remove_token(token);
+            if let Some(layer) = &mut self.layer.room {
+                layer.remove_token(token);
+            }
             self.tokens.remove(token);
             self.bitext.tokens_mut().iter_mut().chain(&mut *session_tokens).for_each(|other| close_up(other, token));
         }

@@ -3,7 +3,7 @@
 use super::bitext::{Bitext, BitextRef, BitextTables, BitextTablesRef, Extent};
 #[cfg(feature = "layer")]
 use super::layer::LayerRef;
-use super::layer::{Layer, LayerState, LayerTables, LayerTablesRef};
+use super::layer::{Layer, LayerTables, LayerTablesRef};
 use super::roles::Meaning;
 use super::roles::forward::{Reading, likelihood_on};
 use super::settings::{Model, SettingError, Settings, is_weight};
@@ -91,7 +91,6 @@ pub(crate) struct LanguageState {
     words: usize,
     tokens: usize,
     data: Extent,
-    layer: LayerState,
     trained: Trained,
     training: Training,
     learned_words: usize,
@@ -106,7 +105,6 @@ impl LanguageState {
             words: 0,
             tokens: 0,
             data: Extent::NONE,
-            layer: LayerState::NEW,
             trained: Trained::NONE,
             training: Training::DONE,
             learned_words: 0,
@@ -126,7 +124,7 @@ impl LanguageState {
             words: Symbols::new(tables.word_bytes, tables.word_ends, &mut self.words, Capacity::Words, Capacity::WordBytes),
             tokens: Symbols::new(tables.token_bytes, tables.token_ends, &mut self.tokens, Capacity::Tokens, Capacity::TokenBytes),
             bitext: Bitext::new(tables.bitext, &mut self.data),
-            layer: self.layer.with(tables.layer),
+            layer: Layer::new(tables.layer),
             tables: Tables::new(tables.parameters, counts, &mut self.trained),
             training: &mut self.training,
             learned_words: &mut self.learned_words,
@@ -142,7 +140,7 @@ impl LanguageState {
             tokens: SymbolsRef::new(tables.token_bytes, tables.token_ends, self.tokens),
             bitext: BitextRef::new(tables.bitext, self.data),
             #[cfg(feature = "layer")]
-            layer: self.layer.read(tables.layer),
+            layer: LayerRef::new(tables.layer),
             tables: TablesRef::new(tables.parameters, counts, &self.trained),
             training: self.training,
             learned_words: self.learned_words,
@@ -159,7 +157,7 @@ pub struct LanguageRef<'t> {
     tokens: SymbolsRef<'t>,
     bitext: BitextRef<'t>,
     #[cfg(feature = "layer")]
-    layer: LayerRef<'t>,
+    layer: Option<LayerRef<'t>>,
     tables: TablesRef<'t>,
     training: Training,
     learned_words: usize,
@@ -253,15 +251,15 @@ impl<'t> LanguageRef<'t> {
         description: impl Fn(usize) -> &'d [Symbol],
         weights: &mut [Scaled],
     ) {
-        if self.settings.layer && self.model() == Model::Roles {
-            self.layer.weigh(self.tables, sentence, same, description, weights);
+        if let Some(layer) = self.layer.filter(|_| self.settings.layer && self.model() == Model::Roles) {
+            layer.weigh(self.tables, sentence, same, description, weights);
         }
     }
 
-    /// The tasks of each session, for the [layer](super::layer): each pair's weight is the prior of the task.
+    /// The tasks of each session, for the [layer](super::layer), where there is memory for them: each pair's weight is the prior of the task.
     #[cfg(feature = "layer")]
-    pub const fn possible(self) -> BitextRef<'t> {
-        self.layer.possible
+    pub fn possible(self) -> Option<BitextRef<'t>> {
+        self.layer.map(|layer| layer.possible)
     }
 
     /// As [`TablesRef::unknown_share`].
@@ -420,23 +418,21 @@ impl<'t> LanguageMut<'t> {
     }
 
     /// Tells the [layer](super::layer) which tasks the last session could have meant, with the prior of each: all of them, each description
-    /// once. Without this the layer learns nothing from the session. Nothing where the layer is not wanted.
+    /// once. Without this the layer learns nothing from the session. Nothing where the layer is not wanted, or has no memory at all.
     ///
     /// # Errors
     /// A [`CapacityError`] where the layer's tables are full; it then learns nothing from the session.
     #[cfg(feature = "layer")]
     pub fn add_possible<'a>(&mut self, tasks: impl Iterator<Item = (&'a [Symbol], f32)>) -> Result<(), CapacityError> {
-        if !self.settings.layer || self.model() != Model::Roles {
-            return Ok(());
+        let is_on = self.settings.layer && self.model() == Model::Roles;
+        let Some(layer) = self.layer.room.as_mut().filter(|_| is_on) else { return Ok(()) };
+        while layer.possible.sessions() < self.bitext.sessions() {
+            layer.possible.add_session(&[])?;
         }
-        let last = self.bitext.sessions().saturating_sub(1);
-        while self.layer.possible.sessions() <= last {
-            self.layer.possible.add_session(&[])?;
-        }
-        let extent = self.layer.possible.extent();
+        let extent = layer.possible.extent();
         for (description, prior) in tasks {
-            if let Err(error) = self.layer.possible.add_pair(description, if is_weight(prior) { prior } else { 0.0 }) {
-                self.layer.possible.rewind(extent);
+            if let Err(error) = layer.possible.add_pair(description, if is_weight(prior) { prior } else { 0.0 }) {
+                layer.possible.rewind(extent);
                 return Err(error);
             }
         }
@@ -447,12 +443,14 @@ impl<'t> LanguageMut<'t> {
     pub(super) fn remove_session(&mut self, session: u16) {
         self.bitext.remove_session(session);
         #[cfg(feature = "layer")]
-        self.layer.possible.remove_session(session);
+        if let Some(layer) = &mut self.layer.room {
+            layer.possible.remove_session(session);
+        }
     }
 
     #[cfg(all(feature = "layer", feature = "snapshot"))]
-    pub(crate) fn possible_mut(&mut self) -> &mut Bitext<'t> {
-        &mut self.layer.possible
+    pub(crate) fn possible_mut(&mut self) -> Option<&mut Bitext<'t>> {
+        self.layer.room.as_mut().map(|room| &mut room.possible)
     }
 
     /// Forgets everything, and takes other settings.
@@ -462,7 +460,9 @@ impl<'t> LanguageMut<'t> {
         self.tokens.truncate(0);
         self.bitext.rewind(Extent::default());
         #[cfg(feature = "layer")]
-        self.layer.clear();
+        if let Some(layer) = &mut self.layer.room {
+            layer.clear();
+        }
         (*self.learned_words, *self.learned_tokens) = (0, 0);
         self.tables.trained.wanted = Wanted::NONE;
     }

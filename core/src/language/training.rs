@@ -1,7 +1,7 @@
 //! A training, in steps as large as the caller allows. What each step does is the model's own: [`ibm2::training`](super::ibm2) and
 //! [`roles::training`](super::roles::training).
 
-use super::bitext::{BitextRef, LeftOut};
+use super::bitext::BitextRef;
 use super::ibm2;
 use super::layer::Layer;
 #[cfg(feature = "layer")]
@@ -41,13 +41,11 @@ impl Phase {
 pub struct Training {
     phase: Phase,
     round: u32,
-    /// The sessions that the role model under way is not to see.
-    left_out: LeftOut,
 }
 
 impl Training {
     /// No training is under way.
-    pub(super) const DONE: Self = Self { phase: Phase::Done, round: 0, left_out: LeftOut::NONE };
+    pub(super) const DONE: Self = Self { phase: Phase::Done, round: 0 };
 
     /// Begins, for so many words and tokens. The caller has made sure that the tables have room. Without words there is nothing to train.
     pub(super) fn begin(
@@ -60,9 +58,11 @@ impl Training {
     ) -> Self {
         (tables.trained.words, tables.trained.tokens) = (words, tokens);
         let is_nothing = words == 0 || (settings.rounds == 0 && settings.model.in_use() == Model::Model2);
-        layer.begin();
-        let left_out = first_left_out(layer, bitext, settings);
-        Self { phase: if is_nothing { start(tables, bitext, settings) } else { Phase::Start }, round: 0, left_out }
+        #[cfg(feature = "layer")]
+        layer.begin(settings, bitext.sessions());
+        #[cfg(not(feature = "layer"))]
+        let _ = layer;
+        Self { phase: if is_nothing { start(tables, bitext, settings) } else { Phase::Start }, round: 0 }
     }
 
     /// Whether it has come to its end.
@@ -86,7 +86,7 @@ impl Training {
         budget: u32,
     ) -> Progress {
         let mut left = budget.max(1) as usize;
-        let bitext = bitext.without(self.left_out);
+        let bitext = bitext.without(layer.left_out());
         if self.phase == Phase::Start {
             self.phase = start(tables, bitext, settings);
             left = left.saturating_sub(tables.trained.words.saturating_mul(tables.trained.tokens));
@@ -103,22 +103,27 @@ impl Training {
                     let (t, a) = tables.parts();
                     let mut work = Work { layout: &layout, tokens, bitext, t, a };
                     let (cells, next) = work.advance(part, &mut self.round, settings.rounds, left);
-                    (cells, if next == roles::training::Part::Done { self.after_roles(layer, bitext, settings) } else { Phase::Roles(next) })
+                    (cells, if next == roles::training::Part::Done { after_roles(layer, bitext, settings) } else { Phase::Roles(next) })
                 }
                 #[cfg(feature = "layer")]
                 Phase::Understand(session) if usize::from(session) < bitext.sessions() => {
                     let next = session.saturating_add(FOLDS as u16);
-                    (layer.understand(tables.read(), bitext, session), Phase::Understand(next))
+                    let room = layer.room.as_mut();
+                    (room.map_or(1, |room| room.understand(tables.read(), bitext, session)), Phase::Understand(next))
                 }
                 #[cfg(feature = "layer")]
                 Phase::Understand(_) => {
                     // The next model is trained on others.
-                    *self = Self { phase: Phase::Start, round: 0, left_out: self.left_out.next() };
+                    if let Some(room) = &mut layer.room {
+                        *room.left_out = room.left_out.next();
+                    }
+                    *self = Self { phase: Phase::Start, round: 0 };
                     return Progress::Working;
                 }
                 #[cfg(feature = "layer")]
                 Phase::Layer(part) => {
-                    let (cells, next) = layer.advance(tables.read(), bitext, part);
+                    let room = layer.room.as_mut();
+                    let (cells, next) = room.map_or((1, layer::training::Part::Done), |room| room.advance(tables.read(), bitext, part));
                     (cells, if next == layer::training::Part::Done { Phase::Done } else { Phase::Layer(next) })
                 }
             };
@@ -129,33 +134,21 @@ impl Training {
     }
 }
 
-impl Training {
-    /// What follows a trained role model.
-    #[cfg(feature = "layer")]
-    fn after_roles(&self, layer: &Layer<'_>, bitext: BitextRef<'_>, settings: &Settings) -> Phase {
-        match self.left_out.first() {
-            Some(first) => Phase::Understand(first),
-            None if layer.is_wanted(settings, bitext.sessions()) => Phase::Layer(layer::training::Part::Clear),
-            None => Phase::Done,
-        }
-    }
-
-    #[cfg(not(feature = "layer"))]
-    #[expect(clippy::unused_self, reason = "as with the feature")]
-    const fn after_roles(&self, _layer: &Layer<'_>, _bitext: BitextRef<'_>, _settings: &Settings) -> Phase {
-        Phase::Done
-    }
-}
-
-/// What the first role model is not to see.
+/// What follows a trained role model.
 #[cfg(feature = "layer")]
-fn first_left_out(layer: &Layer<'_>, bitext: BitextRef<'_>, settings: &Settings) -> LeftOut {
-    if layer.is_wanted(settings, bitext.sessions()) { LeftOut::FIRST } else { LeftOut::NONE }
+fn after_roles(layer: &Layer<'_>, bitext: BitextRef<'_>, settings: &Settings) -> Phase {
+    match layer.left_out().first() {
+        Some(first) => Phase::Understand(first),
+        None if layer.room.as_ref().is_some_and(|room| room.is_wanted(settings, bitext.sessions())) => {
+            Phase::Layer(layer::training::Part::Clear)
+        }
+        None => Phase::Done,
+    }
 }
 
 #[cfg(not(feature = "layer"))]
-const fn first_left_out(_layer: &Layer<'_>, _bitext: BitextRef<'_>, _settings: &Settings) -> LeftOut {
-    LeftOut::NONE
+const fn after_roles(_layer: &Layer<'_>, _bitext: BitextRef<'_>, _settings: &Settings) -> Phase {
+    Phase::Done
 }
 
 /// Gives the tables their new sizes.

@@ -4,7 +4,7 @@ use super::{AgentMemory, AgentTables, AgentTablesRef, HomeMemory};
 use crate::Capacities;
 use crate::home::{HomeTables, HomeTablesRef};
 #[cfg(feature = "layer")]
-use crate::language::layer::LAYER_WEIGHTS;
+use crate::language::layer::{LAYER_WEIGHTS, LayerState};
 #[cfg(feature = "layer")]
 use crate::language::{BitextTables, BitextTablesRef, LanguageTables, LanguageTablesRef, LayerTables, LayerTablesRef, Pair, Span};
 #[cfg(feature = "layer")]
@@ -120,6 +120,7 @@ struct LayerHeap {
     shares: Vec<f32>,
     understood: Vec<f32>,
     weights: Vec<f32>,
+    state: Vec<LayerState>,
 }
 
 #[cfg(feature = "layer")]
@@ -136,6 +137,7 @@ impl LayerHeap {
             shares: vec![0.0; tasks],
             understood: vec![0.0; tasks],
             weights: vec![0.0; LAYER_WEIGHTS],
+            state: vec![LayerState::UNUSED],
         }
     }
 
@@ -151,6 +153,7 @@ impl LayerHeap {
             shares: &mut self.shares,
             understood: &mut self.understood,
             weights: &mut self.weights,
+            state: &mut self.state,
             ..LayerTables::default()
         }
     }
@@ -165,6 +168,7 @@ impl LayerHeap {
                 pairs: &self.pairs,
             },
             weights: &self.weights,
+            state: &self.state,
             ..LayerTablesRef::default()
         }
     }

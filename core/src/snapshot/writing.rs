@@ -8,6 +8,8 @@ use super::record::{
 use super::record::LAYERED_VERSION;
 use crate::checksum::CHECK;
 use crate::feedback::BeliefRef;
+#[cfg(feature = "layer")]
+use crate::language::BitextRef;
 use crate::language::LanguageRef;
 use crate::language::settings::is_weight;
 use crate::session::Options;
@@ -99,7 +101,7 @@ impl Serialize for Writing<'_> {
         payload.serialize_field("trainers", &Sequence(trainers))?;
         #[cfg(feature = "layer")]
         if self.options.language.layer {
-            let possible = language.possible();
+            let possible = language.possible().unwrap_or(BitextRef::NONE);
             let commands = || (0..possible.commands()).map(|command| positions(possible.command(command as u16)));
             payload.serialize_field("possible_commands", &Sequence(commands))?;
             let counts = || (0..possible.sessions()).map(|session| possible.pairs_of(session as u16).len() as u32);

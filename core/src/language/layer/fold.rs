@@ -1,6 +1,6 @@
 //! What a role model that has not seen a session makes of it.
 
-use super::tables::{Layer, LayerRef};
+use super::tables::{LayerRef, Room};
 use crate::language::bitext::{BitextRef, FOLDS};
 use crate::language::roles::{forward, kind};
 use crate::language::tables::TablesRef;
@@ -21,7 +21,7 @@ impl LayerRef<'_> {
     }
 }
 
-impl Layer<'_> {
+impl Room<'_> {
     /// Keeps the posterior over a session's tasks, by a role model that was trained without the session and those left out with it, and the
     /// shares that the session showed of them. Returns about how many table cells that was.
     #[inline(never)]

@@ -35,8 +35,8 @@ pub(crate) mod training;
 mod weights;
 
 #[cfg(feature = "layer")]
-pub use tables::LAYER_WEIGHTS;
+pub use tables::{LAYER_WEIGHTS, LayerState};
 pub use tables::{LayerTables, LayerTablesRef};
+pub(in crate::language) use tables::Layer;
 #[cfg(feature = "layer")]
 pub(in crate::language) use tables::LayerRef;
-pub(in crate::language) use tables::{Layer, LayerState};

@@ -1,13 +1,14 @@
-//! The memory of the layer. Without the feature `layer` it has no bytes.
+//! The memory of the layer. Without the feature `layer`, and where a caller has none for it, it has no bytes.
 
 #[cfg(feature = "layer")]
 use super::weights::CELLS;
+use crate::language::bitext::LeftOut;
 #[cfg(feature = "layer")]
 use crate::language::bitext::{Bitext, BitextRef, BitextTables, BitextTablesRef, Extent};
 #[cfg(feature = "layer")]
-use crate::language::settings::{Model, Settings};
-#[cfg(feature = "layer")]
 use crate::language::forgetting::close_up;
+#[cfg(feature = "layer")]
+use crate::language::settings::{Model, Settings};
 #[cfg(feature = "layer")]
 use crate::symbols::Symbol;
 use core::marker::PhantomData;
@@ -31,6 +32,9 @@ pub struct LayerTables<'t> {
     /// [`LAYER_WEIGHTS`] numbers.
     #[cfg(feature = "layer")]
     pub weights: &'t mut [f32],
+    /// One entry; without it there is no layer.
+    #[cfg(feature = "layer")]
+    pub state: &'t mut [LayerState],
     /// Nothing.
     pub lent: PhantomData<&'t mut ()>,
 }
@@ -38,12 +42,15 @@ pub struct LayerTables<'t> {
 /// The tables of the layer, to be read.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LayerTablesRef<'t> {
-    /// The tasks of all sessions.
+    /// As [`LayerTables::possible`].
     #[cfg(feature = "layer")]
     pub possible: BitextTablesRef<'t>,
-    /// What was learned.
+    /// As [`LayerTables::weights`].
     #[cfg(feature = "layer")]
     pub weights: &'t [f32],
+    /// As [`LayerTables::state`].
+    #[cfg(feature = "layer")]
+    pub state: &'t [LayerState],
     /// Nothing.
     pub lent: PhantomData<&'t ()>,
 }
@@ -60,6 +67,8 @@ impl LayerTables<'_> {
             understood: self.understood,
             #[cfg(feature = "layer")]
             weights: self.weights,
+            #[cfg(feature = "layer")]
+            state: self.state,
             lent: PhantomData,
         }
     }
@@ -71,18 +80,26 @@ impl LayerTables<'_> {
             possible: self.possible.read(),
             #[cfg(feature = "layer")]
             weights: self.weights,
+            #[cfg(feature = "layer")]
+            state: self.state,
             lent: PhantomData,
         }
     }
 }
 
-/// All of the layer that is not in its tables.
+/// All of the layer that is not in its other tables.
+#[cfg(feature = "layer")]
 #[derive(Clone, Copy, Debug)]
-pub(in crate::language) struct LayerState {
-    #[cfg(feature = "layer")]
+pub struct LayerState {
     possible: Extent,
-    #[cfg(feature = "layer")]
     learned: Learned,
+    left_out: LeftOut,
+}
+
+#[cfg(feature = "layer")]
+impl LayerState {
+    /// What unused memory holds.
+    pub const UNUSED: Self = Self { possible: Extent::NONE, learned: Learned { done: false, said: 0.0 }, left_out: LeftOut::NONE };
 }
 
 /// What a training left.
@@ -95,62 +112,72 @@ pub(super) struct Learned {
     pub said: f32,
 }
 
-impl LayerState {
-    /// Nothing was learned.
-    pub const NEW: Self = Self {
-        #[cfg(feature = "layer")]
-        possible: Extent::NONE,
-        #[cfg(feature = "layer")]
-        learned: Learned { done: false, said: 0.0 },
-    };
-
-    /// The layer in its tables.
-    pub fn with<'t>(&'t mut self, tables: LayerTables<'t>) -> Layer<'t> {
-        Layer {
-            #[cfg(feature = "layer")]
-            possible: Bitext::new(tables.possible, &mut self.possible),
-            #[cfg(feature = "layer")]
-            shares: tables.shares,
-            #[cfg(feature = "layer")]
-            understood: tables.understood,
-            #[cfg(feature = "layer")]
-            weights: tables.weights,
-            #[cfg(feature = "layer")]
-            learned: &mut self.learned,
-            lent: tables.lent,
-            state: PhantomData,
-        }
-    }
-
-    /// The layer in its tables, to be read.
-    #[cfg(feature = "layer")]
-    pub const fn read<'t>(&'t self, tables: LayerTablesRef<'t>) -> LayerRef<'t> {
-        LayerRef {
-            possible: BitextRef::new(tables.possible, self.possible),
-            weights: tables.weights,
-            learned: self.learned,
-        }
-    }
-}
-
-/// The layer, to be taught.
+/// The layer, to be taught, if there is memory for it.
 #[derive(Debug)]
 pub(in crate::language) struct Layer<'t> {
     #[cfg(feature = "layer")]
-    pub possible: Bitext<'t>,
-    #[cfg(feature = "layer")]
-    pub(super) shares: &'t mut [f32],
-    #[cfg(feature = "layer")]
-    pub(super) understood: &'t mut [f32],
-    #[cfg(feature = "layer")]
-    pub(super) weights: &'t mut [f32],
-    #[cfg(feature = "layer")]
-    pub(super) learned: &'t mut Learned,
+    pub room: Option<Room<'t>>,
     lent: PhantomData<&'t mut ()>,
-    state: PhantomData<&'t mut LayerState>,
 }
 
-/// The layer, to be read.
+impl<'t> Layer<'t> {
+    /// The layer in its tables.
+    pub fn new(tables: LayerTables<'t>) -> Self {
+        let lent = tables.lent;
+        Self {
+            #[cfg(feature = "layer")]
+            room: Room::new(tables),
+            lent,
+        }
+    }
+}
+
+#[cfg(not(feature = "layer"))]
+#[expect(clippy::unused_self, reason = "as with the feature")]
+impl Layer<'_> {
+    /// The sessions that the role model in training is not to see.
+    pub const fn left_out(&self) -> LeftOut {
+        LeftOut::NONE
+    }
+}
+
+#[cfg(feature = "layer")]
+impl Layer<'_> {
+    /// The sessions that the role model in training is not to see.
+    pub fn left_out(&self) -> LeftOut {
+        self.room.as_ref().map_or(LeftOut::NONE, |room| *room.left_out)
+    }
+
+    /// A training begins: what was learned says nothing any more.
+    pub fn begin(&mut self, settings: &Settings, sessions: usize) {
+        if let Some(room) = &mut self.room {
+            let left_out = if room.is_wanted(settings, sessions) { LeftOut::FIRST } else { LeftOut::NONE };
+            (room.learned.done, *room.left_out) = (false, left_out);
+        }
+    }
+
+    /// The layer, to be read, if there is memory for it.
+    pub const fn read(&self) -> Option<LayerRef<'_>> {
+        match &self.room {
+            Some(room) => Some(room.read()),
+            None => None,
+        }
+    }
+}
+
+/// The layer in its memory.
+#[cfg(feature = "layer")]
+#[derive(Debug)]
+pub(in crate::language) struct Room<'t> {
+    pub possible: Bitext<'t>,
+    pub left_out: &'t mut LeftOut,
+    pub(super) shares: &'t mut [f32],
+    pub(super) understood: &'t mut [f32],
+    pub(super) weights: &'t mut [f32],
+    pub(super) learned: &'t mut Learned,
+}
+
+/// The layer in its memory, to be read.
 #[cfg(feature = "layer")]
 #[derive(Clone, Copy, Debug)]
 pub(in crate::language) struct LayerRef<'t> {
@@ -159,27 +186,39 @@ pub(in crate::language) struct LayerRef<'t> {
     pub(super) learned: Learned,
 }
 
-impl Layer<'_> {
-    /// Before a training: what was learned says nothing any more.
-    #[cfg_attr(not(feature = "layer"), expect(clippy::unused_self, clippy::missing_const_for_fn, reason = "as with the feature"))]
-    pub fn begin(&mut self) {
-        #[cfg(feature = "layer")]
-        {
-            self.learned.done = false;
-        }
+#[cfg(feature = "layer")]
+impl<'t> LayerRef<'t> {
+    /// The layer in its tables.
+    pub fn new(tables: LayerTablesRef<'t>) -> Option<Self> {
+        let state = tables.state.first()?;
+        Some(Self { possible: BitextRef::new(tables.possible, state.possible), weights: tables.weights, learned: state.learned })
     }
 }
 
 #[cfg(feature = "layer")]
-impl Layer<'_> {
-    /// The layer, to be read.
+impl<'t> Room<'t> {
+    fn new(tables: LayerTables<'t>) -> Option<Self> {
+        let LayerTables { possible, shares, understood, weights, state, .. } = tables;
+        let state = state.first_mut()?;
+        Some(Self {
+            possible: Bitext::new(possible, &mut state.possible),
+            left_out: &mut state.left_out,
+            shares,
+            understood,
+            weights,
+            learned: &mut state.learned,
+        })
+    }
+
+    /// The same, to be read.
     pub const fn read(&self) -> LayerRef<'_> {
         LayerRef { possible: self.possible.read(), weights: self.weights, learned: *self.learned }
     }
 
     /// Whether there is something to train it on. A single session leaves none for the model that has not seen it.
     pub fn is_wanted(&self, settings: &Settings, sessions: usize) -> bool {
-        settings.layer && settings.model.in_use() == Model::Roles && sessions > 1 && self.weights.len() >= LAYER_WEIGHTS && !self.possible.read().pairs().is_empty()
+        let is_on = settings.layer && settings.model.in_use() == Model::Roles;
+        is_on && sessions > 1 && self.weights.len() >= LAYER_WEIGHTS && !self.possible.read().pairs().is_empty()
     }
 
     /// A machine token is forgotten, and those after it move up by one. Where a session's task has it, the layer forgets all sessions: it

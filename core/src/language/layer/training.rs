@@ -14,7 +14,7 @@ use super::contexts::Command;
 use super::fold::MOST_TASKS;
 use super::parts::Parts;
 use super::posterior::logarithm;
-use super::tables::Layer;
+use super::tables::Room;
 use super::weights::{PULLS, TRUST, Weights};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::bitext::BitextRef;
@@ -40,7 +40,7 @@ pub(crate) enum Part {
     Done,
 }
 
-impl Layer<'_> {
+impl Room<'_> {
     /// One part: about how many table cells it was, and where the training stands after it.
     pub fn advance(&mut self, tables: TablesRef<'_>, bitext: BitextRef<'_>, part: Part) -> (usize, Part) {
         match part {
