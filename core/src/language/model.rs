@@ -439,6 +439,14 @@ impl<'t> LanguageMut<'t> {
         Ok(())
     }
 
+    /// Forgets the tasks of all sessions: the layer's state is in memory that another model may have had before.
+    #[cfg(feature = "layer")]
+    pub(crate) fn forget_tasks(&mut self) {
+        if let Some(layer) = &mut self.layer.room {
+            layer.clear();
+        }
+    }
+
     /// Forgets a session and its pairs. Those after it move up by one.
     pub(super) fn remove_session(&mut self, session: u16) {
         self.bitext.remove_session(session);
@@ -460,9 +468,7 @@ impl<'t> LanguageMut<'t> {
         self.tokens.truncate(0);
         self.bitext.rewind(Extent::default());
         #[cfg(feature = "layer")]
-        if let Some(layer) = &mut self.layer.room {
-            layer.clear();
-        }
+        self.forget_tasks();
         (*self.learned_words, *self.learned_tokens) = (0, 0);
         self.tables.trained.wanted = Wanted::NONE;
     }
@@ -634,7 +640,14 @@ impl<M: AgentMemory> LanguageModel<M> {
     /// A [`SettingError`] where a setting is out of range.
     pub fn new(memory: M, settings: Settings) -> Result<Self, SettingError> {
         settings.check()?;
-        Ok(Self { memory, state: LanguageState::new(settings) })
+        let model = Self { memory, state: LanguageState::new(settings) };
+        #[cfg(feature = "layer")]
+        let model = {
+            let mut model = model;
+            model.lend().forget_tasks();
+            model
+        };
+        Ok(model)
     }
 
     /// The model for one call that changes it.
