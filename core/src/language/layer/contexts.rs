@@ -1,7 +1,7 @@
 //! A command as the layer hears it: which words speak of values, and what stands around them.
 
 use super::parts::Part;
-use super::weights::{Context, of_context, of_kind, of_word};
+use super::weights::{Context, of_context, of_kind, of_kind_word, of_value_word};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::roles::names::Names;
 use crate::language::tables::TablesRef;
@@ -15,12 +15,19 @@ const MENTIONS: f32 = 0.3;
 /// More mentions before or after count as so many.
 const MOST_COUNTED: usize = 3;
 
+/// A word that was taken for a value often enough.
+#[derive(Clone, Copy)]
+struct Mention {
+    position: usize,
+    value: Symbol,
+}
+
 /// A command.
 pub(super) struct Command<'s, 't> {
     words: &'s [Option<Symbol>],
     names: Names<'t>,
-    /// The positions of the mentions, in order.
-    mentions: Vec<usize, WORDS_PER_COMMAND>,
+    /// In order.
+    mentions: Vec<Mention, WORDS_PER_COMMAND>,
 }
 
 impl<'s, 't> Command<'s, 't> {
@@ -28,74 +35,66 @@ impl<'s, 't> Command<'s, 't> {
     pub fn new(tables: TablesRef<'t>, said: f32, words: &'s [Option<Symbol>]) -> Self {
         let names = Names::new(tables, said);
         let mut command = Self { words, names, mentions: Vec::new() };
-        let most = |word: Symbol| names.values().map(|value| names.share(word, value)).fold(0.0, f32::max);
         for (position, word) in words.iter().enumerate() {
-            if word.is_some_and(|word| most(word) > MENTIONS) {
+            let Some(word) = *word else { continue };
+            let best = names.values().map(|value| (value, names.share(word, value))).reduce(|best, it| if it.1 > best.1 { it } else { best });
+            if let Some((value, _)) = best.filter(|&(_, share)| share > MENTIONS) {
                 // As many as words at most.
-                let _ = command.mentions.push(position);
+                let _ = command.mentions.push(Mention { position, value });
             }
         }
         command
     }
 
-    /// The words, each once.
-    fn different(&self, from: usize) -> impl Iterator<Item = (usize, Symbol)> {
-        let words = self.words;
-        let first = move |position: usize, word: Symbol| !words.iter().take(position).skip(from).any(|&other| other == Some(word));
-        words
-            .iter()
-            .enumerate()
-            .skip(from)
-            .filter_map(|(position, word)| word.map(|word| (position, word)))
-            .filter(move |&(position, word)| first(position, word))
+    /// The words from a position on, each once.
+    fn different(&self, from: usize) -> impl Iterator<Item = Symbol> {
+        let words = self.words.get(from..).unwrap_or(&[]);
+        let is_first = move |position: usize, word: Symbol| !words.iter().take(position).any(|&other| other == Some(word));
+        let known = words.iter().enumerate().filter_map(|(position, word)| word.map(|word| (position, word)));
+        known.filter(move |&(position, word)| is_first(position, word)).map(|(_, word)| word)
     }
 
     /// Tells each weight that speaks for a part of a task, and how much it counts.
-    pub fn each_weight(&self, part: Part, mut tell: impl FnMut(usize, f32)) {
-        let (role, value) = part;
+    pub fn each_weight(&self, (role, value): Part, mut tell: impl FnMut(usize, f32)) {
         if role == value {
             tell(of_kind(value), 1.0);
-            self.different(0).for_each(|(_, word)| tell(of_word(part, word), 1.0));
+            self.different(0).for_each(|word| tell(of_kind_word(value, word), 1.0));
             return;
         }
-        for (_, word) in self.different(0).filter(|&(_, word)| self.names.share(word, value) > SPEAKS) {
-            tell(of_word(part, word), 1.0);
+        for word in self.different(0).filter(|&word| self.names.share(word, value) > SPEAKS) {
+            tell(of_value_word(role, value, word), 1.0);
         }
-        let mut most = 0.0_f32;
         for (position, word) in self.words.iter().enumerate() {
             let share = word.map_or(0.0, |word| self.names.share(word, value));
             if share > SPEAKS {
-                most = most.max(share);
-                self.each_context(position, |context| tell(of_context(role, context), share));
+                self.each_context(position, value, |context| tell(of_context(role, context), share));
             }
-        }
-        if most > 0.0 {
-            tell(of_context(role, Context::Most), most);
         }
     }
 
-    /// Tells what stands around a word.
-    fn each_context(&self, position: usize, mut tell: impl FnMut(Context)) {
+    /// The word at a position: nothing for one that training has not seen, and `Some(None)` beyond the ends.
+    fn around(&self, position: Option<usize>) -> Option<Option<Symbol>> {
+        match position.and_then(|position| self.words.get(position)) {
+            None => Some(None),
+            Some(word) => word.map(Some),
+        }
+    }
+
+    /// Tells what stands around a word that speaks of a value.
+    fn each_context(&self, position: usize, value: Symbol, mut tell: impl FnMut(Context)) {
         tell(Context::Any);
+        self.around(position.checked_sub(1)).into_iter().for_each(|word| tell(Context::Before(word)));
+        self.around(position.checked_sub(2)).into_iter().for_each(|word| tell(Context::SecondBefore(word)));
         let next = position.saturating_add(1);
-        // What is around a word that training has not seen says nothing.
-        match position.checked_sub(1).map(|before| self.words.get(before).copied().flatten()) {
-            None => tell(Context::Before(None)),
-            Some(None) => {}
-            word => tell(Context::Before(word.flatten())),
+        self.around(Some(next)).into_iter().for_each(|word| tell(Context::After(word)));
+        let earlier = || self.mentions.iter().filter(|mention| mention.position < position);
+        let later = || self.mentions.iter().filter(|mention| mention.position > position);
+        tell(Context::Earlier(earlier().count().min(MOST_COUNTED) as u16));
+        tell(Context::Later(later().count().min(MOST_COUNTED) as u16));
+        if later().next().is_none() {
+            self.different(next).for_each(|word| tell(Context::Tail(word)));
         }
-        match self.words.get(next) {
-            None => tell(Context::After(None)),
-            Some(None) => {}
-            Some(&word) => tell(Context::After(word)),
-        }
-        let (earlier, later) = self.mentions.iter().fold((0_usize, 0_usize), |(earlier, later), &other| {
-            (earlier.saturating_add(usize::from(other < position)), later.saturating_add(usize::from(other > position)))
-        });
-        tell(Context::Earlier(earlier.min(MOST_COUNTED) as u16));
-        tell(Context::Later(later.min(MOST_COUNTED) as u16));
-        if later == 0 {
-            self.different(next).for_each(|(_, word)| tell(Context::Tail(word)));
-        }
+        let same = |mention: Option<&Mention>| mention.map_or(0, |mention| if mention.value == value { 2 } else { 1 });
+        tell(Context::Between(same(earlier().last()), same(later().next())));
     }
 }

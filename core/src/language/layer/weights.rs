@@ -4,10 +4,12 @@ use crate::probability::square_root;
 use crate::symbols::Symbol;
 use core::ops::Range;
 
-/// Weights of a word together with a kind of task or with a value.
-const WORDS: Range<usize> = 0..2_048;
+/// Weights of a word together with a kind of task.
+const KINDS: Range<usize> = 0..2_048;
+/// Weights of a word together with a value in a role.
+const VALUES: Range<usize> = KINDS.end..KINDS.end + 2_048;
 /// Weights of what stands around the words that speak of a role.
-const CONTEXTS: Range<usize> = WORDS.end..WORDS.end + 2_048;
+const CONTEXTS: Range<usize> = VALUES.end..VALUES.end + 2_048;
 /// A constant for each kind of task.
 const CONSTANTS: Range<usize> = CONTEXTS.end..CONTEXTS.end + 64;
 /// a - 1, where a is how much the role model counts.
@@ -15,26 +17,30 @@ pub(super) const TRUST: usize = CONSTANTS.end;
 /// How many weights there are.
 pub(super) const CELLS: usize = TRUST + 1;
 
-/// How strongly each range is pulled towards 0: the more, the more sessions it takes to learn one.
-pub(super) const PULLS: [(Range<usize>, f32); 4] = [(WORDS, 10.0), (CONTEXTS, 3.0), (CONSTANTS, 1.0), (TRUST..CELLS, 10.0)];
+/// How strongly each range is pulled towards 0: the more, the more sessions it takes to learn one. What a value has for itself is pulled most,
+/// so that what all values of a role share is learned first.
+pub(super) const PULLS: [(Range<usize>, f32); 5] =
+    [(KINDS, 10.0), (VALUES, 30.0), (CONTEXTS, 3.0), (CONSTANTS, 1.0), (TRUST..CELLS, 10.0)];
 
 /// What stands around a word that speaks of a value.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Context {
     /// Whatever it is.
     Any,
-    /// The word that speaks of the value most, whatever it is.
-    Most,
     /// The word before; `None` at the beginning of the command.
     Before(Option<Symbol>),
+    /// The word before that; `None` at the beginning.
+    SecondBefore(Option<Symbol>),
     /// The word after; `None` at its end.
     After(Option<Symbol>),
-    /// How many words before it speak of values: 3 for more.
+    /// How many mentions are before it: 3 for more.
     Earlier(u16),
-    /// How many after it do.
+    /// How many are after it.
     Later(u16),
-    /// No word after it speaks of a value, and this one is one of them.
+    /// No word after it is a mention, and this one is one of them.
     Tail(Symbol),
+    /// The mention before it and the one after: 0 for none, 1 for one of another value, 2 for one of the same.
+    Between(u16, u16),
 }
 
 impl Context {
@@ -43,19 +49,25 @@ impl Context {
         let end = |word: Option<Symbol>| word.map_or(u16::MAX, |word| word.0);
         match self {
             Self::Any => (1, 0),
-            Self::Most => (2, 0),
-            Self::Before(word) => (3, end(word)),
+            Self::Before(word) => (2, end(word)),
+            Self::SecondBefore(word) => (3, end(word)),
             Self::After(word) => (4, end(word)),
             Self::Earlier(count) => (5, count),
             Self::Later(count) => (6, count),
             Self::Tail(word) => (7, word.0),
+            Self::Between(before, after) => (8, before.saturating_mul(3).saturating_add(after)),
         }
     }
 }
 
-/// The cell of a word together with a part of a task.
-pub(super) fn of_word((role, value): (Symbol, Symbol), word: Symbol) -> usize {
-    cell(WORDS, [role.0, value.0, word.0])
+/// The cell of a word together with a kind of task.
+pub(super) fn of_kind_word(form: Symbol, word: Symbol) -> usize {
+    cell(KINDS, [form.0, word.0, 0])
+}
+
+/// The cell of a word together with a value in a role.
+pub(super) fn of_value_word(role: Symbol, value: Symbol, word: Symbol) -> usize {
+    cell(VALUES, [role.0, value.0, word.0])
 }
 
 /// The cell of a context, for all values of a role.
