@@ -155,10 +155,8 @@ pub struct BitextRef<'t> {
 impl<'t> BitextRef<'t> {
     /// No data.
     #[cfg(all(feature = "layer", feature = "snapshot"))]
-    pub(crate) const NONE: Self = Self::new(
-        BitextTablesRef { commands: &[], command_tokens: &[], sessions: &[], sentence_words: &[], pairs: &[] },
-        Extent::NONE,
-    );
+    pub(crate) const NONE: Self =
+        Self::new(BitextTablesRef { commands: &[], command_tokens: &[], sessions: &[], sentence_words: &[], pairs: &[] }, Extent::NONE);
 
     /// The data that `used` says are there.
     pub(crate) const fn new(memory: BitextTablesRef<'t>, used: Extent) -> Self {

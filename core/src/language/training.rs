@@ -2,12 +2,12 @@
 //! [`roles::training`](super::roles::training).
 
 use super::bitext::BitextRef;
-use super::ibm2;
-use super::layer::Layer;
 #[cfg(feature = "layer")]
 use super::bitext::FOLDS;
+use super::ibm2;
 #[cfg(feature = "layer")]
 use super::layer;
+use super::layer::Layer;
 use super::roles::training::Work;
 use super::roles::{self, Layout};
 use super::settings::{Model, Settings};

@@ -1,11 +1,11 @@
 //! Writing a model, record by record, without memory of its own.
 
 use super::error::SaveError;
+#[cfg(feature = "layer")]
+use super::record::LAYERED_VERSION;
 use super::record::{
     CHECK_BYTES, HEADER_BYTES, LEAST_BYTES, MAGIC, OPTIONS_BYTES, OptionsRecord, PairRecord, Sizes, StrategyRecord, TrainerRecord, VERSION,
 };
-#[cfg(feature = "layer")]
-use super::record::LAYERED_VERSION;
 use crate::checksum::CHECK;
 use crate::feedback::BeliefRef;
 #[cfg(feature = "layer")]

@@ -37,7 +37,8 @@ impl<'s, 't> Command<'s, 't> {
         let mut command = Self { words, names, mentions: Vec::new() };
         for (position, word) in words.iter().enumerate() {
             let Some(word) = *word else { continue };
-            let best = names.values().map(|value| (value, names.share(word, value))).reduce(|best, it| if it.1 > best.1 { it } else { best });
+            let best =
+                names.values().map(|value| (value, names.share(word, value))).reduce(|best, it| if it.1 > best.1 { it } else { best });
             if let Some((value, _)) = best.filter(|&(_, share)| share > MENTIONS) {
                 // As many as words at most.
                 let _ = command.mentions.push(Mention { position, value });

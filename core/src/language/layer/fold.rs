@@ -1,10 +1,10 @@
 //! What a role model that has not seen a session makes of it.
 
 use super::tables::{LayerRef, Room};
+use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::bitext::{BitextRef, FOLDS};
 use crate::language::roles::{forward, kind};
 use crate::language::tables::TablesRef;
-use crate::capacity::WORDS_PER_COMMAND;
 use crate::probability::{Scaled, total};
 use crate::symbols::Symbol;
 use crate::task::description::form;

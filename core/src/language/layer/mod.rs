@@ -34,9 +34,9 @@ pub(crate) mod training;
 #[cfg(feature = "layer")]
 mod weights;
 
-#[cfg(feature = "layer")]
-pub use tables::{LAYER_WEIGHTS, LayerState};
-pub use tables::{LayerTables, LayerTablesRef};
 pub(in crate::language) use tables::Layer;
 #[cfg(feature = "layer")]
 pub(in crate::language) use tables::LayerRef;
+#[cfg(feature = "layer")]
+pub use tables::{LAYER_WEIGHTS, LayerState};
+pub use tables::{LayerTables, LayerTablesRef};

@@ -19,8 +19,7 @@ pub(super) const CELLS: usize = TRUST + 1;
 
 /// How strongly each range is pulled towards 0: the more, the more sessions it takes to learn one. What a value has for itself is pulled most,
 /// so that what all values of a role share is learned first.
-pub(super) const PULLS: [(Range<usize>, f32); 5] =
-    [(KINDS, 10.0), (VALUES, 30.0), (CONTEXTS, 3.0), (CONSTANTS, 1.0), (TRUST..CELLS, 10.0)];
+pub(super) const PULLS: [(Range<usize>, f32); 5] = [(KINDS, 10.0), (VALUES, 30.0), (CONTEXTS, 3.0), (CONSTANTS, 1.0), (TRUST..CELLS, 10.0)];
 
 /// What stands around a word that speaks of a value.
 #[derive(Clone, Copy, Debug)]
