@@ -96,6 +96,6 @@ impl<'s, 't> Command<'s, 't> {
             self.different(next).for_each(|word| tell(Context::Tail(word)));
         }
         let same = |mention: Option<&Mention>| mention.map_or(0, |mention| if mention.value == value { 2 } else { 1 });
-        tell(Context::Between(same(earlier().last()), same(later().next())));
+        tell(Context::Between(same(earlier().next_back()), same(later().next())));
     }
 }
