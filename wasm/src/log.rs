@@ -5,7 +5,8 @@ use crate::training::task_name;
 use goodbot::feedback::Strategy;
 use goodbot::oomdp::{Domain, action_name};
 use goodbot_lesson::live::Lesson;
-use std::fmt::{Display, Write};
+use serde::Serialize;
+use std::fmt::Write;
 
 /// The actions of a robot that pulls too, as logs name them.
 const PULLING: &str = r#","actions":["north","south","east","west","pull"]"#;
@@ -15,7 +16,7 @@ pub fn lines(lesson: &Lesson, learn: bool) -> Option<String> {
     let (walk, session) = lesson.session()?;
     let (agent, home) = (&lesson.agent, lesson.home());
     let environment = session.environment.to_json_line();
-    let command = quoted(&walk.command);
+    let command = json(&walk.command);
     let mut log = format!(r#"{{"type":"session","version":1,"kind":"feedback","environment":{environment},"command":{command}"#);
     if home.actions().len() > 4 {
         log += PULLING;
@@ -31,13 +32,13 @@ pub fn lines(lesson: &Lesson, learn: bool) -> Option<String> {
         while let Some(given) = answers.next_if(|answer| answer.after <= done) {
             let name = |position: usize| {
                 let task = agent.tasks().get(position)?;
-                Some(quoted(&task_name(home, agent.lifted().get(usize::from(task.lifted))?, task)))
+                Some(json(&task_name(home, agent.lifted().get(usize::from(task.lifted))?, task)))
             };
-            let (tasks, yes, eta, others) = (list(given.tasks.iter().filter_map(name)), given.yes, given.eta, given.others);
+            let (tasks, yes, eta, others) = (list(given.tasks.iter().filter_map(name)), given.yes, json(&given.eta), given.others);
             let _ = writeln!(log, r#"{{"type":"answer","tasks":{tasks},"yes":{yes},"eta":{eta},"others":{others}}}"#);
         }
         if let Some(step) = walk.steps.get(done) {
-            let (action, feedback) = (quoted(action_name(home, step.action)), step.feedback.name());
+            let (action, feedback) = (json(action_name(home, step.action)), step.feedback.name());
             let _ = writeln!(log, r#"{{"type":"step","action":{action},"feedback":"{feedback}"}}"#);
         }
     }
@@ -46,21 +47,21 @@ pub fn lines(lesson: &Lesson, learn: bool) -> Option<String> {
 }
 
 fn strategy(number: usize, strategy: &Strategy, prior: f32) -> String {
-    let (plus, minus, mistakes) = (strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon());
+    let [plus, minus, mistakes, prior] = [strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon(), prior].map(|number| json(&number));
     let mut record = format!(r#"{{"name":"strategy {number}","mu_plus":{plus},"mu_minus":{minus},"epsilon":{mistakes},"prior":{prior}"#);
     if strategy.lags() != Strategy::NO_LAG {
-        let _ = write!(record, r#","lags":{}"#, list(strategy.lags()));
+        record = record + r#","lags":"# + &json(&strategy.lags());
     }
     record + "}"
 }
 
 /// A list as JSON, of what is JSON already.
-fn list(items: impl IntoIterator<Item = impl Display>) -> String {
-    let items: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
-    format!("[{}]", items.join(","))
+fn list(items: impl Iterator<Item = String>) -> String {
+    format!("[{}]", items.collect::<Vec<_>>().join(","))
 }
 
-/// A text as JSON.
-fn quoted(text: &str) -> String {
-    serde_json::Value::from(text).to_string()
+/// A text, a number or numbers as JSON.
+fn json<T: Serialize + ?Sized>(it: &T) -> String {
+    // Nothing of these has no JSON.
+    serde_json::to_string(it).unwrap_or_default()
 }

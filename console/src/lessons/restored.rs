@@ -1,5 +1,6 @@
 //! A model file as an agent that can be asked.
 
+use crate::learner;
 use crate::outcome::Failure;
 use crate::whole_file::read_model;
 use goodbot::memory::AgentHeap;
@@ -19,7 +20,8 @@ pub fn agent(file: &Path, lifted: &[LiftedTask]) -> Result<Agent<AgentHeap>, Fai
     let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
     let bytes = read_model(file)?;
     let contents = Contents::read(&bytes).map_err(|error| fault(&error))?;
-    let mut agent = Agent::new(AgentHeap::new(&room_for(&contents)), lifted, Options::DEFAULT).map_err(|error| fault(&error))?;
+    let memory = learner::memory(&room_for(&contents), &contents.options.language);
+    let mut agent = Agent::new(memory, lifted, Options::DEFAULT).map_err(|error| fault(&error))?;
     agent.restore(&bytes).map_err(|error| fault(&error))?;
     agent.learn_fully();
     Ok(agent)

@@ -1,6 +1,7 @@
 //! A language model trained on many sessions at once, and asked.
 
 use super::{Lesson, MachineCommand};
+use crate::learner;
 use goodbot::AgentError;
 use goodbot::Capacities;
 use goodbot::capacity::CapacityError;
@@ -15,8 +16,8 @@ use goodbot::task::Marker;
 use std::collections::BTreeSet;
 
 /// Memory for a language model of these lessons, and for no search.
-pub fn memory(lessons: &[Lesson]) -> AgentHeap {
-    AgentHeap::new(&capacities(lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD }))
+pub fn memory(lessons: &[Lesson], settings: &Settings) -> AgentHeap {
+    learner::memory(&capacities(lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD }), settings)
 }
 
 /// Capacities for what these lessons teach, and no less than `least`.
@@ -76,10 +77,28 @@ pub fn train<'m, 'l>(
             .map(|(command, share)| Ok((symbols(&mut model, command)?, *share)))
             .collect::<Result<_, CapacityError>>()?;
         model.add_session(&sentence, pairs.iter().map(|(command, share)| (&command[..], *share)))?;
+        if settings.layer {
+            let possible = possible(&mut model, lesson)?;
+            model.add_possible(possible.iter().map(|(description, prior)| (&description[..], *prior)))?;
+        }
     }
     model.begin_training();
     while model.train(u32::MAX) == Progress::Working {}
     Ok(model)
+}
+
+/// The descriptions of a lesson's tasks, each once, and how probable each is before any word.
+fn possible(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -> Result<Vec<(Vec<Symbol>, f32)>, CapacityError> {
+    let mut possible: Vec<(Vec<Symbol>, f32)> = Vec::new();
+    for reading in &lesson.readings {
+        let Some(description) = reading.commands.first() else { continue };
+        let description = symbols(model, description)?;
+        match possible.iter_mut().find(|(known, _)| *known == description) {
+            Some((_, prior)) => *prior += reading.prior,
+            None => possible.push((description, reading.prior)),
+        }
+    }
+    Ok(possible)
 }
 
 /// The symbols of a machine command.
@@ -113,9 +132,29 @@ pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -
     let form = |task: usize| forms.get(task).copied().unwrap_or(Symbol::new(0));
     let prior = |task: usize| lesson.readings.get(task).map_or(0.0, |reading| reading.prior);
     model.read().weigh_kinds(&sentence, form, prior, &mut scores);
+    if model.settings().layer {
+        weigh_parts(model, lesson, &sentence, &mut scores)?;
+    }
     model.forget_unlearned();
     let whole = total(scores.iter().copied());
     Ok(scores.into_iter().map(|score| score.over(whole)).collect())
+}
+
+/// Lets the layer speak.
+fn weigh_parts(
+    model: &mut LanguageModel<impl AgentMemory>,
+    lesson: &Lesson,
+    sentence: &[Option<Symbol>],
+    scores: &mut [Scaled],
+) -> Result<(), CapacityError> {
+    let mut descriptions = Vec::new();
+    for reading in &lesson.readings {
+        descriptions.push(reading.commands.first().map_or_else(|| Ok(vec![]), |description| symbols(model, description))?);
+    }
+    let same = |task: usize| descriptions.iter().position(|other| Some(other) == descriptions.get(task)).unwrap_or(task);
+    let description = |task: usize| descriptions.get(task).map_or(&[][..], |description| &description[..]);
+    model.read().weigh_parts(sentence, same, description, scores);
+    Ok(())
 }
 
 /// How a word was explained.

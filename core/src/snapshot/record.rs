@@ -16,6 +16,9 @@ use serde::{Deserialize, Serialize};
 pub const MAGIC: [u8; 8] = *b"goodbot\0";
 /// The format that this version writes.
 pub const VERSION: u16 = 2;
+/// The format of a model with the [layer](crate::language::layer), which programs without it refuse.
+#[cfg(feature = "layer")]
+pub const LAYERED_VERSION: u16 = 3;
 /// The oldest format that this version reads.
 pub const OLDEST_VERSION: u16 = 1;
 /// Bytes of the header: the magic, the version (u16) and the length of the whole file (u32).
@@ -79,11 +82,13 @@ pub(crate) struct OptionsRecord {
     pub ends_at_goal: f32,
     pub ends_elsewhere: f32,
     pub telling: bool,
+    #[cfg(feature = "layer")]
+    pub layer: bool,
 }
 
 impl OptionsRecord {
     pub(crate) fn new(options: &Options) -> Self {
-        let Settings { model, smoothing, alignment_prior, rounds, length, word_letters, order } = options.language;
+        let Settings { model, smoothing, alignment_prior, rounds, length, word_letters, order, .. } = options.language;
         let (by_roles, evidence_weights) = (model == Model::Roles, options.weights == Weights::Evidence);
         let by_proposition = order == TokenOrder::Propositions;
         let belief_weights = options.weights == Weights::Belief;
@@ -103,6 +108,8 @@ impl OptionsRecord {
             ends_at_goal,
             ends_elsewhere,
             telling,
+            #[cfg(feature = "layer")]
+            layer: options.language.layer,
         }
     }
 
@@ -115,7 +122,17 @@ impl OptionsRecord {
             (false, true) => Weights::Belief,
             (false, false) => Weights::Paper,
         };
-        let language = Settings { model, smoothing, alignment_prior, rounds, length, word_letters, order };
+        let language = Settings {
+            model,
+            smoothing,
+            alignment_prior,
+            rounds,
+            length,
+            word_letters,
+            order,
+            #[cfg(feature = "layer")]
+            layer: self.layer,
+        };
         let ending = Ending { at_goal: self.ends_at_goal, elsewhere: self.ends_elsewhere };
         Options { language, weights, least_weight, drift, ending, telling }
     }

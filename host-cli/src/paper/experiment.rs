@@ -39,8 +39,11 @@ fn attempt(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> R
     };
     let mut memory = HeapMemory::new(&CAPACITIES);
     let lifted = home::paper_tasks().map_err(|_| CourseError::NotPosed)?;
-    let mut agent = Agent::new(&mut memory.agent, &lifted, Options { weights, telling: false, ..options.learner.options() })
-        .map_err(CourseError::Agent)?;
+    let options_of_agent = Options { weights, telling: false, ..options.learner.options() };
+    if options_of_agent.language.layer {
+        memory.agent = memory.agent.with_layer();
+    }
+    let mut agent = Agent::new(&mut memory.agent, &lifted, options_of_agent).map_err(CourseError::Agent)?;
     let mut random = generator(seed);
     let homes = match options.homes() {
         Layouts::Fixed => Homes::FIXED,

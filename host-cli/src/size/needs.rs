@@ -69,7 +69,7 @@ impl Needs {
         let kept = if log.is_empty() || options.sessions.is_some_and(|sessions| sessions < log.len()) {
             None
         } else {
-            let mut memory = AgentHeap::new(&capacities);
+            let mut memory = goodbot_console::learner::memory(&capacities, &learner.language);
             let model = training::train(&mut memory, log.iter(), learner.language).map_err(fault)?;
             Some(model.bitext().sessions())
         };

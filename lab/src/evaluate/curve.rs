@@ -35,7 +35,7 @@ pub fn points(lessons: &[Lesson], method: Method, settings: Settings, runs: usiz
         let shares: Vec<f64> = (0..runs)
             .into_par_iter()
             .map_init(
-                || training::memory(lessons),
+                || training::memory(lessons, &settings),
                 |memory, run| {
                     let order = shuffled(lessons.len(), seed.wrapping_add(run as u64));
                     let (taught, asked) = order.split_at(sessions);

@@ -75,7 +75,7 @@ impl Experiment<'_> {
             .rounds
             .par_iter()
             .map_init(
-                || training::memory(taught),
+                || training::memory(taught, &settings),
                 |memory, (left_out, part)| {
                     let left: std::collections::HashSet<usize> = left_out.iter().copied().collect();
                     let others = || taught.iter().enumerate().filter(|(position, _)| !left.contains(position)).map(|(_, lesson)| lesson);

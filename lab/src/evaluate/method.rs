@@ -23,6 +23,8 @@ pub enum Method {
     /// What understands people best: the role model
     #[default]
     Default,
+    /// The default, with a layer above it that learns more from many sessions
+    Layered,
     /// Model 2, smoothed
     Smoothed,
     /// Model 2 with the paper's settings
@@ -39,6 +41,7 @@ impl Method {
     pub const fn settings(self) -> Settings {
         match self {
             Self::Default => Settings::DEFAULT,
+            Self::Layered => Settings::LAYERED,
             Self::Smoothed => Settings::SMOOTHED,
             Self::Paper | Self::BagOfWords | Self::Action => Settings::PAPER,
         }
@@ -86,7 +89,7 @@ impl<'m> Trained<'m> {
     ) -> Result<Self, goodbot::AgentError> {
         Ok(match method {
             Method::BagOfWords => Self::Bags(Bags::of(lessons, settings.smoothing)?),
-            Method::Default | Method::Smoothed | Method::Paper | Method::Action => {
+            Method::Default | Method::Layered | Method::Smoothed | Method::Paper | Method::Action => {
                 Self::Model2(Box::new(training::train(memory, lessons, settings)?))
             }
         })
