@@ -30,6 +30,8 @@ pub struct StrategyLine {
     prior: f32,
     #[serde(skip_serializing_if = "Option::is_none")]
     lags: Option<[f32; 3]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rests: Option<[f32; 4]>,
 }
 
 /// A step of a log.
@@ -122,6 +124,7 @@ pub fn strategies(strategies: &[(Strategy, f32)]) -> Option<Vec<StrategyLine>> {
         epsilon: strategy.epsilon(),
         prior: *prior,
         lags: Some(strategy.lags()).filter(|lags| *lags != Strategy::NO_LAG),
+        rests: (!strategy.rests_as_it_moves()).then(|| strategy.rests()),
     };
     let is_paper = matches!(strategies, [(strategy, _)] if *strategy == Strategy::BALANCED);
     (!is_paper).then(|| strategies.iter().enumerate().map(line).collect())

@@ -2,7 +2,7 @@
 
 use super::error::{Part, RestoreError};
 use super::record::{
-    CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OLDEST_VERSION, OPTIONS_BYTES, OptionsRecord, PairRecord, SessionRecord,
+    CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OLDEST_VERSION, OPTIONS_BYTES, OptionsRecord, PairRecord, RestsRecord, SessionRecord,
     Sizes, StrategyRecord, TrainerRecord, VERSION,
 };
 use crate::capacity::{Capacities, NAME_BYTES, TOKENS_PER_COMMAND};
@@ -156,6 +156,8 @@ pub struct Contents<'a> {
     /// How late each strategy's words come, and its probability before the trainer was met. Files of before this was kept have none: no
     /// word is late, and the trainer is met now.
     pub trainers: Section<'a, TrainerRecord>,
+    /// What each strategy says to rests. Files of before this was kept have none: it is what is said to moves.
+    pub rests: Section<'a, RestsRecord>,
 }
 
 impl<'a> Contents<'a> {
@@ -204,19 +206,27 @@ impl<'a> Contents<'a> {
         }
         let trainers =
             if rest.is_empty() { Section::NONE } else { section(rest, Part::Trainers, |record: &TrainerRecord| record.is_sound())? };
-        if !rest.is_empty() || !(trainers.is_empty() || trainers.len() == strategies.len()) {
+        if !(trainers.is_empty() || trainers.len() == strategies.len()) {
             return Err(RestoreError::Inconsistent(Part::Trainers));
         }
-        Ok(Self { vocabulary, sizes, options, strategies, words, tokens, commands, sessions, pairs, heard_again, trainers })
+        let sound = |&rests: &RestsRecord| Strategy::UNUSED.with_rests(rests).is_ok();
+        let rests = if rest.is_empty() { Section::NONE } else { section(rest, Part::Rests, sound)? };
+        if !rest.is_empty() || !(rests.is_empty() || rests.len() == strategies.len()) {
+            return Err(RestoreError::Inconsistent(Part::Rests));
+        }
+        Ok(Self { vocabulary, sizes, options, strategies, words, tokens, commands, sessions, pairs, heard_again, trainers, rests })
     }
 }
 
 impl Contents<'_> {
     /// The strategies with their probabilities now, each with its probability before the trainer was met.
     pub(crate) fn believed(&self) -> impl Iterator<Item = ((Strategy, f32), f32)> {
-        let mut trainers = self.trainers.iter();
+        let (mut trainers, mut rests) = (self.trainers.iter(), self.rests.iter());
         self.strategies.iter().filter_map(move |record| {
-            let (strategy, probability) = record.strategy()?;
+            let (mut strategy, probability) = record.strategy()?;
+            if let Some(rests) = rests.next() {
+                strategy = strategy.with_rests(rests).ok()?;
+            }
             let Some(trainer) = trainers.next() else { return Some(((strategy, probability), probability)) };
             Some(((strategy.with_lags(trainer.lags).ok()?, probability), trainer.expected))
         })

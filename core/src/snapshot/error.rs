@@ -90,6 +90,8 @@ pub enum Part {
     HeardAgain,
     /// How late the trainer strategies' words come, and how probable the strategies were before the trainer was met.
     Trainers,
+    /// What each trainer strategy says to rests.
+    Rests,
 }
 
 impl Part {
@@ -106,6 +108,7 @@ impl Part {
             Self::Pairs => "pairs",
             Self::HeardAgain => "marks of commands heard again",
             Self::Trainers => "trainers' lags",
+            Self::Rests => "what trainers say to rests",
         }
     }
 }

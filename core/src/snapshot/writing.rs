@@ -55,7 +55,7 @@ impl Serialize for Writing<'_> {
         let (language, bitext) = (self.language, self.language.bitext());
         let mut bytes = [0; OPTIONS_BYTES];
         let options = postcard::to_slice(&OptionsRecord::new(&self.options), &mut bytes).map_err(serde::ser::Error::custom)?;
-        let mut payload = serializer.serialize_struct("Payload", 11)?;
+        let mut payload = serializer.serialize_struct("Payload", 12)?;
         payload.serialize_field("vocabulary", &self.vocabulary)?;
         payload.serialize_field("sizes", &self.sizes)?;
         payload.serialize_field("options", &ByteString(options))?;
@@ -89,6 +89,8 @@ impl Serialize for Writing<'_> {
             known.iter().enumerate().map(move |(at, (strategy, _))| TrainerRecord { lags: strategy.lags(), expected: expected(at) })
         };
         payload.serialize_field("trainers", &Sequence(trainers))?;
+        let rests = || self.strategies.map_or(&[][..], BeliefRef::strategies).iter().map(|(strategy, _)| strategy.rests());
+        payload.serialize_field("rests", &Sequence(rests))?;
         payload.end()
     }
 }

@@ -139,6 +139,7 @@ impl Session {
             epsilon: strategy.epsilon().into(),
             prior: (*prior).into(),
             lags: Some(strategy.lags().map(f64::from)).filter(|lags| *lags != Strategy::NO_LAG.map(f64::from)),
+            rests: (!strategy.rests_as_it_moves()).then(|| strategy.rests().map(f64::from)),
         };
         let own = match self.strategies.as_slice() {
             [] => true,
