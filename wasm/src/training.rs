@@ -3,7 +3,7 @@
 //! [`World::hear`], then over and over [`World::plan`] until it is done, [`World::act`], [`World::judge`]; at the end [`World::finish`] and
 //! [`World::learn`] until it is done, or [`World::forget`].
 
-use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy, population};
+use goodbot::feedback::{Ending, Feedback, SimulatedTrainer, Strategy, population};
 use goodbot::home::{Home, HomeState, Place, ROOM};
 use goodbot::language::{Model, for_each_piece, for_each_word};
 use goodbot::memory::HomeMemory;
@@ -12,6 +12,7 @@ use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::random::unit;
 use goodbot::session;
 use goodbot::task::{GroundedTask, LiftedTask, TaskText};
+use goodbot::{AgentError, Options};
 use goodbot_lesson::replay::expect;
 use goodbot_lesson::walk::Expected;
 use rand_pcg::Pcg32;
@@ -70,6 +71,7 @@ impl World {
     /// Why the command cannot be heard; what was learned is kept.
     pub fn hear(&mut self, command: &str) -> Result<(), Refusal> {
         self.forget();
+        self.expect_ends(self.expected().is_none())?;
         let Self { mind, rooms, state, .. } = self;
         mind.hear(rooms, state, command).map_err(Refusal::from)?;
         self.record(command)
@@ -259,12 +261,37 @@ impl World {
         (0..self.agent().tasks().len()).map(|task| self.agent().belief().probability(task)).collect()
     }
 
+    /// Whether the robot knows that its trainer ends the session, so that the end is evidence. In a log somebody else may have.
+    pub(crate) fn expect_ends(&mut self, ends: bool) -> Result<(), Refusal> {
+        let options = *self.mind.options();
+        if options.ending.is_evidence() == ends {
+            return Ok(());
+        }
+        let ending = if ends { population::ENDING } else { Ending::NO_EVIDENCE };
+        self.mind.set_options(Options { ending, ..options }).map_err(Refusal::from)
+    }
+
+    /// Takes in that the trainer ends the session here. A step to which nothing was said yet is not part of it, nor the end after that.
+    fn take_end(&mut self) -> Result<(), Refusal> {
+        let Self { mind, rooms, state, acted, .. } = self;
+        if acted.is_none() && mind.options().ending.is_evidence() {
+            mind.plan_fully(rooms, state).map_err(Refusal::from)?;
+            match mind.trainer_ended(rooms, state) {
+                // What was only answered or shown has no end that the trainer chose.
+                Ok(_) | Err(AgentError::NothingDone) => {}
+                Err(error) => return Err(Refusal::from(error)),
+            }
+        }
+        Ok(())
+    }
+
     /// Ends the session and begins to learn from it. Gives the session as lines of a log.
     ///
     /// # Errors
     /// Where no session is under way or something is full; what was learned before is kept.
     pub fn finish(&mut self) -> Result<String, Refusal> {
         let log = self.log(true)?;
+        self.take_end()?;
         let Self { mind, rooms, .. } = self;
         let ended = mind.finish(rooms);
         (self.recording, self.acted) = (None, None);

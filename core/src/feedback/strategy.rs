@@ -272,6 +272,7 @@ impl Strategy {
 }
 
 /// The probability of a feedback by the probabilities of silence after what is right and what is wrong, and of a mistake.
+#[inline(never)]
 fn said([mu_plus, mu_minus, epsilon]: [f32; 3], feedback: Feedback, correct: bool) -> f32 {
     let seen_correct = if correct { 1.0 - epsilon } else { epsilon };
     let seen_incorrect = 1.0 - seen_correct;

@@ -403,9 +403,6 @@ impl Planner {
 
     /// The tasks among `asked` whose goals hold in a state; for tasks whose ways are gone to their ends.
     pub(crate) fn satisfied<D: Domain + ?Sized>(&self, goals: GoalMemoryRef<'_>, domain: &D, state: &D::State, asked: TaskSet) -> TaskSet {
-        if asked.is_empty() {
-            return asked;
-        }
         Goals { table: &self.goals, parts: goals.parts, entries: goals.entries }.satisfied(domain, state, asked)
     }
 

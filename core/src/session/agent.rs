@@ -56,10 +56,15 @@ pub enum Evidence {
     Impossible,
 }
 
-/// The probability that the session ends, or goes on, in a state where this is known of a task.
-fn probability_of_end(ending: &Ending, plan: OptimalSet, moment: Moment, ends: bool) -> Option<f32> {
-    plan.exact()?;
-    Some(ending.probability(ends, plan == OptimalSet::Goal, moment))
+/// Takes in that the session ends, or goes on, in a state where this is known of the tasks.
+#[inline(never)]
+fn observe_end(belief: &mut Belief<'_>, ending: &Ending, plan: Plan<'_>, moment: Moment, ends: bool) -> bool {
+    let possible = belief.observe(&|_, task| {
+        let plan = plan.optimal(task);
+        plan.exact().map(|_| ending.probability(ends, plan == OptimalSet::Goal, moment))
+    });
+    belief.settle();
+    possible
 }
 
 /// The robot's mind, in memory that it owns or borrows: see [`memory`](mod@crate::memory).
@@ -512,9 +517,7 @@ impl<M: AgentMemory> Agent<M> {
         belief.settle();
         // The trainer could have ended the session in this state, and did not.
         if self.done.is_something() && self.options.ending.is_evidence() {
-            let moment = self.done.moment();
-            let _ = belief.observe(&|_, task| probability_of_end(&self.options.ending, plan.optimal(task), moment, false));
-            belief.settle();
+            let _ = observe_end(&mut belief, &self.options.ending, plan, self.done.moment(), false);
         }
         let at_goal = if action == Action::NOOP { TaskSet::EMPTY } else { plan.at_goal() };
         let inside = self.planner.satisfied(session.goals.read(), domain, &next, at_goal);
@@ -565,9 +568,7 @@ impl<M: AgentMemory> Agent<M> {
         }
         let mut belief = Belief::new(session.belief, &mut self.belief);
         belief.settle();
-        let moment = self.done.moment();
-        let possible = belief.observe(&|_, task| probability_of_end(&self.options.ending, plan.optimal(task), moment, true));
-        belief.settle();
+        let possible = observe_end(&mut belief, &self.options.ending, plan, self.done.moment(), true);
         // A word that comes now is about nothing.
         self.done = LastDone::NOTHING;
         Ok(if possible { Evidence::Used } else { Evidence::Impossible })

@@ -2,8 +2,8 @@
 
 use super::error::{Part, RestoreError};
 use super::record::{
-    CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OLDEST_VERSION, OPTIONS_BYTES, OptionsRecord, PairRecord, RestsRecord, SessionRecord,
-    Sizes, StrategyRecord, TrainerRecord, VERSION,
+    CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OLDEST_VERSION, OPTIONS_BYTES, OptionsRecord, PairRecord, RestsRecord,
+    SessionRecord, Sizes, StrategyRecord, TrainerRecord, VERSION,
 };
 use crate::capacity::{Capacities, NAME_BYTES, TOKENS_PER_COMMAND};
 use crate::checksum::CHECK;

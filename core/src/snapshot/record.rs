@@ -79,9 +79,11 @@ pub(crate) struct OptionsRecord {
     pub ends_at_goal: f32,
     pub ends_elsewhere: f32,
     pub telling: bool,
-    /// At the goal, and elsewhere: after a rest and after a later one, and how many times as often after praise and after blame. All 0 where
-    /// the end is as probable at every moment.
-    pub ends: [[f32; 4]; 2],
+    /// After a rest and after a later one at the goal, and how many times as often after praise and after blame. All 0 where the end is as
+    /// probable at every moment.
+    pub at_goal: [f32; 4],
+    /// The same elsewhere.
+    pub elsewhere: [f32; 4],
 }
 
 impl OptionsRecord {
@@ -106,7 +108,8 @@ impl OptionsRecord {
             ends_at_goal: at_goal.moved,
             ends_elsewhere: elsewhere.moved,
             telling,
-            ends: [at_goal, elsewhere].map(|Hazard { rested, resting, praised, scolded, .. }| [rested, resting, praised, scolded]),
+            at_goal: numbers(at_goal),
+            elsewhere: numbers(elsewhere),
         }
     }
 
@@ -120,8 +123,7 @@ impl OptionsRecord {
             (false, false) => Weights::Paper,
         };
         let language = Settings { model, smoothing, alignment_prior, rounds, length, word_letters, order };
-        let [at_goal, elsewhere] = self.ends;
-        let ending = Ending { at_goal: hazard(self.ends_at_goal, at_goal), elsewhere: hazard(self.ends_elsewhere, elsewhere) };
+        let ending = Ending { at_goal: hazard(self.ends_at_goal, self.at_goal), elsewhere: hazard(self.ends_elsewhere, self.elsewhere) };
         Options { language, weights, least_weight, drift, ending, telling }
     }
 
@@ -129,6 +131,11 @@ impl OptionsRecord {
     pub(crate) fn is_sound(&self) -> bool {
         self.options().check().is_ok()
     }
+}
+
+/// The numbers of a hazard but for the first.
+fn numbers(Hazard { rested, resting, praised, scolded, .. }: Hazard) -> [f32; 4] {
+    [rested, resting, praised, scolded]
 }
 
 /// The hazard with these numbers.

@@ -7,8 +7,8 @@ use super::believing::{self, Expectation};
 use super::walk::Walk;
 use goodbot::feedback::{Strategy, population};
 
-/// The shares of all trainers that exact ones may have.
-const SHARES: [f32; 4] = [0.02, 0.05, 0.1, 0.2];
+/// The shares of all trainers that exact ones may have: none of twelve was recorded, so not more than about one in ten.
+const SHARES: [f32; 3] = [0.02, 0.05, 0.1];
 /// What they may cost recorded trainers, in log loss.
 const COST: f64 = 0.01;
 

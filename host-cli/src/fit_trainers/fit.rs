@@ -63,11 +63,6 @@ impl Heard {
             *self.0.entry((step.feedback, judged)).or_default() += 1.0;
         }
     }
-
-    fn words(&self) -> f64 {
-        self.0.iter().filter(|((feedback, _), _)| *feedback != Feedback::Neutral).map(|(_, count)| count).sum::<f64>()
-            / self.0.values().sum::<f64>().max(1.0)
-    }
 }
 
 /// All sessions by trainer.

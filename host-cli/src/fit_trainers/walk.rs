@@ -2,8 +2,8 @@
 
 use crate::load::input;
 use goodbot::feedback::{Feedback, Judged, Moment};
-use goodbot::oomdp::Action;
 use goodbot::memory::AgentHeap;
+use goodbot::oomdp::Action;
 use goodbot::planning::OptimalSet;
 use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, AgentError, Capacities, Options};

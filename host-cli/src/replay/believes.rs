@@ -30,7 +30,7 @@ impl Believes {
 
     /// The options of a robot that expects this.
     pub const fn options(&self, options: Options) -> Options {
-        if matches!(self, Self::Population) { options.for_people() } else { options }
+        if matches!(self, Self::Population) { options.for_people().with_ends() } else { options }
     }
 }
 

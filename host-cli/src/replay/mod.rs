@@ -4,7 +4,7 @@
 //! - [`history`]: the agent that goes through them, one after the other;
 //! - [`report`]: what is told of each, for people.
 
-mod believes;
+pub mod believes;
 mod history;
 mod report;
 

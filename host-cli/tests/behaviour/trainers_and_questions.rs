@@ -55,7 +55,7 @@ fn an_answer_that_cannot_be_is_refused_with_its_line_and_what_to_do() {
 fn expected_strategies_take_the_place_of_recorded_ones_and_the_last_line_sums_up() {
     let strategies = r#","intended":["agentInRoom(agent0,room1)"],"strategies":[{"name":"kind","mu_plus":0.1,"mu_minus":0.9,"epsilon":0.1,"prior":1,"lags":[0.5,0.5,0]}]"#;
     let lines = log([&session(&format!("{AGENT},{BLOCK}"), "feedback", "go", strategies), &step("north", "reward"), END]);
-    for (believes, strategies) in [("logged", 1), ("paper", 1), ("0.9,0.9,0.2", 1), ("population", 13)] {
+    for (believes, strategies) in [("logged", 1), ("paper", 1), ("0.9,0.9,0.2", 1), ("population", 10)] {
         let run = goodbot(&["replay", "--json", "--believes", believes, "-"], &lines);
         assert_eq!(run.code, 0, "{}", run.messages);
         let summary: Value = serde_json::from_str(run.output.lines().last().unwrap()).unwrap();

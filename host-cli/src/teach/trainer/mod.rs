@@ -16,6 +16,7 @@ pub use thoughts::{Idea, Meaning, WordSupport};
 
 use crate::ask::meanings::FEW_LESSONS;
 use crate::lessons::restored::room_for;
+use crate::replay::believes::Believes;
 use crate::teach::scene::{Scene, scene};
 use crate::teach::session::{Judged, Session, Step};
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
@@ -28,13 +29,13 @@ use goodbot::session::{Evidence, Finished};
 use goodbot::snapshot::Contents;
 use goodbot::talk::{ClosedWords, Hypothesis, Verdict};
 use goodbot::task::LiftedTask;
-use goodbot::{Agent, Capacities};
+use goodbot::{Agent, AgentError, Capacities};
 use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
 use goodbot_course::next_lesson::times_heard;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::RecordedSession;
-use mind::{build, new_mind};
+use mind::{build, expect, new_mind};
 use rand_pcg::Pcg32;
 use std::fmt;
 
@@ -107,17 +108,19 @@ pub struct Trainer {
     session: Option<Session>,
     acted: Option<Acted>,
     random: Pcg32,
+    /// What it expects of its trainer, where that was told.
+    believes: Option<Believes>,
     /// The words for which there was nothing to do, if they were the last.
     declined: Option<String>,
 }
 
 impl Trainer {
     /// A robot that has learned nothing yet, in a home. `seed` decides its draws among what is equally good, `ways` whether commands may mean
-    /// ways too.
-    pub fn new(file: &EnvironmentFile, seed: u64, ways: bool) -> Result<Self, Refusal> {
+    /// ways too, and `believes` what it expects of its trainer, where that is not what real people do.
+    pub fn new(file: &EnvironmentFile, seed: u64, ways: bool, believes: Option<Believes>) -> Result<Self, Refusal> {
         let (rooms, start) = build(file)?;
-        let mind = new_mind(&Capacities::STANDARD, ways)?;
-        Ok(Self { mind, rooms, start, state: start, session: None, acted: None, random: generator(seed), declined: None })
+        let mind = new_mind(&Capacities::STANDARD, ways, believes.as_ref())?;
+        Ok(Self { mind, rooms, start, state: start, session: None, acted: None, random: generator(seed), believes, declined: None })
     }
 
     /// Whether commands may mean ways too.
@@ -128,8 +131,11 @@ impl Trainer {
     /// Replaces what the robot has learned by a model file. A session under way ends unlearned.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
         let contents = Contents::read(bytes).map_err(refused)?;
-        let mut mind = new_mind(&room_for(&contents), self.has_ways())?;
+        let mut mind = new_mind(&room_for(&contents), self.has_ways(), self.believes.as_ref())?;
         mind.restore(bytes).map_err(refused)?;
+        if self.believes.is_some() {
+            expect(&mut mind, self.believes.as_ref())?;
+        }
         mind.learn_fully();
         self.forget();
         self.mind = mind;
@@ -139,7 +145,7 @@ impl Trainer {
     /// A new robot, which has learned nothing, in the same home. A session under way ends unlearned.
     pub fn start_anew(&mut self) -> Result<(), Refusal> {
         self.forget();
-        self.mind = new_mind(&Capacities::STANDARD, self.has_ways())?;
+        self.mind = new_mind(&Capacities::STANDARD, self.has_ways(), self.believes.as_ref())?;
         Ok(())
     }
 
@@ -373,11 +379,25 @@ impl Trainer {
         Some(self.mind.planned().optimal(self.session.as_ref()?.intended?))
     }
 
+    /// Takes in that the trainer ends the session here. A step to which nothing was said is not part of it, nor the end after that.
+    fn take_end(&mut self) -> Result<(), Refusal> {
+        if self.acted.as_ref().is_some_and(|acted| acted.judged.is_none()) {
+            return Ok(());
+        }
+        self.mind.plan_fully(&self.rooms, &self.state).map_err(refused)?;
+        match self.mind.trainer_ended(&self.rooms, &self.state) {
+            // What was only answered has no end that the trainer chose.
+            Ok(_) | Err(AgentError::NothingDone) => Ok(()),
+            Err(error) => Err(refused(error)),
+        }
+    }
+
     /// Ends the session and begins to learn from it. Gives its record, and which older sessions gave way because memory was full. A step
     /// to which nothing was said is left out.
     pub fn finish(&mut self) -> Result<(RecordedSession, Finished), Refusal> {
         self.plan_again()?;
         let record = self.record(true)?;
+        self.take_end()?;
         let finished = self.mind.finish(&self.rooms);
         (self.session, self.acted) = (None, None);
         Ok((record, finished.map_err(refused)?))

@@ -100,7 +100,14 @@ pub unsafe fn settings(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
             1 => drop(goodbot_trainer_ended(robot, &raw mut evidence)),
             2 => {
                 let lags = [number(choices), number(choices), number(choices)];
-                let one = GoodbotStrategy { mu_plus: 0.8, mu_minus: 0.7, epsilon: number(choices), lags, rests: [number(choices); 4], prior: number(choices) };
+                let one = GoodbotStrategy {
+                    mu_plus: 0.8,
+                    mu_minus: 0.7,
+                    epsilon: number(choices),
+                    lags,
+                    rests: [number(choices); 4],
+                    prior: number(choices),
+                };
                 goodbot_trainers(robot, [one, GoodbotStrategy { lags: [1.0, 0.0, 0.0], ..one }].as_ptr(), choices.below(3) as u32);
             }
             3 => drop(goodbot_home_derived(robot, choices.below(2) == 0)),
