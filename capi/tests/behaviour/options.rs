@@ -17,6 +17,10 @@ fn options(robot: *mut Goodbot) -> GoodbotOptions {
     unsafe { options.assume_init() }
 }
 
+const fn hazard(moved: f32) -> GoodbotHazard {
+    GoodbotHazard { moved, rested: 0.2, resting: 0.3, praised: 2.0, scolded: 0.5 }
+}
+
 /// Does one action, lets the trainer end the session, and says what that came to.
 fn ended(robot: *mut Goodbot) -> u32 {
     hear_and_plan(robot, c"go to the green room");
@@ -39,7 +43,6 @@ fn the_end_of_a_session_is_evidence_where_the_options_say_so() {
     let first = options(owned.robot);
     assert_eq!((first.telling, first.drift, first.weights), (true, 0.0, GOODBOT_WEIGHTS_PAPER));
     assert_eq!(ended(owned.robot), GOODBOT_EVIDENCE_NOTHING);
-    let hazard = |moved| GoodbotHazard { moved, rested: 0.2, resting: 0.3, praised: 2.0, scolded: 0.5 };
     let (ends_at_goal, ends_elsewhere) = (hazard(0.1), hazard(0.02));
     let given = GoodbotOptions { ends_at_goal, ends_elsewhere, drift: 0.1, weights: GOODBOT_WEIGHTS_EVIDENCE, ..first };
     assert_eq!(unsafe { goodbot_set_options(owned.robot, &raw const given) }, GoodbotStatus::Ok);

@@ -66,7 +66,7 @@ fn expected_strategies_take_the_place_of_recorded_ones_and_the_last_line_sums_up
     }
     let refused = goodbot(&["replay", "--believes", "0.7,0.7", "-"], &lines);
     assert_eq!(refused.code, 2);
-    assert!(refused.messages.contains("2 numbers where 3 or 6 are needed"), "{}", refused.messages);
+    assert!(refused.messages.contains("2 numbers where 3, 6 or 10 are needed"), "{}", refused.messages);
 }
 
 #[test]
