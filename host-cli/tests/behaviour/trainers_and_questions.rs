@@ -101,3 +101,29 @@ fn questions_save_steps_and_what_is_no_cost_is_refused() {
         assert!(refused.messages.contains(message), "{}", refused.messages);
     }
 }
+
+#[test]
+fn learn_expects_of_trainers_what_it_is_told_and_else_the_papers_one() {
+    let lines = log([&session(&format!("{AGENT},{BLOCK}"), "feedback", "go to the green room", ""), &step("north", "reward"), END]);
+    let learned = |believes: &[&str]| {
+        let run = goodbot(&[&["learn", "-", "--out", "-"], believes].concat(), &lines);
+        assert_eq!(run.code, 0, "{}", run.messages);
+        run.output
+    };
+    let unsaid = learned(&[]);
+    assert_eq!(learned(&["--believes", "paper"]), unsaid);
+    assert_ne!(learned(&["--believes", "population"]), unsaid);
+}
+
+#[test]
+fn teach_expects_the_trainer_that_it_is_told_to_expect() {
+    let taught =
+        |believes: &str| goodbot(&["teach", "--lines", "--believes", believes], b"command go to the red room\nstep\ngood\nfinish\n");
+    for believes in ["paper", "population", "0.1,0.1,0.02"] {
+        let run = taught(believes);
+        assert_eq!(run.code, 0, "{believes}: {}", run.messages);
+    }
+    let refused = taught("logged");
+    assert_eq!(refused.code, 2);
+    assert!(refused.messages.contains("there is no log to take strategies from"), "{}", refused.messages);
+}
