@@ -105,10 +105,11 @@ fn questions_save_steps_and_what_is_no_cost_is_refused() {
 #[test]
 fn learn_expects_of_trainers_what_it_is_told_and_else_the_papers_one() {
     let lines = log([&session(&format!("{AGENT},{BLOCK}"), "feedback", "go to the green room", ""), &step("north", "reward"), END]);
+    let model = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("believes.goodbot");
     let learned = |believes: &[&str]| {
-        let run = goodbot(&[&["learn", "-", "--out", "-"], believes].concat(), &lines);
+        let run = goodbot(&[&["learn", "-", "--out", model.to_str().unwrap()], believes].concat(), &lines);
         assert_eq!(run.code, 0, "{}", run.messages);
-        run.output
+        std::fs::read(&model).unwrap()
     };
     let unsaid = learned(&[]);
     assert_eq!(learned(&["--believes", "paper"]), unsaid);
