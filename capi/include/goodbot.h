@@ -45,10 +45,10 @@
 #define GOODBOT_TINY 1
 
 // Bytes that the small preset takes where a pointer has four bytes.
-#define GOODBOT_SMALL_BYTES_32 21760
+#define GOODBOT_SMALL_BYTES_32 21888
 
 // Bytes that the small preset takes where a pointer has eight bytes.
-#define GOODBOT_SMALL_BYTES_64 22272
+#define GOODBOT_SMALL_BYTES_64 22400
 
 // Bytes that the tiny preset takes where a pointer has four bytes.
 #define GOODBOT_TINY_BYTES_32 13568
@@ -124,6 +124,9 @@
 
 // How late words come at most, in actions, and one more.
 #define GOODBOT_LAGS 3
+
+// Numbers of a strategy that are about rests.
+#define GOODBOT_RESTS 4
 
 // Most strategies of `goodbot_trainers`; the capacity `STRATEGIES` may allow fewer.
 #define GOODBOT_MOST_STRATEGIES 16
@@ -444,6 +447,9 @@ typedef struct goodbot_strategy {
   float epsilon;
   // The probability that a word is about the last action, the one before, and the one before that: 1, 0 and 0 where no word is late.
   float lags[GOODBOT_LAGS];
+  // What is said to rests: the probability of silence after a rest at the goal, and after one elsewhere, that of taking the one for the other,
+  // and how far a move inside the goal counts as a rest there. Who judges rests as moves has mu+, mu-, epsilon and 0.
+  float rests[GOODBOT_RESTS];
   // How probable it is that the trainer is such a one, in any unit.
   float prior;
 } goodbot_strategy;
@@ -456,16 +462,30 @@ typedef struct goodbot_hypothesis {
   float weight;
 } goodbot_hypothesis;
 
+// How probable it is that the trainer ends the session after an action, at every moment from 0 to less than 1.
+typedef struct goodbot_hazard {
+  // After a move, where nothing was said in the session.
+  float moved;
+  // After a rest that follows a move, where nothing was said.
+  float rested;
+  // After a later rest in a row, where nothing was said.
+  float resting;
+  // So many times as probable it is where the last word was "good bot".
+  float praised;
+  // So many times as probable it is where the last word was "bad bot".
+  float scolded;
+} goodbot_hazard;
+
 // How a robot takes evidence and acts: `goodbot_current_options` gives it, `goodbot_set_options` takes it.
 typedef struct goodbot_options {
   // Of the actions that lead on, take the one whose feedback tells most of what is meant; otherwise any of them.
   bool telling;
   // How much of what was found out about the trainer is forgotten at each new command, from 0 to 1.
   float drift;
-  // How probable it is that the trainer ends the session after an action where the task is done, from 0 to less than 1.
-  float ends_at_goal;
+  // How probable it is that the trainer ends the session after an action where the task is done.
+  struct goodbot_hazard ends_at_goal;
   // The same where it is not done. Where both are equal, `goodbot_trainer_ended` says nothing.
-  float ends_elsewhere;
+  struct goodbot_hazard ends_elsewhere;
   // What a meaning's share of a session is learned by: `GOODBOT_WEIGHTS_PAPER`, `GOODBOT_WEIGHTS_BELIEF` or `GOODBOT_WEIGHTS_EVIDENCE`.
   uint32_t weights;
   // Shares up to this are not learned; from 0 to less than 1.

@@ -87,9 +87,9 @@ pub const GOODBOT_SMALL: u32 = 0;
 pub const GOODBOT_TINY: u32 = 1;
 
 /// Bytes that the small preset takes where a pointer has four bytes.
-pub const GOODBOT_SMALL_BYTES_32: usize = 21_760;
+pub const GOODBOT_SMALL_BYTES_32: usize = 21_888;
 /// Bytes that the small preset takes where a pointer has eight bytes.
-pub const GOODBOT_SMALL_BYTES_64: usize = 22_272;
+pub const GOODBOT_SMALL_BYTES_64: usize = 22_400;
 /// Bytes that the tiny preset takes where a pointer has four bytes.
 pub const GOODBOT_TINY_BYTES_32: usize = 13_568;
 /// Bytes that the tiny preset takes where a pointer has eight bytes.

@@ -5,7 +5,7 @@ use crate::status::GoodbotStatus;
 use crate::training::{in_world, write};
 use crate::world::World;
 use goodbot::Options;
-use goodbot::feedback::Ending;
+use goodbot::feedback::{Ending, Hazard};
 use goodbot::session::Weights;
 
 /// Each meaning of a command is learned by its probability, the command's own words among what it rests on.
@@ -15,6 +15,34 @@ pub const GOODBOT_WEIGHTS_BELIEF: u32 = 1;
 /// By what the trainer said or showed alone.
 pub const GOODBOT_WEIGHTS_EVIDENCE: u32 = 2;
 
+/// How probable it is that the trainer ends the session after an action, at every moment from 0 to less than 1.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GoodbotHazard {
+    /// After a move, where nothing was said in the session.
+    pub moved: f32,
+    /// After a rest that follows a move, where nothing was said.
+    pub rested: f32,
+    /// After a later rest in a row, where nothing was said.
+    pub resting: f32,
+    /// So many times as probable it is where the last word was "good bot".
+    pub praised: f32,
+    /// So many times as probable it is where the last word was "bad bot".
+    pub scolded: f32,
+}
+
+impl From<Hazard> for GoodbotHazard {
+    fn from(Hazard { moved, rested, resting, praised, scolded }: Hazard) -> Self {
+        Self { moved, rested, resting, praised, scolded }
+    }
+}
+
+impl From<GoodbotHazard> for Hazard {
+    fn from(GoodbotHazard { moved, rested, resting, praised, scolded }: GoodbotHazard) -> Self {
+        Self { moved, rested, resting, praised, scolded }
+    }
+}
+
 /// How a robot takes evidence and acts: `goodbot_current_options` gives it, `goodbot_set_options` takes it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -23,10 +51,10 @@ pub struct GoodbotOptions {
     pub telling: bool,
     /// How much of what was found out about the trainer is forgotten at each new command, from 0 to 1.
     pub drift: f32,
-    /// How probable it is that the trainer ends the session after an action where the task is done, from 0 to less than 1.
-    pub ends_at_goal: f32,
+    /// How probable it is that the trainer ends the session after an action where the task is done.
+    pub ends_at_goal: GoodbotHazard,
     /// The same where it is not done. Where both are equal, `goodbot_trainer_ended` says nothing.
-    pub ends_elsewhere: f32,
+    pub ends_elsewhere: GoodbotHazard,
     /// What a meaning's share of a session is learned by: `GOODBOT_WEIGHTS_PAPER`, `GOODBOT_WEIGHTS_BELIEF` or `GOODBOT_WEIGHTS_EVIDENCE`.
     pub weights: u32,
     /// Shares up to this are not learned; from 0 to less than 1.
@@ -48,7 +76,7 @@ pub unsafe extern "C" fn goodbot_current_options(robot: *mut Goodbot, options: *
                 Weights::Belief => GOODBOT_WEIGHTS_BELIEF,
                 Weights::Evidence => GOODBOT_WEIGHTS_EVIDENCE,
             };
-            let (ends_at_goal, ends_elsewhere) = (ending.at_goal, ending.elsewhere);
+            let (ends_at_goal, ends_elsewhere) = (ending.at_goal.into(), ending.elsewhere.into());
             give(options, GoodbotOptions { telling, drift, ends_at_goal, ends_elsewhere, weights, least_weight })
         })
     }
@@ -72,7 +100,7 @@ pub unsafe extern "C" fn goodbot_set_options(robot: *mut Goodbot, options: *cons
                 GOODBOT_WEIGHTS_EVIDENCE => Weights::Evidence,
                 _ => return Err(GoodbotStatus::Number.into()),
             };
-            let ending = Ending { at_goal: ends_at_goal, elsewhere: ends_elsewhere };
+            let ending = Ending { at_goal: ends_at_goal.into(), elsewhere: ends_elsewhere.into() };
             robot.agent.set_options(Options { telling, drift, ending, weights, least_weight, ..*robot.agent.options() })?;
             Ok(GoodbotStatus::Ok)
         })

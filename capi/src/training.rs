@@ -4,7 +4,7 @@ use crate::robot::{Goodbot, give, text, with};
 use crate::status::{Failure, GoodbotStatus};
 use crate::world::World;
 use core::ffi::c_char;
-use goodbot::feedback::{Feedback, LAGS, Strategy};
+use goodbot::feedback::{Feedback, LAGS, RESTS, Strategy};
 use goodbot::oomdp::{Action, apply};
 use goodbot::planning::{OptimalSet, Progress};
 use goodbot::session::{Evidence, Finished, Hypothesis};
@@ -74,6 +74,10 @@ pub unsafe extern "C" fn goodbot_trainer(robot: *mut Goodbot, mu_plus: f32, mu_m
 pub const GOODBOT_LAGS: usize = 3;
 const _: () = assert!(GOODBOT_LAGS == LAGS);
 
+/// Numbers of a strategy that are about rests.
+pub const GOODBOT_RESTS: usize = 4;
+const _: () = assert!(GOODBOT_RESTS == RESTS);
+
 /// A way to reward and punish, for `goodbot_trainers`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -86,6 +90,9 @@ pub struct GoodbotStrategy {
     pub epsilon: f32,
     /// The probability that a word is about the last action, the one before, and the one before that: 1, 0 and 0 where no word is late.
     pub lags: [f32; GOODBOT_LAGS],
+    /// What is said to rests: the probability of silence after a rest at the goal, and after one elsewhere, that of taking the one for the other,
+    /// and how far a move inside the goal counts as a rest there. Who judges rests as moves has mu+, mu-, epsilon and 0.
+    pub rests: [f32; GOODBOT_RESTS],
     /// How probable it is that the trainer is such a one, in any unit.
     pub prior: f32,
 }
@@ -108,8 +115,10 @@ pub unsafe extern "C" fn goodbot_trainers(robot: *mut Goodbot, strategies: *cons
                 return Err(GoodbotStatus::Null.into());
             }
             let mut given: Vec<(Strategy, f32), GOODBOT_MOST_STRATEGIES> = Vec::new();
-            for &GoodbotStrategy { mu_plus, mu_minus, epsilon, lags, prior } in core::slice::from_raw_parts(strategies, count as usize) {
-                let strategy = Strategy::new(mu_plus, mu_minus, epsilon).and_then(|strategy| strategy.with_lags(lags));
+            for &GoodbotStrategy { mu_plus, mu_minus, epsilon, lags, rests, prior } in
+                core::slice::from_raw_parts(strategies, count as usize)
+            {
+                let strategy = Strategy::new(mu_plus, mu_minus, epsilon).and_then(|strategy| strategy.with_lags(lags)?.with_rests(rests));
                 given.push((strategy.map_err(|_| GoodbotStatus::Number)?, prior)).map_err(|_| GoodbotStatus::Number)?;
             }
             robot.agent.set_strategies(&given)?;

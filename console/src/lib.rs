@@ -2,7 +2,7 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`numbers`], [`learner`] | what is typed |
+//! | [`numbers`], [`learner`], [`believes`] | what is typed |
 //! | [`load`] | files that a command reads: homes, session logs, kinds of tasks, synonyms |
 //! | [`whole_file`] | files read and written as a whole |
 //! | [`lessons`] | recorded sessions as training data, and models trained on them |
@@ -14,6 +14,7 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+pub mod believes;
 pub mod learner;
 pub mod lessons;
 pub mod load;

@@ -155,6 +155,8 @@ pub enum Problem {
     },
     /// Lags that are not three probabilities that sum to 1.
     Lags,
+    /// What is said to rests, where these are not four probabilities.
+    Rests,
     /// A field that only a labelled session can have.
     OnlyWithIntended,
     /// A field that a session with `continues` cannot have.
@@ -270,6 +272,7 @@ impl fmt::Display for Problem {
             Problem::AnswersMostlyWrong => f.write_str("must be less than 0.5: an answer that is more often wrong than right is no answer"),
             Problem::OtherAnswers { others } => write!(f, "{others} other answers are none to choose from; write a number from 1 to 255"),
             Problem::Lags => f.write_str("must be three probabilities that sum to 1"),
+            Problem::Rests => f.write_str("must be four probabilities"),
             Problem::OnlyWithIntended => f.write_str("is the way of what was meant, which is not told; remove it, or write intended"),
             Problem::NotWithContinues => {
                 f.write_str("does not belong in a session that continues the one before; remove it, or remove \"continues\"")

@@ -423,12 +423,29 @@ impl Lesson {
         Ok(true)
     }
 
-    /// The session ends, and the language model is to learn from it.
+    /// Takes in that the trainer ends the session here, where the end is evidence. A step to which nothing was said is not part of the session,
+    /// nor is the end after that.
+    fn take_end(&mut self) -> Result<(), LiveError> {
+        if !self.agent.options().ending.is_evidence() || self.acted.as_ref().is_some_and(|acted| acted.judged.is_none()) {
+            return Ok(());
+        }
+        self.agent.plan_fully(&self.walk.home, &self.state)?;
+        match self.agent.trainer_ended(&self.walk.home, &self.state) {
+            // What was only answered has no end that the trainer chose.
+            Ok(_) | Err(AgentError::NothingDone) => Ok(()),
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    /// The trainer ends the session, and the language model is to learn from it.
     ///
     /// # Errors
     /// [`LiveError::NoSession`], or what [`Agent::finish`] refuses; the session has ended then too.
     pub fn finish(&mut self) -> Result<Finished, LiveError> {
         self.walk_on()?;
+        if self.is_under_way() {
+            self.take_end()?;
+        }
         self.session.take().ok_or(LiveError::NoSession)?;
         self.acted = None;
         Ok(self.agent.finish(&self.walk.home)?)

@@ -63,6 +63,7 @@ fn strategies(strategies: &[(Strategy, f32)]) -> Option<Vec<StrategyRecord>> {
         epsilon: strategy.epsilon().into(),
         prior: (*prior).into(),
         lags: Some(strategy.lags().map(f64::from)).filter(|lags| *lags != Strategy::NO_LAG.map(f64::from)),
+        rests: (!strategy.rests_as_it_moves()).then(|| strategy.rests().map(f64::from)),
     };
     let is_paper = matches!(strategies, [] | [(Strategy::BALANCED, _)]);
     (!is_paper).then(|| strategies.iter().enumerate().map(record).collect())

@@ -83,6 +83,10 @@ impl Expected {
     pub fn new(record: &StrategyRecord, most: f64) -> Result<Self, StrategyError> {
         let strategy = Strategy::new(record.mu_plus as f32, record.mu_minus as f32, record.epsilon as f32)?;
         let strategy = strategy.with_lags(record.lags.map_or(Strategy::NO_LAG, |lags| lags.map(|lag| lag as f32)))?;
+        let strategy = match record.rests {
+            Some(rests) => strategy.with_rests(rests.map(|number| number as f32))?,
+            None => strategy,
+        };
         Ok(Self { strategy, share: (record.prior / most) as f32, recorded: record.prior as f32 })
     }
 }

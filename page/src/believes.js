@@ -11,29 +11,38 @@ export const CHOICES = [PEOPLE, ...Object.keys(NAMED), 'own'];
 // A word is meant for the last step.
 export const NO_LAG = [1, 0, 0];
 
+// The numbers of a strategy: three and how probable it is, three lags, four about rests.
+const NUMBERS = 11;
+
+/** What is said to rests where it is what is said to moves: the robot's core has the same. */
+export const restsAsMoves = (plus, minus, mistakes) => [plus, minus, mistakes, 0];
+
 /** What the robot expected before it met its trainer: a name, or numbers. */
 export function expectedNow() {
   const numbers = [...world.strategies()].map(number => Number(number.toFixed(6)));
-  const strategies = Array.from({ length: numbers.length / 7 }, (_, at) => {
-    const [plus, minus, mistakes, weight, ...lags] = numbers.slice(7 * at, 7 * at + 7);
-    const text = [plus, minus, mistakes, ...(lags[0] === 1 ? [] : lags)].join();
+  const strategies = Array.from({ length: numbers.length / NUMBERS }, (_, at) => {
+    const [plus, minus, mistakes, weight, ...more] = numbers.slice(NUMBERS * at, NUMBERS * (at + 1));
+    const [lags, rests] = [more.slice(0, NO_LAG.length), more.slice(NO_LAG.length)];
+    const asMoves = rests.join() === restsAsMoves(plus, minus, mistakes).join();
+    const text = [plus, minus, mistakes, ...(lags[0] === 1 && asMoves ? [] : lags), ...(asMoves ? [] : rests)].join();
     const name = Object.entries(NAMED).find(([, named]) => named === text)?.[0] || text;
-    return numbers.length > 7 ? name + '*' + weight : name;
+    return numbers.length > NUMBERS ? name + '*' + weight : name;
   });
   return strategies.join('; ') || PEOPLE;
 }
 
 const number = text => (text.trim() ? Number(text) : NaN);
 
-/** Makes the robot expect this: a name, three or six numbers, or several of them, apart by semicolons, each with its weight behind a star. Throws where it
+/** Makes the robot expect this: a name, three, six or ten numbers, or several of them, apart by semicolons, each with its weight behind a star. Throws where it
  * is none of that.
  * @param {string} text */
 export function expectTrainer(text) {
   const strategies = text.trim() === PEOPLE ? [] : text.split(';').flatMap(one => {
     const [what, weight = '1'] = one.split('*');
-    const [plus, minus, mistakes, ...lags] = (NAMED[what.trim()] || what).split(',').map(number);
-    if (mistakes === undefined || ![0, 3].includes(lags.length)) throw new Error(t('believes.form'));
-    return [plus, minus, mistakes, number(weight), ...(lags.length ? lags : NO_LAG)];
+    const [plus, minus, mistakes, ...more] = (NAMED[what.trim()] || what).split(',').map(number);
+    if (mistakes === undefined || ![0, 3, 7].includes(more.length)) throw new Error(t('believes.form'));
+    const all = [...(more.length ? more : NO_LAG), ...(more.length === 7 ? [] : restsAsMoves(plus, minus, mistakes))];
+    return [plus, minus, mistakes, number(weight), ...all];
   });
   world.setStrategies(Float32Array.from(strategies));
 }

@@ -1,5 +1,5 @@
 // A session log, gone through once more: the robot learns from its sessions one after the other.
-import { NO_LAG, expectedNow } from './believes.js';
+import { NO_LAG, expectedNow, restsAsMoves } from './believes.js';
 import { readFile } from './files.js';
 import { world } from './core.js';
 import { t } from './language.js';
@@ -28,7 +28,7 @@ function checkRecord(record) {
   if (action) throw new Error(t('log.action', { name: action }));
 }
 
-const numbersOf = one => [one.mu_plus, one.mu_minus, one.epsilon, one.prior, ...(one.lags || NO_LAG)];
+const numbersOf = one => [one.mu_plus, one.mu_minus, one.epsilon, one.prior, ...(one.lags || NO_LAG), ...(one.rests || restsAsMoves(one.mu_plus, one.mu_minus, one.epsilon))];
 
 /** Takes in an answer as the log has it. */
 export const answerRecorded = record => world.answerAs(record.tasks.join('\n'), record.yes, record.eta, record.others ?? 1);

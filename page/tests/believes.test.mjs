@@ -42,7 +42,7 @@ test('what the robot expects of its trainer can be chosen, outlives a reload, an
   await page.selectOption('#believes', 'population');
   await page.waitForFunction(() => window.goodbot.strategies().length === 0);
   await page.click('#undo');
-  await page.waitForFunction(() => window.goodbot.strategies().length === 7);
+  await page.waitForFunction(() => window.goodbot.strategies().length === 11);
   assert.equal(await page.inputValue('#believes'), 'punish-only');
   await close(page);
 });
@@ -51,7 +51,7 @@ test('numbers may be late, and several, each with its weight; what is none is re
   const page = await open(browser);
   await settings(page);
   await own(page, '0.9,0.85,0.2,0.8,0.15,0.05');
-  await page.waitForFunction(() => window.goodbot.strategies().length === 7);
+  await page.waitForFunction(() => window.goodbot.strategies().length === 11);
   assert.deepEqual(await expected(page), [0.9, 0.85, 0.2, 1, 0.8, 0.15, 0.05]);
   for (const [text, why] of [['0.7,1.7,0.1', 'mu- must be a number from 0 to 1'], ['0.7,,0.1', 'mu- must be a number'], ['0.7,0.7', 'mu+, mu−, epsilon'], ['kind', 'mu+, mu−, epsilon'], ['balanced*-1; punish-only', 'the probability of strategy 0 is']]) {
     await own(page, text);
@@ -60,7 +60,7 @@ test('numbers may be late, and several, each with its weight; what is none is re
     await page.evaluate(() => { document.getElementById('toast').hidden = true; });
   }
   await own(page, 'balanced*3; 0.7,0.05,0.1');
-  await page.waitForFunction(() => window.goodbot.strategies().length === 14);
+  await page.waitForFunction(() => window.goodbot.strategies().length === 22);
   assert.deepEqual(await expected(page), [0.7, 0.7, 0.1, 0.75, 1, 0, 0, 0.7, 0.05, 0.1, 0.25, 1, 0, 0]);
   await page.evaluate(() => document.activeElement.blur());
   await reload(page);
@@ -89,7 +89,7 @@ test('the command line believes the same of a session, told to expect the same',
   const page = await open(browser);
   await settings(page);
   await page.selectOption('#believes', 'reward-only');
-  await page.waitForFunction(() => window.goodbot.strategies().length === 7);
+  await page.waitForFunction(() => window.goodbot.strategies().length === 11);
   await play(page, 'D');
   await page.selectOption('#speed', 'step');
   await page.fill('#command', 'take the blue chair to the yellow room');

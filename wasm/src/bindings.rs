@@ -15,9 +15,14 @@ fn thrown(refusal: Refusal) -> JsError {
     JsError::new(&refusal.0)
 }
 
-/// A strategy of seven numbers, with how probable it is.
-fn strategy_of(&[mu_plus, mu_minus, epsilon, prior, ref lags @ ..]: &[f32; 7]) -> Thrown<(Strategy, f32)> {
-    let strategy = Strategy::new(mu_plus, mu_minus, epsilon).and_then(|strategy| strategy.with_lags(*lags));
+/// The numbers of a strategy.
+const STRATEGY: usize = 11;
+
+/// A strategy of eleven numbers, with how probable it is.
+fn strategy_of(numbers: &[f32; STRATEGY]) -> Thrown<(Strategy, f32)> {
+    let &[mu_plus, mu_minus, epsilon, prior, now, before, earlier, ref rests @ ..] = numbers;
+    let strategy = Strategy::new(mu_plus, mu_minus, epsilon).and_then(|strategy| strategy.with_lags([now, before, earlier]));
+    let strategy = strategy.and_then(|strategy| strategy.with_rests(*rests));
     Ok((strategy.map_err(|error| thrown(Refusal::from(error)))?, prior))
 }
 
@@ -102,20 +107,21 @@ impl Goodbot {
     pub fn strategies(&self) -> Vec<f32> {
         let numbers = |(strategy, prior): &(Strategy, f32)| {
             let [now, before, earlier] = strategy.lags();
-            [strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon(), *prior, now, before, earlier]
+            let [plus, minus, mistake, inside] = strategy.rests();
+            [strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon(), *prior, now, before, earlier, plus, minus, mistake, inside]
         };
         self.0.expected().iter().flatten().flat_map(numbers).collect()
     }
 
-    /// Takes trainer strategies: seven numbers each, mu+, mu-, epsilon, how probable it is, and its three lags. Where there are none, the robot
-    /// expects what real people do.
+    /// Takes trainer strategies: eleven numbers each, mu+, mu-, epsilon, how probable it is, its three lags, and four about rests. Where there
+    /// are none, the robot expects what real people do.
     #[wasm_bindgen(js_name = setStrategies)]
     pub fn set_strategies(&mut self, numbers: &[f32]) -> Thrown<()> {
         if numbers.is_empty() {
             return self.0.set_learns_style(true).map_err(thrown);
         }
         let mut strategies = Vec::new();
-        for strategy in numbers.as_chunks::<7>().0 {
+        for strategy in numbers.as_chunks::<STRATEGY>().0 {
             strategies.push(strategy_of(strategy)?);
         }
         self.0.set_strategies(&strategies).map_err(thrown)
@@ -128,12 +134,12 @@ impl Goodbot {
         self.0.begin_recorded(environment, command, shown, continues).map_err(thrown)
     }
 
-    /// The trainer strategies that the session names: seven numbers each, as `setStrategies` takes them, and how probable each is as a share of
+    /// The trainer strategies that the session names: eleven numbers each, as `setStrategies` takes them, and how probable each is as a share of
     /// the most probable one.
     #[wasm_bindgen(js_name = recordedStrategies)]
     pub fn recorded_strategies(&mut self, numbers: &[f32]) -> Thrown<()> {
         let mut expected = Vec::new();
-        for strategy in numbers.as_chunks::<8>().0 {
+        for strategy in numbers.as_chunks::<{ STRATEGY + 1 }>().0 {
             let &[ref numbers @ .., share] = strategy;
             let (strategy, recorded) = strategy_of(numbers)?;
             expected.push(Expected { strategy, share, recorded });

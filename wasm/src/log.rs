@@ -52,6 +52,9 @@ fn strategy(number: usize, strategy: &Strategy, prior: f32) -> String {
     if strategy.lags() != Strategy::NO_LAG {
         record = record + r#","lags":"# + &json(&strategy.lags());
     }
+    if !strategy.rests_as_it_moves() {
+        record = record + r#","rests":"# + &json(&strategy.rests());
+    }
     record + "}"
 }
 

@@ -17,6 +17,10 @@ fn options(robot: *mut Goodbot) -> GoodbotOptions {
     unsafe { options.assume_init() }
 }
 
+const fn hazard(moved: f32) -> GoodbotHazard {
+    GoodbotHazard { moved, rested: 0.2, resting: 0.3, praised: 2.0, scolded: 0.5 }
+}
+
 /// Does one action, lets the trainer end the session, and says what that came to.
 fn ended(robot: *mut Goodbot) -> u32 {
     hear_and_plan(robot, c"go to the green room");
@@ -39,10 +43,14 @@ fn the_end_of_a_session_is_evidence_where_the_options_say_so() {
     let first = options(owned.robot);
     assert_eq!((first.telling, first.drift, first.weights), (true, 0.0, GOODBOT_WEIGHTS_PAPER));
     assert_eq!(ended(owned.robot), GOODBOT_EVIDENCE_NOTHING);
-    let given = GoodbotOptions { ends_at_goal: 0.1, ends_elsewhere: 0.02, drift: 0.1, weights: GOODBOT_WEIGHTS_EVIDENCE, ..first };
+    let (ends_at_goal, ends_elsewhere) = (hazard(0.1), hazard(0.02));
+    let given = GoodbotOptions { ends_at_goal, ends_elsewhere, drift: 0.1, weights: GOODBOT_WEIGHTS_EVIDENCE, ..first };
     assert_eq!(unsafe { goodbot_set_options(owned.robot, &raw const given) }, GoodbotStatus::Ok);
     let now = options(owned.robot);
-    assert_eq!((now.ends_at_goal, now.ends_elsewhere, now.drift, now.weights), (0.1, 0.02, 0.1, GOODBOT_WEIGHTS_EVIDENCE));
+    assert_eq!(
+        (now.ends_at_goal, now.ends_elsewhere, now.drift, now.weights),
+        (ends_at_goal, ends_elsewhere, 0.1, GOODBOT_WEIGHTS_EVIDENCE)
+    );
     assert_eq!(ended(owned.robot), GOODBOT_EVIDENCE_USED);
     let mut sessions = 0;
     assert_eq!(unsafe { goodbot_session_count(owned.robot, &raw mut sessions) }, GoodbotStatus::Ok);
@@ -56,7 +64,8 @@ fn options_out_of_range_are_refused_and_change_nothing() {
     for wrong in [
         GoodbotOptions { drift: 1.5, ..first },
         GoodbotOptions { drift: f32::NAN, ..first },
-        GoodbotOptions { ends_at_goal: 1.0, ..first },
+        GoodbotOptions { ends_at_goal: hazard(1.0), ..first },
+        GoodbotOptions { ends_at_goal: GoodbotHazard { praised: 10.0, ..hazard(0.1) }, ..first },
         GoodbotOptions { least_weight: -0.1, ..first },
         GoodbotOptions { weights: 3, ..first },
     ] {

@@ -108,7 +108,8 @@ unsafe fn taught(robot: *mut Goodbot, session: &RecordedSession, walk: &Walk<imp
                 let of = |expected: &goodbot_lesson::walk::Expected| {
                     let it = expected.strategy;
                     let (mu_plus, mu_minus, epsilon, lags) = (it.mu_plus(), it.mu_minus(), it.epsilon(), it.lags());
-                    GoodbotStrategy { mu_plus, mu_minus, epsilon, lags, prior: expected.share }
+                    let rests = it.rests();
+                    GoodbotStrategy { mu_plus, mu_minus, epsilon, lags, rests, prior: expected.share }
                 };
                 let strategies: Vec<_> = strategies.iter().map(of).collect();
                 ok(goodbot_trainers(robot, strategies.as_ptr(), strategies.len() as u32));

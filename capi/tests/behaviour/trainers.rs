@@ -7,8 +7,9 @@ use goodbot_capi::training::*;
 use robots::{at_home, hear_and_plan};
 use std::ptr::{null, null_mut};
 
-const BALANCED: GoodbotStrategy = GoodbotStrategy { mu_plus: 0.7, mu_minus: 0.7, epsilon: 0.1, lags: [1.0, 0.0, 0.0], prior: 0.5 };
-const LATE: GoodbotStrategy = GoodbotStrategy { mu_minus: 0.05, lags: [0.0, 1.0, 0.0], ..BALANCED };
+const BALANCED: GoodbotStrategy =
+    GoodbotStrategy { mu_plus: 0.7, mu_minus: 0.7, epsilon: 0.1, lags: [1.0, 0.0, 0.0], rests: [0.7, 0.7, 0.1, 0.0], prior: 0.5 };
+const LATE: GoodbotStrategy = GoodbotStrategy { mu_minus: 0.05, lags: [0.0, 1.0, 0.0], rests: [0.7, 0.05, 0.1, 0.0], ..BALANCED };
 
 #[test]
 fn a_trainer_can_be_one_of_several() {

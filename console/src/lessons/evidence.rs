@@ -1,8 +1,9 @@
 //! One session, walked by an agent that knows no word: which task do the steps speak for?
 
 use super::{Lesson, MachineCommand, Reading};
+use crate::believes::Believes;
 use goodbot::capacity::TOKENS_PER_COMMAND;
-use goodbot::feedback::Strategy;
+use goodbot::feedback::{Ending, Strategy};
 use goodbot::language::{LanguageRef, Model};
 use goodbot::memory::AgentHeap;
 use goodbot::memory::HomeMemory;
@@ -24,13 +25,15 @@ use goodbot_lesson::{Fault, home};
 pub struct Witness {
     agent: Agent<AgentHeap>,
     lifted: Vec<LiftedTask>,
+    believes: Option<Believes>,
     plans: bool,
 }
 
 impl Witness {
-    /// One that knows no word. `plans` says whether each task's plan is wanted.
-    pub fn new(lifted: &[LiftedTask], options: Options, plans: bool) -> Result<Self, goodbot::AgentError> {
-        Ok(Self { agent: Agent::new(AgentHeap::new(&Capacities::STANDARD), lifted, options)?, lifted: lifted.to_vec(), plans })
+    /// One that knows no word. `believes` is what it expects of trainers, in place of what the sessions say, and `plans` says whether each task's
+    /// plan is wanted.
+    pub fn new(lifted: &[LiftedTask], options: Options, believes: Option<Believes>, plans: bool) -> Result<Self, goodbot::AgentError> {
+        Ok(Self { agent: Agent::new(AgentHeap::new(&Capacities::STANDARD), lifted, options)?, lifted: lifted.to_vec(), believes, plans })
     }
 
     /// Walks through a session. Trainer strategies that the session names are taken; a recorded prior is not, since words made it.
@@ -41,7 +44,7 @@ impl Witness {
         let header = &recorded.header;
         let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
         let session = check(file, recorded, &self.lifted, home::memory())?;
-        self.agent.set_strategies(&[(Strategy::BALANCED, 1.0)]).map_err(at(recorded.header_line))?;
+        self.expect(header.kind).map_err(at(recorded.header_line))?;
         let remarks = self.watch(file, &session)?;
         let intended = session.intended;
         let beliefs: Vec<f32> = match (header.kind, intended) {
@@ -71,9 +74,19 @@ impl Witness {
         Ok(lesson)
     }
 
+    /// Expects of the trainer what was told, or else the paper's one, whom a session means that names no strategies. Who shows the way is
+    /// expected to make the paper's one mistake in ten.
+    fn expect(&mut self, kind: Kind) -> Result<(), AgentError> {
+        let plain = Options { drift: 0.0, ending: Ending::NO_EVIDENCE, ..*self.agent.options() };
+        let told = self.believes.as_ref().filter(|_| kind == Kind::Feedback);
+        self.agent.set_options(told.map_or(plain, |believes| believes.options(plain)))?;
+        self.agent.set_strategies(told.and_then(Believes::strategies).unwrap_or(&[(Strategy::BALANCED, 1.0)]))
+    }
+
     fn watch(&mut self, file: &str, session: &CheckedSession<impl HomeMemory>) -> Result<Vec<Fault>, Vec<Fault>> {
         let mut remarks = vec![];
-        let mut replay = Replay::new(Rules::BY_ITSELF);
+        let mut replay =
+            Replay::new(Rules { strategies: self.believes.as_ref().and_then(Believes::strategies).is_none(), ..Rules::BY_ITSELF });
         loop {
             let event = replay.advance(&mut self.agent, &session.walk, u32::MAX);
             match event.map_err(|refused| vec![Fault::on_line(file, refused.line, refused.error)])? {

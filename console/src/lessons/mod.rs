@@ -11,6 +11,7 @@ pub mod evidence;
 pub mod restored;
 pub mod training;
 
+use crate::believes::Believes;
 use crate::load::input;
 use crate::messages::{bar, counted, say};
 use crate::outcome::Failure;
@@ -92,8 +93,18 @@ pub struct Lessons {
     pub with_way: usize,
 }
 
+/// How sessions are read.
+#[derive(Clone, Debug, Default)]
+pub struct Told {
+    /// What is expected of trainers, in place of what the sessions say.
+    pub believes: Option<Believes>,
+    /// Whether sessions at fault are passed over.
+    pub keep_going: bool,
+}
+
 /// Reads the sessions of all files and walks through them.
-pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bool, keep_going: bool) -> Result<Lessons, Failure> {
+pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bool, told: &Told) -> Result<Lessons, Failure> {
+    let keep_going = told.keep_going;
     let mut sessions: Vec<(String, RecordedSession)> = Vec::new();
     let (mut skipped, mut with_way) = (0, 0);
     let ways = lifted.iter().any(LiftedTask::has_way);
@@ -115,7 +126,7 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
     let walked: Vec<Result<Lesson, Vec<Fault>>> = sessions
         .par_iter()
         .map_init(
-            || Witness::new(lifted, options, plans),
+            || Witness::new(lifted, options, told.believes.clone(), plans),
             |witness, (file, session)| {
                 let lesson = match witness {
                     Ok(witness) => witness.lesson(file, session),

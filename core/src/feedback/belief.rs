@@ -4,9 +4,9 @@
 //! the language model, is kept apart: the posterior is their product, renormalised. Both are [`Scaled`], so a task that looked hopeless for
 //! a thousand steps can still come back.
 
+use super::judged::Judged;
 use super::strategy::{Feedback, LAGS, Strategy};
 use crate::capacity::{Capacity, CapacityError};
-use crate::planning::Judgement;
 use crate::probability::{Scaled, total};
 use core::fmt;
 
@@ -264,7 +264,7 @@ impl<'t> Belief<'t> {
     /// Takes in the feedback to one action. `judged` judges the last action and the two before it for each task, the last one first: see
     /// [`Strategy::likelihood`]. A task without any known judgement gets the posterior-weighted mean likelihood of the others: no evidence
     /// for or against it. Evidence that is impossible under every task and strategy is ignored, and the result is `false`.
-    pub fn observe_feedback(&mut self, feedback: Feedback, judged: impl Fn(usize) -> [Judgement; LAGS]) -> bool {
+    pub fn observe_feedback(&mut self, feedback: Feedback, judged: impl Fn(usize) -> [Judged; LAGS]) -> bool {
         self.observe(&|strategy, task| strategy.likelihood(feedback, judged(task)))
     }
 

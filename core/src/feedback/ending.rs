@@ -1,31 +1,97 @@
-//! When trainers end a session: more often at the goal than elsewhere, so that the end is evidence.
+//! When trainers end a session: more often at the goal than elsewhere, so that the end is evidence. They also end one more often after a rest
+//! than after a move, and more often after "good bot" than after "bad bot", and by how much depends on where the robot is.
+
+use super::strategy::Feedback;
+
+/// What was done and said last, as far as it tells when a trainer ends a session.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Moment {
+    /// How often the robot rested in a row.
+    pub rests: u8,
+    /// The last word of the session that was not silence.
+    pub said: Feedback,
+}
 
 /// How probable it is that the trainer ends the session after an action.
 #[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hazard {
+    /// After a move, where nothing was said in the session.
+    pub moved: f32,
+    /// After a rest that follows a move, where nothing was said.
+    pub rested: f32,
+    /// After a later rest in a row, where nothing was said.
+    pub resting: f32,
+    /// So many times as probable it is where the last word was "good bot".
+    pub praised: f32,
+    /// So many times as probable it is where the last word was "bad bot".
+    pub scolded: f32,
+}
+
+impl Hazard {
+    /// Always the same.
+    pub const fn of(probability: f32) -> Self {
+        Self { moved: probability, rested: probability, resting: probability, praised: 1.0, scolded: 1.0 }
+    }
+
+    /// The probability that the session ends now.
+    pub fn at(&self, moment: Moment) -> f32 {
+        let hazard = match moment.rests {
+            0 => self.moved,
+            1 => self.rested,
+            _ => self.resting,
+        };
+        match moment.said {
+            Feedback::Reward => hazard * self.praised,
+            Feedback::Punish => hazard * self.scolded,
+            Feedback::Neutral => hazard,
+        }
+    }
+
+    /// Whether it is a probability of less than 1 at every moment.
+    fn is_sound(&self) -> bool {
+        let most = if self.praised > self.scolded { self.praised } else { self.scolded };
+        self.praised >= 0.0
+            && self.scolded >= 0.0
+            && [self.moved, self.rested, self.resting].iter().all(|&hazard| (0.0..1.0).contains(&hazard) && hazard * most < 1.0)
+    }
+}
+
+/// How probable it is that the trainer ends the session after an action, by where that leaves the robot.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ending {
-    /// If the task is done, from 0 to less than 1.
-    pub at_goal: f32,
-    /// If it is not, from 0 to less than 1.
-    pub elsewhere: f32,
+    /// If the task is done.
+    pub at_goal: Hazard,
+    /// If it is not.
+    pub elsewhere: Hazard,
 }
 
 impl Ending {
     /// An end says nothing: a robot may not know why a session ended.
-    pub const NO_EVIDENCE: Self = Self { at_goal: 0.0, elsewhere: 0.0 };
+    pub const NO_EVIDENCE: Self = Self { at_goal: Hazard::of(0.0), elsewhere: Hazard::of(0.0) };
 
     /// Whether an end says anything.
     pub fn is_evidence(&self) -> bool {
         self.at_goal != self.elsewhere
     }
 
-    /// Whether both are probabilities of less than 1.
+    /// Whether all hazards are probabilities of less than 1.
     pub(crate) fn is_sound(&self) -> bool {
-        [self.at_goal, self.elsewhere].iter().all(|value| (0.0..1.0).contains(value))
+        self.at_goal.is_sound() && self.elsewhere.is_sound()
     }
 
     /// The probability that the session ends, or goes on, in a state with the task done or not done.
-    pub fn probability(&self, ends: bool, at_goal: bool) -> f32 {
-        let ending = if at_goal { self.at_goal } else { self.elsewhere };
+    ///
+    /// ```
+    /// use goodbot::feedback::{Ending, Feedback, Hazard, Moment};
+    /// let at_goal = Hazard { moved: 0.25, rested: 0.5, ..Hazard::of(0.5) };
+    /// let ending = Ending { at_goal, elsewhere: Hazard::of(0.125) };
+    /// let moved = Moment { rests: 0, said: Feedback::Neutral };
+    /// assert_eq!(ending.probability(true, true, moved), 0.25);
+    /// assert_eq!(ending.probability(false, false, moved), 0.875);
+    /// assert_eq!(ending.probability(true, true, Moment { rests: 1, ..moved }), 0.5);
+    /// ```
+    pub fn probability(&self, ends: bool, at_goal: bool, moment: Moment) -> f32 {
+        let ending = if at_goal { self.at_goal.at(moment) } else { self.elsewhere.at(moment) };
         if ends { ending } else { 1.0 - ending }
     }
 }

@@ -1,7 +1,7 @@
 //! A simulated trainer: draws its feedback from a strategy.
 
+use super::judged::Judged;
 use super::strategy::{Feedback, LAGS, Strategy};
-use crate::planning::Judgement;
 use crate::random::unit;
 use rand_core::Rng;
 
@@ -16,9 +16,14 @@ impl SimulatedTrainer {
     /// Its feedback to an action that is correct, or is not, for the intended task. The same generator gives the same feedback on every
     /// target.
     pub fn feedback<R: Rng + ?Sized>(&self, correct: bool, random: &mut R) -> Feedback {
+        self.said_to(if correct { Judged::Nearer } else { Judged::NotNearer }, random)
+    }
+
+    /// Its feedback to an action that is this for the intended task; silence where that is not known.
+    fn said_to<R: Rng + ?Sized>(&self, judged: Judged, random: &mut R) -> Feedback {
+        let probability = |feedback| self.strategy.probability_after(feedback, judged);
+        let (Some(reward), Some(punish)) = (probability(Feedback::Reward), probability(Feedback::Punish)) else { return Feedback::Neutral };
         let draw = unit(random);
-        let reward = self.strategy.probability(Feedback::Reward, correct);
-        let punish = self.strategy.probability(Feedback::Punish, correct);
         if draw < reward {
             Feedback::Reward
         } else if draw < reward + punish {
@@ -30,19 +35,15 @@ impl SimulatedTrainer {
 
     /// Its feedback after these actions, the last one first, each judged for the intended task: about the last one, or one of the two
     /// before it, according to its lags. It is silent about a missing action and about one with an unknown judgement.
-    pub fn late_feedback<R: Rng + ?Sized>(&self, judged: [Judgement; LAGS], random: &mut R) -> Feedback {
+    pub fn late_feedback<R: Rng + ?Sized>(&self, judged: [Judged; LAGS], random: &mut R) -> Feedback {
         let mut draw = unit(random);
-        let mut about = Judgement::Unknown;
-        for (lag, judgement) in self.strategy.lags().into_iter().zip(judged) {
+        let mut about = Judged::Unknown;
+        for (lag, judged) in self.strategy.lags().into_iter().zip(judged) {
             if (0.0..lag).contains(&draw) {
-                about = judgement;
+                about = judged;
             }
             draw -= lag;
         }
-        match about {
-            Judgement::Correct => self.feedback(true, random),
-            Judgement::Incorrect => self.feedback(false, random),
-            Judgement::Unknown => Feedback::Neutral,
-        }
+        self.said_to(about, random)
     }
 }

@@ -1,12 +1,12 @@
 //! Trainer strategies: how probable reward, punishment and silence are after a correct and an incorrect action (paper, section 3), and
 //! how late they come.
 
-use crate::planning::Judgement;
+use super::judged::Judged;
 use core::fmt;
 use core::str::FromStr;
 
 /// What the trainer says after an action.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Feedback {
     /// "Good bot."
@@ -67,10 +67,13 @@ pub const LAGS: usize = 3;
 /// The tolerance for the sum of the lags' probabilities.
 const LAG_TOLERANCE: f32 = 1e-3;
 
-/// A trainer strategy: three probabilities for feedback, and three for its lag.
+/// The numbers of a strategy that are about rests: see [`Strategy::with_rests`].
+pub const RESTS: usize = 4;
+
+/// A trainer strategy: three probabilities for what is said to a move, four for rests and for moves inside the goal, and three for its lag.
 ///
 /// With lag k a word is about the action k actions before the last one. The paper's strategies have no lag: each word is about the last
-/// action.
+/// action. They judge a rest as they judge a move, and a move inside the goal is wrong.
 ///
 /// ```
 /// use goodbot::feedback::{Feedback, Strategy};
@@ -91,6 +94,7 @@ pub struct Strategy {
     mu_minus: f32,
     epsilon: f32,
     lags: [f32; LAGS],
+    rests: [f32; RESTS],
 }
 
 /// Which parameter of a strategy is not a probability.
@@ -106,6 +110,8 @@ pub enum StrategyError {
     Epsilon,
     /// The probabilities of the lags are not from 0 to 1, or do not sum to 1.
     Lags,
+    /// A number about rests is outside [0, 1] or not a number.
+    Rests,
 }
 
 impl fmt::Display for StrategyError {
@@ -115,6 +121,7 @@ impl fmt::Display for StrategyError {
             Self::MuMinus => "mu- must be a number from 0 to 1",
             Self::Epsilon => "epsilon must be a number from 0 to 1",
             Self::Lags => "the lags must be three numbers from 0 to 1 that sum to 1",
+            Self::Rests => "the four numbers about rests must be from 0 to 1",
         })
     }
 }
@@ -126,17 +133,17 @@ impl Strategy {
     pub const NO_LAG: [f32; LAGS] = [1.0, 0.0, 0.0];
 
     /// The paper's setting: silence seven times out of ten, one error in ten.
-    pub const BALANCED: Self = Self { mu_plus: 0.7, mu_minus: 0.7, epsilon: 0.1, lags: Self::NO_LAG };
+    pub const BALANCED: Self = Self::known(0.7, 0.7, 0.1);
     /// The paper's trainer who punishes nearly every wrong action.
-    pub const PUNISH_ONLY: Self = Self { mu_plus: 0.7, mu_minus: 0.05, epsilon: 0.1, lags: Self::NO_LAG };
+    pub const PUNISH_ONLY: Self = Self::known(0.7, 0.05, 0.1);
     /// The mirror image: a trainer who rewards nearly every right action.
-    pub const REWARD_ONLY: Self = Self { mu_plus: 0.05, mu_minus: 0.7, epsilon: 0.1, lags: Self::NO_LAG };
+    pub const REWARD_ONLY: Self = Self::known(0.05, 0.7, 0.1);
 
     /// The value of unused memory.
-    pub const UNUSED: Self = Self { mu_plus: 0.0, mu_minus: 0.0, epsilon: 0.0, lags: [0.0; LAGS] };
+    pub const UNUSED: Self = Self { lags: [0.0; LAGS], ..Self::known(0.0, 0.0, 0.0) };
 
     /// A strategy: the probability of silence after a correct action (`mu_plus`) and after an incorrect one (`mu_minus`), and of taking
-    /// one for the other (`epsilon`), each in [0, 1]. It has no lag.
+    /// one for the other (`epsilon`), each in [0, 1]. It has no lag, and judges rests as moves.
     ///
     /// # Errors
     /// [`StrategyError`] names the parameter outside [0, 1].
@@ -145,12 +152,17 @@ impl Strategy {
         check(mu_plus, StrategyError::MuPlus)?;
         check(mu_minus, StrategyError::MuMinus)?;
         check(epsilon, StrategyError::Epsilon)?;
-        Ok(Self { mu_plus, mu_minus, epsilon, lags: Self::NO_LAG })
+        Ok(Self::known(mu_plus, mu_minus, epsilon))
     }
 
     /// A strategy without checks; the caller guarantees sound numbers.
-    pub(super) const fn known(mu_plus: f32, mu_minus: f32, epsilon: f32, lags: [f32; LAGS]) -> Self {
-        Self { mu_plus, mu_minus, epsilon, lags }
+    const fn known(mu_plus: f32, mu_minus: f32, epsilon: f32) -> Self {
+        Self { mu_plus, mu_minus, epsilon, lags: Self::NO_LAG, rests: [mu_plus, mu_minus, epsilon, 0.0] }
+    }
+
+    /// The same with rests of its own.
+    pub(crate) const fn of_people([mu_plus, mu_minus, epsilon]: [f32; 3], rests: [f32; RESTS], lags: [f32; LAGS]) -> Self {
+        Self { mu_plus, mu_minus, epsilon, lags, rests }
     }
 
     /// The same strategy, whose words are about the last action with probability `lags[0]`, about the one before with `lags[1]`, and about
@@ -162,6 +174,37 @@ impl Strategy {
         let sum: f32 = lags.iter().sum();
         let sound = lags.iter().all(|lag| (0.0..=1.0).contains(lag)) && (1.0 - LAG_TOLERANCE..=1.0 + LAG_TOLERANCE).contains(&sum);
         if sound { Ok(Self { lags, ..self }) } else { Err(StrategyError::Lags) }
+    }
+
+    /// The same strategy with a judgement of its own for rests. The numbers are: the probability of silence after a rest at the goal, and after
+    /// one elsewhere; the probability of taking the one for the other; and how far a move from the goal to the goal counts as a rest there, from
+    /// 0, where it is a wrong move, to 1.
+    ///
+    /// ```
+    /// use goodbot::feedback::{Feedback, Judged, Strategy};
+    /// let patient = Strategy::BALANCED.with_rests([0.2, 0.9, 0.1, 1.0])?;
+    /// assert_eq!(patient.probability(Feedback::Reward, true), Strategy::BALANCED.probability(Feedback::Reward, true));
+    /// assert_eq!(patient.probability_after(Feedback::Reward, Judged::RestsAtGoal), Some(0.9 * 0.8));
+    /// assert_eq!(patient.probability_after(Feedback::Reward, Judged::MovesInside), Some(0.9 * 0.8));
+    /// assert_eq!(Strategy::BALANCED.with_rests([1.1, 0.9, 0.1, 1.0]).unwrap_err().to_string(), "the four numbers about rests must be from 0 to 1");
+    /// # Ok::<(), goodbot::feedback::StrategyError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`StrategyError::Rests`] where one is outside [0, 1].
+    pub fn with_rests(self, rests: [f32; RESTS]) -> Result<Self, StrategyError> {
+        let sound = rests.iter().all(|number| (0.0..=1.0).contains(number));
+        if sound { Ok(Self { rests, ..self }) } else { Err(StrategyError::Rests) }
+    }
+
+    /// The numbers about rests: see [`with_rests`](Self::with_rests). Without numbers of their own they are mu+, mu-, epsilon and 0.
+    pub fn rests(&self) -> [f32; RESTS] {
+        self.rests
+    }
+
+    /// Whether rests are judged as moves, as in the paper.
+    pub fn rests_as_it_moves(&self) -> bool {
+        self.rests == [self.mu_plus, self.mu_minus, self.epsilon, 0.0]
     }
 
     /// The probability that a word is about the last action, about the one before, and about the one before that.
@@ -184,39 +227,58 @@ impl Strategy {
         self.epsilon
     }
 
-    /// The probability of a feedback after an action that is correct, or is not, for the intended task.
+    /// The probability of a feedback after a move that is correct, or is not, for the intended task.
     pub fn probability(&self, feedback: Feedback, correct: bool) -> f32 {
-        let seen_correct = if correct { 1.0 - self.epsilon } else { self.epsilon };
-        let seen_incorrect = 1.0 - seen_correct;
-        match feedback {
-            Feedback::Reward => seen_correct * (1.0 - self.mu_plus),
-            Feedback::Punish => seen_incorrect * (1.0 - self.mu_minus),
-            Feedback::Neutral => seen_correct * self.mu_plus + seen_incorrect * self.mu_minus,
-        }
+        said([self.mu_plus, self.mu_minus, self.epsilon], feedback, correct)
+    }
+
+    /// The probability of a feedback after an action that is this for the intended task; `None` where that is not known.
+    pub fn probability_after(&self, feedback: Feedback, judged: Judged) -> Option<f32> {
+        let [plus, minus, mistake, inside] = self.rests;
+        let resting = |correct| said([plus, minus, mistake], feedback, correct);
+        Some(match judged {
+            Judged::Nearer => self.probability(feedback, true),
+            Judged::NotNearer => self.probability(feedback, false),
+            Judged::RestsAtGoal => resting(true),
+            Judged::RestsElsewhere => resting(false),
+            Judged::MovesInside => inside * resting(true) + (1.0 - inside) * self.probability(feedback, false),
+            Judged::Unknown => return None,
+        })
     }
 
     /// The probability of a feedback after these actions, the last one first, each judged for one task: the mean over the actions that the
     /// word may judge. The mean leaves out actions that are missing or have an unknown judgement; `None` if none is left.
     ///
     /// ```
-    /// use goodbot::feedback::{Feedback, Strategy};
-    /// use goodbot::planning::Judgement::{Correct, Incorrect, Unknown};
+    /// use goodbot::feedback::{Feedback, Judged::{Nearer, NotNearer, Unknown}, Strategy};
     /// let slow = Strategy::BALANCED.with_lags([0.5, 0.5, 0.0])?;
     /// let (right, wrong) = (slow.probability(Feedback::Reward, true), slow.probability(Feedback::Reward, false));
-    /// assert_eq!(slow.likelihood(Feedback::Reward, [Correct, Incorrect, Correct]), Some((right + wrong) / 2.0));
+    /// assert_eq!(slow.likelihood(Feedback::Reward, [Nearer, NotNearer, Nearer]), Some((right + wrong) / 2.0));
     /// // The first action of a session: the word can only be about it.
-    /// assert_eq!(slow.likelihood(Feedback::Reward, [Correct, Unknown, Unknown]), Some(right));
+    /// assert_eq!(slow.likelihood(Feedback::Reward, [Nearer, Unknown, Unknown]), Some(right));
     /// assert_eq!(slow.likelihood(Feedback::Reward, [Unknown; 3]), None);
     /// # Ok::<(), goodbot::feedback::StrategyError>(())
     /// ```
-    pub fn likelihood(&self, feedback: Feedback, judged: [Judgement; LAGS]) -> Option<f32> {
+    pub fn likelihood(&self, feedback: Feedback, judged: [Judged; LAGS]) -> Option<f32> {
         let (mut sum, mut whole) = (0.0, 0.0);
-        for (lag, judgement) in self.lags.into_iter().zip(judged) {
-            if judgement != Judgement::Unknown && lag > 0.0 {
-                sum += lag * self.probability(feedback, judgement == Judgement::Correct);
+        for (lag, judged) in self.lags.into_iter().zip(judged) {
+            if let Some(probability) = self.probability_after(feedback, judged).filter(|_| lag > 0.0) {
+                sum += lag * probability;
                 whole += lag;
             }
         }
         (whole > 0.0).then_some(sum / whole)
+    }
+}
+
+/// The probability of a feedback by the probabilities of silence after what is right and what is wrong, and of a mistake.
+#[inline(never)]
+fn said([mu_plus, mu_minus, epsilon]: [f32; 3], feedback: Feedback, correct: bool) -> f32 {
+    let seen_correct = if correct { 1.0 - epsilon } else { epsilon };
+    let seen_incorrect = 1.0 - seen_correct;
+    match feedback {
+        Feedback::Reward => seen_correct * (1.0 - mu_plus),
+        Feedback::Punish => seen_incorrect * (1.0 - mu_minus),
+        Feedback::Neutral => seen_correct * mu_plus + seen_incorrect * mu_minus,
     }
 }

@@ -147,8 +147,8 @@ pub enum SettingError {
     LeastWeight(f32),
     /// [`Options::drift`](crate::Options::drift).
     Drift(f32),
-    /// [`Options::ending`](crate::Options::ending): at the goal, and elsewhere.
-    Ending(f32, f32),
+    /// [`Options::ending`](crate::Options::ending).
+    Ending,
     /// What a question costs: `Asking::kappa`.
     Kappa(f32),
     /// How often an answer is wrong: `Asking::eta`.
@@ -169,7 +169,7 @@ impl SettingError {
             Self::Rounds(_) => "Settings::rounds",
             Self::LeastWeight(_) => "Options::least_weight",
             Self::Drift(_) => "Options::drift",
-            Self::Ending(..) => "Options::ending",
+            Self::Ending => "Options::ending",
             Self::Kappa(_) => "Asking::kappa",
             Self::Eta(_) => "Asking::eta",
             Self::Sure(_) => "Asking::sure",
@@ -190,9 +190,7 @@ impl fmt::Display for SettingError {
             Self::Kappa(value) => write!(f, "{field} is {value}; it must be a number above 0, or infinite"),
             Self::Patience(value) => write!(f, "{field} is {value}; it must be a number of 0 or more"),
             Self::Eta(value) => write!(f, "{field} is {value}; it must be a number from 0 to less than 0.5"),
-            Self::Ending(at_goal, elsewhere) => {
-                write!(f, "{field} is {at_goal} and {elsewhere}; each must be a number from 0 to less than 1")
-            }
+            Self::Ending => write!(f, "{field} has a probability that is not from 0 to less than 1 at every moment"),
         }
     }
 }

@@ -200,6 +200,11 @@ impl Plan<'_> {
         self.found.wanted.iter().filter(|&task| self.judge(task, action) == judgement).fold(TaskSet::EMPTY, TaskSet::with)
     }
 
+    /// The tasks that are done here.
+    pub fn at_goal(&self) -> TaskSet {
+        self.found.goal_here
+    }
+
     /// The tasks whose goals cannot be reached from here, nor from any later state.
     pub fn dead(&self) -> TaskSet {
         self.found.dead

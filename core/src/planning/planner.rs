@@ -13,7 +13,7 @@ use super::Progress;
 use super::approximate::Approximation;
 use super::bitboard::{RowSearch, View};
 use super::deadlock;
-use super::goals::{GoalMemory, GoalPart, GoalTable, Goals};
+use super::goals::{GoalMemory, GoalMemoryRef, GoalPart, GoalTable, Goals};
 use super::one_by_one::{self, StateSearch, Stray};
 use super::plan::{Found, Plan, Results};
 use super::ways::Ways;
@@ -399,6 +399,11 @@ impl Planner {
             Marked::States(states, _) => states.stray(),
             _ => None,
         }
+    }
+
+    /// The tasks among `asked` whose goals hold in a state; for tasks whose ways are gone to their ends.
+    pub(crate) fn satisfied<D: Domain + ?Sized>(&self, goals: GoalMemoryRef<'_>, domain: &D, state: &D::State, asked: TaskSet) -> TaskSet {
+        Goals { table: &self.goals, parts: goals.parts, entries: goals.entries }.satisfied(domain, state, asked)
     }
 
     /// The results for each task, in the tables that planning wrote.

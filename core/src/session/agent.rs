@@ -13,7 +13,7 @@ use super::phase::{Phase, Progressed};
 #[cfg(feature = "asking")]
 use crate::asking::Asked;
 use crate::capacity::{Capacities, Capacity, CapacityError, LIFTED_TASKS};
-use crate::feedback::{Belief, BeliefCount, BeliefRef, Ending, Feedback, Strategy, Words};
+use crate::feedback::{Belief, BeliefCount, BeliefRef, Ending, Feedback, Judged, LAGS, Moment, Strategy, Words};
 use crate::language::model::LanguageState;
 use crate::language::{LanguageMut, LanguageRef, Sentence};
 use crate::memory::{AgentMemory, AgentTables};
@@ -56,10 +56,15 @@ pub enum Evidence {
     Impossible,
 }
 
-/// The probability that the session ends, or goes on, in a state where this is known of a task.
-fn probability_of_end(ending: &Ending, plan: OptimalSet, ends: bool) -> Option<f32> {
-    plan.exact()?;
-    Some(ending.probability(ends, plan == OptimalSet::Goal))
+/// Takes in that the session ends, or goes on, in a state where this is known of the tasks.
+#[inline(never)]
+fn observe_end(belief: &mut Belief<'_>, ending: &Ending, plan: Plan<'_>, moment: Moment, ends: bool) -> bool {
+    let possible = belief.observe(&|_, task| {
+        let plan = plan.optimal(task);
+        plan.exact().map(|_| ending.probability(ends, plan == OptimalSet::Goal, moment))
+    });
+    belief.settle();
+    possible
 }
 
 /// The robot's mind, in memory that it owns or borrows: see [`memory`](mod@crate::memory).
@@ -514,10 +519,11 @@ impl<M: AgentMemory> Agent<M> {
         belief.settle();
         // The trainer could have ended the session in this state, and did not.
         if self.done.is_something() && self.options.ending.is_evidence() {
-            let _ = belief.observe(&|_, task| probability_of_end(&self.options.ending, plan.optimal(task), false));
-            belief.settle();
+            let _ = observe_end(&mut belief, &self.options.ending, plan, self.done.moment(), false);
         }
-        self.done.add(plan, action);
+        let at_goal = if action == Action::NOOP { TaskSet::EMPTY } else { plan.at_goal() };
+        let inside = self.planner.satisfied(session.goals.read(), domain, &next, at_goal);
+        self.done.add(plan, action, inside);
         self.expected = Some(domain.number(&next));
         Ok(next)
     }
@@ -532,12 +538,18 @@ impl<M: AgentMemory> Agent<M> {
         if !self.done.is_something() {
             return Err(AgentError::NothingDone);
         }
+        self.done.hear(feedback);
         let done = self.done;
         if !done.says_something(self.belief().strategies()) {
             return Ok(Evidence::SaysNothing);
         }
         let possible = self.belief_mut().observe_feedback(feedback, |task| done.judged(task));
         Ok(if possible { Evidence::Used } else { Evidence::Impossible })
+    }
+
+    /// What the last actions were for a task, the last one first: what its trainer's next word is about.
+    pub fn judged(&self, task: usize) -> [Judged; LAGS] {
+        self.done.judged(task)
     }
 
     /// Takes in that the trainer ended the session in `state`, which must have been planned for, after judging actions: trainers do so more
@@ -558,8 +570,7 @@ impl<M: AgentMemory> Agent<M> {
         }
         let mut belief = Belief::new(session.belief, &mut self.belief);
         belief.settle();
-        let possible = belief.observe(&|_, task| probability_of_end(&self.options.ending, plan.optimal(task), true));
-        belief.settle();
+        let possible = observe_end(&mut belief, &self.options.ending, plan, self.done.moment(), true);
         // A word that comes now is about nothing.
         self.done = LastDone::NOTHING;
         Ok(if possible { Evidence::Used } else { Evidence::Impossible })

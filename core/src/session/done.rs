@@ -1,7 +1,7 @@
 //! The last actions that were done, each judged for every task: a word about them may come while the next plan is being made, or one or
 //! two actions later.
 
-use crate::feedback::{LAGS, Strategy};
+use crate::feedback::{Feedback, Judged, LAGS, Moment, Strategy};
 use crate::oomdp::Action;
 use crate::planning::{Judgement, Plan};
 use crate::task::TaskSet;
@@ -11,20 +11,23 @@ use crate::task::TaskSet;
 struct Done {
     correct: TaskSet,
     incorrect: TaskSet,
+    /// The tasks that were done before it and after it.
+    inside: TaskSet,
 }
 
 impl Done {
     /// An action of which nothing is known.
-    const UNKNOWN: Self = Self { correct: TaskSet::EMPTY, incorrect: TaskSet::EMPTY };
+    const UNKNOWN: Self = Self { correct: TaskSet::EMPTY, incorrect: TaskSet::EMPTY, inside: TaskSet::EMPTY };
 
-    const fn judged(self, task: usize) -> Judgement {
-        if self.correct.contains(task) {
+    const fn judged(self, task: usize, rests: bool) -> Judged {
+        let judgement = if self.correct.contains(task) {
             Judgement::Correct
         } else if self.incorrect.contains(task) {
             Judgement::Incorrect
         } else {
             Judgement::Unknown
-        }
+        };
+        if self.inside.contains(task) { Judged::MovesInside } else { Judged::of(judgement, rests) }
     }
 }
 
@@ -32,28 +35,64 @@ impl Done {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LastDone {
     actions: [Done; LAGS],
+    /// Whether each was a rest.
+    rests: [bool; LAGS],
     any: bool,
+    /// What was done and said before the last action's own word.
+    moment: Moment,
+    /// The last action's word.
+    word: Feedback,
 }
 
 impl LastDone {
     /// Nothing was done yet.
-    pub(super) const NOTHING: Self = Self { actions: [Done::UNKNOWN; LAGS], any: false };
+    pub(super) const NOTHING: Self = Self {
+        actions: [Done::UNKNOWN; LAGS],
+        rests: [false; LAGS],
+        any: false,
+        moment: Moment { rests: 0, said: Feedback::Neutral },
+        word: Feedback::Neutral,
+    };
 
     /// Whether there is an action that can be judged.
     pub(super) const fn is_something(self) -> bool {
         self.any
     }
 
-    /// An action was done in the state that was planned for.
-    pub(super) fn add(&mut self, plan: Plan<'_>, action: Action) {
-        let done = Done { correct: plan.judged(action, Judgement::Correct), incorrect: plan.judged(action, Judgement::Incorrect) };
-        let [last, before, _] = self.actions;
-        *self = Self { actions: [done, last, before], any: true };
+    /// An action was done in the state that was planned for. The tasks in `inside` were done before it, and still are.
+    pub(super) fn add(&mut self, plan: Plan<'_>, action: Action, inside: TaskSet) {
+        let rest = action == Action::NOOP;
+        let (correct, incorrect) = (plan.judged(action, Judgement::Correct), plan.judged(action, Judgement::Incorrect));
+        let ([last, before, _], [rested, earlier, _]) = (self.actions, self.rests);
+        let mut moment = self.moment();
+        moment.rests = if rest { moment.rests.saturating_add(1) } else { 0 };
+        *self = Self {
+            actions: [Done { correct, incorrect, inside }, last, before],
+            rests: [rest, rested, earlier],
+            any: true,
+            moment,
+            word: Feedback::Neutral,
+        };
+    }
+
+    /// This was said to the last action; of several words the last counts.
+    pub(super) const fn hear(&mut self, word: Feedback) {
+        self.word = word;
+    }
+
+    /// What was done and said last.
+    pub(super) fn moment(&self) -> Moment {
+        let said = if self.word == Feedback::Neutral { self.moment.said } else { self.word };
+        Moment { said, ..self.moment }
     }
 
     /// What the actions were for a task.
-    pub(super) fn judged(&self, task: usize) -> [Judgement; LAGS] {
-        self.actions.map(|done| done.judged(task))
+    pub(super) fn judged(&self, task: usize) -> [Judged; LAGS] {
+        let mut judged = [Judged::Unknown; LAGS];
+        for ((slot, done), rests) in judged.iter_mut().zip(self.actions).zip(self.rests) {
+            *slot = done.judged(task, rests);
+        }
+        judged
     }
 
     /// Whether a word says anything to those who follow one of these strategies: an action that it may be about was right or wrong for some

@@ -56,10 +56,17 @@ impl Options {
     pub const SMOOTHED: Self = Self { language: Settings::SMOOTHED, ..Self::PAPER };
 
     /// The same for a robot that people train: what it believes of its trainer drifts a little. The strategies to expect of people are
-    /// [`population::STRATEGIES`]. The end of a session stays no evidence: on recorded trainers it made beliefs worse
-    /// (`docs/trainers.md`); [`population::ENDING`] switches it on.
+    /// [`population::STRATEGIES`]. The end of a session stays no evidence, because a robot may not know who ended it: see
+    /// [`with_ends`](Self::with_ends).
     pub const fn for_people(self) -> Self {
         Self { drift: population::DRIFT, ..self }
+    }
+
+    /// The same for a robot that knows when its trainer ends a session, and says so with
+    /// [`trainer_ended`](crate::Agent::trainer_ended): that is evidence, as far as it is with recorded people ([`population::ENDING`]), and
+    /// so is each step after which the trainer goes on.
+    pub const fn with_ends(self) -> Self {
+        Self { ending: population::ENDING, ..self }
     }
 
     /// Whether an agent can learn with them.
@@ -71,7 +78,7 @@ impl Options {
         let sound = |sound: bool, error| if sound { Ok(()) } else { Err(error) };
         sound((0.0..1.0).contains(&self.least_weight), SettingError::LeastWeight(self.least_weight))?;
         sound((0.0..=1.0).contains(&self.drift), SettingError::Drift(self.drift))?;
-        sound(self.ending.is_sound(), SettingError::Ending(self.ending.at_goal, self.ending.elsewhere))
+        sound(self.ending.is_sound(), SettingError::Ending)
     }
 }
 

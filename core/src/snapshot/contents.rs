@@ -2,8 +2,8 @@
 
 use super::error::{Part, RestoreError};
 use super::record::{
-    CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OLDEST_VERSION, OPTIONS_BYTES, OptionsRecord, PairRecord, SessionRecord,
-    Sizes, StrategyRecord, TrainerRecord,
+    CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OLDEST_VERSION, OPTIONS_BYTES, OptionsRecord, PairRecord, RestsRecord,
+    SessionRecord, Sizes, StrategyRecord, TrainerRecord,
 };
 use crate::capacity::{Capacities, NAME_BYTES, TOKENS_PER_COMMAND};
 use crate::checksum::CHECK;
@@ -156,6 +156,8 @@ pub struct Contents<'a> {
     /// How late each strategy's words come, and its probability before the trainer was met. Files of before this was kept have none: no
     /// word is late, and the trainer is met now.
     pub trainers: Section<'a, TrainerRecord>,
+    /// What each strategy says to rests. Files of before this was kept have none: it is what is said to moves.
+    pub rests: Section<'a, RestsRecord>,
     /// The descriptions of all tasks of the sessions, for the [layer](crate::language::layer).
     #[cfg(feature = "layer")]
     pub possible_commands: Section<'a, CommandRecord>,
@@ -213,6 +215,11 @@ impl<'a> Contents<'a> {
         }
         let trainers =
             if rest.is_empty() { Section::NONE } else { section(rest, Part::Trainers, |record: &TrainerRecord| record.is_sound())? };
+        if !(trainers.is_empty() || trainers.len() == strategies.len()) {
+            return Err(RestoreError::Inconsistent(Part::Trainers));
+        }
+        let sound = |&rests: &RestsRecord| Strategy::UNUSED.with_rests(rests).is_ok();
+        let rests = if rest.is_empty() { Section::NONE } else { section(rest, Part::Rests, sound)? };
         #[cfg(feature = "layer")]
         let (possible_commands, possible_counts, possible) = {
             let none = rest.is_empty();
@@ -236,8 +243,8 @@ impl<'a> Contents<'a> {
             }
             (commands, counts, pairs)
         };
-        if !rest.is_empty() || !(trainers.is_empty() || trainers.len() == strategies.len()) {
-            return Err(RestoreError::Inconsistent(Part::Trainers));
+        if !rest.is_empty() || !(rests.is_empty() || rests.len() == strategies.len()) {
+            return Err(RestoreError::Inconsistent(Part::Rests));
         }
         Ok(Self {
             vocabulary,
@@ -251,6 +258,7 @@ impl<'a> Contents<'a> {
             pairs,
             heard_again,
             trainers,
+            rests,
             #[cfg(feature = "layer")]
             possible_commands,
             #[cfg(feature = "layer")]
@@ -264,9 +272,12 @@ impl<'a> Contents<'a> {
 impl Contents<'_> {
     /// The strategies with their probabilities now, each with its probability before the trainer was met.
     pub(crate) fn believed(&self) -> impl Iterator<Item = ((Strategy, f32), f32)> {
-        let mut trainers = self.trainers.iter();
+        let (mut trainers, mut rests) = (self.trainers.iter(), self.rests.iter());
         self.strategies.iter().filter_map(move |record| {
-            let (strategy, probability) = record.strategy()?;
+            let (mut strategy, probability) = record.strategy()?;
+            if let Some(rests) = rests.next() {
+                strategy = strategy.with_rests(rests).ok()?;
+            }
             let Some(trainer) = trainers.next() else { return Some(((strategy, probability), probability)) };
             Some(((strategy.with_lags(trainer.lags).ok()?, probability), trainer.expected))
         })

@@ -93,6 +93,8 @@ pub enum Part {
     Possible,
     /// How late the trainer strategies' words come, and how probable the strategies were before the trainer was met.
     Trainers,
+    /// What each trainer strategy says to rests.
+    Rests,
 }
 
 impl Part {
@@ -111,6 +113,7 @@ impl Part {
             #[cfg(feature = "layer")]
             Self::Possible => "possible tasks",
             Self::Trainers => "trainers' lags",
+            Self::Rests => "what trainers say to rests",
         }
     }
 }

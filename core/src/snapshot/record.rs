@@ -6,7 +6,7 @@
 use crate::Capacities;
 use crate::capacity::{Capacity, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 pub use crate::checksum::CHECK_BYTES;
-use crate::feedback::{Ending, LAGS, Strategy};
+use crate::feedback::{Ending, Hazard, LAGS, RESTS, Strategy};
 use crate::language::{Model, Settings};
 use crate::session::{Options, Weights};
 use crate::task::TokenOrder;
@@ -63,7 +63,7 @@ impl Sizes {
 }
 
 /// Room for the options' record.
-pub(crate) const OPTIONS_BYTES: usize = 48;
+pub(crate) const OPTIONS_BYTES: usize = 80;
 
 /// How the robot learns: [`Options`], field by field. New fields are appended, and their 0 is what was before there was a choice.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -82,6 +82,11 @@ pub(crate) struct OptionsRecord {
     pub ends_at_goal: f32,
     pub ends_elsewhere: f32,
     pub telling: bool,
+    /// After a rest and after a later one at the goal, and how many times as often after praise and after blame. All 0 where the end is as
+    /// probable at every moment.
+    pub at_goal: [f32; 4],
+    /// The same elsewhere.
+    pub elsewhere: [f32; 4],
     #[cfg(feature = "layer")]
     pub layer: bool,
 }
@@ -92,7 +97,7 @@ impl OptionsRecord {
         let (by_roles, evidence_weights) = (model == Model::Roles, options.weights == Weights::Evidence);
         let by_proposition = order == TokenOrder::Propositions;
         let belief_weights = options.weights == Weights::Belief;
-        let Options { least_weight, drift, ending: Ending { at_goal: ends_at_goal, elsewhere: ends_elsewhere }, telling, .. } = *options;
+        let Options { least_weight, drift, ending: Ending { at_goal, elsewhere }, telling, .. } = *options;
         Self {
             smoothing,
             alignment_prior,
@@ -105,9 +110,11 @@ impl OptionsRecord {
             by_roles,
             evidence_weights,
             drift,
-            ends_at_goal,
-            ends_elsewhere,
+            ends_at_goal: at_goal.moved,
+            ends_elsewhere: elsewhere.moved,
             telling,
+            at_goal: numbers(at_goal),
+            elsewhere: numbers(elsewhere),
             #[cfg(feature = "layer")]
             layer: options.language.layer,
         }
@@ -133,7 +140,7 @@ impl OptionsRecord {
             #[cfg(feature = "layer")]
             layer: self.layer,
         };
-        let ending = Ending { at_goal: self.ends_at_goal, elsewhere: self.ends_elsewhere };
+        let ending = Ending { at_goal: hazard(self.ends_at_goal, self.at_goal), elsewhere: hazard(self.ends_elsewhere, self.elsewhere) };
         Options { language, weights, least_weight, drift, ending, telling }
     }
 
@@ -141,6 +148,17 @@ impl OptionsRecord {
     pub(crate) fn is_sound(&self) -> bool {
         self.options().check().is_ok()
     }
+}
+
+/// The numbers of a hazard but for the first.
+fn numbers(Hazard { rested, resting, praised, scolded, .. }: Hazard) -> [f32; 4] {
+    [rested, resting, praised, scolded]
+}
+
+/// The hazard with these numbers.
+fn hazard(moved: f32, other: [f32; 4]) -> Hazard {
+    let [rested, resting, praised, scolded] = other;
+    if other == [0.0; 4] { Hazard::of(moved) } else { Hazard { moved, rested, resting, praised, scolded } }
 }
 
 /// A trainer strategy and its probability.
@@ -184,6 +202,9 @@ impl TrainerRecord {
     }
 }
 
+/// What a strategy's trainer says to rests: see [`Strategy::with_rests`].
+pub type RestsRecord = [f32; RESTS];
+
 /// A machine command: its tokens, by position.
 pub type CommandRecord = heapless::Vec<u16, TOKENS_PER_COMMAND>;
 
@@ -209,10 +230,10 @@ pub struct PairRecord {
 /// where that is beyond all memory.
 pub const fn most_bytes(capacities: &Capacities) -> usize {
     // A length or number takes 5 bytes at most, a position 3, an f32 4.
-    let fixed = LEAST_BYTES + 5 + 5 * SAVED.len() + (5 + OPTIONS_BYTES) + 8 * 5;
+    let fixed = LEAST_BYTES + 5 + 5 * SAVED.len() + (5 + OPTIONS_BYTES) + 9 * 5;
     let mut sum = fixed;
     let mut rest: &[(usize, usize)] = &[
-        (capacities.strategies, 32),
+        (capacities.strategies, 48),
         (capacities.words, 1),
         (capacities.word_bytes, 1),
         (capacities.tokens, 1),

@@ -65,7 +65,7 @@ impl Serialize for Writing<'_> {
             Some((_, rest)) if !self.options.language.layer => rest,
             _ => options,
         };
-        let mut payload = serializer.serialize_struct("Payload", 11)?;
+        let mut payload = serializer.serialize_struct("Payload", 12)?;
         payload.serialize_field("vocabulary", &self.vocabulary)?;
         payload.serialize_field("sizes", &self.sizes)?;
         payload.serialize_field("options", &ByteString(options))?;
@@ -99,6 +99,8 @@ impl Serialize for Writing<'_> {
             known.iter().enumerate().map(move |(at, (strategy, _))| TrainerRecord { lags: strategy.lags(), expected: expected(at) })
         };
         payload.serialize_field("trainers", &Sequence(trainers))?;
+        let rests = || self.strategies.map_or(&[][..], BeliefRef::strategies).iter().map(|(strategy, _)| strategy.rests());
+        payload.serialize_field("rests", &Sequence(rests))?;
         #[cfg(feature = "layer")]
         if self.options.language.layer {
             let possible = language.possible().unwrap_or(BitextRef::NONE);

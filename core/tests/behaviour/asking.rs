@@ -3,7 +3,7 @@
 use crate::rooms;
 
 use goodbot::asking::{Answer, Asking, Considered, Subject};
-use goodbot::feedback::{Ending, Feedback, LAGS, Strategy, population};
+use goodbot::feedback::{Ending, Feedback, Hazard, Judged, LAGS, Strategy, population};
 use goodbot::home::{self, Cell, Home, HomeState};
 use goodbot::memory::AgentMemory;
 use goodbot::oomdp::Action;
@@ -166,7 +166,7 @@ fn a_late_word_counts_for_the_action_before_the_last_one() {
 #[test]
 fn the_end_of_a_session_speaks_for_what_is_done_there() {
     let mut memory = Memory::new();
-    let ending = Ending { at_goal: 0.2, elsewhere: 0.02 };
+    let ending = Ending { at_goal: Hazard::of(0.2), elsewhere: Hazard::of(0.02) };
     let (mut agent, home, start) = heard(&mut memory, Options { ending, ..Options::PAPER });
     assert_eq!(agent.trainer_ended(&home, &start), Err(AgentError::NothingDone));
     // Up to the green room, by the way of the door.
@@ -181,6 +181,69 @@ fn the_end_of_a_session_speaks_for_what_is_done_there() {
     assert_eq!(agent.trainer_ended(&home, &state), Ok(Evidence::Used));
     assert!(agent.belief().probability(green) > 1.5 * before);
     assert_eq!(agent.feedback(Feedback::Reward), Err(AgentError::NothingDone), "a word behind the end is about nothing");
+}
+
+#[test]
+fn the_end_says_more_after_praise_and_after_a_rest_where_trainers_have_it_so() {
+    let after = |said: Feedback, rests: usize| {
+        let at_goal = Hazard { moved: 0.1, rested: 0.2, resting: 0.4, praised: 2.0, scolded: 0.5 };
+        let mut memory = Memory::new();
+        let ending = Ending { at_goal, elsewhere: Hazard::of(0.05) };
+        let (mut agent, home, start) = heard(&mut memory, Options { ending, ..Options::PAPER });
+        // Nothing that is said tells tasks apart.
+        agent.set_strategies(&[(Strategy::new(0.5, 0.5, 0.5).unwrap(), 1.0)]).unwrap();
+        agent.hear(&home, &start, "go").unwrap();
+        let mut state = start;
+        let way = [3, 3, 0, 0, 0, 0].map(Action::new);
+        for action in way.into_iter().chain(std::iter::repeat_n(Action::NOOP, rests)) {
+            agent.plan_fully(&home, &state).unwrap();
+            state = agent.acted(&home, &state, action).unwrap();
+        }
+        // A slip of the finger: the last word counts.
+        let _ = agent.feedback(if said == Feedback::Reward { Feedback::Punish } else { Feedback::Reward }).unwrap();
+        let _ = agent.feedback(said).unwrap();
+        agent.plan_fully(&home, &state).unwrap();
+        let green = (0..agent.tasks().len()).find(|&task| agent.planned().distance(task) == Some(0)).unwrap();
+        let odds = |agent: &Agent<_>| agent.belief().evidence(green).over(agent.belief().evidence(usize::from(green == 0)));
+        let before = odds(&agent);
+        assert_eq!(agent.trainer_ended(&home, &state), Ok(Evidence::Used));
+        odds(&agent) / before
+    };
+    for (said, rests, times) in [
+        (Feedback::Neutral, 0, 2.0),
+        (Feedback::Neutral, 1, 4.0),
+        (Feedback::Neutral, 2, 8.0),
+        (Feedback::Neutral, 3, 8.0),
+        (Feedback::Reward, 0, 4.0),
+        (Feedback::Punish, 2, 4.0),
+    ] {
+        let measured = after(said, rests);
+        assert!((measured - times).abs() < 1e-4, "{said} after {rests} rests: {measured}");
+    }
+}
+
+#[test]
+fn a_move_inside_the_goal_is_wrong_for_the_papers_trainer_and_a_rest_for_a_patient_one() {
+    let patient = Strategy::BALANCED.with_rests([0.2, 0.9, 0.05, 1.0]).unwrap();
+    for (strategy, word) in [(Strategy::BALANCED, Strategy::BALANCED.probability(Feedback::Reward, false)), (patient, 0.95 * 0.8)] {
+        let mut memory = Memory::new();
+        let (mut agent, home, start) = heard(&mut memory, Options::PAPER);
+        agent.set_strategies(&[(strategy, 1.0)]).unwrap();
+        agent.hear(&home, &start, "go").unwrap();
+        let mut state = start;
+        for action in [3, 3, 0, 0, 0, 0].map(Action::new) {
+            agent.plan_fully(&home, &state).unwrap();
+            state = agent.acted(&home, &state, action).unwrap();
+        }
+        agent.plan_fully(&home, &state).unwrap();
+        let green = (0..agent.tasks().len()).find(|&task| agent.planned().distance(task) == Some(0)).unwrap();
+        let before = agent.belief().evidence(green);
+        agent.acted(&home, &state, Action::new(0)).unwrap();
+        assert_eq!(agent.judged(green)[0], Judged::MovesInside);
+        let _ = agent.feedback(Feedback::Reward).unwrap();
+        let measured = agent.belief().evidence(green).over(before);
+        assert!((measured - word).abs() < 1e-5, "{measured} {word}");
+    }
 }
 
 #[test]
@@ -214,7 +277,7 @@ fn the_population_is_of_strategies_that_can_be() {
     agent.set_strategies(&population::STRATEGIES).unwrap();
     for (strategy, share) in population::STRATEGIES {
         let sound = Strategy::new(strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon()).unwrap().with_lags(strategy.lags());
-        assert_eq!((sound, strategy.lags().len()), (Ok(strategy), LAGS));
+        assert_eq!((sound.unwrap().with_rests(strategy.rests()), strategy.lags().len()), (Ok(strategy), LAGS));
         assert!((0.0..1.0).contains(&share));
     }
     assert!((8..=16).contains(&population::STRATEGIES.len()));

@@ -68,6 +68,10 @@ pub struct StrategyRecord {
     /// late.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lags: Option<[f64; 3]>,
+    /// Where rests are spoken of otherwise than moves: how often a rest at the goal meets silence, and one elsewhere, how often the one is
+    /// taken for the other, and how far a move inside the goal counts as a rest there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rests: Option<[f64; 4]>,
 }
 
 const FIELDS: &[&str] = &[
@@ -238,7 +242,7 @@ fn strategies(node: Node<'_>) -> Result<Vec<StrategyRecord>, FormatError> {
     let mut strategies = Vec::new();
     for item in node.filled_list()? {
         let fields = item.object()?;
-        fields.only(&["name", "mu_plus", "mu_minus", "epsilon", "prior", "lags"])?;
+        fields.only(&["name", "mu_plus", "mu_minus", "epsilon", "prior", "lags", "rests"])?;
         let probability = |name| fields.required(name)?.probability(0.0);
         let name_node = fields.required("name")?;
         let name = name_node.filled_text()?;
@@ -252,6 +256,7 @@ fn strategies(node: Node<'_>) -> Result<Vec<StrategyRecord>, FormatError> {
             epsilon: probability("epsilon")?,
             prior: probability("prior")?,
             lags: fields.optional("lags").map(lags).transpose()?,
+            rests: fields.optional("rests").map(rests).transpose()?,
         });
     }
     above_zero(&node, strategies.iter().map(|s| s.prior))?;
@@ -259,9 +264,17 @@ fn strategies(node: Node<'_>) -> Result<Vec<StrategyRecord>, FormatError> {
 }
 
 fn lags(node: Node<'_>) -> Result<[f64; 3], FormatError> {
-    let lags: Vec<f64> = node.list()?.iter().map(|lag| lag.probability(0.0)).collect::<Result<_, _>>()?;
+    let lags = probabilities(&node)?;
     let lags = <[f64; 3]>::try_from(lags).ok().filter(|lags| (lags.iter().sum::<f64>() - 1.0).abs() <= 1e-3);
     lags.ok_or_else(|| node.error(Problem::Lags))
+}
+
+fn rests(node: Node<'_>) -> Result<[f64; 4], FormatError> {
+    <[f64; 4]>::try_from(probabilities(&node)?).map_err(|_| node.error(Problem::Rests))
+}
+
+fn probabilities(node: &Node<'_>) -> Result<Vec<f64>, FormatError> {
+    node.list()?.iter().map(|number| number.probability(0.0)).collect()
 }
 
 fn above_zero(node: &Node<'_>, values: impl Iterator<Item = f64>) -> Result<(), FormatError> {

@@ -91,7 +91,11 @@ fn a_fault_is_told_with_line_and_field_and_what_to_do() {
         ("\"pull\"", "\"north\"", "\"actions[1]\": \"north\" is here twice; name each once"),
         ("\"pull\"", "\"\"", "\"actions[1]\": is empty; fill it, or leave out what is optional"),
         ("\"balanced\"", "\"\"", "\"strategies[0].name\": is empty; fill it, or leave out what is optional"),
-        ("\"epsilon\"", "\"eps\"", "\"strategies[0].eps\": is not known here; known are name, mu_plus, mu_minus, epsilon, prior, lags"),
+        (
+            "\"epsilon\"",
+            "\"eps\"",
+            "\"strategies[0].eps\": is not known here; known are name, mu_plus, mu_minus, epsilon, prior, lags, rests",
+        ),
         ("\"prior\":0.32", "\"prior\":0", "\"strategies\": nothing here is above 0; give at least one a probability"),
         (
             "\"prior\":{",

@@ -2,8 +2,9 @@
 
 use clap::{Args, ValueHint};
 use goodbot::{Agent, Capacities};
+use goodbot_console::believes::Believes;
 use goodbot_console::learner::{self, Learner};
-use goodbot_console::lessons::{self, training};
+use goodbot_console::lessons::{self, Told, training};
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::messages::counted;
 use goodbot_console::outcome::Failure;
@@ -33,6 +34,11 @@ pub struct LearnOptions {
     /// What learns
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
     learner: Learner,
+    /// What is expected of trainers who judge the robot, in place of what the sessions say: population (the strategies of real people, and that
+    /// they end a session when it suits them, as teach has it), logged, paper, or probabilities. A session that names no strategies is otherwise
+    /// one of the paper's trainer
+    #[arg(long, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON[,LAGS]", allow_hyphen_values = true)]
+    believes: Option<Believes>,
     /// Replace a file that is no model
     #[arg(long)]
     force: bool,
@@ -48,8 +54,8 @@ pub struct LearnOptions {
 pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let lifted = options.kinds.lifted()?;
     let target = Output::model(&options.out, options.files.iter().map(String::as_str), options.force)?;
-    let lessons::Lessons { lessons, skipped, with_way } =
-        lessons::read(&options.files, &lifted, options.learner.options(), false, options.keep_going)?;
+    let told = Told { believes: options.believes.clone(), keep_going: options.keep_going };
+    let lessons::Lessons { lessons, skipped, with_way } = lessons::read(&options.files, &lifted, options.learner.options(), false, &told)?;
     let learned = lessons.iter().filter(|lesson| lesson.learn).count();
     if learned == 0 {
         return Err(Failure::Input("no session is to be learned from; set \"learn\" to true at the end of one".to_owned()));

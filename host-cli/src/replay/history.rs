@@ -1,12 +1,12 @@
 //! The agent that goes through recorded sessions, one after the other.
 
-use super::believes::Believes;
 use goodbot::feedback::Feedback;
 use goodbot::home::Home;
 use goodbot::memory::{AgentHeap, HomeMemory};
 use goodbot::session::{Evidence, Options};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, AgentError, Capacities};
+use goodbot_console::believes::Believes;
 use goodbot_console::lessons::evidence;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::posterior::PosteriorLine;

@@ -1,17 +1,15 @@
 //! `goodbot replay`: Algorithm 1 over recorded sessions, exactly as they were walked.
 //!
-//! - [`believes`]: what it expects of the trainers;
 //! - [`history`]: the agent that goes through them, one after the other;
 //! - [`report`]: what is told of each, for people.
 
-mod believes;
 mod history;
 mod report;
 
 use crate::paper::options::WeightsChoice;
-use believes::Believes;
 use clap::{Args, ValueHint};
 use goodbot::session::{Options, Weights};
+use goodbot_console::believes::Believes;
 use goodbot_console::learner::Learner;
 use goodbot_console::lessons::MOST_FAULTS;
 use goodbot_console::load::input;

@@ -8,7 +8,7 @@ use goodbot::session::Lessons;
 use goodbot::snapshot::most_bytes;
 use goodbot::{Agent, AgentError, Capacities};
 use goodbot_capi::capacities::bytes_32;
-use goodbot_console::lessons::{self, Lesson, training};
+use goodbot_console::lessons::{self, Lesson, Told, training};
 use goodbot_console::load::input;
 use goodbot_console::outcome::Failure;
 use goodbot_console::refusal;
@@ -53,7 +53,8 @@ impl Needs {
     pub fn find(options: &SizeOptions) -> Result<Self, Failure> {
         let lifted = options.kinds.lifted()?;
         let learner = options.learner.options();
-        let log = if options.log.is_empty() { vec![] } else { lessons::read(&options.log, &lifted, learner, false, false)?.lessons };
+        let log =
+            if options.log.is_empty() { vec![] } else { lessons::read(&options.log, &lifted, learner, false, &Told::default())?.lessons };
         let log: Vec<Lesson> = log.into_iter().filter(|lesson| lesson.learn).collect();
         if log.is_empty() && !options.log.is_empty() {
             return Err(Failure::Input("no session is to be learned from; set \"learn\" to true at the end of one".to_owned()));

@@ -26,6 +26,7 @@ mod visit;
 
 use clap::{Args, ValueHint};
 use classroom::Classroom;
+use goodbot_console::believes::Believes;
 use goodbot_console::load::input;
 use goodbot_console::messages::{counted, is_colored};
 use goodbot_console::outcome::Failure;
@@ -78,6 +79,10 @@ pub struct TeachOptions {
     /// Consider ways too: commands may mean to go through a room, through one of two, or to avoid one
     #[arg(long, conflicts_with_all = ["tour", "picture"])]
     routes: bool,
+    /// What the robot expects of you: population (what real people do), paper, or probabilities as replay has them
+    /// [default: population, or what a kept robot has found out]
+    #[arg(long, value_parser = of_trainer, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON[,LAGS]", allow_hyphen_values = true, conflicts_with = "picture")]
+    believes: Option<Believes>,
     /// How fast the robot goes
     #[arg(long, value_enum, default_value_t, conflicts_with = "lines")]
     speed: Pace,
@@ -150,7 +155,7 @@ fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Fail
     const LESSON: usize = 5;
     const STEPS: usize = 3;
     let refuse = |refusal: trainer::Refusal| Failure::Input(refusal.0);
-    let trainer = Trainer::new(&home(options)?, seed, false).map_err(refuse)?;
+    let trainer = Trainer::new(&home(options)?, seed, false, None).map_err(refuse)?;
     let tour = Tour::new(options.seed.filter(|_| options.tour), std::iter::empty());
     let mut visit = Visit::new(Classroom::new(trainer, None, Some(tour)).map_err(refuse)?, Pace::Normal, seed);
     let mut now = Duration::ZERO;
@@ -174,7 +179,7 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let refuse = |refusal: trainer::Refusal| Failure::Input(refusal.0);
     let home = home(options)?;
     let name = options.home.as_deref().map(input::name);
-    let trainer = Trainer::new(&home, options.seed.unwrap_or(1), options.routes)
+    let trainer = Trainer::new(&home, options.seed.unwrap_or(1), options.routes, options.believes.clone())
         .map_err(|refusal| name.map_or_else(|| Failure::Input(refusal.to_string()), |name| Failure::Input(format!("{name}: {refusal}"))))?;
     let places = match (&options.model, &options.robot) {
         (Some(model), _) => Some(Places::beside(model, options.log.as_deref())),
@@ -188,6 +193,14 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let mut classroom = Classroom::new(trainer, kept, tour).map_err(refuse)?;
     classroom.wanted = options.wanted.as_deref().map(wanted).transpose()?.unwrap_or_default();
     Ok(classroom)
+}
+
+/// What is expected of the trainer. There is no log whose sessions could say so.
+fn of_trainer(text: &str) -> Result<Believes, String> {
+    match text.parse()? {
+        Believes::Logged => Err("there is no log to take strategies from; give population, paper or probabilities".to_owned()),
+        believes => Ok(believes),
+    }
 }
 
 /// The commands of a file, one on each line.

@@ -55,7 +55,7 @@ fn an_answer_that_cannot_be_is_refused_with_its_line_and_what_to_do() {
 fn expected_strategies_take_the_place_of_recorded_ones_and_the_last_line_sums_up() {
     let strategies = r#","intended":["agentInRoom(agent0,room1)"],"strategies":[{"name":"kind","mu_plus":0.1,"mu_minus":0.9,"epsilon":0.1,"prior":1,"lags":[0.5,0.5,0]}]"#;
     let lines = log([&session(&format!("{AGENT},{BLOCK}"), "feedback", "go", strategies), &step("north", "reward"), END]);
-    for (believes, strategies) in [("logged", 1), ("paper", 1), ("0.9,0.9,0.2", 1), ("population", 13)] {
+    for (believes, strategies) in [("logged", 1), ("paper", 1), ("0.9,0.9,0.2", 1), ("population", 10)] {
         let run = goodbot(&["replay", "--json", "--believes", believes, "-"], &lines);
         assert_eq!(run.code, 0, "{}", run.messages);
         let summary: Value = serde_json::from_str(run.output.lines().last().unwrap()).unwrap();
@@ -66,7 +66,7 @@ fn expected_strategies_take_the_place_of_recorded_ones_and_the_last_line_sums_up
     }
     let refused = goodbot(&["replay", "--believes", "0.7,0.7", "-"], &lines);
     assert_eq!(refused.code, 2);
-    assert!(refused.messages.contains("2 numbers where 3 or 6 are needed"), "{}", refused.messages);
+    assert!(refused.messages.contains("2 numbers where 3, 6 or 10 are needed"), "{}", refused.messages);
 }
 
 #[test]
@@ -100,4 +100,31 @@ fn questions_save_steps_and_what_is_no_cost_is_refused() {
         assert_eq!(refused.code, 2);
         assert!(refused.messages.contains(message), "{}", refused.messages);
     }
+}
+
+#[test]
+fn learn_expects_of_trainers_what_it_is_told_and_else_the_papers_one() {
+    let lines = log([&session(&format!("{AGENT},{BLOCK}"), "feedback", "go to the green room", ""), &step("north", "reward"), END]);
+    let model = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("believes.goodbot");
+    let learned = |believes: &[&str]| {
+        let run = goodbot(&[&["learn", "-", "--out", model.to_str().unwrap()], believes].concat(), &lines);
+        assert_eq!(run.code, 0, "{}", run.messages);
+        std::fs::read(&model).unwrap()
+    };
+    let unsaid = learned(&[]);
+    assert_eq!(learned(&["--believes", "paper"]), unsaid);
+    assert_ne!(learned(&["--believes", "population"]), unsaid);
+}
+
+#[test]
+fn teach_expects_the_trainer_that_it_is_told_to_expect() {
+    let taught =
+        |believes: &str| goodbot(&["teach", "--lines", "--believes", believes], b"command go to the red room\nstep\ngood\nfinish\n");
+    for believes in ["paper", "population", "0.1,0.1,0.02"] {
+        let run = taught(believes);
+        assert_eq!(run.code, 0, "{believes}: {}", run.messages);
+    }
+    let refused = taught("logged");
+    assert_eq!(refused.code, 2);
+    assert!(refused.messages.contains("there is no log to take strategies from"), "{}", refused.messages);
 }

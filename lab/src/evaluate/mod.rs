@@ -25,7 +25,7 @@ use goodbot::Options;
 use goodbot::language::Settings;
 use goodbot::task::LiftedTask;
 use goodbot_console::learner::Learner;
-use goodbot_console::lessons::{self, Lesson, Lessons, restored};
+use goodbot_console::lessons::{self, Lesson, Lessons, Told, restored};
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::synonyms::SynonymOptions;
 use goodbot_console::messages::{counted, say};
@@ -231,7 +231,8 @@ fn with_model(
         return Err(Failure::Input("there is nothing to ask the model; name a session log with --test".to_owned()));
     }
     let settings = *agent.language().settings();
-    let asked = lessons::read(&files, lifted, Options { language: settings, ..Learner::Default.options() }, false, options.keep_going)?;
+    let told = Told { keep_going: options.keep_going, ..Told::default() };
+    let asked = lessons::read(&files, lifted, Options { language: settings, ..Learner::Default.options() }, false, &told)?;
     let sessions = Sessions { taught: Lessons::default(), asked: Some(asked) };
     let synonyms = options.synonyms.read()?;
     let about = sessions.about()?;
@@ -260,10 +261,11 @@ impl Sessions {
     fn read(options: &EvaluateOptions, lifted: &[LiftedTask], settings: Settings) -> Result<Self, Failure> {
         let agent = Options { language: settings, ..Learner::Default.options() };
         let plans = options.learner == Method::Action;
-        let taught = lessons::read(&options.files, lifted, agent, plans, options.keep_going)?;
+        let told = Told { keep_going: options.keep_going, ..Told::default() };
+        let taught = lessons::read(&options.files, lifted, agent, plans, &told)?;
         let asked = match options.test.as_slice() {
             [] => None,
-            files => Some(lessons::read(files, lifted, agent, plans, options.keep_going)?),
+            files => Some(lessons::read(files, lifted, agent, plans, &told)?),
         };
         Ok(Self { taught, asked })
     }

@@ -46,7 +46,7 @@ impl<'l> Novel<'l> {
         let free = self.witnesses.lock().ok().and_then(|mut witnesses| witnesses.pop());
         let mut witness = match free {
             Some(witness) => witness,
-            None => Witness::new(self.lifted, self.options, false).map_err(no_room)?,
+            None => Witness::new(self.lifted, self.options, None, false).map_err(no_room)?,
         };
         let mut random = goodbot_course::generator(self.seed.wrapping_add(position as u64));
         let done = (0..self.count).try_for_each(|_| each(&elsewhere(&mut witness, lesson, &mut random)?));

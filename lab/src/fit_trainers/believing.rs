@@ -1,9 +1,8 @@
 //! What a robot that expects certain trainers would have believed in recorded sessions, and how right that was.
 
 use super::walk::Walk;
-use crate::calibration::{RANGES, Range, ranges};
-use goodbot::feedback::{Belief, BeliefCount, BeliefTables, Ending, LAGS, Strategy};
-use goodbot::planning::Judgement;
+use crate::calibration::{self, RANGES, Range, ranges};
+use goodbot::feedback::{Belief, BeliefCount, BeliefTables, Ending, Judged, LAGS, Strategy};
 use goodbot::probability::Scaled;
 use serde_json::{Value, json};
 
@@ -76,6 +75,11 @@ impl Rightness {
         ranges(self.tasks.iter().copied())
     }
 
+    /// How far probabilities and shares that were meant are apart, on average.
+    pub fn calibration_error(&self) -> f64 {
+        calibration::error(&self.reliability())
+    }
+
     /// The same as a line of JSON.
     pub fn json(&self) -> Value {
         let range = |range: &Range| json!({"count": range.count, "mean_probability": range.certainty(), "share_meant": range.accuracy()});
@@ -84,6 +88,7 @@ impl Rightness {
             "intended_alone_on_top": self.on_top(),
             "mean_log_loss": self.log_loss(),
             "intended_below_5_percent": self.given_up(),
+            "calibration_error": self.calibration_error(),
             "reliability": self.reliability().iter().map(range).collect::<Vec<_>>(),
         })
     }
@@ -120,18 +125,18 @@ pub fn replay<'a>(walks: impl Iterator<Item = &'a Walk>, expectation: &Expectati
 fn walk_through(belief: &mut Belief<'_>, walk: &Walk, ending: &Ending) {
     let judgement = |position: Option<usize>, task: usize| {
         let step = position.and_then(|position| walk.steps.get(position));
-        step.and_then(|step| step.judged.get(task)).copied().unwrap_or(Judgement::Unknown)
+        step.and_then(|step| step.judged.get(task)).copied().unwrap_or_default()
     };
     for (position, step) in walk.steps.iter().enumerate() {
         belief.settle();
-        let judged = |task: usize| -> [Judgement; LAGS] {
+        let judged = |task: usize| -> [Judged; LAGS] {
             [Some(position), position.checked_sub(1), position.checked_sub(2)].map(|position| judgement(position, task))
         };
         let _ = belief.observe_feedback(step.feedback, judged);
         belief.settle();
         if ending.is_evidence() {
             let ends = position + 1 == walk.steps.len();
-            let _ = belief.observe(&|_, task| Some(ending.probability(ends, step.at_goal.get(task).copied().flatten()?)));
+            let _ = belief.observe(&|_, task| Some(ending.probability(ends, step.at_goal.get(task).copied().flatten()?, step.moment)));
             belief.settle();
         }
     }

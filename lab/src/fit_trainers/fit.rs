@@ -7,61 +7,61 @@
 //! leaving one trainer out.
 
 use super::walk::Walk;
-use goodbot::feedback::{Feedback, LAGS, Strategy};
-use goodbot::planning::Judgement;
+use goodbot::feedback::{Feedback, Judged, LAGS, Strategy};
 use std::collections::BTreeMap;
 
-/// The most strategies of a population.
-pub const MOST: usize = 16;
+/// How many strategies are fitted: more of them say the same again, and a robot's beliefs take memory for each.
+pub const MOST: usize = 6;
 /// Rounds of expectation maximisation.
 const ROUNDS: usize = 30;
 /// From how many words of all trainers the hold is chosen.
 const HOLDS: [f64; 4] = [3.0, 10.0, 30.0, 100.0];
 /// What is thought of trainers before anything is seen, as if so many words had been.
-const BEFORE: (Parameters, f64) = (Parameters { silence: [0.85, 0.85], mistake: 0.2, lags: [0.7, 0.2, 0.1] }, 3.0);
+const BEFORE: (Manner, [f64; LAGS], f64) = (Manner { silence: [0.85, 0.85], mistake: 0.2 }, [0.7, 0.2, 0.1], 3.0);
 /// Who mistakes more than this means the opposite of what is said.
 const MOST_MISTAKEN: f64 = 0.45;
+
+/// How a trainer speaks of moves, or of rests.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Manner {
+    /// Silence after what was taken for right, and for wrong.
+    silence: [f64; 2],
+    mistake: f64,
+}
+
+/// What may differ from strategy to strategy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shape {
+    /// Whether words may be late.
+    pub lagging: bool,
+    /// Whether rests are spoken of otherwise than moves, and a move inside the goal is as right as a rest there.
+    pub rests: bool,
+}
 
 /// What a strategy is made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Parameters {
-    /// Silence after what was taken for right, and for wrong.
-    silence: [f64; 2],
-    mistake: f64,
+    /// For moves and for rests.
+    manners: [Manner; 2],
     lags: [f64; LAGS],
+    shape: Shape,
 }
 
-/// What one trainer said: how often each feedback came after each history of right and wrong actions, the last one first.
+/// What one trainer said: how often each feedback came after each history of actions, the last one first.
 #[derive(Clone, Debug, Default)]
-pub struct Heard(BTreeMap<(u8, [u8; LAGS]), f64>);
-
-const UNKNOWN: u8 = 2;
+pub struct Heard(BTreeMap<(Feedback, [Judged; LAGS]), f64>);
 
 impl Heard {
     /// Adds what was said in a session whose intended task is known.
     pub fn add(&mut self, walk: &Walk) {
         let Some(intended) = walk.intended else { return };
-        let mut judged = [UNKNOWN; LAGS];
+        let mut judged = [Judged::Unknown; LAGS];
         for step in &walk.steps {
-            let now = match step.judged.get(intended) {
-                Some(Judgement::Correct) => 0,
-                Some(Judgement::Incorrect) => 1,
-                _ => UNKNOWN,
-            };
+            let now = step.judged.get(intended).copied().unwrap_or_default();
             let [last, before, _] = judged;
             judged = [now, last, before];
-            let feedback = match step.feedback {
-                Feedback::Reward => 0,
-                Feedback::Punish => 1,
-                Feedback::Neutral => 2,
-            };
-            *self.0.entry((feedback, judged)).or_default() += 1.0;
+            *self.0.entry((step.feedback, judged)).or_default() += 1.0;
         }
-    }
-
-    fn words(&self) -> f64 {
-        self.0.iter().filter(|((feedback, _), _)| *feedback != 2).map(|(_, count)| count).sum::<f64>()
-            / self.0.values().sum::<f64>().max(1.0)
     }
 }
 
@@ -78,60 +78,90 @@ pub fn by_trainer(walks: &[Walk]) -> BTreeMap<&str, Heard> {
 /// What is expected of the hidden parts of what was said, under a strategy.
 #[derive(Clone, Copy, Debug, Default)]
 struct Expected {
+    /// Of moves, and of rests.
+    manners: [ExpectedManner; 2],
+    lags: [f64; LAGS],
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct ExpectedManner {
     /// How often an action was taken for right, and for wrong.
     taken: [f64; 2],
     /// How often silence followed.
     silent: [f64; 2],
     mistaken: f64,
-    all: f64,
-    lags: [f64; LAGS],
+}
+
+/// One way in which a feedback may have come about.
+struct Part {
+    lag: usize,
+    manner: usize,
+    /// What the action was taken for: right, or wrong.
+    taken: usize,
+    mistaken: bool,
+    probability: f64,
+}
+
+impl Shape {
+    /// Whether an action is a move or a rest, and right or wrong, as the positions of these; nothing where that is not known.
+    const fn read(self, judged: Judged) -> Option<(usize, usize)> {
+        let rest = if self.rests { 1 } else { 0 };
+        match judged {
+            Judged::Nearer => Some((0, 0)),
+            Judged::NotNearer => Some((0, 1)),
+            Judged::RestsAtGoal => Some((rest, 0)),
+            Judged::RestsElsewhere => Some((rest, 1)),
+            Judged::MovesInside => Some((rest, 1 - rest)),
+            Judged::Unknown => None,
+        }
+    }
 }
 
 impl Parameters {
     /// The probability of each hidden part with a feedback: the lag, and what the action was taken for.
-    fn parts(&self, feedback: u8, judged: [u8; LAGS]) -> impl Iterator<Item = (usize, usize, bool, f64)> + '_ {
-        let lags = self.lags.into_iter().zip(judged).enumerate();
-        let known: f64 = lags.clone().filter(|&(_, (_, judged))| judged != UNKNOWN).map(|(_, (lag, _))| lag).sum();
-        let known = lags
-            .filter(move |&(_, (lag, judged))| judged != UNKNOWN && lag > 0.0)
-            .map(move |(at, (lag, judged))| (at, lag / known, judged));
-        known.flat_map(move |(at, lag, judged)| {
-            [0_u8, 1].into_iter().zip(self.silence).map(move |(taken, silence)| {
-                let seen = if taken == judged { 1.0 - self.mistake } else { self.mistake };
-                let said = match feedback {
-                    2 => silence,
-                    feedback if feedback == taken => 1.0 - silence,
+    fn parts(&self, feedback: Feedback, judged: [Judged; LAGS]) -> impl Iterator<Item = Part> + '_ {
+        let read = judged.map(|judged| self.shape.read(judged));
+        let known: f64 = self.lags.into_iter().zip(read).filter(|(_, read)| read.is_some()).map(|(lag, _)| lag).sum();
+        let lags = self.lags.into_iter().zip(read).enumerate().filter(|&(_, (lag, _))| lag > 0.0);
+        let lags = lags.filter_map(move |(at, (lag, read))| Some((at, lag / known, read?)));
+        lags.flat_map(move |(lag, share, (manner, right))| {
+            let Manner { silence, mistake } = self.manners[manner];
+            [0, 1].map(|taken| {
+                let seen = if taken == right { 1.0 - mistake } else { mistake };
+                let said = match (feedback, taken) {
+                    (Feedback::Neutral, _) => silence[taken],
+                    (Feedback::Reward, 0) | (Feedback::Punish, 1) => 1.0 - silence[taken],
                     _ => 0.0,
                 };
-                (at, usize::from(taken), taken != judged, lag * seen * said)
+                Part { lag, manner, taken, mistaken: taken != right, probability: share * seen * said }
             })
         })
     }
 
     /// The logarithm of the probability of all that a trainer said.
     fn log_likelihood(&self, heard: &Heard) -> f64 {
-        let log = |(&(feedback, judged), count): (&(u8, [u8; LAGS]), &f64)| {
-            if judged.iter().zip(self.lags).all(|(&judged, lag)| judged == UNKNOWN || lag == 0.0) {
-                return 0.0;
-            }
-            count * self.parts(feedback, judged).map(|(.., probability)| probability).sum::<f64>().max(1e-12).ln()
+        let log = |(&(feedback, judged), count): (&(Feedback, [Judged; LAGS]), &f64)| {
+            let mut parts = self.parts(feedback, judged).map(|part| part.probability).peekable();
+            // Nothing that a word may be about is known.
+            parts.peek()?;
+            Some(count * parts.sum::<f64>().max(1e-12).ln())
         };
-        heard.0.iter().map(log).sum()
+        heard.0.iter().filter_map(log).sum()
     }
 
     fn expect(&self, heard: &Heard, share: f64, expected: &mut Expected) {
         for (&(feedback, judged), count) in &heard.0 {
-            let whole: f64 = self.parts(feedback, judged).map(|(.., probability)| probability).sum();
+            let whole: f64 = self.parts(feedback, judged).map(|part| part.probability).sum();
             if whole <= 0.0 {
                 continue;
             }
-            for (lag, taken, mistaken, probability) in self.parts(feedback, judged) {
+            for Part { lag, manner, taken, mistaken, probability } in self.parts(feedback, judged) {
                 let part = share * count * probability / whole;
                 expected.lags[lag] += part;
-                expected.taken[taken] += part;
-                expected.silent[taken] += if feedback == 2 { part } else { 0.0 };
-                expected.mistaken += if mistaken { part } else { 0.0 };
-                expected.all += part;
+                let manner = &mut expected.manners[manner];
+                manner.taken[taken] += part;
+                manner.silent[taken] += if feedback == Feedback::Neutral { part } else { 0.0 };
+                manner.mistaken += if mistaken { part } else { 0.0 };
             }
         }
     }
@@ -139,12 +169,17 @@ impl Parameters {
 
 impl Expected {
     /// The most probable strategy, held to another one as if that had been seen in so many words.
-    fn strategy(&self, to: &Parameters, hold: f64, lagging: bool) -> Parameters {
+    fn strategy(&self, to: &Parameters, hold: f64) -> Parameters {
         let share = |part: f64, whole: f64, before: f64| (part + hold * before) / (whole + hold);
-        let silence = [0, 1].map(|taken| share(self.silent[taken], self.taken[taken], to.silence[taken]));
-        let lag = |position: usize| share(self.lags[position], self.all, to.lags[position]);
-        let lags = if lagging { [lag(0), lag(1), lag(2)] } else { Strategy::NO_LAG.map(f64::from) };
-        Parameters { silence, mistake: share(self.mistaken, self.all, to.mistake).min(MOST_MISTAKEN), lags }
+        let manners = [0, 1].map(|at| {
+            let (seen, before): (&ExpectedManner, &Manner) = (&self.manners[at], &to.manners[at]);
+            let silence = [0, 1].map(|taken| share(seen.silent[taken], seen.taken[taken], before.silence[taken]));
+            let mistake = share(seen.mistaken, seen.taken.iter().sum(), before.mistake).min(MOST_MISTAKEN);
+            Manner { silence, mistake }
+        });
+        let all: f64 = self.lags.iter().sum();
+        let lags = [0, 1, 2].map(|at| share(self.lags[at], all, to.lags[at]));
+        Parameters { manners, lags: if to.shape.lagging { lags } else { to.lags }, ..*to }
     }
 }
 
@@ -157,42 +192,36 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// Fits a population to what trainers said. One strategy is what all do together, and each other one begins as one trainer's own; of
-    /// more trainers than there can be strategies, those who say ever more words take turns.
-    pub fn to(trainers: &[&Heard], lagging: bool) -> Self {
+    /// Fits a population to what trainers said. One strategy is what all do together, and each other one begins as one trainer's own.
+    pub fn to(trainers: &[&Heard], shape: Shape) -> Self {
         let held_out = |&hold: &f64| -> f64 {
             (0..trainers.len())
                 .map(|out| {
                     let others: Vec<&Heard> = trainers.iter().enumerate().filter(|&(at, _)| at != out).map(|(_, &heard)| heard).collect();
-                    Self::with_hold(&others, hold, lagging).log_likelihood(trainers[out])
+                    Self::with_hold(&others, hold, shape).log_likelihood(trainers[out])
                 })
                 .sum()
         };
         let tried = HOLDS.into_iter().map(|hold| (hold, held_out(&hold)));
         let hold = tried.max_by(|(_, one), (_, other)| one.total_cmp(other)).map_or(HOLDS[0], |(hold, _)| hold);
-        Self::with_hold(trainers, hold, lagging)
+        Self::with_hold(trainers, hold, shape)
     }
 
-    fn with_hold(trainers: &[&Heard], hold: f64, lagging: bool) -> Self {
-        let mut together = BEFORE.0;
-        if !lagging {
-            together.lags = Strategy::NO_LAG.map(f64::from);
-        }
-        let fitted = |trainers: &[&Heard], from: Parameters, to: &Parameters, hold: f64, rounds: usize| {
-            (0..rounds).fold(from, |strategy, _| {
+    fn with_hold(trainers: &[&Heard], hold: f64, shape: Shape) -> Self {
+        let (manner, lags, words) = BEFORE;
+        let lags = if shape.lagging { lags } else { Strategy::NO_LAG.map(f64::from) };
+        let before = Parameters { manners: [manner; 2], lags, shape };
+        let fitted = |trainers: &[&Heard], to: &Parameters, hold: f64| {
+            (0..ROUNDS).fold(*to, |strategy, _| {
                 let mut expected = Expected::default();
                 trainers.iter().for_each(|heard| strategy.expect(heard, 1.0, &mut expected));
-                expected.strategy(to, hold, lagging)
+                expected.strategy(to, hold)
             })
         };
-        let before = together;
-        together = fitted(trainers, together, &before, BEFORE.1, ROUNDS);
-        let mut sorted = trainers.to_vec();
-        sorted.sort_by(|one, other| one.words().total_cmp(&other.words()));
-        let own = sorted.len().min(MOST - 1);
-        let chosen = (0..own).filter_map(|at| sorted.get(at * sorted.len() / own.max(1)).copied());
-        let start = chosen.map(|heard| fitted(&[heard], together, &together, hold, ROUNDS));
-        let mut strategies: Vec<(Parameters, f64)> = std::iter::once(together).chain(start).map(|strategy| (strategy, 1.0)).collect();
+        let together = fitted(trainers, &before, words);
+        let own = trainers.iter().map(|heard| fitted(&[heard], &together, hold));
+        let start = most_different(trainers, together, own.collect(), MOST);
+        let mut strategies: Vec<(Parameters, f64)> = start.into_iter().map(|strategy| (strategy, 1.0)).collect();
         let count = strategies.len() as f64;
         strategies.iter_mut().for_each(|(_, share)| *share = 1.0 / count);
         for _ in 0..ROUNDS {
@@ -207,7 +236,7 @@ impl Fit {
                 }
                 // The first is what all do together.
                 if at > 0 {
-                    *strategy = expected.strategy(&together, hold, lagging);
+                    *strategy = expected.strategy(&together, hold);
                 }
                 *share = sum / all;
             }
@@ -217,9 +246,7 @@ impl Fit {
 
     /// The logarithm of the probability of all that a trainer said.
     pub fn log_likelihood(&self, heard: &Heard) -> f64 {
-        let logs: Vec<f64> = self.strategies.iter().map(|(strategy, share)| share.ln() + strategy.log_likelihood(heard)).collect();
-        let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        most + logs.iter().map(|log| (log - most).exp()).sum::<f64>().ln()
+        log_sum(&self.strategies.iter().map(|(strategy, share)| share.ln() + strategy.log_likelihood(heard)).collect::<Vec<f64>>())
     }
 
     /// The strategies with their shares, the largest first.
@@ -228,21 +255,45 @@ impl Fit {
         strategies.sort_by(|one, other| other.1.total_cmp(&one.1));
         let round = |value: f64| ((value * 1_000.0).round() / 1_000.0) as f32;
         let strategy = |&(parameters, share): &(Parameters, f64)| {
-            let [mu_plus, mu_minus] = parameters.silence.map(round);
+            let [moves, rests] = parameters.manners.map(|Manner { silence: [plus, minus], mistake }| [plus, minus, mistake].map(round));
+            let ([mu_plus, mu_minus, epsilon], [plus, minus, mistake]) = (moves, rests);
             let [_, before, earlier] = parameters.lags.map(round);
             let lags = [round(1.0 - f64::from(before) - f64::from(earlier)), before, earlier];
-            let strategy = Strategy::new(mu_plus, mu_minus, round(parameters.mistake)).and_then(|strategy| strategy.with_lags(lags));
-            Some((strategy.ok()?, round(share)))
+            let strategy = Strategy::new(mu_plus, mu_minus, epsilon).and_then(|strategy| strategy.with_lags(lags)).ok()?;
+            let resting = strategy.with_rests([plus, minus, mistake, 1.0]).ok()?;
+            Some((if parameters.shape.rests { resting } else { strategy }, round(share)))
         };
         strategies.iter().filter_map(strategy).collect()
     }
 }
 
+/// The strategy of all trainers together, and those of single trainers that beside the ones before them make most of what all said probable.
+fn most_different(trainers: &[&Heard], together: Parameters, mut own: Vec<Parameters>, most: usize) -> Vec<Parameters> {
+    let mut chosen = vec![together];
+    while chosen.len() < most && !own.is_empty() {
+        let explained = |one: &Parameters| -> f64 {
+            let among = |heard: &Heard| {
+                let logs = chosen.iter().chain([one]).map(|strategy| strategy.log_likelihood(heard));
+                log_sum(&logs.collect::<Vec<f64>>())
+            };
+            trainers.iter().map(|heard| among(heard)).sum()
+        };
+        let worth: Vec<f64> = own.iter().map(explained).collect();
+        let Some(best) = (0..own.len()).max_by(|&one, &other| worth[one].total_cmp(&worth[other])) else { break };
+        chosen.push(own.swap_remove(best));
+    }
+    chosen
+}
+
+/// The logarithm of the sum of numbers that are given by their logarithms.
+fn log_sum(logs: &[f64]) -> f64 {
+    let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    most + logs.iter().map(|log| (log - most).exp()).sum::<f64>().ln()
+}
+
 /// The probability of each strategy given what a trainer said.
 fn shares(strategies: &[(Parameters, f64)], heard: &Heard) -> Vec<f64> {
     let logs: Vec<f64> = strategies.iter().map(|(strategy, share)| share.ln() + strategy.log_likelihood(heard)).collect();
-    let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let parts: Vec<f64> = logs.iter().map(|log| (log - most).exp()).collect();
-    let whole: f64 = parts.iter().sum();
-    parts.into_iter().map(|part| part / whole).collect()
+    let whole = log_sum(&logs);
+    logs.into_iter().map(|log| (log - whole).exp()).collect()
 }

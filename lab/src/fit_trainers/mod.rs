@@ -2,17 +2,21 @@
 //!
 //! - [`walk`]: recorded sessions as actions that were right or wrong for each task;
 //! - [`fit`]: a population of trainer strategies under which what was said is most probable;
+//! - [`ends`]: when trainers end a session;
+//! - [`exact`]: the share of trainers who judge every step rightly;
 //! - [`believing`]: how right a robot with such an expectation would have been.
 
 pub mod believing;
+mod ends;
+mod exact;
 pub mod fit;
 pub mod walk;
 
 use believing::{Expectation, Rightness};
 use clap::{Args, ValueHint};
-use fit::{Fit, Heard};
+use fit::{Fit, Heard, Shape};
 use goodbot::feedback::population::DRIFT;
-use goodbot::feedback::{Ending, Strategy};
+use goodbot::feedback::{Ending, Hazard, Strategy};
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::messages::{bar, counted};
 use goodbot_console::outcome::Failure;
@@ -35,6 +39,7 @@ believed at the end of each session of the one left out:
   on top    share of sessions with feedback in which the intended task is alone the most likely one
   log loss  mean of -ln of the intended task's probability
   below 5 % share in which the intended task is given up
+  ECE       how far probabilities and shares that were meant are apart, on average
   words     ln of the probability of all that the trainers left out said
 
 Example:
@@ -68,8 +73,8 @@ pub fn run(options: &FitOptions) -> Result<(), Failure> {
         )));
     }
     let everyone: Vec<&Heard> = trainers.values().collect();
-    let fitted = Fit::to(&everyone, true);
-    let (strategies, ending) = (fitted.strategies(), ending(walks.iter()));
+    let fitted = Fit::to(&everyone, POPULATION.shape);
+    let Expectation { strategies, ending, .. } = expectation(&walks.iter().collect::<Vec<_>>(), fitted.strategies(), POPULATION);
     let mut out = output::text(&[])?;
     if options.rust {
         return write_rust(&mut out, &strategies, &ending);
@@ -86,72 +91,96 @@ pub fn run(options: &FitOptions) -> Result<(), Failure> {
         let (trainers, sessions) = (trainers.len(), walks.len());
         let line = json!({
             "type": "fit", "trainers": trainers, "sessions": sessions, "hold": fitted.hold,
-            "ends_at_goal": ending.at_goal, "ends_elsewhere": ending.elsewhere, "leaving_each_trainer_out": compared,
+            "ends_at_goal": hazard_json(&ending.at_goal), "ends_elsewhere": hazard_json(&ending.elsewhere), "leaving_each_trainer_out": compared,
         });
         writeln!(out, "{line}")?;
         return Ok(out.flush()?);
     }
     writeln!(out, "{}, {}", counted(trainers.len(), "trainer"), counted(walks.len(), "session"))?;
-    writeln!(out, "\nshare   mu+    mu-  epsilon  lag 0  lag 1  lag 2")?;
+    writeln!(out, "\n              moves                   rests                         lags")?;
+    writeln!(out, "share   mu+    mu-  epsilon    mu+    mu-  epsilon  inside    0      1      2")?;
     for (strategy, share) in &strategies {
         let [now, before, earlier] = strategy.lags();
         let (mu_plus, mu_minus, epsilon) = (strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon());
-        writeln!(out, "{share:5.3}  {mu_plus:5.3}  {mu_minus:5.3}  {epsilon:5.3}    {now:5.3}  {before:5.3}  {earlier:5.3}")?;
+        let [plus, minus, mistake, inside] = strategy.rests();
+        write!(
+            out,
+            "{share:5.3}  {mu_plus:5.3}  {mu_minus:5.3}  {epsilon:5.3}    {plus:5.3}  {minus:5.3}  {mistake:5.3}    {inside:3.1} "
+        )?;
+        writeln!(out, "  {now:5.3}  {before:5.3}  {earlier:5.3}")?;
     }
     writeln!(out, "\neach strategy is held to what all trainers do by {} of their words", fitted.hold)?;
-    writeln!(out, "a session ends after {:.3} of the steps at the goal, and after {:.3} elsewhere", ending.at_goal, ending.elsewhere)?;
-    writeln!(out, "\nleaving each trainer out    sessions  on top  log loss  below 5 %    words")?;
+    writeln!(out, "\na session ends after   a move  a rest  a later one  times, after praise  after blame")?;
+    for (place, Hazard { moved, rested, resting, praised, scolded }) in [("at the goal", ending.at_goal), ("elsewhere", ending.elsewhere)] {
+        writeln!(out, "{place:21}   {moved:6.3}  {rested:6.3}  {resting:11.3}  {praised:19.3}  {scolded:11.3}")?;
+    }
+    writeln!(out, "\nleaving each trainer out      sessions  on top  log loss  below 5 %    ECE    words")?;
     for (name, rightness, words) in &compared {
         let (sessions, top, loss, low) = (rightness.sessions(), rightness.on_top(), rightness.log_loss(), 100.0 * rightness.given_up());
+        let ece = rightness.calibration_error();
         let words = words.map_or_else(String::new, |words| format!("{words:9.1}"));
-        writeln!(out, "{name:26}  {sessions:8}  {top:6.3}  {loss:8.3}  {low:7.1} %{words}")?;
+        writeln!(out, "{name:29} {sessions:6}  {top:6.3}  {loss:8.3}  {low:7.1} %  {ece:5.3}{words}")?;
     }
     Ok(out.flush()?)
 }
 
-/// How often trainers ended a session after a step at the intended goal, and after one elsewhere.
-fn ending<'a>(walks: impl Iterator<Item = &'a Walk>) -> Ending {
-    // As if one step had been seen at the goal and twenty elsewhere, one of which ended a session: no probability is 0.
-    let mut counts = [[0.1, 1.0], [1.0, 20.0]];
-    for walk in walks {
-        let Some(intended) = walk.intended else { continue };
-        for (step, left) in walk.steps.iter().zip((0..walk.steps.len()).rev()) {
-            let Some(at_goal) = step.at_goal.get(intended).copied().flatten() else { continue };
-            let [ended, all] = &mut counts[usize::from(!at_goal)];
-            *all += 1.0;
-            *ended += if left == 0 { 1.0 } else { 0.0 };
-        }
+/// What a robot that had these sessions to learn from expects of trainers.
+fn expectation(walks: &[&Walk], strategies: Vec<(Strategy, f32)>, settings: Settings) -> Expectation {
+    let ending = if settings.end { ends::fit(walks.iter().copied()) } else { Ending::NO_EVIDENCE };
+    let mut expected = Expectation { strategies, drift: DRIFT, ending };
+    if settings.exact {
+        expected.strategies = exact::added(&expected, walks);
     }
-    let [at_goal, elsewhere] = counts.map(|[ended, all]: [f64; 2]| ((ended / all * 1_000.0).round() / 1_000.0) as f32);
-    Ending { at_goal, elsewhere }
+    expected
 }
+
+/// What is fitted, and what counts.
+#[derive(Clone, Copy, Debug)]
+struct Settings {
+    name: &'static str,
+    shape: Shape,
+    exact: bool,
+    end: bool,
+}
+
+const AS_MOVES: Shape = Shape { lagging: false, rests: false };
+const RESTS_APART: Shape = Shape { lagging: false, rests: true };
+const LATE: Shape = Shape { lagging: true, rests: true };
+
+/// What is compared; the last is the population's.
+const COMPARED: [Settings; 5] = [
+    Settings { name: "rests as moves", shape: AS_MOVES, exact: false, end: false },
+    Settings { name: "rests apart", shape: RESTS_APART, exact: false, end: false },
+    Settings { name: "rests apart, late words", shape: LATE, exact: false, end: false },
+    Settings { name: "rests apart, end", shape: RESTS_APART, exact: false, end: true },
+    POPULATION,
+];
+/// What the library's population has.
+const POPULATION: Settings = Settings { name: "rests apart, exact, end", shape: RESTS_APART, exact: true, end: true };
 
 /// What robots would have believed of each trainer who had learned from the others what to expect; the paper's expectation first.
 fn compare(walks: &[Walk]) -> Vec<(&'static str, Rightness, Option<f64>)> {
     let paper = Expectation { strategies: vec![(Strategy::BALANCED, 1.0)], drift: 0.0, ending: Ending::NO_EVIDENCE };
     let mut compared = vec![("the paper's balanced one", believing::replay(walks.iter(), &paper), None)];
     let trainers = fit::by_trainer(walks);
-    let progress = bar(2 * trainers.len(), "leaving each trainer out");
-    for (lag, names) in [(false, ["no lag, no end", "no lag, end"]), (true, ["lag, no end", "lag, end"])] {
-        let parts: Vec<([Rightness; 2], f64)> = trainers
+    let progress = bar(COMPARED.len() * trainers.len(), "leaving each trainer out");
+    for settings in COMPARED {
+        let parts: Vec<(Rightness, f64)> = trainers
             .par_iter()
             .map(|(&out, heard)| {
                 let others: Vec<&Heard> = trainers.iter().filter(|&(&trainer, _)| trainer != out).map(|(_, heard)| heard).collect();
-                let fitted = Fit::to(&others, lag);
-                let believed = [Ending::NO_EVIDENCE, ending(walks.iter().filter(|walk| walk.trainer != out))].map(|ending| {
-                    let expectation = Expectation { strategies: fitted.strategies(), drift: DRIFT, ending };
-                    believing::replay(walks.iter().filter(|walk| walk.trainer == out), &expectation)
-                });
+                let fitted = Fit::to(&others, settings.shape);
+                let known: Vec<&Walk> = walks.iter().filter(|walk| walk.trainer != out).collect();
+                let expected = expectation(&known, fitted.strategies(), settings);
+                let believed = believing::replay(walks.iter().filter(|walk| walk.trainer == out), &expected);
                 progress.inc(1);
                 (believed, fitted.log_likelihood(heard))
             })
             .collect();
         let words: f64 = parts.iter().map(|(_, words)| words).sum();
-        let mut rightness = [Rightness::default(), Rightness::default()];
-        for (believed, _) in parts {
-            rightness.iter_mut().zip(believed).for_each(|(all, part)| all.extend(part));
-        }
-        compared.extend(names.into_iter().zip(rightness).map(|(name, rightness)| (name, rightness, Some(words))));
+        let mut rightness = Rightness::default();
+        parts.into_iter().for_each(|(believed, _)| rightness.extend(believed));
+        compared.push((settings.name, rightness, Some(words)));
     }
     progress.finish_and_clear();
     compared
@@ -160,21 +189,31 @@ fn compare(walks: &[Walk]) -> Vec<(&'static str, Rightness, Option<f64>)> {
 fn strategy_json(strategy: &Strategy, share: f32) -> Value {
     json!({
         "mu_plus": strategy.mu_plus(), "mu_minus": strategy.mu_minus(), "epsilon": strategy.epsilon(),
-        "lags": strategy.lags(), "prior": share,
+        "rests": strategy.rests(), "lags": strategy.lags(), "prior": share,
     })
+}
+
+fn hazard_json(Hazard { moved, rested, resting, praised, scolded }: &Hazard) -> Value {
+    json!({"moved": moved, "rested": rested, "resting": resting, "praised": praised, "scolded": scolded})
 }
 
 fn write_rust(out: &mut impl Write, strategies: &[(Strategy, f32)], ending: &Ending) -> Result<(), Failure> {
     writeln!(out, "//! Made by `goodbot fit-trainers feedback.jsonl --rust`; do not edit.")?;
-    writeln!(out, "\nuse crate::feedback::{{Ending, Strategy}};")?;
-    writeln!(out, "\n/// The strategies of real trainers, each with its share of them: see [`population`](super).")?;
+    writeln!(out, "\nuse crate::feedback::{{Ending, Hazard, Strategy}};")?;
+    writeln!(out, "\n/// The strategies of real trainers and of exact ones, each with its share of them: see [`population`](super).")?;
     writeln!(out, "pub const STRATEGIES: [(Strategy, f32); {}] = [", strategies.len())?;
     for (strategy, share) in strategies {
-        let (plus, minus, epsilon, lags) = (strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon(), strategy.lags());
-        writeln!(out, "    (Strategy::known({plus:?}, {minus:?}, {epsilon:?}, {lags:?}), {share:?}),")?;
+        let (plus, minus, epsilon) = (strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon());
+        let (rests, lags) = (strategy.rests(), strategy.lags());
+        writeln!(out, "    (Strategy::of_people([{plus:?}, {minus:?}, {epsilon:?}], {rests:?}, {lags:?}), {share:?}),")?;
     }
     writeln!(out, "];")?;
     writeln!(out, "\n/// How often real trainers end a session at the goal, and elsewhere.")?;
-    writeln!(out, "pub const ENDING: Ending = Ending {{ at_goal: {:?}, elsewhere: {:?} }};", ending.at_goal, ending.elsewhere)?;
+    writeln!(out, "pub const ENDING: Ending = Ending {{")?;
+    for (place, Hazard { moved, rested, resting, praised, scolded }) in [("at_goal", ending.at_goal), ("elsewhere", ending.elsewhere)] {
+        let numbers = format!("moved: {moved:?}, rested: {rested:?}, resting: {resting:?}, praised: {praised:?}, scolded: {scolded:?}");
+        writeln!(out, "    {place}: Hazard {{ {numbers} }},")?;
+    }
+    writeln!(out, "}};")?;
     Ok(out.flush()?)
 }

@@ -1,8 +1,9 @@
 //! Recorded sessions as what a trainer saw: actions that were right or wrong for each task, and where the trainer ended the session.
 
-use goodbot::feedback::Feedback;
+use goodbot::feedback::{Feedback, Judged, Moment};
 use goodbot::memory::AgentHeap;
-use goodbot::planning::{Judgement, OptimalSet};
+use goodbot::oomdp::Action;
+use goodbot::planning::OptimalSet;
 use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_console::load::input;
@@ -15,9 +16,11 @@ use goodbot_lesson::{Fault, home};
 #[derive(Clone, Debug)]
 pub struct WalkStep {
     /// What the action was for each task.
-    pub judged: Vec<Judgement>,
+    pub judged: Vec<Judged>,
     /// What the trainer said to it.
     pub feedback: Feedback,
+    /// What was done and said last after it.
+    pub moment: Moment,
     /// Whether each task was done after it; nothing where that is not known.
     pub at_goal: Vec<Option<bool>>,
 }
@@ -75,6 +78,7 @@ fn walk(agent: &mut Agent<AgentHeap>, file: &str, recorded: &RecordedSession, li
     let session = check(file, recorded, lifted, home::memory())?;
     let mut replay = Replay::new(Rules::PLANS);
     let mut steps: Vec<WalkStep> = vec![];
+    let (mut began, mut moment) = (vec![], Moment::default());
     loop {
         let event = replay.advance(agent, &session.walk, u32::MAX);
         let event = event.map_err(|refused| vec![Fault::on_line(file, refused.line, refused.error)])?;
@@ -84,13 +88,23 @@ fn walk(agent: &mut Agent<AgentHeap>, file: &str, recorded: &RecordedSession, li
             _ => continue,
         };
         // Where one step ends, the next begins.
+        let here: Vec<Option<bool>> = (0..session.tasks.len()).map(|task| at_goal(agent.planned().optimal(task))).collect();
         if let Some(last) = steps.last_mut() {
-            last.at_goal = (0..session.tasks.len()).map(|task| at_goal(agent.planned().optimal(task))).collect();
+            if last.moment.rests == 0 {
+                let inside = began.iter().zip(&here).map(|(began, here)| (*began, *here) == (Some(true), Some(true)));
+                last.judged.iter_mut().zip(inside).filter(|(_, inside)| *inside).for_each(|(judged, _)| *judged = Judged::MovesInside);
+            }
+            last.at_goal.clone_from(&here);
         }
-        steps.extend(planned.map(|step| WalkStep {
-            judged: (0..session.tasks.len()).map(|task| agent.planned().judge(task, step.action)).collect(),
-            feedback: step.feedback,
-            at_goal: vec![],
+        began = here;
+        steps.extend(planned.map(|step| {
+            let rests = step.action == Action::NOOP;
+            moment = Moment {
+                rests: if rests { moment.rests.saturating_add(1) } else { 0 },
+                said: if step.feedback == Feedback::Neutral { moment.said } else { step.feedback },
+            };
+            let judged = |task| Judged::of(agent.planned().judge(task, step.action), rests);
+            WalkStep { judged: (0..session.tasks.len()).map(judged).collect(), feedback: step.feedback, moment, at_goal: vec![] }
         }));
     }
     agent.forget();

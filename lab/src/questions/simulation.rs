@@ -1,9 +1,8 @@
 //! One session with a simulated trainer, with questions or without.
 
 use goodbot::asking::{Answer, Asking, Question};
-use goodbot::feedback::{Feedback, LAGS, SimulatedTrainer, Strategy, population};
+use goodbot::feedback::{Feedback, Judged, LAGS, SimulatedTrainer, Strategy, population};
 use goodbot::home::paper_tasks;
-use goodbot::planning::Judgement;
 use goodbot::random::{below, unit};
 use goodbot::{Agent, AgentError, HeapMemory, Options};
 use goodbot_course::{CourseTrainer, Homes, Trainer, generator};
@@ -44,11 +43,11 @@ impl Trained {
         }
     }
 
-    fn says(self, strategy: Strategy, judged: [Judgement; LAGS], random: &mut impl Rng) -> Feedback {
-        let [last, ..] = judged;
+    fn says(self, strategy: Strategy, judged: [Judged; LAGS], random: &mut impl Rng) -> Feedback {
+        let right = matches!(judged, [Judged::Nearer | Judged::RestsAtGoal, ..]);
         match self {
-            Self::Balanced => CourseTrainer::BALANCED.feedback(last == Judgement::Correct, random),
-            Self::PunishOnly => CourseTrainer::PUNISH_ONLY.feedback(last == Judgement::Correct, random),
+            Self::Balanced => CourseTrainer::BALANCED.feedback(right, random),
+            Self::PunishOnly => CourseTrainer::PUNISH_ONLY.feedback(right, random),
             Self::Real => SimulatedTrainer { strategy }.late_feedback(judged, random),
         }
     }
@@ -99,7 +98,7 @@ pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result
         }
         share -= probability;
     }
-    let (mut spent, mut state, mut judged) = (Spent::default(), start, [Judgement::Unknown; LAGS]);
+    let (mut spent, mut state) = (Spent::default(), start);
     loop {
         agent.plan_fully(&home, &state)?;
         while agent.belief().probability(intended) < UNDERSTOOD {
@@ -112,11 +111,8 @@ pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result
             return Ok(spent);
         }
         let decision = agent.decide_by(&home, &state, &mut random)?;
-        let now = agent.planned().judge(intended, decision.action);
         state = agent.acted(&home, &state, decision.action)?;
-        let [last, before, _] = judged;
-        judged = [now, last, before];
-        let feedback = setting.trainer.says(strategy, judged, &mut random);
+        let feedback = setting.trainer.says(strategy, agent.judged(intended), &mut random);
         let _ = agent.feedback(feedback)?;
         spent.words += u32::from(feedback != Feedback::Neutral);
         spent.steps += 1;

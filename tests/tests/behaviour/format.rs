@@ -84,8 +84,10 @@ fn a_saved_model_is_what_the_document_says_byte_by_byte() {
     assert_eq!(options.bytes(2), [4, 1], "four letters, facts beside their proposition");
     assert_eq!(options.bytes(2), [1, 0], "the role model, no weights by evidence alone");
     let trainer = (options.float(), options.float(), options.float());
-    assert_eq!(trainer, (Options::DEFAULT.drift, Options::DEFAULT.ending.at_goal, Options::DEFAULT.ending.elsewhere));
+    assert_eq!(trainer, (Options::DEFAULT.drift, Options::DEFAULT.ending.at_goal.moved, Options::DEFAULT.ending.elsewhere.moved));
     assert_eq!(options.bytes(1), [1], "actions that tell more");
+    let ends: [f32; 8] = core::array::from_fn(|_| options.float());
+    assert_eq!(ends, [0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0], "the end says nothing, whatever came before");
     assert!(options.0.is_empty());
 
     let strategies = payload.list(|payload| [payload.float(), payload.float(), payload.float(), payload.float()]);
@@ -101,6 +103,8 @@ fn a_saved_model_is_what_the_document_says_byte_by_byte() {
     let heard_again = payload.list(|payload| payload.bytes(1)[0]);
     let trainers = payload.list(|payload| [payload.float(), payload.float(), payload.float(), payload.float()]);
     assert_eq!(trainers, [[1.0, 0.0, 0.0, 1.0]], "no lag, and the one strategy was expected");
+    let rests = payload.list(|payload| [payload.float(), payload.float(), payload.float(), payload.float()]);
+    assert_eq!(rests, [Strategy::BALANCED.rests()], "rests are spoken of as moves");
     assert!(payload.0.is_empty());
 
     assert_eq!((commands.len(), sessions.len()), (model.bitext().commands(), model.bitext().sessions()));

@@ -15,7 +15,18 @@
 
 mod fitted;
 
+use super::strategy::Strategy;
 pub use fitted::{ENDING, STRATEGIES};
+
+/// How often an exact trainer takes right for wrong: a finger slips.
+const SLIP: f32 = 0.02;
+
+/// Trainers who judge nearly every step, and rightly, with their shares of 1: by both words, by "good bot" alone, by "bad bot" alone; and
+/// those who judge every other step. Nobody knows what they take a move inside the goal for: half of it counts as right.
+pub fn exact() -> impl Iterator<Item = (Strategy, f32)> {
+    let of = |plus, minus| Strategy::of_people([plus, minus, SLIP], [plus, minus, SLIP, 0.5], Strategy::NO_LAG);
+    [(of(0.05, 0.05), 0.4), (of(0.05, 1.0), 0.2), (of(1.0, 0.05), 0.2), (of(0.5, 0.5), 0.2)].into_iter()
+}
 
 /// The share by which the belief about a trainer drifts back to the population from one command to the next: people change how they train,
 /// and somebody else may have taken over.

@@ -14,7 +14,7 @@ use ratatui::style::Color;
 use std::time::Duration;
 
 fn visit(home: &EnvironmentFile, tour: bool) -> Visit {
-    let trainer = Trainer::new(home, 1, false).unwrap();
+    let trainer = Trainer::new(home, 1, false, None).unwrap();
     let tour = tour.then(|| Tour::new(None, std::iter::empty()));
     Visit::new(Classroom::new(trainer, None, tour).unwrap(), Pace::Normal, 1)
 }

@@ -5,16 +5,26 @@ use goodbot::feedback::population;
 use goodbot::home::{self, Home, HomeState, Moves};
 use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::{Agent, Capacities, Options};
+use goodbot_console::believes::Believes;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::home as homes;
 
-/// A mind that has learned nothing yet, and expects what real people do. `ways` says whether commands may mean tasks with a way.
-pub fn new_mind(capacities: &Capacities, ways: bool) -> Result<Agent<AgentHeap>, Refusal> {
+/// A mind that has learned nothing yet. `ways` says whether commands may mean tasks with a way, and `believes` what it expects of its trainer,
+/// where that is not what real people do.
+pub fn new_mind(capacities: &Capacities, ways: bool, believes: Option<&Believes>) -> Result<Agent<AgentHeap>, Refusal> {
     let paper = home::paper_tasks().map_err(refused)?;
     let lifted = if ways { home::with_routes(&paper).map_err(refused)?.to_vec() } else { paper.to_vec() };
-    let mut mind = Agent::new(AgentHeap::new(capacities), &lifted, Options::DEFAULT.for_people()).map_err(refused)?;
-    mind.set_strategies(&population::STRATEGIES).map_err(refused)?;
+    let mut mind = Agent::new(AgentHeap::new(capacities), &lifted, Options::DEFAULT).map_err(refused)?;
+    expect(&mut mind, believes)?;
     Ok(mind)
+}
+
+/// Makes a mind expect this of its trainer, or else what real people do: it knows that the trainer ends its sessions.
+pub fn expect(mind: &mut Agent<AgentHeap>, believes: Option<&Believes>) -> Result<(), Refusal> {
+    let believes = believes.unwrap_or(&Believes::Population);
+    let options = Options { drift: Options::DEFAULT.drift, ending: Options::DEFAULT.ending, ..*mind.options() };
+    mind.set_options(believes.options(options)).map_err(refused)?;
+    mind.set_strategies(believes.strategies().unwrap_or(&population::STRATEGIES)).map_err(refused)
 }
 
 /// The home of an environment, and where everything is in it.

@@ -26,6 +26,7 @@ use goodbot::session::Finished;
 use goodbot::snapshot::Contents;
 use goodbot::talk::{ClosedWords, Hypothesis, Verdict};
 use goodbot::task::LiftedTask;
+use goodbot_console::believes::Believes;
 use goodbot_console::lessons::restored::room_for;
 use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
@@ -33,7 +34,7 @@ use goodbot_course::next_lesson::times_heard;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::RecordedSession;
 use goodbot_lesson::live::Lesson;
-use mind::{build, new_mind};
+use mind::{build, expect, new_mind};
 use rand_pcg::Pcg32;
 use std::fmt;
 
@@ -76,17 +77,19 @@ pub struct Trainer {
     id: Option<String>,
     intended: Option<usize>,
     random: Pcg32,
+    /// What it expects of its trainer, where that was told.
+    believes: Option<Believes>,
     /// The words for which there was nothing to do, if they were the last.
     declined: Option<String>,
 }
 
 impl Trainer {
     /// A robot that has learned nothing yet, in a home. `seed` decides its draws among what is equally good, `ways` whether commands may mean
-    /// ways too.
-    pub fn new(file: &EnvironmentFile, seed: u64, ways: bool) -> Result<Self, Refusal> {
+    /// ways too, and `believes` what it expects of its trainer, where that is not what real people do.
+    pub fn new(file: &EnvironmentFile, seed: u64, ways: bool, believes: Option<Believes>) -> Result<Self, Refusal> {
         let (rooms, start) = build(file)?;
-        let lesson = Lesson::new(new_mind(&Capacities::STANDARD, ways)?, rooms, start);
-        Ok(Self { lesson, start, id: None, intended: None, random: generator(seed), declined: None })
+        let lesson = Lesson::new(new_mind(&Capacities::STANDARD, ways, believes.as_ref())?, rooms, start);
+        Ok(Self { lesson, start, id: None, intended: None, random: generator(seed), believes, declined: None })
     }
 
     /// Whether commands may mean ways too.
@@ -97,8 +100,11 @@ impl Trainer {
     /// Replaces what the robot has learned by a model file. A session under way ends unlearned.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
         let contents = Contents::read(bytes).map_err(refused)?;
-        let mut mind = new_mind(&room_for(&contents), self.has_ways())?;
+        let mut mind = new_mind(&room_for(&contents), self.has_ways(), self.believes.as_ref())?;
         mind.restore(bytes).map_err(refused)?;
+        if self.believes.is_some() {
+            expect(&mut mind, self.believes.as_ref())?;
+        }
         mind.learn_fully();
         self.lesson.replace_agent(mind);
         Ok(())
@@ -106,7 +112,7 @@ impl Trainer {
 
     /// A new robot, which has learned nothing, in the same home. A session under way ends unlearned.
     pub fn start_anew(&mut self) -> Result<(), Refusal> {
-        self.lesson.replace_agent(new_mind(&Capacities::STANDARD, self.has_ways())?);
+        self.lesson.replace_agent(new_mind(&Capacities::STANDARD, self.has_ways(), self.believes.as_ref())?);
         Ok(())
     }
 

@@ -83,7 +83,12 @@ pub unsafe fn settings(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
                 let mut options = MaybeUninit::uninit();
                 if goodbot_current_options(robot, options.as_mut_ptr()) == GoodbotStatus::Ok {
                     let current: GoodbotOptions = options.assume_init();
-                    let (drift, ends_at_goal, ends_elsewhere) = (number(choices), number(choices), number(choices));
+                    let mut hazard = || {
+                        let [moved, rested, resting, praised, scolded] = core::array::from_fn(|_| number(choices));
+                        GoodbotHazard { moved, rested, resting, praised, scolded }
+                    };
+                    let (ends_at_goal, ends_elsewhere) = (hazard(), hazard());
+                    let drift = number(choices);
                     let (weights, least_weight) = (choices.below(4) as u32, number(choices));
                     let telling = choices.below(2) == 0;
                     let wanted = GoodbotOptions { telling, drift, ends_at_goal, ends_elsewhere, weights, least_weight };
@@ -95,7 +100,14 @@ pub unsafe fn settings(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
             1 => drop(goodbot_trainer_ended(robot, &raw mut evidence)),
             2 => {
                 let lags = [number(choices), number(choices), number(choices)];
-                let one = GoodbotStrategy { mu_plus: 0.8, mu_minus: 0.7, epsilon: number(choices), lags, prior: number(choices) };
+                let one = GoodbotStrategy {
+                    mu_plus: 0.8,
+                    mu_minus: 0.7,
+                    epsilon: number(choices),
+                    lags,
+                    rests: [number(choices); 4],
+                    prior: number(choices),
+                };
                 goodbot_trainers(robot, [one, GoodbotStrategy { lags: [1.0, 0.0, 0.0], ..one }].as_ptr(), choices.below(3) as u32);
             }
             3 => drop(goodbot_home_derived(robot, choices.below(2) == 0)),
