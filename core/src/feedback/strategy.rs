@@ -262,7 +262,10 @@ impl Strategy {
     pub fn likelihood(&self, feedback: Feedback, judged: [Judged; LAGS]) -> Option<f32> {
         let (mut sum, mut whole) = (0.0, 0.0);
         for (lag, judged) in self.lags.into_iter().zip(judged) {
-            if let Some(probability) = self.probability_after(feedback, judged).filter(|_| lag > 0.0) {
+            if lag <= 0.0 {
+                continue;
+            }
+            if let Some(probability) = self.probability_after(feedback, judged) {
                 sum += lag * probability;
                 whole += lag;
             }
