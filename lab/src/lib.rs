@@ -11,6 +11,8 @@
 //! They share [`mean`] and [`calibration`] for figures, and [`canvas`] for pictures.
 
 #![forbid(unsafe_code)]
+// Each command lists its own rooms, for who reads the source.
+#![allow(rustdoc::private_intra_doc_links)]
 #![deny(missing_docs)]
 
 pub mod calibration;

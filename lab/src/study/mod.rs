@@ -12,7 +12,7 @@
 //!
 //! - [`plan`]: what is compared;
 //! - [`shard`]: a part of it, for one of several machines;
-//! - [`runs`]: the runs;
+//! - `runs`: the runs;
 //! - [`record`]: runs as lines, and parts joined;
 //! - [`summary`]: means with intervals;
 //! - [`table`], [`picture`]: how they are shown;
