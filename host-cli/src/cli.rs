@@ -2,24 +2,21 @@
 
 use crate::ask::AskOptions;
 use crate::check::CheckArgs;
-use crate::evaluate::EvaluateOptions;
 use crate::example::Example;
-use crate::fit_trainers::FitOptions;
 use crate::inspect::InspectOptions;
 use crate::learn::LearnOptions;
-use crate::learner::Learner;
 use crate::merge::MergeArgs;
 use crate::microbit::MicrobitOptions;
-use crate::paper::sweep::Sweep;
-use crate::paper::trainer::{BelievedChoice, TrainerChoice};
-use crate::questions::QuestionsOptions;
+use crate::paper::options::PaperOptions;
 use crate::replay::ReplayArgs;
 use crate::size::SizeOptions;
-use crate::study::StudyOptions;
 use crate::teach::TeachOptions;
-use crate::ways::WaysOptions;
-use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
-use std::path::PathBuf;
+use clap::{Parser, Subcommand, ValueEnum};
+use goodbot_lab::evaluate::EvaluateOptions;
+use goodbot_lab::fit_trainers::FitOptions;
+use goodbot_lab::questions::QuestionsOptions;
+use goodbot_lab::study::StudyOptions;
+use goodbot_lab::ways::WaysOptions;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -79,7 +76,7 @@ pub enum Color {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Run the paper's experiment: seven lessons with a simulated trainer, then five tests
-    #[command(after_help = PAPER_EXAMPLES)]
+    #[command(after_help = crate::paper::options::EXAMPLES)]
     Paper(PaperOptions),
     /// Train the robot yourself: tell it what to do, and say good or bad while it tries
     Teach(TeachOptions),
@@ -120,118 +117,4 @@ pub enum Command {
     /// Print the manual page
     #[command(after_help = "Example:\n  goodbot man > ~/.local/share/man/man1/goodbot.1")]
     Man,
-}
-
-const PAPER_EXAMPLES: &str = "\
-Trainers: each is three probabilities, MU_PLUS,MU_MINUS,EPSILON: of silence after a right action, \
-of silence after a wrong one, and of taking one for the other.
-  balanced     0.7,0.7,0.1    silent seven times out of ten
-  punish-only  0.7,0.05,0.1   punishes nearly every wrong action, and never rewards
-  reward-only  0.05,0.7,0.1   rewards nearly every right action, and never punishes
-What the agent thinks of its trainer is another thing: --believes, by default the same three numbers, \
-as in the paper. It then thinks that the second trainer may reward, too.
-
-With --json there is one line for each run, and a last line for all together:
-  train_right     shares of runs in which a lesson's command was understood before any feedback
-  test_right      shares of runs in which the most likely task was the one meant, for each test
-  test_all_right  share of runs in which all tests were right
-  translations    mean probability of a word given a machine token
-  feedback        how often the trainers said what, all runs together
-  paper           what the paper reports of its one agent
-With --csv there is a line for each setting; --sweep makes many.
-
-Examples:
-  goodbot paper --seed 3 --layouts random
-  goodbot paper --runs 200 --seed 1 --layouts fixed --plot shares.svg
-  goodbot paper --trainer 0.6,0.2,0.05 --believes balanced --runs 50 --json
-  goodbot paper --runs 100 --sweep mu-plus=0.1..0.9:0.2 --csv > sweep.csv";
-
-/// The options of the experiment.
-#[derive(Clone, Debug, Args)]
-pub struct PaperOptions {
-    /// What the trainer does: balanced, punish-only, reward-only, or three probabilities
-    #[arg(long, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON", default_value = "balanced", allow_hyphen_values = true)]
-    pub trainer: TrainerChoice,
-    /// What the agent thinks that its trainer does [default: the paper's numbers for this trainer]
-    #[arg(long, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON", allow_hyphen_values = true)]
-    pub believes: Option<BelievedChoice>,
-    /// How many agents to train, 1 to 100000, each with a seed of its own, counted up from --seed
-    #[arg(long, short = 'n', value_name = "N", default_value = "1", value_parser = runs, allow_negative_numbers = true)]
-    pub runs: u32,
-    /// Seed of the first run: the same seed gives the same run everywhere
-    #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = crate::numbers::seed, allow_negative_numbers = true)]
-    pub seed: u64,
-    /// The homes: drawn ones, or random ones for each seed [default: fixed for one run, random for several]
-    #[arg(long, value_enum)]
-    pub layouts: Option<Layouts>,
-    /// How machine commands are weighted when the agent learns
-    #[arg(long, value_enum, default_value_t = WeightsChoice::Paper)]
-    pub weights: WeightsChoice,
-    /// What learns: the default, or as in the paper
-    #[arg(long, value_enum, value_name = "NAME", default_value_t)]
-    pub learner: Learner,
-    /// Take a number of the trainer through a range, such as mu-plus=0.1..0.9:0.2; several times for all combinations
-    #[arg(long, value_name = "NUMBER=FROM..TO:STEP", conflicts_with = "plot")]
-    pub sweep: Vec<Sweep>,
-    /// Print JSON lines: one for each run, and a summary at the end
-    #[arg(long)]
-    pub json: bool,
-    /// Print a table of comma-separated values: a line for each setting
-    #[arg(long, conflicts_with = "json")]
-    pub csv: bool,
-    /// Write a picture: learned words for one run, shares of right answers for several; - is standard output
-    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
-    pub plot: Option<PathBuf>,
-    /// Replace a file that is no picture of goodbot's
-    #[arg(long, requires = "plot")]
-    pub force: bool,
-}
-
-fn runs(text: &str) -> Result<u32, String> {
-    crate::numbers::between(text, 1, 100_000).map(|runs| runs as u32)
-}
-
-/// Which homes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Layouts {
-    /// The same drawn homes in every run
-    Fixed,
-    /// Other homes for every seed
-    Random,
-}
-
-impl Layouts {
-    /// Its name in output.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Fixed => "fixed",
-            Self::Random => "random",
-        }
-    }
-}
-
-/// How machine commands are weighted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum WeightsChoice {
-    /// By their own explanation of the command too (the paper's Algorithm 1)
-    Paper,
-    /// By the belief over tasks alone (the authors' later program)
-    Belief,
-}
-
-impl PaperOptions {
-    /// Whether one run is told as a story.
-    pub fn is_story(&self) -> bool {
-        self.runs == 1 && !self.json && !self.csv && self.sweep.is_empty()
-    }
-
-    /// Which homes, where that was not said. How results are shown plays no part.
-    pub fn homes(&self) -> Layouts {
-        self.layouts.unwrap_or(if self.runs == 1 { Layouts::Fixed } else { Layouts::Random })
-    }
-
-    /// What the agent thinks of its trainer.
-    pub fn believed(&self) -> BelievedChoice {
-        self.believes.clone().unwrap_or_else(|| self.trainer.believed())
-    }
 }

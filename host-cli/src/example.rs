@@ -1,7 +1,7 @@
 //! `goodbot example`: a home, a session log and a table of synonyms to begin with.
 
-use crate::outcome::Failure;
 use clap::ValueEnum;
+use goodbot_console::outcome::Failure;
 use std::io::Write;
 
 /// What can be printed.

@@ -6,40 +6,25 @@
 #![forbid(unsafe_code)]
 
 mod ask;
-mod calibration;
-mod canvas;
 mod check;
 mod cli;
-mod evaluate;
 mod example;
-mod fit_trainers;
 mod help;
 mod inspect;
 mod learn;
-mod learner;
-mod lessons;
-mod load;
-mod mean;
 mod merge;
-mod messages;
 mod microbit;
 mod misuse;
-mod numbers;
-mod outcome;
-mod output;
 mod paper;
-mod questions;
-mod refusal;
 mod replay;
 mod size;
-mod study;
 mod teach;
-mod ways;
-mod whole_file;
 
 use clap::{CommandFactory, FromArgMatches};
 use cli::{Cli, Color, Command};
-use outcome::Failure;
+use goodbot_console::outcome::Failure;
+use goodbot_console::{messages, outcome};
+use goodbot_lab::{evaluate, fit_trainers, questions, study, ways};
 use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 

@@ -1,15 +1,15 @@
 //! `goodbot merge`: what two robots learned, in one model.
 
-use crate::messages::{counted, say};
-use crate::outcome::Failure;
-use crate::output::Output;
-use crate::whole_file::read_model;
 use clap::{Args, ValueHint};
 use goodbot::capacity::{TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use goodbot::home::paper_tasks;
-use goodbot::memory::AgentHeap;
 use goodbot::snapshot::{Contents, RestoreError};
 use goodbot::{Agent, Capacities, Options};
+use goodbot_console::learner;
+use goodbot_console::messages::{counted, say};
+use goodbot_console::outcome::Failure;
+use goodbot_console::output::Output;
+use goodbot_console::whole_file::read_model;
 use std::path::{Path, PathBuf};
 
 /// Join what two robots learned
@@ -53,7 +53,7 @@ pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
     let contents = |path, bytes| Contents::read(bytes).map_err(|error| refused(path, error));
     let (ours, theirs) = (contents(&options.first, &first)?, contents(&options.second, &second)?);
-    let memory = AgentHeap::new(&room_for(&ours, &theirs));
+    let memory = learner::memory(&room_for(&ours, &theirs), &ours.options.language);
     let mut agent = Agent::new(memory, &tasks, Options::PAPER).map_err(|error| Failure::Input(error.to_string()))?;
     agent.restore(&first).map_err(|error| refused(&options.first, error))?;
     let added = agent.join(&second).map_err(|error| refused(&options.second, error))?;

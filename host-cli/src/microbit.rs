@@ -1,10 +1,5 @@
 //! `goodbot microbit`: a micro:bit's file with what a robot learned elsewhere.
 
-use crate::load::input;
-use crate::messages::{counted, say};
-use crate::outcome::Failure;
-use crate::output::Output;
-use crate::whole_file::{MOST_BYTES, read_model};
 use clap::{Args, ValueHint};
 use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
 use goodbot::feedback::Strategy;
@@ -14,6 +9,11 @@ use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::snapshot::Contents;
 use goodbot::storage::TwoSlots;
 use goodbot::{Agent, Capacities, Options};
+use goodbot_console::load::input;
+use goodbot_console::messages::{counted, say};
+use goodbot_console::outcome::Failure;
+use goodbot_console::output::Output;
+use goodbot_console::whole_file::{MOST_BYTES, read_model};
 use goodbot_formats::microbit::{MicrobitFile, SLOT_BYTES};
 use goodbot_lesson::home;
 use std::fs::File;

@@ -3,8 +3,9 @@
 use crate::fault::{Fault, quoted};
 use goodbot::Capacities;
 use goodbot::capacity::{Capacity, CapacityError};
-use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves, Problem as HomeProblem};
+use goodbot::home::{Area, BLOCK, COLOR, Cell, DOOR, Home, HomeBuilder, HomeState, Moves, Problem as HomeProblem, ROOM, SHAPE};
 use goodbot::memory::{HomeHeap, HomeMemory};
+use goodbot::oomdp::{Domain, ObjectId};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use goodbot_formats::map;
 
@@ -120,6 +121,28 @@ fn misplaced(environment: &EnvironmentFile) -> Vec<Flaw> {
         let Some(object) = object else { return flaws };
         left.retain(|&position| position != object);
     }
+}
+
+/// A home in a state, as a file has it.
+pub fn environment(home: &Home<impl HomeMemory>, state: &HomeState) -> EnvironmentFile {
+    let objects = home.world().objects;
+    let record = |id: ObjectId| {
+        let (name, color, area) = (objects.name(id).to_owned(), objects.value(id, COLOR).to_owned(), home.area(id));
+        match objects.get(id).map(|object| object.class) {
+            Some(ROOM) => ObjectRecord::Room { name, left: area.left, bottom: area.bottom, right: area.right, top: area.top, color },
+            Some(DOOR) => ObjectRecord::Door { name, left: area.left, bottom: area.bottom, right: area.right, top: area.top },
+            Some(BLOCK) => {
+                let cell = home.block_cell(state, id).unwrap_or_else(|| home.agent_cell(state));
+                ObjectRecord::Block { name, x: cell.x, y: cell.y, color, shape: objects.value(id, SHAPE).to_owned() }
+            }
+            _ => {
+                let cell = home.agent_cell(state);
+                ObjectRecord::Agent { name, x: cell.x, y: cell.y }
+            }
+        }
+    };
+    let objects = objects.iter().map(|(id, _)| record(id)).collect();
+    EnvironmentFile { derived: home.tells_derived(), ..EnvironmentFile::new(objects) }
 }
 
 fn add(builder: &mut HomeBuilder<impl HomeMemory>, object: &ObjectRecord) -> Result<(), HomeProblem> {

@@ -5,14 +5,18 @@
 //! - [`name`]: a grounded task as a text, for files and for people;
 //! - [`checked`]: a recorded session, checked, with the place of each fault;
 //! - [`walk`]: what happens in a session;
-//! - [`replay`]: a recorded session, gone through once more.
+//! - [`replay`]: a recorded session, gone through once more;
+//! - [`live`]: a session as it happens;
+//! - [`recording`]: a live session as a log has it.
 
 #![deny(missing_docs)]
 
 pub mod checked;
 pub mod fault;
 pub mod home;
+pub mod live;
 pub mod name;
+pub mod recording;
 pub mod replay;
 pub mod walk;
 

@@ -22,15 +22,19 @@ pub struct Rules {
     pub evidence: bool,
     /// Whether the end is planned for too. A demonstration that is evidence then ends with a rest: who shows the way stops where it is done.
     pub end: bool,
+    /// Whether the session is over. Otherwise its end is no evidence, whatever the agent takes an end for.
+    pub over: bool,
 }
 
 impl Rules {
     /// The session as it was.
-    pub const AS_IT_WAS: Self = Self { strategies: true, context: true, evidence: true, end: false };
+    pub const AS_IT_WAS: Self = Self { strategies: true, context: true, evidence: true, end: false, over: true };
     /// What the session shows of the task, whatever was known before.
-    pub const BY_ITSELF: Self = Self { strategies: true, context: false, evidence: true, end: true };
+    pub const BY_ITSELF: Self = Self { strategies: true, context: false, evidence: true, end: true, over: true };
     /// Plans alone: for who judges the trainer, and not the task.
-    pub const PLANS: Self = Self { strategies: false, context: false, evidence: false, end: true };
+    pub const PLANS: Self = Self { strategies: false, context: false, evidence: false, end: true, over: true };
+    /// A session under way, up to where it is.
+    pub const UNDER_WAY: Self = Self { over: false, ..Self::AS_IT_WAS };
 }
 
 /// What has just happened.
@@ -206,6 +210,7 @@ impl Replay {
     fn plans_end<M>(self, agent: &Agent<impl AgentMemory>, walk: &Walk<M>) -> bool {
         let ends = walk.kind == Kind::Feedback && agent.options().ending.is_evidence() && !walk.steps.is_empty();
         match walk.kind {
+            _ if !self.rules.over => false,
             _ if !self.rules.evidence => self.rules.end,
             Kind::Demonstration => self.rules.end,
             Kind::Feedback | Kind::Labelled => ends,

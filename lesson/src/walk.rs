@@ -33,7 +33,17 @@ impl Step {
     ) -> Option<(Self, HomeState)> {
         let action = action_named(home, action)?;
         let next = apply(home, &before, action)?;
-        Some((Self { line, before, action, feedback, bump: action != Action::NOOP && next == before }, next))
+        Some((Self { line, feedback, ..Self::new(before, action, next) }, next))
+    }
+
+    /// A live step, to which nothing was said yet.
+    pub fn new(before: HomeState, action: Action, after: HomeState) -> Self {
+        Self { line: 0, before, action, feedback: Feedback::Neutral, bump: action != Action::NOOP && after == before }
+    }
+
+    /// Where everything is after it.
+    pub fn after(&self, home: &Home<impl HomeMemory>) -> HomeState {
+        apply(home, &self.before, self.action).unwrap_or(self.before)
     }
 }
 
@@ -109,9 +119,25 @@ pub struct Walk<M> {
 }
 
 impl<M: HomeMemory> Walk<M> {
+    /// A session in which nothing has happened yet, not even a command.
+    pub const fn new(home: Home<M>, start: HomeState, kind: Kind) -> Self {
+        Self {
+            command: String::new(),
+            kind,
+            continues: false,
+            header_line: 0,
+            end_line: 0,
+            home,
+            start,
+            prior: None,
+            strategies: None,
+            steps: Vec::new(),
+            answers: Vec::new(),
+        }
+    }
+
     /// Where everything is at the end.
     pub fn end(&self) -> HomeState {
-        let after = |last: &Step| apply(&self.home, &last.before, last.action).unwrap_or(last.before);
-        self.steps.last().map_or(self.start, after)
+        self.steps.last().map_or(self.start, |last| last.after(&self.home))
     }
 }

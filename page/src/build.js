@@ -23,6 +23,8 @@ const build = {
   /** @type {any} */
   frame: null,
   error: '',
+  // Why the text that was to be a home is none.
+  refused: '',
   // The drawing as it was last kept, and those before and after it, as JSON.
   text: '',
   /** @type {string[]} */
@@ -41,6 +43,8 @@ const nameFor = kind => {
 };
 
 const MOST_STEPS_BACK = 60;
+// A home of all that the robot has room for is much shorter. The field takes one more, so that what is cut off does not pass.
+const MOST_CHARACTERS = 100000;
 
 /** Goes on with one's own drawing; the first one begins with the home that is shown. */
 export function enterBuild() {
@@ -75,9 +79,16 @@ function keepDrawing() {
   shelf.put('drawing', JSON.stringify({ file: build.file, home, past: build.past, future: build.future }));
 }
 
+// Why a home is none, in words for people: the core's limits have the names of its tables.
+function whyNot(error) {
+  const [, table = '', n] = error.match(/apacit(?:ies|y)::(\w+) is (\d+)/) || [];
+  return named('build.most.' + table.toLowerCase())?.replace('{n}', n) || (/ field |invalid |expected /.test(error) ? t('build.malformed') : error);
+}
+
 // Is this a home? If so, the robot lives in it.
 function check() {
-  build.error = Goodbot.check(build.text);
+  build.error = whyNot(Goodbot.check(build.text));
+  build.refused = '';
   if (!build.error) enterHome(build.text);
   render();
 }
@@ -152,9 +163,9 @@ export function renderBuild() {
   }
   $('build-help').textContent = named('build.help.' + build.tool) || '';
   const closed = build.error ? [] : unreachable(scene);
-  $('build-error').textContent = build.error ? t('build.notYet', { why: build.error })
+  $('build-error').textContent = build.refused ? t('build.noHome', { why: build.refused }) : build.error ? t('build.notYet', { why: build.error })
     : closed.length ? t('build.closed', { rooms: listed(closed, 'or') }) : t('build.fine');
-  $('build-error').className = build.error || closed.length ? 'wrong' : 'fine';
+  $('build-error').className = build.refused || build.error || closed.length ? 'wrong' : 'fine';
   for (const tool of all('[data-tool]')) tool.setAttribute('aria-pressed', tool.dataset.tool === build.tool);
   $('build-undo').disabled = !build.past.length;
   $('build-redo').disabled = !build.future.length;
@@ -344,21 +355,26 @@ export function setUpBuild() {
   $('download-home').addEventListener('click', () => download('home.json', JSON.stringify(build.file), 'application/json'));
   const take = text => {
     try {
-      const isJson = text.trim().startsWith('{');
+      if (text.length > MOST_CHARACTERS) throw new Error(t('build.tooLong', { n: MOST_CHARACTERS }));
+      // Whatever JSON may be, it is no drawing: `null` neither.
+      const isJson = /^\s*([{["\d-]|(null|true|false)\s*$)/.test(text);
       const file = isJson ? parsedHome(text) : fromTextMap(text);
       const error = Goodbot.check(JSON.stringify(file));
-      if (error) throw new Error(/ field |invalid |expected /.test(error) ? t('build.malformed') : error);
+      if (error) throw new Error(whyNot(error));
       build.file = file;
       build.chosen = null;
       changed();
       tell(t('build.taken'));
     } catch (error) {
+      build.refused = error.message;
+      renderBuild();
       tell(t('build.noHome', { why: error.message }), true);
     }
   };
   $('import').addEventListener('click', () => take($('home-text').value));
   $('load-home').addEventListener('change', async () => {
-    $('home-text').value = (await readFile($('load-home'), 'text')).content;
-    take($('home-text').value);
+    const text = (await readFile($('load-home'), 'text')).content;
+    if (text.length <= MOST_CHARACTERS) $('home-text').value = text;
+    take(text);
   });
 }

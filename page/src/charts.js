@@ -58,6 +58,8 @@ export function saveTable() {
     const record = JSON.parse(line);
     if (record.type === 'session') [session, step, command] = [session + 1, 0, record.command];
     if (record.type === 'step') rows.push([session, command, scores()[learned] ?? '', step += 1, record.action, record.feedback ?? ''].map(String));
+    // A session that was ended before its first step is one, too.
+    if (record.type === 'end' && !step) rows.push([session, command, scores()[learned] ?? '', '', '', ''].map(String));
     if (record.type === 'end' && record.learn) learned += 1;
   }
   if (rows.length === 1) tell(t('settings.noLog'));

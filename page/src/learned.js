@@ -2,9 +2,11 @@
 import { parsed, world } from './core.js';
 import { listed, named, t } from './language.js';
 import { state } from './state.js';
+import { logOf } from './store.js';
 import { beliefNow, colorWords, quoted, shapeWords } from './words.js';
 
-// A word is said to mean an idea where it is expected for it this often, and this many times as often as for the next idea.
+// A word is said to mean an idea where it is expected for it this often, and this many times as often as for the next idea. A word such as “the”
+// stands in every command: it is expected that often for no idea at all.
 const OFTEN = 0.3;
 const AHEAD = 2;
 
@@ -17,10 +19,33 @@ export function meanings(heat) {
   heat.words.forEach((word, column) => {
     const ranked = heat.tokens.map((token, row) => ({ token, value: heat.cells[row * heat.words.length + column] })).sort((a, b) => b.value - a.value);
     const [best, next] = ranked;
-    if (best && best.value >= OFTEN && best.value >= AHEAD * (next?.value || 0)) found.set(word, best.token);
+    if (best && best.value >= OFTEN && best.value >= AHEAD * Math.max(next?.value || 0, heat.idle[column])) found.set(word, best.token);
   });
   return found;
 }
+
+/** What words are made of. */
+export const WORD = /[\p{L}\p{M}\p{N}'’]+/gu;
+let [written, writtenIn] = [/** @type {Map<string, string>} */ (new Map()), ''];
+
+/** A word as it was written in a command. The robot keeps small letters only, but German nouns have a capital. A capital at a command's
+ * beginning tells nothing.
+ * @param {string} word */
+export function asWritten(word) {
+  const said = state.session?.command || '';
+  const key = [state.robot.id, state.robot.changed, said].join();
+  if (writtenIn !== key) {
+    writtenIn = key;
+    written = new Map();
+    const commands = [...logOf(state.robot).matchAll(/"command":("(?:[^"\\]|\\.)*")/g)].map(([, json]) => parsed(json));
+    for (const command of [...commands, said]) for (const one of (command.match(WORD) || []).slice(1)) written.set(one.toLowerCase(), one);
+  }
+  return written.get(word) || word;
+}
+
+/** The words whose meaning stands out, as they were written, each with its idea.
+ * @returns {[string, string][]} */
+export const clearWords = () => [...meanings(state.heat.now)].map(([word, token]) => [asWritten(word), token]);
 
 // roomIsGreen becomes “room is green”: names of ideas that the page has no words for.
 const tokenWords = token => token.replace(/([A-Z])/g, ' $1').toLowerCase();
@@ -42,9 +67,9 @@ export function ideaWords(token) {
 export function lessonLearned(heardNew) {
   const [before, now] = [meanings(state.heat.before), meanings(state.heat.now)];
   const clear = [...now].filter(([word, token]) => before.get(word) !== token);
-  if (clear.length) return t('learned.nowKnown', { list: listed(clear.map(([word, token]) => t('learned.means', { word, idea: ideaWords(token) }))) });
-  if (heardNew.length) return t('learned.newWords', { words: listed(heardNew) });
-  return now.size ? t('learned.surer', { words: listed([...now.keys()]) }) : t('learned.onceMore');
+  if (clear.length) return t('learned.nowKnown', { list: listed(clear.map(([word, token]) => t('learned.means', { word: asWritten(word), idea: ideaWords(token) }))) });
+  if (heardNew.length) return t('learned.newWords', { words: listed(heardNew.map(asWritten)) });
+  return now.size ? t('learned.surer', { words: listed([...now.keys()].map(asWritten)) }) : t('learned.onceMore');
 }
 
 /** The words of the command under way that the robot has not learned from. */

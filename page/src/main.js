@@ -16,7 +16,7 @@ import { restoreSettings, setUpSettings, setUpShortcuts } from './settings.js';
 import * as shelf from './shelf.js';
 import { setUpSpeech } from './speech.js';
 import { $, all, attempt, make, state } from './state.js';
-import { openLast, othersTaught } from './store.js';
+import { openLast, othersTaught, wouldBeLost } from './store.js';
 import { renderHeat } from './thoughts.js';
 import { beginAppendix, beginStop, enterStop, restartTour, watchTour } from './tour.js';
 import { isThere } from './words.js';
@@ -35,7 +35,7 @@ function setUp() {
   for (const [id, action] of Object.entries({
     good: () => giveFeedback('reward'), bad: () => giveFeedback('punish'), pause: togglePause, next: stepOnce, finish: () => (isThere() ? thatWasIt() : finishSession()),
     drop: finishWithoutLearning, undo: () => undo('past'), redo: () => undo('future'), lesson: () => beginStop(false), auto: () => beginStop(true), watch: watchTour,
-    again: restartTour, onward: () => setMode('play'), appendix: beginAppendix,
+    again: restartTour, amend: () => undo('past'), onward: () => setMode('play'), appendix: beginAppendix,
   })) $(id).addEventListener('click', action);
   $('pick').addEventListener('change', () => pick($('pick').value));
   $('heat-before').addEventListener('change', renderHeat);
@@ -56,6 +56,8 @@ function setUp() {
     if (key === 'drawing') drawnElsewhere();
     if (key.startsWith('robot.')) render();
   });
+  // What the browser does not keep is gone with the page.
+  window.addEventListener('beforeunload', event => { if (wouldBeLost()) event.preventDefault(); });
 }
 
 // Another tab has taught the robot of this one.
@@ -63,9 +65,15 @@ async function takeOver() {
   state.phase = 'learning';
   const taught = await othersTaught();
   state.phase = 'none';
-  if (!taught) return;
-  refresh();
-  state.heat = { now: heatNow(), before: null };
+  if (taught) {
+    refresh();
+    state.heat = { now: heatNow(), before: null };
+  }
+  const { at, done } = state.robot.tour;
+  if (at === state.tour.at && done.join() === state.tour.done.join()) return;
+  state.tour.done = [...done];
+  if (state.mode === 'tour') enterStop(at);
+  else state.tour.at = at;
 }
 
 async function main(module, languages) {
@@ -76,6 +84,7 @@ async function main(module, languages) {
   startCore(module);
   // For the curious, at the browser's console, and for tests.
   Object.assign(window, { goodbot: world });
+  shelf.beHere();
   await openLast();
   const home = shelf.get('home');
   if (home) attempt(() => world.setEnvironment(home));

@@ -248,6 +248,8 @@ export function watchSize() {
 function fitPlan() {
   const desk = $('good').closest('.desk');
   const covers = getComputedStyle(desk).position === 'fixed';
-  const room = window.innerHeight - desk.getBoundingClientRect().height - 14 - ($('plan').getBoundingClientRect().top + window.scrollY);
-  $('plan').style.maxHeight = covers ? Math.max(90, room) + 'px' : '';
+  const free = window.innerHeight - desk.getBoundingClientRect().height - 14;
+  const room = free - ($('plan').getBoundingClientRect().top + window.scrollY);
+  // Where it begins below what is seen, it is scrolled to, and seen whole then.
+  $('plan').style.maxHeight = covers ? (room < 90 && !state.session ? free - 60 : Math.max(90, room)) + 'px' : '';
 }

@@ -4,9 +4,10 @@ import { Goodbot, course, parsed, world } from './core.js';
 import { t } from './language.js';
 import { ideas, spaced } from './learned.js';
 import { render } from './render.js';
-import { leaveSession, refresh, startSession } from './session.js';
+import { leaveSession, refresh, startSession, undo } from './session.js';
 import * as shelf from './shelf.js';
 import { $, announce, attempt, make, state } from './state.js';
+import { talkIn } from './talk.js';
 import { enterHome, enterStop, homeNamed } from './tour.js';
 import { taskWords } from './words.js';
 
@@ -37,6 +38,19 @@ function tellRobot(command) {
   const words = spaced(command);
   if (state.secret === 'open') {
     startSession(words, { looking: true });
+    return;
+  }
+  const talk = talkIn(words);
+  if (talk === 'back' && state.robot.past.length) {
+    undo('past');
+    return;
+  }
+  if (talk) {
+    state.said = [t(talk === 'nothing' ? 'talk.nothing' : talk === 'judge' ? 'judge.nothing' : 'say.ready'), ''];
+    // It may be a command all the same, in a secret language.
+    state.already = talk === 'nothing' ? '' : words;
+    announce(state.said[0]);
+    render();
     return;
   }
   const done = state.sessions > 0 && state.phase === 'none' ? attempt(() => world.already(words)) : '';

@@ -9,6 +9,7 @@ import { renderPlan } from './plan.js';
 import { renderIdeas } from './play.js';
 import { renderRoster } from './roster.js';
 import { renderSecret } from './secret.js';
+import { hasWords } from './session.js';
 import { renderSettings } from './settings.js';
 import { $, all, make, state } from './state.js';
 import { renderThoughts } from './thoughts.js';
@@ -61,6 +62,8 @@ export function render() {
   for (const id of ['finish', 'drop']) $(id).hidden = !session || session.looking || state.tour.watching;
   $('finish').textContent = t(isThere() ? 'train.thatWasIt' : 'train.finish');
   $('finish').classList.toggle('big', isThere());
+  // Who has said nothing yet is not asked to end.
+  $('finish').classList.toggle('primary', Boolean(session) && (isThere() || hasWords(session)));
   $('finish').disabled = $('drop').disabled = !session || busy || Boolean(session && session.looking);
   for (const [id, points] of /** @type {const} */ ([['undo', state.robot.past], ['redo', state.robot.future]])) {
     const point = points.at(-1);

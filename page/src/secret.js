@@ -2,7 +2,7 @@
 // what the robot does. Until then the page tells nothing of its thoughts.
 import { download } from './files.js';
 import { t } from './language.js';
-import { ideaWords, meanings } from './learned.js';
+import { clearWords, ideaWords } from './learned.js';
 import { robotLink } from './link.js';
 import { picture } from './picture.js';
 import { render } from './render.js';
@@ -13,7 +13,7 @@ import { $, announce, make, state, tell } from './state.js';
 const MOST_WORDS = 12;
 
 // The words to find out, each with its idea.
-const words = () => [...meanings(state.heat.now)].slice(0, MOST_WORDS);
+const words = () => clearWords().slice(0, MOST_WORDS);
 
 /** The link to this robot as a game. */
 export async function shareSecret() {

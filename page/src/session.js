@@ -7,7 +7,7 @@ import { lessonLearned, spaced, unknownWords } from './learned.js';
 import { answerRecorded, beginAnew, learnFrom } from './logs.js';
 import { renderPlan } from './plan.js';
 import { render } from './render.js';
-import { ofTab } from './shelf.js';
+import { underWay } from './shelf.js';
 import { $, announce, attempt, inParts, nextFrame, percent, state, tell } from './state.js';
 import { change, travel } from './store.js';
 import { attend, enterStop } from './tour.js';
@@ -35,6 +35,8 @@ const LOOK_BUDGET = 4000;
 const RESTS = 3;
 // The whole tour is watched in less than a minute.
 const WATCH_DELAY = 260;
+// Of a test the verdict is known; its way there is for looking at.
+const TEST_DELAY = 500;
 const MOST_STEPS = 300;
 
 export function refresh() {
@@ -59,7 +61,7 @@ export function startSession(command, { intended = null, looking = false, picked
   session.heard = ranked();
   session.picked = picked;
   state.session = session;
-  [state.said, state.verdict, state.already] = [null, '', ''];
+  [state.said, state.verdict, state.already, state.astray] = [null, '', '', false];
   session.heardNew = state.sessions > 0 ? unknownWords() : [...new Set(state.support?.words)];
   keepSession(session);
   const best = ranked()[0];
@@ -68,7 +70,7 @@ export function startSession(command, { intended = null, looking = false, picked
   if (!state.tour.watching && state.settings.speed !== 'once') {
     // On a small screen the plan and the buttons are what matters now; by keyboard, the keys.
     window.scrollTo({ top: 0 });
-    $('good').focus({ preventScroll: true });
+    $(looking && state.mode === 'tour' ? 'lesson' : 'good').focus({ preventScroll: true });
   }
   return session;
 }
@@ -80,7 +82,7 @@ function newSession(command, { intended = null, looking = false }) {
   const task = state.belief.tasks.findIndex(task => task.name === intended);
   return {
     command, intended: task < 0 ? null : task, looking, heard: [], decided: null, feedback: null, given: false, rests: 0, steps: 0, delay: 0, since: 0,
-    began: performance.now(), times: [], paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, picked: '', over: false, onEnd: null, onLearn: null,
+    began: performance.now(), times: [], paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, picked: '', affirmed: false, took: null, over: false, onEnd: null, onLearn: null,
   };
 }
 
@@ -98,7 +100,7 @@ async function lookAhead(session) {
 }
 
 /** Whether the trainer has said anything in this session that would be lost with it. */
-const hasWords = session => !session.looking && session.intended === null && (session.given || session.answers > 0 || state.evidence.some(evidence => evidence.feedback !== 'neutral'));
+export const hasWords = session => !session.looking && session.intended === null && (session.given || session.answers > 0 || state.evidence.some(evidence => evidence.feedback !== 'neutral'));
 
 /** Whether the session under way may be left: asks, where words were said in it. */
 export async function leaveSession() {
@@ -142,16 +144,19 @@ export function keepSession(session) {
   if (session.looking || session.intended !== null || state.robot.log !== undefined) return;
   const steps = attempt(() => logNow(session).trimEnd().split('\n').slice(0, -1)) || [];
   if (session.given && session.decided) steps.push(JSON.stringify({ type: 'step', action: session.decided.action, feedback: session.feedback, ...timeOfStep(session) }));
-  ofTab.put('session', JSON.stringify({ robot: state.robot.id, mode: state.mode, at: state.mode === 'tour' ? state.tour.at : null, home: world.environment(), steps }));
+  underWay.put(JSON.stringify({ robot: state.robot.id, mode: state.mode, at: state.mode === 'tour' ? state.tour.at : null, home: world.environment(), steps }));
 }
 
-/** Takes up the session that was under way when this tab was reloaded. Returns whether there was one. */
+/** Takes up the session that was under way when this tab was reloaded, or another one closed. Returns whether there was one. */
 export async function takeUpSession() {
   /** @type {import('./state.js').Session} */
   let session;
   try {
-    const kept = JSON.parse(ofTab.get('session') || 'null');
+    const { value, closed } = await underWay.get();
+    const kept = JSON.parse(value || 'null');
     if (!kept || kept.robot !== state.robot.id) return false;
+    // A session in which nothing was said yet is not taken up from a tab that was closed.
+    if (closed && !kept.steps.some(step => /"type":"answer"|"feedback":"(reward|punish)"/.test(step))) return false;
     const [first, ...steps] = kept.steps.map(parsed);
     state.mode = kept.mode;
     if (kept.at !== null && kept.at !== state.tour.at) return false;
@@ -176,11 +181,12 @@ export async function takeUpSession() {
       session.steps += 1;
     }
   } catch {
-    ofTab.put('session', null);
+    underWay.put(null);
     stopSession();
     return false;
   }
   refresh();
+  keepSession(session);
   session.paused = true;
   state.session = session;
   $('command').value = session.command;
@@ -201,7 +207,7 @@ export function stopSession() {
   state.route = null;
   if (state.phase !== 'learning') state.phase = 'none';
   world.forget();
-  if (session) ofTab.put('session', null);
+  if (session) underWay.put(null);
 }
 
 export function wake(session) {
@@ -305,16 +311,18 @@ function waitOf(session, auto) {
   const { action, confidence } = session.decided;
   const speed = SPEEDS[state.settings.speed];
   if (state.tour.watching) return state.settings.speed === 'once' ? 0 : WATCH_DELAY;
+  if (session.looking && state.mode === 'tour') return Math.min(speed.delay(confidence), TEST_DELAY);
   if (auto) return state.settings.speed === 'step' ? Infinity : Math.min(speed.delay(confidence), 2600);
   if (action === 'noop') return Infinity;
   return state.settings.speed === 'once' ? 120 : speed.delay(confidence);
 }
 
-// The core takes in the feedback to the last action.
+// The core takes in the feedback to the last action. A robot that is only watched takes nothing in: its silence would be evidence, and might turn it
+// round and round.
 function commit(session) {
-  const evidence = attempt(() => parsed(world.judge(session.feedback || 'neutral')));
-  if (!evidence) return;
-  state.evidence.push(evidence);
+  const evidence = session.looking ? world.unjudged() : attempt(() => parsed(world.judge(session.feedback || 'neutral')));
+  if (evidence) state.evidence.push(evidence);
+  else if (!session.looking) return;
   session.times.push(timeOfStep(session));
   session.steps += 1;
   session.rests = session.decided.action === 'noop' ? session.rests + 1 : 0;
@@ -329,12 +337,17 @@ async function ended(session) {
   const plan = session.decided.plans[session.looking ? session.decided.task : session.intended];
   const there = plan === 'goal' && session.rests >= (session.looking ? 1 : RESTS);
   if (!there && plan !== 'dead end' && session.steps < MOST_STEPS) return false;
-  if (session.looking) {
-    stopSession();
-    render();
-    if (session.onEnd) session.onEnd();
-  } else await finishSession();
+  if (session.looking) endWalk();
+  else await finishSession();
   return true;
+}
+
+/** The robot that is only watched has arrived, or nobody wants to see it arrive. */
+export function endWalk() {
+  const { session } = state;
+  stopSession();
+  render();
+  session?.onEnd?.();
 }
 
 // The trainer's word on the last action. The last one before the next action counts.
@@ -376,7 +389,7 @@ export function takeBack() {
 export async function thatWasIt() {
   const session = state.session;
   if (!session || !session.decided || session.looking || session.question) return;
-  Object.assign(session, { feedback: 'reward', given: true, said: performance.now() });
+  Object.assign(session, { feedback: 'reward', given: true, said: performance.now(), affirmed: true });
   await finishSession();
 }
 
@@ -410,8 +423,9 @@ export async function finishSession() {
   clearTimeout(session.soon);
   wake(session);
   const heat = heatNow();
+  session.took = ranked()[0] || null;
   // How sure it was, when it heard the command, of what it takes it for in the end.
-  const sure = session.heard.find(task => task.index === ranked()[0]?.index)?.probability ?? null;
+  const sure = session.heard.find(task => task.index === session.took?.index)?.probability ?? null;
   const own = attempt(() => logNow(session).replace('"learn":false', '"learn":true'));
   if (own === undefined) {
     stopSession();
@@ -440,7 +454,7 @@ export async function finishSession() {
   } catch (error) {
     tell(t('session.failed', { why: error.message }), true);
   }
-  ofTab.put('session', null);
+  underWay.put(null);
   state.heat = { now: heatNow(), before: heat };
   state.said = [t('say.thanks'), lessonLearned(session.heardNew)];
   state.session = null;

@@ -77,6 +77,37 @@ export const ofTab = {
   },
 };
 
+// Who writes here: a page, as long as it is open.
+const here = Date.now().toString(36) + Math.random().toString(36).slice(2);
+
+/** From now on the other tabs know that this page is open. */
+export function beHere() {
+  navigator.locks?.request(PREFIX + 'here.' + here, () => new Promise(() => { /* As long as the page is open. */ })).catch(() => { /* Then nobody takes over what it leaves. */ });
+}
+
+/** What a tab is in the middle of: it is there after a reload, and where the tab is closed or the browser ends, in the next one. */
+export const underWay = {
+  /** @param {string | null} value */
+  put(value) {
+    ofTab.put('session', value);
+    if (value !== null) put('session', JSON.stringify({ here, value }));
+    else if (read('session', {}).here === here) put('session', null);
+  },
+  /** What this tab was in the middle of, or else one that is closed; `closed` says which.
+   * @returns {Promise<{ value: string | null, closed: boolean }>} */
+  async get() {
+    const own = ofTab.get('session');
+    const left = own ? {} : read('session', {});
+    try {
+      const open = left.value && (await navigator.locks.query()).held?.some(({ name }) => name === PREFIX + 'here.' + left.here);
+      return { value: own || (open ? null : left.value ?? null), closed: !own };
+    } catch {
+      // Without locks nobody knows whether the other tab is still open.
+      return { value: own, closed: !own };
+    }
+  },
+};
+
 /** Calls `changed` with the key when another tab has kept something.
  * @param {(key: string) => void} changed */
 export function watch(changed) {

@@ -1,4 +1,5 @@
 // The page's state, in one place, and small tools to make elements.
+import { t } from './language.js';
 
 /**
  * @typedef {import('goodbot-wasm').Scene} Scene
@@ -38,6 +39,8 @@
  * @property {number} asked when it asked
  * @property {number} answers how many answers it was given
  * @property {string} picked the meaning that the trainer has just picked
+ * @property {boolean} affirmed whether the trainer has said that this was it
+ * @property {Ranked | null} took what it takes the command for in the end
  * @property {boolean} over
  * @property {(() => void) | null} onEnd what comes after it
  * @property {(() => void) | null} onLearn what comes before it is learned from
@@ -69,6 +72,8 @@ export const state = {
   already: '',
   // What came of the lesson or test before, until the next begins.
   verdict: '',
+  // Whether that lesson has taught another meaning than the tour's.
+  astray: false,
   // What is being learned from, where that takes a while.
   progress: '',
   sessions: 0,
@@ -101,7 +106,7 @@ function fill(element, attributes, children) {
   return element;
 }
 
-export const percent = p => (p > 0 && p < 0.005 ? '< 1' : p < 1 && p > 0.995 ? '> 99' : Math.round(p * 100)) + '\u00a0%';
+export const percent = p => t('percent', { n: p > 0 && p < 0.005 ? '< 1' : p < 1 && p > 0.995 ? '> 99' : Math.round(p * 100) });
 
 // Tells those who listen, and shows it for a moment to those who look.
 let toastTimer = 0;

@@ -230,6 +230,9 @@ function keptByOlderVersions() {
   return robot;
 }
 
+/** Whether the browser does not keep something that was taught or drawn. */
+export const wouldBeLost = () => shelf.refused().some(key => /^(drawing$|log\.)/.test(key) || (key.startsWith('robot.') && shelf.read(key, {}).sessions > 0));
+
 /** Opens the robot that this tab or else this browser used last, or a new one. */
 export async function openLast() {
   const old = keptByOlderVersions();

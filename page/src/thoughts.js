@@ -2,7 +2,7 @@
 import { renderCharts } from './charts.js';
 import { world } from './core.js';
 import { t } from './language.js';
-import { ideaWords } from './learned.js';
+import { asWritten, ideaWords } from './learned.js';
 import { $, all, make, percent, state } from './state.js';
 import { acted, ranked, wordShown } from './words.js';
 
@@ -86,7 +86,7 @@ function renderSupport() {
   const shares = support.tasks.flat();
   const [weakest, strongest] = [Math.min(...shares), Math.max(...shares)];
   $('support').replaceChildren(
-    make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, t('support.task')), ...support.words.map(word => make('th', { scope: 'col' }, make('span', {}, word))))),
+    make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, t('support.task')), ...support.words.map(word => make('th', { scope: 'col' }, make('span', {}, asWritten(word)))))),
     make('tbody', {}, ...known.map(task => make('tr', {}, make('th', { scope: 'row' }, task.words),
       ...support.words.map((word, at) => cell(support.tasks[at][task.index], weakest, strongest, word + ', ' + task.words))))));
 }
@@ -103,7 +103,7 @@ export function renderHeat() {
   $('heat-about').textContent = t(empty ? 'heat.none' : before ? 'heat.aboutBefore' : 'heat.aboutAfter');
   if (empty) return;
   const strongest = Math.max(...heat.cells);
-  const words = heat.words.map(word => wordShown(word, heat.letters));
+  const words = heat.words.map(word => wordShown(asWritten(word), heat.letters));
   $('heat').replaceChildren(
     make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, t('heat.idea')), ...words.map(word => make('th', { scope: 'col' }, make('span', {}, word))))),
     make('tbody', {}, ...heat.tokens.map((token, row) => make('tr', {}, make('th', { scope: 'row' }, ideaWords(token)),

@@ -2,17 +2,18 @@
 import { download } from './files.js';
 import { course, world } from './core.js';
 import { named, t } from './language.js';
-import { ideaWords, meanings } from './learned.js';
+import { clearWords, ideaWords } from './learned.js';
 import { picture } from './picture.js';
 import { heardWords, render } from './render.js';
 import { beginGuest, endGuest, newRobot } from './roster.js';
-import { leaveSession, refresh, startSession, stopSession } from './session.js';
+import { endWalk, leaveSession, refresh, startSession, stopSession } from './session.js';
+import { sureness } from './silent.js';
 import * as shelf from './shelf.js';
 import { considerWays } from './settings.js';
 import { $, announce, attempt, make, percent, state } from './state.js';
 import { APPENDIX } from './storeys.js';
-import { keepTour } from './store.js';
-import { taskWords, understands } from './words.js';
+import { keepTour, logOf } from './store.js';
+import { quoted, taskWords, understands } from './words.js';
 
 // The course's commands are what the language says for their tasks.
 export const homeNamed = name => JSON.stringify(course.homes.find(([other]) => other === name)?.[1]);
@@ -28,9 +29,17 @@ const stopAt = () => stops()[state.tour.at];
 // The home must be that of the lesson or test.
 const commandOf = stop => taskWords(stop.intended);
 
+// What a test says of its command: three of the paper's tests repeat a lesson's, in another home. Only a log that knows all of a robot's sessions
+// tells what it has heard.
+function aboutTest(stop) {
+  const log = logOf(state.robot);
+  if ((log.match(/"learn":true/g) || []).length < state.sessions) return t('tour.hint.test');
+  return t(log.includes(JSON.stringify({ command: commandOf(stop) }).slice(1, -1)) ? 'tour.hint.testTaught' : 'tour.hint.testNew');
+}
+
 export function enterStop(at) {
   stopSession();
-  [state.said, state.verdict] = [null, ''];
+  [state.said, state.verdict, state.astray] = [null, '', false];
   state.tour.at = Math.max(0, Math.min(at, stops().length));
   const stop = stopAt();
   // After the last test the robot stays where the tests were.
@@ -63,38 +72,53 @@ export function enterHome(json) {
 export function beginStop(auto) {
   const stop = stopAt();
   if (!stop) return;
+  if (state.session?.looking) {
+    endWalk();
+    return;
+  }
   world.reset();
   refresh();
   // Feedback to steps hardly tells ways apart: who trains by itself picks the meaning.
   const session = startSession(commandOf(stop), { intended: stop.test ? null : auto ? stop.intended : null, looking: stop.test, picked: stop.appendix && auto && !stop.test ? stop.intended : '' });
   if (!session) return;
   attend(session);
-  const heard = session.heard[0];
-  if (stop.test) announce(t('tour.testTold', { command: session.command, task: heard.words }));
+  if (!stop.test) return;
+  // It believes what it believes: nothing that comes changes that.
+  state.verdict = verdictOf(stop, session);
+  announce(state.verdict);
+  render();
 }
+
+// What came of a test, or of a lesson.
+function verdictOf(stop, session) {
+  const [best] = session.heard;
+  const [understood, meant] = [understands(best, stop.intended), best.name === stop.intended];
+  const verdict = !stop.test ? (understood && hasStar(session) ? 'tour.starLesson' : 'tour.plainLesson') : understood ? 'tour.starTest' : meant ? 'tour.luckyTest' : 'tour.wrongTest';
+  return t(verdict, { name: nameOf(state.tour.at), task: best.words, sure: percent(best.probability) });
+}
+
+// Nobody knows whether it was right where nobody said a word.
+const hasStar = session => session.intended !== null || state.evidence.some(evidence => evidence.feedback !== 'neutral');
+
+// Whether a lesson has taught another meaning than the tour's: the trainer said yes in the wrong place, or let the robot believe it.
+const wentAstray = (stop, { intended, took, affirmed }) => !stop.test && intended === null && took.name !== stop.intended && (affirmed || took.probability > 0.5);
 
 /** Lets the tour go on when this session ends. Returns whether the command was understood at once: it came first, and more likely than not. */
 export function attend(session) {
-  const [best] = session.heard;
-  const meant = best.name === stopAt()?.intended;
-  const understood = understands(best, stopAt()?.intended);
-  session.onEnd = () => passStop(understood, meant, best, session);
+  const understood = understands(session.heard[0], stopAt()?.intended);
+  session.onEnd = () => passStop(understood, session);
   return understood;
 }
 
 // The lesson or test is over: on to the next. What came of it stays until that begins.
-function passStop(understood, meant, best, session) {
+function passStop(understood, session) {
   const stop = stopAt();
-  const name = nameOf(state.tour.at);
-  // Nobody knows whether it was right where nobody said a word.
-  const earned = understood && (stop.test || session.intended !== null || state.evidence.some(evidence => evidence.feedback !== 'neutral'));
-  state.tour.done[state.tour.at] = earned ? 'right' : 'wrong';
+  const astray = wentAstray(stop, session);
+  state.tour.done[state.tour.at] = astray ? 'astray' : understood && (stop.test || hasStar(session)) ? 'right' : 'wrong';
   const { said } = state;
+  const verdict = astray ? t('tour.astray', { name: nameOf(state.tour.at), command: session.command, task: session.took.words }) : verdictOf(stop, session);
   enterStop(state.tour.at + 1);
-  state.said = said;
-  const verdict = !stop.test ? (earned ? 'tour.starLesson' : 'tour.plainLesson') : understood ? 'tour.starTest' : meant ? 'tour.luckyTest' : 'tour.wrongTest';
-  state.verdict = t(verdict, { name, task: best.words, sure: percent(best.probability) });
-  if (stop.test) state.said = null;
+  [state.said, state.verdict, state.astray] = [stop.test ? null : said, verdict, astray];
   announce(state.verdict);
   if (state.tour.watching && stopAt()) setTimeout(() => { if (state.tour.watching && !state.session) beginStop(true); }, state.settings.speed === 'once' ? 0 : 900);
   else {
@@ -149,11 +173,11 @@ export function renderTour() {
   if (state.mode !== 'tour') return;
   $('dots').dataset.about = t('tour.dotsShort');
   $('dots').replaceChildren(...all.map((each, index) => {
-    const status = t(done[index] ? (done[index] === 'right' ? 'tour.status.right' : each.test ? 'tour.status.wrong' : 'tour.status.learned') : index === at ? 'tour.status.now' : 'tour.status.later');
+    const status = t(done[index] ? (done[index] === 'right' ? 'tour.status.right' : each.test || done[index] === 'astray' ? 'tour.status.wrong' : 'tour.status.learned') : index === at ? 'tour.status.now' : 'tour.status.later');
     const name = t('tour.dot', { name: nameOf(index), status });
     return make('li', {}, make('button', {
       type: 'button', class: [each.test ? 'test' : 'lesson', index === at ? 'now' : '', done[index] || ''].join(' '), 'aria-current': index === at ? 'step' : null, title: name, 'aria-label': name, onclick: () => jumpTo(index),
-    }, done[index] === 'right' ? '★' : done[index] ? (each.test ? '✗' : '✓') : each.test ? '?' : index + 1));
+    }, done[index] === 'right' ? '★' : done[index] ? (each.test || done[index] === 'astray' ? '✗' : '✓') : each.test ? '?' : index + 1));
   }));
   $('score').textContent = stop && done.length > lessons ? scoreWords() : '';
   if (!stop) {
@@ -164,13 +188,17 @@ export function renderTour() {
     // The command stands where the language has it, with its words underlined.
     const [before, after] = t('tour.said', { name, command: '\0' }).split('\0');
     $('tour-title').replaceChildren(...(state.session ? [before, ...heardWords(state.session.command), after] : [name]));
-    $('tour-hint').textContent = stop.test ? t('tour.hint.test') : named('tour.hint.' + (stop.appendix ? 'way' : at + 1)) || '';
+    $('tour-hint').textContent = stop.test ? aboutTest(stop) : named('tour.hint.' + (stop.appendix ? 'way' : at + 1)) || '';
   }
-  $('verdict').hidden = !state.verdict || Boolean(state.session);
+  const walking = Boolean(state.session?.looking);
+  $('verdict').hidden = !state.verdict || (Boolean(state.session) && !walking);
   $('verdict').textContent = state.verdict;
   renderCard(!stop);
-  $('lesson').hidden = !stop || watching || Boolean(state.session);
-  $('lesson').textContent = stop ? t(stop.test ? 'tour.ask' : 'tour.tell', { command: commandOf(stop) }) : '';
+  $('lesson').hidden = !stop || watching || (Boolean(state.session) && !walking);
+  $('lesson').textContent = stop ? walking ? t('tour.skip') : t(stop.test ? 'tour.ask' : 'tour.tell', { command: commandOf(stop) }) : '';
+  const taught = state.astray && !state.session && state.robot.past.at(-1);
+  $('amend').hidden = !taught;
+  $('amend').textContent = taught ? t('undo', taught) : '';
   $('onward').hidden = Boolean(stop) || watching;
   $('appendix').hidden = Boolean(stop) || watching || world.ways();
   $('auto').hidden = !stop || stop.test || watching || Boolean(state.session);
@@ -183,9 +211,14 @@ export function renderTour() {
 function renderCard(over) {
   $('card').hidden = !over;
   if (!over) return;
-  const known = [...meanings(state.heat.now)];
+  const all = stops().filter(stop => !stop.appendix);
+  const known = clearWords();
   $('card').replaceChildren(
     make('p', {}, t('card.knows', { n: known.length })),
     make('ul', {}, ...known.map(([word, token]) => make('li', {}, make('b', {}, word), ' ' + ideaWords(token)))),
+    // With ways, there are more tasks in the tests' home than a robot has room for.
+    ...(world.ways() ? [] : [make('p', {}, t('card.silent')), make('table', {},
+      make('thead', {}, make('tr', {}, ...[t('card.sure'), t('card.with'), t('card.without')].map(words => make('th', { scope: 'col' }, words)))),
+      make('tbody', {}, ...sureness(all).map(([command, ...shares]) => make('tr', {}, make('th', { scope: 'row' }, quoted(command)), ...shares.map(share => make('td', {}, percent(share)))))))]),
     make('button', { type: 'button', class: 'small', onclick: () => download('my-robot.svg', picture(state.robot.name, scoreWords(), known), 'image/svg+xml') }, t('card.save')));
 }

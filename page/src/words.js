@@ -2,7 +2,7 @@
 import { questionWords } from './asking.js';
 import { parsed, world } from './core.js';
 import { listed, named, t } from './language.js';
-import { unknownWords } from './learned.js';
+import { asWritten, unknownWords } from './learned.js';
 import { percent, state } from './state.js';
 
 /** @typedef {import('./language.js').Key} Key */
@@ -21,7 +21,7 @@ const inForm = (text, thing) => {
 export const shapeWords = shape => named('shape.' + shape.toLowerCase()) || shape;
 export const colorWords = color => formsOf(color)[0];
 
-/** A room or a block with its article: `form` 0 is what something is done to, 1 what is something.
+/** A room or a block with its article: `form` 0 is what something is done to, 1 what is something, 2 where somebody is.
  * @param {{ color: string, shape: string }} thing */
 function thingWords(thing, form = 0) {
   const forms = (named('thing.' + thing.shape.toLowerCase()) || t('thing.other')).split('|');
@@ -79,10 +79,10 @@ export const askedIn = (home, command) => parsed(world.asked(JSON.stringify(home
  * @param {T[]} tasks */
 export const likeliest = tasks => tasks.reduce((best, task) => (task.probability > best.probability ? task : best));
 
-/** Whether a command is understood: what is meant comes first, and is more likely than not.
+/** Whether a command is understood: what is meant comes first, and is more likely than not, also as the page writes it: 50 % is a coin.
  * @param {import('goodbot-wasm').Task} best
  * @param {string | undefined} meant */
-export const understands = (best, meant) => best.name === meant && best.probability > 0.5;
+export const understands = (best, meant) => best.name === meant && Math.round(best.probability * 100) > 50;
 
 /** What the robot believes now. */
 export function beliefNow() {
@@ -120,6 +120,12 @@ export const wordShown = (word, letters) => (letters && [...word].length >= lett
 
 export const quoted = word => t('say.quoted', { 0: word });
 
+// The robot at its goal: where it is, or else what is done.
+const hereWords = (name, task) => {
+  const [, room] = name.match(/^agentInRoom\(\w+,(\w+)\)$/) || [];
+  return room ? t('say.here', { room: objectWords(room, 2) }) : t('say.carriedOut', { task });
+};
+
 /** What the robot says of itself: what matters, and the rest.
  * @returns {[string, string]} */
 export function speech() {
@@ -133,14 +139,14 @@ export function speech() {
   const best = ranked()[0];
   if (!best) return ['…', ''];
   const unknown = unknownWords();
-  const strange = unknown.length ? ' ' + t('say.strange', { words: listed(unknown.map(quoted)) }) : '';
+  const strange = unknown.length ? ' ' + t('say.strange', { words: listed(unknown.map(word => quoted(asWritten(word)))) }) : '';
   if (session.question) return [questionWords(session.question), strange.trim()];
   if (state.secret === 'open') return [t('secret.going'), ''];
   const task = best.words;
   if (session.decided && session.decided.action === 'noop') {
     const plan = session.decided.plans[session.decided.task];
     if (plan === 'goal' && session.steps === 0) return [t('say.done', { task }), t('say.doneMore') + strange];
-    if (plan === 'goal') return [t('say.here', { task }), t('say.hereMore') + strange];
+    if (plan === 'goal') return [hereWords(best.name, task), t('say.hereMore') + strange];
     if (plan === 'dead end') return [t('say.stuck'), t('say.stuckMore', { task })];
     return [t('say.lost'), t('say.lostMore')];
   }

@@ -1,7 +1,7 @@
 // What is seen on screens of every size.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, launch, open, play, still } from './browser.mjs';
+import { address, close, launch, open, play, still } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -56,6 +56,60 @@ for (const [width, height] of [[320, 568], [320, 256], [640, 480], [640, 900], [
     await close(page);
   });
 }
+
+// Those that can be pressed or looked at: where they are, whether nothing lies over them, and how wide the page is.
+const seen = (page, ids) => page.evaluate(names => ({
+  scroll: document.documentElement.scrollWidth,
+  boxes: Object.fromEntries(names.map(id => {
+    const element = document.getElementById(id);
+    const { left, right, top, bottom } = element.getBoundingClientRect();
+    const on = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
+    return [id, { left, right, top, bottom, covered: !element.contains(on) }];
+  })),
+}), ids);
+
+for (const [width, height, least, settings] of [[320, 568, 90, '{}'], [360, 640, 150, '{}'], [390, 844, 300, '{}'], [1280, 720, 400, '{}'], [1280, 720, 380, '{"presenter":true}'], [1920, 1080, 700, '{}']]) {
+  test('on arrival at ' + width + ' by ' + height + ' pixels, what begins, the plan, Good and Bad are seen whole' + (settings === '{}' ? '' : ', in the class view too'), async () => {
+    const page = await open(browser, { viewport: { width, height } });
+    await page.evaluate(kept => localStorage.setItem('goodbot.settings', kept), settings);
+    await page.reload();
+    await page.waitForSelector('body.ready');
+    await still(page);
+    const { scroll, boxes } = await seen(page, ['lesson', 'good', 'bad', 'plan']);
+    assert.ok(scroll <= width, 'the page is ' + scroll + ' pixels wide');
+    for (const [id, box] of Object.entries(boxes)) assert.ok(box.left >= 0 && box.right <= width && box.top >= 0 && box.bottom <= height && !box.covered, id + ': ' + JSON.stringify(box));
+    const { plan, good } = boxes;
+    assert.ok(plan.bottom <= good.top, 'the plan ends above the buttons: ' + JSON.stringify(boxes));
+    assert.ok(plan.bottom - plan.top >= least, 'the plan is ' + (plan.bottom - plan.top) + ' pixels high');
+    await close(page);
+  });
+}
+
+test('on a wide screen the page uses the width, and Good and Bad stay where they are while the panel is read', async () => {
+  const page = await open(browser, { viewport: { width: 1920, height: 1080 } });
+  const { right } = await page.locator('#tour').boundingBox().then(({ x, width }) => ({ right: x + width }));
+  assert.ok(right > 1850, 'the content ends at ' + right);
+  await page.setViewportSize({ width: 1280, height: 720 });
+  await page.selectOption('#speed', 'step');
+  await page.click('#lesson');
+  await page.getByText('Good or Bad?').waitFor();
+  await page.evaluate(() => window.scrollTo(0, 400));
+  const { boxes } = await seen(page, ['good', 'bad', 'finish', 'plan']);
+  for (const [id, box] of Object.entries(boxes)) assert.ok(box.top >= 0 && box.bottom <= 720 && !box.covered, id + ': ' + JSON.stringify(box));
+  await close(page);
+});
+
+test('the robot is drawn before anything is unpacked', async () => {
+  const context = await browser.newContext({ javaScriptEnabled: false, viewport: { width: 400, height: 600 } });
+  const page = await context.newPage();
+  await page.goto(address);
+  const drawn = await page.locator('#first').boundingBox();
+  assert.ok(drawn.width >= 100 && drawn.height >= 100 && drawn.x > 0 && drawn.y > 0, JSON.stringify(drawn));
+  await context.close();
+  const ready = await open(browser);
+  assert.ok(await ready.isHidden('#first'), 'and gives way to the page');
+  await close(ready);
+});
 
 test('no text is smaller than 12 pixels, in a large home neither', async () => {
   for (const width of [320, 1280]) {

@@ -13,7 +13,7 @@ test('at the goal one big button says yes, ends and learns', async () => {
   await page.selectOption('#speed', 'step');
   await page.click('#lesson');
   await toTheGoal(page, /green/, good => page.click(good ? '#good' : '#bad'));
-  assert.match(await page.textContent('#say'), /Here I am: go to the green room/);
+  assert.match(await page.textContent('#say'), /I am in the green room/);
   await page.click('#finish');
   await page.getByText('Lesson 2 of 7').waitFor();
   assert.equal(await sessions(page), 1);

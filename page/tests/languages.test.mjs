@@ -113,3 +113,42 @@ test('a language that is changed in a session leaves the session as it is', asyn
   assert.ok(await page.locator('#steps tr').count() > 0);
   await close(page);
 });
+
+// English and Chinese write 51%, German and Spanish leave a space, French a narrow one.
+for (const [locale, form] of [['en', /\d%/], ['zh-CN', /\d%/], ['de', /\d\u00a0%/], ['es', /\d\u00a0%/], ['fr', /\d\u202f%/]]) {
+  test('shares of a hundred are written as ' + locale + ' writes them', async () => {
+    const page = await open(browser, { locale });
+    await page.selectOption('#speed', 'step');
+    await page.click('#lesson');
+    await page.locator('#finish:visible').waitFor();
+    assert.match(await page.textContent('#say'), form);
+    assert.match(await page.locator('#bars .value').first().textContent(), form);
+    await close(page);
+  });
+}
+
+test('German nouns keep the capital that they were written with', async () => {
+  const page = await open(browser, { locale: 'de' });
+  await page.selectOption('#speed', 'once');
+  await page.click('#auto');
+  await page.locator('#verdict:visible').waitFor();
+  assert.match(await page.textContent('#say'), /Neue Wörter: geh, in, den, grünen, Raum\./);
+  await page.evaluate(() => { document.getElementById('heat').closest('details').open = true; });
+  await settled(page);
+  const words = await page.locator('#heat thead th span').allTextContents();
+  assert.ok(words.includes('Raum') && words.includes('geh') && !words.includes('raum'), String(words));
+  await close(page);
+});
+
+test('a robot at its goal says where it is, and in German in the dative', async () => {
+  const page = await open(browser, { locale: 'de' });
+  await page.selectOption('#speed', 'step');
+  await page.click('#lesson');
+  for (let step = 0; step < 40 && !/das war es/.test(await page.textContent('#finish')); step += 1) {
+    await page.locator('#finish:visible').waitFor();
+    await page.click('#next');
+    await page.waitForTimeout(60);
+  }
+  assert.match(await page.textContent('#say'), /^Ich bin im (grünen|roten) Raum\./);
+  await close(page);
+});

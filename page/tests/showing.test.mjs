@@ -46,7 +46,7 @@ test('the bars are sorted, sum to a hundred, are marked by each step’s evidenc
   const start = await page.evaluate(() => JSON.parse(window.goodbot.log().split('\n')[0]).command);
   await page.click('#finish');
   await learned(page, 1);
-  assert.match(await page.getAttribute('#chart-score', 'aria-label'), /: \d+\u00a0%$/);
+  assert.match(await page.getAttribute('#chart-score', 'aria-label'), /: \d+%$/);
   const table = (await saved(page, '#save-table')).toString().trim().split('\r\n');
   assert.equal(table[0], 'session,command,heard,step,action,feedback');
   assert.match(table[1], new RegExp('^1,' + start + ',0\\.\\d+,1,(north|south|east|west|noop),punish$'));

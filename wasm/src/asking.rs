@@ -1,7 +1,5 @@
 //! Questions of the robot's, as a page shows them, and the trainer's answers.
 
-use crate::log::{AnswerLine, Line};
-use crate::training::task_name;
 use crate::view::{About, Question, Told};
 use crate::world::{Refusal, World};
 use goodbot::asking::{Answer, Asking, Considered, Subject};
@@ -19,7 +17,7 @@ impl World {
     /// Where no session is under way, the plan is not done, or a number is out of range.
     pub fn question(&mut self, kappa: f32, eta: f32, budget: u32) -> Result<Option<Option<Question>>, Refusal> {
         let asking = Asking { kappa, eta, ..Asking::DEFAULT };
-        let Self { mind, rooms, state, .. } = self;
+        let (mind, rooms, state) = self.lesson.parts();
         Ok(match mind.consider(rooms, state, &asking, budget).map_err(Refusal::from)? {
             Considered::Working => None,
             Considered::Act => Some(None),
@@ -77,25 +75,12 @@ impl World {
                 Answer::This(number.ok_or_else(|| Refusal(format!("{answer} is no answer; say yes, no or the number of a choice")))?)
             }
         };
-        let question = self.agent().open_question().copied();
-        let line = question.and_then(|question| {
-            let (tasks, yes, others) = question.meaning(given)?;
-            let (agent, home) = (self.agent(), self.home());
-            let name = |task: usize| {
-                let grounded = agent.tasks().get(task)?;
-                Some(task_name(home, agent.lifted().get(usize::from(grounded.lifted))?, grounded))
-            };
-            Some(AnswerLine::new(tasks.iter().filter_map(name).collect(), yes, question.eta, others))
-        });
         let before = self.probabilities();
-        let outcome = match self.mind.answer(given).map_err(Refusal::from)? {
+        let outcome = match self.lesson.answer(given).map_err(Refusal::from)? {
             Evidence::Used => "used",
             Evidence::SaysNothing => "says nothing",
             Evidence::Impossible => "impossible",
         };
-        if let (Some(recording), Some(line)) = (&mut self.recording, line) {
-            recording.steps.push(Line::Answer(line));
-        }
         Ok(Told { outcome, before, after: self.probabilities() })
     }
 
@@ -109,10 +94,7 @@ impl World {
         let position =
             |name: &String| known.iter().position(|task| task.name == *name).ok_or_else(|| Refusal(format!("{name} is no task here")));
         let tasks = names.iter().map(position).collect::<Result<TaskSet, Refusal>>()?;
-        let _ = self.mind.answered(tasks, yes, eta, others).map_err(Refusal::from)?;
-        if let Some(recording) = &mut self.recording {
-            recording.steps.push(Line::Answer(AnswerLine::new(names, yes, eta, others)));
-        }
+        let _ = self.lesson.answered(tasks, yes, eta, others).map_err(Refusal::from)?;
         Ok(())
     }
 }

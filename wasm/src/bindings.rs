@@ -209,6 +209,11 @@ impl Goodbot {
         json(&self.0.judge(feedback).map_err(thrown)?)
     }
 
+    /// Nobody judges the last action, and that is no silence either: what the robot believes stays as it is, as a test wants it.
+    pub fn unjudged(&mut self) {
+        self.0.unjudged();
+    }
+
     /// Proposes a question where it teaches more than acting does: JSON, [`Question`](crate::view::Question), or `null` where there is nothing
     /// to ask; empty while it is still looking ahead, with about `budget` looks a call. `kappa` is what a question costs, in steps (8),
     /// and `eta` how often an answer is wrong (0.05). The plan must be done.

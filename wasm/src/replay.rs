@@ -45,24 +45,13 @@ impl World {
         if !continues {
             self.expect_ends(false)?;
         }
-        let lifted = self.mind.lifted();
+        let lifted = self.lesson.agent.lifted();
         let mut tasks = vec![GroundedTask::UNUSED; MIND.tasks];
         let count = ground(&home, lifted, &start, &mut tasks).map_err(Refusal::from)?;
         let named = |task: GroundedTask| Some((task, task_name(&home, lifted.get(usize::from(task.lifted))?, &task)));
         let tasks = tasks.into_iter().take(count).filter_map(named).collect();
-        let walk = Walk {
-            command: command.to_owned(),
-            kind: if shown { Kind::Demonstration } else { Kind::Feedback },
-            continues,
-            header_line: 0,
-            end_line: 0,
-            home,
-            start,
-            prior: None,
-            strategies: None,
-            steps: Vec::new(),
-            answers: Vec::new(),
-        };
+        let kind = if shown { Kind::Demonstration } else { Kind::Feedback };
+        let walk = Walk { command: command.to_owned(), continues, ..Walk::new(home, start, kind) };
         self.replaying = Some(Replaying { replay: Replay::new(Rules::AS_IT_WAS), walk, end: start, environment, tasks });
         Ok(())
     }
@@ -127,7 +116,7 @@ impl World {
     /// Why the session cannot be gone through; what was learned before is kept.
     pub fn replay_on(&mut self, budget: u32, learn: bool) -> Result<bool, Refusal> {
         let told = self.replaying.as_mut().ok_or_else(not_begun)?;
-        match told.replay.advance(&mut self.mind, &told.walk, budget) {
+        match told.replay.advance(&mut self.lesson.agent, &told.walk, budget) {
             Ok(Event::Ended) => {}
             Ok(_) => return Ok(false),
             Err(refused) => {
@@ -136,11 +125,13 @@ impl World {
             }
         }
         let Some(Replaying { walk, end, environment, .. }) = self.replaying.take() else { return Ok(true) };
-        (self.rooms, self.file, self.start, self.state) = (walk.home, environment, walk.start, end);
+        self.lesson.enter(walk.home, end);
+        (self.file, self.start) = (environment, walk.start);
         if learn {
-            self.gave_way += self.mind.finish(&self.rooms).map_err(Refusal::from)?.gave_way.count();
+            let (agent, home, _) = self.lesson.parts();
+            self.gave_way += agent.finish(home).map_err(Refusal::from)?.gave_way.count();
         } else {
-            self.mind.forget();
+            self.lesson.agent.forget();
         }
         Ok(true)
     }

@@ -3,25 +3,26 @@
 //! [`World::hear`], then over and over [`World::plan`] until it is done, [`World::act`], [`World::judge`]; at the end [`World::finish`] and
 //! [`World::learn`] until it is done, or [`World::forget`].
 
+use goodbot::Options;
 use goodbot::feedback::{Ending, Feedback, SimulatedTrainer, Strategy, population};
 use goodbot::home::{Home, HomeState, Place, ROOM};
 use goodbot::language::{Model, for_each_piece, for_each_word};
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::{Action, Domain, action_name, action_named};
+use goodbot::oomdp::Domain;
 use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::random::unit;
 use goodbot::session;
 use goodbot::task::{GroundedTask, LiftedTask, TaskText};
-use goodbot::{AgentError, Options};
+use goodbot_lesson::live::{Acted, Judged, LiveError};
 use goodbot_lesson::replay::expect;
 use goodbot_lesson::walk::Expected;
 use rand_pcg::Pcg32;
 
-use crate::log::{Line, PULLING, Recording, Step, strategies};
+use crate::log::lines;
 use crate::route::Lookahead;
 use crate::view::{Belief, Decided, Evidence, Heat, Route, Support, Task, TrainerStyle};
 use crate::words::support;
-use crate::world::{Acted, Refusal, World, thing};
+use crate::world::{Refusal, World, thing};
 
 /// How probable a task that is done already must be for a robot that does nothing.
 const CLEARLY: f32 = 0.6;
@@ -37,7 +38,7 @@ impl World {
         // The largest is 1, so that single precision never makes all of them 0.
         let largest = strategies.iter().map(|(_, prior)| *prior).fold(0.0, f32::max);
         let expected = |&(strategy, recorded): &(Strategy, f32)| Expected { strategy, share: recorded / largest, recorded };
-        expect(&mut self.mind, &strategies.iter().map(expected).collect::<Vec<_>>()).map_err(Refusal::from)
+        expect(&mut self.lesson.agent, &strategies.iter().map(expected).collect::<Vec<_>>()).map_err(Refusal::from)
     }
 
     /// Whether the robot expects what real people do, and learns how its trainer uses reward and punishment; else it expects the paper's
@@ -48,7 +49,7 @@ impl World {
     pub fn set_learns_style(&mut self, learns: bool) -> Result<(), Refusal> {
         self.forget();
         let strategies: &[(Strategy, f32)] = if learns { &population::STRATEGIES } else { &[(Strategy::BALANCED, 1.0)] };
-        self.mind.set_strategies(strategies).map_err(Refusal::from)
+        self.lesson.agent.set_strategies(strategies).map_err(Refusal::from)
     }
 
     /// Whether the robot learns how its trainer uses reward and punishment.
@@ -72,9 +73,10 @@ impl World {
     pub fn hear(&mut self, command: &str) -> Result<(), Refusal> {
         self.forget();
         self.expect_ends(self.expected().is_none())?;
-        let Self { mind, rooms, state, .. } = self;
-        mind.hear(rooms, state, command).map_err(Refusal::from)?;
-        self.record(command)
+        let environment = self.environment_now();
+        self.lesson.hear(command, environment).map_err(Refusal::from)?;
+        let Self { scout, lesson, .. } = self;
+        scout.set_tasks(lesson.home(), lesson.agent.lifted(), lesson.agent.tasks()).map_err(Refusal::from)
     }
 
     /// The name of the task that the command most likely means, where that is done already; `None` where something is left to do. The mind knows no
@@ -85,7 +87,7 @@ impl World {
     /// Why the command cannot be heard.
     pub fn already(&mut self, command: &str) -> Result<Option<String>, Refusal> {
         self.forget();
-        let Self { mind, rooms: home, state, .. } = self;
+        let (mind, home, state) = self.lesson.parts();
         let around = |cell| home.objects().of_class(ROOM).find(|&room| home.area(room).holds_strictly(cell));
         for thing in std::iter::once(home.agent()).chain(home.blocks().iter().copied()) {
             let here = around(home.block_cell(state, thing).unwrap_or_else(|| home.agent_cell(state)));
@@ -121,29 +123,18 @@ impl World {
     /// # Errors
     /// Why the home cannot be used, or the command cannot be heard in it.
     pub fn asked(&mut self, environment: &str, command: &str) -> Result<Belief, Refusal> {
-        let (here, state) = (self.environment(), self.state);
+        let (here, state) = (self.environment(), *self.lesson.state());
         self.set_environment(environment)?;
         let heard = self.hear(command);
         let belief = self.belief();
         self.set_environment(&here)?;
-        self.state = state;
+        self.lesson.put(state);
         heard.map(|()| belief)
-    }
-
-    /// Begins to write down the session that the mind has begun.
-    fn record(&mut self, command: &str) -> Result<(), Refusal> {
-        let environment = self.environment_now();
-        let actions = self.pulls().then_some(PULLING);
-        let Self { mind, scout, rooms, .. } = self;
-        scout.set_tasks(rooms, mind.lifted(), mind.tasks()).map_err(Refusal::from)?;
-        let strategies = strategies(mind.belief().strategies());
-        self.recording = Some(Recording { command: command.to_owned(), environment, actions, strategies, steps: Vec::new() });
-        Ok(())
     }
 
     /// Whether a session is under way.
     pub fn is_listening(&self) -> bool {
-        self.recording.is_some()
+        self.lesson.is_under_way()
     }
 
     /// Goes on planning for where everything is now, with at most about `budget` looks. Gives whether the plan is done.
@@ -151,8 +142,7 @@ impl World {
     /// # Errors
     /// Where no session is under way.
     pub fn plan(&mut self, budget: u32) -> Result<bool, Refusal> {
-        let Self { mind, rooms, state, .. } = self;
-        Ok(mind.plan(rooms, state, budget).map_err(Refusal::from)? == Progress::Done)
+        self.lesson.plan(budget).map_err(Refusal::from)
     }
 
     /// Decides on an action and does it. The plan must be done; the action waits for [`judge`](Self::judge).
@@ -160,23 +150,12 @@ impl World {
     /// # Errors
     /// Where no session is under way, the plan is not done, or the last action was not judged.
     pub fn act(&mut self) -> Result<Decided, Refusal> {
-        self.check_judged()?;
-        let Self { mind, rooms, state, random, .. } = self;
-        let decision = mind.decide_by(rooms, state, random).map_err(Refusal::from)?;
+        let Self { lesson, random, .. } = self;
+        let acted = lesson.act(random).map_err(Refusal::from)?;
+        let (action, task, confidence) = (acted.action.clone(), acted.task, acted.confidence);
         let agent = self.agent();
-        let plans: Vec<OptimalSet> = (0..agent.tasks().len()).map(|task| agent.planned().optimal(task)).collect();
-        let agrees = |(task, plan): (usize, &OptimalSet)| {
-            let right = plan.exact().or(plan.onward()).is_some_and(|actions| actions.contains(decision.action));
-            if right { agent.belief().probability(task) } else { 0.0 }
-        };
-        let decided = Decided {
-            action: action_name(self.home(), decision.action).to_owned(),
-            task: decision.task,
-            confidence: plans.iter().enumerate().map(agrees).sum::<f32>().clamp(0.0, 1.0),
-            plans: plans.iter().map(plan_word).collect(),
-        };
-        self.perform(decision.action)?;
-        Ok(decided)
+        let plans = (0..agent.tasks().len()).map(|task| plan_word(&agent.planned().optimal(task))).collect();
+        Ok(Decided { action, task, confidence, plans })
     }
 
     /// Does the action of this name instead, as a log has it. The plan must be done; the action waits for [`judge`](Self::judge). The robot
@@ -185,24 +164,9 @@ impl World {
     /// # Errors
     /// As [`act`](Self::act), and where there is no such action.
     pub fn act_as(&mut self, action: &str) -> Result<(), Refusal> {
-        self.check_judged()?;
-        let action = action_named(self.home(), action).ok_or_else(|| Refusal(format!("{action} is no action here")))?;
-        let Self { mind, rooms, state, random, .. } = self;
-        mind.decide_by(rooms, state, random).map_err(Refusal::from)?;
-        self.perform(action)
-    }
-
-    pub(crate) fn check_judged(&self) -> Result<(), Refusal> {
-        if self.acted.is_some() { Err(Refusal("the last action waits for its feedback".to_owned())) } else { Ok(()) }
-    }
-
-    fn perform(&mut self, action: Action) -> Result<(), Refusal> {
-        let Self { mind, rooms, state, .. } = self;
-        let next = mind.acted(rooms, state, action).map_err(Refusal::from)?;
-        let plan = mind.planned();
-        let judgements = (0..mind.tasks().len()).map(|task| plan.judge(task, action)).collect();
-        (self.acted, self.state) = (Some(Acted { action, judgements }), next);
-        Ok(())
+        let (mind, rooms, state) = self.lesson.parts();
+        mind.decide_by(rooms, state, &mut self.random).map_err(Refusal::from)?;
+        self.lesson.act_as(action).map(drop).map_err(Refusal::from)
     }
 
     /// Takes in what the trainer said to the last action: `reward`, `punish`, or anything else for silence.
@@ -210,7 +174,6 @@ impl World {
     /// # Errors
     /// Where no action waits for feedback.
     pub fn judge(&mut self, feedback: &str) -> Result<Evidence, Refusal> {
-        let Acted { action, judgements } = self.acted.take().ok_or_else(|| Refusal("no action waits for feedback".to_owned()))?;
         let feedback = match feedback {
             "reward" => Feedback::Reward,
             "punish" => Feedback::Punish,
@@ -221,18 +184,21 @@ impl World {
             Judgement::Incorrect => "wrong",
             Judgement::Unknown => "unknown",
         };
+        let Some(Acted { action, judgements, .. }) = self.lesson.acted().cloned() else { return Err(Refusal::from(LiveError::NoStep)) };
         let before = self.probabilities();
-        let outcome = match self.mind.feedback(feedback).map_err(Refusal::from)? {
-            session::Evidence::Used => "used",
-            session::Evidence::SaysNothing => "says nothing",
-            session::Evidence::Impossible => "impossible",
+        let outcome = match self.lesson.judge(feedback).map_err(Refusal::from)? {
+            Judged::As(session::Evidence::Used) | Judged::AsBefore => "used",
+            Judged::As(session::Evidence::SaysNothing) => "says nothing",
+            Judged::As(session::Evidence::Impossible) => "impossible",
         };
-        let action = action_name(self.home(), action).to_owned();
-        if let Some(recording) = &mut self.recording {
-            recording.steps.push(Line::Step(Step::new(action.clone(), feedback.name())));
-        }
+        self.lesson.go_on().map_err(Refusal::from)?;
         let judgements = judgements.iter().map(words).collect();
         Ok(Evidence { action, feedback: feedback.name(), outcome, judgements, before, after: self.probabilities() })
+    }
+
+    /// Nobody judges the last action, and that is no silence either: what the robot believes stays as it is, as a test wants it.
+    pub fn unjudged(&mut self) {
+        self.lesson.leave_unjudged();
     }
 
     /// What a trainer who means the given task and follows the paper's balanced strategy would say to the last action.
@@ -240,8 +206,7 @@ impl World {
     /// # Errors
     /// Where no action waits for feedback.
     pub fn simulated_feedback(&mut self, intended: usize) -> Result<&'static str, Refusal> {
-        let acted = self.acted.as_ref().ok_or_else(|| Refusal("no action waits for feedback".to_owned()))?;
-        let right = acted.judgements.get(intended) == Some(&Judgement::Correct);
+        let right = self.lesson.acted().ok_or(LiveError::NoStep).map_err(Refusal::from)?.is_right(intended) == Some(true);
         Ok(SimulatedTrainer { strategy: Strategy::BALANCED }.feedback(right, &mut self.random).name())
     }
 
@@ -263,26 +228,12 @@ impl World {
 
     /// Whether the robot knows that its trainer ends the session, so that the end is evidence. In a log somebody else may have.
     pub(crate) fn expect_ends(&mut self, ends: bool) -> Result<(), Refusal> {
-        let options = *self.mind.options();
+        let options = *self.lesson.agent.options();
         if options.ending.is_evidence() == ends {
             return Ok(());
         }
         let ending = if ends { population::ENDING } else { Ending::NO_EVIDENCE };
-        self.mind.set_options(Options { ending, ..options }).map_err(Refusal::from)
-    }
-
-    /// Takes in that the trainer ends the session here. A step to which nothing was said yet is not part of it, nor the end after that.
-    fn take_end(&mut self) -> Result<(), Refusal> {
-        let Self { mind, rooms, state, acted, .. } = self;
-        if acted.is_none() && mind.options().ending.is_evidence() {
-            mind.plan_fully(rooms, state).map_err(Refusal::from)?;
-            match mind.trainer_ended(rooms, state) {
-                // What was only answered or shown has no end that the trainer chose.
-                Ok(_) | Err(AgentError::NothingDone) => {}
-                Err(error) => return Err(Refusal::from(error)),
-            }
-        }
-        Ok(())
+        self.lesson.agent.set_options(Options { ending, ..options }).map_err(Refusal::from)
     }
 
     /// Ends the session and begins to learn from it. Gives the session as lines of a log.
@@ -291,11 +242,7 @@ impl World {
     /// Where no session is under way or something is full; what was learned before is kept.
     pub fn finish(&mut self) -> Result<String, Refusal> {
         let log = self.log(true)?;
-        self.take_end()?;
-        let Self { mind, rooms, .. } = self;
-        let ended = mind.finish(rooms);
-        (self.recording, self.acted) = (None, None);
-        self.gave_way += ended.map_err(Refusal::from)?.gave_way.count();
+        self.gave_way += self.lesson.finish().map_err(Refusal::from)?.gave_way.count();
         Ok(log)
     }
 
@@ -306,15 +253,16 @@ impl World {
 
     /// Goes on learning, with at most about `budget` table cells of work. Gives whether it is done.
     pub fn learn(&mut self, budget: u32) -> bool {
-        self.mind.learn(budget) == Progress::Done
+        self.lesson.agent.learn(budget) == Progress::Done
     }
 
     /// Ends the session, if one is under way, without learning from it: of the trainer, too, the robot believes what it believed before.
     pub fn forget(&mut self) {
-        if self.recording.take().is_some() | self.replaying.take().is_some() {
-            self.mind.forget_evidence();
+        if self.replaying.take().is_some() || self.lesson.is_under_way() {
+            self.lesson.agent.forget_evidence();
         }
-        (self.acted, self.ahead) = (None, None);
+        self.lesson.forget();
+        self.ahead = None;
     }
 
     /// How many sessions the robot has learned from.
@@ -327,8 +275,7 @@ impl World {
     /// # Errors
     /// Where no session is under way.
     pub fn log(&self, learn: bool) -> Result<String, Refusal> {
-        let recording = self.recording.as_ref().ok_or_else(|| Refusal("no session is under way".to_owned()))?;
-        recording.lines(learn).map_err(Refusal::from)
+        lines(&self.lesson, learn).ok_or(LiveError::NoSession).map_err(Refusal::from)
     }
 
     /// What the robot believes. No tasks where no command was heard.
@@ -363,13 +310,14 @@ impl World {
 
     /// Begins to look where a task would lead from here: [`look`](Self::look) until that is done.
     pub fn look_ahead(&mut self, task: usize) {
-        self.ahead = self.mind.tasks().get(task).map(|&goal| Lookahead::new(self.state, task, goal));
+        self.ahead = self.lesson.agent.tasks().get(task).map(|&goal| Lookahead::new(*self.lesson.state(), task, goal));
     }
 
     /// Goes on looking ahead, with about `budget` looks. Gives whether it is done, and then the route; none where the task leads
     /// nowhere, or finding out takes too long.
     pub fn look(&mut self, budget: u32) -> (bool, Option<Route>) {
-        let Self { ahead, scout, rooms, mind, .. } = self;
+        let Self { ahead, scout, lesson, .. } = self;
+        let (rooms, mind) = (lesson.home(), &lesson.agent);
         let Some(looking) = ahead else { return (true, None) };
         if looking.advance(scout, rooms, mind.lifted(), budget) == Progress::Working {
             return (false, None);
@@ -383,12 +331,12 @@ impl World {
     /// Where no session is under way or something is full.
     pub fn support(&self) -> Result<Support, Refusal> {
         if !self.is_listening() {
-            return Err(Refusal("no session is under way".to_owned()));
+            return Err(Refusal::from(LiveError::NoSession));
         }
         let mut support = support(self.agent(), self.home()).map_err(Refusal::from)?;
         // As they were said, and not only their beginnings.
         support.words.clear();
-        let command = self.recording.as_ref().map_or("", |recording| &recording.command);
+        let command = self.lesson.command().unwrap_or_default();
         let take = |word: &str| {
             support.words.push(word.to_owned());
             Ok(())
@@ -411,6 +359,7 @@ impl World {
         let cells = tokens.iter().flat_map(|(token, _)| words.iter().map(|(word, _)| tables.translation(*word, Some(*token))));
         Heat {
             cells: cells.collect(),
+            idle: words.iter().map(|(word, _)| tables.translation(*word, None)).collect(),
             words: words.iter().map(|(_, text)| (*text).to_owned()).collect(),
             tokens: tokens.iter().map(|(_, text)| (*text).to_owned()).collect(),
             letters: self.agent().options().language.letters_kept(),

@@ -204,6 +204,8 @@ pub struct Heat {
     pub tokens: Vec<String>,
     /// Row by row.
     pub cells: Vec<f32>,
+    /// How probable each word is where it speaks of no machine token: IBM Model 2's empty position.
+    pub idle: Vec<f32>,
     /// How many letters of a word are kept; all of them where it is 0.
     pub letters: usize,
 }

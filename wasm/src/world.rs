@@ -7,17 +7,16 @@ use goodbot::home::Map;
 use goodbot::home::{self, Area, BLOCK, COLOR, DOOR, Home, HomeState, Moves, ROOM, SHAPE};
 use goodbot::language::Model;
 use goodbot::memory::{AgentHeap, HomeHeap, HomeMemory};
-use goodbot::oomdp::{Action, ObjectId};
-use goodbot::planning::Judgement;
+use goodbot::oomdp::ObjectId;
 use goodbot::snapshot::{Contents, SAVED};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
-use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::home::Flaw;
+use goodbot_lesson::live::Lesson;
 use rand_pcg::Pcg32;
 
 use crate::cells::{MIND, MOST_OF_A_FIELD, ROOMS};
-use crate::log::Recording;
 use crate::replay::Replaying;
 use crate::route::{Lookahead, Scout};
 use crate::view::{Extent, Place, Scene, Thing};
@@ -43,26 +42,15 @@ impl Refusal {
 /// The robot that the page starts with stands in a home of one room.
 const FIRST_HOME: &str = r#"{"version":1,"objects":[{"class":"room","name":"room0","left":0,"bottom":0,"right":4,"top":4,"color":"red"},{"class":"agent","name":"agent0","x":2,"y":2}]}"#;
 
-/// An action that waits for its feedback, and how it is judged for each task.
-#[derive(Clone, Debug)]
-pub(crate) struct Acted {
-    pub(crate) action: Action,
-    pub(crate) judgements: Vec<Judgement>,
-}
-
 /// One home, one robot, and the session under way.
 pub struct World {
-    pub(crate) mind: Agent<AgentHeap>,
+    pub(crate) lesson: Lesson,
     pub(crate) scout: Scout,
-    pub(crate) rooms: Home<HomeHeap>,
     pub(crate) file: EnvironmentFile,
     pub(crate) moves: Moves,
     pub(crate) start: HomeState,
-    pub(crate) state: HomeState,
-    pub(crate) acted: Option<Acted>,
     /// How many sessions have given way to new ones in this robot's life.
     pub(crate) gave_way: usize,
-    pub(crate) recording: Option<Recording>,
     pub(crate) ahead: Option<Lookahead>,
     pub(crate) random: Pcg32,
     pub(crate) replaying: Option<Replaying>,
@@ -70,7 +58,7 @@ pub struct World {
 
 impl fmt::Debug for World {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("World").field("file", &self.file).field("acted", &self.acted).finish_non_exhaustive()
+        f.debug_struct("World").field("file", &self.file).finish_non_exhaustive()
     }
 }
 
@@ -132,16 +120,12 @@ impl World {
         let moves = Moves::Push;
         let (rooms, start) = build(&file, moves, &ROOMS)?;
         Ok(Self {
-            mind: new_mind(&MIND, false)?,
+            lesson: Lesson::new(new_mind(&MIND, false)?, rooms, start),
             scout: Scout::default(),
-            rooms,
             file,
             moves,
             start,
-            state: start,
-            acted: None,
             gave_way: 0,
-            recording: None,
             ahead: None,
             random: Pcg32::new(seed, 1),
             replaying: None,
@@ -156,7 +140,8 @@ impl World {
         let file = EnvironmentFile::parse(json).map_err(Refusal::from)?;
         let (rooms, start) = build(&file, self.moves, &ROOMS)?;
         self.forget();
-        (self.rooms, self.file, self.start, self.state) = (rooms, file, start, start);
+        self.lesson.enter(rooms, start);
+        (self.file, self.start) = (file, start);
         Ok(())
     }
 
@@ -168,7 +153,8 @@ impl World {
         let moves = if pulls { Moves::PushAndPull } else { Moves::Push };
         let (rooms, start) = build(&self.file, moves, &ROOMS)?;
         self.forget();
-        (self.rooms, self.moves, self.start, self.state) = (rooms, moves, start, start);
+        self.lesson.enter(rooms, start);
+        (self.moves, self.start) = (moves, start);
         Ok(())
     }
 
@@ -185,7 +171,7 @@ impl World {
     /// Puts everything back to where it was when the home was entered. A session under way ends unlearned.
     pub fn reset(&mut self) {
         self.forget();
-        self.state = self.start;
+        self.lesson.put(self.start);
     }
 
     /// A new robot, which has learned nothing and expects of its trainer what the one before expected, in the same home.
@@ -194,8 +180,9 @@ impl World {
     /// None where the built-in strategies are sound.
     pub fn restart(&mut self) -> Result<(), Refusal> {
         let expected = self.expected();
-        self.mind = new_mind(&MIND, self.ways())?;
-        (self.recording, self.acted, self.state, self.gave_way) = (None, None, self.start, 0);
+        self.lesson.replace_agent(new_mind(&MIND, self.ways())?);
+        self.lesson.put(self.start);
+        self.gave_way = 0;
         expected.map_or(Ok(()), |strategies| self.set_strategies(&strategies))
     }
 
@@ -204,7 +191,7 @@ impl World {
     /// # Errors
     /// Where it is still learning.
     pub fn save(&self) -> Result<Vec<u8>, Refusal> {
-        self.mind.saved().map_err(Refusal::from)
+        self.lesson.agent.saved().map_err(Refusal::from)
     }
 
     /// Replaces what the robot has learned by a model file, and begins to learn from what it holds: [`learn`](Self::learn) until that is
@@ -215,7 +202,7 @@ impl World {
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
         let mind = taught(bytes, self.ways())?;
         self.forget();
-        self.mind = mind;
+        self.lesson.replace_agent(mind);
         Ok(())
     }
 
@@ -229,11 +216,11 @@ impl World {
     /// # Errors
     /// Where it has no room there, or cannot be used there.
     pub fn for_microbit(&self) -> Result<Vec<u8>, Refusal> {
-        if self.mind.options().language.model != Model::Roles {
+        if self.lesson.agent.options().language.model != Model::Roles {
             return Err(Refusal::from("learned as in the paper"));
         }
         let mut bytes = self.save()?;
-        if !matches!(self.mind.belief().strategies(), [(Strategy::BALANCED, _)]) {
+        if !matches!(self.lesson.agent.belief().strategies(), [(Strategy::BALANCED, _)]) {
             let mut mind = taught(&bytes, self.ways())?;
             mind.set_strategies(&[(Strategy::BALANCED, 1.0)]).map_err(Refusal::from)?;
             bytes = mind.saved().map_err(Refusal::from)?;
@@ -254,57 +241,41 @@ impl World {
         }
         let mind = taught(&self.save()?, ways)?;
         self.forget();
-        self.mind = mind;
+        self.lesson.replace_agent(mind);
         Ok(())
     }
 
     /// Whether commands may mean tasks with a way too.
     pub fn ways(&self) -> bool {
-        self.mind.lifted().iter().any(LiftedTask::has_way)
+        self.lesson.agent.lifted().iter().any(LiftedTask::has_way)
     }
 
     /// The home.
     pub(crate) fn home(&self) -> &Home<HomeHeap> {
-        &self.rooms
+        self.lesson.home()
     }
 
     /// The robot's mind.
     pub fn agent(&self) -> &Agent<AgentHeap> {
-        &self.mind
+        &self.lesson.agent
     }
 
     /// The environment with everything where it is now.
     pub fn environment_now(&self) -> EnvironmentFile {
-        let (home, mut file) = (self.home(), self.file.clone());
-        for object in &mut file.objects {
-            match object {
-                ObjectRecord::Agent { x, y, .. } => {
-                    let cell = home.agent_cell(&self.state);
-                    (*x, *y) = (cell.x, cell.y);
-                }
-                ObjectRecord::Block { name, x, y, .. } => {
-                    let cell = home.objects().find(name).and_then(|block| home.block_cell(&self.state, block));
-                    if let Some(cell) = cell {
-                        (*x, *y) = (cell.x, cell.y);
-                    }
-                }
-                ObjectRecord::Room { .. } | ObjectRecord::Door { .. } => {}
-            }
-        }
-        file
+        self.lesson.environment()
     }
 
     /// The home as it is now.
     pub fn scene(&self) -> Scene {
         let home = self.home();
-        let map = Map::new(home, &self.state);
+        let map = Map::new(home, self.lesson.state());
         let places = |class| home.objects().of_class(class).map(|id| place(home, id)).collect();
         Scene {
             bounds: extent(map.bounds()),
             rooms: places(ROOM),
             doors: places(DOOR),
-            blocks: home.objects().of_class(BLOCK).map(|id| thing(home, &self.state, id)).collect(),
-            agent: thing(home, &self.state, home.agent()),
+            blocks: home.objects().of_class(BLOCK).map(|id| thing(home, self.lesson.state(), id)).collect(),
+            agent: thing(home, self.lesson.state(), home.agent()),
             map: map.to_string(),
         }
     }

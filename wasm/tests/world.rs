@@ -115,6 +115,31 @@ fn feedback_goes_to_the_last_action_and_says_what_it_changed() {
 }
 
 #[test]
+fn a_robot_that_nobody_judges_believes_the_same_all_its_way() {
+    let mut world = world("Test");
+    world.hear("an unknown command").unwrap();
+    let believed = world.belief();
+    let mut steps = Vec::new();
+    while steps.last().is_none_or(|action| action != "noop") {
+        assert!(steps.len() < 40, "it does not walk to and fro: {steps:?}");
+        while !world.plan(1_000).unwrap() {}
+        steps.push(world.act().unwrap().action);
+        world.unjudged();
+        assert_eq!(world.belief(), believed);
+    }
+    assert!(steps.len() > 1, "it gets somewhere");
+}
+
+#[test]
+fn what_a_word_says_of_nothing_at_all_is_told_too() {
+    let mut world = world("A");
+    train(&mut world, "go to the green room", "agentInRoom(agent0,room1)");
+    let heat = world.heat();
+    assert_eq!(heat.idle.len(), heat.words.len());
+    assert!((heat.idle.iter().sum::<f32>() - 1.0).abs() < 1e-4, "{:?}", heat.idle);
+}
+
+#[test]
 fn a_log_of_a_session_is_read_by_its_reader_and_teaches_the_same() {
     let mut first = world("D");
     first.set_learns_style(true).unwrap();

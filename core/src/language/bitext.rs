@@ -98,17 +98,97 @@ pub struct Bitext<'t> {
     used: &'t mut Extent,
 }
 
+/// A training can leave out each so-many-th session.
+#[cfg(feature = "layer")]
+pub(super) const FOLDS: usize = 4;
+
+/// The sessions that a training leaves out. Without the feature `layer`, there are none.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct LeftOut {
+    #[cfg(feature = "layer")]
+    part: Option<u8>,
+}
+
+#[cfg(feature = "layer")]
+impl LeftOut {
+    /// The first part.
+    pub const FIRST: Self = Self { part: Some(0) };
+
+    /// The part after this one; none after the last.
+    pub fn next(self) -> Self {
+        Self { part: self.part.map(|part| part.saturating_add(1)).filter(|&part| usize::from(part) < FOLDS) }
+    }
+
+    /// The first session left out.
+    pub fn first(self) -> Option<u16> {
+        self.part.map(u16::from)
+    }
+}
+
+impl LeftOut {
+    /// No session.
+    pub const NONE: Self = Self {
+        #[cfg(feature = "layer")]
+        part: None,
+    };
+
+    #[cfg(feature = "layer")]
+    fn has(self, session: u16) -> bool {
+        self.part.is_some_and(|part| usize::from(session) % FOLDS == usize::from(part))
+    }
+
+    #[cfg(not(feature = "layer"))]
+    #[expect(clippy::unused_self, reason = "as with the feature")]
+    const fn has(self, _session: u16) -> bool {
+        false
+    }
+}
+
 /// The training data, to be read.
 #[derive(Clone, Copy, Debug)]
 pub struct BitextRef<'t> {
     memory: BitextTablesRef<'t>,
     used: Extent,
+    left_out: LeftOut,
 }
 
 impl<'t> BitextRef<'t> {
+    /// No data.
+    #[cfg(all(feature = "layer", feature = "snapshot"))]
+    pub(crate) const NONE: Self =
+        Self::new(BitextTablesRef { commands: &[], command_tokens: &[], sessions: &[], sentence_words: &[], pairs: &[] }, Extent::NONE);
+
     /// The data that `used` says are there.
     pub(crate) const fn new(memory: BitextTablesRef<'t>, used: Extent) -> Self {
-        Self { memory, used }
+        Self { memory, used, left_out: LeftOut::NONE }
+    }
+
+    /// The same data, without some sessions where training asks for them.
+    pub(super) const fn without(self, left_out: LeftOut) -> Self {
+        Self { left_out, ..self }
+    }
+
+    /// Whether training passes over a session.
+    pub(super) fn leaves_out(self, session: u16) -> bool {
+        self.left_out.has(session)
+    }
+
+    /// How many sessions training does not pass over.
+    #[cfg(feature = "layer")]
+    pub(super) fn sessions_kept(self) -> usize {
+        (0..self.used.sessions as u16).filter(|&session| !self.leaves_out(session)).count()
+    }
+
+    /// How many sessions.
+    #[cfg(not(feature = "layer"))]
+    pub(super) const fn sessions_kept(self) -> usize {
+        self.used.sessions
+    }
+
+    /// How many words all sessions have together, each as often as it was said.
+    #[cfg(feature = "layer")]
+    pub(super) const fn words_said(self) -> usize {
+        self.used.sentence_words
     }
 
     /// How many sessions.
@@ -175,7 +255,7 @@ impl<'t> Bitext<'t> {
 
     /// The data, to be read.
     pub const fn read(&self) -> BitextRef<'_> {
-        BitextRef { memory: self.memory.read(), used: *self.used }
+        BitextRef::new(self.memory.read(), *self.used)
     }
 
     /// How many sessions.

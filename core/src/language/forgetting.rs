@@ -107,7 +107,7 @@ impl LanguageMut<'_> {
             _ => Want::Session,
         };
         let Some(session) = self.least(want, self.bitext.sessions()) else { return Err(error) };
-        self.bitext.remove_session(session);
+        self.remove_session(session);
         self.rebuild_wanted()?;
         Ok(Room::Made(session, error.capacity))
     }
@@ -162,7 +162,7 @@ impl LanguageMut<'_> {
         if let Some(full) = self.full_of_vocabulary() {
             let others = self.bitext.sessions().saturating_sub(1);
             if let Some(session) = self.least(Want::Vocabulary, others) {
-                self.bitext.remove_session(session);
+                self.remove_session(session);
                 return Ok(Room::Made(session, full));
             }
         }
@@ -261,6 +261,10 @@ impl LanguageMut<'_> {
             if self.bitext.tokens_mut().contains(&token) || session_tokens.contains(&token) {
                 continue;
             }
+            #[cfg(feature = "layer")]
+            if let Some(layer) = &mut self.layer.room {
+                layer.remove_token(token);
+            }
             self.tokens.remove(token);
             self.bitext.tokens_mut().iter_mut().chain(&mut *session_tokens).for_each(|other| close_up(other, token));
         }
@@ -280,7 +284,7 @@ fn oldest_with_most<K: PartialOrd>(sessions: impl Iterator<Item = u16>, rank: im
 }
 
 /// Moves a symbol up where one before it was removed.
-fn close_up(symbol: &mut Symbol, removed: Symbol) {
+pub(super) fn close_up(symbol: &mut Symbol, removed: Symbol) {
     if *symbol > removed && !is_marker(*symbol) {
         symbol.0 = symbol.0.saturating_sub(1);
     }

@@ -8,6 +8,7 @@
 //! - `settings`: which model it is, and how it is trained;
 //! - [`ibm2`]: IBM Model 2, the paper's;
 //! - [`roles`]: the role model, which is the default;
+//! - [`layer`]: a discriminative layer above the role model, an option of hosts;
 //! - `training`: training, in steps as large as the caller allows;
 //! - [`forgetting`]: what gives way when memory is full;
 //! - `model`: all of it together.
@@ -15,6 +16,7 @@
 pub(crate) mod bitext;
 pub mod forgetting;
 pub mod ibm2;
+pub mod layer;
 pub(crate) mod model;
 pub mod roles;
 pub(crate) mod settings;
@@ -26,6 +28,7 @@ pub(crate) mod training;
 
 pub use bitext::{BitextRef, BitextTables, BitextTablesRef, Pair, Span};
 pub use ibm2::LengthPair;
+pub use layer::{LayerTables, LayerTablesRef};
 pub use model::{LanguageModel, LanguageMut, LanguageRef, LanguageTables, LanguageTablesRef};
 pub use roles::Meaning;
 pub use settings::{MOST_ROUNDS, MOST_WEIGHT, Model, SettingError, Settings};

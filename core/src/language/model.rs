@@ -1,6 +1,9 @@
 //! The language model as a whole: vocabularies, training data and parameters.
 
 use super::bitext::{Bitext, BitextRef, BitextTables, BitextTablesRef, Extent};
+#[cfg(feature = "layer")]
+use super::layer::LayerRef;
+use super::layer::{Layer, LayerTables, LayerTablesRef};
 use super::roles::Meaning;
 use super::roles::forward::{Reading, likelihood_on};
 use super::settings::{Model, SettingError, Settings, is_weight};
@@ -30,6 +33,8 @@ pub struct LanguageTables<'t> {
     pub bitext: BitextTables<'t>,
     /// The parameters.
     pub parameters: ParameterTables<'t>,
+    /// The layer's, which has none without the feature `layer`.
+    pub layer: LayerTables<'t>,
 }
 
 /// The tables of a language model, to be read.
@@ -47,6 +52,8 @@ pub struct LanguageTablesRef<'t> {
     pub bitext: BitextTablesRef<'t>,
     /// The parameters.
     pub parameters: ParameterTablesRef<'t>,
+    /// The layer's.
+    pub layer: LayerTablesRef<'t>,
 }
 
 impl LanguageTables<'_> {
@@ -59,6 +66,7 @@ impl LanguageTables<'_> {
             token_ends: self.token_ends,
             bitext: self.bitext.lend(),
             parameters: self.parameters.lend(),
+            layer: self.layer.lend(),
         }
     }
 
@@ -71,6 +79,7 @@ impl LanguageTables<'_> {
             token_ends: self.token_ends,
             bitext: self.bitext.read(),
             parameters: self.parameters.read(),
+            layer: self.layer.read(),
         }
     }
 }
@@ -115,6 +124,7 @@ impl LanguageState {
             words: Symbols::new(tables.word_bytes, tables.word_ends, &mut self.words, Capacity::Words, Capacity::WordBytes),
             tokens: Symbols::new(tables.token_bytes, tables.token_ends, &mut self.tokens, Capacity::Tokens, Capacity::TokenBytes),
             bitext: Bitext::new(tables.bitext, &mut self.data),
+            layer: Layer::new(tables.layer),
             tables: Tables::new(tables.parameters, counts, &mut self.trained),
             training: &mut self.training,
             learned_words: &mut self.learned_words,
@@ -129,6 +139,8 @@ impl LanguageState {
             words: SymbolsRef::new(tables.word_bytes, tables.word_ends, self.words),
             tokens: SymbolsRef::new(tables.token_bytes, tables.token_ends, self.tokens),
             bitext: BitextRef::new(tables.bitext, self.data),
+            #[cfg(feature = "layer")]
+            layer: LayerRef::new(tables.layer),
             tables: TablesRef::new(tables.parameters, counts, &self.trained),
             training: self.training,
             learned_words: self.learned_words,
@@ -144,6 +156,8 @@ pub struct LanguageRef<'t> {
     words: SymbolsRef<'t>,
     tokens: SymbolsRef<'t>,
     bitext: BitextRef<'t>,
+    #[cfg(feature = "layer")]
+    layer: Option<LayerRef<'t>>,
     tables: TablesRef<'t>,
     training: Training,
     learned_words: usize,
@@ -227,6 +241,27 @@ impl<'t> LanguageRef<'t> {
         }
     }
 
+    /// Lets the [layer](super::layer) speak, after [`weigh_kinds`](Self::weigh_kinds): makes of the role model's weights of tasks its own.
+    /// `same` gives the first task of the same description, and `description` that one's.
+    #[cfg(feature = "layer")]
+    pub fn weigh_parts<'d>(
+        self,
+        sentence: &[Option<Symbol>],
+        same: impl Fn(usize) -> usize,
+        description: impl Fn(usize) -> &'d [Symbol],
+        weights: &mut [Scaled],
+    ) {
+        if let Some(layer) = self.layer.filter(|_| self.settings.layer && self.model() == Model::Roles) {
+            layer.weigh(self.tables, sentence, same, description, weights);
+        }
+    }
+
+    /// The tasks of each session, for the [layer](super::layer), where there is memory for them: each pair's weight is the prior of the task.
+    #[cfg(feature = "layer")]
+    pub fn possible(self) -> Option<BitextRef<'t>> {
+        self.layer.map(|layer| layer.possible)
+    }
+
     /// As [`TablesRef::unknown_share`].
     pub fn unknown_share(self, sentence: &[Option<Symbol>]) -> f32 {
         self.tables.unknown_share(sentence)
@@ -293,6 +328,7 @@ pub struct LanguageMut<'t> {
     pub(super) words: Symbols<'t>,
     pub(super) tokens: Symbols<'t>,
     pub(super) bitext: Bitext<'t>,
+    pub(super) layer: Layer<'t>,
     pub(super) tables: Tables<'t>,
     training: &'t mut Training,
     learned_words: &'t mut usize,
@@ -307,6 +343,8 @@ impl<'t> LanguageMut<'t> {
             words: self.words.read(),
             tokens: self.tokens.read(),
             bitext: self.bitext.read(),
+            #[cfg(feature = "layer")]
+            layer: self.layer.read(),
             tables: self.tables.read(),
             training: *self.training,
             learned_words: *self.learned_words,
@@ -379,12 +417,58 @@ impl<'t> LanguageMut<'t> {
         result
     }
 
+    /// Tells the [layer](super::layer) which tasks the last session could have meant, with the prior of each: all of them, each description
+    /// once. Without this the layer learns nothing from the session. Nothing where the layer is not wanted, or has no memory at all.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where the layer's tables are full; it then learns nothing from the session.
+    #[cfg(feature = "layer")]
+    pub fn add_possible<'a>(&mut self, tasks: impl Iterator<Item = (&'a [Symbol], f32)>) -> Result<(), CapacityError> {
+        let is_on = self.settings.layer && self.model() == Model::Roles;
+        let Some(layer) = self.layer.room.as_mut().filter(|_| is_on) else { return Ok(()) };
+        while layer.possible.sessions() < self.bitext.sessions() {
+            layer.possible.add_session(&[])?;
+        }
+        let extent = layer.possible.extent();
+        for (description, prior) in tasks {
+            if let Err(error) = layer.possible.add_pair(description, if is_weight(prior) { prior } else { 0.0 }) {
+                layer.possible.rewind(extent);
+                return Err(error);
+            }
+        }
+        Ok(())
+    }
+
+    /// Forgets the tasks of all sessions: the layer's state is in memory that another model may have had before.
+    #[cfg(feature = "layer")]
+    pub(crate) fn forget_tasks(&mut self) {
+        if let Some(layer) = &mut self.layer.room {
+            layer.clear();
+        }
+    }
+
+    /// Forgets a session and its pairs. Those after it move up by one.
+    pub(super) fn remove_session(&mut self, session: u16) {
+        self.bitext.remove_session(session);
+        #[cfg(feature = "layer")]
+        if let Some(layer) = &mut self.layer.room {
+            layer.possible.remove_session(session);
+        }
+    }
+
+    #[cfg(all(feature = "layer", feature = "snapshot"))]
+    pub(crate) fn possible_mut(&mut self) -> Option<&mut Bitext<'t>> {
+        self.layer.room.as_mut().map(|room| &mut room.possible)
+    }
+
     /// Forgets everything, and takes other settings.
     pub(crate) fn clear(&mut self, settings: Settings) {
         *self.settings = settings;
         self.words.truncate(0);
         self.tokens.truncate(0);
         self.bitext.rewind(Extent::default());
+        #[cfg(feature = "layer")]
+        self.forget_tasks();
         (*self.learned_words, *self.learned_tokens) = (0, 0);
         self.tables.trained.wanted = Wanted::NONE;
     }
@@ -532,12 +616,13 @@ impl<'t> LanguageMut<'t> {
 
     /// Begins training on all the data, from uniform parameters.
     pub fn begin_training(&mut self) {
-        *self.training = Training::begin(&mut self.tables, self.bitext.read(), *self.learned_words, *self.learned_tokens, self.settings);
+        let (words, tokens) = (*self.learned_words, *self.learned_tokens);
+        *self.training = Training::begin(&mut self.tables, self.bitext.read(), &mut self.layer, words, tokens, self.settings);
     }
 
     /// Goes on with the training, with at most about `budget` table cells of work.
     pub fn train(&mut self, budget: u32) -> Progress {
-        self.training.advance(&mut self.tables, self.bitext.read(), self.settings, budget)
+        self.training.advance(&mut self.tables, self.bitext.read(), &mut self.layer, self.settings, budget)
     }
 }
 
@@ -555,7 +640,14 @@ impl<M: AgentMemory> LanguageModel<M> {
     /// A [`SettingError`] where a setting is out of range.
     pub fn new(memory: M, settings: Settings) -> Result<Self, SettingError> {
         settings.check()?;
-        Ok(Self { memory, state: LanguageState::new(settings) })
+        let model = Self { memory, state: LanguageState::new(settings) };
+        #[cfg(feature = "layer")]
+        let model = {
+            let mut model = model;
+            model.lend().forget_tasks();
+            model
+        };
+        Ok(model)
     }
 
     /// The model for one call that changes it.
@@ -611,6 +703,15 @@ impl<M: AgentMemory> LanguageModel<M> {
     /// As [`LanguageRef::likelihood`].
     pub fn likelihood(&self, sentence: &[Option<Symbol>], command: &[Symbol]) -> Scaled {
         self.read().likelihood(sentence, command)
+    }
+
+    /// As [`LanguageMut::add_possible`].
+    ///
+    /// # Errors
+    /// A [`CapacityError`]; the layer then learns nothing from the session.
+    #[cfg(feature = "layer")]
+    pub fn add_possible<'a>(&mut self, tasks: impl Iterator<Item = (&'a [Symbol], f32)>) -> Result<(), CapacityError> {
+        self.lend().add_possible(tasks)
     }
 
     /// As [`LanguageMut::add_session`].

@@ -50,6 +50,9 @@ pub struct Settings {
     pub word_letters: u8,
     /// Where a constraint's facts stand in a machine command.
     pub order: TokenOrder,
+    /// Whether the [`layer`](super::layer) is trained above the role model, in memory [that has room for it](crate::memory::AgentHeap::with_layer).
+    #[cfg(feature = "layer")]
+    pub layer: bool,
 }
 
 impl Settings {
@@ -62,6 +65,8 @@ impl Settings {
         length: false,
         word_letters: 0,
         order: TokenOrder::Attributes,
+        #[cfg(feature = "layer")]
+        layer: false,
     };
 
     /// Model 2 for short commands in few words: alignments drawn towards uniform by 4 pseudo-counts, 8 rounds, smoothing 0.01, four letters
@@ -74,10 +79,16 @@ impl Settings {
         length: false,
         word_letters: 4,
         order: TokenOrder::Propositions,
+        #[cfg(feature = "layer")]
+        layer: false,
     };
 
     /// What understands people best: the role model, 8 to 12 rounds, words that begin with the same four letters are one.
     pub const DEFAULT: Self = Self { model: Model::Roles, ..Self::SMOOTHED };
+
+    /// The default, with the [`layer`](super::layer) above it.
+    #[cfg(feature = "layer")]
+    pub const LAYERED: Self = Self { layer: true, ..Self::DEFAULT };
 }
 
 impl Default for Settings {

@@ -2,7 +2,12 @@
 //! [`roles::training`](super::roles::training).
 
 use super::bitext::BitextRef;
+#[cfg(feature = "layer")]
+use super::bitext::FOLDS;
 use super::ibm2;
+#[cfg(feature = "layer")]
+use super::layer;
+use super::layer::Layer;
 use super::roles::training::Work;
 use super::roles::{self, Layout};
 use super::settings::{Model, Settings};
@@ -18,6 +23,11 @@ enum Phase {
     Start,
     Model2(ibm2::training::Part),
     Roles(roles::training::Part),
+    /// A model that has not seen some sessions is asked for them, from this one on.
+    #[cfg(feature = "layer")]
+    Understand(u16),
+    #[cfg(feature = "layer")]
+    Layer(layer::training::Part),
 }
 
 impl Phase {
@@ -38,9 +48,20 @@ impl Training {
     pub(super) const DONE: Self = Self { phase: Phase::Done, round: 0 };
 
     /// Begins, for so many words and tokens. The caller has made sure that the tables have room. Without words there is nothing to train.
-    pub(super) fn begin(tables: &mut Tables<'_>, bitext: BitextRef<'_>, words: usize, tokens: usize, settings: &Settings) -> Self {
+    pub(super) fn begin(
+        tables: &mut Tables<'_>,
+        bitext: BitextRef<'_>,
+        layer: &mut Layer<'_>,
+        words: usize,
+        tokens: usize,
+        settings: &Settings,
+    ) -> Self {
         (tables.trained.words, tables.trained.tokens) = (words, tokens);
         let is_nothing = words == 0 || (settings.rounds == 0 && settings.model.in_use() == Model::Model2);
+        #[cfg(feature = "layer")]
+        layer.begin(settings, bitext.sessions());
+        #[cfg(not(feature = "layer"))]
+        let _ = layer;
         Self { phase: if is_nothing { start(tables, bitext, settings) } else { Phase::Start }, round: 0 }
     }
 
@@ -56,8 +77,16 @@ impl Training {
 
     /// Goes on, with at most about `budget` table cells of work: at least one pair, row or alignment table, or of the role model one memory of
     /// a word. The first call also sizes the tables, regardless of the budget.
-    pub(super) fn advance(&mut self, tables: &mut Tables<'_>, bitext: BitextRef<'_>, settings: &Settings, budget: u32) -> Progress {
+    pub(super) fn advance(
+        &mut self,
+        tables: &mut Tables<'_>,
+        bitext: BitextRef<'_>,
+        layer: &mut Layer<'_>,
+        settings: &Settings,
+        budget: u32,
+    ) -> Progress {
         let mut left = budget.max(1) as usize;
+        let bitext = bitext.without(layer.left_out());
         if self.phase == Phase::Start {
             self.phase = start(tables, bitext, settings);
             left = left.saturating_sub(tables.trained.words.saturating_mul(tables.trained.tokens));
@@ -74,7 +103,28 @@ impl Training {
                     let (t, a) = tables.parts();
                     let mut work = Work { layout: &layout, tokens, bitext, t, a };
                     let (cells, next) = work.advance(part, &mut self.round, settings.rounds, left);
-                    (cells, if next == roles::training::Part::Done { Phase::Done } else { Phase::Roles(next) })
+                    (cells, if next == roles::training::Part::Done { after_roles(layer, bitext, settings) } else { Phase::Roles(next) })
+                }
+                #[cfg(feature = "layer")]
+                Phase::Understand(session) if usize::from(session) < bitext.sessions() => {
+                    let next = session.saturating_add(FOLDS as u16);
+                    let room = layer.room.as_mut();
+                    (room.map_or(1, |room| room.understand(tables.read(), bitext, session)), Phase::Understand(next))
+                }
+                #[cfg(feature = "layer")]
+                Phase::Understand(_) => {
+                    // The next model is trained on others.
+                    if let Some(room) = &mut layer.room {
+                        *room.left_out = room.left_out.next();
+                    }
+                    *self = Self { phase: Phase::Start, round: 0 };
+                    return Progress::Working;
+                }
+                #[cfg(feature = "layer")]
+                Phase::Layer(part) => {
+                    let room = layer.room.as_mut();
+                    let (cells, next) = room.map_or((1, layer::training::Part::Done), |room| room.advance(tables.read(), bitext, part));
+                    (cells, if next == layer::training::Part::Done { Phase::Done } else { Phase::Layer(next) })
                 }
             };
             self.phase = next;
@@ -82,6 +132,23 @@ impl Training {
         }
         if self.is_done() { Progress::Done } else { Progress::Working }
     }
+}
+
+/// What follows a trained role model.
+#[cfg(feature = "layer")]
+fn after_roles(layer: &Layer<'_>, bitext: BitextRef<'_>, settings: &Settings) -> Phase {
+    match layer.left_out().first() {
+        Some(first) => Phase::Understand(first),
+        None if layer.room.as_ref().is_some_and(|room| room.is_wanted(settings, bitext.sessions())) => {
+            Phase::Layer(layer::training::Part::Clear)
+        }
+        None => Phase::Done,
+    }
+}
+
+#[cfg(not(feature = "layer"))]
+const fn after_roles(_layer: &Layer<'_>, _bitext: BitextRef<'_>, _settings: &Settings) -> Phase {
+    Phase::Done
 }
 
 /// Gives the tables their new sizes.

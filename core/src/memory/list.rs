@@ -118,6 +118,7 @@ macro_rules! agent_tables {
                     alignments: it.alignments.$slice(),
                     length_pairs: it.length_pairs.$slice(),
                 },
+                layer: ::core::default::Default::default(),
             },
             session: $crate::session::$Session {
                 tasks: it.grounded.$slice(),

@@ -117,13 +117,13 @@ impl HomeMemory for HomeTables<'_> {
 macro_rules! tables {
     ($(#[$meta:meta])* $Tables:ident, $(#[$ref_meta:meta])* $TablesRef:ident { $($(#[$doc:meta])* $table:ident: $Element:ty,)* }) => {
         $(#[$meta])*
-        #[derive(Debug)]
+        #[derive(Debug, Default)]
         pub struct $Tables<'t> {
             $($(#[$doc])* pub $table: &'t mut [$Element],)*
         }
 
         $(#[$ref_meta])*
-        #[derive(Clone, Copy, Debug)]
+        #[derive(Clone, Copy, Debug, Default)]
         pub struct $TablesRef<'t> {
             $($(#[$doc])* pub $table: &'t [$Element],)*
         }

@@ -195,6 +195,8 @@ impl<M: AgentMemory> Agent<M> {
         self.end_session();
         self.lifted = Vec::from_slice(lifted).map_err(|_| too_many)?;
         (self.options, self.language) = (options, LanguageState::new(options.language));
+        #[cfg(feature = "layer")]
+        self.language_mut().forget_tasks();
         Ok(())
     }
 
@@ -515,8 +517,8 @@ impl<M: AgentMemory> Agent<M> {
         let plan = self.planner.plan(session.plan.optimal, session.plan.distances);
         let mut belief = Belief::new(session.belief, &mut self.belief);
         belief.settle();
-        // The trainer could have ended the session in this state, and did not.
-        if self.done.is_something() && self.options.ending.is_evidence() {
+        // A trainer who judges could have ended the session in this state, and did not.
+        if self.done.is_judged() && self.options.ending.is_evidence() {
             let _ = observe_end(&mut belief, &self.options.ending, plan, self.done.moment(), false);
         }
         let at_goal = if action == Action::NOOP { TaskSet::EMPTY } else { plan.at_goal() };

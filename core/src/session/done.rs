@@ -40,8 +40,8 @@ pub(super) struct LastDone {
     any: bool,
     /// What was done and said before the last action's own word.
     moment: Moment,
-    /// The last action's word.
-    word: Feedback,
+    /// The last action's word, silence too; `None` while nobody has judged it.
+    word: Option<Feedback>,
 }
 
 impl LastDone {
@@ -51,12 +51,17 @@ impl LastDone {
         rests: [false; LAGS],
         any: false,
         moment: Moment { rests: 0, said: Feedback::Neutral },
-        word: Feedback::Neutral,
+        word: None,
     };
 
     /// Whether there is an action that can be judged.
     pub(super) const fn is_something(self) -> bool {
         self.any
+    }
+
+    /// Whether the last action was judged, if only by silence.
+    pub(super) const fn is_judged(self) -> bool {
+        self.word.is_some()
     }
 
     /// An action was done in the state that was planned for. The tasks in `inside` were done before it, and still are.
@@ -71,18 +76,18 @@ impl LastDone {
             rests: [rest, rested, earlier],
             any: true,
             moment,
-            word: Feedback::Neutral,
+            word: None,
         };
     }
 
     /// This was said to the last action; of several words the last counts.
     pub(super) const fn hear(&mut self, word: Feedback) {
-        self.word = word;
+        self.word = Some(word);
     }
 
     /// What was done and said last.
     pub(super) fn moment(&self) -> Moment {
-        let said = if self.word == Feedback::Neutral { self.moment.said } else { self.word };
+        let said = self.word.filter(|&word| word != Feedback::Neutral).unwrap_or(self.moment.said);
         Moment { said, ..self.moment }
     }
 

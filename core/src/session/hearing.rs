@@ -178,6 +178,8 @@ impl<M: AgentMemory> Agent<M> {
             }
             if position.task >= self.task_count {
                 self.weigh_kinds(domain);
+                #[cfg(feature = "layer")]
+                self.weigh_parts(domain);
                 // A command that nothing explains says nothing.
                 if any == Prior::Zero {
                     for position in 0..self.task_count {

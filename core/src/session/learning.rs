@@ -163,6 +163,8 @@ impl<M: AgentMemory> Agent<M> {
         let AgentTables { language, session, workspace } = self.memory.lend();
         let candidates = CandidatesRef::new(session.read().candidates, self.candidates);
         self.language.with(language, workspace).add_session(&self.sentence, shares(candidates, self.options.least_weight))?;
+        #[cfg(feature = "layer")]
+        self.add_possible(domain);
         self.set_ended();
         self.forget_plan();
         self.take_usage();
@@ -225,6 +227,8 @@ impl<M: AgentMemory> Agent<M> {
                 }
                 Progressed::Keeping => {
                     if self.keep()? == Progress::Done {
+                        #[cfg(feature = "layer")]
+                        self.add_possible(domain);
                         self.progressed = Progressed::Tidying;
                     }
                     left = left.saturating_sub(self.kept_cells());

@@ -3,7 +3,7 @@
 use super::error::{Part, RestoreError};
 use super::record::{
     CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OLDEST_VERSION, OPTIONS_BYTES, OptionsRecord, PairRecord, RestsRecord,
-    SessionRecord, Sizes, StrategyRecord, TrainerRecord, VERSION,
+    SessionRecord, Sizes, StrategyRecord, TrainerRecord,
 };
 use crate::capacity::{Capacities, NAME_BYTES, TOKENS_PER_COMMAND};
 use crate::checksum::CHECK;
@@ -158,6 +158,15 @@ pub struct Contents<'a> {
     pub trainers: Section<'a, TrainerRecord>,
     /// What each strategy says to rests. Files of before this was kept have none: it is what is said to moves.
     pub rests: Section<'a, RestsRecord>,
+    /// The descriptions of all tasks of the sessions, for the [layer](crate::language::layer).
+    #[cfg(feature = "layer")]
+    pub possible_commands: Section<'a, CommandRecord>,
+    /// How many tasks each session has, of the first sessions.
+    #[cfg(feature = "layer")]
+    pub possible_counts: Section<'a, u32>,
+    /// The tasks of all sessions, session by session, with the prior of each.
+    #[cfg(feature = "layer")]
+    pub possible: Section<'a, PairRecord>,
 }
 
 impl<'a> Contents<'a> {
@@ -211,10 +220,52 @@ impl<'a> Contents<'a> {
         }
         let sound = |&rests: &RestsRecord| Strategy::UNUSED.with_rests(rests).is_ok();
         let rests = if rest.is_empty() { Section::NONE } else { section(rest, Part::Rests, sound)? };
+        #[cfg(feature = "layer")]
+        let (possible_commands, possible_counts, possible) = {
+            let none = rest.is_empty();
+            let sound = |command: &CommandRecord| {
+                command.iter().all(|&token| usize::from(token) < token_count || (by_roles && is_marker(Symbol(token))))
+            };
+            let commands = if none { Section::NONE } else { section(rest, Part::Possible, sound)? };
+            let mut wanted = 0_u64;
+            let counts = if none {
+                Section::NONE
+            } else {
+                section(rest, Part::Possible, |&count: &u32| {
+                    wanted = wanted.saturating_add(u64::from(count));
+                    true
+                })?
+            };
+            let sound = |pair: &PairRecord| usize::from(pair.command) < commands.len() && is_weight(pair.weight);
+            let pairs = if none { Section::NONE } else { section(rest, Part::Possible, sound)? };
+            if pairs.len() as u64 != wanted || counts.len() > session_count {
+                return Err(RestoreError::Inconsistent(Part::Possible));
+            }
+            (commands, counts, pairs)
+        };
         if !rest.is_empty() || !(rests.is_empty() || rests.len() == strategies.len()) {
             return Err(RestoreError::Inconsistent(Part::Rests));
         }
-        Ok(Self { vocabulary, sizes, options, strategies, words, tokens, commands, sessions, pairs, heard_again, trainers, rests })
+        Ok(Self {
+            vocabulary,
+            sizes,
+            options,
+            strategies,
+            words,
+            tokens,
+            commands,
+            sessions,
+            pairs,
+            heard_again,
+            trainers,
+            rests,
+            #[cfg(feature = "layer")]
+            possible_commands,
+            #[cfg(feature = "layer")]
+            possible_counts,
+            #[cfg(feature = "layer")]
+            possible,
+        })
     }
 }
 
@@ -293,12 +344,17 @@ pub(super) fn symbols(record: &CommandRecord) -> heapless::Vec<Symbol, TOKENS_PE
     symbols
 }
 
+#[cfg(feature = "layer")]
+const NEWEST_VERSION: u16 = super::record::LAYERED_VERSION;
+#[cfg(not(feature = "layer"))]
+const NEWEST_VERSION: u16 = super::record::VERSION;
+
 /// What is between the header and the check, where both are right.
 fn payload(bytes: &[u8]) -> Result<&[u8], RestoreError> {
     let mut rest = bytes.strip_prefix(&MAGIC).ok_or(RestoreError::NotAModel)?;
     let truncated = RestoreError::Length { stated: LEAST_BYTES as u32, given: bytes.len() };
     let found = u16::from_le_bytes(*split_array(&mut rest).ok_or(truncated)?);
-    if !(OLDEST_VERSION..=VERSION).contains(&found) {
+    if !(OLDEST_VERSION..=NEWEST_VERSION).contains(&found) {
         return Err(RestoreError::Version { found });
     }
     let stated = u32::from_le_bytes(*split_array(&mut rest).ok_or(truncated)?);

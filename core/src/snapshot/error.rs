@@ -88,6 +88,9 @@ pub enum Part {
     Pairs,
     /// Which commands were heard more than once.
     HeardAgain,
+    /// The tasks that sessions could have meant.
+    #[cfg(feature = "layer")]
+    Possible,
     /// How late the trainer strategies' words come, and how probable the strategies were before the trainer was met.
     Trainers,
     /// What each trainer strategy says to rests.
@@ -107,6 +110,8 @@ impl Part {
             Self::Sessions => "sessions",
             Self::Pairs => "pairs",
             Self::HeardAgain => "marks of commands heard again",
+            #[cfg(feature = "layer")]
+            Self::Possible => "possible tasks",
             Self::Trainers => "trainers' lags",
             Self::Rests => "what trainers say to rests",
         }

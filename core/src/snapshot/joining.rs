@@ -51,9 +51,15 @@ impl LanguageMut<'_> {
     pub(super) fn join_contents(&mut self, contents: &Contents<'_>) -> Result<usize, CapacityError> {
         self.forget_unlearned();
         let (words, tokens, extent) = (self.words_mut().len(), self.tokens_mut().len(), self.bitext_mut().extent());
+        #[cfg(feature = "layer")]
+        let tasks = self.possible_mut().map(|possible| possible.extent());
         let added = self.add_contents(contents).and_then(|added| self.data_replaced().map(|()| added));
         if added.is_err() {
             self.bitext_mut().rewind(extent);
+            #[cfg(feature = "layer")]
+            if let (Some(possible), Some(extent)) = (self.possible_mut(), tasks) {
+                possible.rewind(extent);
+            }
             self.words_mut().truncate(words);
             self.tokens_mut().truncate(tokens);
             // This is what it was before, so it fits.
@@ -67,14 +73,21 @@ impl LanguageMut<'_> {
         let texts = Texts { words: contents.words.index(), tokens: contents.tokens.index(), commands: contents.commands.index() };
         let own = self.read().bitext().sessions() as u16;
         let (mut pairs, mut heard_again, mut added) = (contents.pairs.iter(), contents.heard_again.iter(), 0_usize);
+        #[cfg(feature = "layer")]
+        let (mut possible, mut counts, commands) =
+            (contents.possible.iter(), contents.possible_counts.iter(), contents.possible_commands.index());
         for (position, session) in contents.sessions.iter().enumerate() {
             let count = session.pairs as usize;
+            #[cfg(feature = "layer")]
+            let tasks = counts.next().unwrap_or(0) as usize;
             let mut same = (0..own).filter(|&own| self.has_session(own, &session, pairs.clone().take(count), &texts)).peekable();
             let known = same.peek().is_some().then(|| times_before(contents, position)).and_then(|times| same.nth(times));
             let at = match known {
                 Some(known) => known,
                 None => {
                     self.add_record(&session, pairs.clone().take(count), &texts)?;
+                    #[cfg(feature = "layer")]
+                    self.add_possible_record(possible.clone().take(tasks), &commands, &texts)?;
                     added = added.saturating_add(1);
                     self.read().bitext().sessions().saturating_sub(1) as u16
                 }
@@ -83,6 +96,8 @@ impl LanguageMut<'_> {
                 self.bitext_mut().set_heard_again(at);
             }
             let _ = pairs.by_ref().take(count).count();
+            #[cfg(feature = "layer")]
+            let _ = possible.by_ref().take(tasks).count();
         }
         Ok(added)
     }
@@ -117,15 +132,37 @@ impl LanguageMut<'_> {
         }
         self.bitext_mut().add_session(&sentence)?;
         for pair in pairs {
-            let mut command: Vec<Symbol, TOKENS_PER_COMMAND> = Vec::new();
-            for &token in &texts.commands.get(usize::from(pair.command)).unwrap_or_default() {
-                let symbol = match marker(token) {
-                    Some(marker) => marker,
-                    None => self.tokens_mut().intern(texts.tokens.get(usize::from(token)).unwrap_or(""))?,
-                };
-                let _ = command.push(symbol);
-            }
+            let command = self.symbols_here(&texts.commands.get(usize::from(pair.command)).unwrap_or_default(), texts)?;
             self.bitext_mut().add_pair(&command, pair.weight)?;
+        }
+        Ok(())
+    }
+
+    /// The machine command of a file in the symbols of here.
+    fn symbols_here(&mut self, record: &CommandRecord, texts: &Texts<'_>) -> Result<Vec<Symbol, TOKENS_PER_COMMAND>, CapacityError> {
+        let mut command = Vec::new();
+        for &token in record {
+            let symbol = match marker(token) {
+                Some(marker) => marker,
+                None => self.tokens_mut().intern(texts.tokens.get(usize::from(token)).unwrap_or(""))?,
+            };
+            let _ = command.push(symbol);
+        }
+        Ok(command)
+    }
+
+    /// The tasks of the session of a file that was added last.
+    #[cfg(feature = "layer")]
+    fn add_possible_record(
+        &mut self,
+        pairs: impl Iterator<Item = PairRecord>,
+        commands: &Index<'_, CommandRecord>,
+        texts: &Texts<'_>,
+    ) -> Result<(), CapacityError> {
+        self.add_possible(core::iter::empty())?;
+        for pair in pairs {
+            let command = self.symbols_here(&commands.get(usize::from(pair.command)).unwrap_or_default(), texts)?;
+            self.add_possible(core::iter::once((command.as_slice(), pair.weight)))?;
         }
         Ok(())
     }

@@ -9,7 +9,8 @@ use crate::language::{LanguageModel, LanguageMut, LanguageRef};
 use crate::memory::AgentMemory;
 use crate::session::Options;
 use crate::symbols::Symbol;
-use heapless::Vec;
+#[cfg(feature = "alloc")]
+use alloc::{vec, vec::Vec};
 
 impl<M: AgentMemory> LanguageModel<M> {
     /// Saves the training data and the settings to the front of the buffer, as a model file of no domain. Returns its length.
@@ -18,6 +19,18 @@ impl<M: AgentMemory> LanguageModel<M> {
     /// [`SaveError`]; the buffer may then hold anything.
     pub fn save(&self, buffer: &mut [u8]) -> Result<usize, SaveError> {
         self.read().save(buffer)
+    }
+
+    /// A model file on the heap, with what [`save`](Self::save) writes.
+    ///
+    /// # Errors
+    /// [`SaveError`], as for [`save`](Self::save).
+    #[cfg(feature = "alloc")]
+    pub fn saved(&self) -> Result<Vec<u8>, SaveError> {
+        let mut file = vec![0; self.read().writing().bytes()?];
+        let length = self.save(&mut file)?;
+        file.truncate(length);
+        Ok(file)
     }
 
     /// Takes the training data and the settings of a model file, in place of its own, and begins training: call
@@ -43,14 +56,18 @@ impl<M: AgentMemory> LanguageModel<M> {
     }
 }
 
-impl LanguageRef<'_> {
+impl<'t> LanguageRef<'t> {
     /// Saves the training data and the settings, as [`LanguageModel::save`] does.
     ///
     /// # Errors
     /// [`SaveError`]; the buffer may then hold anything.
     pub fn save(self, buffer: &mut [u8]) -> Result<usize, SaveError> {
+        self.writing().write(buffer)
+    }
+
+    fn writing(self) -> Writing<'t> {
         let options = Options { language: *self.settings(), ..Options::PAPER };
-        Writing { vocabulary: 0, options, language: self, strategies: None, sizes: self.sizes(0) }.write(buffer)
+        Writing { vocabulary: 0, options, language: self, strategies: None, sizes: self.sizes(0) }
     }
 
     /// How large the tables are that a model file tells of.
@@ -58,9 +75,28 @@ impl LanguageRef<'_> {
         Sizes::new(&Capacities { strategies, ..self.rooms() })
     }
 
+    /// Whether the tasks of a model's sessions fit here, where there is any room for such.
+    #[cfg(feature = "layer")]
+    fn check_room_for_possible(self, contents: &Contents<'_>) -> Result<(), RestoreError> {
+        let mut rooms = Capacities::NONE;
+        let Some(possible) = self.possible() else { return Ok(()) };
+        possible.room(&mut rooms);
+        let commands = contents.possible_commands;
+        let needs = Capacities {
+            commands: commands.len(),
+            command_tokens: commands.iter().map(|command| command.len()).sum(),
+            sessions: contents.possible_counts.len(),
+            pairs: contents.possible.len(),
+            ..Capacities::NONE
+        };
+        Ok(needs.fits_in(&rooms)?)
+    }
+
     /// Whether a model's training data fit here, and whether no word or token stands twice.
     pub(super) fn check_room(self, contents: &Contents<'_>) -> Result<(), RestoreError> {
         Capacities { strategies: 0, ..contents.needs() }.fits_in(&self.rooms())?;
+        #[cfg(feature = "layer")]
+        self.check_room_for_possible(contents)?;
         let distinct = |texts: super::contents::Section<'_, &str>| {
             texts.iter().enumerate().all(|(position, text)| texts.iter().take(position).all(|other| other != text))
         };
@@ -75,6 +111,22 @@ impl LanguageRef<'_> {
 }
 
 impl LanguageMut<'_> {
+    /// Takes over the tasks of all sessions, where there is room for them: memory without any is that of a layer that is silent.
+    #[cfg(feature = "layer")]
+    fn take_over_possible(&mut self, contents: &Contents<'_>) {
+        let Some(possible) = self.possible_mut() else { return };
+        for record in contents.possible_commands.iter() {
+            let _ = possible.add_command(&symbols(&record));
+        }
+        let mut pairs = contents.possible.iter();
+        for count in contents.possible_counts.iter() {
+            let _ = possible.add_session(&[]);
+            for pair in pairs.by_ref().take(count as usize) {
+                let _ = possible.add_pair_with(pair.command, pair.weight);
+            }
+        }
+    }
+
     /// Takes the training data over, which were found to fit, and begins training.
     pub(super) fn take_over(&mut self, contents: &Contents<'_>) {
         self.clear(contents.options.language);
@@ -90,7 +142,7 @@ impl LanguageMut<'_> {
         }
         let mut pairs = contents.pairs.iter();
         for session in contents.sessions.iter() {
-            let mut words: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
+            let mut words: heapless::Vec<Symbol, WORDS_PER_COMMAND> = heapless::Vec::new();
             for &word in session.words.iter() {
                 let _ = words.push(Symbol(word));
             }
@@ -102,6 +154,8 @@ impl LanguageMut<'_> {
         for (session, _) in contents.heard_again.iter().enumerate().filter(|&(_, again)| again) {
             self.bitext_mut().set_heard_again(session as u16);
         }
+        #[cfg(feature = "layer")]
+        self.take_over_possible(contents);
         let _ = self.data_replaced();
         self.begin_training();
     }

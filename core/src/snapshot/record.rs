@@ -16,6 +16,9 @@ use serde::{Deserialize, Serialize};
 pub const MAGIC: [u8; 8] = *b"goodbot\0";
 /// The format that this version writes.
 pub const VERSION: u16 = 2;
+/// The format of a model with the [layer](crate::language::layer), which programs without it refuse.
+#[cfg(feature = "layer")]
+pub const LAYERED_VERSION: u16 = 3;
 /// The oldest format that this version reads.
 pub const OLDEST_VERSION: u16 = 1;
 /// Bytes of the header: the magic, the version (u16) and the length of the whole file (u32).
@@ -84,11 +87,13 @@ pub(crate) struct OptionsRecord {
     pub at_goal: [f32; 4],
     /// The same elsewhere.
     pub elsewhere: [f32; 4],
+    #[cfg(feature = "layer")]
+    pub layer: bool,
 }
 
 impl OptionsRecord {
     pub(crate) fn new(options: &Options) -> Self {
-        let Settings { model, smoothing, alignment_prior, rounds, length, word_letters, order } = options.language;
+        let Settings { model, smoothing, alignment_prior, rounds, length, word_letters, order, .. } = options.language;
         let (by_roles, evidence_weights) = (model == Model::Roles, options.weights == Weights::Evidence);
         let by_proposition = order == TokenOrder::Propositions;
         let belief_weights = options.weights == Weights::Belief;
@@ -110,6 +115,8 @@ impl OptionsRecord {
             telling,
             at_goal: numbers(at_goal),
             elsewhere: numbers(elsewhere),
+            #[cfg(feature = "layer")]
+            layer: options.language.layer,
         }
     }
 
@@ -122,7 +129,17 @@ impl OptionsRecord {
             (false, true) => Weights::Belief,
             (false, false) => Weights::Paper,
         };
-        let language = Settings { model, smoothing, alignment_prior, rounds, length, word_letters, order };
+        let language = Settings {
+            model,
+            smoothing,
+            alignment_prior,
+            rounds,
+            length,
+            word_letters,
+            order,
+            #[cfg(feature = "layer")]
+            layer: self.layer,
+        };
         let ending = Ending { at_goal: hazard(self.ends_at_goal, self.at_goal), elsewhere: hazard(self.ends_elsewhere, self.elsewhere) };
         Options { language, weights, least_weight, drift, ending, telling }
     }

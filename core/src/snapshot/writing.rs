@@ -1,11 +1,15 @@
 //! Writing a model, record by record, without memory of its own.
 
 use super::error::SaveError;
+#[cfg(feature = "layer")]
+use super::record::LAYERED_VERSION;
 use super::record::{
     CHECK_BYTES, HEADER_BYTES, LEAST_BYTES, MAGIC, OPTIONS_BYTES, OptionsRecord, PairRecord, Sizes, StrategyRecord, TrainerRecord, VERSION,
 };
 use crate::checksum::CHECK;
 use crate::feedback::BeliefRef;
+#[cfg(feature = "layer")]
+use crate::language::BitextRef;
 use crate::language::LanguageRef;
 use crate::language::settings::is_weight;
 use crate::session::Options;
@@ -55,6 +59,12 @@ impl Serialize for Writing<'_> {
         let (language, bitext) = (self.language, self.language.bitext());
         let mut bytes = [0; OPTIONS_BYTES];
         let options = postcard::to_slice(&OptionsRecord::new(&self.options), &mut bytes).map_err(serde::ser::Error::custom)?;
+        // A model without the layer has the bytes that it had before there was one: its last option is the layer.
+        #[cfg(feature = "layer")]
+        let options = match options.split_last() {
+            Some((_, rest)) if !self.options.language.layer => rest,
+            _ => options,
+        };
         let mut payload = serializer.serialize_struct("Payload", 12)?;
         payload.serialize_field("vocabulary", &self.vocabulary)?;
         payload.serialize_field("sizes", &self.sizes)?;
@@ -91,6 +101,16 @@ impl Serialize for Writing<'_> {
         payload.serialize_field("trainers", &Sequence(trainers))?;
         let rests = || self.strategies.map_or(&[][..], BeliefRef::strategies).iter().map(|(strategy, _)| strategy.rests());
         payload.serialize_field("rests", &Sequence(rests))?;
+        #[cfg(feature = "layer")]
+        if self.options.language.layer {
+            let possible = language.possible().unwrap_or(BitextRef::NONE);
+            let commands = || (0..possible.commands()).map(|command| positions(possible.command(command as u16)));
+            payload.serialize_field("possible_commands", &Sequence(commands))?;
+            let counts = || (0..possible.sessions()).map(|session| possible.pairs_of(session as u16).len() as u32);
+            payload.serialize_field("possible_counts", &Sequence(counts))?;
+            let pairs = || possible.pairs().iter().map(|pair| PairRecord { command: pair.command, weight: pair.weight });
+            payload.serialize_field("possible", &Sequence(pairs))?;
+        }
         payload.end()
     }
 }
@@ -111,6 +131,17 @@ impl Writing<'_> {
         Ok(payload.saturating_add(LEAST_BYTES))
     }
 
+    #[cfg(feature = "layer")]
+    const fn version(&self) -> u16 {
+        if self.options.language.layer { LAYERED_VERSION } else { VERSION }
+    }
+
+    #[cfg(not(feature = "layer"))]
+    #[expect(clippy::unused_self, reason = "as with the feature")]
+    const fn version(&self) -> u16 {
+        VERSION
+    }
+
     /// Whether everything can be restored again.
     fn check(&self) -> Result<(), SaveError> {
         let sound =
@@ -127,7 +158,7 @@ impl Writing<'_> {
         let (checked, check) = file.split_last_chunk_mut::<CHECK_BYTES>().ok_or(too_small)?;
         let (header, payload) = checked.split_first_chunk_mut::<HEADER_BYTES>().ok_or(too_small)?;
         postcard::to_slice(self, payload).map_err(|_| too_small)?;
-        let fields = MAGIC.into_iter().chain(VERSION.to_le_bytes()).chain(stated.to_le_bytes());
+        let fields = MAGIC.into_iter().chain(self.version().to_le_bytes()).chain(stated.to_le_bytes());
         for (slot, byte) in header.iter_mut().zip(fields) {
             *slot = byte;
         }

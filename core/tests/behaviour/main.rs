@@ -10,6 +10,8 @@ mod ends_of_sessions;
 #[cfg(feature = "alloc")]
 mod honest_evidence;
 mod hypotheses;
+#[cfg(feature = "layer")]
+mod layer;
 mod lending_memory;
 #[cfg(feature = "std")]
 mod on_a_host;

@@ -1,8 +1,8 @@
 //! The home of a question, drawn as text; in colour where that is wanted, which then stands beside the letters.
 
-use crate::messages::is_colored;
 use goodbot::home::Map;
 use goodbot::memory::HomeMemory;
+use goodbot_console::messages::is_colored;
 use std::io::{self, Write};
 
 /// Draws a home.

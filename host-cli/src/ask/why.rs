@@ -2,7 +2,6 @@
 //!
 //! All that is said of single words comes from [`words`]: another language model needs another function here and nothing else.
 
-use crate::lessons::{MachineCommand, evidence, training};
 use goodbot::language::for_each_word;
 use goodbot::language::{Meaning, Model};
 use goodbot::memory::AgentMemory;
@@ -10,6 +9,7 @@ use goodbot::oomdp::{Domain, Schema};
 use goodbot::symbols::Symbol;
 use goodbot::task::{Role, RoleKind};
 use goodbot::{Agent, AgentError};
+use goodbot_console::lessons::{MachineCommand, evidence, training};
 
 /// How a word was explained.
 #[derive(Clone, Debug)]

@@ -4,13 +4,13 @@
 
 mod doubts;
 
-use crate::load::content::Content;
-use crate::load::input;
-use crate::load::kinds::TaskKinds;
-use crate::messages::counted;
-use crate::outcome;
 use clap::Args;
 use goodbot::task::LiftedTask;
+use goodbot_console::load::content::Content;
+use goodbot_console::load::input;
+use goodbot_console::load::kinds::TaskKinds;
+use goodbot_console::messages::counted;
+use goodbot_console::outcome;
 use goodbot_formats::Problem;
 use goodbot_formats::environment::{self, EnvironmentFile};
 use goodbot_formats::map;

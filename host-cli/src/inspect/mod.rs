@@ -1,15 +1,15 @@
 //! `goodbot inspect`: which words a model knows, and what they mean to it.
 
-use crate::lessons::restored;
-use crate::messages::counted;
-use crate::outcome::Failure;
-use crate::output::{self, Output};
 use crate::paper::lexicon::Lexicon;
 use crate::paper::plot;
 use crate::teach::full_words::FullWords;
 use clap::{Args, ValueHint};
 use goodbot::home;
 use goodbot::language::Settings;
+use goodbot_console::lessons::restored;
+use goodbot_console::messages::counted;
+use goodbot_console::outcome::Failure;
+use goodbot_console::output::{self, Output};
 use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
@@ -38,7 +38,7 @@ pub struct InspectOptions {
 }
 
 fn most(text: &str) -> Result<usize, String> {
-    crate::numbers::between(text, 1, 1_000)
+    goodbot_console::numbers::between(text, 1, 1_000)
 }
 
 /// Runs the command.

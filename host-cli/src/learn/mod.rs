@@ -1,17 +1,15 @@
 //! `goodbot learn`: a model from recorded sessions.
 
-use crate::learner::Learner;
-use crate::lessons::{self, Told, training};
-use crate::load::kinds::TaskKinds;
-use crate::messages::counted;
-use crate::outcome::Failure;
-use crate::output::{self, Output};
-use crate::refusal;
-use crate::replay::believes::Believes;
 use clap::{Args, ValueHint};
-use goodbot::memory::AgentHeap;
-use goodbot::snapshot::most_bytes;
 use goodbot::{Agent, Capacities};
+use goodbot_console::believes::Believes;
+use goodbot_console::learner::{self, Learner};
+use goodbot_console::lessons::{self, Told, training};
+use goodbot_console::load::kinds::TaskKinds;
+use goodbot_console::messages::counted;
+use goodbot_console::outcome::Failure;
+use goodbot_console::output::{self, Output};
+use goodbot_console::refusal;
 use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
@@ -33,7 +31,7 @@ pub struct LearnOptions {
     out: PathBuf,
     #[command(flatten)]
     kinds: TaskKinds,
-    /// What learns: the default, or as in the paper
+    /// What learns
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
     learner: Learner,
     /// What is expected of trainers who judge the robot, in place of what the sessions say: population (the strategies of real people, and that
@@ -64,26 +62,26 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     }
     let fault = |error: &dyn std::fmt::Display| Failure::Input(error.to_string());
     let capacities = training::capacities(&lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD });
-    let mut memory = AgentHeap::new(&capacities);
-    let model = training::train(&mut memory, lessons.iter(), options.learner.options().language)
-        .map_err(|error| Failure::Input(refusal::in_words(&error)))?;
-    let mut buffer = vec![0; most_bytes(&capacities)];
-    let length = model.save(&mut buffer).map_err(|error| fault(&error))?;
+    let settings = options.learner.options().language;
+    let mut memory = learner::memory(&capacities, &settings);
+    let model = training::train(&mut memory, lessons.iter(), settings).map_err(|error| Failure::Input(refusal::in_words(&error)))?;
+    let words = model.saved().map_err(|error| fault(&error))?;
     // The robot's whole mind: the same training data, with its options, its trainer strategies and the vocabulary of its tasks.
-    let mut agent = Agent::new(AgentHeap::new(&capacities), &lifted, options.learner.options()).map_err(|error| fault(&error))?;
-    let _ = agent.join(buffer.get(..length).unwrap_or(&[])).map_err(|error| fault(&error))?;
-    let length = agent.save(&mut buffer).map_err(|error| fault(&error))?;
-    target.write(buffer.get(..length).unwrap_or(&[]))?;
+    let mut agent =
+        Agent::new(learner::memory(&capacities, &settings), &lifted, options.learner.options()).map_err(|error| fault(&error))?;
+    let _ = agent.join(&words).map_err(|error| fault(&error))?;
+    let file = agent.saved().map_err(|error| fault(&error))?;
+    target.write(&file)?;
     let (words, tokens, pairs) = (model.tables().words(), model.tables().tokens(), model.bitext().pairs().len());
     let mut out = output::text(&[Some(&target)])?;
     if options.json {
         let line = json!({
-            "type": "model", "sessions": learned, "skipped": skipped, "left_out_with_way": with_way, "words": words, "tokens": tokens, "pairs": pairs, "bytes": length,
+            "type": "model", "sessions": learned, "skipped": skipped, "left_out_with_way": with_way, "words": words, "tokens": tokens, "pairs": pairs, "bytes": file.len(),
         });
         writeln!(out, "{line}")?;
     } else {
         let [sessions, words, tokens] = [(learned, "session"), (words, "word"), (tokens, "machine token")].map(|(n, it)| counted(n, it));
-        writeln!(out, "{sessions}, {words}, {tokens}: {length} bytes in {}", target.name())?;
+        writeln!(out, "{sessions}, {words}, {tokens}: {} bytes in {}", file.len(), target.name())?;
     }
     Ok(out.flush()?)
 }

@@ -1,11 +1,11 @@
 //! One run for each seed, as many at a time as the machine has cores.
 
 use super::lexicon::Lexicon;
+use super::options::{Layouts, PaperOptions, WeightsChoice};
 use super::summary::REPORTED;
-use crate::cli::{Layouts, PaperOptions, WeightsChoice};
-use crate::messages::bar;
-use crate::outcome::Failure;
 use goodbot::{Agent, Capacities, HeapMemory, Options, home, session::Weights};
+use goodbot_console::messages::bar;
+use goodbot_console::outcome::Failure;
 use goodbot_course::{CourseError, Homes, Observer, Results, generator, run_course};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
@@ -39,8 +39,11 @@ fn attempt(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> R
     };
     let mut memory = HeapMemory::new(&CAPACITIES);
     let lifted = home::paper_tasks().map_err(|_| CourseError::NotPosed)?;
-    let mut agent = Agent::new(&mut memory.agent, &lifted, Options { weights, telling: false, ..options.learner.options() })
-        .map_err(CourseError::Agent)?;
+    let options_of_agent = Options { weights, telling: false, ..options.learner.options() };
+    if options_of_agent.language.layer {
+        memory.agent = memory.agent.with_layer();
+    }
+    let mut agent = Agent::new(&mut memory.agent, &lifted, options_of_agent).map_err(CourseError::Agent)?;
     let mut random = generator(seed);
     let homes = match options.homes() {
         Layouts::Fixed => Homes::FIXED,

@@ -1,5 +1,6 @@
 //! `goodbot paper`: the paper's experiment.
 //!
+//! - [`options`]: what can be typed;
 //! - [`experiment`]: the runs;
 //! - [`trainer`]: trainers as they are typed, and what the agent thinks of them;
 //! - [`sweep`]: a number taken through a range;
@@ -11,6 +12,7 @@
 
 mod experiment;
 pub mod lexicon;
+pub mod options;
 pub mod plot;
 mod story;
 mod summary;
@@ -18,11 +20,11 @@ pub mod sweep;
 mod table;
 pub mod trainer;
 
-use crate::cli::PaperOptions;
-use crate::messages::say;
-use crate::outcome::Failure;
-use crate::output::{self, Output};
+use goodbot_console::messages::say;
+use goodbot_console::outcome::Failure;
+use goodbot_console::output::{self, Output};
 use goodbot_course::{LESSONS, TESTS};
+use options::PaperOptions;
 use std::io::Write;
 use summary::{Summary, run_to_json};
 use sweep::Setting;

@@ -1,10 +1,10 @@
 //! Pictures as SVG: learned words for one run, shares of right answers for many.
 
 use super::lexicon::Lexicon;
+use super::options::PaperOptions;
 use super::summary::Summary;
-use crate::canvas::{BLUE, GREEN, INK, PALE, draw, write};
-use crate::cli::PaperOptions;
 use goodbot_course::{LESSONS, TESTS};
+use goodbot_lab::canvas::{BLUE, GREEN, INK, PALE, draw, write};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 use std::error::Error;

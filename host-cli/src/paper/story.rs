@@ -2,8 +2,7 @@
 
 use super::experiment::{Run, run_seed};
 use super::lexicon::Lexicon;
-use crate::cli::PaperOptions;
-use crate::outcome::Failure;
+use super::options::PaperOptions;
 use goodbot::Agent;
 use goodbot::feedback::Feedback;
 use goodbot::home::Map;
@@ -11,6 +10,7 @@ use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::action_name;
 use goodbot::planning::OptimalSet;
+use goodbot_console::outcome::Failure;
 use goodbot_course::{CourseTrainer, Ending, LESSONS, LessonReport, Observer, Scene, Step, TESTS, TestReport};
 use goodbot_lesson::name::in_words;
 use std::io::{self, Write};

@@ -1,11 +1,11 @@
 //! All runs together, and the JSON lines.
 
 use super::experiment::Run;
+use super::options::PaperOptions;
 use super::sweep::Setting;
-use crate::cli::PaperOptions;
-use crate::evaluate::report::wilson;
-use crate::mean::Mean;
 use goodbot_course::{CourseTrainer, FeedbackCounts, LESSONS, TESTS};
+use goodbot_lab::mean::Mean;
+use goodbot_lab::mean::wilson;
 use serde_json::{Map, Value, json};
 
 /// The translations that the paper reports, and one that tells go from take: the machine token of Model 2, the value of the role model, the

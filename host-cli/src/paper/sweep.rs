@@ -1,7 +1,7 @@
 //! A number of the trainer, or of what the agent thinks of it, taken through a range.
 
+use super::options::PaperOptions;
 use super::trainer::{BelievedChoice, TrainerChoice, name};
-use crate::cli::PaperOptions;
 use goodbot::feedback::Strategy;
 use goodbot_course::CourseTrainer;
 use std::str::FromStr;

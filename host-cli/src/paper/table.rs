@@ -2,12 +2,12 @@
 
 use super::experiment::Run;
 use super::lexicon::Lexicon;
+use super::options::PaperOptions;
 use super::summary::{REPORTED, Summary};
 use super::sweep::Setting;
-use crate::cli::PaperOptions;
-use crate::evaluate::report::wilson;
-use crate::messages::counted;
+use goodbot_console::messages::counted;
 use goodbot_course::{LESSONS, TESTS};
+use goodbot_lab::mean::wilson;
 use std::io::{self, Write};
 
 /// Words shown for each machine token.

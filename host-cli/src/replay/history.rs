@@ -1,18 +1,18 @@
 //! The agent that goes through recorded sessions, one after the other.
 
-use super::believes::Believes;
-use crate::fit_trainers::walk::trainer_of;
-use crate::lessons::evidence;
 use goodbot::feedback::Feedback;
 use goodbot::home::Home;
 use goodbot::memory::{AgentHeap, HomeMemory};
 use goodbot::session::{Evidence, Options};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, AgentError, Capacities};
+use goodbot_console::believes::Believes;
+use goodbot_console::lessons::evidence;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession};
 use goodbot_formats::task_text::GroundTaskText;
+use goodbot_lab::fit_trainers::walk::trainer_of;
 use goodbot_lesson::checked::{CheckedSession, check_steps};
 use goodbot_lesson::replay::{Event, Replay, Rules};
 use goodbot_lesson::walk::Step;
@@ -104,7 +104,7 @@ impl History {
     ) -> Result<Self, goodbot::AgentError> {
         let options = believes.as_ref().map_or(options, |believes| believes.options(options));
         Ok(Self {
-            agent: Agent::new(AgentHeap::new(&CAPACITIES), lifted, options)?,
+            agent: Agent::new(goodbot_console::learner::memory(&CAPACITIES, &options.language), lifted, options)?,
             learning,
             learned: 0,
             kept: 0,

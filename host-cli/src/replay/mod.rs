@@ -1,26 +1,24 @@
 //! `goodbot replay`: Algorithm 1 over recorded sessions, exactly as they were walked.
 //!
-//! - [`believes`]: what it expects of the trainers;
 //! - [`history`]: the agent that goes through them, one after the other;
 //! - [`report`]: what is told of each, for people.
 
-pub mod believes;
 mod history;
 mod report;
 
-use crate::calibration;
-use crate::cli::WeightsChoice;
-use crate::learner::Learner;
-use crate::lessons::MOST_FAULTS;
-use crate::load::input;
-use crate::load::input::tell;
-use crate::load::kinds::TaskKinds;
-use crate::messages::{counted, is_quiet, say};
-use crate::output::Output;
-use believes::Believes;
+use crate::paper::options::WeightsChoice;
 use clap::{Args, ValueHint};
 use goodbot::session::{Options, Weights};
+use goodbot_console::believes::Believes;
+use goodbot_console::learner::Learner;
+use goodbot_console::lessons::MOST_FAULTS;
+use goodbot_console::load::input;
+use goodbot_console::load::input::tell;
+use goodbot_console::load::kinds::TaskKinds;
+use goodbot_console::messages::{counted, is_quiet, say};
+use goodbot_console::output::Output;
 use goodbot_formats::session::SessionReader;
+use goodbot_lab::calibration;
 use goodbot_lesson::Fault;
 use history::{History, Learning, Outcome};
 use indicatif::{ProgressBar, ProgressStyle};

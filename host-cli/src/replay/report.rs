@@ -1,11 +1,11 @@
 //! What is told of a replay, for people.
 
 use super::history::Outcome;
-use crate::fit_trainers::believing::Rightness;
-use crate::messages::counted;
+use goodbot_console::messages::counted;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::Kind;
 use goodbot_formats::task_text::GroundTaskText;
+use goodbot_lab::fit_trainers::believing::Rightness;
 use goodbot_lesson::fault::quoted;
 use std::fmt;
 

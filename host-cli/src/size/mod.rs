@@ -6,12 +6,12 @@
 mod needs;
 mod source;
 
-use crate::learner::Learner;
-use crate::load::kinds::TaskKinds;
-use crate::messages::counted;
-use crate::outcome::Failure;
 use clap::{Args, ValueHint};
 use goodbot::capacity::{Capacity, WORDS_PER_COMMAND};
+use goodbot_console::learner::Learner;
+use goodbot_console::load::kinds::TaskKinds;
+use goodbot_console::messages::counted;
+use goodbot_console::outcome::Failure;
 use needs::Needs;
 use serde_json::json;
 use std::io::Write;
@@ -52,11 +52,11 @@ pub struct SizeOptions {
 }
 
 fn sessions(text: &str) -> Result<usize, String> {
-    crate::numbers::between(text, 1, usize::from(u16::MAX))
+    goodbot_console::numbers::between(text, 1, usize::from(u16::MAX))
 }
 
 fn words(text: &str) -> Result<usize, String> {
-    crate::numbers::between(text, 1, WORDS_PER_COMMAND)
+    goodbot_console::numbers::between(text, 1, WORDS_PER_COMMAND)
 }
 
 /// Runs the command.

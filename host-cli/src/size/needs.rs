@@ -1,10 +1,6 @@
 //! From homes and lessons to capacities, and what they take.
 
 use super::SizeOptions;
-use crate::lessons::{self, Lesson, Told, training};
-use crate::load::input;
-use crate::outcome::Failure;
-use crate::refusal;
 use goodbot::home::{Home, HomeState, Moves};
 use goodbot::language::{Model, for_each_piece, for_each_word};
 use goodbot::memory::{AgentHeap, HomeHeap};
@@ -12,6 +8,10 @@ use goodbot::session::Lessons;
 use goodbot::snapshot::most_bytes;
 use goodbot::{Agent, AgentError, Capacities};
 use goodbot_capi::capacities::bytes_32;
+use goodbot_console::lessons::{self, Lesson, Told, training};
+use goodbot_console::load::input;
+use goodbot_console::outcome::Failure;
+use goodbot_console::refusal;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::home;
 use std::collections::BTreeSet;
@@ -70,7 +70,7 @@ impl Needs {
         let kept = if log.is_empty() || options.sessions.is_some_and(|sessions| sessions < log.len()) {
             None
         } else {
-            let mut memory = AgentHeap::new(&capacities);
+            let mut memory = goodbot_console::learner::memory(&capacities, &learner.language);
             let model = training::train(&mut memory, log.iter(), learner.language).map_err(fault)?;
             Some(model.bitext().sessions())
         };

@@ -4,10 +4,10 @@ use super::full_words::FullWords;
 use super::kept::{Kept, Past};
 use super::lessons::{Tour, is_lesson};
 use super::next_lesson::{Next, propose};
-use super::session::Session;
 use super::trainer::{Heard, Meaning, Refusal, Trainer};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::RecordedSession;
+use goodbot_lesson::live::Lesson;
 
 /// A robot, what is kept of it, and the tour.
 pub struct Classroom {
@@ -104,7 +104,7 @@ impl Classroom {
     pub fn tested(&self) -> Option<Tested> {
         self.tour.as_ref().and_then(Tour::stop).filter(|stop| stop.test)?;
         let heard = self.trainer.meanings().into_iter().next()?;
-        let right = self.trainer.session()?.intended == Some(heard.position);
+        let right = self.trainer.intended()? == heard.position;
         Some(Tested { heard, right })
     }
 
@@ -153,7 +153,7 @@ impl Classroom {
 
     /// Ends the session under way without learning from it; it is written to the log all the same. Gives whether there was one.
     pub fn forget(&mut self) -> Result<bool, Refusal> {
-        let under_way = self.trainer.session().is_some();
+        let under_way = self.trainer.lesson().is_under_way();
         let testing = self.tour.as_ref().and_then(Tour::stop).is_some_and(|stop| stop.test);
         if let (Some(record), Some(kept), false) = (self.trainer.forget(), &mut self.kept, testing) {
             self.sessions += 1;
@@ -194,8 +194,8 @@ impl Classroom {
         self.trainer.enter(home)
     }
 
-    /// The session under way.
-    pub fn session(&self) -> Option<&Session> {
-        self.trainer.session()
+    /// The robot, its home and the session under way.
+    pub const fn lesson(&self) -> &Lesson {
+        self.trainer.lesson()
     }
 }

@@ -3,10 +3,10 @@
 //! Both are written as soon as a session is over, so that nothing is left to lose. The log is appended to, the model replaced as a whole. A
 //! file that is something else is never written to. While a robot is being taught its log is locked, so that two do not teach it at once.
 
-use crate::outcome::Failure;
-use crate::output::are_one;
-use crate::whole_file::{read_model, write_whole};
 use etcetera::BaseStrategy;
+use goodbot_console::outcome::Failure;
+use goodbot_console::output::are_one;
+use goodbot_console::whole_file::{read_model, write_whole};
 use goodbot_formats::session::{RecordedSession, SessionReader};
 use goodbot_lesson::Fault;
 use std::fs::{File, OpenOptions, TryLockError};

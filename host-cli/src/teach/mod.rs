@@ -1,6 +1,6 @@
 //! `goodbot teach`: train the robot, on a screen or in lines.
 //!
-//! - [`trainer`]: one robot, its home and the session under way; all that is asked of the core ([`scene`], [`session`]);
+//! - [`trainer`]: one robot, its home and the session under way; all that is asked of the core, in its [`scene`];
 //! - [`kept`]: what is kept where; [`lessons`]: the tour; [`next_lesson`]: what to teach next; [`classroom`]: these together;
 //! - [`protocol`]: lines in, JSON out;
 //! - [`visit`]: what keys do and what happens by itself; [`keys`], [`prompt`], [`pace`]; drawn by [`screen`] in the colours of [`palette`],
@@ -20,18 +20,17 @@ mod prompt;
 mod protocol;
 mod scene;
 mod screen;
-mod session;
 mod terminal;
 mod trainer;
 mod visit;
 
-use crate::load::input;
-use crate::messages::{counted, is_colored};
-use crate::outcome::Failure;
-use crate::output::Output;
-use crate::replay::believes::Believes;
 use clap::{Args, ValueHint};
 use classroom::Classroom;
+use goodbot_console::believes::Believes;
+use goodbot_console::load::input;
+use goodbot_console::messages::{counted, is_colored};
+use goodbot_console::outcome::Failure;
+use goodbot_console::output::Output;
 use goodbot_formats::environment::EnvironmentFile;
 use kept::{Kept, Places};
 use keys::Intent;
@@ -75,7 +74,7 @@ pub struct TeachOptions {
     #[arg(long, conflicts_with = "home")]
     random: bool,
     /// Seed of everything that is drawn: the same seed and the same words give the same visit [default: 1]
-    #[arg(long, short = 's', value_name = "S", value_parser = crate::numbers::seed, allow_negative_numbers = true)]
+    #[arg(long, short = 's', value_name = "S", value_parser = goodbot_console::numbers::seed, allow_negative_numbers = true)]
     seed: Option<u64>,
     /// Consider ways too: commands may mean to go through a room, through one of two, or to avoid one
     #[arg(long, conflicts_with_all = ["tour", "picture"])]

@@ -1,10 +1,11 @@
 //! The home as it is now, for those who look on.
 
 use goodbot::home::Map;
-use goodbot::home::{BLOCK, COLOR, Cell, DOOR, Home, HomeState, ROOM, SHAPE};
+use goodbot::home::{COLOR, Cell, Home, HomeState, ROOM};
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::{Domain, ObjectId};
+use goodbot::oomdp::Domain;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+use goodbot_lesson::home::environment;
 
 /// What is at one cell, beneath what stands there.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -68,16 +69,7 @@ pub fn scene(home: &Home<impl HomeMemory>, state: &HomeState) -> Scene {
     let bounds = map.bounds();
     let ground =
         (bounds.bottom..=bounds.top).rev().map(|y| (bounds.left..=bounds.right).map(|x| ground(home, &map, Cell::new(x, y))).collect());
-    Scene {
-        environment: EnvironmentFile {
-            derived: home.tells_derived(),
-            ..EnvironmentFile::new(home.world().objects.iter().map(|(id, _)| record(home, state, id)).collect())
-        },
-        ground: ground.collect(),
-        map: map.to_string(),
-        west: bounds.left,
-        north: bounds.top,
-    }
+    Scene { environment: environment(home, state), ground: ground.collect(), map: map.to_string(), west: bounds.left, north: bounds.top }
 }
 
 fn ground(home: &Home<impl HomeMemory>, map: &Map<'_, impl HomeMemory>, cell: Cell) -> Ground {
@@ -89,21 +81,4 @@ fn ground(home: &Home<impl HomeMemory>, map: &Map<'_, impl HomeMemory>, cell: Ce
     let objects = home.world().objects;
     let room = objects.of_class(ROOM).find(|&room| home.area(room).holds_strictly(cell));
     room.map_or(Ground::Door, |room| Ground::Floor(objects.value(room, COLOR).to_owned()))
-}
-
-fn record(home: &Home<impl HomeMemory>, state: &HomeState, id: ObjectId) -> ObjectRecord {
-    let objects = home.world().objects;
-    let (name, color, area) = (objects.name(id).to_owned(), objects.value(id, COLOR).to_owned(), home.area(id));
-    match objects.get(id).map(|object| object.class) {
-        Some(ROOM) => ObjectRecord::Room { name, left: area.left, bottom: area.bottom, right: area.right, top: area.top, color },
-        Some(DOOR) => ObjectRecord::Door { name, left: area.left, bottom: area.bottom, right: area.right, top: area.top },
-        Some(BLOCK) => {
-            let cell = home.block_cell(state, id).unwrap_or_else(|| home.agent_cell(state));
-            ObjectRecord::Block { name, x: cell.x, y: cell.y, color, shape: objects.value(id, SHAPE).to_owned() }
-        }
-        _ => {
-            let cell = home.agent_cell(state);
-            ObjectRecord::Agent { name, x: cell.x, y: cell.y }
-        }
-    }
 }

@@ -183,10 +183,10 @@ fn a_file_of_format_1_is_understood_for_ever() {
 #[test]
 fn a_later_format_is_refused_by_its_number() {
     let mut bytes = FORMAT_1.to_vec();
-    bytes[8] = 3;
+    bytes[8] = 4;
     let mut memory = HeapMemory::new(&Capacities::SMALL);
     let mut agent = agent(&mut memory);
-    assert_eq!(agent.restore(&bytes), Err(RestoreError::Version { found: 3 }));
+    assert_eq!(agent.restore(&bytes), Err(RestoreError::Version { found: 4 }));
 }
 
 #[test]

@@ -81,7 +81,7 @@ impl Layout {
 
     /// The parameters for training data of so many words and machine tokens.
     pub(crate) fn of(bitext: BitextRef<'_>, words: usize, tokens: usize) -> Self {
-        let mut layout = Self { words, tokens, sessions: bitext.sessions() as f32, ..Self::NONE };
+        let mut layout = Self { words, tokens, sessions: bitext.sessions_kept() as f32, ..Self::NONE };
         for command in 0..bitext.commands() as u16 {
             layout.see(bitext.command(command));
         }

@@ -23,6 +23,7 @@
 //! - [`kind`]: which kind of task the words speak of, whatever is in the scene;
 //! - `data`: the room that training data take;
 //! - `talk`: with words around the command, and how much of a task is named;
+//! - `names`: how often a word was taken for a value;
 //! - [`explanation`]: what each word was taken for.
 
 pub(crate) mod data;
@@ -30,6 +31,8 @@ pub mod explanation;
 pub mod forward;
 pub mod kind;
 pub mod layout;
+#[cfg(feature = "layer")]
+pub(crate) mod names;
 mod start;
 #[cfg(feature = "talk")]
 pub(crate) mod talk;

@@ -63,7 +63,7 @@ pub(super) fn set_row(layout: &Layout, bitext: BitextRef<'_>, row: usize, t: &mu
         return;
     };
     let (mut with, mut all) = (0.0, 0.0);
-    for pair in bitext.pairs() {
+    for pair in bitext.pairs().iter().filter(|pair| !bitext.leaves_out(pair.session)) {
         let description = bitext.command(pair.command);
         all += pair.weight;
         if form(description) == Some(token) || has_value(description, token) {

@@ -178,6 +178,7 @@ impl Work<'_, '_> {
         let rows = self.tokens.saturating_add(1);
         match part {
             Part::Count(position) => match pairs.get(position) {
+                Some(pair) if self.bitext.leaves_out(pair.session) => (1, Part::Count(position.saturating_add(1))),
                 Some(pair) => {
                     let before = position.checked_sub(1).and_then(|before| pairs.get(before));
                     let first = before.is_none_or(|before| before.session != pair.session);
@@ -202,6 +203,7 @@ impl Work<'_, '_> {
                 (rows.saturating_mul(layout.words()), if rounds > 0 { Part::Expect(0, Pass::START) } else { Part::Kinds(0, 0) })
             }
             Part::Expect(position, pass) => match pairs.get(position) {
+                Some(pair) if self.bitext.leaves_out(pair.session) => (1, Part::Expect(position.saturating_add(1), Pass::START)),
                 Some(pair) => {
                     let (cells, next) = self.expect(pair, pass, left);
                     let after = Part::Expect(position.saturating_add(1), Pass::START);
@@ -260,6 +262,9 @@ impl Work<'_, '_> {
                 )
             }
             Part::Kinds(batch, _) if batch >= kind::BATCHES || layout.forms().len() < 2 => (0, Part::Done),
+            Part::Kinds(batch, session) if session < self.bitext.sessions() && self.bitext.leaves_out(session as u16) => {
+                (1, Part::Kinds(batch, session.saturating_add(1)))
+            }
             Part::Kinds(batch, session) if session < self.bitext.sessions() => {
                 kind::count(layout, self.bitext, session as u16, &mut self.t, &mut self.a);
                 let words = self.bitext.sentence(session as u16).len();

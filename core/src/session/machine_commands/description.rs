@@ -11,6 +11,8 @@ use crate::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, Worl
 use crate::probability::Scaled;
 use crate::session::agent::Agent;
 use crate::session::candidates::Candidates;
+#[cfg(feature = "layer")]
+use crate::session::candidates::CandidatesRef;
 use crate::session::error::AgentError;
 use crate::session::least::{Lessons, Survey};
 use crate::session::phase::{Phase, Position};
@@ -55,6 +57,10 @@ impl<D: Domain + ?Sized> Domain for Constant<'_, D> {
 
     fn numbered(&self, _number: u64) {}
 }
+
+/// The layer is silent where more tasks are possible.
+#[cfg(feature = "layer")]
+const MOST_TASKS: usize = 64;
 
 impl<M: AgentMemory> Agent<M> {
     /// Goes on with Pr(e|t) for the task at the position, which keeps how far it is: in `constraint` the words read, in `sum` how probable they
@@ -171,6 +177,60 @@ impl<M: AgentMemory> Agent<M> {
         let prior = |task: usize| tasks.get(task).map_or(0.0, |task| task.prior);
         let mut belief = Belief::new(session.belief, &mut self.belief);
         language.read().weigh_kinds(&self.sentence, form, prior, belief.priors_mut());
+    }
+
+    /// The candidate that each of the session's tasks has for a description; `None` for more tasks than the layer knows.
+    #[cfg(feature = "layer")]
+    fn described<D: Domain + ?Sized>(&mut self, domain: &D) -> Option<Vec<u16, MOST_TASKS>> {
+        let mut scene = self.scene(domain)?;
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let candidates = CandidatesRef::new(session.candidates.read(), self.candidates);
+        let (mut described, mut description) = (Vec::new(), Tokens::new());
+        for task in session.tasks.get(..self.task_count).unwrap_or(&[]) {
+            describe(domain, &self.lifted, task, &mut scene, language.tokens_mut(), &mut description).ok()?;
+            described.push(candidates.find(&description)? as u16).ok()?;
+        }
+        Some(described)
+    }
+
+    /// Lets the layer speak.
+    #[cfg(feature = "layer")]
+    #[inline(never)]
+    pub(in crate::session) fn weigh_parts<D: Domain + ?Sized>(&mut self, domain: &D) {
+        if !self.options.language.layer || self.model() != Model::Roles {
+            return;
+        }
+        let Some(described) = self.described(domain) else { return };
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let language = self.language.with(language, workspace);
+        let candidates = CandidatesRef::new(session.candidates.read(), self.candidates);
+        let mut belief = Belief::new(session.belief, &mut self.belief);
+        let same = |task: usize| described.iter().position(|other| Some(other) == described.get(task)).unwrap_or(task);
+        let description = |task: usize| {
+            let entry = described.get(task).and_then(|&at| candidates.entries().get(usize::from(at)));
+            entry.map_or(&[][..], |entry| candidates.tokens(entry))
+        };
+        language.read().weigh_parts(&self.sentence, same, description, belief.priors_mut());
+    }
+
+    /// Tells the layer which tasks the session that joined the training data last could have meant. Where it has no room for them, it learns
+    /// nothing from the session.
+    #[cfg(feature = "layer")]
+    pub(in crate::session) fn add_possible<D: Domain + ?Sized>(&mut self, domain: &D) {
+        if !self.options.language.layer || self.model() != Model::Roles {
+            return;
+        }
+        let Some(described) = self.described(domain) else { return };
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let candidates = CandidatesRef::new(session.candidates.read(), self.candidates);
+        let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
+        let prior = |at: usize| -> f32 {
+            tasks.iter().zip(&described).filter(|&(_, &other)| usize::from(other) == at).map(|(task, _)| task.prior).sum()
+        };
+        let all = candidates.entries().iter().enumerate().map(|(at, entry)| (candidates.tokens(entry), prior(at)));
+        let _ = language.add_possible(all);
     }
 
     /// Tells for each word of the command what the role model takes it for where this task is meant, the last word first: its position, a

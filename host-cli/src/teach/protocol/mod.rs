@@ -5,7 +5,7 @@ mod lines;
 use crate::teach::classroom::Classroom;
 use crate::teach::lessons::random_home;
 use crate::teach::next_lesson::Next;
-use crate::teach::session::Judged;
+use crate::teach::trainer::Judged;
 use crate::teach::trainer::{Heard, Meaning, Refusal};
 use goodbot::asking::{Answer, Asking};
 use goodbot::feedback::Feedback;
@@ -241,7 +241,7 @@ impl Speaker<'_> {
     }
 
     fn step(&mut self) -> Answers {
-        if self.classroom.session().is_none() {
+        if !self.classroom.lesson().is_under_way() {
             return Err(Misunderstood {
                 message: "no session is under way".to_owned(),
                 instead: "send a command first, such as: command go to the red room",
@@ -269,17 +269,17 @@ impl Speaker<'_> {
 
     fn judge(&mut self, feedback: Feedback) -> Answers {
         let trainer = &mut self.classroom.trainer;
-        let Some(action) = trainer.acted().map(|acted| acted.action.clone()) else {
+        let Some(action) = trainer.lesson().acted().map(|acted| acted.action.clone()) else {
             return Err(Misunderstood { message: "there is no step to judge yet".to_owned(), instead: "send step first" });
         };
         let judged = trainer.judge(feedback)?;
-        let mut answer = json!({"type": "judged", "action": action, "feedback": feedback.name(), "counted": matches!(judged, Judged::Counted | Judged::AsBefore)});
+        let mut answer = json!({"type": "judged", "action": action, "feedback": feedback.name(), "counted": matches!(judged, Judged::As(Evidence::Used) | Judged::AsBefore)});
         self.add_tasks(&mut answer);
         Ok(vec![answer])
     }
 
     fn ask(&mut self) -> Answers {
-        if self.classroom.session().is_none() {
+        if !self.classroom.lesson().is_under_way() {
             return Err(Misunderstood {
                 message: "no session is under way".to_owned(),
                 instead: "send a command first, such as: command go to the red room",
@@ -352,14 +352,14 @@ impl Speaker<'_> {
     }
 
     fn finish(&mut self) -> Answers {
-        let steps = self.classroom.session().map_or(0, |session| session.steps().len());
+        let steps = self.classroom.lesson().steps();
         let gave_way = self.classroom.finish()?;
         while !self.classroom.learn(u32::MAX)? {}
         Ok(self.over(true, steps, gave_way))
     }
 
     fn forget(&mut self) -> Answers {
-        let steps = self.classroom.session().map_or(0, |session| session.steps().len());
+        let steps = self.classroom.lesson().steps();
         if !self.classroom.forget()? {
             return Err(Misunderstood { message: "no session is under way".to_owned(), instead: "send a command first" });
         }
@@ -399,7 +399,7 @@ impl Speaker<'_> {
 
     fn state(&self) -> Value {
         let mut state = json!({
-            "type": "state", "command": self.classroom.session().map(|session| &session.command),
+            "type": "state", "command": self.classroom.lesson().command(),
             "sessions": self.classroom.trainer.lessons_learned(),
         });
         self.add_place(&mut state);

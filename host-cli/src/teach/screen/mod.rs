@@ -9,7 +9,7 @@ mod thoughts;
 use super::keys::Focus;
 use super::palette::Palette;
 use super::visit::{Phase, Visit};
-use crate::messages::counted;
+use goodbot_console::messages::counted;
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Position, Rect};
 use ratatui::style::{Modifier, Style};
@@ -104,18 +104,18 @@ fn framed(heading: &str, palette: Palette) -> Block<'_> {
 
 fn draw_prompt(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
     let writing = visit.focus() == Focus::Command;
-    let session = visit.classroom.session();
-    let text = match session {
-        Some(session) => session.command.clone(),
+    let command = visit.classroom.lesson().command();
+    let text = match command {
+        Some(command) => command.to_owned(),
         None => visit.prompt.text(),
     };
-    let lead = if session.is_some() { "Command: " } else { "Tell it: " };
+    let lead = if command.is_some() { "Command: " } else { "Tell it: " };
     // Where the command is longer than the line, its end is what is being written.
     let room = usize::from(area.width).saturating_sub(lead.len() + 1);
-    let before = if session.is_some() { text.chars().count() } else { visit.prompt.before().chars().count() };
-    let skipped = if session.is_some() { 0 } else { before.saturating_sub(room) };
+    let before = if command.is_some() { text.chars().count() } else { visit.prompt.before().chars().count() };
+    let skipped = if command.is_some() { 0 } else { before.saturating_sub(room) };
     let shown: String = text.chars().skip(skipped).take(room).collect();
-    let hint = if !writing && session.is_none() { palette.quiet() } else { Style::new().add_modifier(Modifier::BOLD) };
+    let hint = if !writing && command.is_none() { palette.quiet() } else { Style::new().add_modifier(Modifier::BOLD) };
     frame.render_widget(Paragraph::new(Line::from(vec![Span::raw(lead), Span::styled(shown, hint)])), area);
     if writing {
         let column = u16::try_from(lead.len() + before - skipped).unwrap_or(u16::MAX);

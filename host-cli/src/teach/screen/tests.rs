@@ -69,7 +69,7 @@ fn tab_proposes_a_lesson_goes_where_it_can_be_taught_and_says_why() {
     assert!(visit.classroom.trainer.meanings().iter().any(|meaning| meaning.words == proposed), "{proposed} can be meant here");
     visit.take(Intent::NextLesson, Duration::ZERO);
     assert!(visit.message.starts_with("First end this session"));
-    assert_eq!(visit.classroom.session().map(|session| session.command.clone()), Some(proposed));
+    assert_eq!(visit.classroom.lesson().command(), Some(proposed.as_str()));
 }
 
 #[test]

@@ -2,7 +2,6 @@
 
 use super::super::palette::Palette;
 use super::super::plain_names::percent;
-use super::super::session::Step;
 use super::super::trainer::{Idea, Meaning};
 use super::super::visit::Visit;
 use super::framed;
@@ -47,12 +46,13 @@ pub fn draw_beliefs(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: P
     let longest = meanings.iter().take(shown).map(|meaning| meaning.words.chars().count()).max().unwrap_or(0);
     let number = shown.to_string().len() + 1;
     let words = longest.min(width.saturating_sub(number + 7 + LEAST_BAR));
-    let marks = visit.done().len().min(MARKS);
+    let steps: Vec<_> = visit.done().collect();
+    let marks = steps.len().min(MARKS);
     let rest = width.saturating_sub(number + words + 7);
     let marks = if rest > LEAST_BAR + marks { marks } else { 0 };
     let bar_width = rest.saturating_sub(if marks > 0 { marks + 1 } else { 0 }).min(24);
     for (rank, meaning) in meanings.iter().take(shown).enumerate() {
-        lines.push(belief(rank, meaning, [number, words, bar_width, marks], visit.done(), palette));
+        lines.push(belief(rank, meaning, [number, words, bar_width, marks], &steps, palette));
     }
     if shown < meanings.len() {
         let left: f32 = meanings.iter().skip(shown).map(|meaning| meaning.probability).sum();
@@ -61,7 +61,13 @@ pub fn draw_beliefs(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: P
     frame.render_widget(Paragraph::new(lines), inner);
 }
 
-fn belief<'a>(rank: usize, meaning: &Meaning, [number, words, bar_width, marks]: [usize; 4], steps: &[Step], palette: Palette) -> Line<'a> {
+fn belief<'a>(
+    rank: usize,
+    meaning: &Meaning,
+    [number, words, bar_width, marks]: [usize; 4],
+    steps: &[(Feedback, &[Judgement])],
+    palette: Palette,
+) -> Line<'a> {
     let best = if rank == 0 { Style::new().add_modifier(Modifier::BOLD) } else { Style::new() };
     let mut spans = vec![
         Span::styled(format!("{:<number$}{:<words$} {:>5} ", rank + 1, cut(&meaning.words, words), percent(meaning.probability)), best),
@@ -72,14 +78,14 @@ fn belief<'a>(rank: usize, meaning: &Meaning, [number, words, bar_width, marks]:
     ];
     if marks > 0 {
         spans.push(Span::raw(" "));
-        spans.extend(steps.iter().rev().take(marks).rev().map(|step| mark(step, meaning.position, palette)));
+        spans.extend(steps.iter().rev().take(marks).rev().map(|step| mark(*step, meaning.position, palette)));
     }
     Line::from(spans)
 }
 
 /// What a step said of a task: for it, against it, or nothing.
-fn mark<'a>(step: &Step, task: usize, palette: Palette) -> Span<'a> {
-    match (step.feedback, step.judgements.get(task)) {
+fn mark<'a>((feedback, judgements): (Feedback, &[Judgement]), task: usize, palette: Palette) -> Span<'a> {
+    match (feedback, judgements.get(task)) {
         (Feedback::Reward, Some(Judgement::Correct)) | (Feedback::Punish, Some(Judgement::Incorrect)) => Span::styled("▲", palette.good()),
         (Feedback::Reward, Some(Judgement::Incorrect)) | (Feedback::Punish, Some(Judgement::Correct)) => Span::styled("▼", palette.bad()),
         _ => Span::styled("·", palette.quiet()),

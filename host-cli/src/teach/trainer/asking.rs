@@ -2,7 +2,6 @@
 
 use super::{Refusal, Trainer, no_session, refused};
 use crate::teach::plain_names::{object_words, task_words};
-use crate::teach::session::Answered;
 use goodbot::asking::{Answer, Asking, Question, Subject};
 use goodbot::home::BLOCK_IN_ROOM;
 use goodbot::session::Evidence;
@@ -22,30 +21,32 @@ pub struct Asks {
 impl Trainer {
     /// What the robot asks here, where a question teaches it more than acting does. The plan must be done.
     pub fn ask(&mut self, asking: &Asking) -> Result<Option<Asks>, Refusal> {
-        self.session.as_ref().ok_or_else(no_session)?;
-        let question = self.mind.question(&self.rooms, &self.state, asking).map_err(refused)?;
+        if !self.lesson.is_under_way() {
+            return Err(no_session());
+        }
+        let (agent, rooms, state) = self.lesson.parts();
+        let question = agent.question(rooms, state, asking).map_err(refused)?;
         Ok(question.and_then(|question| self.in_words(&question)))
     }
 
     /// The question that waits for its answer.
     pub fn open_question(&self) -> Option<Asks> {
-        self.session.as_ref()?;
-        self.in_words(self.mind.open_question()?)
+        self.in_words(self.lesson.agent.open_question().filter(|_| self.lesson.is_under_way())?)
     }
 
     fn in_words(&self, question: &Question) -> Option<Asks> {
-        let agent = &self.mind;
+        let (agent, rooms) = (&self.lesson.agent, self.lesson.home());
         let task = |position: u8| {
             let task = agent.tasks().get(usize::from(position))?;
-            Some(task_words(&self.rooms, agent.lifted().get(usize::from(task.lifted))?, task))
+            Some(task_words(rooms, agent.lifted().get(usize::from(task.lifted))?, task))
         };
         let which = "Which of these do you mean?".to_owned();
         let (text, choices) = match question.subject {
-            Subject::Object(object) => (format!("Do you mean the {}?", object_words(&self.rooms, object)), vec![]),
+            Subject::Object(object) => (format!("Do you mean the {}?", object_words(rooms, object)), vec![]),
             Subject::Kind(kind) => (kind_question(agent.lifted(), agent.lifted().get(usize::from(kind))?), vec![]),
             Subject::Task(position) => (format!("Do you mean: {}?", task(position)?), vec![]),
             Subject::WhichObject(objects, count) => {
-                let named = objects.iter().take(usize::from(count)).map(|&object| format!("the {}", object_words(&self.rooms, object)));
+                let named = objects.iter().take(usize::from(count)).map(|&object| format!("the {}", object_words(rooms, object)));
                 (which, named.collect())
             }
             Subject::WhichTask(tasks, count) => (which, tasks.iter().take(usize::from(count)).filter_map(|&at| task(at)).collect()),
@@ -55,25 +56,7 @@ impl Trainer {
 
     /// Takes in the answer to the question that was asked last.
     pub fn answer(&mut self, answer: Answer) -> Result<Evidence, Refusal> {
-        let question = self.mind.open_question().copied();
-        let evidence = self.mind.answer(answer).map_err(refused)?;
-        let meaning = question.and_then(|question| Some((question.meaning(answer)?, question.eta)));
-        if let (Some(((tasks, yes, others), eta)), Some(session)) = (meaning, self.session.as_mut()) {
-            // What is answered while a step waits for its word stands before that step.
-            session.answers.push(Answered { after: session.done().len(), tasks, yes, eta, others });
-            session.taken = session.answers.len();
-        }
-        Ok(evidence)
-    }
-
-    /// Takes in again what was answered up to here, where a session is walked again.
-    pub(super) fn answer_again(&mut self) -> Result<(), Refusal> {
-        let Some(session) = self.session.as_mut() else { return Ok(()) };
-        while let Some(answer) = session.answers.get(session.taken).filter(|answer| answer.after <= session.done().len()) {
-            session.taken += 1;
-            let _ = self.mind.answered(answer.tasks, answer.yes, answer.eta, answer.others).map_err(refused)?;
-        }
-        Ok(())
+        self.lesson.answer(answer).map_err(refused)
     }
 }
 

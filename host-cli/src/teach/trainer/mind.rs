@@ -1,11 +1,11 @@
 //! The robot's mind and its home, each made anew when it is replaced during a visit.
 
 use super::{Refusal, refused};
-use crate::replay::believes::Believes;
 use goodbot::feedback::population;
 use goodbot::home::{self, Home, HomeState, Moves};
 use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::{Agent, Capacities, Options};
+use goodbot_console::believes::Believes;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::home as homes;
 

@@ -1,15 +1,13 @@
 //! What the robot thinks: the tasks, which word speaks for which, and what it calls things.
 
 use super::{Refusal, Trainer, no_session, refused};
-use crate::lessons::evidence;
 use crate::teach::plain_names::{task_words, token_words};
 use goodbot::language::Model;
 use goodbot::language::for_each_word;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
 use goodbot::task::GroundedTask;
-use goodbot_formats::task_text::GroundTaskText;
-use goodbot_lesson::name::task_name;
+use goodbot_console::lessons::evidence;
 
 /// A task that the command may mean.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,28 +45,24 @@ pub struct Idea {
 }
 
 impl Trainer {
-    pub(super) fn name_of(&self, position: usize) -> Option<GroundTaskText> {
-        let task = self.mind.tasks().get(position)?;
-        task_name(&self.rooms, self.mind.lifted().get(usize::from(task.lifted))?, task).ok()
-    }
-
     /// A task as a person says it.
     pub(super) fn words_of(&self, position: usize) -> Option<String> {
-        let task = self.mind.tasks().get(position)?;
-        Some(task_words(&self.rooms, self.mind.lifted().get(usize::from(task.lifted))?, task))
+        let agent = &self.lesson.agent;
+        let task = agent.tasks().get(position)?;
+        Some(task_words(self.lesson.home(), agent.lifted().get(usize::from(task.lifted))?, task))
     }
 
     /// The tasks that the command may mean, the likeliest first. None where no command was heard.
     pub fn meanings(&self) -> Vec<Meaning> {
-        let agent = &self.mind;
-        let tasks = if self.session.is_some() { agent.tasks() } else { &[] };
+        let agent = &self.lesson.agent;
+        let tasks = if self.lesson.is_under_way() { agent.tasks() } else { &[] };
         let named = |(position, task): (usize, &GroundedTask)| {
             let lifted = agent.lifted().get(usize::from(task.lifted))?;
-            let name = self.name_of(position)?.to_string();
+            let name = self.lesson.name_of(position)?.to_string();
             Some(Meaning {
                 position,
                 name,
-                words: task_words(&self.rooms, lifted, task),
+                words: task_words(self.lesson.home(), lifted, task),
                 probability: agent.belief().probability(position),
             })
         };
@@ -80,8 +74,8 @@ impl Trainer {
     /// Which word of the command speaks for which task: for each word and task, how probable the word alone is under the task, the mean
     /// over the task's machine commands.
     pub fn word_support(&self) -> Result<Vec<WordSupport>, Refusal> {
-        let session = self.session.as_ref().ok_or_else(no_session)?;
-        let (agent, home) = (&self.mind, &self.rooms);
+        let command = self.lesson.command().ok_or_else(no_session)?;
+        let (agent, home) = (&self.lesson.agent, self.lesson.home());
         let (language, sentence) = (agent.language(), agent.sentence());
         let learned = |word: &Option<Symbol>| word.filter(|word| word.index() < language.tables().words());
         let mut rows = vec![Vec::new(); sentence.len()];
@@ -109,7 +103,7 @@ impl Trainer {
             }
         }
         let mut said = Vec::new();
-        for_each_word(&session.command, |word| {
+        for_each_word(command, |word| {
             said.push(word.to_owned());
             Ok(())
         })
@@ -126,7 +120,7 @@ impl Trainer {
     /// What the robot calls things, as it was last learned: for each idea the words that it expects. Only beginnings of words may be known:
     /// see [`word_letters`](Self::word_letters).
     pub fn ideas(&self) -> Vec<Idea> {
-        let language = self.mind.language();
+        let language = self.lesson.agent.language();
         let tables = language.tables();
         let idea = |(token, text): (Symbol, &str)| {
             let words = language.words().iter().take(tables.words());
@@ -140,6 +134,6 @@ impl Trainer {
 
     /// How many letters of a word the robot keeps; all of them where it is 0.
     pub fn word_letters(&self) -> usize {
-        self.mind.options().language.letters_kept()
+        self.lesson.agent.options().language.letters_kept()
     }
 }

@@ -3,7 +3,6 @@
 mod telling;
 mod time;
 
-use crate::messages::counted;
 use crate::teach::classroom::{Classroom, Tested};
 use crate::teach::keys::{Focus, Intent};
 use crate::teach::lessons::{Stop, Tour, random_home};
@@ -11,10 +10,13 @@ use crate::teach::next_lesson::Next;
 use crate::teach::pace::Pace;
 use crate::teach::plain_names::percent;
 use crate::teach::prompt::Prompt;
-use crate::teach::session::{Judged, Step};
+use crate::teach::trainer::Judged;
 use crate::teach::trainer::{Acted, Heard, Refusal, WordSupport};
 use goodbot::asking::{Answer, Asking};
 use goodbot::feedback::Feedback;
+use goodbot::planning::Judgement;
+use goodbot::session::Evidence;
+use goodbot_console::messages::counted;
 use std::time::Duration;
 
 /// How much of the work is done between two looks at the keyboard.
@@ -135,12 +137,12 @@ impl Visit {
 
     /// The robot's last step.
     pub fn acted(&self) -> Option<&Acted> {
-        self.classroom.trainer.acted()
+        self.classroom.lesson().acted()
     }
 
     /// The steps of the session that were judged.
-    pub fn done(&self) -> &[Step] {
-        self.classroom.session().map_or(&[], |session| session.done())
+    pub fn done(&self) -> impl ExactSizeIterator<Item = (Feedback, &[Judgement])> {
+        self.classroom.lesson().done()
     }
 
     /// When something happens by itself; now where there is work.
@@ -179,7 +181,7 @@ impl Visit {
     }
 
     fn obey(&mut self, intent: Intent, now: Duration) -> Result<(), Refusal> {
-        let in_session = self.classroom.session().is_some();
+        let in_session = self.classroom.lesson().is_under_way();
         match intent {
             Intent::Leave => self.left = true,
             Intent::Explain => self.page = Some((Page::Explanation, 0)),
@@ -323,9 +325,9 @@ impl Visit {
         };
         let waits = self.wait(acted).is_none();
         match self.classroom.trainer.judge(feedback)? {
-            Judged::Impossible => self.message = "Whatever was meant, this cannot be; it was not counted.".to_owned(),
-            Judged::SaysNothing => self.message = "Its plan here is not exact, so your word tells it nothing.".to_owned(),
-            Judged::Counted | Judged::AsBefore => self.message.clear(),
+            Judged::As(Evidence::Impossible) => self.message = "Whatever was meant, this cannot be; it was not counted.".to_owned(),
+            Judged::As(Evidence::SaysNothing) => self.message = "Its plan here is not exact, so your word tells it nothing.".to_owned(),
+            Judged::As(Evidence::Used) | Judged::AsBefore => self.message.clear(),
         }
         if let (true, Phase::Waiting(_)) = (waits, self.phase) {
             self.phase = Phase::Waiting(Some(now + SECOND_THOUGHTS));
@@ -382,7 +384,7 @@ impl Visit {
     fn undo(&mut self) -> Result<(), Refusal> {
         if self.phase == Phase::Learning || self.tested.is_some() {
             self.message = "Wait until this is over.".to_owned();
-        } else if self.classroom.session().is_some() {
+        } else if self.classroom.lesson().is_under_way() {
             (self.paused, self.auto, self.word_at) = (true, false, None);
             let taken = self.classroom.trainer.take_back()?;
             self.message =

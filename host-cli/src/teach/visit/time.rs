@@ -1,9 +1,9 @@
 //! What happens by itself as time goes by.
 
 use super::{LEARN_BUDGET, PLAN_BUDGET, Phase, Visit, sentence};
-use crate::messages::counted;
 use crate::teach::trainer::Refusal;
 use goodbot::planning::OptimalSet;
+use goodbot_console::messages::counted;
 use goodbot_course::lesson::{MOST_STEPS, RESTS};
 use std::time::Duration;
 

@@ -1,0 +1,45 @@
+//! How words are understood and learned, by name.
+
+use clap::ValueEnum;
+use goodbot::language::Settings;
+use goodbot::memory::AgentHeap;
+use goodbot::{Capacities, Options};
+
+/// What learns.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Learner {
+    /// What understands people best
+    #[default]
+    Default,
+    /// The default, with a layer above it that learns more from many sessions
+    Layered,
+    /// The paper's settings
+    #[value(alias = "ibm2")]
+    Paper,
+}
+
+impl Learner {
+    /// Its name in output.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Default => "default",
+            Self::Layered => "layered",
+            Self::Paper => "paper",
+        }
+    }
+
+    /// The settings.
+    pub const fn options(self) -> Options {
+        match self {
+            Self::Default => Options::DEFAULT,
+            Self::Layered => Options { language: Settings::LAYERED, ..Options::DEFAULT },
+            Self::Paper => Options::PAPER,
+        }
+    }
+}
+
+/// Memory for an agent that learns by these settings.
+pub fn memory(capacities: &Capacities, settings: &Settings) -> AgentHeap {
+    let memory = AgentHeap::new(capacities);
+    if settings.layer { memory.with_layer() } else { memory }
+}

@@ -1,0 +1,251 @@
+//! One session, walked by an agent that knows no word: which task do the steps speak for?
+
+use super::{Lesson, MachineCommand, Reading};
+use crate::believes::Believes;
+use goodbot::capacity::TOKENS_PER_COMMAND;
+use goodbot::feedback::{Ending, Strategy};
+use goodbot::language::{LanguageRef, Model};
+use goodbot::memory::AgentHeap;
+use goodbot::memory::HomeMemory;
+use goodbot::oomdp::{Domain, ObjectId, apply};
+use goodbot::probability::total;
+use goodbot::session::Evidence;
+use goodbot::symbols::{Symbol, Symbols, SymbolsRef};
+use goodbot::task::Tokens;
+use goodbot::task::description::{Scene, describe};
+use goodbot::task::{Expression, LiftedTask, Marker, Part};
+use goodbot::{Agent, AgentError, Capacities, Options};
+use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, StepRecord};
+use goodbot_lesson::checked::{CheckedSession, check};
+use goodbot_lesson::fault::quoted;
+use goodbot_lesson::replay::{Event, Replay, Rules};
+use goodbot_lesson::{Fault, home};
+
+/// Sees what a session shows.
+pub struct Witness {
+    agent: Agent<AgentHeap>,
+    lifted: Vec<LiftedTask>,
+    believes: Option<Believes>,
+    plans: bool,
+}
+
+impl Witness {
+    /// One that knows no word. `believes` is what it expects of trainers, in place of what the sessions say, and `plans` says whether each task's
+    /// plan is wanted.
+    pub fn new(lifted: &[LiftedTask], options: Options, believes: Option<Believes>, plans: bool) -> Result<Self, goodbot::AgentError> {
+        Ok(Self { agent: Agent::new(AgentHeap::new(&Capacities::STANDARD), lifted, options)?, lifted: lifted.to_vec(), believes, plans })
+    }
+
+    /// Walks through a session. Trainer strategies that the session names are taken; a recorded prior is not, since words made it.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn lesson(&mut self, file: &str, recorded: &RecordedSession) -> Result<Lesson, Vec<Fault>> {
+        let header = &recorded.header;
+        let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
+        let session = check(file, recorded, &self.lifted, home::memory())?;
+        self.expect(header.kind).map_err(at(recorded.header_line))?;
+        let remarks = self.watch(file, &session)?;
+        let intended = session.intended;
+        let beliefs: Vec<f32> = match (header.kind, intended) {
+            (Kind::Labelled, Some(told)) => (0..session.tasks.len()).map(|task| f32::from(u8::from(task == told))).collect(),
+            _ => (0..session.tasks.len()).map(|task| self.agent.belief().probability(task)).collect(),
+        };
+        self.agent.weigh(&session.walk.home).map_err(at(recorded.end_line))?;
+        let shown = match header.kind {
+            Kind::Demonstration => recorded.steps.iter().map(|(_, step)| step.action.clone()).collect(),
+            Kind::Feedback | Kind::Labelled => vec![],
+        };
+        let pairs = self.pairs();
+        let readings = self.readings(&session, &beliefs).map_err(at(recorded.header_line))?;
+        let lesson = Lesson {
+            id: header.id.clone().unwrap_or_else(|| format!("{file}:{}", recorded.header_line)),
+            command: header.command.clone(),
+            header: header.clone(),
+            intended,
+            pairs: intended.filter(|_| header.kind == Kind::Labelled).and_then(|told| readings.get(told)).map_or(pairs, told_pairs),
+            readings,
+            shown,
+            walk: walked(recorded),
+            learn: recorded.learn,
+            remarks,
+        };
+        self.agent.forget();
+        Ok(lesson)
+    }
+
+    /// Expects of the trainer what was told, or else the paper's one, whom a session means that names no strategies. Who shows the way is
+    /// expected to make the paper's one mistake in ten.
+    fn expect(&mut self, kind: Kind) -> Result<(), AgentError> {
+        let plain = Options { drift: 0.0, ending: Ending::NO_EVIDENCE, ..*self.agent.options() };
+        let told = self.believes.as_ref().filter(|_| kind == Kind::Feedback);
+        self.agent.set_options(told.map_or(plain, |believes| believes.options(plain)))?;
+        self.agent.set_strategies(told.and_then(Believes::strategies).unwrap_or(&[(Strategy::BALANCED, 1.0)]))
+    }
+
+    fn watch(&mut self, file: &str, session: &CheckedSession<impl HomeMemory>) -> Result<Vec<Fault>, Vec<Fault>> {
+        let mut remarks = vec![];
+        let mut replay =
+            Replay::new(Rules { strategies: self.believes.as_ref().and_then(Believes::strategies).is_none(), ..Rules::BY_ITSELF });
+        loop {
+            let event = replay.advance(&mut self.agent, &session.walk, u32::MAX);
+            match event.map_err(|refused| vec![Fault::on_line(file, refused.line, refused.error)])? {
+                Event::Ended => return Ok(remarks),
+                Event::Took(step, evidence) => {
+                    if step.bump && session.walk.kind == Kind::Demonstration {
+                        let cell = session.walk.home.agent_cell(&step.before);
+                        let message = format!(
+                            "walks into a wall or a held block at {}, {}; nothing moves, and the step still counts",
+                            cell.x, cell.y
+                        );
+                        remarks.push(Fault::on_line(file, step.line, message).in_field("action"));
+                    }
+                    remarks.extend(remark(evidence).map(|message| Fault::on_line(file, step.line, message)));
+                }
+                Event::Working | Event::Heard | Event::Answered(_) | Event::Planned(_) | Event::Closed(_) => {}
+            }
+        }
+    }
+
+    /// The machine commands by their share of the posterior; those up to [`Options::least_weight`] are dropped.
+    fn pairs(&self) -> Vec<(MachineCommand, f32)> {
+        let candidates = self.agent.candidates();
+        let whole = total(candidates.entries().iter().map(|entry| entry.weight));
+        let text = |&token| token_text(self.agent.language().tokens(), token);
+        let mut pairs: Vec<(MachineCommand, f32)> = candidates
+            .entries()
+            .iter()
+            .map(|entry| (candidates.tokens(entry).iter().map(text).collect(), entry.weight.over(whole)))
+            .filter(|&(_, share)| share > self.agent.options().least_weight)
+            .collect();
+        let kept: f32 = pairs.iter().map(|&(_, share)| share).sum();
+        pairs.iter_mut().for_each(|(_, share)| *share /= kept);
+        pairs
+    }
+
+    fn readings(&mut self, session: &CheckedSession<impl HomeMemory>, beliefs: &[f32]) -> Result<Vec<Reading>, AgentError> {
+        let mut readings = Vec::new();
+        for (position, (task, name)) in session.tasks.iter().enumerate() {
+            let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
+            readings.push(Reading {
+                name: name.clone(),
+                label: label(&session.walk.home, lifted, &task.bindings),
+                prior: task.prior,
+                belief: beliefs.get(position).copied().unwrap_or(0.0),
+                commands: commands(&session.walk.home, &self.lifted, task, &session.walk.start, self.agent.options())?,
+                plan: if self.plans { self.plan(session, position)? } else { vec![] },
+            });
+        }
+        Ok(readings)
+    }
+
+    /// The first in order of a task's shortest plans.
+    fn plan(&mut self, session: &CheckedSession<impl HomeMemory>, task: usize) -> Result<MachineCommand, AgentError> {
+        let (mut state, mut plan) = (session.walk.start, vec![]);
+        self.agent.hear_again(&session.walk.home, &session.walk.start)?;
+        while plan.len() < TOKENS_PER_COMMAND {
+            self.agent.plan_fully(&session.walk.home, &state)?;
+            let actions = self.agent.planned().optimal(task).onward();
+            let Some((action, next)) = actions
+                .and_then(|actions| actions.iter().next())
+                .and_then(|action| Some((action, apply(&session.walk.home, &state, action)?)))
+            else {
+                break;
+            };
+            plan.push(session.walk.home.actions().get(action.index()).map_or_else(String::new, |action| action.name.to_owned()));
+            state = next;
+        }
+        Ok(plan)
+    }
+}
+
+/// What is worth knowing of a step that is no evidence.
+pub fn remark(evidence: Evidence) -> Option<&'static str> {
+    match evidence {
+        Evidence::Used => None,
+        Evidence::SaysNothing => Some("says nothing: no task's optimal actions are known exactly here"),
+        Evidence::Impossible => Some("this is impossible whatever the task and the strategy, and was ignored"),
+    }
+}
+
+/// What was done and how it was judged, step by step.
+fn walked(recorded: &RecordedSession) -> String {
+    let step = |(_, step): &(usize, StepRecord)| format!("{} {}", step.action, step.feedback.map_or("", FeedbackWord::as_str));
+    recorded.steps.iter().map(step).collect::<Vec<_>>().join(", ")
+}
+
+/// The machine commands of a task whose meaning was told: all equally probable, equal ones once.
+fn told_pairs(reading: &Reading) -> Vec<(MachineCommand, f32)> {
+    let share = 1.0 / reading.commands.len().max(1) as f32;
+    let mut pairs: Vec<(MachineCommand, f32)> = Vec::new();
+    for command in &reading.commands {
+        match pairs.iter_mut().find(|(known, _)| known == command) {
+            Some((_, whole)) => *whole += share,
+            None => pairs.push((command.clone(), share)),
+        }
+    }
+    pairs
+}
+
+/// The text of a machine token; a role's marker is `@` and its number.
+pub fn token_text(tokens: SymbolsRef<'_>, token: Symbol) -> String {
+    Marker::of(token).map_or_else(|| tokens.text(token).to_owned(), |marker| marker.to_string())
+}
+
+/// The machine commands of a task, one for each constraint; its description where the role model reads it.
+pub fn commands<D: Domain>(
+    domain: &D,
+    all: &[LiftedTask],
+    task: &goodbot::task::GroundedTask,
+    start: &D::State,
+    options: &Options,
+) -> Result<Vec<MachineCommand>, AgentError> {
+    let (mut bytes, mut ends, mut count) = ([0; 2_048], [0; 64], 0);
+    let mut tokens =
+        Symbols::new(&mut bytes, &mut ends, &mut count, goodbot::capacity::Capacity::Tokens, goodbot::capacity::Capacity::TokenBytes);
+    if options.language.model == Model::Roles {
+        let mut description = Tokens::new();
+        describe(domain, all, task, &mut Scene::new(*start), &mut tokens, &mut description)?;
+        return Ok(vec![description.iter().map(|&token| token_text(tokens.read(), token)).collect()]);
+    }
+    let Some(lifted) = all.get(usize::from(task.lifted)) else { return Ok(vec![]) };
+    let expression = Expression::new(domain, lifted, task, options.language.order, &mut tokens)?;
+    let text = |constraint| -> Result<MachineCommand, AgentError> {
+        Ok(expression.machine_command(constraint)?.iter().map(|&token| tokens.read().text(token).to_owned()).collect())
+    };
+    (0..expression.constraints()).map(text).collect()
+}
+
+/// A task by its propositions and the attributes of its objects.
+pub fn label<D: Domain>(domain: &D, lifted: &LiftedTask, bindings: &[ObjectId]) -> String {
+    let functions = lifted.parts().map(|(part, it)| {
+        let sign = match part {
+            Part::Goal => "",
+            Part::Before(_) => "after ",
+            Part::Through(_) => "through ",
+            Part::Avoiding => "avoiding ",
+        };
+        format!("{sign}{}", domain.world().schema.proposition_name(it.proposition))
+    });
+    let objects = domain.world().objects;
+    let mut parts: Vec<String> = functions.collect();
+    for &object in bindings.iter().take(lifted.variables().len()) {
+        for (position, _) in domain.world().schema.attributes.iter().enumerate() {
+            let value = objects.value(object, position);
+            if !value.is_empty() {
+                parts.push(quoted(value).trim_matches('"').to_owned());
+            }
+        }
+    }
+    parts.join(" ")
+}
+
+/// The symbols of a description. A value that the model does not know is as good as any other that it does not know.
+pub fn description_symbols(language: LanguageRef<'_>, description: &MachineCommand) -> Vec<Symbol> {
+    const UNKNOWN: Symbol = Symbol::new(i16::MAX as u16);
+    let symbol = |token: &String| match token.parse::<Marker>() {
+        Ok(marker) => marker.symbol(),
+        Err(_) => language.tokens().find(token).unwrap_or(UNKNOWN),
+    };
+    description.iter().map(symbol).collect()
+}

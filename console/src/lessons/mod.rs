@@ -1,0 +1,175 @@
+//! Recorded sessions as training data: what was said, and what each session shows of the task that was meant.
+//!
+//! - [`evidence`]: one session, walked by an agent that knows no word;
+//! - [`training`]: a language model trained on many at once;
+//! - [`restored`]: an agent from a model file.
+//!
+//! The order of the sessions plays no part: the posterior over a session's tasks comes from its prior without any word, Pr(l|s) Pr(t|s,l),
+//! and what the trainer said or showed.
+
+pub mod evidence;
+pub mod restored;
+pub mod training;
+
+use crate::believes::Believes;
+use crate::load::input;
+use crate::messages::{bar, counted, say};
+use crate::outcome::Failure;
+use evidence::Witness;
+use goodbot::Options;
+use goodbot::task::LiftedTask;
+use goodbot_formats::session::{Kind, RecordedSession, SessionHeader, SessionReader};
+use goodbot_formats::task_text::GroundTaskText;
+use goodbot_lesson::Fault;
+use rayon::prelude::*;
+
+/// A machine command: its tokens.
+pub type MachineCommand = Vec<String>;
+
+/// A task that a command may mean.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// The task.
+    pub name: GroundTaskText,
+    /// Its kind, with the attributes of its objects: `blockInRoom bag red`.
+    pub label: String,
+    /// Its probability before any word.
+    pub prior: f32,
+    /// Its probability from the steps alone, or from what was told, without any word.
+    pub belief: f32,
+    /// Its machine commands, equally probable.
+    pub commands: Vec<MachineCommand>,
+    /// The actions of one of its shortest plans; empty where no one asked for plans.
+    pub plan: MachineCommand,
+}
+
+/// What one session has to teach.
+#[derive(Clone, Debug)]
+pub struct Lesson {
+    /// The session's name.
+    pub id: String,
+    /// What was said.
+    pub command: String,
+    /// Where it was said, and the rest of its record.
+    pub header: SessionHeader,
+    /// The task that was meant, by position, where the record says so.
+    pub intended: Option<usize>,
+    /// The tasks.
+    pub readings: Vec<Reading>,
+    /// What the command may have meant, and how probable that is.
+    pub pairs: Vec<(MachineCommand, f32)>,
+    /// What the trainer did, in order; empty for feedback.
+    pub shown: Vec<String>,
+    /// What was done and how it was judged, as a text.
+    pub walk: String,
+    /// Whether it is to be learned from.
+    pub learn: bool,
+    /// What is worth knowing, and no fault.
+    pub remarks: Vec<Fault>,
+}
+
+impl Lesson {
+    /// Whether the steps alone, without any word, speak more for what was meant than for any other task. Nothing where it is not known what
+    /// was meant, or where it was told.
+    pub fn evidence_is_right(&self) -> Option<bool> {
+        let meant = self.readings.get(self.intended.filter(|_| self.header.kind != Kind::Labelled)?)?;
+        Some(self.readings.iter().filter(|reading| reading.belief >= meant.belief).count() == 1)
+    }
+}
+
+/// The most sessions at fault that are passed over: what has more is no log.
+pub const MOST_FAULTS: usize = 1_000;
+/// The most sessions that a model can be trained on.
+const MOST_SESSIONS: usize = u16::MAX as usize;
+
+/// What was read.
+#[derive(Debug, Default)]
+pub struct Lessons {
+    /// The lessons.
+    pub lessons: Vec<Lesson>,
+    /// How many sessions at fault were passed over.
+    pub skipped: usize,
+    /// How many labelled sessions were left out because they tell a way.
+    pub with_way: usize,
+}
+
+/// How sessions are read.
+#[derive(Clone, Debug, Default)]
+pub struct Told {
+    /// What is expected of trainers, in place of what the sessions say.
+    pub believes: Option<Believes>,
+    /// Whether sessions at fault are passed over.
+    pub keep_going: bool,
+}
+
+/// Reads the sessions of all files and walks through them.
+pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bool, told: &Told) -> Result<Lessons, Failure> {
+    let keep_going = told.keep_going;
+    let mut sessions: Vec<(String, RecordedSession)> = Vec::new();
+    let (mut skipped, mut with_way) = (0, 0);
+    let ways = lifted.iter().any(LiftedTask::has_way);
+    for file in files {
+        let opened = input::log(file).map_err(|fault| Failure::Input(fault.to_string()))?;
+        let name = input::name(file);
+        for session in SessionReader::new(opened) {
+            match session {
+                Ok(session) if session.header.has_way() && !ways => with_way += 1,
+                Ok(_) if sessions.len() >= MOST_SESSIONS => {
+                    return Err(Failure::Input(format!("{name}: has more than {MOST_SESSIONS} sessions; learn from fewer at once")));
+                }
+                Ok(session) => sessions.push((name.to_owned(), session)),
+                Err(error) => refuse(&[Fault::from_format(name, error)], keep_going, &mut skipped)?,
+            }
+        }
+    }
+    let progress = bar(sessions.len(), "walking through sessions");
+    let walked: Vec<Result<Lesson, Vec<Fault>>> = sessions
+        .par_iter()
+        .map_init(
+            || Witness::new(lifted, options, told.believes.clone(), plans),
+            |witness, (file, session)| {
+                let lesson = match witness {
+                    Ok(witness) => witness.lesson(file, session),
+                    Err(error) => Err(vec![Fault::new(file, error)]),
+                };
+                progress.inc(1);
+                lesson
+            },
+        )
+        .collect();
+    progress.finish_and_clear();
+    let mut lessons = Vec::new();
+    for lesson in walked {
+        match lesson {
+            Ok(lesson) => {
+                lesson.remarks.iter().for_each(|remark| say!("{remark}"));
+                lessons.push(lesson);
+            }
+            Err(faults) => refuse(&faults, keep_going, &mut skipped)?,
+        }
+    }
+    if skipped > 0 {
+        say!("{} at fault passed over", counted(skipped, "session"));
+    }
+    if with_way > 0 {
+        say!("{} with a way (through, avoiding) left out: consider ways with --routes", counted(with_way, "session"));
+    }
+    if lessons.is_empty() {
+        return Err(Failure::Input("there is no session to learn from; name a file that has one".to_owned()));
+    }
+    Ok(Lessons { lessons, skipped, with_way })
+}
+
+fn refuse(faults: &[Fault], keep_going: bool, skipped: &mut usize) -> Result<(), Failure> {
+    let text: Vec<String> = faults.iter().map(ToString::to_string).collect();
+    if !keep_going {
+        return Err(Failure::Input(text.join("\n")));
+    }
+    eprintln!("{}", text.join("\n"));
+    *skipped += 1;
+    if *skipped > MOST_FAULTS {
+        let message = format!("more than {MOST_FAULTS} sessions are at fault; check with goodbot check that this is a session log");
+        return Err(Failure::Input(message));
+    }
+    Ok(())
+}

@@ -1,0 +1,245 @@
+//! A language model trained on many sessions at once, and asked.
+
+use super::{Lesson, MachineCommand};
+use crate::learner;
+use goodbot::AgentError;
+use goodbot::Capacities;
+use goodbot::capacity::CapacityError;
+use goodbot::language::Model;
+use goodbot::language::for_each_word;
+use goodbot::language::{LanguageModel, LanguageRef, Settings};
+use goodbot::memory::{AgentHeap, AgentMemory};
+use goodbot::planning::Progress;
+use goodbot::probability::{Scaled, total};
+use goodbot::symbols::Symbol;
+use goodbot::task::Marker;
+use std::collections::BTreeSet;
+
+/// Memory for a language model of these lessons, and for no search.
+pub fn memory(lessons: &[Lesson], settings: &Settings) -> AgentHeap {
+    learner::memory(&capacities(lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD }), settings)
+}
+
+/// Capacities for what these lessons teach, and no less than `least`.
+pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
+    let (mut words, mut tokens, mut commands) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
+    let (mut lengths, mut sentence_words, mut pairs) = (BTreeSet::new(), 0, 0);
+    for lesson in lessons {
+        let mut count = 0;
+        // A command that is too long was refused when the session was read.
+        let _ = for_each_word(&lesson.command, |word| {
+            words.insert(word.to_owned());
+            count += 1;
+            Ok(())
+        });
+        sentence_words += count;
+        pairs += lesson.pairs.len();
+        for (command, _) in &lesson.pairs {
+            lengths.insert((command.len(), count));
+            commands.insert(command);
+        }
+        tokens.extend(lesson.readings.iter().flat_map(|reading| &reading.commands).flatten());
+    }
+    let spare = 64;
+    let (word_count, token_count) = (words.len() + spare, tokens.len() + spare);
+    Capacities {
+        words: least.words.max(word_count),
+        word_bytes: least.word_bytes.max(words.iter().map(String::len).sum::<usize>() + 16 * spare),
+        tokens: least.tokens.max(token_count),
+        token_bytes: least.token_bytes.max(tokens.iter().map(|token| token.len()).sum::<usize>() + 32 * spare),
+        commands: least.commands.max(commands.len()),
+        command_tokens: least.command_tokens.max(commands.iter().map(|command| command.len()).sum()),
+        sessions: least.sessions.max(lessons.len()),
+        sentence_words: least.sentence_words.max(sentence_words),
+        pairs: least.pairs.max(pairs),
+        translations: least.translations.max((token_count + 1) * word_count),
+        alignments: least.alignments.max(lengths.iter().map(|(machine, english)| (machine + 1) * english).sum()),
+        length_pairs: least.length_pairs.max(lengths.len()),
+        ..least
+    }
+}
+
+/// Trains a model on lessons, from uniform parameters.
+///
+/// # Errors
+/// An [`AgentError`] where the memory was made for fewer lessons, or a setting is none to train with.
+pub fn train<'m, 'l>(
+    memory: &'m mut AgentHeap,
+    lessons: impl Iterator<Item = &'l Lesson>,
+    settings: Settings,
+) -> Result<LanguageModel<&'m mut AgentHeap>, AgentError> {
+    let mut model = LanguageModel::new(memory, settings)?;
+    for lesson in lessons.filter(|lesson| lesson.learn) {
+        let sentence = model.hear(&lesson.command)?;
+        let pairs: Vec<(Vec<Symbol>, f32)> = lesson
+            .pairs
+            .iter()
+            .map(|(command, share)| Ok((symbols(&mut model, command)?, *share)))
+            .collect::<Result<_, CapacityError>>()?;
+        model.add_session(&sentence, pairs.iter().map(|(command, share)| (&command[..], *share)))?;
+        if settings.layer {
+            let possible = possible(&mut model, lesson)?;
+            model.add_possible(possible.iter().map(|(description, prior)| (&description[..], *prior)))?;
+        }
+    }
+    model.begin_training();
+    while model.train(u32::MAX) == Progress::Working {}
+    Ok(model)
+}
+
+/// The descriptions of a lesson's tasks, each once, and how probable each is before any word.
+fn possible(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -> Result<Vec<(Vec<Symbol>, f32)>, CapacityError> {
+    let mut possible: Vec<(Vec<Symbol>, f32)> = Vec::new();
+    for reading in &lesson.readings {
+        let Some(description) = reading.commands.first() else { continue };
+        let description = symbols(model, description)?;
+        match possible.iter_mut().find(|(known, _)| *known == description) {
+            Some((_, prior)) => *prior += reading.prior,
+            None => possible.push((description, reading.prior)),
+        }
+    }
+    Ok(possible)
+}
+
+/// The symbols of a machine command.
+pub fn symbols(model: &mut LanguageModel<impl AgentMemory>, command: &MachineCommand) -> Result<Vec<Symbol>, CapacityError> {
+    let symbol = |token: &String| match token.parse::<Marker>() {
+        Ok(marker) => Ok(marker.symbol()),
+        Err(_) => model.tokens_mut().intern(token),
+    };
+    command.iter().map(symbol).collect()
+}
+
+/// Pr(t|e,s) for each task of a lesson.
+///
+/// # Errors
+/// A [`CapacityError`] where the command has no room.
+pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -> Result<Vec<f32>, CapacityError> {
+    let sentence = model.hear(&lesson.command)?;
+    let (mut scores, mut forms) = (Vec::new(), Vec::new());
+    for reading in &lesson.readings {
+        let share = reading.prior / reading.commands.len().max(1) as f32;
+        let mut sum = Scaled::ZERO;
+        for command in &reading.commands {
+            let command = symbols(model, command)?;
+            if forms.len() == scores.len() {
+                forms.extend(command.first().copied());
+            }
+            sum = sum.plus(model.likelihood(&sentence, &command).scaled_by(share));
+        }
+        scores.push(sum);
+    }
+    let form = |task: usize| forms.get(task).copied().unwrap_or(Symbol::new(0));
+    let prior = |task: usize| lesson.readings.get(task).map_or(0.0, |reading| reading.prior);
+    model.read().weigh_kinds(&sentence, form, prior, &mut scores);
+    if model.settings().layer {
+        weigh_parts(model, lesson, &sentence, &mut scores)?;
+    }
+    model.forget_unlearned();
+    let whole = total(scores.iter().copied());
+    Ok(scores.into_iter().map(|score| score.over(whole)).collect())
+}
+
+/// Lets the layer speak.
+fn weigh_parts(
+    model: &mut LanguageModel<impl AgentMemory>,
+    lesson: &Lesson,
+    sentence: &[Option<Symbol>],
+    scores: &mut [Scaled],
+) -> Result<(), CapacityError> {
+    let mut descriptions = Vec::new();
+    for reading in &lesson.readings {
+        descriptions.push(reading.commands.first().map_or_else(|| Ok(vec![]), |description| symbols(model, description))?);
+    }
+    let same = |task: usize| descriptions.iter().position(|other| Some(other) == descriptions.get(task)).unwrap_or(task);
+    let description = |task: usize| descriptions.get(task).map_or(&[][..], |description| &description[..]);
+    model.read().weigh_parts(sentence, same, description, scores);
+    Ok(())
+}
+
+/// How a word was explained.
+#[derive(Clone, Debug)]
+pub struct Explained {
+    /// The word, in the form that the model knows it by.
+    pub word: String,
+    /// The machine token that explains it best, `NULL` for none.
+    pub token: String,
+    /// How much of the word's probability that token has.
+    pub share: f32,
+    /// The word's probability given the whole machine command; nothing for a word never heard in training.
+    pub probability: Option<f32>,
+}
+
+/// How the words of a command are explained by a machine command.
+///
+/// # Errors
+/// A [`CapacityError`] where the command has no room.
+pub fn explain(
+    model: &mut LanguageModel<impl AgentMemory>,
+    english: &str,
+    command: &MachineCommand,
+) -> Result<Vec<Explained>, CapacityError> {
+    let sentence = model.hear(english)?;
+    let tokens = symbols(model, command)?;
+    let mut explained = explained(model.read(), &sentence, &tokens);
+    if model.read().settings().model == Model::Roles {
+        let known = model.read().tables().words();
+        for (word, it) in sentence.iter().zip(&mut explained) {
+            (it.share, it.probability) = (0.0, word.filter(|word| word.index() < known).map(|_| 0.0));
+        }
+        model.read().word_by_word(&sentence, &tokens, |position, probability| {
+            if let Some(slot) = explained.get_mut(position).and_then(|it| it.probability.as_mut()) {
+                *slot = probability;
+            }
+        });
+    }
+    model.forget_unlearned();
+    Ok(explained)
+}
+
+/// The same, for what is interned already.
+pub fn explained(model: LanguageRef<'_>, sentence: &[Option<Symbol>], tokens: &[Symbol]) -> Vec<Explained> {
+    let tables = model.tables();
+    let mut explained = Vec::new();
+    for (i, &word) in sentence.iter().enumerate() {
+        let text = word.map_or_else(String::new, |word| model.words().text(word).to_owned());
+        let known = word.filter(|word| word.index() < tables.words());
+        let part = |j: usize, token: Option<Symbol>| {
+            known.map_or(0.0, |word| tables.alignment(j, i, tokens.len(), sentence.len()) * tables.translation(word, token))
+        };
+        let parts: Vec<f32> =
+            std::iter::once(None).chain(tokens.iter().copied().map(Some)).enumerate().map(|(j, token)| part(j, token)).collect();
+        let whole: f32 = parts.iter().sum();
+        let best = parts.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(j, _)| j);
+        let token = best.checked_sub(1).and_then(|j| tokens.get(j));
+        explained.push(Explained {
+            word: text,
+            token: token.map_or("NULL", |&token| model.tokens().text(token)).to_owned(),
+            share: if whole > 0.0 { parts.get(best).copied().unwrap_or(0.0) / whole } else { 0.0 },
+            probability: known.map(|_| whole),
+        });
+    }
+    explained
+}
+
+/// The machine command of a task that explains a command best.
+///
+/// # Errors
+/// A [`CapacityError`] where the command has no room.
+pub fn best_command<'r>(
+    model: &mut LanguageModel<impl AgentMemory>,
+    english: &str,
+    commands: &'r [MachineCommand],
+) -> Result<Option<&'r MachineCommand>, CapacityError> {
+    let sentence = model.hear(english)?;
+    let (mut best, mut most) = (None, Scaled::ZERO);
+    for command in commands {
+        let tokens = symbols(model, command)?;
+        let likelihood = model.likelihood(&sentence, &tokens);
+        if best.is_none() || likelihood.exceeds(most) {
+            (best, most) = (Some(command), likelihood);
+        }
+    }
+    model.forget_unlearned();
+    Ok(best)
+}

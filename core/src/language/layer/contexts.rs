@@ -1,0 +1,101 @@
+//! A command as the layer hears it: which words speak of values, and what stands around them.
+
+use super::parts::Part;
+use super::weights::{Context, of_context, of_kind, of_kind_word, of_value_word};
+use crate::capacity::WORDS_PER_COMMAND;
+use crate::language::roles::names::Names;
+use crate::language::tables::TablesRef;
+use crate::symbols::Symbol;
+use heapless::Vec;
+
+/// A word speaks of a value if it was taken for it in more than this share of the times that it was heard.
+const SPEAKS: f32 = 0.05;
+/// A word is a mention if it was taken for some value in more than this share.
+const MENTIONS: f32 = 0.3;
+/// More mentions before or after count as so many.
+const MOST_COUNTED: usize = 3;
+
+/// A word that was taken for a value often enough.
+#[derive(Clone, Copy)]
+struct Mention {
+    position: usize,
+    value: Symbol,
+}
+
+/// A command.
+pub(super) struct Command<'s, 't> {
+    words: &'s [Option<Symbol>],
+    names: Names<'t>,
+    /// In order.
+    mentions: Vec<Mention, WORDS_PER_COMMAND>,
+}
+
+impl<'s, 't> Command<'s, 't> {
+    /// A command, after a training on data of so many words, each as often as it was `said`.
+    pub fn new(tables: TablesRef<'t>, said: f32, words: &'s [Option<Symbol>]) -> Self {
+        let names = Names::new(tables, said);
+        let mut command = Self { words, names, mentions: Vec::new() };
+        for (position, word) in words.iter().enumerate() {
+            let Some(word) = *word else { continue };
+            let best =
+                names.values().map(|value| (value, names.share(word, value))).reduce(|best, it| if it.1 > best.1 { it } else { best });
+            if let Some((value, _)) = best.filter(|&(_, share)| share > MENTIONS) {
+                // As many as words at most.
+                let _ = command.mentions.push(Mention { position, value });
+            }
+        }
+        command
+    }
+
+    /// The words from a position on, each once.
+    fn different(&self, from: usize) -> impl Iterator<Item = Symbol> {
+        let words = self.words.get(from..).unwrap_or(&[]);
+        let is_first = move |position: usize, word: Symbol| !words.iter().take(position).any(|&other| other == Some(word));
+        let known = words.iter().enumerate().filter_map(|(position, word)| word.map(|word| (position, word)));
+        known.filter(move |&(position, word)| is_first(position, word)).map(|(_, word)| word)
+    }
+
+    /// Tells each weight that speaks for a part of a task, and how much it counts.
+    pub fn each_weight(&self, (role, value): Part, mut tell: impl FnMut(usize, f32)) {
+        if role == value {
+            tell(of_kind(value), 1.0);
+            self.different(0).for_each(|word| tell(of_kind_word(value, word), 1.0));
+            return;
+        }
+        for word in self.different(0).filter(|&word| self.names.share(word, value) > SPEAKS) {
+            tell(of_value_word(role, value, word), 1.0);
+        }
+        for (position, word) in self.words.iter().enumerate() {
+            let share = word.map_or(0.0, |word| self.names.share(word, value));
+            if share > SPEAKS {
+                self.each_context(position, value, |context| tell(of_context(role, context), share));
+            }
+        }
+    }
+
+    /// The word at a position: nothing for one that training has not seen, and `Some(None)` beyond the ends.
+    fn around(&self, position: Option<usize>) -> Option<Option<Symbol>> {
+        match position.and_then(|position| self.words.get(position)) {
+            None => Some(None),
+            Some(word) => word.map(Some),
+        }
+    }
+
+    /// Tells what stands around a word that speaks of a value.
+    fn each_context(&self, position: usize, value: Symbol, mut tell: impl FnMut(Context)) {
+        tell(Context::Any);
+        self.around(position.checked_sub(1)).into_iter().for_each(|word| tell(Context::Before(word)));
+        self.around(position.checked_sub(2)).into_iter().for_each(|word| tell(Context::SecondBefore(word)));
+        let next = position.saturating_add(1);
+        self.around(Some(next)).into_iter().for_each(|word| tell(Context::After(word)));
+        let earlier = || self.mentions.iter().filter(|mention| mention.position < position);
+        let later = || self.mentions.iter().filter(|mention| mention.position > position);
+        tell(Context::Earlier(earlier().count().min(MOST_COUNTED) as u16));
+        tell(Context::Later(later().count().min(MOST_COUNTED) as u16));
+        if later().next().is_none() {
+            self.different(next).for_each(|word| tell(Context::Tail(word)));
+        }
+        let same = |mention: Option<&Mention>| mention.map_or(0, |mention| if mention.value == value { 2 } else { 1 });
+        tell(Context::Between(same(earlier().next_back()), same(later().next())));
+    }
+}

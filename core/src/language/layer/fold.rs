@@ -1,0 +1,65 @@
+//! What a role model that has not seen a session makes of it.
+
+use super::tables::{LayerRef, Room};
+use crate::capacity::WORDS_PER_COMMAND;
+use crate::language::bitext::{BitextRef, FOLDS};
+use crate::language::roles::{forward, kind};
+use crate::language::tables::TablesRef;
+use crate::probability::{Scaled, total};
+use crate::symbols::Symbol;
+use crate::task::description::form;
+use heapless::Vec;
+
+/// The layer learns nothing from sessions of more tasks.
+pub(super) const MOST_TASKS: usize = 64;
+
+impl LayerRef<'_> {
+    /// How many tasks of a session the layer learns from; 0 where it learns nothing.
+    pub(super) fn tasks(self, session: u16) -> usize {
+        let count = self.possible.pairs_of(session).len();
+        if (2..=MOST_TASKS).contains(&count) { count } else { 0 }
+    }
+}
+
+impl Room<'_> {
+    /// Keeps the posterior over a session's tasks, by a role model that was trained without the session and those left out with it, and the
+    /// shares that the session showed of them. Returns about how many table cells that was.
+    #[inline(never)]
+    pub fn understand(&mut self, tables: TablesRef<'_>, bitext: BitextRef<'_>, session: u16) -> usize {
+        let possible = self.possible.read();
+        let (pairs, shown) = (possible.pairs_of(session), bitext.pairs_of(session));
+        if self.read().tasks(session) == 0 {
+            return 1;
+        }
+        let mut sentence: Vec<Option<Symbol>, WORDS_PER_COMMAND> = Vec::new();
+        for &word in bitext.sentence(session) {
+            let known = |other: u16| usize::from(other) % FOLDS != usize::from(session) % FOLDS && bitext.sentence(other).contains(&word);
+            let _ = sentence.push((0..bitext.sessions() as u16).any(known).then_some(word));
+        }
+        let description = |task: usize| pairs.get(task).map_or(&[][..], |pair| possible.command(pair.command));
+        let prior = |task: usize| pairs.get(task).map_or(0.0, |pair| pair.weight);
+        let (layout, mut cells) = (tables.layout(), 1_usize);
+        let mut weights = [Scaled::ZERO; MOST_TASKS];
+        let weights = weights.get_mut(..pairs.len()).unwrap_or(&mut []);
+        for (task, weight) in weights.iter_mut().enumerate() {
+            let likelihood = forward::likelihood(layout, tables.cells(), &sentence, description(task), |_, _| {});
+            *weight = likelihood.scaled_by(prior(task));
+            cells = cells.saturating_add(description(task).len().saturating_mul(sentence.len()).saturating_mul(4));
+        }
+        kind::weigh(tables, &sentence, |task| form(description(task)).unwrap_or(Symbol(0)), weights);
+        kind::dilute(tables, &sentence, prior, weights);
+        if weights.iter().all(|weight| weight.is_zero()) {
+            weights.iter_mut().enumerate().for_each(|(task, weight)| *weight = Scaled::new(prior(task)));
+        }
+        let whole = total(weights.iter().copied());
+        let first = possible.pairs().partition_point(|pair| pair.session < session);
+        for (task, weight) in weights.iter().enumerate() {
+            let share = shown.iter().filter(|pair| bitext.command(pair.command) == description(task)).map(|pair| pair.weight).sum();
+            let at = first.saturating_add(task);
+            if let (Some(understood), Some(shown)) = (self.understood.get_mut(at), self.shares.get_mut(at)) {
+                (*understood, *shown) = (weight.over(whole), share);
+            }
+        }
+        cells
+    }
+}

@@ -1,0 +1,42 @@
+//! The layer: a discriminative model over the tasks that are possible in a session, above the role model. With the feature `layer`.
+//!
+//! The role model says how probable the words are where a task is meant, and is sure too early. The layer learns where it is wrong. With t a
+//! task, e the words, d the parts of a task and p the posterior of the role model,
+//!
+//! ```text
+//! Pr(t|e,s) proportional to exp(a log(p(t|e,s) + 0.03 / T) + sum over the parts d of t of U_d(e)),   T the number of tasks here
+//! ```
+//!
+//! The parts of a task are its kind, and each value of what it speaks of, with the role (`parts`). g(w,v) is how often the role model took the
+//! word w for the value v, of all times that it was heard. U of a kind is a constant, and a weight for each word. U of a value is, over the
+//! words with g > 0.05, a weight of the word, and g times a weight for each thing that stands around the word (`contexts`); all values of a
+//! role share those. So the layer learns "avoid" from one color and knows it with another.
+//!
+//! It is trained to give each session's tasks the shares that the session has shown (`training`), with
+//! - p from a model that has not seen the session: four models are trained, each without a quarter of the sessions;
+//! - weights pulled towards 0, and a towards 1, by pulls that do not grow with the sessions, so that few sessions leave p as it is.
+//!
+//! It needs the tasks of each session that were not meant, too, in memory of its own ([`LayerTables`]). Where there is none of it, or it is
+//! full, the layer is silent, and all is as without it.
+
+mod tables;
+
+#[cfg(feature = "layer")]
+mod contexts;
+#[cfg(feature = "layer")]
+mod fold;
+#[cfg(feature = "layer")]
+mod parts;
+#[cfg(feature = "layer")]
+mod posterior;
+#[cfg(feature = "layer")]
+pub(crate) mod training;
+#[cfg(feature = "layer")]
+mod weights;
+
+pub(in crate::language) use tables::Layer;
+#[cfg(feature = "layer")]
+pub(in crate::language) use tables::LayerRef;
+#[cfg(feature = "layer")]
+pub use tables::{LAYER_WEIGHTS, LayerState};
+pub use tables::{LayerTables, LayerTablesRef};

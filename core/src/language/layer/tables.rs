@@ -1,0 +1,238 @@
+//! The memory of the layer. Without the feature `layer`, and where a caller has none for it, it has no bytes.
+
+#[cfg(feature = "layer")]
+use super::weights::CELLS;
+use crate::language::bitext::LeftOut;
+#[cfg(feature = "layer")]
+use crate::language::bitext::{Bitext, BitextRef, BitextTables, BitextTablesRef, Extent};
+#[cfg(feature = "layer")]
+use crate::language::forgetting::close_up;
+#[cfg(feature = "layer")]
+use crate::language::settings::{Model, Settings};
+#[cfg(feature = "layer")]
+use crate::symbols::Symbol;
+use core::marker::PhantomData;
+
+/// How many numbers the layer learns, three times: each weight, its slope, and the sum of the squares of its slopes.
+#[cfg(feature = "layer")]
+pub const LAYER_WEIGHTS: usize = 3 * CELLS;
+
+/// The tables of the layer.
+#[derive(Debug, Default)]
+pub struct LayerTables<'t> {
+    /// The tasks of all sessions: each session's machine commands, and the prior of each in place of its weight. The sessions have no words.
+    #[cfg(feature = "layer")]
+    pub possible: BitextTables<'t>,
+    /// One entry a pair of `possible`: the share that the session showed of it.
+    #[cfg(feature = "layer")]
+    pub shares: &'t mut [f32],
+    /// One entry a pair of `possible`: its posterior by a role model that has not seen the session.
+    #[cfg(feature = "layer")]
+    pub understood: &'t mut [f32],
+    /// [`LAYER_WEIGHTS`] numbers.
+    #[cfg(feature = "layer")]
+    pub weights: &'t mut [f32],
+    /// One entry; without it there is no layer.
+    #[cfg(feature = "layer")]
+    pub state: &'t mut [LayerState],
+    /// Nothing.
+    pub lent: PhantomData<&'t mut ()>,
+}
+
+/// The tables of the layer, to be read.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct LayerTablesRef<'t> {
+    /// As [`LayerTables::possible`].
+    #[cfg(feature = "layer")]
+    pub possible: BitextTablesRef<'t>,
+    /// As [`LayerTables::weights`].
+    #[cfg(feature = "layer")]
+    pub weights: &'t [f32],
+    /// As [`LayerTables::state`].
+    #[cfg(feature = "layer")]
+    pub state: &'t [LayerState],
+    /// Nothing.
+    pub lent: PhantomData<&'t ()>,
+}
+
+impl LayerTables<'_> {
+    /// The same tables, lent for a shorter time.
+    pub fn lend(&mut self) -> LayerTables<'_> {
+        LayerTables {
+            #[cfg(feature = "layer")]
+            possible: self.possible.lend(),
+            #[cfg(feature = "layer")]
+            shares: self.shares,
+            #[cfg(feature = "layer")]
+            understood: self.understood,
+            #[cfg(feature = "layer")]
+            weights: self.weights,
+            #[cfg(feature = "layer")]
+            state: self.state,
+            lent: PhantomData,
+        }
+    }
+
+    /// The same tables, to be read.
+    pub const fn read(&self) -> LayerTablesRef<'_> {
+        LayerTablesRef {
+            #[cfg(feature = "layer")]
+            possible: self.possible.read(),
+            #[cfg(feature = "layer")]
+            weights: self.weights,
+            #[cfg(feature = "layer")]
+            state: self.state,
+            lent: PhantomData,
+        }
+    }
+}
+
+/// All of the layer that is not in its other tables.
+#[cfg(feature = "layer")]
+#[derive(Clone, Copy, Debug)]
+pub struct LayerState {
+    possible: Extent,
+    learned: Learned,
+    left_out: LeftOut,
+}
+
+#[cfg(feature = "layer")]
+impl LayerState {
+    /// What unused memory holds.
+    pub const UNUSED: Self = Self { possible: Extent::NONE, learned: Learned { done: false, said: 0.0 }, left_out: LeftOut::NONE };
+}
+
+/// What a training left.
+#[cfg(feature = "layer")]
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Learned {
+    /// Whether the weights are trained.
+    pub done: bool,
+    /// How many words were said in the sessions trained on.
+    pub said: f32,
+}
+
+/// The layer, to be taught, if there is memory for it.
+#[derive(Debug)]
+pub(in crate::language) struct Layer<'t> {
+    #[cfg(feature = "layer")]
+    pub room: Option<Room<'t>>,
+    lent: PhantomData<&'t mut ()>,
+}
+
+impl<'t> Layer<'t> {
+    /// The layer in its tables.
+    pub fn new(tables: LayerTables<'t>) -> Self {
+        let lent = tables.lent;
+        Self {
+            #[cfg(feature = "layer")]
+            room: Room::new(tables),
+            lent,
+        }
+    }
+}
+
+#[cfg(not(feature = "layer"))]
+#[expect(clippy::unused_self, reason = "as with the feature")]
+impl Layer<'_> {
+    /// The sessions that the role model in training is not to see.
+    pub const fn left_out(&self) -> LeftOut {
+        LeftOut::NONE
+    }
+}
+
+#[cfg(feature = "layer")]
+impl Layer<'_> {
+    /// The sessions that the role model in training is not to see.
+    pub fn left_out(&self) -> LeftOut {
+        self.room.as_ref().map_or(LeftOut::NONE, |room| *room.left_out)
+    }
+
+    /// A training begins: what was learned says nothing any more.
+    pub fn begin(&mut self, settings: &Settings, sessions: usize) {
+        if let Some(room) = &mut self.room {
+            let left_out = if room.is_wanted(settings, sessions) { LeftOut::FIRST } else { LeftOut::NONE };
+            (room.learned.done, *room.left_out) = (false, left_out);
+        }
+    }
+
+    /// The layer, to be read, if there is memory for it.
+    pub const fn read(&self) -> Option<LayerRef<'_>> {
+        match &self.room {
+            Some(room) => Some(room.read()),
+            None => None,
+        }
+    }
+}
+
+/// The layer in its memory.
+#[cfg(feature = "layer")]
+#[derive(Debug)]
+pub(in crate::language) struct Room<'t> {
+    pub possible: Bitext<'t>,
+    pub left_out: &'t mut LeftOut,
+    pub(super) shares: &'t mut [f32],
+    pub(super) understood: &'t mut [f32],
+    pub(super) weights: &'t mut [f32],
+    pub(super) learned: &'t mut Learned,
+}
+
+/// The layer in its memory, to be read.
+#[cfg(feature = "layer")]
+#[derive(Clone, Copy, Debug)]
+pub(in crate::language) struct LayerRef<'t> {
+    pub possible: BitextRef<'t>,
+    pub(super) weights: &'t [f32],
+    pub(super) learned: Learned,
+}
+
+#[cfg(feature = "layer")]
+impl<'t> LayerRef<'t> {
+    /// The layer in its tables.
+    pub fn new(tables: LayerTablesRef<'t>) -> Option<Self> {
+        let state = tables.state.first()?;
+        Some(Self { possible: BitextRef::new(tables.possible, state.possible), weights: tables.weights, learned: state.learned })
+    }
+}
+
+#[cfg(feature = "layer")]
+impl<'t> Room<'t> {
+    fn new(tables: LayerTables<'t>) -> Option<Self> {
+        let LayerTables { possible, shares, understood, weights, state, .. } = tables;
+        let state = state.first_mut()?;
+        Some(Self {
+            possible: Bitext::new(possible, &mut state.possible),
+            left_out: &mut state.left_out,
+            shares,
+            understood,
+            weights,
+            learned: &mut state.learned,
+        })
+    }
+
+    /// The same, to be read.
+    pub const fn read(&self) -> LayerRef<'_> {
+        LayerRef { possible: self.possible.read(), weights: self.weights, learned: *self.learned }
+    }
+
+    /// Whether there is something to train it on. A single session leaves none for the model that has not seen it.
+    pub fn is_wanted(&self, settings: &Settings, sessions: usize) -> bool {
+        let is_on = settings.layer && settings.model.in_use() == Model::Roles;
+        is_on && sessions > 1 && self.weights.len() >= LAYER_WEIGHTS && !self.possible.read().pairs().is_empty()
+    }
+
+    /// A machine token is forgotten, and those after it move up by one. Where a session's task has it, the layer forgets all sessions: it
+    /// learns anew from those to come.
+    pub fn remove_token(&mut self, token: Symbol) {
+        if self.possible.tokens_mut().contains(&token) {
+            self.clear();
+        }
+        self.possible.tokens_mut().iter_mut().for_each(|other| close_up(other, token));
+    }
+
+    /// Forgets all sessions.
+    pub fn clear(&mut self) {
+        self.possible.rewind(Extent::NONE);
+        self.learned.done = false;
+    }
+}

@@ -1,0 +1,150 @@
+//! How the weights are learned: in 30 passes over the sessions, one step of `AdaGrad` a session.
+//!
+//! With p(t) what the layer believes of a session's tasks now, q(t) the share that the session showed of each, and pi(t) its prior, a step
+//! goes from p towards
+//!
+//! ```text
+//! r(t) proportional to (q(t) + 0.1 pi(t)) p(t)
+//! ```
+//!
+//! Words may say what the trainer's acts leave open, and one session of some shows another task than was meant: what no act speaks for keeps
+//! a tenth of its prior. After each pass one step pulls every weight towards 0, and a towards 1.
+
+use super::contexts::Command;
+use super::fold::MOST_TASKS;
+use super::parts::Parts;
+use super::posterior::logarithm;
+use super::tables::Room;
+use super::weights::{PULLS, TRUST, Weights};
+use crate::capacity::WORDS_PER_COMMAND;
+use crate::language::bitext::BitextRef;
+use crate::language::tables::TablesRef;
+use crate::probability::exp;
+use crate::symbols::Symbol;
+use heapless::Vec;
+
+const PASSES: u8 = 30;
+/// What of a task's prior the acts of a session cannot refute.
+const UNREFUTED: f32 = 0.1;
+/// What no belief falls below, so that none is lost for good.
+const LEAST: f32 = 1e-9;
+
+/// Where the training of the layer stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Part {
+    /// The weights are not there yet.
+    Clear,
+    /// A pass, from this session on.
+    Pass(u8, u16),
+    /// Done.
+    Done,
+}
+
+impl Room<'_> {
+    /// One part: about how many table cells it was, and where the training stands after it.
+    pub fn advance(&mut self, tables: TablesRef<'_>, bitext: BitextRef<'_>, part: Part) -> (usize, Part) {
+        match part {
+            Part::Clear => {
+                let mut weights = Weights::of(self.weights);
+                weights.clear();
+                self.learned.said = bitext.words_said() as f32;
+                (weights.values.len(), Part::Pass(0, 0))
+            }
+            Part::Pass(pass, session) if usize::from(session) < bitext.sessions() => {
+                (self.learn_session(tables, bitext, session), Part::Pass(pass, session.saturating_add(1)))
+            }
+            Part::Pass(pass, _) => {
+                let cells = self.pull();
+                let pass = pass.saturating_add(1);
+                self.learned.done = pass >= PASSES;
+                (cells, if self.learned.done { Part::Done } else { Part::Pass(pass, 0) })
+            }
+            Part::Done => (0, Part::Done),
+        }
+    }
+
+    /// One step towards what a session shows.
+    #[inline(never)]
+    fn learn_session(&mut self, tables: TablesRef<'_>, bitext: BitextRef<'_>, session: u16) -> usize {
+        let count = self.read().tasks(session);
+        if count == 0 {
+            return 1;
+        }
+        let possible = self.possible.read();
+        let (pairs, first) = (possible.pairs_of(session), possible.pairs().partition_point(|pair| pair.session < session));
+        let mut sentence: Vec<Option<Symbol>, WORDS_PER_COMMAND> = Vec::new();
+        for &word in bitext.sentence(session) {
+            let _ = sentence.push(Some(word));
+        }
+        let command = Command::new(tables, self.learned.said, &sentence);
+        let descriptions = || pairs.iter().map(|pair| possible.command(pair.command));
+        let of_session = first..first.saturating_add(count);
+        let (understood, shown) = (self.understood.get(of_session.clone()), self.shares.get(of_session));
+        let (understood, shown) = (understood.unwrap_or(&[]), shown.unwrap_or(&[]));
+        let mut weights = Weights::of(self.weights);
+        let mut cells = 1_usize;
+
+        let mut parts = Parts::of(descriptions());
+        for (part, number) in parts.each() {
+            command.each_weight(part, |cell, times| {
+                *number += times * weights.values.get(cell).copied().unwrap_or(0.0);
+                cells = cells.saturating_add(3);
+            });
+        }
+        let trust = 1.0 + weights.values.get(TRUST).copied().unwrap_or(0.0);
+        let (mut believed, mut wanted) = ([0.0_f32; MOST_TASKS], [0.0_f32; MOST_TASKS]);
+        let mut best = f32::MIN;
+        for ((slot, &understood), description) in believed.iter_mut().zip(understood).zip(descriptions()) {
+            *slot = trust * logarithm(understood, count) + parts.sum(description);
+            best = best.max(*slot);
+        }
+        normalise(believed.iter_mut().take(count), |score| exp(score - best));
+        for (((slot, &believed), &shown), pair) in wanted.iter_mut().zip(&believed).zip(shown).zip(pairs) {
+            *slot = (shown + UNREFUTED * pair.weight) * (believed + LEAST);
+        }
+        normalise(wanted.iter_mut().take(count), |share| share);
+
+        parts.each().for_each(|(_, number)| *number = 0.0);
+        let mut of_trust = 0.0;
+        for (((&believed, &wanted), &understood), description) in believed.iter().zip(&wanted).zip(understood).zip(descriptions()) {
+            parts.add(description, believed - wanted);
+            of_trust += (believed - wanted) * logarithm(understood, count);
+        }
+        for (part, number) in parts.each() {
+            command.each_weight(part, |cell, times| weights.lean(cell, times * *number));
+        }
+        for (part, _) in parts.each() {
+            command.each_weight(part, |cell, _| weights.settle(cell));
+        }
+        weights.step(TRUST, of_trust);
+        cells
+    }
+
+    /// One step of the pulls.
+    fn pull(&mut self) -> usize {
+        let mut weights = Weights::of(self.weights);
+        for (range, pull) in PULLS {
+            for cell in range {
+                let value = weights.values.get(cell).copied().unwrap_or(0.0);
+                if value != 0.0 {
+                    weights.step(cell, pull * value);
+                }
+            }
+        }
+        weights.values.len()
+    }
+}
+
+/// Makes of each number another, and then of their sum 1.
+fn normalise<'n>(numbers: impl Iterator<Item = &'n mut f32>, of: impl Fn(f32) -> f32) {
+    let mut all: Vec<&mut f32, MOST_TASKS> = Vec::new();
+    let mut whole = 0.0;
+    for number in numbers {
+        *number = of(*number);
+        whole += *number;
+        let _ = all.push(number);
+    }
+    if whole > 0.0 {
+        all.into_iter().for_each(|number| *number /= whole);
+    }
+}

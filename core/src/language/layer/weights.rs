@@ -1,0 +1,141 @@
+//! Where the weights stand: each thing that is told of a command and a part of a task has a cell, by a hash. Two things may share one.
+
+use crate::probability::square_root;
+use crate::symbols::Symbol;
+use core::ops::Range;
+
+/// Weights of a word together with a kind of task.
+const KINDS: Range<usize> = 0..2_048;
+/// Weights of a word together with a value in a role.
+const VALUES: Range<usize> = KINDS.end..KINDS.end + 2_048;
+/// Weights of what stands around the words that speak of a role.
+const CONTEXTS: Range<usize> = VALUES.end..VALUES.end + 2_048;
+/// A constant for each kind of task.
+const CONSTANTS: Range<usize> = CONTEXTS.end..CONTEXTS.end + 64;
+/// a - 1, where a is how much the role model counts.
+pub(super) const TRUST: usize = CONSTANTS.end;
+/// How many weights there are.
+pub(super) const CELLS: usize = TRUST + 1;
+
+/// How strongly each range is pulled towards 0: the more, the more sessions it takes to learn one. What a value has for itself is pulled most,
+/// so that what all values of a role share is learned first.
+pub(super) const PULLS: [(Range<usize>, f32); 5] = [(KINDS, 10.0), (VALUES, 30.0), (CONTEXTS, 3.0), (CONSTANTS, 1.0), (TRUST..CELLS, 10.0)];
+
+/// What stands around a word that speaks of a value.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Context {
+    /// Whatever it is.
+    Any,
+    /// The word before; `None` at the beginning of the command.
+    Before(Option<Symbol>),
+    /// The word before that; `None` at the beginning.
+    SecondBefore(Option<Symbol>),
+    /// The word after; `None` at its end.
+    After(Option<Symbol>),
+    /// How many mentions are before it: 3 for more.
+    Earlier(u16),
+    /// How many are after it.
+    Later(u16),
+    /// No word after it is a mention, and this one is one of them.
+    Tail(Symbol),
+    /// The mention before it and the one after: 0 for none, 1 for one of another value, 2 for one of the same.
+    Between(u16, u16),
+}
+
+impl Context {
+    fn code(self) -> (u16, u16) {
+        // No word has the number of the end.
+        let end = |word: Option<Symbol>| word.map_or(u16::MAX, |word| word.0);
+        match self {
+            Self::Any => (1, 0),
+            Self::Before(word) => (2, end(word)),
+            Self::SecondBefore(word) => (3, end(word)),
+            Self::After(word) => (4, end(word)),
+            Self::Earlier(count) => (5, count),
+            Self::Later(count) => (6, count),
+            Self::Tail(word) => (7, word.0),
+            Self::Between(before, after) => (8, before.saturating_mul(3).saturating_add(after)),
+        }
+    }
+}
+
+/// The cell of a word together with a kind of task.
+pub(super) fn of_kind_word(form: Symbol, word: Symbol) -> usize {
+    cell(KINDS, [form.0, word.0, 0])
+}
+
+/// The cell of a word together with a value in a role.
+pub(super) fn of_value_word(role: Symbol, value: Symbol, word: Symbol) -> usize {
+    cell(VALUES, [role.0, value.0, word.0])
+}
+
+/// The cell of a context, for all values of a role.
+pub(super) fn of_context(role: Symbol, context: Context) -> usize {
+    let (kind, about) = context.code();
+    cell(CONTEXTS, [role.0, kind, about])
+}
+
+/// The cell of a kind of task's constant.
+pub(super) fn of_kind(form: Symbol) -> usize {
+    cell(CONSTANTS, [form.0, 0, 0])
+}
+
+/// The finisher of MurmurHash3, word by word.
+fn cell(range: Range<usize>, parts: [u16; 3]) -> usize {
+    let mut hash = 0x9e37_79b9_u32;
+    for part in parts {
+        hash = (hash ^ u32::from(part)).wrapping_mul(0x85eb_ca6b);
+        hash = (hash ^ (hash >> 13)).wrapping_mul(0xc2b2_ae35);
+        hash ^= hash >> 16;
+    }
+    range.start.saturating_add((hash as usize).checked_rem(range.len()).unwrap_or(0))
+}
+
+/// The weights, and what is known of each while they are trained.
+pub(super) struct Weights<'t> {
+    pub values: &'t mut [f32],
+    /// The slope at the session under way; 0 between sessions.
+    pub slopes: &'t mut [f32],
+    /// The sum of the squares of all slopes before.
+    pub squares: &'t mut [f32],
+}
+
+impl<'t> Weights<'t> {
+    /// The parts of a table of [`LAYER_WEIGHTS`](super::LAYER_WEIGHTS) numbers.
+    pub fn of(all: &'t mut [f32]) -> Self {
+        let (values, rest) = all.split_at_mut_checked(CELLS).unwrap_or((&mut [], &mut []));
+        let (slopes, squares) = rest.split_at_mut_checked(CELLS).unwrap_or((&mut [], &mut []));
+        Self { values, slopes, squares }
+    }
+
+    /// Before anything is learned.
+    pub fn clear(&mut self) {
+        self.values.fill(0.0);
+        self.slopes.fill(0.0);
+        self.squares.fill(1.0);
+    }
+
+    /// One step down a weight's slope (`AdaGrad`).
+    pub fn step(&mut self, cell: usize, slope: f32) {
+        const RATE: f32 = 0.1;
+        if let (Some(value), Some(square)) = (self.values.get_mut(cell), self.squares.get_mut(cell)) {
+            *square += slope * slope;
+            *value -= RATE * slope / square_root(*square);
+        }
+    }
+
+    /// Adds to a slope.
+    pub fn lean(&mut self, cell: usize, slope: f32) {
+        if let Some(slot) = self.slopes.get_mut(cell) {
+            *slot += slope;
+        }
+    }
+
+    /// One step down a weight's slope, which is 0 again.
+    pub fn settle(&mut self, cell: usize) {
+        let slope = self.slopes.get_mut(cell).map_or(0.0, core::mem::take);
+        if slope != 0.0 {
+            self.step(cell, slope);
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! The layer above the role model: what it adds, and that it is silent where it has nothing to say.
+
+use goodbot::capacity::{Capacity, CapacityError};
+use goodbot::home::AGENT_IN_ROOM;
+use goodbot::language::{LanguageModel, Settings};
+use goodbot::memory::AgentHeap;
+use goodbot::planning::Progress;
+use goodbot::probability::{Scaled, total};
+use goodbot::symbols::Symbol;
+use goodbot::task::{Marker, Role, RoleKind};
+use goodbot::{Capacities, capacity};
+
+const COLORS: [&str; 4] = ["colorRed", "colorGreen", "colorBlue", "colorYellow"];
+/// What was said, and which color the goal had.
+const LESSONS: [(&str, usize); 10] = [
+    ("skip the green room enter the blue room", 2),
+    ("skip the blue room enter the green room", 1),
+    ("enter the red room skip the blue room", 0),
+    ("enter the yellow room", 3),
+    ("skip the green room enter the red room", 0),
+    ("enter the red room", 0),
+    ("skip the blue room enter the red room", 0),
+    ("enter the green room skip the red room", 1),
+    ("enter the blue room skip the green room", 2),
+    ("enter the yellow room please", 3),
+];
+
+fn capacities() -> Capacities {
+    Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD }
+}
+
+fn memory() -> AgentHeap {
+    AgentHeap::new(&capacities()).with_layer()
+}
+
+/// The task to go to the room of each color.
+fn tasks(model: &mut LanguageModel<AgentHeap>) -> Vec<[Symbol; 3]> {
+    let goal = Marker { role: Role::of_argument(RoleKind::Goal, AGENT_IN_ROOM, 1), sort: 0 }.symbol();
+    let form = model.tokens_mut().intern("agentInRoom").unwrap();
+    COLORS.iter().map(|color| [form, goal, model.tokens_mut().intern(color).unwrap()]).collect()
+}
+
+fn with_lessons(memory: AgentHeap, settings: Settings, lessons: &[(&str, usize)]) -> LanguageModel<AgentHeap> {
+    let mut model = LanguageModel::new(memory, settings).unwrap();
+    for &(command, meant) in lessons {
+        let words = model.hear(command).unwrap();
+        let tasks = tasks(&mut model);
+        model.add_session(&words, [(&tasks[meant][..], 1.0)].into_iter()).unwrap();
+        model.add_possible(tasks.iter().map(|task| (&task[..], 0.25))).unwrap();
+    }
+    model
+}
+
+fn train(model: &mut LanguageModel<AgentHeap>, budget: u32) {
+    model.begin_training();
+    while model.train(budget) == Progress::Working {}
+}
+
+fn taught(memory: AgentHeap, settings: Settings, lessons: &[(&str, usize)]) -> LanguageModel<AgentHeap> {
+    let mut model = with_lessons(memory, settings, lessons);
+    train(&mut model, u32::MAX);
+    model
+}
+
+/// How probable the room of each color is.
+fn posterior(model: &mut LanguageModel<AgentHeap>, command: &str) -> Vec<f32> {
+    let (words, tasks) = (model.hear(command).unwrap(), tasks(model));
+    let mut scores: Vec<Scaled> = tasks.iter().map(|task| model.likelihood(&words, task).scaled_by(0.25)).collect();
+    model.read().weigh_kinds(&words, |_| tasks[0][0], |_| 0.25, &mut scores);
+    model.read().weigh_parts(&words, |task| task, |task| &tasks[task], &mut scores);
+    model.forget_unlearned();
+    let whole = total(scores.iter().copied());
+    scores.into_iter().map(|score| score.over(whole)).collect()
+}
+
+fn bits(model: &mut LanguageModel<AgentHeap>) -> Vec<u32> {
+    let commands = ["skip the yellow room enter the red room", "enter the green room", "room", "never heard of it"];
+    commands.iter().flat_map(|command| posterior(model, command)).map(f32::to_bits).collect()
+}
+
+#[test]
+fn what_stands_around_one_color_is_known_of_another() {
+    let believed = |settings| posterior(&mut taught(memory(), settings, &LESSONS), "skip the yellow room enter the red room")[0];
+    let (alone, layered) = (believed(Settings::DEFAULT), believed(Settings::LAYERED));
+    assert!(layered > alone + 0.02, "{layered} {alone}");
+}
+
+#[test]
+fn the_layer_is_silent_before_it_has_learned() {
+    for lessons in [&LESSONS[..0], &LESSONS[..1]] {
+        let [layered, alone] = [Settings::LAYERED, Settings::DEFAULT].map(|settings| bits(&mut taught(memory(), settings, lessons)));
+        assert_eq!(layered, alone);
+    }
+}
+
+#[test]
+fn memory_without_room_for_the_layer_is_that_of_the_role_model() {
+    let alone = bits(&mut taught(memory(), Settings::DEFAULT, &LESSONS));
+    let without = bits(&mut taught(AgentHeap::new(&capacities()), Settings::LAYERED, &LESSONS));
+    assert_eq!(without, alone);
+    assert_ne!(bits(&mut taught(memory(), Settings::LAYERED, &LESSONS)), alone);
+}
+
+#[test]
+fn training_the_layer_in_parts_gives_the_bits_of_training_it_at_once() {
+    let at_once = bits(&mut taught(memory(), Settings::LAYERED, &LESSONS));
+    for budget in [1, 37, 1_000] {
+        let mut model = with_lessons(memory(), Settings::LAYERED, &LESSONS);
+        train(&mut model, budget);
+        assert_eq!(bits(&mut model), at_once, "{budget}");
+    }
+}
+
+#[test]
+fn memory_that_another_model_had_is_as_good_as_new() {
+    let fresh = bits(&mut taught(memory(), Settings::LAYERED, &LESSONS[2..]));
+    let used = taught(memory(), Settings::LAYERED, &LESSONS).into_memory();
+    assert_eq!(bits(&mut taught(used, Settings::LAYERED, &LESSONS[2..])), fresh);
+}
+
+#[test]
+fn a_layer_that_is_full_says_so_and_learns_from_the_sessions_before() {
+    let room = AgentHeap::new(&Capacities { pairs: 16, ..capacities() }).with_layer();
+    let mut model = with_lessons(room, Settings::LAYERED, &LESSONS[..4]);
+    let words = model.hear(LESSONS[4].0).unwrap();
+    let tasks = tasks(&mut model);
+    model.add_session(&words, [(&tasks[0][..], 1.0)].into_iter()).unwrap();
+    let full = model.add_possible(tasks.iter().map(|task| (&task[..], 0.25)));
+    assert_eq!(full, Err(CapacityError::full(Capacity::Pairs, 16)));
+    train(&mut model, u32::MAX);
+    assert_eq!(model.bitext().sessions(), 5);
+    let posterior = posterior(&mut model, "enter the red room");
+    assert!((posterior.iter().sum::<f32>() - 1.0).abs() < 1e-5, "{posterior:?}");
+}
+
+#[test]
+fn no_session_makes_a_belief_that_is_no_number() {
+    let long = "red ".repeat(capacity::WORDS_PER_COMMAND);
+    for priors in [[f32::NAN, f32::INFINITY, -1.0, 0.0], [0.0; 4], [1e6; 4]] {
+        let mut model = with_lessons(memory(), Settings::LAYERED, &LESSONS[..3]);
+        for weight in [0.0, 1e6] {
+            let (words, tasks) = (model.hear(&long).unwrap(), tasks(&mut model));
+            model.add_session(&words, [(&tasks[0][..], weight)].into_iter()).unwrap();
+            model.add_possible(tasks.iter().zip(priors).map(|(task, prior)| (&task[..], prior))).unwrap();
+        }
+        train(&mut model, u32::MAX);
+        for command in [&long, "enter the red room"] {
+            let posterior = posterior(&mut model, command);
+            assert!(posterior.iter().all(|share| (0.0..=1.0).contains(share)), "{posterior:?}");
+            assert!((posterior.iter().sum::<f32>() - 1.0).abs() < 1e-5, "{posterior:?}");
+        }
+    }
+}
+
+#[cfg(feature = "snapshot")]
+mod saved {
+    use super::{LESSONS, bits, capacities, memory, taught, train, with_lessons};
+    use goodbot::language::{LanguageModel, Settings};
+    use goodbot::memory::AgentHeap;
+    use goodbot::planning::Progress;
+    use goodbot::snapshot::{Contents, RestoreError};
+
+    fn go_on(model: &mut LanguageModel<AgentHeap>) {
+        while model.train(u32::MAX) == Progress::Working {}
+    }
+
+    #[test]
+    fn a_restored_layered_model_believes_the_same_to_the_bit() {
+        let mut model = taught(memory(), Settings::LAYERED, &LESSONS);
+        let file = model.saved().unwrap();
+        let mut restored = LanguageModel::new(memory(), Settings::DEFAULT).unwrap();
+        restored.restore(&file).unwrap();
+        go_on(&mut restored);
+        assert_eq!(bits(&mut restored), bits(&mut model));
+        assert_eq!(restored.saved().unwrap(), file);
+    }
+
+    #[test]
+    fn sessions_that_join_bring_their_tasks() {
+        let file = taught(memory(), Settings::LAYERED, &LESSONS[4..]).saved().unwrap();
+        let mut joined = with_lessons(memory(), Settings::LAYERED, &LESSONS[..4]);
+        train(&mut joined, u32::MAX);
+        assert_eq!(joined.join(&file), Ok(6));
+        go_on(&mut joined);
+        assert_eq!(bits(&mut joined), bits(&mut taught(memory(), Settings::LAYERED, &LESSONS)));
+    }
+
+    #[test]
+    fn a_model_without_the_layer_has_the_format_that_it_had_before_there_was_one() {
+        let version = |settings| {
+            let file = taught(memory(), settings, &LESSONS).saved().unwrap();
+            u16::from_le_bytes([file[8], file[9]])
+        };
+        assert_eq!((version(Settings::DEFAULT), version(Settings::LAYERED)), (2, 3));
+    }
+
+    #[test]
+    fn memory_with_less_room_for_the_layer_refuses_the_model() {
+        let file = taught(memory(), Settings::LAYERED, &LESSONS).saved().unwrap();
+        let small = AgentHeap::new(&goodbot::Capacities { pairs: 20, ..capacities() }).with_layer();
+        let refused = LanguageModel::new(small, Settings::LAYERED).unwrap().restore(&file).unwrap_err();
+        assert!(matches!(refused, RestoreError::Capacity(full) if full.given == 40), "{refused}");
+    }
+
+    #[test]
+    fn a_damaged_layer_is_never_restored_as_another() {
+        let file = taught(memory(), Settings::LAYERED, &LESSONS[..3]).saved().unwrap();
+        for length in 0..file.len() {
+            assert!(Contents::read(&file[..length]).is_err());
+        }
+    }
+}

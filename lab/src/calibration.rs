@@ -1,0 +1,99 @@
+//! Whether what is said to be 80 % sure is right in 8 of 10: answers by how sure they were, and a picture of that.
+
+use crate::mean::wilson;
+use plotters::prelude::*;
+use std::error::Error;
+
+/// Into how many ranges of the same width answers are put.
+pub const RANGES: usize = 10;
+
+/// The answers of one range of certainty.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Range {
+    /// How many.
+    pub count: usize,
+    /// How many of them were right.
+    pub right: usize,
+    /// The sum of the probabilities of what was predicted.
+    certainty: f64,
+}
+
+impl Range {
+    /// The mean probability of what was predicted.
+    pub fn certainty(&self) -> f64 {
+        self.certainty / self.count.max(1) as f64
+    }
+
+    /// The share that was right.
+    pub fn accuracy(&self) -> f64 {
+        self.right as f64 / self.count.max(1) as f64
+    }
+}
+
+/// Answers by the probability of what was predicted, each with whether it was right.
+pub fn ranges(answers: impl Iterator<Item = (f64, bool)>) -> [Range; RANGES] {
+    let mut ranges = [Range::default(); RANGES];
+    for (probability, right) in answers {
+        let at = ((probability * RANGES as f64) as usize).min(RANGES - 1);
+        if let Some(range) = ranges.get_mut(at) {
+            range.count += 1;
+            range.right += usize::from(right);
+            range.certainty += probability;
+        }
+    }
+    ranges
+}
+
+/// The expected calibration error: how far certainty and accuracy are apart, on average over the answers.
+pub fn error(ranges: &[Range]) -> f64 {
+    let all: usize = ranges.iter().map(|range| range.count).sum();
+    let apart = |range: &Range| range.count as f64 * (range.certainty() - range.accuracy()).abs();
+    ranges.iter().map(apart).sum::<f64>() / all.max(1) as f64
+}
+
+/// A reliability diagram as SVG: the share that was right, with its 95 % interval, against how sure the answers were. Answers on the
+/// diagonal are as sure as they should be; the number above each point says how many there are. `across` and `up` describe the axes.
+///
+/// # Errors
+/// What the plotting library says.
+pub fn draw(ranges: &[Range], caption: &str, across: &str, up: &str) -> Result<String, Box<dyn Error>> {
+    let mut svg = String::new();
+    {
+        let canvas = SVGBackend::with_string(&mut svg, (560, 560)).into_drawing_area();
+        canvas.fill(&WHITE)?;
+        let mut chart = ChartBuilder::on(&canvas)
+            .caption(caption, ("sans-serif", 18))
+            .margin(16)
+            .x_label_area_size(44)
+            .y_label_area_size(56)
+            .build_cartesian_2d(0.0..100.0, 0.0..108.0)?;
+        chart.configure_mesh().x_desc(across).y_desc(up).draw()?;
+        let gray = RGBColor(150, 150, 150);
+        chart.draw_series(LineSeries::new([(0.0, 0.0), (100.0, 100.0)], gray.stroke_width(1)))?;
+        let color = RGBColor(76, 140, 86);
+        for range in ranges.iter().filter(|range| range.count > 0) {
+            let (x, y) = (100.0 * range.certainty(), 100.0 * range.accuracy());
+            let (low, high) = wilson(range.right, range.count);
+            chart.draw_series(LineSeries::new([(x, 100.0 * low), (x, 100.0 * high)], color.stroke_width(1)))?;
+            chart.draw_series(std::iter::once(Circle::new((x, y), 4, color.filled())))?;
+            let label = Text::new(range.count.to_string(), (x - 1.5, (100.0 * high + 4.0).min(107.0)), ("sans-serif", 12));
+            chart.draw_series(std::iter::once(label))?;
+        }
+        canvas.present()?;
+    }
+    Ok(svg)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn who_is_80_percent_sure_and_right_in_8_of_10_is_calibrated() {
+        let answers = (0..10).map(|number| (0.8, number < 8));
+        assert!(error(&ranges(answers.clone())) < 1e-6);
+        let overconfident = ranges(answers.map(|(_, right)| (1.0, right)));
+        assert!((error(&overconfident) - 0.2).abs() < 1e-6);
+        assert_eq!(overconfident[RANGES - 1].count, 10);
+    }
+}

@@ -1,0 +1,175 @@
+//! Training on some sessions, asking others, and what was answered.
+
+use super::method::{Method, Trained};
+use super::novel::Novel;
+use super::wordless::Wordless;
+use goodbot::AgentError;
+use goodbot::language::{Settings, Synonyms};
+use goodbot_console::lessons::{Lesson, training};
+use goodbot_console::messages::bar;
+use goodbot_console::outcome::Failure;
+use rand_core::Rng;
+use rayon::prelude::*;
+
+/// What was answered to one command.
+#[derive(Clone, Debug, Default)]
+pub struct Answer {
+    /// The session.
+    pub id: String,
+    /// What was said.
+    pub command: String,
+    /// What was meant, and its kind.
+    pub expected: (String, String),
+    /// The most likely task (the first in order of equals), and its kind.
+    pub predicted: (String, String),
+    /// The probability of what was meant, and of what was predicted.
+    pub probabilities: (f32, f32),
+    /// Whether the two are the same.
+    pub right: bool,
+    /// Whether a learner that sees no words was right, and how probable it took what was meant.
+    pub wordless: (bool, f32),
+    /// How probable what was meant is by chance, where things stand as they do.
+    pub chance: f32,
+    /// The session that this one is a copy of, where one was trained on.
+    pub copy_of: Option<String>,
+    /// The words that speak most for a mistake.
+    pub telling: Vec<(String, f32)>,
+}
+
+/// The numbers up to `count` in an order that the seed draws.
+pub fn shuffled(count: usize, seed: u64) -> Vec<usize> {
+    let mut random = goodbot_course::generator(seed);
+    let mut order: Vec<usize> = (0..count).collect();
+    for last in (1..count).rev() {
+        order.swap(last, random.next_u32() as usize % (last + 1));
+    }
+    order
+}
+
+/// What is trained on and what is asked.
+pub struct Experiment<'l> {
+    /// Sessions to train on.
+    pub taught: &'l [Lesson],
+    /// Sessions to ask.
+    pub asked: &'l [Lesson],
+    /// For each model that is trained: what it is not trained on, and what it is asked, by position.
+    pub rounds: Vec<(Vec<usize>, Vec<usize>)>,
+    /// The sessions that those asked are copies of.
+    pub copies: Vec<Option<&'l Lesson>>,
+    /// Words that mean the same.
+    pub synonyms: Synonyms<'l>,
+    /// Other layouts to ask in, if any.
+    pub novel: Option<Novel<'l>>,
+}
+
+impl Experiment<'_> {
+    /// Trains and asks, as many rounds at a time as the machine has cores.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] where a command has no room, or a home no other layout.
+    pub fn run(&self, method: Method, settings: Settings) -> Result<Vec<Answer>, Failure> {
+        let progress = bar(self.rounds.len(), "training");
+        let actions: Vec<Lesson> = if method == Method::Action { self.taught.iter().map(by_actions).collect() } else { vec![] };
+        let taught = if method == Method::Action { &actions[..] } else { self.taught };
+        let answers: Vec<Vec<Answer>> = self
+            .rounds
+            .par_iter()
+            .map_init(
+                || training::memory(taught, &settings),
+                |memory, (left_out, part)| {
+                    let left: std::collections::HashSet<usize> = left_out.iter().copied().collect();
+                    let others = || taught.iter().enumerate().filter(|(position, _)| !left.contains(position)).map(|(_, lesson)| lesson);
+                    let wordless = Wordless::of(others());
+                    let mut trained = Trained::on(method, memory, others(), settings).map_err(no_room)?;
+                    let answers = self.ask_part(&mut trained, &wordless, part, method == Method::Action);
+                    progress.inc(1);
+                    answers
+                },
+            )
+            .collect::<Result<_, Failure>>()?;
+        progress.finish_and_clear();
+        Ok(answers.into_iter().flatten().collect())
+    }
+
+    /// Asks all rounds of one model that is there already.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn ask(&self, trained: &mut Trained<'_>) -> Result<Vec<Answer>, Failure> {
+        let wordless = Wordless::default();
+        let part: Vec<usize> = self.rounds.iter().flat_map(|(_, part)| part.iter().copied()).collect();
+        self.ask_part(trained, &wordless, &part, false)
+    }
+
+    fn ask_part(&self, trained: &mut Trained<'_>, wordless: &Wordless, part: &[usize], plans: bool) -> Result<Vec<Answer>, Failure> {
+        let mut answers = Vec::new();
+        for &position in part {
+            let Some(lesson) = self.asked.get(position) else { continue };
+            let mut each = |lesson: &Lesson| -> Result<(), Failure> {
+                let by_plans = plans.then(|| by_plans(lesson));
+                let lesson_in_known_words = trained.in_known_words(self.synonyms, by_plans.as_ref().unwrap_or(lesson))?;
+                let answer = ask(trained, &lesson_in_known_words)?;
+                let Some(answer) = answer else { return Ok(()) };
+                let (best, meant) = best_and_meant(&wordless.posterior(lesson), lesson);
+                let meant_alone = wordless.posterior(lesson).get(meant).copied().unwrap_or(0.0);
+                let copy_of = self.copies.get(position).copied().flatten().map(|copy| copy.id.clone());
+                let chance = lesson.readings.get(meant).map_or(0.0, |reading| reading.prior);
+                answers.push(Answer { command: lesson.command.clone(), wordless: (best == meant, meant_alone), chance, copy_of, ..answer });
+                Ok(())
+            };
+            match &self.novel {
+                None => each(lesson)?,
+                Some(novel) => novel.each_layout(lesson, position, &mut each)?,
+            }
+        }
+        Ok(answers)
+    }
+}
+
+/// A core's refusal as a person reads it.
+pub fn no_room(error: AgentError) -> Failure {
+    Failure::Input(goodbot_console::refusal::in_words(&error))
+}
+
+/// The most likely task, the first in order of equals, and the one meant.
+fn best_and_meant(posterior: &[f32], lesson: &Lesson) -> (usize, usize) {
+    let best = posterior.iter().enumerate().fold((0, f32::MIN), |best, (task, &p)| if p > best.1 { (task, p) } else { best }).0;
+    (best, lesson.intended.unwrap_or(usize::MAX))
+}
+
+/// Asks for one command. Nothing where it is not known what was meant.
+///
+/// # Errors
+/// [`Failure::Input`] where the command has no room.
+pub fn ask(trained: &mut Trained<'_>, lesson: &Lesson) -> Result<Option<Answer>, Failure> {
+    if lesson.intended.is_none() {
+        return Ok(None);
+    }
+    let posterior = trained.posterior(lesson)?;
+    let (best, meant) = best_and_meant(&posterior, lesson);
+    let name = |task: usize| lesson.readings.get(task).map_or_else(Default::default, |it| (it.name.to_string(), it.label.clone()));
+    let telling = if best == meant { vec![] } else { trained.telling(lesson, best, meant).map_err(|error| no_room(error.into()))? };
+    Ok(Some(Answer {
+        id: lesson.id.clone(),
+        command: lesson.command.clone(),
+        expected: name(meant),
+        predicted: name(best),
+        probabilities: (posterior.get(meant).copied().unwrap_or(0.0), posterior.get(best).copied().unwrap_or(0.0)),
+        right: best == meant,
+        telling,
+        ..Answer::default()
+    }))
+}
+
+/// The lesson with what was shown as its only machine command.
+fn by_actions(lesson: &Lesson) -> Lesson {
+    let shown: Vec<String> = lesson.shown.iter().take(goodbot::capacity::TOKENS_PER_COMMAND).cloned().collect();
+    Lesson { pairs: if shown.is_empty() { vec![] } else { vec![(shown, 1.0)] }, ..lesson.clone() }
+}
+
+/// The lesson with each task's plan as its only machine command.
+fn by_plans(lesson: &Lesson) -> Lesson {
+    let mut lesson = lesson.clone();
+    lesson.readings.iter_mut().for_each(|reading| reading.commands = vec![reading.plan.clone()]);
+    lesson
+}

@@ -1,0 +1,207 @@
+//! The learners that are compared.
+
+use super::folds::no_room;
+use clap::ValueEnum;
+use goodbot::Agent;
+use goodbot::capacity::CapacityError;
+use goodbot::home::Moves;
+use goodbot::language::for_each_word;
+use goodbot::language::{LanguageModel, Settings, Synonyms};
+use goodbot::memory::AgentHeap;
+use goodbot::task::TokenOrder;
+use goodbot_console::lessons::training;
+use goodbot_console::lessons::{Lesson, MachineCommand};
+use goodbot_console::load::synonyms::in_known_words;
+use goodbot_console::outcome::Failure;
+use goodbot_lesson::{checked, home};
+use std::borrow::Cow;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What learns.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Method {
+    /// What understands people best: the role model
+    #[default]
+    Default,
+    /// The default, with a layer above it that learns more from many sessions
+    Layered,
+    /// Model 2, smoothed
+    Smoothed,
+    /// Model 2 with the paper's settings
+    #[value(alias = "ibm2")]
+    Paper,
+    /// Each machine command has words of its own: naive Bayes, no alignment
+    BagOfWords,
+    /// Words are translated into the demonstrated actions, and a task is known by its actions
+    Action,
+}
+
+impl Method {
+    /// The settings of its language model.
+    pub const fn settings(self) -> Settings {
+        match self {
+            Self::Default => Settings::DEFAULT,
+            Self::Layered => Settings::LAYERED,
+            Self::Smoothed => Settings::SMOOTHED,
+            Self::Paper | Self::BagOfWords | Self::Action => Settings::PAPER,
+        }
+    }
+}
+
+/// The default without one choice at a time, and the paper's.
+pub fn ablations() -> Vec<(&'static str, Settings)> {
+    let default = Settings::SMOOTHED;
+    vec![
+        ("default", Settings::DEFAULT),
+        ("Model 2, smoothed", default),
+        ("  no alignment prior", Settings { alignment_prior: 0.0, ..default }),
+        ("  whole words", Settings { word_letters: 0, ..default }),
+        ("  smoothing 0.1", Settings { smoothing: 0.1, ..default }),
+        ("  10 rounds", Settings { rounds: 10, ..default }),
+        ("  facts by attribute", Settings { order: TokenOrder::Attributes, ..default }),
+        ("paper", Settings::PAPER),
+        ("  and alignment prior 4", Settings { alignment_prior: 4.0, ..Settings::PAPER }),
+        ("  and four letters", Settings { word_letters: 4, ..Settings::PAPER }),
+        ("  and facts by proposition", Settings { order: TokenOrder::Propositions, ..Settings::PAPER }),
+    ]
+}
+
+/// A trained model.
+pub enum Trained<'m> {
+    /// Model 2.
+    Model2(Box<LanguageModel<&'m mut AgentHeap>>),
+    /// Words of each machine command.
+    Bags(Bags),
+    /// A robot that was trained before.
+    Robot(Box<Agent<AgentHeap>>),
+}
+
+impl<'m> Trained<'m> {
+    /// Trains on lessons.
+    ///
+    /// # Errors
+    /// An [`AgentError`](goodbot::AgentError).
+    pub fn on<'l>(
+        method: Method,
+        memory: &'m mut AgentHeap,
+        lessons: impl Iterator<Item = &'l Lesson>,
+        settings: Settings,
+    ) -> Result<Self, goodbot::AgentError> {
+        Ok(match method {
+            Method::BagOfWords => Self::Bags(Bags::of(lessons, settings.smoothing)?),
+            Method::Default | Method::Layered | Method::Smoothed | Method::Paper | Method::Action => {
+                Self::Model2(Box::new(training::train(memory, lessons, settings)?))
+            }
+        })
+    }
+
+    /// A lesson whose command is in words that the model knows, as far as a table has them.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] where the command is too long.
+    pub fn in_known_words<'l>(&self, synonyms: Synonyms<'_>, lesson: &'l Lesson) -> Result<Cow<'l, Lesson>, Failure> {
+        let language = match self {
+            Self::Model2(model) => model.read(),
+            Self::Robot(agent) => agent.language(),
+            Self::Bags(_) => return Ok(Cow::Borrowed(lesson)),
+        };
+        let command = in_known_words(synonyms, language, &lesson.command)?;
+        Ok(if command == lesson.command { Cow::Borrowed(lesson) } else { Cow::Owned(Lesson { command, ..lesson.clone() }) })
+    }
+
+    /// The posterior over a lesson's tasks.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] where the command has no room.
+    pub fn posterior(&mut self, lesson: &Lesson) -> Result<Vec<f32>, Failure> {
+        match self {
+            Self::Model2(model) => training::posterior(model, lesson).map_err(|error| no_room(error.into())),
+            Self::Bags(bags) => bags.posterior(lesson).map_err(|error| no_room(error.into())),
+            Self::Robot(agent) => {
+                let header = &lesson.header;
+                let moves = checked::moves(header.action_names()).unwrap_or(Moves::Push);
+                let mut memory = home::memory();
+                let (home, start) = home::build(&header.environment, moves, &mut memory)
+                    .map_err(|flaw| Failure::Input(format!("{}: {}", lesson.id, flaw.message(&header.environment))))?;
+                agent.hear(&home, &start, &lesson.command).map_err(no_room)?;
+                let posterior = (0..agent.tasks().len()).map(|task| agent.belief().probability(task)).collect();
+                agent.forget();
+                Ok(posterior)
+            }
+        }
+    }
+
+    /// The words that speak most for `predicted` against `meant`, with how many times more probable they are there.
+    ///
+    /// # Errors
+    /// A [`CapacityError`].
+    pub fn telling(&mut self, lesson: &Lesson, predicted: usize, meant: usize) -> Result<Vec<(String, f32)>, CapacityError> {
+        let Self::Model2(model) = self else { return Ok(vec![]) };
+        let mut sides = Vec::new();
+        for task in [predicted, meant] {
+            let Some(reading) = lesson.readings.get(task) else { return Ok(vec![]) };
+            let Some(command) = training::best_command(model, &lesson.command, &reading.commands)? else { return Ok(vec![]) };
+            sides.push(training::explain(model, &lesson.command, command)?);
+        }
+        let [predicted, meant] = sides.as_slice() else { return Ok(vec![]) };
+        let ratio = |(a, b): (&training::Explained, &training::Explained)| Some((a.word.clone(), a.probability? / b.probability?));
+        let mut words: Vec<(String, f32)> = predicted.iter().zip(meant).filter_map(ratio).collect();
+        words.sort_by(|a, b| b.1.total_cmp(&a.1));
+        words.truncate(3);
+        Ok(words)
+    }
+}
+
+/// Naive Bayes: how often each word goes with each machine command.
+pub struct Bags {
+    counts: BTreeMap<MachineCommand, (f32, BTreeMap<String, f32>)>,
+    words: BTreeSet<String>,
+    smoothing: f32,
+}
+
+impl Bags {
+    fn of<'l>(lessons: impl Iterator<Item = &'l Lesson>, smoothing: f32) -> Result<Self, CapacityError> {
+        let mut bags = Self { counts: BTreeMap::new(), words: BTreeSet::new(), smoothing };
+        for lesson in lessons.filter(|lesson| lesson.learn) {
+            let words = words(&lesson.command)?;
+            bags.words.extend(words.iter().cloned());
+            for (command, share) in &lesson.pairs {
+                let (whole, counts) = bags.counts.entry(command.clone()).or_default();
+                for word in &words {
+                    *whole += share;
+                    *counts.entry(word.clone()).or_default() += share;
+                }
+            }
+        }
+        Ok(bags)
+    }
+
+    fn posterior(&self, lesson: &Lesson) -> Result<Vec<f32>, CapacityError> {
+        let words = words(&lesson.command)?;
+        let size = self.words.len() as f32;
+        let likelihood = |command: &MachineCommand| {
+            let bag = self.counts.get(command);
+            let each = |word: &String| {
+                let (whole, count) = bag.map_or((0.0, 0.0), |(whole, counts)| (*whole, counts.get(word).copied().unwrap_or(0.0)));
+                f64::from((count + self.smoothing) / (whole + self.smoothing * size))
+            };
+            words.iter().filter(|word| self.words.contains(*word)).map(each).product::<f64>()
+        };
+        let score = |reading: &goodbot_console::lessons::Reading| {
+            let sum: f64 = reading.commands.iter().map(likelihood).sum();
+            f64::from(reading.prior) * sum / reading.commands.len().max(1) as f64
+        };
+        let scores: Vec<f64> = lesson.readings.iter().map(score).collect();
+        let whole: f64 = scores.iter().sum();
+        Ok(scores.into_iter().map(|score| (score / whole) as f32).collect())
+    }
+}
+
+fn words(command: &str) -> Result<Vec<String>, CapacityError> {
+    let mut words = Vec::new();
+    for_each_word(command, |word| {
+        words.push(word.to_owned());
+        Ok(())
+    })?;
+    Ok(words)
+}

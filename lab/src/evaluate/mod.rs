@@ -1,0 +1,380 @@
+//! `goodbot evaluate`: how well are commands understood that were not trained on?
+//!
+//! - [`split`]: which sessions are left out together;
+//! - [`folds`]: training on some sessions and asking others;
+//! - [`method`]: the models that are compared;
+//! - [`wordless`]: the control, a learner that sees no words;
+//! - [`copies`]: sessions that are asked and were trained on all the same;
+//! - [`novel`]: the same commands in other layouts;
+//! - [`curve`]: accuracy against the number of sessions;
+//! - [`report`]: what is told.
+
+mod copies;
+mod curve;
+mod folds;
+mod method;
+mod novel;
+pub mod report;
+mod split;
+mod wordless;
+
+use crate::calibration;
+use clap::{Args, ValueHint};
+use folds::Experiment;
+use goodbot::Options;
+use goodbot::language::Settings;
+use goodbot::task::LiftedTask;
+use goodbot_console::learner::Learner;
+use goodbot_console::lessons::{self, Lesson, Lessons, Told, restored};
+use goodbot_console::load::kinds::TaskKinds;
+use goodbot_console::load::synonyms::SynonymOptions;
+use goodbot_console::messages::{counted, say};
+use goodbot_console::outcome::Failure;
+use goodbot_console::output::{self, Output};
+use method::{Method, Trained};
+use novel::Novel;
+use report::{Read, Summary};
+use split::{Group, Split};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Above so many sessions, ten parts are left out in turn instead of each session: the work of leaving out each grows with the square of
+/// their number.
+const MOST_LEFT_OUT_ONE_BY_ONE: usize = 500;
+/// Parts of the sessions where there are more.
+const PARTS: usize = 10;
+
+/// The options of `goodbot evaluate`.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct EvaluateOptions {
+    /// Session logs (JSON Lines) to train on; - is standard input. Without --test, each is also asked, in its turn
+    #[arg(required_unless_present = "with", value_name = "TRAIN", value_hint = ValueHint::FilePath)]
+    files: Vec<String>,
+    /// Ask the sessions of these logs, and train on all of TRAIN
+    #[arg(long, value_name = "FILE", num_args = 1.., value_hint = ValueHint::FilePath, conflicts_with_all = ["leave_one_out", "k_fold", "group", "leave_environment_out", "leave_task_out"])]
+    test: Vec<String>,
+    /// Ask a model that `goodbot learn` wrote, and train none
+    #[arg(long, short = 'w', value_name = "MODEL", value_hint = ValueHint::FilePath, conflicts_with_all = ["leave_one_out", "k_fold", "group", "leave_environment_out", "leave_task_out", "learner", "ablation", "curve"])]
+    with: Option<PathBuf>,
+    /// For every session, train on all the others (the default up to 500 sessions)
+    #[arg(long, conflicts_with_all = ["k_fold", "group", "leave_environment_out", "leave_task_out"])]
+    leave_one_out: bool,
+    /// Train on all but one of K parts, in turn; K is 2 or more (10 is the default for more than 500 sessions)
+    #[arg(long, short = 'k', value_name = "K", value_parser = parts, allow_negative_numbers = true)]
+    k_fold: Option<usize>,
+    /// Keep sessions together that have this in common: each group is left out in turn, or each of K parts of groups
+    #[arg(long, short = 'g', value_enum, value_name = "WHAT", conflicts_with_all = ["leave_environment_out", "leave_task_out"])]
+    group: Option<Group>,
+    /// For every environment, train on the sessions in all the others
+    #[arg(long, conflicts_with_all = ["k_fold", "leave_task_out"])]
+    leave_environment_out: bool,
+    /// For every environment and task, train on the sessions with another environment or task
+    #[arg(long, conflicts_with = "k_fold")]
+    leave_task_out: bool,
+    #[command(flatten)]
+    kinds: TaskKinds,
+    #[command(flatten)]
+    synonyms: SynonymOptions,
+    /// Ask each command in N random layouts of its home instead of the one it was given in; N is 1 to 100
+    #[arg(long, value_name = "N", value_parser = layouts, allow_negative_numbers = true)]
+    novel_environments: Option<usize>,
+    /// What learns
+    #[arg(long, value_enum, value_name = "NAME", default_value_t)]
+    learner: Method,
+    /// Compare the default with the same without one choice at a time, in a table
+    #[arg(long, conflicts_with_all = ["learner", "plot", "curve"])]
+    ablation: bool,
+    /// Seed of the parts, layouts and curves [default: 1]
+    #[arg(long, short = 's', value_name = "S", value_parser = goodbot_console::numbers::seed, allow_negative_numbers = true)]
+    seed: Option<u64>,
+    /// Write a reliability diagram: how often answers are right, against how sure they are; - is standard output
+    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
+    plot: Option<PathBuf>,
+    /// Write accuracy against the number of training sessions as a picture; - is standard output
+    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath, conflicts_with = "test")]
+    curve: Option<PathBuf>,
+    /// Orders of the sessions that a learning curve is averaged over, 1 to 1000 [default: 10]
+    #[arg(long, short = 'n', value_name = "N", requires = "curve", value_parser = orders, allow_negative_numbers = true)]
+    runs: Option<usize>,
+    /// Replace files that goodbot did not write
+    #[arg(long)]
+    force: bool,
+    /// Pass over sessions that are at fault, and count them
+    #[arg(long)]
+    keep_going: bool,
+    /// Print JSON lines: one for each command asked, and a summary at the end
+    #[arg(long)]
+    json: bool,
+}
+
+fn parts(text: &str) -> Result<usize, String> {
+    goodbot_console::numbers::between(text, 2, 65_535)
+}
+
+fn layouts(text: &str) -> Result<usize, String> {
+    goodbot_console::numbers::between(text, 1, 100)
+}
+
+fn orders(text: &str) -> Result<usize, String> {
+    goodbot_console::numbers::between(text, 1, 1_000)
+}
+
+const EXAMPLES: &str = "\
+A session is trained on by what its steps show of the task: the posterior over tasks without any word. \
+What was intended is used to count right answers, never to learn, but for labelled sessions, whose lesson it is. \
+A demonstration that ends at its goal speaks for that goal as much as one more step of doing nothing would.
+
+What stands beside the accuracy:
+  interval           95 % (Wilson)
+  log loss           the mean of -ln of the probability of what was meant
+  without words      a learner that sees where things stand, what was meant there, and no word
+  by chance          the mean probability of what was meant before anything is learned
+  without copies     the same for commands that are no copy of a session trained on
+  steps alone        sessions trained on whose steps, without any word, point at what was meant
+  calibration error  how far apart certainty and accuracy are, on average
+
+Examples:
+  goodbot evaluate turk-simplified.jsonl
+  goodbot evaluate half.jsonl --test other-half.jsonl --plot reliability.svg
+  goodbot evaluate --with words.goodbot --test log.jsonl
+  goodbot evaluate expert.jsonl --task \"agentInRoom(?a,?r1) & blockInRoom(?o,?r2)\"
+  goodbot evaluate feedback.jsonl --group worker
+  goodbot evaluate turk-original.jsonl --leave-environment-out
+  goodbot evaluate turk-original.jsonl --synonyms words.txt
+  goodbot evaluate turk-simplified.jsonl --k-fold 10 --learner bag-of-words
+  goodbot evaluate turk-simplified.jsonl --curve curve.svg --runs 20
+  goodbot evaluate turk-simplified.jsonl --ablation";
+
+/// Runs the command.
+///
+/// # Errors
+/// [`Failure`].
+pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
+    let lifted = options.kinds.lifted()?;
+    if options.force && options.plot.is_none() && options.curve.is_none() {
+        return Err(Failure::Input(
+            "--force has no effect here: nothing is written. It is for --plot and --curve; leave it out".to_owned(),
+        ));
+    }
+    if options.synonyms.is_given() && (options.curve.is_some() || options.learner == Method::BagOfWords) {
+        return Err(Failure::Input("--synonyms is not for --curve and not for --learner bag-of-words; leave one of them out".to_owned()));
+    }
+    let inputs = || options.files.iter().chain(&options.test).map(String::as_str).chain(options.with.iter().filter_map(|it| it.to_str()));
+    let output = |path: &Option<PathBuf>| path.as_deref().map(|path| Output::picture(path, inputs(), options.force)).transpose();
+    let (plot, curve) = (output(&options.plot)?, output(&options.curve)?);
+    let mut out = output::text(&[plot.as_ref(), curve.as_ref()])?;
+    if options.ablation {
+        return ablation(options, &lifted, &mut out);
+    }
+    if let Some(model) = &options.with {
+        return with_model(options, model, &lifted, plot.as_ref(), &mut out);
+    }
+    let settings = options.learner.settings();
+    let sessions = Sessions::read(options, &lifted, settings)?;
+    let (answers, summary) = sessions.answers(options, &lifted, options.learner, settings)?;
+    sessions.tell_copies(&answers);
+    // Pictures come first: a reader who leaves must not cost them.
+    reliability(plot.as_ref(), &summary)?;
+    report::print(&mut out, &answers, &summary, options.json).or_else(unheard)?;
+    if let Some(curve) = &curve {
+        let runs = options.runs.unwrap_or(10);
+        let points = curve::points(&sessions.taught.lessons, options.learner, settings, runs, options.seed())?;
+        let svg = curve::draw(&points, runs).map_err(|error| Failure::Result(error.to_string()))?;
+        curve.write(svg.as_bytes())?;
+        if !options.json {
+            report::print_curve(&mut out, &points)?;
+        }
+    }
+    Ok(out.flush()?)
+}
+
+/// A reader who leaves is no fault; what is still to be written is.
+fn unheard(error: io::Error) -> io::Result<()> {
+    if error.kind() == io::ErrorKind::BrokenPipe { Ok(()) } else { Err(error) }
+}
+
+/// What the axes of the reliability diagram show.
+const SURE: &str = "% sure of the predicted task, on average";
+const RIGHT: &str = "% right, with 95 % interval";
+
+fn reliability(plot: Option<&Output>, summary: &Summary) -> Result<(), Failure> {
+    let Some(plot) = plot else { return Ok(()) };
+    let caption = format!("How sure, and how often right: {}", counted(summary.score.asked, "command"));
+    let svg = calibration::draw(&summary.ranges, &caption, SURE, RIGHT).map_err(|error| Failure::Result(error.to_string()))?;
+    plot.write(svg.as_bytes())
+}
+
+fn ablation(options: &EvaluateOptions, lifted: &[LiftedTask], out: &mut impl Write) -> Result<(), Failure> {
+    let mut rows = Vec::new();
+    for (name, settings) in method::ablations() {
+        let sessions = Sessions::read(options, lifted, settings)?;
+        let (_, summary) = sessions.answers(options, lifted, Method::Default, settings)?;
+        rows.push((name, summary));
+    }
+    report::ablation(out, &rows, options.json)?;
+    Ok(out.flush()?)
+}
+
+/// A model that was trained before is asked.
+fn with_model(
+    options: &EvaluateOptions,
+    file: &Path,
+    lifted: &[LiftedTask],
+    plot: Option<&Output>,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    options.refuse_idle_seed(0)?;
+    let agent = restored::agent(file, lifted)?;
+    let files: Vec<String> = options.files.iter().chain(&options.test).cloned().collect();
+    if files.is_empty() {
+        return Err(Failure::Input("there is nothing to ask the model; name a session log with --test".to_owned()));
+    }
+    let settings = *agent.language().settings();
+    let told = Told { keep_going: options.keep_going, ..Told::default() };
+    let asked = lessons::read(&files, lifted, Options { language: settings, ..Learner::Default.options() }, false, &told)?;
+    let sessions = Sessions { taught: Lessons::default(), asked: Some(asked) };
+    let synonyms = options.synonyms.read()?;
+    let about = sessions.about()?;
+    let experiment = Experiment {
+        taught: &[],
+        asked: sessions.asked(),
+        rounds: vec![(vec![], (0..sessions.asked().len()).collect())],
+        copies: vec![None; sessions.asked().len()],
+        synonyms: synonyms.table()?,
+        novel: options.novel(lifted, settings)?,
+    };
+    let answers = experiment.ask(&mut Trained::Robot(Box::new(agent)))?;
+    let summary = Summary::of(&answers, about);
+    reliability(plot, &summary)?;
+    report::print(out, &answers, &summary, options.json)?;
+    Ok(out.flush()?)
+}
+
+/// What was read: sessions to train on, and others to ask where there are such.
+struct Sessions {
+    taught: Lessons,
+    asked: Option<Lessons>,
+}
+
+impl Sessions {
+    fn read(options: &EvaluateOptions, lifted: &[LiftedTask], settings: Settings) -> Result<Self, Failure> {
+        let agent = Options { language: settings, ..Learner::Default.options() };
+        let plans = options.learner == Method::Action;
+        let told = Told { keep_going: options.keep_going, ..Told::default() };
+        let taught = lessons::read(&options.files, lifted, agent, plans, &told)?;
+        let asked = match options.test.as_slice() {
+            [] => None,
+            files => Some(lessons::read(files, lifted, agent, plans, &told)?),
+        };
+        Ok(Self { taught, asked })
+    }
+
+    /// The sessions that are asked.
+    fn asked(&self) -> &[Lesson] {
+        &self.asked.as_ref().unwrap_or(&self.taught).lessons
+    }
+
+    /// What can be said of what was read.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] where no session that is asked says what was meant.
+    fn about(&self) -> Result<Read, Failure> {
+        let unknown = self.asked().iter().filter(|lesson| lesson.intended.is_none()).count();
+        if unknown == self.asked().len() {
+            let message = "no session says what was meant, so it cannot be said which answers are right; add \"intended\" to the session \
+                           lines, or ask one command at a time with goodbot ask";
+            return Err(Failure::Input(message.to_owned()));
+        }
+        if unknown > 0 {
+            say!("{} not asked: without \"intended\" it cannot be said whether the answer is right", counted(unknown, "session"));
+        }
+        let evidence: Vec<bool> = self.taught.lessons.iter().filter_map(Lesson::evidence_is_right).collect();
+        let (asked_skipped, asked_way) = self.asked.as_ref().map_or((0, 0), |asked| (asked.skipped, asked.with_way));
+        Ok(Read {
+            taught: self.taught.lessons.iter().filter(|lesson| lesson.learn).count(),
+            skipped: self.taught.skipped + asked_skipped,
+            with_way: self.taught.with_way + asked_way,
+            unknown,
+            evidence: (evidence.iter().filter(|&&right| right).count(), evidence.len()),
+        })
+    }
+
+    fn answers(
+        &self,
+        options: &EvaluateOptions,
+        lifted: &[LiftedTask],
+        method: Method,
+        settings: Settings,
+    ) -> Result<(Vec<folds::Answer>, Summary), Failure> {
+        let about = self.about()?;
+        let rounds: Vec<(Vec<usize>, Vec<usize>)> = match &self.asked {
+            Some(asked) => vec![(vec![], (0..asked.lessons.len()).collect())],
+            None => {
+                let parts = options.split(self.taught.lessons.len()).parts(&self.taught.lessons, options.seed()).map_err(Failure::Input)?;
+                parts.into_iter().map(|part| (part.clone(), part)).collect()
+            }
+        };
+        options.refuse_idle_seed(self.taught.lessons.len())?;
+        // In another layout nothing is a copy.
+        let copies = match options.novel_environments {
+            Some(_) => vec![None; self.asked().len()],
+            None => copies::find(&self.taught.lessons, self.asked(), &rounds, self.asked.is_none()),
+        };
+        let synonyms = options.synonyms.read()?;
+        let novel = options.novel(lifted, settings)?;
+        let experiment =
+            Experiment { taught: &self.taught.lessons, asked: self.asked(), rounds, copies, synonyms: synonyms.table()?, novel };
+        let answers = experiment.run(method, settings)?;
+        let summary = Summary::of(&answers, about);
+        Ok((answers, summary))
+    }
+
+    /// Names the first copies of sessions that were trained on.
+    fn tell_copies(&self, answers: &[folds::Answer]) {
+        const MOST: usize = 5;
+        let mut copies: Vec<(&str, &str)> =
+            answers.iter().filter_map(|answer| Some((answer.id.as_str(), answer.copy_of.as_deref()?))).collect();
+        copies.dedup();
+        if copies.is_empty() {
+            return;
+        }
+        let named: Vec<String> =
+            copies.iter().take(MOST).map(|(id, of)| format!("{} of {}", id.escape_debug(), of.escape_debug())).collect();
+        let more = if copies.len() > MOST { format!(" and {} more", copies.len() - MOST) } else { String::new() };
+        let what = if self.asked.is_some() { "the same id, or the same content" } else { "the same content" };
+        say!("copies of sessions trained on ({what}), which make the accuracy too good: {}{more}", named.join(", "));
+    }
+}
+
+impl EvaluateOptions {
+    fn seed(&self) -> u64 {
+        self.seed.unwrap_or(1)
+    }
+
+    fn split(&self, sessions: usize) -> Split {
+        let group = match (self.leave_environment_out, self.leave_task_out) {
+            (true, _) => Some(Group::Environment),
+            (_, true) => Some(Group::Task),
+            _ => self.group,
+        };
+        let many = sessions > MOST_LEFT_OUT_ONE_BY_ONE && group.is_none() && !self.leave_one_out;
+        Split { group, parts: self.k_fold.or(many.then_some(PARTS)) }
+    }
+
+    /// A seed that nothing is drawn with is a mistake.
+    fn refuse_idle_seed(&self, sessions: usize) -> Result<(), Failure> {
+        let in_parts = self.with.is_none() && self.test.is_empty() && self.split(sessions).parts.is_some();
+        let draws = self.novel_environments.is_some() || self.curve.is_some() || in_parts;
+        if self.seed.is_some() && !draws {
+            let message = "--seed has no effect here: nothing is drawn. It is for --k-fold, --novel-environments and --curve; leave it out";
+            return Err(Failure::Input(message.to_owned()));
+        }
+        Ok(())
+    }
+
+    fn novel<'l>(&self, lifted: &'l [LiftedTask], settings: Settings) -> Result<Option<Novel<'l>>, Failure> {
+        let options = Options { language: settings, ..Options::DEFAULT };
+        Ok(self.novel_environments.map(|count| Novel::new(lifted, options, count, self.seed())))
+    }
+}

@@ -1,0 +1,247 @@
+//! What is told of an evaluation.
+
+use super::curve::Point;
+use super::folds::Answer;
+use crate::calibration::{self, RANGES, Range};
+use crate::mean::wilson;
+use goodbot_console::messages::counted;
+use goodbot_lesson::fault::quoted;
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+
+/// How many answers were right, and how much they were worth.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Score {
+    /// Commands understood.
+    pub right: usize,
+    /// Commands asked.
+    pub asked: usize,
+    /// The mean of -ln of the probability of what was meant.
+    pub log_loss: f64,
+}
+
+impl Score {
+    fn of(answers: impl Iterator<Item = (bool, f32)>) -> Self {
+        let mut score = Self::default();
+        for (right, probability) in answers {
+            score.asked += 1;
+            score.right += usize::from(right);
+            score.log_loss -= f64::from(probability.max(1e-9)).ln();
+        }
+        score.log_loss /= score.asked.max(1) as f64;
+        score
+    }
+
+    /// The share that was right.
+    pub fn accuracy(&self) -> f64 {
+        self.right as f64 / self.asked.max(1) as f64
+    }
+
+    fn to_json(self) -> Value {
+        let (low, high) = wilson(self.right, self.asked);
+        json!({"right": self.right, "asked": self.asked, "accuracy": self.accuracy(), "interval": [low, high], "log_loss": self.log_loss})
+    }
+
+    fn text(&self) -> String {
+        let (low, high) = wilson(self.right, self.asked);
+        let (accuracy, low, high) = (100.0 * self.accuracy(), 100.0 * low, 100.0 * high);
+        format!("{accuracy:6.2} %  ({low:.1} to {high:.1})  {} of {}, log loss {:.3}", self.right, self.asked, self.log_loss)
+    }
+}
+
+/// What was read, beside the answers.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Read {
+    /// Sessions that models are trained on.
+    pub taught: usize,
+    /// Sessions at fault that were passed over.
+    pub skipped: usize,
+    /// Sessions that were left out because they tell a way.
+    pub with_way: usize,
+    /// Sessions that are not asked because they do not say what was meant.
+    pub unknown: usize,
+    /// Of the sessions trained on whose steps can be held against what was meant: in how many the steps alone are right, and how many.
+    pub evidence: (usize, usize),
+}
+
+/// All answers together.
+#[derive(Clone, Debug)]
+pub struct Summary {
+    /// What was read.
+    pub read: Read,
+    /// The model.
+    pub score: Score,
+    /// A learner that sees no words.
+    pub wordless: Score,
+    /// The mean probability of what was meant, by chance.
+    pub chance: f64,
+    /// The model, on what is no copy of a session that was trained on.
+    pub without_copies: Score,
+    /// Answers by how sure they were.
+    pub ranges: [Range; RANGES],
+}
+
+impl Summary {
+    /// The summary of answers.
+    pub fn of(answers: &[Answer], read: Read) -> Self {
+        let model = |answer: &Answer| (answer.right, answer.probabilities.0);
+        Self {
+            read,
+            score: Score::of(answers.iter().map(model)),
+            wordless: Score::of(answers.iter().map(|answer| answer.wordless)),
+            chance: answers.iter().map(|answer| f64::from(answer.chance)).sum::<f64>() / answers.len().max(1) as f64,
+            without_copies: Score::of(answers.iter().filter(|answer| answer.copy_of.is_none()).map(model)),
+            ranges: calibration::ranges(answers.iter().map(|answer| (f64::from(answer.probabilities.1), answer.right))),
+        }
+    }
+
+    fn to_json(&self) -> Value {
+        let mut line = json!({
+            "type": "summary", "sessions": self.read.taught, "skipped": self.read.skipped, "left_out_with_way": self.read.with_way,
+            "not_asked_without_intended": self.read.unknown,
+        });
+        let range = |(number, range): (usize, &Range)| {
+            let (low, high) = wilson(range.right, range.count);
+            json!({
+                "from": number as f64 / RANGES as f64, "to": (number + 1) as f64 / RANGES as f64, "count": range.count,
+                "right": range.right, "certainty": range.certainty(), "accuracy": range.accuracy(), "interval": [low, high],
+            })
+        };
+        let more = [
+            ("calibration_error", json!(calibration::error(&self.ranges))),
+            ("chance", json!(self.chance)),
+            ("without_words", self.wordless.to_json()),
+            ("copies", json!(self.score.asked - self.without_copies.asked)),
+            ("without_copies", self.without_copies.to_json()),
+            ("steps_alone", json!({"right": self.read.evidence.0, "of": self.read.evidence.1})),
+            ("reliability", self.ranges.iter().enumerate().filter(|(_, range)| range.count > 0).map(range).collect()),
+        ];
+        if let (Some(line), Some(score)) = (line.as_object_mut(), self.score.to_json().as_object()) {
+            line.extend(score.clone());
+            line.extend(more.map(|(name, value)| (name.to_owned(), value)));
+        }
+        line
+    }
+}
+
+/// Prints the mistakes, the confusion table and the summary.
+pub fn print(out: &mut impl Write, answers: &[Answer], summary: &Summary, json: bool) -> io::Result<()> {
+    if json {
+        for answer in answers {
+            writeln!(out, "{}", answer_to_json(answer))?;
+        }
+        writeln!(out, "{}", summary.to_json())?;
+        return out.flush();
+    }
+    for answer in answers.iter().filter(|answer| !answer.right) {
+        writeln!(out, "{}: {}", answer.id.escape_debug(), quoted(&answer.command))?;
+        let (expected, predicted) = answer.probabilities;
+        writeln!(out, "  expected {} {expected:.3}, predicted {} {predicted:.3}", answer.expected.0, answer.predicted.0)?;
+        let words: Vec<String> =
+            answer.telling.iter().filter(|(_, ratio)| *ratio > 1.0).map(|(word, ratio)| format!("{word} {ratio:.1} times")).collect();
+        if !words.is_empty() {
+            writeln!(out, "  words for the mistake: {}", words.join(", "))?;
+        }
+    }
+    confusion(out, answers)?;
+    totals(out, summary)?;
+    out.flush()
+}
+
+fn answer_to_json(answer: &Answer) -> Value {
+    let words: Vec<_> = answer.telling.iter().map(|(word, ratio)| json!({"word": word, "ratio": ratio})).collect();
+    json!({
+        "type": "answer", "session": answer.id, "command": answer.command, "expected": answer.expected.0, "predicted": answer.predicted.0,
+        "right": answer.right, "probability_expected": answer.probabilities.0, "probability_predicted": answer.probabilities.1,
+        "right_without_words": answer.wordless.0, "copy_of": answer.copy_of, "telling_words": words,
+    })
+}
+
+fn totals(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
+    let Read { taught, skipped, with_way, unknown, evidence } = summary.read;
+    let others: Vec<String> =
+        [(skipped, "at fault"), (with_way, "left out with a way"), (unknown, "not asked: what was meant is not said")]
+            .iter()
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, what)| format!(", {count} {what}"))
+            .collect();
+    let taught = if taught == 0 { "nothing here: the model was there".to_owned() } else { counted(taught, "session") };
+    writeln!(out, "\ntrained on         {taught}{}", others.concat())?;
+    writeln!(out, "accuracy           {}", summary.score.text())?;
+    writeln!(out, "without words      {}", summary.wordless.text())?;
+    writeln!(out, "by chance          {:6.2} %", 100.0 * summary.chance)?;
+    let copies = summary.score.asked - summary.without_copies.asked;
+    if copies > 0 {
+        let rest = &summary.without_copies;
+        let rest = if rest.asked == 0 { "nothing is left to ask".to_owned() } else { rest.text() };
+        let asked = if copies == 1 { "is a copy of a session" } else { "are copies of sessions" };
+        writeln!(out, "without copies     {rest}  ({copies} asked {asked} trained on)")?;
+    }
+    if evidence.1 > 0 {
+        let share = 100.0 * evidence.0 as f64 / evidence.1 as f64;
+        writeln!(
+            out,
+            "steps alone        {share:6.2} %  of the sessions trained on point at what was meant: {} of {}",
+            evidence.0, evidence.1
+        )?;
+    }
+    writeln!(out, "calibration error  {:6.3}", calibration::error(&summary.ranges))?;
+    writeln!(out, "\nhow sure           asked  right  sure, mean  right, with interval")?;
+    for (number, range) in summary.ranges.iter().enumerate().filter(|(_, range)| range.count > 0) {
+        let (low, high) = wilson(range.right, range.count);
+        let (from, to, right) = (number * 100 / RANGES, (number + 1) * 100 / RANGES, 100.0 * range.accuracy());
+        writeln!(
+            out,
+            "  {from:>2} to {to:>3} %      {:5}  {:5}  {:8.1} %  {right:5.1} %  ({:.1} to {:.1})",
+            range.count,
+            range.right,
+            100.0 * range.certainty(),
+            100.0 * low,
+            100.0 * high
+        )?;
+    }
+    Ok(())
+}
+
+/// How often each kind of task was taken for which.
+fn confusion(out: &mut impl Write, answers: &[Answer]) -> io::Result<()> {
+    let mut counts: BTreeMap<&str, BTreeMap<&str, usize>> = BTreeMap::new();
+    for answer in answers {
+        *counts.entry(&answer.expected.1).or_default().entry(&answer.predicted.1).or_default() += 1;
+    }
+    writeln!(out, "\nexpected, how often that was predicted, and what else was")?;
+    for (expected, predicted) in &counts {
+        let all: usize = predicted.values().sum();
+        let right = predicted.get(expected).copied().unwrap_or(0);
+        let others: Vec<String> =
+            predicted.iter().filter(|(other, _)| *other != expected).map(|(other, count)| format!("{other} {count}")).collect();
+        writeln!(out, "  {expected:44} {right:3} of {all:3}  {}", others.join(", "))?;
+    }
+    Ok(())
+}
+
+/// Prints a learning curve.
+pub fn print_curve(out: &mut impl Write, points: &[Point]) -> io::Result<()> {
+    writeln!(out, "\nsessions  right of all others")?;
+    points.iter().try_for_each(|it| writeln!(out, "{:8}  {:.1} % ± {:.1}", it.sessions, 100.0 * it.mean, 100.0 * it.deviation))
+}
+
+/// Prints a row for each combination of options, and one for a learner that sees no words.
+pub fn ablation(out: &mut impl Write, rows: &[(&str, Summary)], json: bool) -> io::Result<()> {
+    let wordless = rows.first().map(|(_, it)| ("without words", it.wordless, None));
+    let scores = rows.iter().map(|(name, it)| (*name, it.score, Some(calibration::error(&it.ranges)))).chain(wordless);
+    for (name, score, calibration) in scores {
+        if json {
+            let mut line = json!({"type": "ablation", "settings": name.trim(), "calibration_error": calibration});
+            if let (Some(line), Some(score)) = (line.as_object_mut(), score.to_json().as_object()) {
+                line.extend(score.clone());
+            }
+            writeln!(out, "{line}")?;
+        } else {
+            let calibration = calibration.map_or_else(String::new, |error| format!(", calibration error {error:.3}"));
+            writeln!(out, "{name:28} {}{calibration}", score.text())?;
+        }
+    }
+    Ok(())
+}

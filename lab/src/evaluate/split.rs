@@ -1,0 +1,89 @@
+//! Which sessions are left out together, and asked when a model was trained on the rest.
+
+use super::folds::shuffled;
+use clap::ValueEnum;
+use goodbot::language::for_each_word;
+use goodbot_console::lessons::Lesson;
+use std::collections::BTreeMap;
+
+/// What keeps sessions together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Group {
+    /// The person who trained: a session's id up to its first dot
+    Worker,
+    /// The environment, to the last cell
+    Environment,
+    /// The environment and what was meant there
+    Task,
+    /// The command, word by word
+    Command,
+}
+
+impl Group {
+    /// What sessions of one group have in common.
+    fn key(self, lesson: &Lesson) -> String {
+        match self {
+            Self::Worker => lesson.id.split('.').next().unwrap_or_default().to_owned(),
+            Self::Command => {
+                let mut words = vec![];
+                // A command that is too long was refused when it was read.
+                let _ = for_each_word(&lesson.command, |word| {
+                    words.push(word.to_owned());
+                    Ok(())
+                });
+                words.join(" ")
+            }
+            Self::Environment => lesson.header.environment.to_json_line(),
+            Self::Task => {
+                let meant = lesson.intended.and_then(|task| lesson.readings.get(task)).map(|reading| reading.name.to_string());
+                format!("{} {}", lesson.header.environment.to_json_line(), meant.unwrap_or_default())
+            }
+        }
+    }
+}
+
+/// How sessions are divided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Split {
+    /// What keeps them together, if anything does.
+    pub group: Option<Group>,
+    /// How many parts; one for each session or group where nothing is said.
+    pub parts: Option<usize>,
+}
+
+impl Split {
+    /// The sessions part by part.
+    ///
+    /// # Errors
+    /// Why they cannot be divided like this.
+    pub fn parts(self, lessons: &[Lesson], seed: u64) -> Result<Vec<Vec<usize>>, String> {
+        let mut groups: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+        for (position, lesson) in lessons.iter().enumerate() {
+            groups.entry(self.group.map_or_else(|| format!("{position:09}"), |group| group.key(lesson))).or_default().push(position);
+        }
+        let mut groups: Vec<Vec<usize>> = groups.into_values().collect();
+        groups.sort();
+        let what = match self.group {
+            None => "session",
+            Some(Group::Worker) => "worker",
+            Some(Group::Command) => "command",
+            Some(Group::Environment) => "environment",
+            Some(Group::Task) => "environment and task",
+        };
+        if groups.len() < 2 {
+            return Err(format!("there is one {what} alone, and nothing else to train on; name files that have more"));
+        }
+        let Some(count) = self.parts else { return Ok(groups) };
+        if count > groups.len() {
+            let most = groups.len();
+            return Err(format!("--k-fold {count} is more parts than there are: {what} by {what} there are {most}; give 2 to {most}"));
+        }
+        let mut parts = vec![Vec::new(); count];
+        for (position, group) in shuffled(groups.len(), seed).into_iter().enumerate() {
+            if let (Some(part), Some(group)) = (parts.get_mut(position % count), groups.get(group)) {
+                part.extend(group);
+            }
+        }
+        Ok(parts)
+    }
+}

@@ -1,0 +1,96 @@
+//! The control: a learner that sees where things stand and what was meant there, and no word.
+//!
+//! Where each task always begins in a room of its own, such a learner understands every command. An accuracy says something of words only
+//! as far as it is above this one's.
+
+use goodbot_console::lessons::Lesson;
+use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+use std::collections::BTreeMap;
+
+/// How often each kind of task was meant: everywhere, and scene by scene.
+#[derive(Debug, Default)]
+pub struct Wordless {
+    everywhere: Counts,
+    scenes: BTreeMap<String, Counts>,
+}
+
+#[derive(Debug, Default)]
+struct Counts {
+    whole: f64,
+    labels: BTreeMap<String, f64>,
+}
+
+impl Counts {
+    fn add(&mut self, label: &str, weight: f64) {
+        self.whole += weight;
+        *self.labels.entry(label.to_owned()).or_default() += weight;
+    }
+
+    /// The share of a label, drawn towards `before` by one more session.
+    fn share(&self, label: &str, before: f64) -> f64 {
+        (self.labels.get(label).copied().unwrap_or(0.0) + before) / (self.whole + 1.0)
+    }
+}
+
+impl Wordless {
+    /// What these lessons show.
+    pub fn of<'l>(lessons: impl Iterator<Item = &'l Lesson>) -> Self {
+        let mut learner = Self::default();
+        for lesson in lessons.filter(|lesson| lesson.learn) {
+            let scene = learner.scenes.entry(scene(&lesson.header.environment)).or_default();
+            for reading in &lesson.readings {
+                scene.add(&reading.label, f64::from(reading.belief));
+                learner.everywhere.add(&reading.label, f64::from(reading.belief));
+            }
+        }
+        learner
+    }
+
+    /// How probable each task of a lesson is, without its words.
+    pub fn posterior(&self, lesson: &Lesson) -> Vec<f32> {
+        let here = self.scenes.get(&scene(&lesson.header.environment));
+        let mut alike: BTreeMap<&str, f64> = BTreeMap::new();
+        for reading in &lesson.readings {
+            *alike.entry(&reading.label).or_default() += f64::from(reading.prior);
+        }
+        let even = 1.0 / alike.len().max(1) as f64;
+        let score = |label: &str| {
+            let everywhere = self.everywhere.share(label, even);
+            here.map_or(everywhere, |here| here.share(label, everywhere))
+        };
+        // Tasks that look alike share what their look has.
+        let part = |reading: &goodbot_console::lessons::Reading| {
+            f64::from(reading.prior) / alike.get(reading.label.as_str()).copied().unwrap_or(1.0)
+        };
+        let scores: Vec<f64> = lesson.readings.iter().map(|reading| score(&reading.label) * part(reading)).collect();
+        let whole: f64 = scores.iter().sum();
+        scores.into_iter().map(|score| (score / whole) as f32).collect()
+    }
+}
+
+/// Which room the agent is in, and which blocks are in which room, by their looks.
+fn scene(environment: &EnvironmentFile) -> String {
+    let room_of = |at: (i32, i32)| {
+        environment.objects.iter().find_map(|object| match object {
+            ObjectRecord::Room { left, bottom, right, top, color, .. }
+                if (left + 1..*right).contains(&at.0) && (bottom + 1..*top).contains(&at.1) =>
+            {
+                Some(color.as_str())
+            }
+            _ => None,
+        })
+    };
+    let mut things: Vec<String> = environment
+        .objects
+        .iter()
+        .filter_map(|object| match object {
+            ObjectRecord::Agent { x, y, .. } => Some(format!("agent in {}", room_of((*x, *y)).unwrap_or("no room"))),
+            ObjectRecord::Block { x, y, color, shape, .. } => {
+                Some(format!("{color} {shape} in {}", room_of((*x, *y)).unwrap_or("no room")))
+            }
+            ObjectRecord::Room { .. } | ObjectRecord::Door { .. } => None,
+        })
+        .collect();
+    things.sort();
+    things.join(", ")
+}

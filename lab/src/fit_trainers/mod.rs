@@ -1,0 +1,219 @@
+//! `goodbot fit-trainers`: what trainers to expect, from what real ones said.
+//!
+//! - [`walk`]: recorded sessions as actions that were right or wrong for each task;
+//! - [`fit`]: a population of trainer strategies under which what was said is most probable;
+//! - [`ends`]: when trainers end a session;
+//! - [`exact`]: the share of trainers who judge every step rightly;
+//! - [`believing`]: how right a robot with such an expectation would have been.
+
+pub mod believing;
+mod ends;
+mod exact;
+pub mod fit;
+pub mod walk;
+
+use believing::{Expectation, Rightness};
+use clap::{Args, ValueHint};
+use fit::{Fit, Heard, Shape};
+use goodbot::feedback::population::DRIFT;
+use goodbot::feedback::{Ending, Hazard, Strategy};
+use goodbot_console::load::kinds::TaskKinds;
+use goodbot_console::messages::{bar, counted};
+use goodbot_console::outcome::Failure;
+use goodbot_console::output;
+use rayon::prelude::*;
+use serde_json::{Value, json};
+use std::io::Write;
+use walk::Walk;
+
+/// The options of `goodbot fit-trainers`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+A robot that learns from feedback must expect something of its trainer: how often silence means that all is well, how often a word is a
+mistake, and how late it comes. This finds a population of strategies under which the words of real trainers are most probable, given what
+they meant (\"intended\" in the log), and how often they ended a session at the goal and elsewhere. Who trained is the session's id up to its
+first dot, as in w03.1-2; sessions whose ids have none are those of one trainer for each file.
+
+Each line of the table leaves one trainer out after the other, fits the rest, and asks what a robot that expects those trainers would have
+believed at the end of each session of the one left out:
+  on top    share of sessions with feedback in which the intended task is alone the most likely one
+  log loss  mean of -ln of the intended task's probability
+  below 5 % share in which the intended task is given up
+  ECE       how far probabilities and shares that were meant are apart, on average
+  words     ln of the probability of all that the trainers left out said
+
+Example:
+  goodbot fit-trainers feedback.jsonl --rust > core/src/feedback/population/fitted.rs")]
+pub struct FitOptions {
+    /// Session logs (JSON Lines) with feedback; - is standard input
+    #[arg(required = true, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    files: Vec<String>,
+    #[command(flatten)]
+    kinds: TaskKinds,
+    /// Print the population as lines of JSON: a strategy each, and a last one with the rest
+    #[arg(long)]
+    json: bool,
+    /// Print the population as the library's source has it, and leave no trainer out
+    #[arg(long, conflicts_with = "json")]
+    rust: bool,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// [`Failure`].
+pub fn run(options: &FitOptions) -> Result<(), Failure> {
+    let faults = |faults: Vec<goodbot_lesson::Fault>| Failure::Input(faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"));
+    let walks = walk::read(&options.files, &options.kinds.lifted()?).map_err(faults)?;
+    let trainers = fit::by_trainer(&walks);
+    if trainers.len() < 3 {
+        let found = counted(trainers.len(), "trainer");
+        return Err(Failure::Input(format!(
+            "{found} with feedback whose intended task is known: give the sessions of 3 or more (a trainer is the id up to its first dot)"
+        )));
+    }
+    let everyone: Vec<&Heard> = trainers.values().collect();
+    let fitted = Fit::to(&everyone, POPULATION.shape);
+    let Expectation { strategies, ending, .. } = expectation(&walks.iter().collect::<Vec<_>>(), fitted.strategies(), POPULATION);
+    let mut out = output::text(&[])?;
+    if options.rust {
+        return write_rust(&mut out, &strategies, &ending);
+    }
+    let compared = compare(&walks);
+    if options.json {
+        for (strategy, share) in &strategies {
+            writeln!(out, "{}", strategy_json(strategy, *share))?;
+        }
+        let compared: Vec<Value> = compared
+            .iter()
+            .map(|(name, rightness, words)| json!({"settings": name, "held_out": rightness.json(), "log_probability_of_words": words}))
+            .collect();
+        let (trainers, sessions) = (trainers.len(), walks.len());
+        let line = json!({
+            "type": "fit", "trainers": trainers, "sessions": sessions, "hold": fitted.hold,
+            "ends_at_goal": hazard_json(&ending.at_goal), "ends_elsewhere": hazard_json(&ending.elsewhere), "leaving_each_trainer_out": compared,
+        });
+        writeln!(out, "{line}")?;
+        return Ok(out.flush()?);
+    }
+    writeln!(out, "{}, {}", counted(trainers.len(), "trainer"), counted(walks.len(), "session"))?;
+    writeln!(out, "\n              moves                   rests                         lags")?;
+    writeln!(out, "share   mu+    mu-  epsilon    mu+    mu-  epsilon  inside    0      1      2")?;
+    for (strategy, share) in &strategies {
+        let [now, before, earlier] = strategy.lags();
+        let (mu_plus, mu_minus, epsilon) = (strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon());
+        let [plus, minus, mistake, inside] = strategy.rests();
+        write!(
+            out,
+            "{share:5.3}  {mu_plus:5.3}  {mu_minus:5.3}  {epsilon:5.3}    {plus:5.3}  {minus:5.3}  {mistake:5.3}    {inside:3.1} "
+        )?;
+        writeln!(out, "  {now:5.3}  {before:5.3}  {earlier:5.3}")?;
+    }
+    writeln!(out, "\neach strategy is held to what all trainers do by {} of their words", fitted.hold)?;
+    writeln!(out, "\na session ends after   a move  a rest  a later one  times, after praise  after blame")?;
+    for (place, Hazard { moved, rested, resting, praised, scolded }) in [("at the goal", ending.at_goal), ("elsewhere", ending.elsewhere)] {
+        writeln!(out, "{place:21}   {moved:6.3}  {rested:6.3}  {resting:11.3}  {praised:19.3}  {scolded:11.3}")?;
+    }
+    writeln!(out, "\nleaving each trainer out      sessions  on top  log loss  below 5 %    ECE    words")?;
+    for (name, rightness, words) in &compared {
+        let (sessions, top, loss, low) = (rightness.sessions(), rightness.on_top(), rightness.log_loss(), 100.0 * rightness.given_up());
+        let ece = rightness.calibration_error();
+        let words = words.map_or_else(String::new, |words| format!("{words:9.1}"));
+        writeln!(out, "{name:29} {sessions:6}  {top:6.3}  {loss:8.3}  {low:7.1} %  {ece:5.3}{words}")?;
+    }
+    Ok(out.flush()?)
+}
+
+/// What a robot that had these sessions to learn from expects of trainers.
+fn expectation(walks: &[&Walk], strategies: Vec<(Strategy, f32)>, settings: Settings) -> Expectation {
+    let ending = if settings.end { ends::fit(walks.iter().copied()) } else { Ending::NO_EVIDENCE };
+    let mut expected = Expectation { strategies, drift: DRIFT, ending };
+    if settings.exact {
+        expected.strategies = exact::added(&expected, walks);
+    }
+    expected
+}
+
+/// What is fitted, and what counts.
+#[derive(Clone, Copy, Debug)]
+struct Settings {
+    name: &'static str,
+    shape: Shape,
+    exact: bool,
+    end: bool,
+}
+
+const AS_MOVES: Shape = Shape { lagging: false, rests: false };
+const RESTS_APART: Shape = Shape { lagging: false, rests: true };
+const LATE: Shape = Shape { lagging: true, rests: true };
+
+/// What is compared; the last is the population's.
+const COMPARED: [Settings; 5] = [
+    Settings { name: "rests as moves", shape: AS_MOVES, exact: false, end: false },
+    Settings { name: "rests apart", shape: RESTS_APART, exact: false, end: false },
+    Settings { name: "rests apart, late words", shape: LATE, exact: false, end: false },
+    Settings { name: "rests apart, end", shape: RESTS_APART, exact: false, end: true },
+    POPULATION,
+];
+/// What the library's population has.
+const POPULATION: Settings = Settings { name: "rests apart, exact, end", shape: RESTS_APART, exact: true, end: true };
+
+/// What robots would have believed of each trainer who had learned from the others what to expect; the paper's expectation first.
+fn compare(walks: &[Walk]) -> Vec<(&'static str, Rightness, Option<f64>)> {
+    let paper = Expectation { strategies: vec![(Strategy::BALANCED, 1.0)], drift: 0.0, ending: Ending::NO_EVIDENCE };
+    let mut compared = vec![("the paper's balanced one", believing::replay(walks.iter(), &paper), None)];
+    let trainers = fit::by_trainer(walks);
+    let progress = bar(COMPARED.len() * trainers.len(), "leaving each trainer out");
+    for settings in COMPARED {
+        let parts: Vec<(Rightness, f64)> = trainers
+            .par_iter()
+            .map(|(&out, heard)| {
+                let others: Vec<&Heard> = trainers.iter().filter(|&(&trainer, _)| trainer != out).map(|(_, heard)| heard).collect();
+                let fitted = Fit::to(&others, settings.shape);
+                let known: Vec<&Walk> = walks.iter().filter(|walk| walk.trainer != out).collect();
+                let expected = expectation(&known, fitted.strategies(), settings);
+                let believed = believing::replay(walks.iter().filter(|walk| walk.trainer == out), &expected);
+                progress.inc(1);
+                (believed, fitted.log_likelihood(heard))
+            })
+            .collect();
+        let words: f64 = parts.iter().map(|(_, words)| words).sum();
+        let mut rightness = Rightness::default();
+        parts.into_iter().for_each(|(believed, _)| rightness.extend(believed));
+        compared.push((settings.name, rightness, Some(words)));
+    }
+    progress.finish_and_clear();
+    compared
+}
+
+fn strategy_json(strategy: &Strategy, share: f32) -> Value {
+    json!({
+        "mu_plus": strategy.mu_plus(), "mu_minus": strategy.mu_minus(), "epsilon": strategy.epsilon(),
+        "rests": strategy.rests(), "lags": strategy.lags(), "prior": share,
+    })
+}
+
+fn hazard_json(Hazard { moved, rested, resting, praised, scolded }: &Hazard) -> Value {
+    json!({"moved": moved, "rested": rested, "resting": resting, "praised": praised, "scolded": scolded})
+}
+
+fn write_rust(out: &mut impl Write, strategies: &[(Strategy, f32)], ending: &Ending) -> Result<(), Failure> {
+    writeln!(out, "//! Made by `goodbot fit-trainers feedback.jsonl --rust`; do not edit.")?;
+    writeln!(out, "\nuse crate::feedback::{{Ending, Hazard, Strategy}};")?;
+    writeln!(out, "\n/// The strategies of real trainers and of exact ones, each with its share of them: see [`population`](super).")?;
+    writeln!(out, "pub const STRATEGIES: [(Strategy, f32); {}] = [", strategies.len())?;
+    for (strategy, share) in strategies {
+        let (plus, minus, epsilon) = (strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon());
+        let (rests, lags) = (strategy.rests(), strategy.lags());
+        writeln!(out, "    (Strategy::of_people([{plus:?}, {minus:?}, {epsilon:?}], {rests:?}, {lags:?}), {share:?}),")?;
+    }
+    writeln!(out, "];")?;
+    writeln!(out, "\n/// How often real trainers end a session at the goal, and elsewhere.")?;
+    writeln!(out, "pub const ENDING: Ending = Ending {{")?;
+    for (place, Hazard { moved, rested, resting, praised, scolded }) in [("at_goal", ending.at_goal), ("elsewhere", ending.elsewhere)] {
+        let numbers = format!("moved: {moved:?}, rested: {rested:?}, resting: {resting:?}, praised: {praised:?}, scolded: {scolded:?}");
+        writeln!(out, "    {place}: Hazard {{ {numbers} }},")?;
+    }
+    writeln!(out, "}};")?;
+    Ok(out.flush()?)
+}

@@ -1,0 +1,127 @@
+//! Recorded sessions as what a trainer saw: actions that were right or wrong for each task, and where the trainer ended the session.
+
+use goodbot::feedback::{Feedback, Judged, Moment};
+use goodbot::memory::AgentHeap;
+use goodbot::oomdp::Action;
+use goodbot::planning::OptimalSet;
+use goodbot::task::{GroundedTask, LiftedTask};
+use goodbot::{Agent, AgentError, Capacities, Options};
+use goodbot_console::load::input;
+use goodbot_formats::session::{Kind, RecordedSession, SessionReader};
+use goodbot_lesson::checked::check;
+use goodbot_lesson::replay::{Event, Replay, Rules};
+use goodbot_lesson::{Fault, home};
+
+/// One step of a session.
+#[derive(Clone, Debug)]
+pub struct WalkStep {
+    /// What the action was for each task.
+    pub judged: Vec<Judged>,
+    /// What the trainer said to it.
+    pub feedback: Feedback,
+    /// What was done and said last after it.
+    pub moment: Moment,
+    /// Whether each task was done after it; nothing where that is not known.
+    pub at_goal: Vec<Option<bool>>,
+}
+
+/// A session.
+#[derive(Clone, Debug)]
+pub struct Walk {
+    /// Who trained: see [`trainer_of`].
+    pub trainer: String,
+    /// Whether it continued the one before.
+    pub continues: bool,
+    /// The tasks' prior.
+    pub prior: Vec<f32>,
+    /// The task that was meant, by position.
+    pub intended: Option<usize>,
+    /// The steps.
+    pub steps: Vec<WalkStep>,
+}
+
+impl Walk {
+    /// Whether the trainer said anything.
+    pub fn has_feedback(&self) -> bool {
+        self.steps.iter().any(|step| step.feedback != Feedback::Neutral)
+    }
+}
+
+/// Who trained in a session: its id up to the first dot, as in `w03.1-2`; whoever the file is of where there is none.
+pub fn trainer_of<'a>(id: Option<&'a str>, file: &'a str) -> &'a str {
+    id.and_then(|id| id.split_once('.')).map_or(file, |(trainer, _)| trainer)
+}
+
+/// Reads the sessions with feedback of these files, and plans for each of their steps.
+///
+/// # Errors
+/// What is wrong with the first that is at fault.
+pub fn read(files: &[String], lifted: &[LiftedTask]) -> Result<Vec<Walk>, Vec<Fault>> {
+    let refused = |error: AgentError| vec![Fault::new("", error)];
+    let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), lifted, Options::PAPER).map_err(refused)?;
+    let mut walks = vec![];
+    for file in files {
+        let opened = input::log(file).map_err(|fault| vec![fault])?;
+        let name = input::name(file);
+        for session in SessionReader::new(opened) {
+            let recorded = session.map_err(|error| vec![Fault::from_format(name, error)])?;
+            if recorded.header.kind == Kind::Feedback {
+                walks.push(walk(&mut agent, name, &recorded, lifted)?);
+            }
+        }
+    }
+    Ok(walks)
+}
+
+fn walk(agent: &mut Agent<AgentHeap>, file: &str, recorded: &RecordedSession, lifted: &[LiftedTask]) -> Result<Walk, Vec<Fault>> {
+    let header = &recorded.header;
+    let session = check(file, recorded, lifted, home::memory())?;
+    let mut replay = Replay::new(Rules::PLANS);
+    let mut steps: Vec<WalkStep> = vec![];
+    let (mut began, mut moment) = (vec![], Moment::default());
+    loop {
+        let event = replay.advance(agent, &session.walk, u32::MAX);
+        let event = event.map_err(|refused| vec![Fault::on_line(file, refused.line, refused.error)])?;
+        let planned = match event {
+            Event::Ended => break,
+            Event::Planned(planned) => planned,
+            _ => continue,
+        };
+        // Where one step ends, the next begins.
+        let here: Vec<Option<bool>> = (0..session.tasks.len()).map(|task| at_goal(agent.planned().optimal(task))).collect();
+        if let Some(last) = steps.last_mut() {
+            if last.moment.rests == 0 {
+                let inside = began.iter().zip(&here).map(|(began, here)| (*began, *here) == (Some(true), Some(true)));
+                last.judged.iter_mut().zip(inside).filter(|(_, inside)| *inside).for_each(|(judged, _)| *judged = Judged::MovesInside);
+            }
+            last.at_goal.clone_from(&here);
+        }
+        began = here;
+        steps.extend(planned.map(|step| {
+            let rests = step.action == Action::NOOP;
+            moment = Moment {
+                rests: if rests { moment.rests.saturating_add(1) } else { 0 },
+                said: if step.feedback == Feedback::Neutral { moment.said } else { step.feedback },
+            };
+            let judged = |task| Judged::of(agent.planned().judge(task, step.action), rests);
+            WalkStep { judged: (0..session.tasks.len()).map(judged).collect(), feedback: step.feedback, moment, at_goal: vec![] }
+        }));
+    }
+    agent.forget();
+    let trainer = trainer_of(header.id.as_deref(), file).to_owned();
+    let prior = |task: &GroundedTask| match &session.walk.prior {
+        Some(recorded) => recorded.iter().find(|(known, _)| known == task).map_or(0.0, |&(_, share)| share),
+        None => task.prior,
+    };
+    let prior = session.tasks.iter().map(|(task, _)| prior(task)).collect();
+    Ok(Walk { trainer, continues: header.continues, prior, intended: session.intended, steps })
+}
+
+/// Whether a task is done, as its plan says; nothing where that is not known.
+const fn at_goal(plan: OptimalSet) -> Option<bool> {
+    match plan {
+        OptimalSet::Approximate(_) | OptimalSet::Unknown => None,
+        OptimalSet::Goal => Some(true),
+        OptimalSet::Toward(_) | OptimalSet::DeadEnd(_) => Some(false),
+    }
+}

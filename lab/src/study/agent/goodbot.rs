@@ -1,0 +1,116 @@
+//! This project's agent. It is not told which trainer it has: it expects the paper's balanced one, or people as they are.
+
+use super::{Learner, Now};
+use crate::study::place::{CAPACITIES, Place};
+use goodbot::asking::{Answer, Asking, Question};
+use goodbot::feedback::{Feedback, population};
+use goodbot::home::paper_tasks;
+use goodbot::memory::AgentHeap;
+use goodbot::oomdp::Action;
+use goodbot::{Agent, Capacities, Options};
+use goodbot_course::CourseError;
+use rand_pcg::Pcg32;
+use std::fmt;
+
+/// Whose idea it is.
+pub const SOURCE: &str = "J. MacGlashan, M. L. Littman, R. Loftin, B. Peng, D. L. Roberts and M. E. Taylor (2014), Training an agent to ground commands with reward and punishment, AAAI workshop on machine learning for interactive systems";
+
+/// How it understands, whom it expects, and whether it asks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// How it understands and learns.
+    pub options: Options,
+    /// Whether it expects people as they are; otherwise the paper's balanced trainer.
+    pub people: bool,
+    /// When it asks.
+    pub asking: Asking,
+}
+
+/// As it comes.
+pub const DEFAULT: Settings = Settings { options: Options::DEFAULT, people: false, asking: Asking::NEVER };
+/// As it comes, but of the actions that lead on it takes any.
+pub const ANY_ACTION: Settings = Settings { options: Options { telling: false, ..Options::DEFAULT }, ..DEFAULT };
+/// It expects people as they are.
+pub const PEOPLE: Settings = Settings { options: Options::DEFAULT.for_people(), people: true, ..DEFAULT };
+/// It expects people, and asks.
+pub const ASKING: Settings = Settings { asking: Asking::DEFAULT, ..PEOPLE };
+/// As in the paper.
+pub const PAPER: Settings = Settings { options: Options::PAPER, ..DEFAULT };
+
+impl fmt::Display for Settings {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if self.people { "expects people" } else { "expects a balanced trainer" })?;
+        f.write_str(if self.options.telling { ", telling actions" } else { ", any action" })?;
+        if self.asking.kappa.is_finite() { write!(f, ", asks at {} steps a question", self.asking.kappa) } else { Ok(()) }
+    }
+}
+
+/// Room for what is expected of people.
+const ROOM: Capacities = Capacities { strategies: 16, beliefs: 256, ..CAPACITIES };
+
+/// The agent, with a generator for ties.
+#[derive(Debug)]
+pub struct Goodbot {
+    agent: Agent<AgentHeap>,
+    asking: Asking,
+    random: Pcg32,
+}
+
+impl Goodbot {
+    /// One that has learned nothing yet.
+    ///
+    /// # Errors
+    /// [`CourseError::Agent`] where an option is out of range.
+    pub fn new(settings: Settings, random: Pcg32) -> Result<Self, CourseError> {
+        let lifted = paper_tasks().map_err(|_| CourseError::NotPosed)?;
+        let mut agent = Agent::new(AgentHeap::new(&ROOM), &lifted, settings.options)?;
+        if settings.people {
+            agent.set_strategies(&population::STRATEGIES)?;
+        }
+        Ok(Self { agent, asking: settings.asking, random })
+    }
+}
+
+impl Learner for Goodbot {
+    fn hear(&mut self, place: &Place<'_, '_>) -> Result<(), CourseError> {
+        Ok(self.agent.hear(&place.home, &place.start, place.exercise.command)?)
+    }
+
+    fn act(&mut self, now: &Now<'_, '_, '_>) -> Result<Action, CourseError> {
+        let home = &now.place.home;
+        self.agent.plan_fully(home, now.state)?;
+        let action = self.agent.decide_by(home, now.state, &mut self.random)?.action;
+        self.agent.acted(home, now.state, action)?;
+        Ok(action)
+    }
+
+    fn told(&mut self, word: Feedback) -> Result<(), CourseError> {
+        let _ = self.agent.feedback(word)?;
+        Ok(())
+    }
+
+    fn asks(&mut self, now: &Now<'_, '_, '_>) -> Result<Option<Question>, CourseError> {
+        self.agent.plan_fully(&now.place.home, now.state)?;
+        Ok(self.agent.question(&now.place.home, now.state, &self.asking)?)
+    }
+
+    fn answered(&mut self, answer: Answer) -> Result<(), CourseError> {
+        let _ = self.agent.answer(answer)?;
+        Ok(())
+    }
+
+    fn belief(&self) -> Option<(usize, f32)> {
+        let task = self.agent.most_likely()?;
+        Some((task, self.agent.belief().probability(task)))
+    }
+
+    fn finish(&mut self, place: &Place<'_, '_>) -> Result<(), CourseError> {
+        let _ = self.agent.finish(&place.home)?;
+        self.agent.learn_fully();
+        Ok(())
+    }
+
+    fn forget(&mut self) {
+        self.agent.forget();
+    }
+}

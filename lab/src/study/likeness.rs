@@ -1,0 +1,184 @@
+//! Posterior-predictive checks: lessons with simulated trainers beside the real ones that they were fitted to.
+//!
+//! For each real person others like it are drawn, and each walks through the same recorded actions and says what it would have said. The
+//! rates after right and wrong actions were fitted; the other numbers were not, and show what the fit leaves out.
+
+use super::StudyOptions;
+use super::real::{self, People};
+use crate::study::trainer::habits::Listening;
+use crate::study::trainer::population::{Counts, Observed, Population, Record};
+use goodbot::feedback::Feedback;
+use goodbot_console::outcome::Failure;
+use goodbot_course::generator;
+use serde_json::{Value, json};
+use std::io::Write;
+
+/// What is compared: its name, and whether it was fitted.
+const MEASURES: [(&str, bool); 11] = [
+    ("reward after a right action", true),
+    ("punishment after a right action", true),
+    ("silence after a right action", true),
+    ("reward after a wrong action", true),
+    ("punishment after a wrong action", true),
+    ("silence after a wrong action", true),
+    ("reward while resting at the goal", false),
+    ("silence while resting at the goal", false),
+    ("a word directly after a word", false),
+    ("a word after the first action", false),
+    ("lessons without a word", false),
+];
+
+/// What is observed in lessons: a share for each measure; `None` where there was no occasion.
+fn measured<'l>(lessons: impl Iterator<Item = &'l [Observed]> + Clone) -> [Option<f64>; MEASURES.len()] {
+    let share = |occasion: &dyn Fn(&[Observed], usize) -> Option<bool>| {
+        let answers = lessons.clone().flat_map(|lesson| (0..lesson.len()).filter_map(|step| occasion(lesson, step)));
+        let (mut all, mut yes) = (0_usize, 0_usize);
+        for answer in answers {
+            all += 1;
+            yes += usize::from(answer);
+        }
+        (all > 0).then(|| yes as f64 / all as f64)
+    };
+    let said =
+        |correct: bool, word: Feedback| share(&move |lesson, step| (lesson[step].correct == correct).then(|| lesson[step].said == word));
+    let resting =
+        |word: Feedback| share(&move |lesson, step| (lesson[step].at_goal && lesson[step].correct).then(|| lesson[step].said == word));
+    let speaks = |observed: &Observed| observed.said != Feedback::Neutral;
+    let [reward, punish, silence] = [Feedback::Reward, Feedback::Punish, Feedback::Neutral];
+    [
+        said(true, reward),
+        said(true, punish),
+        said(true, silence),
+        said(false, reward),
+        said(false, punish),
+        said(false, silence),
+        resting(reward),
+        resting(silence),
+        share(&|lesson, step| step.checked_sub(1).filter(|&before| speaks(&lesson[before])).map(|_| speaks(&lesson[step]))),
+        share(&|lesson, step| (step == 0).then(|| speaks(&lesson[step]))),
+        share(&|lesson, step| (step == 0).then(|| !lesson.iter().any(speaks))),
+    ]
+}
+
+/// The same actions, with the words of another person.
+fn simulated(record: &Record, population: &Population, like: &Counts, seed: u64) -> Vec<Vec<Observed>> {
+    let mut random = generator(seed);
+    let habits = population.another(like, &mut random);
+    let lesson = |lesson: &Vec<Observed>| {
+        let mut trainer = Listening::new(habits);
+        lesson.iter().map(|&observed| Observed { said: trainer.says(observed.correct, &mut random), ..observed }).collect()
+    };
+    record.lessons.iter().map(lesson).collect()
+}
+
+/// For each measure the real share, the mean of the simulated ones, and between which values 95 % of these lie.
+struct Check {
+    real: [Option<f64>; MEASURES.len()],
+    simulated: [Option<(f64, f64, f64)>; MEASURES.len()],
+}
+
+/// Fits trainers to logs, and draws others like them.
+///
+/// # Errors
+/// [`Failure::Input`] names the file and what is wrong with it.
+fn fitted(options: &StudyOptions) -> Result<(People, Population), Failure> {
+    let people = real::read(&options.fit)?;
+    let records: Vec<Record> = people.iter().map(|(_, record)| record.clone()).collect();
+    let population = Population::fit(&records);
+    Ok((people, population))
+}
+
+/// The checks as a table in Markdown.
+///
+/// # Errors
+/// [`Failure::Input`] names the file and what is wrong with it.
+pub fn markdown(options: &StudyOptions) -> Result<String, Failure> {
+    let (people, population) = fitted(options)?;
+    let check = check(&people, &population, options);
+    let mut text = "| percentage of occasions | real | simulated, 95 % of draws | fitted |\n|---|---:|---:|---|\n".to_owned();
+    for (measure, fitted, real, simulated) in check.rows() {
+        text += &format!("| {measure} | {real} | {simulated} | {} |\n", if fitted { "yes" } else { "no" });
+    }
+    let [now, before, earlier] = population.late.map(|share| 100.0 * share);
+    text += &format!(
+        "\nOf the words of real trainers, {now:.1} % judge the last action, {before:.1} % the one before and {earlier:.1} % the one before \
+         that (fitted).\n"
+    );
+    Ok(text)
+}
+
+impl Check {
+    /// The measures, whether each was fitted, and the real and simulated percentages as text.
+    fn rows(&self) -> impl Iterator<Item = (&'static str, bool, String, String)> + '_ {
+        MEASURES.iter().zip(self.real).zip(self.simulated).map(|((&(measure, fitted), real), simulated)| {
+            let real = real.map_or("-".to_owned(), |real| format!("{:.1}", 100.0 * real));
+            let drawn = |(mean, low, high)| format!("{:.1} ({:.1} to {:.1})", 100.0 * mean, 100.0 * low, 100.0 * high);
+            (measure, fitted, real, simulated.map_or("-".to_owned(), drawn))
+        })
+    }
+}
+
+fn check(people: &People, population: &Population, options: &StudyOptions) -> Check {
+    let real = measured(people.iter().flat_map(|(_, record)| record.lessons.iter().map(Vec::as_slice)));
+    let mut draws: [Vec<f64>; MEASURES.len()] = Default::default();
+    for run in 0..u64::from(options.runs) {
+        let lessons: Vec<Vec<Observed>> = (0_u64..)
+            .zip(people.iter().zip(&population.people))
+            .flat_map(|(number, ((_, record), like))| {
+                simulated(record, population, like, options.seed.wrapping_add(run).wrapping_mul(1_000_003).wrapping_add(number))
+            })
+            .collect();
+        for (draws, share) in draws.iter_mut().zip(measured(lessons.iter().map(Vec::as_slice))) {
+            draws.extend(share);
+        }
+    }
+    let summary = |mut draws: Vec<f64>| {
+        draws.sort_by(f64::total_cmp);
+        let at = |share: f64| draws.get((share * (draws.len() - 1) as f64).round() as usize).copied().unwrap_or(0.0);
+        (!draws.is_empty()).then(|| (draws.iter().sum::<f64>() / draws.len() as f64, at(0.025), at(0.975)))
+    };
+    Check { real, simulated: draws.map(summary) }
+}
+
+/// Fits trainers to logs, and shows the fit and the checks.
+///
+/// # Errors
+/// [`Failure`].
+pub fn show(out: &mut impl Write, options: &StudyOptions) -> Result<(), Failure> {
+    let (people, population) = fitted(options)?;
+    let check = check(&people, &population, options);
+    if options.json {
+        for ((name, _), counts) in people.iter().zip(&population.people) {
+            writeln!(out, "{}", person_to_json(name, counts))?;
+        }
+        writeln!(out, "{}", json!({"type": "late", "shares": population.late}))?;
+        for (((name, fitted), real), simulated) in MEASURES.iter().zip(check.real).zip(check.simulated) {
+            let simulated = simulated.map(|(mean, low, high)| json!({"mean": mean, "interval": [low, high]}));
+            writeln!(out, "{}", json!({"type": "check", "measure": name, "fitted": fitted, "real": real, "simulated": simulated}))?;
+        }
+        return Ok(());
+    }
+    writeln!(out, "{} people. Counts that were fitted: rewards, punishments, silences after right and after wrong actions;", people.len())?;
+    writeln!(out, "steps after which the lesson was over and was not, at the goal and elsewhere.\n")?;
+    for ((name, _), Counts { right, wrong, at_goal, elsewhere }) in people.iter().zip(&population.people) {
+        let [right, wrong] = [right, wrong].map(|all| all.map(|count| format!("{count:6.1}")).join(" "));
+        let [at_goal, elsewhere] = [at_goal, elsewhere].map(|all| all.map(|count| format!("{count:4.0}")).join(" "));
+        writeln!(out, "{name:<12} right {right}   wrong {wrong}   at goal {at_goal}   elsewhere {elsewhere}")?;
+    }
+    let [now, before, earlier] = population.late.map(|share| 100.0 * share);
+    writeln!(
+        out,
+        "\nWhat is said is meant for the last action in {now:.1} %, for the one before in {before:.1} %, for the one before that in {earlier:.1} %.\n"
+    )?;
+    writeln!(out, "{:<36} {:>8}  {:>28}", "percentage of occasions", "real", "simulated, 95 % of draws")?;
+    for (measure, fitted, real, simulated) in check.rows() {
+        writeln!(out, "{measure:<36} {real:>8}  {simulated:>28}{}", if fitted { "" } else { "  not fitted" })?;
+    }
+    Ok(())
+}
+
+fn person_to_json(name: &str, counts: &Counts) -> Value {
+    json!({
+        "type": "person", "name": name, "right": counts.right, "wrong": counts.wrong, "at_goal": counts.at_goal, "elsewhere": counts.elsewhere,
+    })
+}

@@ -1,0 +1,235 @@
+//! `goodbot study`: agents that learn from a person's words, beside each other, with many kinds of trainers.
+//!
+//! The simulation:
+//!
+//! - [`trainer`]: who gives the lessons: what each says after a right and a wrong action, how late, and when it leaves;
+//! - [`place`]: a command in a home: its tasks, what they are about, and what is right in each state;
+//! - [`agent`]: who learns: goodbot, TAMER, COACH, Advise and a learner like Cobot;
+//! - [`trial`]: one agent with one trainer: seven lessons, then five tests;
+//! - [`tuning`]: how the settings of the others were chosen.
+//!
+//! The command:
+//!
+//! - [`plan`]: what is compared;
+//! - [`shard`]: a part of it, for one of several machines;
+//! - [`runs`]: the runs;
+//! - [`record`]: runs as lines, and parts joined;
+//! - [`summary`]: means with intervals;
+//! - [`table`], [`picture`]: how they are shown;
+//! - [`real`]: real trainers, from session logs;
+//! - [`likeness`]: whether simulated trainers are like them;
+//! - [`tune`]: how the settings of the others were chosen;
+//! - [`report`]: all of it as a page with pictures.
+//!
+//! ```
+//! use goodbot_lab::study::agent::AGENTS;
+//! use goodbot_lab::study::trainer::{TRAINERS, population::Population};
+//! use goodbot_lab::study::trial::{homes, run};
+//! let (agent, trainer, seed) = (&AGENTS[0], &TRAINERS[0], 1);
+//! let outcome = run(&agent.learns, trainer.habits(&Population::fitted(), seed), &homes(seed), seed)?;
+//! assert_eq!(outcome.tests_right(), 5);
+//! # Ok::<(), goodbot_course::CourseError>(())
+//! ```
+
+pub mod agent;
+mod likeness;
+mod picture;
+pub mod place;
+mod plan;
+mod real;
+mod record;
+mod report;
+mod runs;
+mod shard;
+mod summary;
+mod table;
+pub mod trainer;
+pub mod trial;
+mod tune;
+pub mod tuning;
+
+use crate::study::agent::{AGENTS, Contestant};
+use crate::study::trainer::population::Population;
+use crate::study::trainer::{TRAINERS, Trainer};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Args, ValueHint};
+use goodbot_console::messages::{counted, say};
+use goodbot_console::outcome::Failure;
+use goodbot_console::output::{self, Output};
+use plan::Plan;
+use runs::Run;
+use shard::Shard;
+use std::io::Write;
+use std::path::PathBuf;
+use summary::Column;
+
+const EXAMPLES: &str = "\
+Every agent meets the same homes and the same trainers: the same seed gives the same lines, whatever the number \
+of cores. Seven lessons, each until the agent rests at the goal, at most 600 steps; then five tests without a word.
+
+With --json the first line tells what is compared, then there is a line for each run, and at the end one for each \
+trainer and agent:
+  tests_right      how many of the five tests were right: done, and then rested
+  words            how often the trainer said good bot or bad bot, or answered a question
+  answers          how many of these were answers
+  steps            steps of a lesson; one that ended before the goal counts as 600
+  wrongly_certain  percentage of the twelve commands at which it held a wrong task for more than 95 % likely
+  gave_up          percentage of lessons that ended before the goal
+
+Examples:
+  goodbot study --runs 20
+  goodbot study --agents goodbot,tamer-shared --trainers balanced,late-1 --plot study.svg
+  goodbot study --shard 1/2 --json > one.jsonl      on one machine, and 2/2 on another
+  goodbot study --merge one.jsonl two.jsonl --json  the same lines as from one machine
+  goodbot study --runs 1000 --report study.md       all of it as a page with pictures
+  goodbot study --fit log.jsonl                     what the trainers of a log do, and whether simulated ones are like them";
+
+/// Compare agents that learn from a trainer's words, with many kinds of trainers
+#[derive(Clone, Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct StudyOptions {
+    /// Only these agents, separated by commas [default: all]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = agents(), conflicts_with = "merge")]
+    pub agents: Vec<String>,
+    /// Only these trainers, separated by commas [default: all]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = trainers(), conflicts_with_all = ["merge", "tune"])]
+    pub trainers: Vec<String>,
+    /// How many seeds, 1 to 100000, counted up from --seed
+    #[arg(long, short = 'n', value_name = "N", default_value = "100", value_parser = runs, allow_negative_numbers = true, conflicts_with_all = ["merge"])]
+    pub runs: u32,
+    /// The first seed: the same seed gives the same run everywhere
+    #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = goodbot_console::numbers::seed, allow_negative_numbers = true, conflicts_with_all = ["merge"])]
+    pub seed: u64,
+    /// Run one part only, such as 1/4 for the first of four; needs --json, whose lines --merge joins
+    #[arg(long, value_name = "PART/OF", requires = "json", allow_hyphen_values = true, conflicts_with_all = ["merge", "fit", "plot"])]
+    pub shard: Option<Shard>,
+    /// Join the parts of a study, or read a whole one, instead of running it
+    #[arg(long, value_name = "FILE", num_args = 1.., value_hint = ValueHint::FilePath)]
+    pub merge: Vec<String>,
+    /// Fit trainers to session logs, and compare simulated trainers with them; with --report, for the page
+    #[arg(long, value_name = "LOG", num_args = 1.., value_hint = ValueHint::FilePath, conflicts_with_all = ["plot", "csv"])]
+    pub fit: Vec<String>,
+    /// Try all settings of the agents that are not goodbot, and tell which are best; on seeds of their own
+    #[arg(long, conflicts_with_all = ["merge", "fit", "plot", "csv", "json", "report"])]
+    pub tune: bool,
+    /// Write all of it as a page, with pictures beside it
+    #[arg(long, value_name = "FILE.md", value_hint = ValueHint::FilePath, conflicts_with_all = ["json", "csv", "plot"])]
+    pub report: Option<PathBuf>,
+    /// Print JSON lines
+    #[arg(long)]
+    pub json: bool,
+    /// Print a table of comma-separated values: a line for each trainer and agent
+    #[arg(long, conflicts_with = "json")]
+    pub csv: bool,
+    /// Write a picture of --column; - is standard output
+    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
+    pub plot: Option<PathBuf>,
+    /// What the picture shows
+    #[arg(long, value_name = "NAME", default_value = "tests_right", value_parser = columns(), requires = "plot")]
+    pub column: Column,
+    /// Replace files that goodbot has not written
+    #[arg(long)]
+    pub force: bool,
+}
+
+fn runs(text: &str) -> Result<u32, String> {
+    goodbot_console::numbers::between(text, 1, 100_000).map(|runs| runs as u32)
+}
+
+fn agents() -> PossibleValuesParser {
+    PossibleValuesParser::new(AGENTS.map(|agent| PossibleValue::new(agent.name).help(agent.is)))
+}
+
+fn trainers() -> PossibleValuesParser {
+    PossibleValuesParser::new(TRAINERS.map(|trainer| PossibleValue::new(trainer.name).help(trainer.does)))
+}
+
+fn columns() -> impl TypedValueParser<Value = Column> {
+    PossibleValuesParser::new(Column::ALL.map(Column::name))
+        .map(|name| Column::ALL.into_iter().find(|column| column.name() == name).unwrap_or(Column::Tests))
+}
+
+/// Those that were named, in the order of the tables; all where none was.
+fn named<T: Copy>(all: &[T], names: &[String], name: impl Fn(&T) -> &'static str) -> Vec<T> {
+    all.iter().filter(|one| names.is_empty() || names.iter().any(|asked| asked == name(one))).copied().collect()
+}
+
+impl StudyOptions {
+    fn plan(&self) -> Plan {
+        Plan {
+            agents: named(&AGENTS, &self.agents, |agent: &Contestant| agent.name),
+            trainers: named(&TRAINERS, &self.trainers, |trainer: &Trainer| trainer.name),
+            population: Population::fitted(),
+            seed: self.seed,
+            runs: self.runs,
+            shard: self.shard.unwrap_or(Shard::WHOLE),
+        }
+    }
+
+    /// What is run, or read.
+    fn runs(&self) -> Result<(Plan, Vec<Run>), Failure> {
+        if self.merge.is_empty() {
+            let plan = self.plan();
+            let runs = runs::run_all(&plan)?;
+            Ok((plan, runs))
+        } else {
+            record::read(&self.merge)
+        }
+    }
+
+    /// The files that are read.
+    fn inputs(&self) -> impl Iterator<Item = &str> {
+        self.merge.iter().chain(&self.fit).map(String::as_str)
+    }
+}
+
+/// Runs the study, joins its parts, or fits trainers, and shows what came of it.
+///
+/// # Errors
+/// [`Failure`].
+pub fn run(options: &StudyOptions) -> Result<(), Failure> {
+    if let Some(page) = &options.report {
+        return report::write(page, options);
+    }
+    let inputs = options.inputs();
+    let target = options.plot.as_deref().map(|plot| Output::picture(plot, inputs, options.force)).transpose()?;
+    let mut out = output::text(&[target.as_ref()])?;
+    if !options.fit.is_empty() {
+        likeness::show(&mut out, options)?;
+        return Ok(out.flush()?);
+    }
+    if options.tune {
+        tune::show(&mut out, options)?;
+        return Ok(out.flush()?);
+    }
+    let (plan, runs) = options.runs()?;
+    let rows = if plan.shard == Shard::WHOLE { summary::rows(&plan, &runs) } else { Vec::new() };
+    if let Some(target) = &target {
+        let drawing = picture::of(&plan, &rows, options.column);
+        let drawing = drawing.map_err(|error| Failure::Result(format!("cannot draw the picture: {error}")))?;
+        target.write(drawing.as_bytes())?;
+        say!("picture: {}", target.name());
+    }
+    if options.json {
+        lines(&mut out, &plan, &runs)?;
+        for row in &rows {
+            writeln!(out, "{}", row.to_json())?;
+        }
+        if plan.shard != Shard::WHOLE {
+            say!("part {}: {}; join the parts with --merge", plan.shard, counted(runs.len(), "run"));
+        }
+    } else if options.csv {
+        table::csv(&mut out, &plan, &rows)?;
+    } else {
+        table::print(&mut out, &plan, &rows)?;
+    }
+    Ok(out.flush()?)
+}
+
+fn lines(out: &mut impl Write, plan: &Plan, runs: &[Run]) -> Result<(), Failure> {
+    writeln!(out, "{}", record::plan_to_json(plan))?;
+    for run in runs {
+        writeln!(out, "{}", record::run_to_json(plan, run))?;
+    }
+    Ok(())
+}

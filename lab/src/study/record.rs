@@ -1,0 +1,187 @@
+//! Runs as JSON lines: the plan first, then a line for each run, so that parts of a study can be joined.
+
+use super::plan::Plan;
+use super::runs::Run;
+use super::shard::Shard;
+use crate::study::agent::AGENTS;
+use crate::study::trainer::TRAINERS;
+use crate::study::trainer::population::Population;
+use crate::study::trial::{Ending, LessonOutcome, Outcome, TestOutcome};
+use goodbot_console::load::input;
+use goodbot_console::outcome::Failure;
+use goodbot_lesson::Fault;
+use serde_json::{Value, json};
+use std::io::BufRead;
+
+/// The version of the lines.
+const VERSION: u64 = 1;
+
+/// The first line: what is compared, with the settings of all. Parts of one study have the same, but for the part.
+pub fn plan_to_json(plan: &Plan) -> Value {
+    let agents: Vec<Value> = plan.agents.iter().map(|agent| json!({"name": agent.name, "settings": agent.learns.to_string()})).collect();
+    let trainers: Vec<&str> = plan.trainers.iter().map(|trainer| trainer.name).collect();
+    json!({
+        "type": "study",
+        "version": VERSION,
+        "program": env!("CARGO_PKG_VERSION"),
+        "agents": agents,
+        "trainers": trainers,
+        "population": plan.population.digest(),
+        "seed": plan.seed,
+        "runs": plan.runs,
+        "part": plan.shard.to_string(),
+    })
+}
+
+/// The line of a run.
+pub fn run_to_json(plan: &Plan, run: &Run) -> Value {
+    let Outcome { lessons, tests } = &run.outcome;
+    let certain: Vec<Option<bool>> =
+        lessons.iter().map(|lesson| lesson.wrongly_certain).chain(tests.iter().map(|test| test.wrongly_certain)).collect();
+    json!({
+        "type": "run",
+        "seed": run.seed,
+        "trainer": plan.trainers[run.trainer].name,
+        "agent": plan.agents[run.agent].name,
+        "endings": lessons.map(|lesson| lesson.ending.name()),
+        "steps": lessons.map(|lesson| lesson.steps),
+        "words": lessons.map(|lesson| lesson.words),
+        "answers": lessons.map(|lesson| lesson.answers),
+        "tests": tests.map(|test| test.right),
+        "wrongly_certain": certain,
+    })
+}
+
+/// The study that a file's first line tells of.
+fn plan_from_json(line: &Value) -> Result<Plan, String> {
+    let text = |name: &str| line[name].as_str().ok_or_else(|| format!("has no {name:?}"));
+    if line["type"] != "study" {
+        return Err("is no study; name what goodbot study --json has written".to_owned());
+    }
+    if line["version"] != VERSION || line["program"] != env!("CARGO_PKG_VERSION") {
+        return Err(format!("was written by another version of goodbot; run it again with {}", env!("CARGO_PKG_VERSION")));
+    }
+    let list = |name: &str| line[name].as_array().ok_or_else(|| format!("has no list {name:?}"));
+    let mut agents = Vec::new();
+    for agent in list("agents")? {
+        let known = AGENTS.iter().find(|known| agent["name"] == known.name);
+        let known = known.ok_or_else(|| format!("names an agent {} that is not known", agent["name"]))?;
+        if agent["settings"] != known.learns.to_string() {
+            return Err(format!("has other settings of {}: {}; run it again with this version", known.name, agent["settings"]));
+        }
+        agents.push(*known);
+    }
+    let mut trainers = Vec::new();
+    for trainer in list("trainers")? {
+        let known = TRAINERS.iter().find(|known| *trainer == known.name);
+        trainers.push(*known.ok_or_else(|| format!("names a trainer {trainer} that is not known"))?);
+    }
+    let population = Population::fitted();
+    if line["population"] != population.digest() {
+        return Err("has trainers from another fit to real people; they cannot be drawn again here".to_owned());
+    }
+    let seed = line["seed"].as_u64().ok_or("has no seed")?;
+    let runs = line["runs"].as_u64().and_then(|runs| u32::try_from(runs).ok()).ok_or("has no number of runs")?;
+    Ok(Plan { agents, trainers, population, seed, runs, shard: text("part")?.parse()? })
+}
+
+fn run_from_json(plan: &Plan, line: &Value) -> Result<Run, String> {
+    if line["type"] != "run" {
+        return Err("is no run".to_owned());
+    }
+    let position = |found: Option<usize>, what: &str| found.ok_or_else(|| format!("names {what} that its study does not have"));
+    let trainer = position(plan.trainers.iter().position(|known| line["trainer"] == known.name), "a trainer")?;
+    let agent = position(plan.agents.iter().position(|known| line["agent"] == known.name), "an agent")?;
+    let count = |name: &str, at: usize| {
+        let number = line[name][at].as_u64().and_then(|number| u16::try_from(number).ok());
+        number.ok_or_else(|| format!("has no whole number in {name}[{at}]"))
+    };
+    let certain = |at: usize| match &line["wrongly_certain"][at] {
+        Value::Null => Ok(None),
+        Value::Bool(is) => Ok(Some(*is)),
+        other => Err(format!("has {other} in wrongly_certain[{at}]")),
+    };
+    let mut outcome = Outcome::NONE;
+    for (at, lesson) in outcome.lessons.iter_mut().enumerate() {
+        let ending = Ending::ALL.into_iter().find(|ending| line["endings"][at] == ending.name());
+        let ending = ending.ok_or_else(|| format!("has no ending in endings[{at}]"))?;
+        *lesson = LessonOutcome {
+            ending,
+            steps: count("steps", at)?,
+            words: count("words", at)?,
+            answers: count("answers", at)?,
+            wrongly_certain: certain(at)?,
+        };
+    }
+    let lessons = outcome.lessons.len();
+    for (at, test) in outcome.tests.iter_mut().enumerate() {
+        let right = line["tests"][at].as_bool().ok_or_else(|| format!("has no answer in tests[{at}]"))?;
+        *test = TestOutcome { right, wrongly_certain: certain(lessons + at)? };
+    }
+    Ok(Run { seed: line["seed"].as_u64().ok_or("has no seed")?, trainer, agent, outcome })
+}
+
+/// Reads the parts of a study, in any order, and joins them to the whole.
+///
+/// # Errors
+/// [`Failure::Input`] names the file and line, or says which part is missing or there twice.
+pub fn read(files: &[String]) -> Result<(Plan, Vec<Run>), Failure> {
+    let mut whole: Option<(String, Plan)> = None;
+    let mut runs = Vec::new();
+    let mut parts = Vec::new();
+    for file in files {
+        let fault = |fault: Fault| Failure::Input(fault.to_string());
+        let mut plan: Option<Plan> = None;
+        for (line, number) in input::open(file).map_err(fault)?.lines().zip(1..) {
+            let wrong = |message: String| fault(Fault::on_line(input::name(file), number, message));
+            let line = line.map_err(|error| wrong(format!("cannot be read ({error}); check that it is text")))?;
+            let line: Value = serde_json::from_str(&line).map_err(|error| wrong(format!("is no JSON ({error})")))?;
+            match &plan {
+                None => plan = Some(plan_from_json(&line).map_err(wrong)?),
+                // What follows the runs is made from them.
+                Some(_) if line["type"] == "summary" => break,
+                Some(plan) => runs.push(run_from_json(plan, &line).map_err(wrong)?),
+            }
+        }
+        let plan = plan.ok_or_else(|| fault(Fault::new(input::name(file), "is empty; name what goodbot study --json has written")))?;
+        parts.push((input::name(file).to_owned(), plan.shard));
+        match &whole {
+            None => whole = Some((input::name(file).to_owned(), Plan { shard: Shard::WHOLE, ..plan })),
+            Some((first, whole)) if plan_to_json(&Plan { shard: Shard::WHOLE, ..plan }) != plan_to_json(whole) => {
+                return Err(Failure::Input(format!("{} is of another study than {first}; join parts of one", input::name(file))));
+            }
+            Some(_) => {}
+        }
+    }
+    let (_, plan) = whole.ok_or_else(|| Failure::Input("there is nothing to join; name files".to_owned()))?;
+    check_parts(&parts).map_err(Failure::Input)?;
+    runs.sort_by_key(|run| (run.seed.wrapping_sub(plan.seed), run.trainer, run.agent));
+    let (trainers, agents) = (plan.trainers.len(), plan.agents.len());
+    let in_order = |position: u32| {
+        let seed = plan.seed_at(position);
+        (0..trainers).flat_map(move |trainer| (0..agents).map(move |agent| (seed, trainer, agent)))
+    };
+    let expected = (0..plan.runs).flat_map(in_order);
+    if !expected.eq(runs.iter().map(|run| (run.seed, run.trainer, run.agent))) {
+        let message = format!("{} runs where {} belong to the study; a file is cut off or was changed", runs.len(), plan.all_runs());
+        return Err(Failure::Input(message));
+    }
+    Ok((plan, runs))
+}
+
+/// Whether each part is there once.
+fn check_parts(parts: &[(String, Shard)]) -> Result<(), String> {
+    let Some((first, Shard { of, .. })) = parts.first() else { return Ok(()) };
+    for (position, (file, part)) in parts.iter().enumerate() {
+        if part.of != *of {
+            return Err(format!("{file} is part {part}, and {first} is one of {of}; join parts of one division"));
+        }
+        if let Some((other, _)) = parts[..position].iter().find(|(_, other)| other == part) {
+            return Err(format!("{file} and {other} are both part {part}; name each part once"));
+        }
+    }
+    match (1..=*of).find(|&number| parts.iter().all(|(_, part)| part.number != number)) {
+        Some(number) => Err(format!("part {number}/{of} is missing; run it with --shard {number}/{of}, and name its file too")),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,252 @@
+//! One agent with one trainer: seven lessons, each learned from, then five tests.
+//!
+//! What happens by chance comes from four generators of the seed: the homes, who the trainer is, what the trainer says, and how the agent
+//! draws. So all agents meet the same homes and the same people.
+
+use crate::study::agent::{Learner, Learns, Now};
+use crate::study::place::{CAPACITIES, Place, Umpire};
+use crate::study::trainer::habits::{Habits, Listening};
+use goodbot::AgentError;
+use goodbot::asking::{Answer, Question};
+use goodbot::feedback::Feedback;
+use goodbot::home::HomeState;
+use goodbot::memory::HomeHeap;
+use goodbot::oomdp::{Action, ActionSet, apply};
+use goodbot::planning::OptimalSet;
+use goodbot::random::{below, unit};
+use goodbot_course::{CourseError, Homes, LESSONS, TESTS, generator};
+use rand_pcg::Pcg32;
+
+/// The lesson ends after so many steps of doing nothing in a row at the goal that is meant.
+pub const RESTS: u8 = 3;
+/// The trainer gives a lesson up after so many steps.
+pub const MOST_STEPS: u16 = 600;
+/// A test ends after so many steps.
+pub const TEST_STEPS: u16 = 100;
+/// How often the trainer answers a question wrongly, whoever it is.
+pub const WRONG_ANSWERS: f32 = 0.05;
+/// An agent that is surer than this is certain.
+pub const CERTAIN: f32 = 0.95;
+
+/// Why a lesson ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// The agent rests at the goal that is meant.
+    Goal,
+    /// What is meant cannot be done any more.
+    DeadEnd,
+    /// It took too long.
+    TooLong,
+    /// The trainer left, though the goal was not reached.
+    Left,
+}
+
+impl Ending {
+    /// All.
+    pub const ALL: [Self; 4] = [Self::Goal, Self::DeadEnd, Self::TooLong, Self::Left];
+
+    /// Its name in output.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Goal => "goal",
+            Self::DeadEnd => "dead end",
+            Self::TooLong => "too long",
+            Self::Left => "left",
+        }
+    }
+}
+
+/// What a lesson came to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LessonOutcome {
+    /// Why it ended.
+    pub ending: Ending,
+    /// How many steps it took.
+    pub steps: u16,
+    /// How often the trainer said something: "good bot", "bad bot", or an answer.
+    pub words: u16,
+    /// How many questions it answered.
+    pub answers: u16,
+    /// Whether the agent was at some time certain of a wrong task; `None` for an agent that has no such probability.
+    pub wrongly_certain: Option<bool>,
+}
+
+impl LessonOutcome {
+    const NONE: Self = Self { ending: Ending::TooLong, steps: 0, words: 0, answers: 0, wrongly_certain: None };
+}
+
+impl TestOutcome {
+    const NONE: Self = Self { right: false, wrongly_certain: None };
+}
+
+/// What a test came to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TestOutcome {
+    /// Whether the agent did what was meant, and then rested.
+    pub right: bool,
+    /// Whether it was certain of a wrong task on hearing the command; `None` for an agent that has no such probability.
+    pub wrongly_certain: Option<bool>,
+}
+
+/// What one agent came to with one trainer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Outcome {
+    /// The lessons.
+    pub lessons: [LessonOutcome; LESSONS.len()],
+    /// The tests.
+    pub tests: [TestOutcome; TESTS.len()],
+}
+
+impl Outcome {
+    /// Nothing was done yet.
+    pub const NONE: Self = Self { lessons: [LessonOutcome::NONE; LESSONS.len()], tests: [TestOutcome::NONE; TESTS.len()] };
+
+    /// How many tests were right.
+    pub fn tests_right(&self) -> usize {
+        self.tests.iter().filter(|test| test.right).count()
+    }
+}
+
+/// What a generator is for.
+#[derive(Clone, Copy, Debug)]
+enum Chance {
+    Words = 2,
+    Agent = 3,
+}
+
+/// A generator that has nothing to do with those of the same seed for other purposes.
+fn chance(seed: u64, purpose: Chance) -> Pcg32 {
+    generator(seed.wrapping_mul(0x2545_f491_4f6c_dd1d).wrapping_add(purpose as u64))
+}
+
+/// The homes of a seed.
+pub fn homes(seed: u64) -> Homes {
+    Homes::random(&mut generator(seed), &mut HomeHeap::new(&CAPACITIES))
+}
+
+/// Takes an agent through the course in these homes, with a trainer of these habits.
+///
+/// # Errors
+/// [`CourseError`].
+pub fn run(learns: &Learns, habits: Habits, homes: &Homes, seed: u64) -> Result<Outcome, CourseError> {
+    let mut memory = HomeHeap::new(&CAPACITIES);
+    let mut words = chance(seed, Chance::Words);
+    let mut learner = learns.begin(chance(seed, Chance::Agent))?;
+    let mut umpire = Umpire::new()?;
+    let mut outcome = Outcome::NONE;
+    for (exercise, outcome) in LESSONS.iter().zip(&mut outcome.lessons) {
+        let (home, start) = homes.layout(exercise.home).build(&mut memory)?;
+        let mut place = Place::new(home, start, exercise, &mut umpire)?;
+        *outcome = lesson(&mut *learner, &mut place, Listening::new(habits), &mut words)?;
+    }
+    for (exercise, outcome) in TESTS.iter().zip(&mut outcome.tests) {
+        let (home, start) = homes.layout(exercise.home).build(&mut memory)?;
+        *outcome = test(&mut *learner, &mut Place::new(home, start, exercise, &mut umpire)?)?;
+    }
+    Ok(outcome)
+}
+
+/// What is right for the task that is meant, and where an action leads.
+struct Step {
+    correct: bool,
+    at_goal: bool,
+    next: HomeState,
+}
+
+/// Lets the agent act; `None` where what is meant cannot be done any more.
+fn act(
+    learner: &mut dyn Learner,
+    place: &mut Place<'_, '_>,
+    state: &HomeState,
+    is_test: bool,
+) -> Result<Option<(Action, Step)>, CourseError> {
+    let outlook = place.outlook(state)?;
+    let meant = outlook.optimal[place.intended];
+    if matches!(meant, OptimalSet::DeadEnd(_)) {
+        return Ok(None);
+    }
+    let action = learner.act(&Now { place, state, outlook: &outlook, is_test })?;
+    let next = apply(&place.home, state, action).ok_or(AgentError::NotApplicable)?;
+    // The trainer takes a way that only seems shortest for one.
+    let right = meant.exact().or(meant.onward()).unwrap_or(ActionSet::EMPTY);
+    Ok(Some((action, Step { correct: right.contains(action), at_goal: meant == OptimalSet::Goal, next })))
+}
+
+/// Lets the agent ask until it has no question left. Gives how many were answered.
+fn ask(learner: &mut dyn Learner, place: &mut Place<'_, '_>, state: &HomeState, random: &mut Pcg32) -> Result<u16, CourseError> {
+    let outlook = place.outlook(state)?;
+    let now = Now { place, state, outlook: &outlook, is_test: false };
+    let mut answers = 0;
+    while let Some(question) = learner.asks(&now)? {
+        learner.answered(answer(&question, place.intended, random))?;
+        answers += 1;
+    }
+    Ok(answers)
+}
+
+/// What the trainer answers.
+fn answer(question: &Question, intended: usize, random: &mut Pcg32) -> Answer {
+    let is_wrong = unit(random) < WRONG_ANSWERS;
+    let others = usize::from(question.subject.choices());
+    if others == 0 {
+        return if question.yes.contains(intended) != is_wrong { Answer::Yes } else { Answer::No };
+    }
+    // One of the choices, or at the end none of them.
+    let right = question.choices.iter().take(others).position(|choice| choice.contains(intended)).unwrap_or(others);
+    let chosen = if is_wrong { (right + 1 + below(others, random)) % (others + 1) } else { right };
+    if chosen == others { Answer::No } else { Answer::This(chosen as u8) }
+}
+
+/// Whether the agent is certain of a wrong task.
+fn is_wrongly_certain(learner: &dyn Learner, place: &Place<'_, '_>) -> Option<bool> {
+    learner.belief().map(|(task, probability)| task != place.intended && probability > CERTAIN)
+}
+
+fn lesson(
+    learner: &mut dyn Learner,
+    place: &mut Place<'_, '_>,
+    mut trainer: Listening,
+    random: &mut Pcg32,
+) -> Result<LessonOutcome, CourseError> {
+    learner.hear(place)?;
+    let mut state = place.start;
+    let (mut rests, mut steps, mut words, mut answers) = (0, 0, 0, 0);
+    let mut wrongly_certain = is_wrongly_certain(learner, place);
+    let ending = loop {
+        if steps >= MOST_STEPS {
+            break Ending::TooLong;
+        }
+        answers += ask(learner, place, &state, random)?;
+        let Some((action, step)) = act(learner, place, &state, false)? else { break Ending::DeadEnd };
+        let word = trainer.says(step.correct, random);
+        learner.told(word)?;
+        steps += 1;
+        words += u16::from(word != Feedback::Neutral);
+        wrongly_certain = wrongly_certain.zip(is_wrongly_certain(learner, place)).map(|(before, now)| before || now);
+        rests = if step.at_goal && action == Action::NOOP { rests + 1 } else { 0 };
+        if rests == RESTS {
+            break Ending::Goal;
+        }
+        state = step.next;
+        if trainer.leaves(step.at_goal, random) {
+            break if step.at_goal { Ending::Goal } else { Ending::Left };
+        }
+    };
+    learner.finish(place)?;
+    Ok(LessonOutcome { ending, steps, words: words + answers, answers, wrongly_certain })
+}
+
+fn test(learner: &mut dyn Learner, place: &mut Place<'_, '_>) -> Result<TestOutcome, CourseError> {
+    learner.hear(place)?;
+    let wrongly_certain = is_wrongly_certain(learner, place);
+    let mut state = place.start;
+    let (mut rests, mut steps) = (0, 0);
+    while rests < RESTS && steps < TEST_STEPS {
+        let Some((action, step)) = act(learner, place, &state, true)? else { break };
+        rests = if step.at_goal && action == Action::NOOP { rests + 1 } else { 0 };
+        state = step.next;
+        steps += 1;
+    }
+    learner.forget();
+    Ok(TestOutcome { right: rests == RESTS, wrongly_certain })
+}

@@ -1,0 +1,99 @@
+//! One robot that learns ways from reward and punishment alone.
+
+use super::exercise::{Exercise, ThreeStoreys};
+use crate::questions::simulation::answer;
+use goodbot::asking::Asking;
+use goodbot::feedback::Strategy;
+use goodbot::task::LiftedTask;
+use goodbot::{Agent, AgentError, HeapMemory, Options};
+use goodbot_console::outcome::Failure;
+use goodbot_course::{CourseTrainer, Lesson, Turn, generator};
+
+/// What is simulated.
+#[derive(Clone, Debug)]
+pub struct Setting {
+    /// The kinds of tasks that commands may mean.
+    pub lifted: Vec<LiftedTask>,
+    /// When the robot asks.
+    pub asking: Asking,
+    /// How many lessons.
+    pub lessons: usize,
+    /// After how many lessons it is tested, again and again; and before the first.
+    pub every: usize,
+    /// How many commands a test has.
+    pub tests: usize,
+}
+
+/// What one robot came to.
+#[derive(Clone, Debug, Default)]
+pub struct Learned {
+    /// Commands understood in each test.
+    pub right: Vec<usize>,
+    /// Steps of all lessons.
+    pub steps: usize,
+    /// Words of reward and punishment in all lessons.
+    pub words: usize,
+    /// Questions in all lessons.
+    pub questions: usize,
+}
+
+/// Trains one robot, each lesson in a new home, with the paper's balanced trainer.
+///
+/// # Errors
+/// What the robot refuses.
+pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result<Learned, Failure> {
+    let mut random = generator(seed);
+    // Tests are drawn apart, so that they are the same with questions and without.
+    let mut drawn = generator(seed ^ TESTS);
+    let mut agent = Agent::new(&mut memory.agent, &setting.lifted, Options::DEFAULT).map_err(refused)?;
+    agent.set_strategies(&[(Strategy::BALANCED, 1.0)]).map_err(refused)?;
+    let mut learned = Learned::default();
+    for lesson in 0..=setting.lessons {
+        if lesson % setting.every.max(1) == 0 || lesson == setting.lessons {
+            let mut right = 0;
+            for _ in 0..setting.tests {
+                let home = ThreeStoreys::random(&mut memory.home, &mut drawn).map_err(|error| Failure::Result(error.to_string()))?;
+                let exercise = Exercise::random(&home, &mut drawn);
+                agent.hear(&home.home, &home.start, &exercise.command).map_err(refused)?;
+                let meant = exercise.find(&agent, &home);
+                right += usize::from(meant.is_some() && agent.most_likely() == meant);
+            }
+            learned.right.push(right);
+        }
+        if lesson == setting.lessons {
+            break;
+        }
+        let home = ThreeStoreys::random(&mut memory.home, &mut random).map_err(|error| Failure::Result(error.to_string()))?;
+        let exercise = Exercise::random(&home, &mut random);
+        agent.hear(&home.home, &home.start, &exercise.command).map_err(refused)?;
+        let Some(meant) = exercise.find(&agent, &home) else {
+            return Err(Failure::Result(format!("no task of the home is what \"{}\" means", exercise.command)));
+        };
+        let mut under_way = Lesson::meaning(&home.start, meant);
+        let report = loop {
+            let state = *under_way.state();
+            agent.plan_fully(&home.home, &state).map_err(refused)?;
+            while let Some(question) = agent.question(&home.home, &state, &setting.asking).map_err(refused)? {
+                learned.questions += 1;
+                let _ = agent.answer(answer(&question, meant, setting.asking.eta, &mut random)).map_err(refused)?;
+            }
+            match under_way.act(&mut agent, &home.home, &CourseTrainer::BALANCED, &mut random) {
+                Ok(Turn::Acted(_)) => {}
+                Ok(Turn::Ended(ending)) => break under_way.report(ending),
+                Err(error) => return Err(Failure::Result(error.to_string())),
+            }
+        };
+        let _ = agent.finish(&home.home).map_err(refused)?;
+        agent.learn_fully();
+        learned.steps += usize::from(report.steps);
+        learned.words += (report.feedback.reward + report.feedback.punish) as usize;
+    }
+    Ok(learned)
+}
+
+/// Tells the tests' seed from the lessons'.
+const TESTS: u64 = 0x7e57_7e57_7e57_7e57;
+
+fn refused(error: AgentError) -> Failure {
+    Failure::Result(goodbot_console::refusal::in_words(&error))
+}

@@ -1,0 +1,482 @@
+//! A live session: a command is heard, the robot goes step by step, and each step is judged.
+//!
+//! [`Lesson::hear`], then over and over [`Lesson::plan`] until it is done, [`Lesson::act`], [`Lesson::judge`], [`Lesson::go_on`]; at the end
+//! [`Lesson::finish`], or [`Lesson::forget`].
+//!
+//! A word counts at once, and of several words to one step the last one counts. To take a step back, the session is walked again up to
+//! there: the same steps and the same words give the same belief.
+
+use crate::name::task_name;
+use crate::replay::{Event, Replay, ReplayError, Rules};
+use crate::walk::{SessionAnswer, Step, Walk};
+use goodbot::asking::Answer;
+use goodbot::feedback::{Feedback, Strategy};
+use goodbot::home::{Home, HomeState};
+use goodbot::memory::{AgentHeap, HomeHeap};
+use goodbot::oomdp::{Action, action_name, action_named};
+use goodbot::planning::{Judgement, OptimalSet, Progress};
+use goodbot::session::{Evidence, Finished};
+use goodbot::task::TaskSet;
+use goodbot::{Agent, AgentError};
+use goodbot_formats::environment::EnvironmentFile;
+use goodbot_formats::session::Kind;
+use goodbot_formats::task_text::GroundTaskText;
+use rand_core::Rng;
+use std::fmt;
+
+/// What cannot be done in a session now.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LiveError {
+    /// No command was heard.
+    NoSession,
+    /// The last step is not over: [`Lesson::go_on`] leads on.
+    StepNotOver,
+    /// No step waits for a word.
+    NoStep,
+    /// The home has no action of this name.
+    NoAction(String),
+    /// The agent refuses it.
+    Agent(AgentError),
+}
+
+impl From<AgentError> for LiveError {
+    fn from(error: AgentError) -> Self {
+        Self::Agent(error)
+    }
+}
+
+impl From<ReplayError> for LiveError {
+    fn from(ReplayError { error, .. }: ReplayError) -> Self {
+        Self::Agent(error)
+    }
+}
+
+impl fmt::Display for LiveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoSession => f.write_str("no session is under way; give a command first"),
+            Self::StepNotOver => f.write_str("the last step waits for a word, or for silence"),
+            Self::NoStep => f.write_str("there is no step to judge yet; let the robot go first"),
+            Self::NoAction(name) => write!(f, "{name} is no action here"),
+            Self::Agent(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for LiveError {}
+
+/// The step that the robot took last.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Acted {
+    /// The action's name.
+    pub action: String,
+    /// The task that it was for.
+    pub task: usize,
+    /// How probable the tasks are together for which it is right.
+    pub confidence: f32,
+    /// What the robot knew of the way to the task's goal.
+    pub plan: OptimalSet,
+    /// For each task, by position, whether it is right.
+    pub judgements: Vec<Judgement>,
+    /// What was said to it; nothing yet.
+    pub judged: Option<Feedback>,
+    step: Step,
+}
+
+impl Acted {
+    /// Whether it was right for a task; `None` where that is not known.
+    pub fn is_right(&self, task: usize) -> Option<bool> {
+        match self.judgements.get(task)? {
+            Judgement::Correct => Some(true),
+            Judgement::Incorrect => Some(false),
+            Judgement::Unknown => None,
+        }
+    }
+}
+
+/// A word to a step, and what came of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Judged {
+    /// It was taken in.
+    As(Evidence),
+    /// The same had been said already.
+    AsBefore,
+}
+
+/// What is known of a session besides its walk.
+#[derive(Clone, Debug)]
+pub struct Session {
+    /// The home when the command was heard.
+    pub environment: EnvironmentFile,
+    /// The trainer strategies that were expected then, each with its probability.
+    pub strategies: Vec<(Strategy, f32)>,
+    /// For each step that was taken, and each task, whether it was right.
+    judgements: Vec<Vec<Judgement>>,
+    /// Where it is walked again.
+    again: Option<Replay>,
+}
+
+/// A robot in a home, and the session under way.
+///
+/// ```
+/// use goodbot::feedback::Feedback;
+/// use goodbot::home::{Moves, paper_tasks};
+/// use goodbot::memory::AgentHeap;
+/// use goodbot::{Agent, Capacities, Options};
+/// use goodbot_lesson::{home, live::Lesson};
+///
+/// let rooms = home::parse("home", "#########\n#rrr#ggg#\n#r@r+ggg#\n#rrr#ggg#\n#########\n").unwrap();
+/// let (place, start) = home::build(&rooms, Moves::Push, home::memory()).unwrap();
+/// let agent = Agent::new(AgentHeap::new(&Capacities::SMALL), &paper_tasks().unwrap(), Options::DEFAULT)?;
+/// let mut lesson = Lesson::new(agent, place, start);
+/// let mut random = rand_pcg::Pcg32::new(1, 1);
+/// lesson.hear("go to the green room", rooms)?;
+/// while !lesson.plan(10_000)? {}
+/// let toward_green = lesson.act(&mut random)?.action == "east";
+/// lesson.judge(if toward_green { Feedback::Reward } else { Feedback::Punish })?;
+/// let recorded = lesson.recorded(true).unwrap();
+/// let _ = lesson.finish()?;
+/// lesson.agent.learn_fully();
+/// assert_eq!((recorded.steps.len(), lesson.agent.language().bitext().sessions()), (1, 1));
+/// # Ok::<(), goodbot_lesson::live::LiveError>(())
+/// ```
+#[derive(Debug)]
+pub struct Lesson {
+    /// The robot.
+    pub agent: Agent<AgentHeap>,
+    walk: Walk<HomeHeap>,
+    state: HomeState,
+    session: Option<Session>,
+    acted: Option<Acted>,
+}
+
+impl Lesson {
+    /// A robot in a home. No session is under way.
+    pub fn new(agent: Agent<AgentHeap>, home: Home<HomeHeap>, start: HomeState) -> Self {
+        let walk = Walk::new(home, start, Kind::Feedback);
+        Self { agent, walk, state: start, session: None, acted: None }
+    }
+
+    /// The home.
+    pub const fn home(&self) -> &Home<HomeHeap> {
+        &self.walk.home
+    }
+
+    /// Where everything is now.
+    pub const fn state(&self) -> &HomeState {
+        &self.state
+    }
+
+    /// The robot, the home and where everything is now, for calls of the robot that need all three.
+    pub const fn parts(&mut self) -> (&mut Agent<AgentHeap>, &Home<HomeHeap>, &HomeState) {
+        (&mut self.agent, &self.walk.home, &self.state)
+    }
+
+    /// Puts everything where a state has it. The session under way is forgotten.
+    pub fn put(&mut self, state: HomeState) {
+        self.forget();
+        self.state = state;
+    }
+
+    /// Goes into another home. The session under way is forgotten.
+    pub fn enter(&mut self, home: Home<HomeHeap>, start: HomeState) {
+        self.forget();
+        self.walk = Walk::new(home, start, Kind::Feedback);
+        self.state = start;
+    }
+
+    /// Takes another robot's mind. The session under way is forgotten.
+    pub fn replace_agent(&mut self, agent: Agent<AgentHeap>) {
+        self.forget();
+        self.agent = agent;
+    }
+
+    /// Whether a session is under way.
+    pub const fn is_under_way(&self) -> bool {
+        self.session.is_some()
+    }
+
+    /// The session under way: its walk so far, and what else is known of it.
+    pub fn session(&self) -> Option<(&Walk<HomeHeap>, &Session)> {
+        self.session.as_ref().map(|session| (&self.walk, session))
+    }
+
+    /// The command of the session under way.
+    pub fn command(&self) -> Option<&str> {
+        self.session.as_ref().map(|_| self.walk.command.as_str())
+    }
+
+    /// The last step, until the robot goes on.
+    pub const fn acted(&self) -> Option<&Acted> {
+        self.acted.as_ref()
+    }
+
+    /// How many steps the session has, those included that are still to be walked again.
+    pub fn steps(&self) -> usize {
+        if self.is_under_way() { self.walk.steps.len() } else { 0 }
+    }
+
+    /// The steps that were taken and judged: what was said, and for each task, by position, whether the step was right.
+    pub fn done(&self) -> impl ExactSizeIterator<Item = (Feedback, &[Judgement])> {
+        let judgements = self.session.as_ref().map_or(&[][..], |session| &session.judgements);
+        self.walk.steps.iter().zip(judgements).map(|(step, judgements)| (step.feedback, judgements.as_slice()))
+    }
+
+    /// The name of a task, by its position.
+    pub fn name_of(&self, position: usize) -> Option<GroundTaskText> {
+        let task = self.agent.tasks().get(position)?;
+        task_name(self.home(), self.agent.lifted().get(usize::from(task.lifted))?, task).ok()
+    }
+
+    /// Begins a session: the robot hears a command. `environment` is the home as it is now, for the record. A session under way is forgotten.
+    ///
+    /// # Errors
+    /// What [`Agent::hear`] refuses.
+    pub fn hear(&mut self, command: &str, environment: EnvironmentFile) -> Result<(), LiveError> {
+        self.forget();
+        self.agent.hear(&self.walk.home, &self.state, command)?;
+        let Walk { command: heard, start, .. } = &mut self.walk;
+        (*heard, *start) = (command.to_owned(), self.state);
+        self.walk.steps.clear();
+        self.walk.answers.clear();
+        let strategies = self.agent.belief().strategies().to_vec();
+        self.session = Some(Session { environment, strategies, judgements: Vec::new(), again: None });
+        Ok(())
+    }
+
+    /// Plans, with at most about `budget` looks; returns whether the plan is done. Where the session is walked again, it goes on with that,
+    /// and is done when the last step is taken again.
+    ///
+    /// # Errors
+    /// [`LiveError::NoSession`], or what [`Agent::plan`] refuses.
+    pub fn plan(&mut self, budget: u32) -> Result<bool, LiveError> {
+        let session = self.session.as_mut().ok_or(LiveError::NoSession)?;
+        let Some(again) = session.again.as_mut() else {
+            return Ok(self.agent.plan(&self.walk.home, &self.state, budget)? == Progress::Done);
+        };
+        match again.advance(&mut self.agent, &self.walk, budget)? {
+            Event::Planned(Some(&step)) => self.acted = Some(acted(&self.agent, &self.walk.home, step)?),
+            Event::Took(step, _) => {
+                if let Some(acted) = &mut self.acted {
+                    acted.judged = Some(step.feedback);
+                    session.judgements.push(acted.judgements.clone());
+                }
+                self.state = step.after(&self.walk.home);
+            }
+            Event::Ended => {
+                session.again = None;
+                // Of no step at all, the first is still to be planned.
+                return Ok(self.acted.is_some());
+            }
+            Event::Working | Event::Heard | Event::Answered(_) | Event::Planned(None) | Event::Closed(_) => {}
+        }
+        Ok(false)
+    }
+
+    /// Whether steps are still to be walked again.
+    pub fn is_walking_again(&self) -> bool {
+        self.session.as_ref().is_some_and(|session| session.again.is_some())
+    }
+
+    /// Walks the rest again at once.
+    ///
+    /// # Errors
+    /// As [`plan`](Self::plan).
+    pub fn walk_on(&mut self) -> Result<(), LiveError> {
+        while self.is_walking_again() {
+            self.plan(u32::MAX)?;
+        }
+        Ok(())
+    }
+
+    /// The robot acts by its plan, which must be done. The last step must be over.
+    ///
+    /// # Errors
+    /// [`LiveError::StepNotOver`], or what [`Agent::decide_by`] refuses.
+    pub fn act(&mut self, random: &mut impl Rng) -> Result<&Acted, LiveError> {
+        self.check_over()?;
+        let decision = self.agent.decide_by(&self.walk.home, &self.state, random)?;
+        self.perform(decision.action, Some(decision.task))
+    }
+
+    /// The robot takes a step that somebody else chose, by its name.
+    ///
+    /// # Errors
+    /// [`LiveError::NoAction`], and as [`act`](Self::act).
+    pub fn act_as(&mut self, action: &str) -> Result<&Acted, LiveError> {
+        self.check_over()?;
+        let action = action_named(self.home(), action).ok_or_else(|| LiveError::NoAction(action.to_owned()))?;
+        self.perform(action, None)
+    }
+
+    fn check_over(&self) -> Result<(), LiveError> {
+        if !self.is_under_way() {
+            return Err(LiveError::NoSession);
+        }
+        if self.acted.is_some() { Err(LiveError::StepNotOver) } else { Ok(()) }
+    }
+
+    fn perform(&mut self, action: Action, task: Option<usize>) -> Result<&Acted, LiveError> {
+        let home = &self.walk.home;
+        let after = self.agent.acted(home, &self.state, action)?;
+        let step = Step::new(self.state, action, after);
+        let mut acted = acted(&self.agent, home, step)?;
+        if let Some(task) = task {
+            (acted.task, acted.plan) = (task, self.agent.planned().optimal(task));
+        }
+        self.state = after;
+        Ok(self.acted.insert(acted))
+    }
+
+    /// The trainer says a word to the last step, or stays silent. The last word to a step counts.
+    ///
+    /// # Errors
+    /// [`LiveError::NoStep`], or what [`Agent::feedback`] refuses.
+    pub fn judge(&mut self, feedback: Feedback) -> Result<Judged, LiveError> {
+        let (Some(acted), Some(session)) = (&mut self.acted, &mut self.session) else { return Err(LiveError::NoStep) };
+        if acted.judged == Some(feedback) {
+            return Ok(Judged::AsBefore);
+        }
+        let evidence = self.agent.feedback(feedback)?;
+        if acted.judged.replace(feedback).is_none() {
+            self.walk.steps.push(acted.step);
+            session.judgements.push(acted.judgements.clone());
+        }
+        if let Some(last) = self.walk.steps.last_mut() {
+            last.feedback = feedback;
+        }
+        Ok(Judged::As(evidence))
+    }
+
+    /// The last step is over. Where nothing was said to it, silence counts.
+    ///
+    /// # Errors
+    /// As [`judge`](Self::judge).
+    pub fn go_on(&mut self) -> Result<(), LiveError> {
+        if self.acted.as_ref().is_some_and(|acted| acted.judged.is_none()) {
+            self.judge(Feedback::Neutral)?;
+        }
+        self.acted = None;
+        Ok(())
+    }
+
+    /// The last step is over. Nobody judges it, and that is no silence either: it is left out of the session.
+    pub fn leave_unjudged(&mut self) {
+        self.acted = None;
+    }
+
+    /// Takes in the answer to the question that was asked last.
+    ///
+    /// # Errors
+    /// What [`Agent::answer`] refuses.
+    pub fn answer(&mut self, answer: Answer) -> Result<Evidence, LiveError> {
+        let question = self.agent.open_question().copied();
+        let evidence = self.agent.answer(answer)?;
+        if let Some((question, (tasks, yes, others))) = question.and_then(|question| Some((question, question.meaning(answer)?))) {
+            self.note_answer(tasks, yes, question.eta, others);
+        }
+        Ok(evidence)
+    }
+
+    /// Takes in an answer to a question that was not asked: whether what is meant is among these tasks, how often that is wrong, and how many
+    /// other answers there were.
+    ///
+    /// # Errors
+    /// What [`Agent::answered`] refuses.
+    pub fn answered(&mut self, tasks: TaskSet, yes: bool, eta: f32, others: u8) -> Result<Evidence, LiveError> {
+        let evidence = self.agent.answered(tasks, yes, eta, others)?;
+        self.note_answer(tasks, yes, eta, others);
+        Ok(evidence)
+    }
+
+    fn note_answer(&mut self, tasks: TaskSet, yes: bool, eta: f32, others: u8) {
+        if self.is_under_way() {
+            // Where a step waits for its word, the answer comes before that step.
+            let after = self.walk.steps.len();
+            self.walk.answers.push(SessionAnswer { line: 0, after, tasks, yes, eta, others });
+        }
+    }
+
+    /// Takes the last step back: the session is to be walked again up to there, by [`plan`](Self::plan). A step that nobody judged is only
+    /// undone. Returns whether there was a step.
+    ///
+    /// # Errors
+    /// [`LiveError::NoSession`], or what [`Agent::hear`] refuses.
+    pub fn take_back(&mut self) -> Result<bool, LiveError> {
+        let session = self.session.as_mut().ok_or(LiveError::NoSession)?;
+        if let Some(Acted { judged: None, step, .. }) = &self.acted {
+            self.state = step.before;
+            self.acted = None;
+            return Ok(true);
+        }
+        if self.walk.steps.pop().is_none() {
+            return Ok(false);
+        }
+        let steps = self.walk.steps.len();
+        self.walk.answers.retain(|answer| answer.after <= steps);
+        session.judgements.clear();
+        let mut again = Replay::new(Rules::UNDER_WAY);
+        (self.state, self.acted) = (self.walk.start, None);
+        self.agent.forget_evidence();
+        let _ = again.advance(&mut self.agent, &self.walk, u32::MAX)?;
+        session.again = Some(again);
+        Ok(true)
+    }
+
+    /// Takes in that the trainer ends the session here, where the end is evidence. A step to which nothing was said is not part of the session,
+    /// nor is the end after that.
+    fn take_end(&mut self) -> Result<(), LiveError> {
+        if !self.agent.options().ending.is_evidence() || self.acted.as_ref().is_some_and(|acted| acted.judged.is_none()) {
+            return Ok(());
+        }
+        self.agent.plan_fully(&self.walk.home, &self.state)?;
+        match self.agent.trainer_ended(&self.walk.home, &self.state) {
+            // What was only answered has no end that the trainer chose.
+            Ok(_) | Err(AgentError::NothingDone) => Ok(()),
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    /// The trainer ends the session, and the language model is to learn from it.
+    ///
+    /// # Errors
+    /// [`LiveError::NoSession`], or what [`Agent::finish`] refuses; the session has ended then too.
+    pub fn finish(&mut self) -> Result<Finished, LiveError> {
+        self.walk_on()?;
+        if self.is_under_way() {
+            self.take_end()?;
+        }
+        self.session.take().ok_or(LiveError::NoSession)?;
+        self.acted = None;
+        Ok(self.agent.finish(&self.walk.home)?)
+    }
+
+    /// The session ends, and nothing is learned from it.
+    pub fn forget(&mut self) {
+        self.acted = None;
+        if self.session.take().is_some() {
+            self.agent.forget();
+        }
+    }
+}
+
+/// What an agent whose plan is done thinks of a step.
+fn acted(agent: &Agent<AgentHeap>, home: &Home<HomeHeap>, step: Step) -> Result<Acted, LiveError> {
+    let (plan, belief) = (agent.planned(), agent.belief());
+    let task = agent.most_likely().ok_or(LiveError::NoSession)?;
+    let tasks = 0..agent.tasks().len();
+    let agrees = |&task: &usize| {
+        let plan = plan.optimal(task);
+        plan.exact().or(plan.onward()).is_some_and(|actions| actions.contains(step.action))
+    };
+    let confidence: f32 = tasks.clone().filter(agrees).map(|task| belief.probability(task)).sum();
+    Ok(Acted {
+        action: action_name(home, step.action).to_owned(),
+        task,
+        confidence: confidence.clamp(0.0, 1.0),
+        plan: plan.optimal(task),
+        judgements: tasks.map(|task| plan.judge(task, step.action)).collect(),
+        judged: None,
+        step,
+    })
+}

@@ -1,0 +1,78 @@
+//! A live session as a log has it.
+
+use crate::live::Lesson;
+use crate::walk::{SessionAnswer, Step};
+use goodbot::feedback::{Feedback, Strategy};
+use goodbot::oomdp::{Domain, action_name};
+use goodbot_formats::environment::EnvironmentFile;
+use goodbot_formats::session::{
+    AnswerRecord, FeedbackWord, Kind, RecordedAnswer, RecordedSession, SessionHeader, StepRecord, StrategyRecord,
+};
+
+/// How many actions a robot has that only moves, and need not be named.
+const MOVES: usize = 4;
+
+impl Lesson {
+    /// The session under way as a log has it: what was heard, done, judged and answered. `learn` says whether it is learned from.
+    /// Nothing where no session is under way.
+    pub fn recorded(&self, learn: bool) -> Option<RecordedSession> {
+        let (walk, session) = self.session()?;
+        let home = self.home();
+        let step = |step: &Step| StepRecord::new(action_name(home, step.action).to_owned(), Some(word(step.feedback)));
+        let answer = |given: &SessionAnswer| {
+            let tasks = given.tasks.iter().filter_map(|task| self.name_of(task)).collect();
+            let answer = AnswerRecord { tasks, yes: given.yes, eta: given.eta.into(), others: given.others, said_ms: None };
+            RecordedAnswer { line: 1, after: given.after, answer }
+        };
+        let steps = &walk.steps;
+        Some(RecordedSession {
+            header: SessionHeader {
+                id: None,
+                kind: Kind::Feedback,
+                environment: session.environment.clone(),
+                command: walk.command.clone(),
+                intended: None,
+                before: None,
+                through: None,
+                avoiding: None,
+                actions: (home.actions().len() > MOVES).then(|| home.actions().iter().map(|kind| kind.name.to_owned()).collect()),
+                continues: false,
+                prior: None,
+                strategies: strategies(&session.strategies),
+            },
+            header_line: 1,
+            steps: steps.iter().map(step).zip(2..).map(|(step, line)| (line, step)).collect(),
+            answers: walk.answers.iter().map(answer).collect(),
+            learn,
+            end_line: steps.len() + 2,
+        })
+    }
+
+    /// The home as it is now, as a file has it.
+    pub fn environment(&self) -> EnvironmentFile {
+        crate::home::environment(self.home(), self.state())
+    }
+}
+
+/// The strategies as logs have them; `None` for the paper's one, which every robot begins with.
+fn strategies(strategies: &[(Strategy, f32)]) -> Option<Vec<StrategyRecord>> {
+    let record = |(number, (strategy, prior)): (usize, &(Strategy, f32))| StrategyRecord {
+        name: format!("strategy {}", number + 1),
+        mu_plus: strategy.mu_plus().into(),
+        mu_minus: strategy.mu_minus().into(),
+        epsilon: strategy.epsilon().into(),
+        prior: (*prior).into(),
+        lags: Some(strategy.lags().map(f64::from)).filter(|lags| *lags != Strategy::NO_LAG.map(f64::from)),
+        rests: (!strategy.rests_as_it_moves()).then(|| strategy.rests().map(f64::from)),
+    };
+    let is_paper = matches!(strategies, [] | [(Strategy::BALANCED, _)]);
+    (!is_paper).then(|| strategies.iter().enumerate().map(record).collect())
+}
+
+const fn word(feedback: Feedback) -> FeedbackWord {
+    match feedback {
+        Feedback::Reward => FeedbackWord::Reward,
+        Feedback::Punish => FeedbackWord::Punish,
+        Feedback::Neutral => FeedbackWord::Neutral,
+    }
+}

@@ -1,0 +1,36 @@
+// What the trainer's words are worth: a second robot hears the same lessons, and nobody says a word to it.
+import { Goodbot, parsed } from './core.js';
+import { LEARN_BUDGET } from './session.js';
+import { state } from './state.js';
+import { askedIn, sceneOf, taskWords } from './words.js';
+
+/** @typedef {{ home: string, intended: string, test: boolean }} Stop */
+
+let [known, about] = [/** @type {[string, number, number][]} */ ([]), ''];
+
+// How probable what is meant is among these tasks.
+const sureOf = (tasks, { intended }) => tasks.find(task => task.name === intended)?.probability ?? 0;
+
+/** For each test its command, and how sure of its meaning are this robot and one that was taught the same lessons in silence. No session may be under
+ * way.
+ * @param {Stop[]} stops
+ * @returns {[string, number, number][]} */
+export function sureness(stops) {
+  const key = [state.robot.model, document.documentElement.lang].join();
+  if (about === key) return known;
+  const commandOf = stop => taskWords(stop.intended, sceneOf(JSON.parse(stop.home)));
+  const silent = new Goodbot(state.settings.seed);
+  for (const stop of stops.filter(({ test }) => !test)) {
+    silent.setEnvironment(stop.home);
+    silent.hear(commandOf(stop));
+    silent.finish();
+    while (!silent.learn(LEARN_BUDGET));
+  }
+  known = stops.filter(({ test }) => test).map(stop => {
+    const command = commandOf(stop);
+    return [command, sureOf(askedIn(JSON.parse(stop.home), command), stop), sureOf(parsed(silent.asked(stop.home, command)).tasks, stop)];
+  });
+  silent.free();
+  about = key;
+  return known;
+}
