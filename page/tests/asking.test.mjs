@@ -126,7 +126,7 @@ test('an answer stands in the log, survives a reload, and the log teaches the sa
   await opened(page, 'Settings, keeping, sharing');
   const file = await saved(page, '#save-log');
   assert.match(file.toString(), /"type":"answer"/);
-  assert.match(file.toString(), /"lags"/, 'it expects real people');
+  assert.match(file.toString(), /"rests"/, 'it expects real people');
   await opened(page, 'Your robots');
   await page.click('#new-robot');
   await page.getByText('It knows no word').first().waitFor();

@@ -3,8 +3,7 @@
 //! [`World::hear`], then over and over [`World::plan`] until it is done, [`World::act`], [`World::judge`]; at the end [`World::finish`] and
 //! [`World::learn`] until it is done, or [`World::forget`].
 
-use goodbot::Options;
-use goodbot::feedback::{Ending, Feedback, SimulatedTrainer, Strategy, population};
+use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy, population};
 use goodbot::home::{Home, HomeState, Place, ROOM};
 use goodbot::language::{Model, for_each_piece, for_each_word};
 use goodbot::memory::HomeMemory;
@@ -14,7 +13,7 @@ use goodbot::random::unit;
 use goodbot::session;
 use goodbot::task::{GroundedTask, LiftedTask, TaskText};
 use goodbot_lesson::live::{Acted, Judged, LiveError};
-use goodbot_lesson::replay::expect;
+use goodbot_lesson::replay::{expect, expects_people};
 use goodbot_lesson::walk::Expected;
 use rand_pcg::Pcg32;
 
@@ -62,8 +61,7 @@ impl World {
     pub fn expected(&self) -> Option<Vec<(Strategy, f32)>> {
         let belief = self.agent().belief();
         let expected = || belief.strategies().iter().enumerate().map(|(at, (strategy, _))| (*strategy, belief.expected(at)));
-        let people = expected().map(|(strategy, _)| strategy).eq(population::STRATEGIES.iter().map(|(strategy, _)| *strategy));
-        (!people).then(|| expected().collect())
+        (!expects_people(self.agent())).then(|| expected().collect())
     }
 
     /// Hears a command where everything is now. A session under way ends unlearned.
@@ -72,7 +70,6 @@ impl World {
     /// Why the command cannot be heard; what was learned is kept.
     pub fn hear(&mut self, command: &str) -> Result<(), Refusal> {
         self.forget();
-        self.expect_ends(self.expected().is_none())?;
         let environment = self.environment_now();
         self.lesson.hear(command, environment).map_err(Refusal::from)?;
         let Self { scout, lesson, .. } = self;
@@ -224,16 +221,6 @@ impl World {
 
     pub(crate) fn probabilities(&self) -> Vec<f32> {
         (0..self.agent().tasks().len()).map(|task| self.agent().belief().probability(task)).collect()
-    }
-
-    /// Whether the robot knows that its trainer ends the session, so that the end is evidence. In a log somebody else may have.
-    pub(crate) fn expect_ends(&mut self, ends: bool) -> Result<(), Refusal> {
-        let options = *self.lesson.agent.options();
-        if options.ending.is_evidence() == ends {
-            return Ok(());
-        }
-        let ending = if ends { population::ENDING } else { Ending::NO_EVIDENCE };
-        self.lesson.agent.set_options(Options { ending, ..options }).map_err(Refusal::from)
     }
 
     /// Ends the session and begins to learn from it. Gives the session as lines of a log.
