@@ -70,7 +70,7 @@ fn escaped(script: &str) -> String {
 /// What `page/src/begin.js` has the browser expand.
 fn packed(bytes: &[u8]) -> Result<Vec<u8>> {
     let mut packed = Vec::new();
-    compress(Options::default(), Format::Deflate, bytes, &mut packed)?;
+    compress(Options { maximum_block_splits: u16::MAX, ..Options::default() }, Format::Deflate, bytes, &mut packed)?;
     Ok(packed)
 }
 
