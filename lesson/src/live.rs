@@ -7,7 +7,7 @@
 //! there: the same steps and the same words give the same belief.
 
 use crate::name::task_name;
-use crate::replay::{Event, Replay, ReplayError, Rules};
+use crate::replay::{Event, Replay, ReplayError, Rules, expect_ends};
 use crate::walk::{SessionAnswer, Step, Walk};
 use goodbot::asking::Answer;
 use goodbot::feedback::{Feedback, Strategy};
@@ -234,6 +234,7 @@ impl Lesson {
     /// What [`Agent::hear`] refuses.
     pub fn hear(&mut self, command: &str, environment: EnvironmentFile) -> Result<(), LiveError> {
         self.forget();
+        expect_ends(&mut self.agent)?;
         self.agent.hear(&self.walk.home, &self.state, command)?;
         let Walk { command: heard, start, .. } = &mut self.walk;
         (*heard, *start) = (command.to_owned(), self.state);

@@ -1,13 +1,13 @@
 //! A recorded session, gone through once more by an agent: the same command in the same home, the same actions, words and answers.
 
 use crate::walk::{Expected, SessionAnswer, Step, Walk};
-use goodbot::feedback::Strategy;
+use goodbot::feedback::{Ending, Strategy, population};
 use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::oomdp::Action;
 use goodbot::planning::Progress;
 use goodbot::session::Evidence;
 use goodbot::task::GroundedTask;
-use goodbot::{Agent, AgentError};
+use goodbot::{Agent, AgentError, Options};
 use goodbot_formats::session::Kind;
 use std::fmt;
 
@@ -192,6 +192,9 @@ impl Replay {
         if let Some(strategies) = walk.strategies.as_ref().filter(|_| self.rules.strategies) {
             expect(agent, strategies)?;
         }
+        if self.rules.strategies && !(walk.continues && self.rules.context) {
+            expect_ends(agent)?;
+        }
         let (home, start) = (&walk.home, &walk.start);
         if walk.continues && self.rules.context {
             agent.hear_again(home, start)
@@ -216,6 +219,23 @@ impl Replay {
             Kind::Feedback | Kind::Labelled => ends,
         }
     }
+}
+
+/// Whether an agent expects what real people do.
+pub fn expects_people(agent: &Agent<impl AgentMemory>) -> bool {
+    let expected = agent.belief().strategies().iter().map(|(strategy, _)| strategy);
+    expected.eq(population::STRATEGIES.iter().map(|(strategy, _)| strategy))
+}
+
+/// Takes the end of a session for evidence where the agent expects what real people do, and else for none: of people it is known when they end
+/// a session. A session under way ends unlearned where that changes.
+///
+/// # Errors
+/// What the agent refuses.
+pub fn expect_ends(agent: &mut Agent<impl AgentMemory>) -> Result<(), AgentError> {
+    let options = *agent.options();
+    let ending = if expects_people(agent) { population::ENDING } else { Ending::NO_EVIDENCE };
+    if options.ending == ending { Ok(()) } else { agent.set_options(Options { ending, ..options }) }
 }
 
 /// Expects these strategies of the trainer. Where they are expected already, to the last bit, nothing changes: an agent's own log teaches it the

@@ -30,7 +30,7 @@ test('what the robot expects of its trainer can be chosen, outlives a reload, an
   for (const [name, numbers] of [['balanced', [0.7, 0.7, 0.1]], ['reward-only', [0.05, 0.7, 0.1]], ['punish-only', [0.7, 0.05, 0.1]]]) {
     await page.selectOption('#believes', name);
     await page.waitForFunction(wanted => [...window.goodbot.strategies()][1]?.toFixed(2) === wanted, numbers[1].toFixed(2));
-    assert.deepEqual(await expected(page), [...numbers, 1, 1, 0, 0]);
+    assert.deepEqual(await expected(page), [...numbers, 1, 1, 0, 0, ...numbers, 0], 'no word is late, and rests are judged as moves');
   }
   await reload(page);
   await settings(page);
@@ -50,18 +50,22 @@ test('what the robot expects of its trainer can be chosen, outlives a reload, an
 test('numbers may be late, and several, each with its weight; what is none is refused with the reason', async () => {
   const page = await open(browser);
   await settings(page);
+  const late = [0.9, 0.85, 0.2, 1, 0.8, 0.15, 0.05, 0.9, 0.85, 0.2, 0];
   await own(page, '0.9,0.85,0.2,0.8,0.15,0.05');
   await page.waitForFunction(() => window.goodbot.strategies().length === 11);
-  assert.deepEqual(await expected(page), [0.9, 0.85, 0.2, 1, 0.8, 0.15, 0.05]);
+  assert.deepEqual(await expected(page), late);
   for (const [text, why] of [['0.7,1.7,0.1', 'mu- must be a number from 0 to 1'], ['0.7,,0.1', 'mu- must be a number'], ['0.7,0.7', 'mu+, mu−, epsilon'], ['kind', 'mu+, mu−, epsilon'], ['balanced*-1; punish-only', 'the probability of strategy 0 is']]) {
     await own(page, text);
     await page.locator('#toast.wrong', { hasText: why }).waitFor();
-    assert.deepEqual(await expected(page), [0.9, 0.85, 0.2, 1, 0.8, 0.15, 0.05], text);
+    assert.deepEqual(await expected(page), late, text);
     await page.evaluate(() => { document.getElementById('toast').hidden = true; });
   }
+  await own(page, '0.9,0.85,0.2,1,0,0,0.5,0.95,0.1,1');
+  await page.waitForFunction(() => window.goodbot.strategies().at(-1) === 1);
+  assert.deepEqual((await expected(page)).slice(-4), [0.5, 0.95, 0.1, 1], 'what is said to rests');
   await own(page, 'balanced*3; 0.7,0.05,0.1');
   await page.waitForFunction(() => window.goodbot.strategies().length === 22);
-  assert.deepEqual(await expected(page), [0.7, 0.7, 0.1, 0.75, 1, 0, 0, 0.7, 0.05, 0.1, 0.25, 1, 0, 0]);
+  assert.deepEqual(await expected(page), [0.7, 0.7, 0.1, 0.75, 1, 0, 0, 0.7, 0.7, 0.1, 0, 0.7, 0.05, 0.1, 0.25, 1, 0, 0, 0.7, 0.05, 0.1, 0]);
   await page.evaluate(() => document.activeElement.blur());
   await reload(page);
   await settings(page);

@@ -13,7 +13,7 @@ use goodbot::random::unit;
 use goodbot::session;
 use goodbot::task::{GroundedTask, LiftedTask, TaskText};
 use goodbot_lesson::live::{Acted, Judged, LiveError};
-use goodbot_lesson::replay::expect;
+use goodbot_lesson::replay::{expect, expects_people};
 use goodbot_lesson::walk::Expected;
 use rand_pcg::Pcg32;
 
@@ -61,8 +61,7 @@ impl World {
     pub fn expected(&self) -> Option<Vec<(Strategy, f32)>> {
         let belief = self.agent().belief();
         let expected = || belief.strategies().iter().enumerate().map(|(at, (strategy, _))| (*strategy, belief.expected(at)));
-        let people = expected().map(|(strategy, _)| strategy).eq(population::STRATEGIES.iter().map(|(strategy, _)| *strategy));
-        (!people).then(|| expected().collect())
+        (!expects_people(self.agent())).then(|| expected().collect())
     }
 
     /// Hears a command where everything is now. A session under way ends unlearned.
