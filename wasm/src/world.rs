@@ -14,6 +14,7 @@ use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::home::Flaw;
 use goodbot_lesson::live::Lesson;
+use goodbot_lesson::replay::expect_ends;
 use rand_pcg::Pcg32;
 
 use crate::cells::{MIND, MOST_OF_A_FIELD, ROOMS};
@@ -66,6 +67,7 @@ impl fmt::Debug for World {
 fn new_mind(capacities: &Capacities, ways: bool) -> Result<Agent<AgentHeap>, Refusal> {
     let mut mind = plain_mind(capacities, ways)?;
     mind.set_strategies(&population::STRATEGIES).map_err(Refusal::from)?;
+    expect_ends(&mut mind).map_err(Refusal::from)?;
     Ok(mind)
 }
 

@@ -35,10 +35,10 @@ const CAPACITIES: Capacities = Capacities {
     sessions: 6,
     commands: 40,
     command_tokens: 272,
-    pairs: 80,
+    pairs: 72,
     sentence_words: 42,
     translations: 240,
-    alignments: 400,
+    alignments: 384,
     ..Capacities::TINY
 };
 
