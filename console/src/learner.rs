@@ -38,8 +38,8 @@ impl Learner {
     }
 }
 
-/// Memory for an agent that learns by these settings.
-pub fn memory(capacities: &Capacities, settings: &Settings) -> AgentHeap {
+/// Memory for an agent that learns by these settings from sessions in which so many tasks are possible, all together.
+pub fn memory(capacities: &Capacities, settings: &Settings, tasks: usize) -> AgentHeap {
     let memory = AgentHeap::new(capacities);
-    if settings.layer { memory.with_layer() } else { memory }
+    if settings.layer { memory.with_layer(tasks) } else { memory }
 }

@@ -53,7 +53,7 @@ pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
     let contents = |path, bytes| Contents::read(bytes).map_err(|error| refused(path, error));
     let (ours, theirs) = (contents(&options.first, &first)?, contents(&options.second, &second)?);
-    let memory = learner::memory(&room_for(&ours, &theirs), &ours.options.language);
+    let memory = learner::memory(&room_for(&ours, &theirs), &ours.options.language, ours.possible.len() + theirs.possible.len());
     let mut agent = Agent::new(memory, &tasks, Options::PAPER).map_err(|error| Failure::Input(error.to_string()))?;
     agent.restore(&first).map_err(|error| refused(&options.first, error))?;
     let added = agent.join(&second).map_err(|error| refused(&options.second, error))?;

@@ -13,7 +13,7 @@ use goodbot::asking::Answer;
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{Home, HomeState};
 use goodbot::memory::{AgentHeap, HomeHeap};
-use goodbot::oomdp::{Action, action_name, action_named};
+use goodbot::oomdp::{Action, Domain, action_name, action_named};
 use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::session::{Evidence, Finished};
 use goodbot::task::TaskSet;
@@ -115,6 +115,17 @@ pub struct Session {
     /// Where it is walked again.
     again: Option<Replay>,
 }
+
+impl Session {
+    /// The strategies that a log must name; `None` for the paper's one, which every robot begins with.
+    pub fn named_strategies(&self) -> Option<&[(Strategy, f32)]> {
+        let is_paper = matches!(self.strategies.as_slice(), [] | [(Strategy::BALANCED, _)]);
+        (!is_paper).then_some(&self.strategies)
+    }
+}
+
+/// How many actions a robot has that only moves.
+const MOVES: usize = 4;
 
 /// A robot in a home, and the session under way.
 ///
@@ -226,6 +237,12 @@ impl Lesson {
     pub fn name_of(&self, position: usize) -> Option<GroundTaskText> {
         let task = self.agent.tasks().get(position)?;
         task_name(self.home(), self.agent.lifted().get(usize::from(task.lifted))?, task).ok()
+    }
+
+    /// The names of the robot's actions, where a log must name them: those of one that does more than move.
+    pub fn named_actions(&self) -> Option<impl Iterator<Item = &str>> {
+        let actions = self.home().actions();
+        (actions.len() > MOVES).then(|| actions.iter().map(|kind| kind.name))
     }
 
     /// Begins a session: the robot hears a command. `environment` is the home as it is now, for the record. A session under way is forgotten.
@@ -441,7 +458,8 @@ impl Lesson {
     /// The trainer ends the session, and the language model is to learn from it.
     ///
     /// # Errors
-    /// [`LiveError::NoSession`], or what [`Agent::finish`] refuses; the session has ended then too.
+    /// [`LiveError::NoSession`], or what [`Agent::plan`] refuses at the end of the session: then it goes on. What [`Agent::finish`] refuses: the
+    /// session has ended then too.
     pub fn finish(&mut self) -> Result<Finished, LiveError> {
         self.walk_on()?;
         if self.is_under_way() {

@@ -3,14 +3,11 @@
 use crate::live::Lesson;
 use crate::walk::{SessionAnswer, Step};
 use goodbot::feedback::{Feedback, Strategy};
-use goodbot::oomdp::{Domain, action_name};
+use goodbot::oomdp::action_name;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::{
     AnswerRecord, FeedbackWord, Kind, RecordedAnswer, RecordedSession, SessionHeader, StepRecord, StrategyRecord,
 };
-
-/// How many actions a robot has that only moves, and need not be named.
-const MOVES: usize = 4;
 
 impl Lesson {
     /// The session under way as a log has it: what was heard, done, judged and answered. `learn` says whether it is learned from.
@@ -35,10 +32,10 @@ impl Lesson {
                 before: None,
                 through: None,
                 avoiding: None,
-                actions: (home.actions().len() > MOVES).then(|| home.actions().iter().map(|kind| kind.name.to_owned()).collect()),
+                actions: self.named_actions().map(|names| names.map(str::to_owned).collect()),
                 continues: false,
                 prior: None,
-                strategies: strategies(&session.strategies),
+                strategies: session.named_strategies().map(|all| all.iter().enumerate().map(strategy).collect()),
             },
             header_line: 1,
             steps: steps.iter().map(step).zip(2..).map(|(step, line)| (line, step)).collect(),
@@ -54,9 +51,8 @@ impl Lesson {
     }
 }
 
-/// The strategies as logs have them; `None` for the paper's one, which every robot begins with.
-fn strategies(strategies: &[(Strategy, f32)]) -> Option<Vec<StrategyRecord>> {
-    let record = |(number, (strategy, prior)): (usize, &(Strategy, f32))| StrategyRecord {
+fn strategy((number, (strategy, prior)): (usize, &(Strategy, f32))) -> StrategyRecord {
+    StrategyRecord {
         name: format!("strategy {}", number + 1),
         mu_plus: strategy.mu_plus().into(),
         mu_minus: strategy.mu_minus().into(),
@@ -64,9 +60,7 @@ fn strategies(strategies: &[(Strategy, f32)]) -> Option<Vec<StrategyRecord>> {
         prior: (*prior).into(),
         lags: Some(strategy.lags().map(f64::from)).filter(|lags| *lags != Strategy::NO_LAG.map(f64::from)),
         rests: (!strategy.rests_as_it_moves()).then(|| strategy.rests().map(f64::from)),
-    };
-    let is_paper = matches!(strategies, [] | [(Strategy::BALANCED, _)]);
-    (!is_paper).then(|| strategies.iter().enumerate().map(record).collect())
+    }
 }
 
 const fn word(feedback: Feedback) -> FeedbackWord {

@@ -3,13 +3,10 @@
 
 use crate::training::task_name;
 use goodbot::feedback::Strategy;
-use goodbot::oomdp::{Domain, action_name};
+use goodbot::oomdp::action_name;
 use goodbot_lesson::live::Lesson;
 use serde::Serialize;
 use std::fmt::Write;
-
-/// The actions of a robot that pulls too, as logs name them.
-const PULLING: &str = r#","actions":["north","south","east","west","pull"]"#;
 
 /// The session under way as lines, each with its end. Nothing where none is under way.
 pub fn lines(lesson: &Lesson, learn: bool) -> Option<String> {
@@ -18,13 +15,12 @@ pub fn lines(lesson: &Lesson, learn: bool) -> Option<String> {
     let environment = session.environment.to_json_line();
     let command = json(&walk.command);
     let mut log = format!(r#"{{"type":"session","version":1,"kind":"feedback","environment":{environment},"command":{command}"#);
-    if home.actions().len() > 4 {
-        log += PULLING;
+    if let Some(names) = lesson.named_actions() {
+        log = log + r#","actions":"# + &list(names.map(json));
     }
-    // The paper's one is what every robot begins with.
-    if !matches!(session.strategies.as_slice(), [(Strategy::BALANCED, _)]) {
-        let strategies = session.strategies.iter().enumerate().map(|(at, (it, prior))| strategy(at + 1, it, *prior));
-        let _ = write!(log, r#","strategies":{}"#, list(strategies));
+    if let Some(strategies) = session.named_strategies() {
+        let strategies = strategies.iter().enumerate().map(|(at, (it, prior))| strategy(at + 1, it, *prior));
+        log = log + r#","strategies":"# + &list(strategies);
     }
     log += "}\n";
     let mut answers = walk.answers.iter().peekable();
@@ -60,7 +56,12 @@ fn strategy(number: usize, strategy: &Strategy, prior: f32) -> String {
 
 /// A list as JSON, of what is JSON already.
 fn list(items: impl Iterator<Item = String>) -> String {
-    format!("[{}]", items.collect::<Vec<_>>().join(","))
+    let mut list = String::new();
+    for item in items {
+        list.push(if list.is_empty() { '[' } else { ',' });
+        list += &item;
+    }
+    if list.is_empty() { "[]".to_owned() } else { list + "]" }
 }
 
 /// A text, a number or numbers as JSON.

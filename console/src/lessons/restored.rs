@@ -20,7 +20,7 @@ pub fn agent(file: &Path, lifted: &[LiftedTask]) -> Result<Agent<AgentHeap>, Fai
     let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
     let bytes = read_model(file)?;
     let contents = Contents::read(&bytes).map_err(|error| fault(&error))?;
-    let memory = learner::memory(&room_for(&contents), &contents.options.language);
+    let memory = learner::memory(&room_for(&contents), &contents.options.language, contents.possible.len());
     let mut agent = Agent::new(memory, lifted, Options::DEFAULT).map_err(|error| fault(&error))?;
     agent.restore(&bytes).map_err(|error| fault(&error))?;
     agent.learn_fully();

@@ -17,7 +17,12 @@ use std::collections::BTreeSet;
 
 /// Memory for a language model of these lessons, and for no search.
 pub fn memory(lessons: &[Lesson], settings: &Settings) -> AgentHeap {
-    learner::memory(&capacities(lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD }), settings)
+    learner::memory(&capacities(lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD }), settings, tasks(lessons))
+}
+
+/// How many tasks are possible in the sessions of these lessons, all together.
+pub fn tasks(lessons: &[Lesson]) -> usize {
+    lessons.iter().map(|lesson| lesson.readings.len()).sum()
 }
 
 /// Capacities for what these lessons teach, and no less than `least`.

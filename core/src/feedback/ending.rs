@@ -12,6 +12,23 @@ pub struct Moment {
     pub said: Feedback,
 }
 
+impl Moment {
+    /// The moment after one more action, a rest or a move.
+    #[must_use]
+    pub const fn acted(self, rests: bool) -> Self {
+        Self { rests: if rests { self.rests.saturating_add(1) } else { 0 }, ..self }
+    }
+
+    /// The moment after a word. Silence leaves the word before it.
+    #[must_use]
+    pub const fn heard(self, word: Feedback) -> Self {
+        match word {
+            Feedback::Neutral => self,
+            said => Self { said, ..self },
+        }
+    }
+}
+
 /// How probable it is that the trainer ends the session after an action.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hazard {

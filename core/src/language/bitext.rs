@@ -98,7 +98,7 @@ pub struct Bitext<'t> {
     used: &'t mut Extent,
 }
 
-/// A training can leave out each so-many-th session.
+/// A training can leave out every fourth session.
 #[cfg(feature = "layer")]
 pub(super) const FOLDS: usize = 4;
 

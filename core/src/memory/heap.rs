@@ -82,14 +82,13 @@ impl AgentHeap {
         }
     }
 
-    /// The same, with room for the [layer](crate::language::layer): for as many tasks of all sessions as there are
-    /// [pairs](Capacities::pairs).
+    /// The same, with room for the [layer](crate::language::layer): for so many tasks of all sessions together, those included that were
+    /// not meant.
     #[cfg(feature = "layer")]
     #[must_use]
-    pub fn with_layer(self) -> Self {
-        let language = self.common.read().language.bitext;
-        let layer = LayerHeap::new(language.sessions.len(), language.pairs.len());
-        Self { layer, ..self }
+    pub fn with_layer(self, tasks: usize) -> Self {
+        let sessions = self.common.read().language.bitext.sessions.len();
+        Self { layer: LayerHeap::new(sessions, tasks), ..self }
     }
 }
 

@@ -69,13 +69,11 @@ impl LastDone {
         let rest = action == Action::NOOP;
         let (correct, incorrect) = (plan.judged(action, Judgement::Correct), plan.judged(action, Judgement::Incorrect));
         let ([last, before, _], [rested, earlier, _]) = (self.actions, self.rests);
-        let mut moment = self.moment();
-        moment.rests = if rest { moment.rests.saturating_add(1) } else { 0 };
         *self = Self {
             actions: [Done { correct, incorrect, inside }, last, before],
             rests: [rest, rested, earlier],
             any: true,
-            moment,
+            moment: self.moment().acted(rest),
             word: None,
         };
     }
@@ -87,8 +85,7 @@ impl LastDone {
 
     /// What was done and said last.
     pub(super) fn moment(&self) -> Moment {
-        let said = self.word.filter(|&word| word != Feedback::Neutral).unwrap_or(self.moment.said);
-        Moment { said, ..self.moment }
+        self.moment.heard(self.word.unwrap_or(Feedback::Neutral))
     }
 
     /// What the actions were for a task.

@@ -344,10 +344,11 @@ pub(super) fn symbols(record: &CommandRecord) -> heapless::Vec<Symbol, TOKENS_PE
     symbols
 }
 
+/// The latest format that can be read.
 #[cfg(feature = "layer")]
-const NEWEST_VERSION: u16 = super::record::LAYERED_VERSION;
+pub(super) const NEWEST_VERSION: u16 = super::record::LAYERED_VERSION;
 #[cfg(not(feature = "layer"))]
-const NEWEST_VERSION: u16 = super::record::VERSION;
+pub(super) const NEWEST_VERSION: u16 = super::record::VERSION;
 
 /// What is between the header and the check, where both are right.
 fn payload(bytes: &[u8]) -> Result<&[u8], RestoreError> {

@@ -132,7 +132,7 @@ impl fmt::Display for RestoreError {
                 f,
                 "the model has format {found}, and this version reads formats {} to {}",
                 super::record::OLDEST_VERSION,
-                super::VERSION
+                super::contents::NEWEST_VERSION
             ),
             Self::Length { stated, given } => write!(f, "the model says that it has {stated} bytes, and {given} are here"),
             Self::Damaged => f.write_str("the model is damaged: its check does not match; take another copy"),

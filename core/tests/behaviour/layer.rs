@@ -30,7 +30,7 @@ fn capacities() -> Capacities {
 }
 
 fn memory() -> AgentHeap {
-    AgentHeap::new(&capacities()).with_layer()
+    AgentHeap::new(&capacities()).with_layer(capacities().pairs)
 }
 
 /// The task to go to the room of each color.
@@ -120,7 +120,7 @@ fn memory_that_another_model_had_is_as_good_as_new() {
 
 #[test]
 fn a_layer_that_is_full_says_so_and_learns_from_the_sessions_before() {
-    let room = AgentHeap::new(&Capacities { pairs: 16, ..capacities() }).with_layer();
+    let room = AgentHeap::new(&Capacities { pairs: 16, ..capacities() }).with_layer(16);
     let mut model = with_lessons(room, Settings::LAYERED, &LESSONS[..4]);
     let words = model.hear(LESSONS[4].0).unwrap();
     let tasks = tasks(&mut model);
@@ -197,7 +197,7 @@ mod saved {
     #[test]
     fn memory_with_less_room_for_the_layer_refuses_the_model() {
         let file = taught(memory(), Settings::LAYERED, &LESSONS).saved().unwrap();
-        let small = AgentHeap::new(&goodbot::Capacities { pairs: 20, ..capacities() }).with_layer();
+        let small = AgentHeap::new(&goodbot::Capacities { pairs: 20, ..capacities() }).with_layer(20);
         let refused = LanguageModel::new(small, Settings::LAYERED).unwrap().restore(&file).unwrap_err();
         assert!(matches!(refused, RestoreError::Capacity(full) if full.given == 40), "{refused}");
     }

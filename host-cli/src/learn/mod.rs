@@ -63,12 +63,12 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let fault = |error: &dyn std::fmt::Display| Failure::Input(error.to_string());
     let capacities = training::capacities(&lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD });
     let settings = options.learner.options().language;
-    let mut memory = learner::memory(&capacities, &settings);
+    let room = || learner::memory(&capacities, &settings, training::tasks(&lessons));
+    let mut memory = room();
     let model = training::train(&mut memory, lessons.iter(), settings).map_err(|error| Failure::Input(refusal::in_words(&error)))?;
     let words = model.saved().map_err(|error| fault(&error))?;
     // The robot's whole mind: the same training data, with its options, its trainer strategies and the vocabulary of its tasks.
-    let mut agent =
-        Agent::new(learner::memory(&capacities, &settings), &lifted, options.learner.options()).map_err(|error| fault(&error))?;
+    let mut agent = Agent::new(room(), &lifted, options.learner.options()).map_err(|error| fault(&error))?;
     let _ = agent.join(&words).map_err(|error| fault(&error))?;
     let file = agent.saved().map_err(|error| fault(&error))?;
     target.write(&file)?;

@@ -3,7 +3,9 @@
 use super::lexicon::Lexicon;
 use super::options::{Layouts, PaperOptions, WeightsChoice};
 use super::summary::REPORTED;
+use goodbot::memory::HomeHeap;
 use goodbot::{Agent, Capacities, HeapMemory, Options, home, session::Weights};
+use goodbot_console::learner;
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
 use goodbot_course::{CourseError, Homes, Observer, Results, generator, run_course};
@@ -37,12 +39,10 @@ fn attempt(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> R
         WeightsChoice::Paper => Weights::Paper,
         WeightsChoice::Belief => Weights::Belief,
     };
-    let mut memory = HeapMemory::new(&CAPACITIES);
     let lifted = home::paper_tasks().map_err(|_| CourseError::NotPosed)?;
     let options_of_agent = Options { weights, telling: false, ..options.learner.options() };
-    if options_of_agent.language.layer {
-        memory.agent = memory.agent.with_layer();
-    }
+    let agent = learner::memory(&CAPACITIES, &options_of_agent.language, CAPACITIES.pairs);
+    let mut memory = HeapMemory { home: HomeHeap::new(&CAPACITIES), agent };
     let mut agent = Agent::new(&mut memory.agent, &lifted, options_of_agent).map_err(CourseError::Agent)?;
     let mut random = generator(seed);
     let homes = match options.homes() {

@@ -104,7 +104,7 @@ impl History {
     ) -> Result<Self, goodbot::AgentError> {
         let options = believes.as_ref().map_or(options, |believes| believes.options(options));
         Ok(Self {
-            agent: Agent::new(goodbot_console::learner::memory(&CAPACITIES, &options.language), lifted, options)?,
+            agent: Agent::new(goodbot_console::learner::memory(&CAPACITIES, &options.language, CAPACITIES.pairs), lifted, options)?,
             learning,
             learned: 0,
             kept: 0,

@@ -70,7 +70,7 @@ impl Needs {
         let kept = if log.is_empty() || options.sessions.is_some_and(|sessions| sessions < log.len()) {
             None
         } else {
-            let mut memory = goodbot_console::learner::memory(&capacities, &learner.language);
+            let mut memory = goodbot_console::learner::memory(&capacities, &learner.language, training::tasks(&log));
             let model = training::train(&mut memory, log.iter(), learner.language).map_err(fault)?;
             Some(model.bitext().sessions())
         };

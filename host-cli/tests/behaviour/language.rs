@@ -70,3 +70,30 @@ fn a_model_file_that_is_none_is_refused_by_name() {
     assert_eq!(run.code, 2);
     assert!(run.messages.contains("goodbot-language-"), "{}", run.messages);
 }
+
+#[test]
+fn a_layered_model_learns_from_as_many_sessions_as_the_default() {
+    // Each session has one pair and dozens of tasks: together more tasks than a model has pairs.
+    let session = |number: usize| {
+        let room = 1 + number % 2;
+        let command = format!("go to room number {room}");
+        format!(
+            r#"{{"type":"session","version":1,"id":"s{number}","kind":"labelled","environment":{HOME},"command":"{command}","intended":["agentInRoom(agent0,room{room})"]}}
+{{"type":"end","learn":true}}
+"#
+        )
+    };
+    let log: String = (0..2_000).map(session).collect();
+    for learner in ["default", "layered"] {
+        let model = file(learner, "");
+        let model = model.to_str().unwrap();
+        let learned = goodbot(&["learn", "-", "--routes", "--learner", learner, "--force", "--out", model], log.as_bytes());
+        assert_eq!((learned.code, learned.messages.as_str()), (0, ""), "{learner}");
+        assert!(learned.output.starts_with("2000 sessions"), "{}", learned.output);
+        let asked = goodbot(&["ask", "--routes", "--with", model, "--environment", "-", "--json", "go to room number 1"], HOME.as_bytes());
+        assert_eq!(asked.code, 0, "{}", asked.messages);
+    }
+}
+
+/// Three rooms in a row, and two things.
+const HOME: &str = r#"{"version":1,"objects":[{"class":"room","name":"room0","left":0,"bottom":0,"right":4,"top":4,"color":"red"},{"class":"room","name":"room1","left":4,"bottom":0,"right":8,"top":4,"color":"green"},{"class":"room","name":"room2","left":8,"bottom":0,"right":12,"top":4,"color":"blue"},{"class":"door","name":"door0","left":4,"bottom":2,"right":4,"top":2},{"class":"door","name":"door1","left":8,"bottom":2,"right":8,"top":2},{"class":"block","name":"block0","x":2,"y":2,"color":"yellow","shape":"bag"},{"class":"block","name":"block1","x":6,"y":1,"color":"pink","shape":"chair"},{"class":"agent","name":"agent0","x":1,"y":1}]}"#;

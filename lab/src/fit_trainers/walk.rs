@@ -99,10 +99,7 @@ fn walk(agent: &mut Agent<AgentHeap>, file: &str, recorded: &RecordedSession, li
         began = here;
         steps.extend(planned.map(|step| {
             let rests = step.action == Action::NOOP;
-            moment = Moment {
-                rests: if rests { moment.rests.saturating_add(1) } else { 0 },
-                said: if step.feedback == Feedback::Neutral { moment.said } else { step.feedback },
-            };
+            moment = moment.acted(rests).heard(step.feedback);
             let judged = |task| Judged::of(agent.planned().judge(task, step.action), rests);
             WalkStep { judged: (0..session.tasks.len()).map(judged).collect(), feedback: step.feedback, moment, at_goal: vec![] }
         }));

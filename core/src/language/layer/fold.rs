@@ -2,7 +2,7 @@
 
 use super::tables::{LayerRef, Room};
 use crate::capacity::WORDS_PER_COMMAND;
-use crate::language::bitext::{BitextRef, FOLDS};
+use crate::language::bitext::BitextRef;
 use crate::language::roles::{forward, kind};
 use crate::language::tables::TablesRef;
 use crate::probability::{Scaled, total};
@@ -10,8 +10,8 @@ use crate::symbols::Symbol;
 use crate::task::description::form;
 use heapless::Vec;
 
-/// The layer learns nothing from sessions of more tasks.
-pub(super) const MOST_TASKS: usize = 64;
+/// The layer is silent where more tasks are possible, and learns nothing from such a session.
+pub(crate) const MOST_TASKS: usize = 64;
 
 impl LayerRef<'_> {
     /// How many tasks of a session the layer learns from; 0 where it learns nothing.
@@ -23,7 +23,7 @@ impl LayerRef<'_> {
 
 impl Room<'_> {
     /// Keeps the posterior over a session's tasks, by a role model that was trained without the session and those left out with it, and the
-    /// shares that the session showed of them. Returns about how many table cells that was.
+    /// shares that the session showed of them. `bitext` leaves out the session. Returns about how many table cells that was.
     #[inline(never)]
     pub fn understand(&mut self, tables: TablesRef<'_>, bitext: BitextRef<'_>, session: u16) -> usize {
         let possible = self.possible.read();
@@ -33,7 +33,7 @@ impl Room<'_> {
         }
         let mut sentence: Vec<Option<Symbol>, WORDS_PER_COMMAND> = Vec::new();
         for &word in bitext.sentence(session) {
-            let known = |other: u16| usize::from(other) % FOLDS != usize::from(session) % FOLDS && bitext.sentence(other).contains(&word);
+            let known = |other: u16| !bitext.leaves_out(other) && bitext.sentence(other).contains(&word);
             let _ = sentence.push((0..bitext.sessions() as u16).any(known).then_some(word));
         }
         let description = |task: usize| pairs.get(task).map_or(&[][..], |pair| possible.command(pair.command));

@@ -24,7 +24,7 @@ mod tables;
 #[cfg(feature = "layer")]
 mod contexts;
 #[cfg(feature = "layer")]
-mod fold;
+pub(crate) mod fold;
 #[cfg(feature = "layer")]
 mod parts;
 #[cfg(feature = "layer")]

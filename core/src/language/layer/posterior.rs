@@ -48,8 +48,7 @@ impl LayerRef<'_> {
             let score = trust * logarithm(before.over(whole), tasks) + parts.sum(description(first));
             let after = Scaled::new(exp(score));
             let (members, nothing) = (alike().count(), before.is_zero());
-            for (task, weight) in weights.iter_mut().enumerate().skip(first).filter(|&(task, _)| same(task) == first) {
-                let _ = task;
+            for (_, weight) in weights.iter_mut().enumerate().skip(first).filter(|&(task, _)| same(task) == first) {
                 *weight = if nothing { after.scaled_by(1.0 / members as f32) } else { after.times(weight.divided_by(before)) };
             }
         }

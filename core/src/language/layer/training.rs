@@ -93,20 +93,21 @@ impl Room<'_> {
         }
         let trust = 1.0 + weights.values.get(TRUST).copied().unwrap_or(0.0);
         let (mut believed, mut wanted) = ([0.0_f32; MOST_TASKS], [0.0_f32; MOST_TASKS]);
+        let (Some(believed), Some(wanted)) = (believed.get_mut(..count), wanted.get_mut(..count)) else { return 1 };
         let mut best = f32::MIN;
         for ((slot, &understood), description) in believed.iter_mut().zip(understood).zip(descriptions()) {
             *slot = trust * logarithm(understood, count) + parts.sum(description);
             best = best.max(*slot);
         }
-        normalise(believed.iter_mut().take(count), |score| exp(score - best));
-        for (((slot, &believed), &shown), pair) in wanted.iter_mut().zip(&believed).zip(shown).zip(pairs) {
+        normalise(believed, |score| exp(score - best));
+        for (((slot, &believed), &shown), pair) in wanted.iter_mut().zip(&*believed).zip(shown).zip(pairs) {
             *slot = (shown + UNREFUTED * pair.weight) * (believed + LEAST);
         }
-        normalise(wanted.iter_mut().take(count), |share| share);
+        normalise(wanted, |share| share);
 
         parts.each().for_each(|(_, number)| *number = 0.0);
         let mut of_trust = 0.0;
-        for (((&believed, &wanted), &understood), description) in believed.iter().zip(&wanted).zip(understood).zip(descriptions()) {
+        for (((&believed, &wanted), &understood), description) in believed.iter().zip(&*wanted).zip(understood).zip(descriptions()) {
             parts.add(description, believed - wanted);
             of_trust += (believed - wanted) * logarithm(understood, count);
         }
@@ -136,15 +137,13 @@ impl Room<'_> {
 }
 
 /// Makes of each number another, and then of their sum 1.
-fn normalise<'n>(numbers: impl Iterator<Item = &'n mut f32>, of: impl Fn(f32) -> f32) {
-    let mut all: Vec<&mut f32, MOST_TASKS> = Vec::new();
+fn normalise(numbers: &mut [f32], of: impl Fn(f32) -> f32) {
     let mut whole = 0.0;
-    for number in numbers {
+    for number in &mut *numbers {
         *number = of(*number);
         whole += *number;
-        let _ = all.push(number);
     }
     if whole > 0.0 {
-        all.into_iter().for_each(|number| *number /= whole);
+        numbers.iter_mut().for_each(|number| *number /= whole);
     }
 }

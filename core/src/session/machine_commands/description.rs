@@ -3,6 +3,8 @@
 use super::MachineCommands;
 use crate::capacity::{CapacityError, LIFTED_TASKS, TOKENS_PER_COMMAND};
 use crate::feedback::Belief;
+#[cfg(feature = "layer")]
+use crate::language::layer::fold::MOST_TASKS;
 use crate::language::roles::Layout;
 use crate::language::roles::forward::Reading;
 use crate::language::{LanguageRef, Meaning, Model};
@@ -57,10 +59,6 @@ impl<D: Domain + ?Sized> Domain for Constant<'_, D> {
 
     fn numbered(&self, _number: u64) {}
 }
-
-/// The layer is silent where more tasks are possible.
-#[cfg(feature = "layer")]
-const MOST_TASKS: usize = 64;
 
 impl<M: AgentMemory> Agent<M> {
     /// Goes on with Pr(e|t) for the task at the position, which keeps how far it is: in `constraint` the words read, in `sum` how probable they
