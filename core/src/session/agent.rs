@@ -22,6 +22,8 @@ use crate::planning::{Judgement, OptimalSet, Plan, PlanTables, Planner, Progress
 use crate::probability::{Scaled, total};
 use crate::random::below;
 use crate::symbols::Symbol;
+#[cfg(feature = "talk")]
+use crate::talk::Conversation;
 use crate::task::{GroundedTask, LiftedTask, TaskSet, TaskText};
 use core::fmt;
 use heapless::Vec;
@@ -96,6 +98,8 @@ pub struct Agent<M> {
     most: Capacities,
     #[cfg(feature = "asking")]
     pub(crate) asked: Asked,
+    #[cfg(feature = "talk")]
+    pub(crate) conversation: Conversation,
 }
 
 impl<M> fmt::Debug for Agent<M> {
@@ -137,6 +141,8 @@ impl<M> Agent<M> {
             most: Capacities::NONE,
             #[cfg(feature = "asking")]
             asked: Asked::NOTHING,
+            #[cfg(feature = "talk")]
+            conversation: Conversation::NEW,
         }
     }
 

@@ -207,7 +207,10 @@ impl<M: AgentMemory> Agent<M> {
 
     /// What the descriptions of the session's tasks need to know of the state that it started from.
     pub(crate) fn scene<D: Domain + ?Sized>(&self, domain: &D) -> Option<Scene<D::State>> {
-        self.start.map(|start| Scene::new(domain.numbered(start)))
+        let scene = self.start.map(|start| Scene::new(domain.numbered(start)));
+        #[cfg(all(feature = "derived", feature = "talk"))]
+        let scene = scene.map(|scene| scene.of_conversation(self.conversation.here(domain)));
+        scene
     }
 
     /// The state that the session started from, `None` where none is under way in this domain.

@@ -143,13 +143,15 @@ pub(super) struct Wording<'c> {
     end: f32,
     /// How probable the most likely task must be.
     sure: f32,
+    /// The sort of derived facts in descriptions.
+    facts: u8,
 }
 
 impl<'c> Wording<'c> {
-    fn of(language: LanguageRef<'_>, closed: ClosedWords<'c>) -> Self {
+    fn of(language: LanguageRef<'_>, closed: ClosedWords<'c>, facts: u8) -> Self {
         let (bitext, words) = (language.bitext(), language.tables().words());
         let is_plain = |word| is_plain(language, closed, word);
-        let coverage = Coverage::of(&mut Senses::new(language.tables(), bitext, &is_plain));
+        let coverage = Coverage::of(&mut Senses::new(language.tables(), bitext, &is_plain, facts));
         let sessions = bitext.sessions();
         let sentences = || (0..sessions as u16).map(|session| bitext.sentence(session));
         let all = sentences().map(<[Symbol]>::len).sum::<usize>() as f32;
@@ -164,6 +166,7 @@ impl<'c> Wording<'c> {
             end: 1.0 / (1.0 + all / sessions),
             // 0.8 after 24 lessons, 0.65 after 120.
             sure: (0.6125 + 4.5 / sessions).min(0.95),
+            facts,
         }
     }
 }
@@ -488,7 +491,7 @@ impl<M: AgentMemory> Agent<M> {
         })?;
         // "Then go on" has nothing before it.
         words.iter_mut().take(1).for_each(Heard::begin);
-        let wording = Wording::of(language, closed);
+        let wording = Wording::of(language, closed, (domain.world().schema.attributes.len() << 1) as u8);
         let mended = mend(language, utterance, &words)?;
         let mut all = self.explain_all(domain, &words, &wording, place.view(View::PLAIN))?;
         if let Some(mended) = mended {
@@ -654,7 +657,7 @@ impl<M: AgentMemory> Agent<M> {
         let mut named = {
             let language = language.read();
             let is_plain = |word| is_plain(language, wording.closed, word);
-            Named::of(&mut Senses::new(language.tables(), language.bitext(), &is_plain), &said)
+            Named::of(&mut Senses::new(language.tables(), language.bitext(), &is_plain, wording.facts), &said)
         };
         let acts = named.acts();
         if view.has_act {

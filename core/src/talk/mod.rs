@@ -7,12 +7,15 @@
 //! the belief that the words give a command, and says what it takes the utterance for.
 //!
 //! - `classes`: closed classes of words, from a table;
+//! - `conversation`: what was done and said before, for words such as "it" and "there";
 //! - `listening`: the hypotheses, and the verdict;
 //! - `readings`: what shall not be, all things of a kind, and one command after another.
 
 mod classes;
+mod conversation;
 pub(crate) mod listening;
 mod readings;
 
 pub use classes::{Class, Classes, ClosedWords, ClosedWordsError};
+pub use conversation::{Conversation, Fact};
 pub use listening::{Hypothesis, Listened, Verdict};

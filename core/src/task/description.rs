@@ -19,6 +19,8 @@ use super::{GroundedTask, LiftedProposition, LiftedTask, Part};
 use crate::capacity::{ARGUMENTS, ATTRIBUTES, Capacity, CapacityError, LIFTED_TASKS, NAME_BYTES};
 use crate::oomdp::{ClassId, Domain, GroundProposition, ObjectId, PropositionId, Schema, World};
 use crate::symbols::{Symbol, Symbols};
+#[cfg(all(feature = "derived", feature = "talk"))]
+use crate::talk::Conversation;
 use heapless::String;
 
 /// One group of a description: a role's values of one sort.
@@ -110,6 +112,8 @@ pub struct Scene<S> {
     forms: [u16; LIFTED_TASKS],
     /// For each of the first objects and each attribute one more than the value's token, 0 for one that was not needed yet.
     tokens: [[u16; ATTRIBUTES]; REMEMBERED],
+    #[cfg(all(feature = "derived", feature = "talk"))]
+    conversation: Conversation,
 }
 
 /// The propositions and classes that a session's tasks name, and the classes that words can tell apart.
@@ -161,7 +165,20 @@ const NO_TOKEN: u16 = u16::MAX;
 impl<S> Scene<S> {
     /// The scene of a session that starts from a state.
     pub const fn new(state: S) -> Self {
-        Self { state, spoken: None, forms: [0; LIFTED_TASKS], tokens: [[0; ATTRIBUTES]; REMEMBERED] }
+        Self {
+            state,
+            spoken: None,
+            forms: [0; LIFTED_TASKS],
+            tokens: [[0; ATTRIBUTES]; REMEMBERED],
+            #[cfg(all(feature = "derived", feature = "talk"))]
+            conversation: Conversation::NEW,
+        }
+    }
+
+    /// The same, which tells what a conversation knows of the objects.
+    #[cfg(all(feature = "derived", feature = "talk"))]
+    pub(crate) fn of_conversation(self, conversation: Conversation) -> Self {
+        Self { conversation, ..self }
     }
 
     /// The token of the lifted task at a position.
@@ -467,14 +484,17 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         let Self { domain, scene, tokens, description, .. } = self;
         let first = description.len().saturating_add(1);
         for object in objects.iter() {
-            domain.tell_derived(&scene.state, object, &mut |fact| {
+            let mut tell = |fact: &str| {
                 let token = attribute_token("is", fact).and_then(|token| tokens.intern(&token)).ok();
                 let Some(token) = token.filter(|&token| !is_marker(token)) else { return };
                 if description.len() < first && description.push(marker.symbol()).is_err() {
                     return;
                 }
                 insert(description, first, token);
-            });
+            };
+            domain.tell_derived(&scene.state, object, &mut tell);
+            #[cfg(feature = "talk")]
+            scene.conversation.tell(*domain, object, &mut tell);
         }
         if description.len() == first {
             description.pop();

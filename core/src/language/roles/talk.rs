@@ -92,6 +92,8 @@ pub(crate) struct Senses<'t> {
     /// Whether a word speaks of no task, whatever lessons say.
     is_plain: &'t dyn Fn(Symbol) -> bool,
     known: Vec<Option<Sense>, MOST_WORDS>,
+    /// The sort of derived facts: nobody needs to name one.
+    facts: u8,
 }
 
 /// So many words are looked up once; the others each time.
@@ -105,10 +107,10 @@ struct Sense {
 }
 
 impl<'t> Senses<'t> {
-    pub fn new(tables: TablesRef<'t>, bitext: BitextRef<'t>, is_plain: &'t dyn Fn(Symbol) -> bool) -> Self {
+    pub fn new(tables: TablesRef<'t>, bitext: BitextRef<'t>, is_plain: &'t dyn Fn(Symbol) -> bool, facts: u8) -> Self {
         let mut known = Vec::new();
         while known.len() < tables.words() && known.push(None).is_ok() {}
-        Self { tables, bitext, is_plain, known }
+        Self { tables, bitext, is_plain, known, facts }
     }
 
     fn of(&mut self, word: Symbol) -> Sense {
@@ -133,11 +135,12 @@ pub(crate) struct Named {
     /// Words that were never heard.
     new: usize,
     acts: u8,
+    facts: u8,
 }
 
 impl Named {
     pub fn of(senses: &mut Senses<'_>, said: &[Said]) -> Self {
-        let mut named = Self { words: Vec::new(), values: Vec::new(), new: 0, acts: 0 };
+        let mut named = Self { words: Vec::new(), values: Vec::new(), new: 0, acts: 0, facts: senses.facts };
         for word in said {
             let Some(symbol) = word.symbol.filter(|symbol| symbol.index() < senses.tables.words()) else {
                 named.new = named.new.saturating_add(1);
@@ -307,6 +310,7 @@ fn named_of(layout: &Layout, named: &Named, description: &[Symbol], ghost: Optio
             let of_role = || groups(description).filter(move |group| group.marker.role == role);
             let (mut all, mut said) = (0_usize, 0_usize);
             for group in of_role().filter(|group| group.marker.sort & 1 == 0) {
+                let count = all;
                 all = all.saturating_add(1);
                 if let Some(found) = left.iter().position(|value| group.values.contains(value)) {
                     left.swap_remove(found);
@@ -314,6 +318,8 @@ fn named_of(layout: &Layout, named: &Named, description: &[Symbol], ghost: Optio
                 } else if ghost == Some(kind) && new > 0 {
                     new = new.saturating_sub(1);
                     said = said.saturating_add(1);
+                } else if group.marker.sort == named.facts {
+                    all = count;
                 }
             }
             if all == 0 {
