@@ -490,11 +490,16 @@ impl<M: AgentMemory> Agent<M> {
         (cfg!(feature = "asking") && self.options.telling).then(|| Words::expected(self.belief()))
     }
 
-    /// The action that leads on to a task's goal in the state that was planned for: of several one that is drawn, where `words` are given
-    /// among those about which they are expected to tell most.
+    /// The action that leads on to a task's goal in the state that was planned for: of several one that is drawn. Where `words` are given,
+    /// the last action is done once more if it leads on, else one of those about which `words` are expected to tell most.
     pub(crate) fn onward(&self, task: usize, words: Option<&Words>, draw: &mut dyn FnMut(usize) -> usize) -> Action {
         let Some(mut actions) = self.planned().optimal(task).onward() else { return Action::NOOP };
         if let Some(words) = words.filter(|_| actions.len() > 1) {
+            // To turn without need would make a late word count for another action than the one that was meant.
+            #[cfg(feature = "asking")]
+            if let Some(last) = self.done.last().filter(|&last| actions.contains(last)) {
+                return last;
+            }
             let told = |action: Action| words.information(self.right(action));
             let most = actions.iter().map(told).fold(0.0, f32::max);
             actions = actions.iter().filter(|&action| told(action) >= most).fold(ActionSet::EMPTY, ActionSet::with);

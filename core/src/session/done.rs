@@ -42,6 +42,9 @@ pub(super) struct LastDone {
     moment: Moment,
     /// The last action's word, silence too; `None` while nobody has judged it.
     word: Option<Feedback>,
+    /// The last action.
+    #[cfg(feature = "asking")]
+    last: Option<Action>,
 }
 
 impl LastDone {
@@ -52,6 +55,8 @@ impl LastDone {
         any: false,
         moment: Moment { rests: 0, said: Feedback::Neutral },
         word: None,
+        #[cfg(feature = "asking")]
+        last: None,
     };
 
     /// Whether there is an action that can be judged.
@@ -75,7 +80,15 @@ impl LastDone {
             any: true,
             moment: self.moment().acted(rest),
             word: None,
+            #[cfg(feature = "asking")]
+            last: Some(action),
         };
+    }
+
+    /// The last action, if it was done in this session.
+    #[cfg(feature = "asking")]
+    pub(super) const fn last(self) -> Option<Action> {
+        self.last
     }
 
     /// This was said to the last action; of several words the last counts.

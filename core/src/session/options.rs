@@ -32,8 +32,8 @@ pub struct Options {
     pub drift: f32,
     /// What the end of a session says of the task; [`Ending::NO_EVIDENCE`] in the paper.
     pub ending: Ending,
-    /// Of the actions that lead on, take the one whose feedback tells most of what is meant; the paper takes any, and so does an agent
-    /// without the feature `asking`.
+    /// Of the actions that lead on, do the last one once more, so that a late word counts for the right one. Where it does not lead on, take
+    /// the action whose feedback tells most of what is meant. The paper takes any, and so does an agent without the feature `asking`.
     pub telling: bool,
 }
 

@@ -311,6 +311,26 @@ fn of_equally_short_ways_it_takes_the_one_that_tells_more() {
 }
 
 #[test]
+fn it_goes_on_straight_while_that_leads_on() {
+    let mut memory = Memory::new();
+    let (mut agent, home, start) = heard(&mut memory, Options { telling: true, ..Options::PAPER });
+    let mut state = start;
+    let (mut last, mut straight) = (None, 0);
+    loop {
+        let decision = agent.decide(&home, &state).unwrap();
+        let Some(onward) = decision.plan.onward() else { break };
+        if let Some(last) = last.filter(|&last| onward.len() > 1 && onward.contains(last)) {
+            assert_eq!(decision.action, last);
+            straight += 1;
+        }
+        state = agent.acted(&home, &state, decision.action).unwrap();
+        last = Some(decision.action);
+        agent.plan_fully(&home, &state).unwrap();
+    }
+    assert!(straight > 0);
+}
+
+#[test]
 fn commands_without_a_word_leave_what_is_believed_of_the_trainer_to_the_last_bit() {
     let mut memory = Memory::new();
     let (home, start) = rooms(&mut memory.home, Some(Cell::new(4, 2)));
