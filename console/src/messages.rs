@@ -1,6 +1,7 @@
 //! What is told on standard error beside failures: remarks and progress. `--quiet` leaves them out.
 
 use indicatif::{ProgressBar, ProgressStyle};
+use std::borrow::Cow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 static QUIET: AtomicBool = AtomicBool::new(false);
@@ -31,11 +32,24 @@ pub fn is_quiet() -> bool {
 macro_rules! say {
     ($($text:tt)*) => {
         if !$crate::messages::is_quiet() {
-            eprintln!($($text)*);
+            eprintln!("{}", $crate::messages::printable(&format!($($text)*)));
         }
     };
 }
 pub use crate::say;
+
+/// A text for a terminal: control characters, which names of files and texts of logs may have, are shown and not obeyed. Lines and tabs stay.
+pub fn printable(text: &str) -> Cow<'_, str> {
+    let obeyed = |letter: char| letter.is_control() && !matches!(letter, '\n' | '\t');
+    if !text.contains(obeyed) {
+        return Cow::Borrowed(text);
+    }
+    let mut shown = String::with_capacity(text.len());
+    for letter in text.chars() {
+        if obeyed(letter) { shown.extend(letter.escape_default()) } else { shown.push(letter) }
+    }
+    Cow::Owned(shown)
+}
 
 /// A count with its noun: "1 session", "2 sessions".
 pub fn counted(count: usize, noun: &str) -> String {
@@ -50,4 +64,15 @@ pub fn bar(length: usize, what: &'static str) -> ProgressBar {
     let style = ProgressStyle::with_template("{msg} {bar:30} {pos}/{len} {elapsed}, {eta} left");
     let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
     ProgressBar::new(length as u64).with_style(style).with_message(what)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn control_characters_are_shown_and_not_obeyed() {
+        assert_eq!(printable("a\u{1b}[31mred.json:1: no\n\tthing\r\u{9b}2J"), "a\\u{1b}[31mred.json:1: no\n\tthing\\r\\u{9b}2J");
+        assert_eq!(printable("grüner Raum"), "grüner Raum");
+    }
 }

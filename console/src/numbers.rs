@@ -16,3 +16,38 @@ pub fn between(text: &str, least: usize, most: usize) -> Result<usize, String> {
 pub fn seed(text: &str) -> Result<u64, String> {
     text.trim().parse().map_err(|_| format!("give a whole number from 0 to {}", u64::MAX))
 }
+
+/// What something costs, in steps: a number above 0, or `inf`.
+///
+/// # Errors
+/// What to give.
+pub fn cost(text: &str) -> Result<f32, String> {
+    let number: Option<f32> = text.trim().parse().ok();
+    number.filter(|&number| number > 0.0).ok_or_else(|| "give a number of steps above 0, such as 4, or inf for never".to_owned())
+}
+
+/// How often an answer is wrong: a share below one half.
+///
+/// # Errors
+/// What to give.
+pub fn wrong_share(text: &str) -> Result<f32, String> {
+    let number: Option<f32> = text.trim().parse().ok();
+    number.filter(|number| (0.0..0.5).contains(number)).ok_or_else(|| "give a share from 0 to less than 0.5, such as 0.05".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cost_is_above_nothing_and_a_wrong_answer_is_rarer_than_a_right_one() {
+        assert_eq!([cost("4"), cost("inf")], [Ok(4.0), Ok(f32::INFINITY)]);
+        for wrong in ["-1", "0", "NaN", "many"] {
+            assert!(cost(wrong).unwrap_err().contains("above 0"), "{wrong}");
+        }
+        assert_eq!(wrong_share("0.05"), Ok(0.05));
+        for wrong in ["-1", "0.5", "NaN"] {
+            assert!(wrong_share(wrong).unwrap_err().contains("less than 0.5"), "{wrong}");
+        }
+    }
+}

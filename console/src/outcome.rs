@@ -1,5 +1,6 @@
 //! How a command ends: its exit code, and what it says on standard error.
 
+use crate::messages::printable;
 use std::fmt;
 use std::io;
 use std::process::ExitCode;
@@ -38,6 +39,6 @@ pub fn exit_code(done: Result<(), Failure>) -> ExitCode {
         Failure::Result(_) | Failure::Output(_) => 1,
         Failure::Input(_) => 2,
     };
-    eprintln!("error: {failure}");
+    eprintln!("error: {}", printable(&failure.to_string()));
     ExitCode::from(code)
 }

@@ -1,5 +1,6 @@
 //! Files that are written because someone asked for them: never over what was read, and never over what is not ours unless it is said.
 
+use crate::messages::printable;
 use crate::outcome::Failure;
 use crate::whole_file::write_whole;
 use std::fs::File;
@@ -135,7 +136,7 @@ impl Output {
 
     /// Its name in messages.
     pub fn name(&self) -> String {
-        if self.is_standard() { "standard output".to_owned() } else { self.path.display().to_string() }
+        if self.is_standard() { "standard output".to_owned() } else { printable(&self.path.display().to_string()).into_owned() }
     }
 
     /// Writes it, whole or not at all.

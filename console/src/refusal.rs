@@ -2,27 +2,80 @@
 
 use goodbot::AgentError;
 use goodbot::capacity::{Capacity, CapacityError};
+use goodbot::snapshot::{RestoreError, SaveError};
+use goodbot::task::TaskTextError;
+use goodbot_lesson::home;
+use goodbot_lesson::live::LiveError;
 
 /// What an agent refused, and what to do.
 pub fn in_words(error: &AgentError) -> String {
-    match error {
-        AgentError::Capacity(error) => full(error),
-        error => error.to_string(),
+    error.in_words()
+}
+
+/// An error in the words of who uses the program.
+pub trait InWords {
+    /// What was refused, and what to do.
+    fn in_words(&self) -> String;
+}
+
+impl InWords for AgentError {
+    fn in_words(&self) -> String {
+        match self {
+            Self::Capacity(error) => full(error),
+            error => error.to_string(),
+        }
+    }
+}
+
+impl InWords for CapacityError {
+    fn in_words(&self) -> String {
+        full(self)
+    }
+}
+
+impl InWords for RestoreError {
+    fn in_words(&self) -> String {
+        match self {
+            Self::Capacity(error) => full(error),
+            error => error.to_string(),
+        }
+    }
+}
+
+impl InWords for SaveError {
+    fn in_words(&self) -> String {
+        self.to_string()
+    }
+}
+
+impl InWords for TaskTextError {
+    fn in_words(&self) -> String {
+        match self {
+            Self::Capacity(error) => full(error),
+            error => error.to_string(),
+        }
+    }
+}
+
+impl InWords for LiveError {
+    fn in_words(&self) -> String {
+        match self {
+            Self::Agent(error) => error.in_words(),
+            error => error.to_string(),
+        }
     }
 }
 
 /// What was full, and what to do.
 pub fn full(error: &CapacityError) -> String {
+    if let Some(full) = home::full(error) {
+        return full;
+    }
     let &CapacityError { capacity, limit, given } = error;
     let (what, remedy) = match capacity {
         Capacity::WordsPerCommand => ("words in a command", "shorten it"),
-        Capacity::NameBytes => ("bytes in a word or name", "shorten it"),
         Capacity::Tasks => ("tasks in one home", "leave out rooms, blocks or kinds of tasks"),
         Capacity::LiftedTasks => ("kinds of tasks", "name fewer with --task"),
-        Capacity::Objects => ("objects in a home", "leave out some"),
-        Capacity::Names | Capacity::NameBytesTogether => ("names, colours and shapes in a home", "use fewer or shorter ones"),
-        Capacity::Cells => ("free cells in a home", "make rooms smaller"),
-        Capacity::Blocks => ("blocks in a home", "leave out some"),
         Capacity::Strategies => ("trainer strategies", "leave out the least probable"),
         Capacity::FactsPerTask => ("colours and shapes in one task", "name kinds of tasks with fewer objects"),
         Capacity::TokensPerCommand => ("machine tokens in one task", "name kinds of tasks with fewer propositions"),

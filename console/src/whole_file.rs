@@ -2,12 +2,20 @@
 
 use crate::load::content::Content;
 use crate::outcome::Failure;
-use std::fs::File;
+use std::fs::{DirEntry, File};
 use std::io::{Read, Write};
 use std::path::Path;
+use std::time::Duration;
 
 /// The most bytes that a model or a home can have: what never ends is not read to its end.
 pub const MOST_BYTES: u64 = 64 << 20;
+
+/// How the names of unfinished files end.
+const TORN_SUFFIX: &str = ".part";
+/// The most letters of a file's name that an unfinished one has; with four bytes each it is no longer than names may be.
+const MOST_LETTERS: usize = 50;
+/// No file takes as long to write: an unfinished one that is older was left.
+const LONGEST_WRITING: Duration = Duration::from_secs(60);
 
 /// The bytes of a model.
 ///
@@ -46,6 +54,9 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     let folder = folder_of(path);
     #[cfg_attr(not(unix), expect(unused_mut, reason = "Unix alone has permissions to set"))]
     let mut builder = tempfile::Builder::new();
+    remove_torn(path, LONGEST_WRITING);
+    let prefix = torn_prefix(path);
+    builder.prefix(&prefix).suffix(TORN_SUFFIX);
     // As any new file; a temporary one would be for its owner alone.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
@@ -61,6 +72,25 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
         let _ = folder.sync_all();
     }
     Ok(())
+}
+
+/// Removes what a program that was stopped while it wrote a file has left beside it, where it is at least this old. Gives how many.
+pub fn remove_torn(path: &Path, age: Duration) -> usize {
+    let prefix = torn_prefix(path);
+    let is_torn = |entry: &DirEntry| {
+        let name = entry.file_name();
+        let is_named = name.to_str().is_some_and(|name| name.starts_with(&prefix) && name.ends_with(TORN_SUFFIX));
+        let is_old = || entry.metadata().and_then(|it| it.modified()).is_ok_and(|at| at.elapsed().unwrap_or_default() >= age);
+        is_named && is_old()
+    };
+    let Ok(entries) = std::fs::read_dir(folder_of(path)) else { return 0 };
+    entries.flatten().filter(is_torn).filter(|entry| std::fs::remove_file(entry.path()).is_ok()).count()
+}
+
+/// How the names of unfinished files begin: with that of the file, as far as there is room.
+fn torn_prefix(path: &Path) -> String {
+    let name: String = path.file_name().unwrap_or_default().to_string_lossy().chars().take(MOST_LETTERS).collect();
+    format!(".{name}.")
 }
 
 fn folder_of(path: &Path) -> &Path {

@@ -133,7 +133,12 @@ fn taken_apart(text: &str) -> Result<Drawing, Misdrawn> {
         let mut letters = line.chars();
         let named = letters.next().zip(letters.as_str().split_once(':')).filter(|(_, (blank, _))| blank.trim().is_empty());
         if let Some((letter, (_, meaning))) = named {
-            legend.insert(letter, (number, meaning.trim().to_owned()));
+            if let Some((before, _)) = legend.insert(letter, (number, meaning.trim().to_owned())) {
+                return Err(Misdrawn {
+                    line: number,
+                    message: format!("{letter} was given on line {before} already; choose another letter"),
+                });
+            }
             continue;
         }
         if notes.take(number, line) {
@@ -238,6 +243,7 @@ mod tests {
             ("####\n#zz#\n####", 2, "which colour z is"),
             ("#####\n#rr##\n#rrr#\n#####", 3, "no rectangle"),
             ("####\n#r!#\n####", 2, "means nothing"),
+            ("####\n#r@#\n####\nr: red\n\nr: teal", 6, "on line 4 already"),
             ("####\n#r@#\n####\nroom red 0 0 3 3", 4, "no room has this box"),
             ("####\n#r@#\n####\nblock red bag 1 1", 4, "no block stands"),
         ] {

@@ -2,7 +2,7 @@
 
 use crate::cli::Cli;
 use clap::builder::StyledStr;
-use clap::{Command, CommandFactory};
+use clap::{Arg, Command, CommandFactory};
 
 /// The commands that most people need.
 const EVERYDAY: [&str; 10] = ["teach", "learn", "ask", "inspect", "replay", "merge", "check", "example", "size", "microbit"];
@@ -29,7 +29,13 @@ pub fn arguments() -> Command {
         itself.ansi(),
         heading("Options"),
     );
-    cli.help_template(template)
+    take_negative_numbers(cli.help_template(template))
+}
+
+/// Lets every option take a number below 0: what is wrong with it is told by who reads it, and not as an option that there is not.
+fn take_negative_numbers(command: Command) -> Command {
+    let takes_one = |arg: &Arg| !arg.is_positional() && arg.get_action().takes_values();
+    command.mut_args(|arg| if takes_one(&arg) { arg.allow_negative_numbers(true) } else { arg }).mut_subcommands(take_negative_numbers)
 }
 
 /// The lines for those commands that are in a group, as clap writes them.

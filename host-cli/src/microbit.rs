@@ -17,11 +17,14 @@ use goodbot_console::whole_file::{MOST_BYTES, read_model};
 use goodbot_formats::microbit::{MicrobitFile, SLOT_BYTES};
 use goodbot_lesson::home;
 use std::fs::File;
-use std::io::Read;
+use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
 /// How much the board's robot remembers.
 const CAPACITIES: Capacities = Capacities::TINY;
+
+/// Where the program comes from.
+const HOW_TO_GET_IT: &str = "cargo xtask microbit, in the folder of goodbot's source, makes the program as dist/goodbot.hex";
 
 /// The options of `goodbot microbit`.
 #[derive(Debug, Args)]
@@ -60,7 +63,8 @@ pub struct MicrobitOptions {
 pub fn run(options: &MicrobitOptions) -> Result<(), Failure> {
     let inputs = [options.hex.to_str(), options.model.to_str(), options.home.as_deref()];
     let target = Output::microbit(&options.out, inputs.into_iter().flatten(), options.force)?;
-    let mut file = MicrobitFile::parse(&read_text(&options.hex)?).map_err(|error| refused(&options.hex, &error))?;
+    let mut file =
+        MicrobitFile::parse(&read_text(&options.hex)?).map_err(|error| refused(&options.hex, &format!("{error}; {HOW_TO_GET_IT}")))?;
     let (slots, sessions) = slots(&options.model)?;
     file.put_slots(&slots).map_err(|error| refused(&options.model, &error))?;
     if let Some(command) = options.command.iter().find(|command| command.trim().is_empty() || command.contains(char::is_control)) {
@@ -81,8 +85,12 @@ fn refused(path: &Path, error: &dyn std::fmt::Display) -> Failure {
 
 fn read_text(path: &Path) -> Result<String, Failure> {
     let mut text = String::new();
-    let read = File::open(path).and_then(|file| file.take(MOST_BYTES).read_to_string(&mut text));
-    read.map_err(|error| refused(path, &format!("cannot be read as text ({error}); name the file goodbot.hex")))?;
+    let file = File::open(path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => refused(path, &format!("is not there; {HOW_TO_GET_IT}")),
+        _ => refused(path, &format!("cannot be read ({error}); check that you may read it")),
+    })?;
+    let read = file.take(MOST_BYTES).read_to_string(&mut text);
+    read.map_err(|_| refused(path, &format!("is no micro:bit program; {HOW_TO_GET_IT}")))?;
     Ok(text)
 }
 

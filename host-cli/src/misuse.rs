@@ -1,6 +1,7 @@
 //! What was typed and cannot be understood, told in plain words.
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
+use goodbot_console::messages::printable;
 use std::process::ExitCode;
 
 /// What people type for a command that has another name.
@@ -17,6 +18,10 @@ const OTHER_NAMES: [(&[&str], &str); 6] = [
 pub fn tell(error: &clap::Error) -> ExitCode {
     match in_words(error) {
         Some(message) => eprintln!("error: {message}\n\nFor more information, try 'goodbot --help'."),
+        // What was typed may have control characters; then it is told without colours.
+        None if std::env::args_os().any(|typed| typed.to_string_lossy().contains(char::is_control)) => {
+            eprint!("{}", printable(&error.render().to_string()));
+        }
         // A reader who leaves is no fault, and help is none either.
         None => drop(error.print()),
     }

@@ -22,13 +22,20 @@ impl Flaw {
     /// What is wrong and what to do, naming the object.
     pub fn message(&self, environment: &EnvironmentFile) -> String {
         match self.object.and_then(|object| environment.objects.get(object)) {
-            Some(object) => format!("object {}: {}", quoted(object.name()), self.problem),
+            Some(object) => format!("object {}: {}", quoted(object.name()), self.in_words()),
             None => match self.problem {
                 HomeProblem::Capacity(CapacityError { capacity: Capacity::Objects, limit, given }) => {
                     format!("are {given}, and {limit} are the most; leave out some")
                 }
-                problem => problem.to_string(),
+                _ => self.in_words(),
             },
+        }
+    }
+
+    fn in_words(&self) -> String {
+        match self.problem {
+            HomeProblem::Capacity(error) => full(&error).unwrap_or_else(|| error.to_string()),
+            problem => problem.to_string(),
         }
     }
 
@@ -36,6 +43,20 @@ impl Flaw {
     pub fn field(&self) -> String {
         self.object.map_or_else(|| "objects".to_owned(), |object| format!("objects[{object}]"))
     }
+}
+
+/// What a home has too many of, and what to do, without a name of the library's; `None` where a home has no such thing.
+pub fn full(error: &CapacityError) -> Option<String> {
+    let &CapacityError { capacity, limit, given } = error;
+    let (what, remedy) = match capacity {
+        Capacity::Objects => ("objects in a home", "leave out some"),
+        Capacity::Names | Capacity::NameBytesTogether => ("names, colours and shapes in a home", "use fewer or shorter ones"),
+        Capacity::Cells => ("free cells in a home", "make rooms smaller"),
+        Capacity::Blocks => ("blocks in a home", "leave out some"),
+        Capacity::NameBytes => ("bytes in a word or name", "shorten it"),
+        _ => return None,
+    };
+    Some(format!("too many {what}: {given} or more, and {limit} are the most; {remedy}"))
 }
 
 /// A home from a text, as JSON or drawn.

@@ -2,6 +2,8 @@
 
 mod benches;
 mod capi;
+#[cfg(test)]
+mod dependencies;
 mod firmware;
 mod footprint;
 mod fuzz;

@@ -13,7 +13,7 @@ pub mod training;
 
 use crate::believes::Believes;
 use crate::load::input;
-use crate::messages::{bar, counted, say};
+use crate::messages::{bar, counted, printable, say};
 use crate::outcome::Failure;
 use evidence::Witness;
 use goodbot::Options;
@@ -165,7 +165,7 @@ fn refuse(faults: &[Fault], keep_going: bool, skipped: &mut usize) -> Result<(),
     if !keep_going {
         return Err(Failure::Input(text.join("\n")));
     }
-    eprintln!("{}", text.join("\n"));
+    eprintln!("{}", printable(&text.join("\n")));
     *skipped += 1;
     if *skipped > MOST_FAULTS {
         let message = format!("more than {MOST_FAULTS} sessions are at fault; check with goodbot check that this is a session log");

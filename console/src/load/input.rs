@@ -1,6 +1,7 @@
 //! Files, and standard input under the name `-`.
 
 use super::content::Content;
+use crate::messages::printable;
 use crate::whole_file::MOST_BYTES;
 use goodbot_formats::Problem;
 use goodbot_formats::environment::EnvironmentFile;
@@ -58,7 +59,7 @@ pub fn home(file: &str) -> Result<EnvironmentFile, Fault> {
 pub fn tell(faults: &[Fault]) {
     let mut messages = std::io::stderr().lock();
     for fault in faults {
-        let _ = writeln!(messages, "{fault}");
+        let _ = writeln!(messages, "{}", printable(&fault.to_string()));
     }
 }
 

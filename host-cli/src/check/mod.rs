@@ -9,7 +9,7 @@ use goodbot::task::LiftedTask;
 use goodbot_console::load::content::Content;
 use goodbot_console::load::input;
 use goodbot_console::load::kinds::TaskKinds;
-use goodbot_console::messages::counted;
+use goodbot_console::messages::{counted, printable};
 use goodbot_console::outcome;
 use goodbot_formats::Problem;
 use goodbot_formats::environment::{self, EnvironmentFile};
@@ -61,7 +61,7 @@ pub fn run(args: &CheckArgs) -> ExitCode {
     let lifted = match args.kinds.lifted() {
         Ok(lifted) => lifted,
         Err(error) => {
-            eprintln!("error: {error}");
+            eprintln!("error: {}", printable(&error.to_string()));
             return ExitCode::from(2);
         }
     };
@@ -83,17 +83,17 @@ pub fn run(args: &CheckArgs) -> ExitCode {
 fn tell(file: &str, found: &Findings) -> std::io::Result<()> {
     let mut messages = std::io::stderr().lock();
     for fault in &found.faults {
-        writeln!(messages, "{fault}")?;
+        writeln!(messages, "{}", printable(&fault.to_string()))?;
     }
     for warning in &found.warnings {
         let doubtful = Fault { message: format!("warning: {}", warning.message), ..warning.clone() };
-        writeln!(messages, "{doubtful}")?;
+        writeln!(messages, "{}", printable(&doubtful.to_string()))?;
     }
     if !found.faults.is_empty() {
         return Ok(());
     }
     let warnings = if found.warnings.is_empty() { String::new() } else { format!(", {}", counted(found.warnings.len(), "warning")) };
-    writeln!(std::io::stdout(), "{file}: {}, no fault{warnings}", found.what)
+    writeln!(std::io::stdout(), "{}: {}, no fault{warnings}", printable(file), found.what)
 }
 
 fn tell_json(file: &str, found: &Findings) -> std::io::Result<()> {

@@ -15,8 +15,11 @@ use goodbot_course::{CourseTrainer, Ending, LESSONS, LessonReport, Observer, Sce
 use goodbot_lesson::name::in_words;
 use std::io::{self, Write};
 
+/// The beginning of a line that says more of a step.
+const NOTE: &str = "               ";
+
 /// Cells of a belief's bar.
-const BAR: usize = 24;
+const BAR: usize = 18;
 
 /// Runs one seed and tells it as it happens. A reader who leaves does not end the run: what came of it comes first, then whether it could
 /// be told.
@@ -35,7 +38,7 @@ fn begin(options: &PaperOptions, out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "An agent that knows no word goes through {} lessons and {} tests.", LESSONS.len(), TESTS.len())?;
     writeln!(
         out,
-        "Its trainer ({}) is silent after a right action with probability {}, after a wrong one with {},\nand takes one for the other with {}. Seed {}, {} homes.",
+        "Its trainer ({}) is silent after a right action with probability {},\nafter a wrong one with {}, and takes one for the other with {}.\nSeed {}, {} homes.",
         options.trainer.name,
         strategy.mu_plus(),
         strategy.mu_minus(),
@@ -51,8 +54,8 @@ fn begin(options: &PaperOptions, out: &mut impl Write) -> io::Result<()> {
     }
     let believed = options.believed().strategy;
     let [plus, minus, epsilon] = [believed.mu_plus(), believed.mu_minus(), believed.epsilon()];
-    writeln!(out, "The agent thinks that a trainer is silent with {plus} and {minus}, and mistaken with {epsilon}.")?;
-    writeln!(out, "In the drawings @ is the agent, # wall, + a door, a capital letter a block, a small one the room's colour.")
+    writeln!(out, "The agent thinks that a trainer is silent with {plus} and {minus}, and mistaken\nwith {epsilon}.")?;
+    writeln!(out, "In the drawings @ is the agent, # wall, + a door, a capital letter a block,\na small one the room's colour.")
 }
 
 struct Story<'w, W> {
@@ -90,15 +93,16 @@ impl<W: Write> Observer for Story<'_, W> {
                 Feedback::Punish => "\"bad bot\"",
                 Feedback::Neutral => "",
             };
-            let why = if matches!(step.decision.plan, OptimalSet::DeadEnd(_)) { " (cannot be done any more)" } else { "" };
-            writeln!(
-                out,
-                "    {:<6} for {:<38} {said:<10}  now {:.3} {}",
-                action_name(scene.home, step.decision.action),
-                format!("{}{why}", task_in_words(scene, step.decision.task)),
-                number(best),
-                task_in_words(scene, best),
-            )
+            let followed = task_in_words(scene, step.decision.task);
+            let action = action_name(scene.home, step.decision.action);
+            writeln!(out, "    {action:<6} for {followed:<39} {said:<10}  now {:.3}", number(step.decision.task))?;
+            if matches!(step.decision.plan, OptimalSet::DeadEnd(_)) {
+                writeln!(out, "{NOTE}which cannot be done any more")?;
+            }
+            if best != step.decision.task {
+                writeln!(out, "{NOTE}likelier now: {:.3} {}", number(best), task_in_words(scene, best))?;
+            }
+            Ok(())
         });
     }
 
@@ -113,7 +117,7 @@ impl<W: Write> Observer for Story<'_, W> {
             let understood = if report.understood { "understood on hearing" } else { "not understood on hearing" };
             writeln!(
                 out,
-                "  {understood}; {ending} after {} steps, {} \"good bot\", {} \"bad bot\"",
+                "  {understood}; {ending}\n  after {} steps, {} \"good bot\", {} \"bad bot\"",
                 report.steps, feedback.reward, feedback.punish
             )
         });
@@ -144,7 +148,7 @@ fn beliefs(out: &mut impl Write, scene: &Scene<'_, impl HomeMemory, impl AgentMe
     for task in 0..scene.agent.tasks().len() {
         let probability = scene.agent.belief().probability(task);
         let cells = (probability * BAR as f32).round() as usize;
-        let meant = if task == scene.intended { "  <- expected" } else { "" };
+        let meant = if task == scene.intended { "  <- meant" } else { "" };
         let bar = format!("{}{}", "█".repeat(cells), "·".repeat(BAR.saturating_sub(cells)));
         writeln!(out, "    {bar} {probability:.3}  {}{meant}", task_in_words(scene, task))?;
     }

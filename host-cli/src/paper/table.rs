@@ -21,7 +21,7 @@ pub fn one_run(out: &mut impl Write, run: &Run, lexicon: &Lexicon) -> io::Result
         let (steps, ending) = (lesson.steps, lesson.ending.name());
         writeln!(out, "  {:<42} {understood:<10} {steps:>6} {:>5} {:>4}  {ending}", exercise.command, feedback.reward, feedback.punish)?;
     }
-    writeln!(out, "\nTests                                        result      probability of what was expected")?;
+    writeln!(out, "\nTests                                        result      its probability")?;
     for (exercise, test) in TESTS.iter().zip(&run.results.tests) {
         writeln!(out, "  {:<42} {:<10} {:>6.3}", exercise.command, if test.right { "right" } else { "wrong" }, test.probability)?;
     }

@@ -15,7 +15,7 @@ use goodbot_console::lessons::MOST_FAULTS;
 use goodbot_console::load::input;
 use goodbot_console::load::input::tell;
 use goodbot_console::load::kinds::TaskKinds;
-use goodbot_console::messages::{counted, is_quiet, say};
+use goodbot_console::messages::{counted, is_quiet, printable, say};
 use goodbot_console::output::Output;
 use goodbot_formats::session::SessionReader;
 use goodbot_lab::calibration;
@@ -104,7 +104,7 @@ pub fn run(args: &ReplayArgs) -> ExitCode {
                 None => 2,
             };
             let what = if code == 1 { "cannot write to standard output: " } else { "" };
-            eprintln!("error: {what}{error}");
+            eprintln!("error: {}", printable(&format!("{what}{error}")));
             ExitCode::from(code)
         }
     }

@@ -95,6 +95,24 @@ impl Classroom {
         Ok(heard)
     }
 
+    /// Notes what the trainer means by the command under way: a task as logs write it or in words, or else the likeliest. The log tells it;
+    /// nothing is learned from it.
+    pub fn mean(&mut self, task: Option<&str>) -> Result<Meaning, Refusal> {
+        if self.tour.as_ref().and_then(Tour::stop).is_some() {
+            return Err(Refusal("in the tour what is meant is known".to_owned()));
+        }
+        let named = |meaning: &Meaning| task.is_none_or(|task| meaning.name == task || meaning.words == task);
+        let meanings = self.trainer.meanings();
+        let Some(first) = meanings.first().map(|meaning| meaning.words.clone()) else {
+            return Err(Refusal("no session is under way; give a command first".to_owned()));
+        };
+        let meant = meanings.into_iter().find(named).ok_or_else(|| {
+            Refusal(format!("{:?} is no task here; name one of the tasks that were told, such as: {first}", task.unwrap_or_default()))
+        })?;
+        self.trainer.mean(meant.position);
+        Ok(meant)
+    }
+
     /// What to teach next.
     pub fn next_lesson(&self) -> Result<Next, Refusal> {
         propose(&self.trainer, if self.wanted.is_empty() { &self.said } else { &self.wanted })
@@ -164,8 +182,17 @@ impl Classroom {
 
     /// The visit is over: what was being learned is learned to its end, and a session under way is written down.
     pub fn leave(&mut self) -> Result<(), Refusal> {
-        while !self.learn(u32::MAX)? {}
-        self.forget().map(|_| ())
+        let learned = loop {
+            match self.learn(u32::MAX) {
+                Ok(false) => {}
+                done => break done,
+            }
+        };
+        let forgotten = self.forget();
+        // What could not be written is tried once more: perhaps there is room again.
+        let written = self.kept.as_mut().map_or(Ok(0), Kept::write_what_is_left);
+        learned.and(forgotten)?;
+        written.map(|_| ()).map_err(|failure| Refusal(failure.to_string()))
     }
 
     /// Takes back what the last session of this visit taught. Gives `false` where there is none.

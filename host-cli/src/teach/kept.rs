@@ -4,14 +4,17 @@
 //! file that is something else is never written to. While a robot is being taught its log is locked, so that two do not teach it at once.
 
 use etcetera::BaseStrategy;
+use goodbot::snapshot::Contents;
+use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::are_one;
-use goodbot_console::whole_file::{read_model, write_whole};
+use goodbot_console::whole_file::{read_model, remove_torn, write_whole};
 use goodbot_formats::session::{RecordedSession, SessionReader};
 use goodbot_lesson::Fault;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// Where a robot's files are.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -57,6 +60,8 @@ pub struct Past {
     pub learned: Vec<String>,
     /// How many sessions the log has.
     pub sessions: usize,
+    /// How many of them were learned from.
+    pub taught: usize,
 }
 
 /// A session that was written, and can be taken out again.
@@ -73,8 +78,12 @@ struct Written {
 pub struct Kept {
     places: Places,
     log: File,
+    /// The model as the file has it.
     model: Option<Vec<u8>>,
     written: Vec<Written>,
+    /// Sessions that the log had no room for, and the model that its file had none for.
+    unwritten: String,
+    newest: Option<Vec<u8>>,
 }
 
 /// A log in which nothing was written is not left behind.
@@ -114,7 +123,12 @@ impl Kept {
             past.model = Some(read_model(&places.model)?);
         }
         let log = open_log(&places.log)?;
-        let kept = Self { places, log, model: past.model.clone(), written: Vec::new() };
+        // Nobody else writes these files now.
+        let torn = [&places.model, &places.log].map(|path| remove_torn(path, Duration::ZERO)).iter().sum();
+        if torn > 0 {
+            say!("{}: the program was stopped while it wrote; {} removed", places.model.display(), counted(torn, "unfinished file"));
+        }
+        let kept = Self { places, log, model: past.model.clone(), written: Vec::new(), unwritten: String::new(), newest: None };
         let name = kept.places.log.display().to_string();
         // Both are there now, whatever they are called.
         if are_one(&kept.places.model, &kept.places.log) {
@@ -128,6 +142,7 @@ impl Kept {
                 ))
             })?;
             past.sessions += 1;
+            past.taught += usize::from(session.learn);
             past.learned.extend(session.header.id.filter(|_| session.learn));
             past.commands.push(session.header.command);
         }
@@ -139,22 +154,62 @@ impl Kept {
         &self.places
     }
 
+    /// How many sessions the model's file has.
+    pub fn sessions(&self) -> usize {
+        self.model.as_deref().and_then(|model| Contents::read(model).ok()).map_or(0, |contents| contents.sessions.len())
+    }
+
     /// Writes a session to the log and, where it was learned from, what the robot knows now.
     ///
     /// # Errors
-    /// A [`Failure`] that names the file.
+    /// A [`Failure`] that names the file. What was not written is tried again with the next session, and by
+    /// [`write_what_is_left`](Self::write_what_is_left).
     pub fn keep(&mut self, session: &RecordedSession, model: Option<Vec<u8>>) -> Result<(), Failure> {
-        let Places { model: model_path, log: log_path } = &self.places;
-        let mut text = session.to_lines().map_err(|error| cannot(log_path, "written to", error))?.join("\n");
+        let mut text = session.to_lines().map_err(|error| cannot(&self.places.log, "written to", error))?.join("\n");
         text.push('\n');
-        let start = self.log.seek(SeekFrom::End(0)).map_err(|error| cannot(log_path, "written to", error))?;
-        let appended = self.log.write_all(text.as_bytes()).and_then(|()| self.log.sync_data());
-        appended.map_err(|error| cannot(log_path, "written to", error))?;
-        if let Some(model) = model {
-            write_whole(model_path, &model).map_err(|error| cannot(model_path, "written to", error))?;
-            self.written.push(Written { start, text, model: self.model.replace(model) });
+        let was_behind = self.is_behind();
+        if was_behind {
+            // What is written now is more than one session: it cannot be taken back one by one.
+            self.written.clear();
+        }
+        self.unwritten.push_str(&text);
+        let has_taught = model.is_some();
+        self.newest = model.or(self.newest.take());
+        let before = self.model.clone();
+        let end = self.write_what_is_left()?;
+        if has_taught && !was_behind {
+            self.written.push(Written { start: end.saturating_sub(text.len() as u64), text, model: before });
         }
         Ok(())
+    }
+
+    /// Whether something could not be written yet.
+    const fn is_behind(&self) -> bool {
+        !self.unwritten.is_empty() || self.newest.is_some()
+    }
+
+    /// Writes what could not be written before. Gives where the log ends.
+    ///
+    /// # Errors
+    /// A [`Failure`] that names the file.
+    pub fn write_what_is_left(&mut self) -> Result<u64, Failure> {
+        let Places { model: model_path, log: log_path } = &self.places;
+        let start = self.log.seek(SeekFrom::End(0)).map_err(|error| cannot(log_path, "written to", error))?;
+        if !self.unwritten.is_empty() {
+            let appended = self.log.write_all(self.unwritten.as_bytes()).and_then(|()| self.log.sync_data());
+            appended.map_err(|error| {
+                // Half a session would make the log unreadable.
+                let _ = self.log.set_len(start);
+                cannot(log_path, "written to", error)
+            })?;
+        }
+        let end = start.saturating_add(std::mem::take(&mut self.unwritten).len() as u64);
+        if let Some(model) = self.newest.take() {
+            let written = write_whole(model_path, &model);
+            *if written.is_ok() { &mut self.model } else { &mut self.newest } = Some(model);
+            written.map_err(|error| cannot(model_path, "written to", error))?;
+        }
+        Ok(end)
     }
 
     /// Takes the last session that was learned from, since the files were opened, out of both files. Gives the model of before, `None`
@@ -164,6 +219,9 @@ impl Kept {
     /// A [`Failure`] that names the file; what was written then stays.
     pub fn take_back(&mut self) -> Result<Option<Option<Vec<u8>>>, Failure> {
         let Places { model: model_path, log: log_path } = &self.places;
+        if self.is_behind() {
+            return Err(cannot(model_path, "changed", "the last session could not be written yet"));
+        }
         let Some(last) = self.written.last() else { return Ok(None) };
         let mut log = std::fs::read(log_path).map_err(|error| cannot(log_path, "read", error))?;
         let start = usize::try_from(last.start).unwrap_or(usize::MAX);
@@ -231,6 +289,35 @@ mod tests {
         assert_eq!(kept.take_back().unwrap(), Some(None));
         assert!(!kept.places.model.exists());
         assert_eq!(kept.take_back().unwrap(), None);
+    }
+
+    #[test]
+    fn what_had_no_room_on_the_disk_is_written_when_there_is_room_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let (mut kept, _) = Kept::open(places(&folder)).unwrap();
+        kept.keep(&session(), Some(b"first".to_vec())).unwrap();
+        // A folder in the place of the model cannot be written over.
+        std::fs::remove_file(&kept.places.model).unwrap();
+        std::fs::create_dir_all(kept.places.model.join("full")).unwrap();
+        assert!(kept.keep(&session(), Some(b"second".to_vec())).is_err());
+        assert!(kept.take_back().unwrap_err().to_string().contains("could not be written yet"));
+        std::fs::remove_dir_all(&kept.places.model).unwrap();
+        kept.write_what_is_left().unwrap();
+        assert_eq!(std::fs::read(&kept.places.model).unwrap(), b"second");
+        assert_eq!(std::fs::read_to_string(&kept.places.log).unwrap(), SESSION.repeat(2));
+    }
+
+    #[test]
+    fn what_a_stopped_program_left_unfinished_is_removed_at_the_next_start() {
+        let folder = tempfile::tempdir().unwrap();
+        let names = || std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        for name in [".robot.goodbot.Ab3dEf.part", ".robot.jsonl.x.part", ".other.goodbot.x.part", "robot.goodbot.part"] {
+            std::fs::write(folder.path().join(name), b"half").unwrap();
+        }
+        drop(Kept::open(places(&folder)).unwrap());
+        let mut left: Vec<String> = names().collect();
+        left.sort();
+        assert_eq!(left, [".other.goodbot.x.part", "robot.goodbot.part"]);
     }
 
     #[test]

@@ -41,12 +41,16 @@ pub enum Intent {
     Silence,
     /// Yes, to a question.
     Yes,
+    /// No, to a question.
+    No,
     /// This one, to a question, by number from 1 on.
     Choose(u8),
     /// Wait, or go on.
     Pause,
     /// One step.
     Step,
+    /// Note in the log that the likeliest guess is what is meant.
+    Meant,
     /// End the session and learn from it.
     Finish,
     /// End the session and do not learn from it.
@@ -154,7 +158,9 @@ fn as_key(code: KeyCode) -> Option<Intent> {
         KeyCode::Char('y') => Intent::Yes,
         KeyCode::Char(digit @ '1'..='3') => Intent::Choose(digit.to_digit(10)? as u8),
         KeyCode::Char('p') => Intent::Pause,
-        KeyCode::Char('n') => Intent::Step,
+        KeyCode::Char('n') => Intent::No,
+        KeyCode::Char('o') => Intent::Step,
+        KeyCode::Char('m') => Intent::Meant,
         KeyCode::Char('f') => Intent::Finish,
         KeyCode::Char('d') => Intent::Drop,
         KeyCode::Char('u') => Intent::Undo,
@@ -197,6 +203,12 @@ mod tests {
         assert_eq!(pressed(KeyCode::Right, Focus::Keys, true), Some(Intent::Good));
         // No word has a question mark, and in the tour a command stands there already.
         assert_eq!(pressed(KeyCode::Char('?'), Focus::Command, false), Some(Intent::Explain));
+    }
+
+    #[test]
+    fn no_is_no_step() {
+        assert_eq!(pressed(KeyCode::Char('n'), Focus::Keys, true), Some(Intent::No));
+        assert_eq!(pressed(KeyCode::Char('o'), Focus::Keys, true), Some(Intent::Step));
     }
 
     #[test]

@@ -28,7 +28,7 @@ use clap::{Args, ValueHint};
 use classroom::Classroom;
 use goodbot_console::believes::Believes;
 use goodbot_console::load::input;
-use goodbot_console::messages::{counted, is_colored};
+use goodbot_console::messages::{counted, is_colored, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::Output;
 use goodbot_formats::environment::EnvironmentFile;
@@ -139,7 +139,8 @@ fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
     let learned = visit.classroom.trainer.lessons_learned();
     if let Some(kept) = visit.classroom.kept().filter(|_| learned > 0) {
         // Where the window was closed nobody reads this.
-        let told = counted(learned, "session");
+        let all = counted(learned, "session");
+        let told = if kept.sessions() < learned { format!("{all}, and the file has {} of them", kept.sessions()) } else { all };
         let _ = writeln!(stdout(), "It has learned from {told}: {}", kept.places().model.display());
     }
     written.map_err(|refusal| Failure::Result(refusal.0))?;
@@ -190,7 +191,17 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let kept = places.map(Kept::open).transpose()?;
     let learned = kept.iter().flat_map(|(_, past)| past.learned.iter().map(String::as_str));
     let tour = options.tour.then(|| Tour::new(options.seed, learned));
+    let in_log = kept.as_ref().map_or(0, |(_, past)| past.taught);
     let mut classroom = Classroom::new(trainer, kept, tour).map_err(refuse)?;
+    let known = classroom.trainer.lessons_learned();
+    if let Some(Places { model, log }) = classroom.kept().map(Kept::places).filter(|_| known < in_log) {
+        let (model, log) = (model.display(), log.display());
+        say!(
+            "{log} has {} that taught something, and {model} knows {known}: the others gave way to newer ones, or the program was stopped while it \
+             wrote. goodbot learn {log} --out NEW learns from all",
+            counted(in_log, "session")
+        );
+    }
     classroom.wanted = options.wanted.as_deref().map(wanted).transpose()?.unwrap_or_default();
     Ok(classroom)
 }

@@ -8,6 +8,7 @@ mod ask;
 mod check;
 mod evaluate;
 mod examples;
+mod first_hour;
 mod help;
 mod language;
 mod merge;

@@ -87,7 +87,7 @@ fn what_is_no_program_for_a_micro_bit_or_no_model_for_it_is_refused() {
     let folder = folder();
     for (arguments, problem) in [
         (&["--hex", "LOG", "-m", "MODEL"][..], "no Intel HEX"),
-        (&["--hex", "MODEL", "-m", "MODEL"], "cannot be read as text"),
+        (&["--hex", "MODEL", "-m", "MODEL"], "is no micro:bit program"),
         (&["--hex", "HEX", "-m", "HEX"], "not a goodbot model"),
         (&["--hex", "HEX", "-m", "MODEL", "-c", " "], "no command"),
     ] {

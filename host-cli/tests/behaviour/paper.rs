@@ -39,7 +39,7 @@ fn with_no_argument_one_run_is_told_as_a_story_and_no_file_is_written() {
         "Trainer: \"take the yellow bag to the red room\"",
         "good bot",
         "bad bot",
-        "  <- expected",
+        "  <- meant",
         "\"take the purple chair to the green room\": right",
         "5 of 5 right",
         "colorGreen     green",

@@ -35,10 +35,10 @@ pub struct QuestionsOptions {
     #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = goodbot_console::numbers::seed)]
     seed: u64,
     /// What a question costs, in steps
-    #[arg(long, value_name = "STEPS", value_delimiter = ',', default_value = "2,4,8,15,20")]
+    #[arg(long, value_name = "STEPS", value_delimiter = ',', default_value = "2,4,8,15,20", value_parser = goodbot_console::numbers::cost)]
     kappa: Vec<f32>,
     /// How often an answer is wrong
-    #[arg(long, value_name = "SHARE", value_delimiter = ',', default_value = "0.05")]
+    #[arg(long, value_name = "SHARE", value_delimiter = ',', default_value = "0.05", value_parser = goodbot_console::numbers::wrong_share)]
     eta: Vec<f32>,
     /// Who trains
     #[arg(long, value_enum, value_delimiter = ',', default_value = "balanced,punish-only,real")]

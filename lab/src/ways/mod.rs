@@ -51,7 +51,7 @@ pub struct WaysOptions {
     #[arg(long, value_name = "N", default_value = "20", value_parser = tests, allow_negative_numbers = true)]
     tests: usize,
     /// What a question costs the robot that asks, in steps
-    #[arg(long, value_name = "STEPS", default_value = "4")]
+    #[arg(long, value_name = "STEPS", default_value = "4", value_parser = goodbot_console::numbers::cost)]
     kappa: f32,
     /// Print a line of JSON for each test
     #[arg(long)]

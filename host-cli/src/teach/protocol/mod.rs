@@ -3,6 +3,7 @@
 mod lines;
 
 use crate::teach::classroom::Classroom;
+use crate::teach::kept::Kept;
 use crate::teach::lessons::random_home;
 use crate::teach::next_lesson::Next;
 use crate::teach::trainer::Judged;
@@ -52,6 +53,7 @@ const REQUESTS: &[(&str, &str)] = &[
         "answer yes|no|NUMBER",
         "answer the question that it asked last; where there is something to choose, by number, or no for none of these",
     ),
+    ("intended TASK", "note in the log what the command means, as its task or in words; nothing is learned from it"),
     ("auto", "let a simulated trainer judge the last step; in lessons of the tour"),
     ("back", "take back the last step and what was said to it"),
     ("finish", "end the session and learn from it"),
@@ -139,6 +141,7 @@ impl Speaker<'_> {
             "command" => self.command(rest),
             "home" => self.home(rest),
             "answer" => self.reply(rest),
+            "intended" => self.intended(rest),
             _ if !rest.is_empty() => Err(Misunderstood {
                 message: if is_request(request) {
                     format!("{request:?} stands alone on its line")
@@ -186,7 +189,7 @@ impl Speaker<'_> {
         let failure = self.classroom.leave().err();
         let places = self.classroom.kept().map(|kept| kept.places());
         let mut bye = json!({
-            "type": "bye", "sessions": self.classroom.trainer.lessons_learned(),
+            "type": "bye", "sessions": self.classroom.trainer.lessons_learned(), "kept": self.classroom.kept().map(Kept::sessions),
             "model": places.map(|places| places.model.display().to_string()),
             "log": places.map(|places| places.log.display().to_string()),
         });
@@ -316,6 +319,12 @@ impl Speaker<'_> {
         Ok(vec![told])
     }
 
+    fn intended(&mut self, task: &str) -> Answers {
+        let instead = "send intended and one of the tasks, such as: intended go to the red room";
+        let meant = self.classroom.mean(Some(task)).map_err(|refusal| Misunderstood { message: refusal.0, instead })?;
+        Ok(vec![json!({"type": "intended", "task": meant.name, "words": meant.words})])
+    }
+
     fn next_lesson(&self) -> Answers {
         let none = |reason: &str| json!({"type": "next", "command": null, "reason": reason});
         Ok(vec![match self.classroom.next_lesson()? {
@@ -333,8 +342,9 @@ impl Speaker<'_> {
 
     fn auto(&mut self) -> Answers {
         let feedback = self.classroom.trainer.simulated_word().ok_or(Misunderstood {
-            message: "a simulated trainer judges only steps in lessons of the tour, where it knows what is meant".to_owned(),
-            instead: "send good, bad or silence; or start with --tour, then send command and step",
+            message: "a simulated trainer judges only steps where it knows what is meant: in lessons of the tour, or after intended"
+                .to_owned(),
+            instead: "send good, bad or silence; or send intended and the task first",
         })?;
         self.judge(feedback)
     }

@@ -143,7 +143,7 @@ fn keys(visit: &Visit) -> Vec<(&'static str, &'static str)> {
         (Focus::Keys, _) if visit.tested().is_some() => vec![("enter", "next"), ("s", "speed"), ("?", "explain"), ("q", "leave")],
         (Focus::Keys, _) => {
             let mut keys =
-                vec![("g", "good"), ("b", "bad"), ("f", "finish"), ("p", if visit.paused { "go on" } else { "pause" }), ("n", "step")];
+                vec![("g", "good"), ("b", "bad"), ("f", "finish"), ("p", if visit.paused { "go on" } else { "pause" }), ("o", "step")];
             keys.extend([("u", "undo"), ("d", "drop")]);
             keys.extend(visit.stop().map(|_| ("a", "auto")));
             keys.extend([("?", "explain"), ("q", "leave")]);

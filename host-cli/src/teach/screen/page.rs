@@ -10,12 +10,14 @@ use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Clear, Paragraph, Wrap};
 
-const KEYS: [(&str, &str); 15] = [
+const KEYS: [(&str, &str); 17] = [
     ("g → ↑", "good: its last step was right"),
     ("b ←", "bad: its last step was wrong"),
     ("space ↓", "neither; go on"),
     ("p", "pause, and go on"),
-    ("n", "one step; in a test: the next one"),
+    ("o", "one step; in a test: the next one"),
+    ("y, n, 1-3", "answer its question: yes, no, or by number"),
+    ("m", "note in the log that its best guess is what you mean"),
     ("f", "finish, and learn from this session"),
     ("d", "drop: finish, and do not learn from it"),
     ("u", "undo the last step; between sessions, what the last one taught"),

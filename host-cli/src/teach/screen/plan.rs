@@ -19,7 +19,7 @@ pub fn wanted(scene: &Scene) -> (u16, u16) {
     (u16::try_from(columns).unwrap_or(u16::MAX).max(LEAST_COLUMNS), u16::try_from(rows).unwrap_or(u16::MAX))
 }
 
-/// A letter for each word, its own where there are enough: the first of its letters that no word before it has.
+/// A letter for each word, of its own while there are any: the first of its letters, or else of the alphabet, that no word before it has.
 fn letters<'a>(words: impl Iterator<Item = &'a str>) -> Vec<(&'a str, char)> {
     let mut letters: Vec<(&str, char)> = Vec::new();
     for word in words {
@@ -27,7 +27,7 @@ fn letters<'a>(words: impl Iterator<Item = &'a str>) -> Vec<(&'a str, char)> {
             continue;
         }
         let free = |letter: &char| letters.iter().all(|(_, taken)| taken != letter);
-        let letter = word.chars().flat_map(char::to_lowercase).find(free).or_else(|| word.chars().next()).unwrap_or('.');
+        let letter = word.chars().flat_map(char::to_lowercase).chain('a'..='z').find(free).unwrap_or('.');
         letters.push((word, letter));
     }
     letters
@@ -138,7 +138,7 @@ mod tests {
     #[test]
     fn words_that_begin_alike_have_letters_of_their_own() {
         assert_eq!(letters(["bag", "basket", "backpack", "bag"].into_iter()), [("bag", 'b'), ("basket", 'a'), ("backpack", 'c')]);
-        assert_eq!(letters(["a", "a", "aa"].into_iter()), [("a", 'a'), ("aa", 'a')]);
+        assert_eq!(letters(["a", "a", "aa"].into_iter()), [("a", 'a'), ("aa", 'b')]);
     }
 
     #[test]

@@ -28,6 +28,7 @@ use goodbot::talk::{ClosedWords, Hypothesis, Verdict};
 use goodbot::task::LiftedTask;
 use goodbot_console::believes::Believes;
 use goodbot_console::lessons::restored::room_for;
+use goodbot_console::refusal::InWords;
 use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
 use goodbot_course::next_lesson::times_heard;
@@ -49,8 +50,8 @@ impl fmt::Display for Refusal {
 }
 
 /// An error of the core as a refusal.
-pub fn refused(error: impl fmt::Display) -> Refusal {
-    Refusal(error.to_string())
+pub fn refused(error: impl InWords) -> Refusal {
+    Refusal(error.in_words())
 }
 
 fn no_session() -> Refusal {
@@ -147,6 +148,11 @@ impl Trainer {
     /// The position of the task that the trainer means, where that is known.
     pub fn intended(&self) -> Option<usize> {
         self.intended.filter(|_| self.lesson.is_under_way())
+    }
+
+    /// Notes what is meant by the command under way, by position.
+    pub fn mean(&mut self, position: usize) {
+        self.intended = Some(position);
     }
 
     /// How many sessions the robot has learned from.

@@ -232,14 +232,18 @@ impl Visit {
             _ if !in_session => self.message = "Nothing is under way; press enter and say what to do.".to_owned(),
             Intent::Pause => {
                 self.paused = !self.paused;
-                self.message = if self.paused { "Paused: n takes one step, p goes on." } else { "" }.to_owned();
+                self.message = if self.paused { "Paused: o takes one step, p goes on." } else { "" }.to_owned();
                 if let (false, Phase::Waiting(_)) = (self.paused, self.phase) {
                     self.phase = Phase::Waiting(Some(now));
                 }
             }
             Intent::Yes => self.answer(Answer::Yes)?,
             Intent::Choose(number) => self.answer(Answer::This(number.saturating_sub(1)))?,
-            Intent::Step if self.classroom.trainer.open_question().is_some() => self.answer(Answer::No)?,
+            Intent::No => self.answer(Answer::No)?,
+            Intent::Meant => {
+                let meant = self.classroom.mean(None)?;
+                self.message = format!("Noted in the log, and never learned from: you mean \"{}\".", meant.words);
+            }
             Intent::Step if self.tested.is_some() => self.pass_test()?,
             Intent::Step => {
                 self.paused = self.pace != Pace::Step;
@@ -388,7 +392,7 @@ impl Visit {
             (self.paused, self.auto, self.word_at) = (true, false, None);
             let taken = self.classroom.trainer.take_back()?;
             self.message =
-                if taken { "One step back. n takes the next step, p goes on." } else { "There is no step to take back." }.to_owned();
+                if taken { "One step back. o takes the next step, p goes on." } else { "There is no step to take back." }.to_owned();
             if taken {
                 (self.phase, self.stepping) = (Phase::Planning, false);
             }

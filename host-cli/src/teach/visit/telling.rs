@@ -7,6 +7,9 @@ use goodbot::feedback::Feedback;
 use goodbot::planning::OptimalSet;
 use goodbot::talk::Hypothesis;
 
+/// From here on a step is right for all guesses, and a guess the only one.
+const ALL: f32 = 0.995;
+
 /// What came of words for which there is nothing to do.
 pub fn declined(heard: &Heard) -> String {
     match heard {
@@ -18,6 +21,11 @@ pub fn declined(heard: &Heard) -> String {
 }
 
 impl Visit {
+    /// Whether several tasks may still be meant.
+    fn is_undecided(&self) -> bool {
+        self.classroom.trainer.meanings().first().is_some_and(|best| best.probability < ALL)
+    }
+
     /// What the robot did last, and what was said to that.
     pub fn told(&self) -> String {
         // Not the likeliest now: a word to its step may have changed that.
@@ -35,6 +43,9 @@ impl Visit {
                     OptimalSet::DeadEnd(_) => "It cannot do what it thinks is meant any more, so it stays.".to_owned(),
                     OptimalSet::Unknown => "This home is too large for its plan, so it stays.".to_owned(),
                     OptimalSet::Approximate(_) => format!("It {}: not the shortest way, perhaps.", action_words(&acted.action)),
+                    OptimalSet::Toward(_) if acted.confidence > ALL && self.is_undecided() => {
+                        format!("It {}: that is right whichever of its guesses you mean.", action_words(&acted.action))
+                    }
                     OptimalSet::Toward(_) => format!("It {}, and is {sure} sure that this is right.", action_words(&acted.action)),
                 };
                 let who = if self.auto { "The simulated trainer" } else { "You" };

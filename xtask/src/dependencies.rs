@@ -1,0 +1,57 @@
+//! Which crates the project depends on, and that docs/dependencies.md says why.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use anyhow::{Context, Result};
+use serde_json::Value;
+use xshell::cmd;
+
+use crate::process::shell;
+
+/// The manifests of all workspaces.
+const MANIFESTS: [&str; 6] = [
+    "Cargo.toml",
+    "fuzz/Cargo.toml",
+    "firmware/Cargo.toml",
+    "firmware/drill/Cargo.toml",
+    "firmware/embassy/Cargo.toml",
+    "firmware/microbit/Cargo.toml",
+];
+
+/// Every direct dependency that is none of the project's own crates, with the crates that have it.
+fn direct() -> Result<BTreeMap<String, BTreeSet<String>>> {
+    let sh = shell()?;
+    let (mut own, mut direct) = (BTreeSet::new(), BTreeMap::<String, BTreeSet<String>>::new());
+    for manifest in MANIFESTS {
+        let metadata = cmd!(sh, "cargo metadata --offline --no-deps --format-version 1 --manifest-path {manifest}").quiet().read()?;
+        let metadata: Value = serde_json::from_str(&metadata)?;
+        for package in metadata["packages"].as_array().context("cargo tells packages")? {
+            let name = package["name"].as_str().unwrap_or_default();
+            own.insert(name.to_owned());
+            for dependency in package["dependencies"].as_array().into_iter().flatten() {
+                let dependency = dependency["name"].as_str().unwrap_or_default();
+                direct.entry(dependency.to_owned()).or_default().insert(name.to_owned());
+            }
+        }
+    }
+    direct.retain(|name, _| !own.contains(name));
+    Ok(direct)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::process::root;
+
+    #[test]
+    fn each_direct_dependency_has_its_reason_and_no_reason_is_left_over() {
+        let document = std::fs::read_to_string(root().join("docs/dependencies.md")).unwrap();
+        let row = |line: &str| line.strip_prefix("| `")?.split_once('`').map(|(name, _)| name.to_owned());
+        let explained: BTreeSet<String> = document.lines().filter_map(row).collect();
+        let direct = direct().unwrap();
+        let unexplained: Vec<_> = direct.iter().filter(|(name, _)| !explained.contains(*name)).collect();
+        assert!(unexplained.is_empty(), "say in docs/dependencies.md why they are there: {unexplained:?}");
+        let left: Vec<_> = explained.iter().filter(|name| !direct.contains_key(*name)).collect();
+        assert!(left.is_empty(), "no crate depends on them, so take them out of docs/dependencies.md: {left:?}");
+    }
+}
