@@ -8,7 +8,7 @@
 use core::cmp::Reverse;
 use goodbot::Agent;
 use goodbot::capacity::CapacityError;
-use goodbot::language::{Model, for_each_piece, for_each_word, word_form};
+use goodbot::language::{for_each_word, word_form};
 use goodbot::memory::AgentMemory;
 use goodbot::symbols::Symbol;
 
@@ -143,6 +143,5 @@ fn has(agent: &Agent<impl AgentMemory>, sentence: &[Symbol], word: &str) -> bool
         all &= known.is_some_and(|piece| sentence.contains(&piece));
         Ok(())
     };
-    let cut = if options.model == Model::Roles { for_each_piece(word, take) } else { for_each_word(word, take) };
-    cut.is_ok() && any && all
+    options.model.for_each_word(word, take).is_ok() && any && all
 }

@@ -843,11 +843,12 @@ impl Agent {
                 .explain(domain, task, |word, meaning, share| told.push((word, meaning, share))));
             mind.settled(py, &place, result)?;
             let mut words = Vec::new();
-            goodbot::language::for_each_word(&mind.command, |word| {
+            let model = mind.core.options().language.model;
+            let take = |word: &str| {
                 words.push((word.to_owned(), PyDict::new(py)));
                 Ok(())
-            })
-            .map_err(|refused| error::full(py, refused))?;
+            };
+            model.for_each_word(&mind.command, take).map_err(|refused| error::full(py, refused))?;
             let tokens = mind.core.language().tokens();
             for (word, meaning, share) in told.into_iter().filter(|(_, _, share)| *share > 0.0) {
                 let name = match meaning {

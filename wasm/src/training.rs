@@ -5,7 +5,6 @@
 
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy, population};
 use goodbot::home::{Home, HomeState, Place, ROOM};
-use goodbot::language::{Model, for_each_piece, for_each_word};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Domain;
 use goodbot::planning::{Judgement, OptimalSet, Progress};
@@ -328,12 +327,7 @@ impl World {
             support.words.push(word.to_owned());
             Ok(())
         };
-        let split = if self.agent().options().language.model == Model::Roles {
-            for_each_piece(command, take)
-        } else {
-            for_each_word(command, take)
-        };
-        split.map_err(Refusal::from)?;
+        self.agent().options().language.model.for_each_word(command, take).map_err(Refusal::from)?;
         Ok(support)
     }
 

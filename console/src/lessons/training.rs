@@ -6,7 +6,6 @@ use goodbot::AgentError;
 use goodbot::Capacities;
 use goodbot::capacity::CapacityError;
 use goodbot::language::Model;
-use goodbot::language::for_each_word;
 use goodbot::language::{LanguageModel, LanguageRef, Settings};
 use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::planning::Progress;
@@ -30,14 +29,17 @@ pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
     let (mut words, mut tokens, mut commands) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
     let (mut lengths, mut sentence_words, mut pairs) = (BTreeSet::new(), 0, 0);
     for lesson in lessons {
-        let mut count = 0;
-        // A command that is too long was refused when the session was read.
-        let _ = for_each_word(&lesson.command, |word| {
-            words.insert(word.to_owned());
-            count += 1;
-            Ok(())
+        // As either model hears it. A command that is too long was refused when the session was read.
+        let [count, pieces] = [Model::Model2, Model::Roles].map(|model| {
+            let mut count = 0;
+            let _ = model.for_each_word(&lesson.command, |word| {
+                words.insert(word.to_owned());
+                count += 1;
+                Ok(())
+            });
+            count
         });
-        sentence_words += count;
+        sentence_words += pieces.max(count);
         pairs += lesson.pairs.len();
         for (command, _) in &lesson.pairs {
             lengths.insert((command.len(), count));

@@ -1,6 +1,7 @@
 //! The language model (paper, section 3): how words are explained by machine tokens.
 //!
 //! - `tokenizer`: a command as words;
+//! - [`unspaced`]: words of scripts without spaces;
 //! - `bitext`: the training data, pairs of an English command and a machine command, each with a weight;
 //! - `spelling`: which words are variants of one;
 //! - `synonyms`: which words a table says mean the same;
@@ -25,6 +26,7 @@ pub(crate) mod synonyms;
 pub(crate) mod tables;
 pub(crate) mod tokenizer;
 pub(crate) mod training;
+pub mod unspaced;
 
 pub use bitext::{BitextRef, BitextTables, BitextTablesRef, Pair, Span};
 pub use ibm2::LengthPair;

@@ -9,7 +9,7 @@ use super::roles::forward::{Reading, likelihood_on};
 use super::settings::{Model, SettingError, Settings, is_weight};
 use super::spelling::variant;
 use super::tables::{ParameterTables, ParameterTablesRef, Tables, TablesRef, Trained, Wanted};
-use super::tokenizer::{Sentence, for_each_piece, for_each_word, word_form};
+use super::tokenizer::{Sentence, word_form};
 use super::training::Training;
 use super::{ibm2, roles};
 use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
@@ -385,10 +385,7 @@ impl<'t> LanguageMut<'t> {
             let symbol = self.take_word(word, learned).ok();
             sentence.push(symbol).map_err(|_| CapacityError::full(Capacity::WordsPerCommand, WORDS_PER_COMMAND))
         };
-        match model {
-            Model::Model2 => for_each_word(command, take),
-            Model::Roles => for_each_piece(command, take),
-        }
+        model.for_each_word(command, take)
     }
 
     /// Adds one session to the training data: its English command with each of `pairs`, a machine command and its weight. A weight that is

@@ -115,7 +115,7 @@ pub enum SynonymError<'t> {
         /// Both lines, the first being 1.
         lines: [usize; 2],
     },
-    /// This is not one word in lower case.
+    /// This is not heard as one word in lower case.
     NotAWord {
         /// What stands there.
         word: &'t str,
@@ -131,7 +131,7 @@ impl fmt::Display for SynonymError<'_> {
                 write!(f, "\"{word}\" stands in line {first} and in line {second}: leave it in one of them")
             }
             Self::NotAWord { word, line } => {
-                write!(f, "line {line}: \"{word}\" is not one word in lower case without punctuation; write it as one, or leave it out")
+                write!(f, "line {line}: \"{word}\" is not heard as one word; write one in lower case without punctuation, or leave it out")
             }
         }
     }

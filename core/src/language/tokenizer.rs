@@ -3,6 +3,8 @@
 //! Without the feature `unicode`, which costs 4.6 KB in the course for a Cortex-M4F, only ASCII letters become lower case, and every
 //! character beyond ASCII that is no blank and no common punctuation counts as a letter.
 
+use super::settings::Model;
+use super::unspaced::cut;
 use crate::capacity::{Capacity, CapacityError, NAME_BYTES, WORDS_PER_COMMAND};
 use crate::symbols::Symbol;
 use heapless::{String, Vec};
@@ -38,13 +40,16 @@ pub fn for_each_word(command: &str, mut take: impl FnMut(&str) -> Result<(), Cap
 }
 
 /// Gives each word of `command` to `take`, as the role model hears it: in lower case, without the punctuation of any script, and what a
-/// hyphen joins apart.
+/// hyphen joins apart. Scripts without spaces between words are cut as [`unspaced`](super::unspaced) says.
 ///
 /// ```
 /// use goodbot::language::for_each_piece;
 /// let mut words = vec![];
 /// for_each_piece("don't go: the ‘tan-coloured’ room！", |word| { words.push(word.to_string()); Ok(()) })?;
 /// assert_eq!(words, ["don't", "go", "the", "tan", "coloured", "room"]);
+/// words.clear();
+/// for_each_piece("去 red 的房间。", |word| { words.push(word.to_string()); Ok(()) })?;
+/// assert_eq!(words, ["去", "red", "的", "房", "间"]);
 /// # Ok::<(), goodbot::capacity::CapacityError>(())
 /// ```
 ///
@@ -58,6 +63,19 @@ pub fn for_each_piece(command: &str, mut take: impl FnMut(&str) -> Result<(), Ca
     pieces(command).try_for_each(|word| take(&lower_case(word)?))
 }
 
+impl Model {
+    /// Gives each word of `command` to `take` as this model hears it: Model 2 by [`for_each_word`], the role model by [`for_each_piece`].
+    ///
+    /// # Errors
+    /// As those.
+    pub fn for_each_word(self, command: &str, take: impl FnMut(&str) -> Result<(), CapacityError>) -> Result<(), CapacityError> {
+        match self.in_use() {
+            Self::Model2 => for_each_word(command, take),
+            Self::Roles => for_each_piece(command, take),
+        }
+    }
+}
+
 /// Where a word of [`for_each_piece`] begins in a command, in bytes. `None` where there are fewer words.
 #[cfg(feature = "talk")]
 pub(crate) fn start_of_piece(command: &str, position: usize) -> Option<usize> {
@@ -66,7 +84,7 @@ pub(crate) fn start_of_piece(command: &str, position: usize) -> Option<usize> {
 
 fn pieces(command: &str) -> impl Iterator<Item = &str> {
     let words = command.split(|letter| !is_of_word(letter)).map(|word| word.trim_matches(is_apostrophe));
-    words.filter(|word| word.chars().any(is_alphanumeric))
+    words.flat_map(cut).filter(|word| word.chars().any(is_alphanumeric))
 }
 
 #[cfg(feature = "unicode")]
@@ -202,8 +220,8 @@ mod tests {
             ("«die tasse» … „bitte“ – ‘so’", "die tasse bitte so"),
             ("कप लाओ।", "कप लाओ"),
             ("الكوب، من فضلك؟", "الكوب من فضلك"),
-            ("把杯子 拿来。", "把杯子 拿来"),
-            ("カップ！ 「はい」", "カップ はい"),
+            ("把 杯子 拿。", "把 杯子 拿"),
+            ("カップ！ 「は」", "カップ は"),
             ("գավաթը։", "գավաթը"),
             ("ኩባያ።", "ኩባያ"),
         ] {

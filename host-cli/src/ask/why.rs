@@ -2,7 +2,6 @@
 //!
 //! All that is said of single words comes from [`words`]: another language model needs another function here and nothing else.
 
-use goodbot::language::for_each_word;
 use goodbot::language::{Meaning, Model};
 use goodbot::memory::AgentMemory;
 use goodbot::oomdp::{Domain, Schema};
@@ -51,7 +50,7 @@ pub fn words<D: Domain>(
         _ => Some(command),
     };
     let Some(best) = commands.into_iter().fold(None, likelier) else { return Ok(vec![]) };
-    let said = said(command);
+    let said = said(Model::Model2, command);
     let word = |(position, it): (usize, training::Explained)| Word {
         word: said.get(position).cloned().unwrap_or(it.word),
         token: if it.probability.is_some() { it.token } else { "never heard".to_owned() },
@@ -82,7 +81,7 @@ fn words_by_roles<D: Domain>(
             *slot = probability;
         }
     });
-    let (said, schema) = (said(command), domain.world().schema);
+    let (said, schema) = (said(Model::Roles, command), domain.world().schema);
     let word = |position: usize, word: Option<Symbol>, meaning: Option<(Meaning, f32)>| {
         let heard = word.filter(|word| word.index() < language.tables().words());
         let token = match meaning.filter(|_| heard.is_some()) {
@@ -114,11 +113,11 @@ fn role_name(schema: &Schema<'_>, role: Role) -> String {
     }
 }
 
-/// The words of a command, whole.
-pub fn said(command: &str) -> Vec<String> {
+/// The words of a command, whole, as a model hears them.
+fn said(model: Model, command: &str) -> Vec<String> {
     let mut words = Vec::new();
     // What is too long was refused when it was heard.
-    let _ = for_each_word(command, |word| {
+    let _ = model.for_each_word(command, |word| {
         words.push(word.to_owned());
         Ok(())
     });

@@ -2,7 +2,7 @@
 
 use super::SizeOptions;
 use goodbot::home::{Home, HomeState, Moves};
-use goodbot::language::{Model, for_each_piece, for_each_word};
+use goodbot::language::Model;
 use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::session::Lessons;
 use goodbot::snapshot::most_bytes;
@@ -125,11 +125,7 @@ fn to_keep(options: &SizeOptions, log: &[Lesson], model: Model) -> Result<Lesson
             count += 1;
             Ok(())
         };
-        let taken = match model {
-            Model::Model2 => for_each_word(&lesson.command, take),
-            Model::Roles => for_each_piece(&lesson.command, take),
-        };
-        taken.map_err(|error| Failure::Input(format!("{}: {error}", lesson.id)))?;
+        model.for_each_word(&lesson.command, take).map_err(|error| Failure::Input(format!("{}: {error}", lesson.id)))?;
         most = most.max(count);
     }
     Ok(Lessons {

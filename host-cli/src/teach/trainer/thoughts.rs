@@ -3,7 +3,6 @@
 use super::{Refusal, Trainer, no_session, refused};
 use crate::teach::plain_names::{task_words, token_words};
 use goodbot::language::Model;
-use goodbot::language::for_each_word;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
 use goodbot::task::GroundedTask;
@@ -103,11 +102,15 @@ impl Trainer {
             }
         }
         let mut said = Vec::new();
-        for_each_word(command, |word| {
-            said.push(word.to_owned());
-            Ok(())
-        })
-        .map_err(refused)?;
+        agent
+            .options()
+            .language
+            .model
+            .for_each_word(command, |word| {
+                said.push(word.to_owned());
+                Ok(())
+            })
+            .map_err(refused)?;
         let support = |((word, row), heard): ((String, Vec<Scaled>), &Option<Symbol>)| {
             let whole = total(row.iter().copied());
             let even = 1.0 / row.len().max(1) as f32;
