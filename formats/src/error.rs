@@ -161,6 +161,10 @@ pub enum Problem {
     OnlyWithIntended,
     /// A field that a session with `continues` cannot have.
     NotWithContinues,
+    /// A field that a session with `utterance` cannot have.
+    NotWithUtterance,
+    /// The command before, without what was said.
+    OnlyWithUtterance,
     /// A session with `continues` and another command or environment than the one before.
     ContinuesAnother,
     /// A session with `continues` after a session that could not be read.
@@ -277,6 +281,8 @@ impl fmt::Display for Problem {
             Problem::NotWithContinues => {
                 f.write_str("does not belong in a session that continues the one before; remove it, or remove \"continues\"")
             }
+            Problem::NotWithUtterance => f.write_str("does not belong where the robot listened; remove it, or remove \"utterance\""),
+            Problem::OnlyWithUtterance => f.write_str("is the task of the command before; write \"utterance\" too, or remove it"),
             Problem::ContinuesAnother => f.write_str("the session before has another command or environment; remove \"continues\""),
             Problem::ContinuesUnread => {
                 f.write_str("the session before could not be read, so nothing can be continued; mend that one first")

@@ -3,7 +3,7 @@
 use crate::fault::{Fault, quoted};
 use crate::home;
 use crate::name::task_name;
-use crate::walk::{Expected, SessionAnswer, Step, Walk};
+use crate::walk::{Expected, Listening, SessionAnswer, Step, Walk};
 use goodbot::capacity::{Capacity, CapacityError, PROPOSITIONS_PER_TASK};
 use goodbot::feedback::Feedback;
 use goodbot::home::{Home, HomeState, Moves, SCHEMA};
@@ -85,6 +85,7 @@ pub fn check<M: HomeMemory>(
     let meant = header.meant().and_then(Result::ok);
     let walk = Walk {
         command: header.command.clone(),
+        listening: checker.listening(&home, &start, lifted),
         kind: header.kind,
         continues: header.continues,
         header_line: recorded.header_line,
@@ -122,19 +123,38 @@ pub fn check_steps<M: HomeMemory>(
 
 impl Checker<'_> {
     fn command(&mut self) {
-        let mut words = 0_usize;
-        let counted = for_each_word(&self.recorded.header.command, |_| {
-            words += 1;
-            Ok(())
-        });
-        match counted {
-            Err(CapacityError { capacity: Capacity::WordsPerCommand, limit, given }) => {
-                self.fault("command", format!("has {given} words, and {limit} are the most; shorten it"));
+        let header = &self.recorded.header;
+        let said = header.utterance.iter().map(|utterance| ("utterance", utterance));
+        for (field, text) in std::iter::once(("command", &header.command)).chain(said) {
+            let mut words = 0_usize;
+            let counted = for_each_word(text, |_| {
+                words += 1;
+                Ok(())
+            });
+            match counted {
+                Err(CapacityError { capacity: Capacity::WordsPerCommand, limit, given }) => {
+                    self.fault(field, format!("has {given} words, and {limit} are the most; shorten it"));
+                }
+                Err(CapacityError { limit, .. }) => self.fault(field, format!("has a word of more than {limit} bytes; shorten it")),
+                Ok(()) if words == 0 => self.fault(field, AgentError::EmptyCommand),
+                Ok(()) => {}
             }
-            Err(CapacityError { limit, .. }) => self.fault("command", format!("has a word of more than {limit} bytes; shorten it")),
-            Ok(()) if words == 0 => self.fault("command", AgentError::EmptyCommand),
-            Ok(()) => {}
         }
+    }
+
+    /// How the session began where the robot listened.
+    fn listening(&mut self, home: &Home<impl HomeMemory>, start: &HomeState, lifted: &[LiftedTask]) -> Option<Listening> {
+        let header = &self.recorded.header;
+        let utterance = header.utterance.clone()?;
+        let after = header.after.as_ref().and_then(|after| {
+            let named = self.tasks(home, start, lifted);
+            let same = named.iter().find(|(_, task)| task.is_same(after) || task.is_same(&after.opposite()));
+            if same.is_none() {
+                self.fault("after", "is no task of the kinds that commands may mean; correct it, or leave it out");
+            }
+            same.map(|(task, _)| task.lifted)
+        });
+        Some(Listening { utterance, after })
     }
 
     fn intended(&mut self, home: &Home<impl HomeMemory>) {
@@ -201,7 +221,11 @@ impl Checker<'_> {
 
     fn tasks(&mut self, home: &Home<impl HomeMemory>, start: &HomeState, lifted: &[LiftedTask]) -> Vec<(GroundedTask, GroundTaskText)> {
         let mut tasks = vec![GroundedTask::UNUSED; Capacities::STANDARD.tasks];
-        let count = match ground(home, lifted, start, &mut tasks) {
+        let grounded = match self.recorded.header.utterance {
+            Some(_) => ground_with_done(home, lifted, start, &mut tasks),
+            None => ground(home, lifted, start, &mut tasks),
+        };
+        let count = match grounded {
             Ok(0) => {
                 self.fault("environment", AgentError::NoTask);
                 0
@@ -262,7 +286,9 @@ impl Checker<'_> {
         for RecordedAnswer { line, after, answer } in &self.recorded.answers {
             let mut named = TaskSet::EMPTY;
             for name in &answer.tasks {
-                match tasks.iter().position(|(_, task)| task.is_same(name)) {
+                // A session about what shall not be has its tasks where the others would be.
+                let position = tasks.iter().position(|(_, task)| task.is_same(name) || task.is_same(&name.opposite()));
+                match position {
                     Some(position) => named = named.with(position),
                     None => {
                         let message = format!(
@@ -274,8 +300,8 @@ impl Checker<'_> {
                     }
                 }
             }
-            let (yes, eta, others) = (answer.yes, answer.eta as f32, answer.others);
-            answers.push(SessionAnswer { line: *line, after: *after, tasks: named, yes, eta, others });
+            let (yes, eta, others, words) = (answer.yes, answer.eta as f32, answer.others, answer.words.clone());
+            answers.push(SessionAnswer { line: *line, after: *after, tasks: named, yes, eta, others, words });
         }
         answers
     }
@@ -307,6 +333,14 @@ fn impossible(record: &StepRecord, x: i32, y: i32) -> String {
         "{action} cannot be done here, where the agent is at {x}, {y}: no block beside it has a wall or another block behind it; correct the \
          steps, or leave out the session"
     )
+}
+
+/// The tasks of a robot that listens: those that are done already are among them.
+fn ground_with_done(home: &Home<impl HomeMemory>, lifted: &[LiftedTask], start: &HomeState, tasks: &mut [GroundedTask]) -> Result<usize, CapacityError> {
+    #[cfg(feature = "talk")]
+    return goodbot::task::ground_with_done(home, lifted, start, tasks, f32::MIN_POSITIVE);
+    #[cfg(not(feature = "talk"))]
+    ground(home, lifted, start, tasks)
 }
 
 /// Whether a proposition is about what is here; what is wrong with it otherwise.

@@ -7,6 +7,8 @@
 //! - [`walk`]: what happens in a session;
 //! - [`replay`]: a recorded session, gone through once more;
 //! - [`live`]: a session as it happens;
+//! - `listening`, with the feature `talk`: what a person says to the robot, and how a session begins with it;
+//! - `voice`, with the feature `talk`: praise, blame, answers and corrections in words;
 //! - [`recording`]: a live session as a log has it.
 
 #![deny(missing_docs)]
@@ -14,10 +16,14 @@
 pub mod checked;
 pub mod fault;
 pub mod home;
+#[cfg(feature = "talk")]
+pub mod listening;
 pub mod live;
 pub mod name;
 pub mod recording;
 pub mod replay;
+#[cfg(feature = "talk")]
+pub mod voice;
 pub mod walk;
 
 pub use fault::Fault;

@@ -8,7 +8,7 @@
 
 use crate::name::task_name;
 use crate::replay::{Event, Replay, ReplayError, Rules, expect_ends};
-use crate::walk::{SessionAnswer, Step, Walk};
+use crate::walk::{Listening, SessionAnswer, Step, Walk};
 use goodbot::asking::Answer;
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{Home, HomeState};
@@ -110,6 +110,8 @@ pub struct Session {
     pub environment: EnvironmentFile,
     /// The trainer strategies that were expected then, each with its probability.
     pub strategies: Vec<(Strategy, f32)>,
+    /// Where this is not the first command of what was said: the task of the command before.
+    pub after: Option<GroundTaskText>,
     /// For each step that was taken, and each task, whether it was right.
     judgements: Vec<Vec<Judgement>>,
     /// Where it is walked again.
@@ -117,6 +119,10 @@ pub struct Session {
 }
 
 impl Session {
+    pub(crate) const fn new(environment: EnvironmentFile, strategies: Vec<(Strategy, f32)>, after: Option<GroundTaskText>) -> Self {
+        Self { environment, strategies, after, judgements: Vec::new(), again: None }
+    }
+
     /// The strategies that a log must name; `None` for the paper's one, which every robot begins with.
     pub fn named_strategies(&self) -> Option<&[(Strategy, f32)]> {
         let is_paper = matches!(self.strategies.as_slice(), [] | [(Strategy::BALANCED, _)]);
@@ -159,13 +165,28 @@ pub struct Lesson {
     state: HomeState,
     session: Option<Session>,
     acted: Option<Acted>,
+    #[cfg(feature = "talk")]
+    pub(crate) ahead: Option<crate::listening::Ahead>,
+    /// What was said along with the buttons.
+    #[cfg(feature = "talk")]
+    pub voice: crate::voice::Voice,
 }
 
 impl Lesson {
     /// A robot in a home. No session is under way.
     pub fn new(agent: Agent<AgentHeap>, home: Home<HomeHeap>, start: HomeState) -> Self {
         let walk = Walk::new(home, start, Kind::Feedback);
-        Self { agent, walk, state: start, session: None, acted: None }
+        Self {
+            agent,
+            walk,
+            state: start,
+            session: None,
+            acted: None,
+            #[cfg(feature = "talk")]
+            ahead: None,
+            #[cfg(feature = "talk")]
+            voice: crate::voice::Voice::default(),
+        }
     }
 
     /// The home.
@@ -253,13 +274,17 @@ impl Lesson {
         self.forget();
         expect_ends(&mut self.agent)?;
         self.agent.hear(&self.walk.home, &self.state, command)?;
-        let Walk { command: heard, start, .. } = &mut self.walk;
-        (*heard, *start) = (command.to_owned(), self.state);
+        let strategies = self.agent.belief().strategies().to_vec();
+        self.begin(command.to_owned(), None, Session::new(environment, strategies, None));
+        Ok(())
+    }
+
+    /// Begins a session whose command the agent has heard.
+    pub(crate) fn begin(&mut self, command: String, listening: Option<Listening>, session: Session) {
+        (self.walk.command, self.walk.listening, self.walk.start) = (command, listening, self.state);
         self.walk.steps.clear();
         self.walk.answers.clear();
-        let strategies = self.agent.belief().strategies().to_vec();
-        self.session = Some(Session { environment, strategies, judgements: Vec::new(), again: None });
-        Ok(())
+        self.session = Some(session);
     }
 
     /// Plans, with at most about `budget` looks; returns whether the plan is done. Where the session is walked again, it goes on with that,
@@ -391,7 +416,7 @@ impl Lesson {
         let question = self.agent.open_question().copied();
         let evidence = self.agent.answer(answer)?;
         if let Some((question, (tasks, yes, others))) = question.and_then(|question| Some((question, question.meaning(answer)?))) {
-            self.note_answer(tasks, yes, question.eta, others);
+            self.note_answer(SessionAnswer { tasks, yes, others, ..SessionAnswer::of(question.eta) });
         }
         Ok(evidence)
     }
@@ -403,15 +428,15 @@ impl Lesson {
     /// What [`Agent::answered`] refuses.
     pub fn answered(&mut self, tasks: TaskSet, yes: bool, eta: f32, others: u8) -> Result<Evidence, LiveError> {
         let evidence = self.agent.answered(tasks, yes, eta, others)?;
-        self.note_answer(tasks, yes, eta, others);
+        self.note_answer(SessionAnswer { tasks, yes, others, ..SessionAnswer::of(eta) });
         Ok(evidence)
     }
 
-    fn note_answer(&mut self, tasks: TaskSet, yes: bool, eta: f32, others: u8) {
+    pub(crate) fn note_answer(&mut self, answer: SessionAnswer) {
         if self.is_under_way() {
             // Where a step waits for its word, the answer comes before that step.
             let after = self.walk.steps.len();
-            self.walk.answers.push(SessionAnswer { line: 0, after, tasks, yes, eta, others });
+            self.walk.answers.push(SessionAnswer { after, ..answer });
         }
     }
 
@@ -467,12 +492,18 @@ impl Lesson {
         }
         self.session.take().ok_or(LiveError::NoSession)?;
         self.acted = None;
+        #[cfg(feature = "talk")]
+        self.end_part();
         Ok(self.agent.finish(&self.walk.home)?)
     }
 
-    /// The session ends, and nothing is learned from it.
+    /// The session ends, and nothing is learned from it. What was still to come of the utterance does not come.
     pub fn forget(&mut self) {
         self.acted = None;
+        #[cfg(feature = "talk")]
+        {
+            self.ahead = None;
+        }
         if self.session.take().is_some() {
             self.agent.forget();
         }

@@ -18,7 +18,8 @@ impl Lesson {
         let step = |step: &Step| StepRecord::new(action_name(home, step.action).to_owned(), Some(word(step.feedback)));
         let answer = |given: &SessionAnswer| {
             let tasks = given.tasks.iter().filter_map(|task| self.name_of(task)).collect();
-            let answer = AnswerRecord { tasks, yes: given.yes, eta: given.eta.into(), others: given.others, said_ms: None };
+            let (eta, words) = (given.eta.into(), given.words.clone());
+            let answer = AnswerRecord { tasks, yes: given.yes, eta, others: given.others, words, said_ms: None };
             RecordedAnswer { line: 1, after: given.after, answer }
         };
         let steps = &walk.steps;
@@ -35,6 +36,8 @@ impl Lesson {
                 actions: self.named_actions().map(|names| names.map(str::to_owned).collect()),
                 continues: false,
                 prior: None,
+                utterance: walk.listening.as_ref().map(|listening| listening.utterance.clone()),
+                after: session.after.clone(),
                 strategies: session.named_strategies().map(|all| all.iter().enumerate().map(strategy).collect()),
             },
             header_line: 1,

@@ -146,8 +146,7 @@ impl Replay {
             }
             Next::Plan(position) => {
                 if let Some(answer) = self.answer_before(walk, position) {
-                    let taken = agent.answered(answer.tasks, answer.yes, answer.eta, answer.others);
-                    let _ = taken.map_err(|error| ReplayError { line: answer.line, error })?;
+                    answered(agent, walk, answer).map_err(|error| ReplayError { line: answer.line, error })?;
                     self.answered += 1;
                     return Ok(Event::Answered(answer));
                 }
@@ -196,6 +195,10 @@ impl Replay {
             expect_ends(agent)?;
         }
         let (home, start) = (&walk.home, &walk.start);
+        #[cfg(feature = "talk")]
+        if let Some(listening) = &walk.listening {
+            return crate::listening::listen(agent, home, start, listening).map(|_| ());
+        }
         if walk.continues && self.rules.context {
             agent.hear_again(home, start)
         } else if let Some(prior) = walk.prior.as_ref().filter(|_| self.rules.context) {
@@ -251,6 +254,16 @@ pub fn expect(agent: &mut Agent<impl AgentMemory>, strategies: &[Expected]) -> R
     }
     let scaled: Vec<(Strategy, f32)> = strategies.iter().map(|expected| (expected.strategy, expected.share)).collect();
     agent.set_strategies(&scaled)
+}
+
+fn answered<M: HomeMemory>(agent: &mut Agent<impl AgentMemory>, walk: &Walk<M>, answer: &SessionAnswer) -> Result<(), AgentError> {
+    let _ = agent.answered(answer.tasks, answer.yes, answer.eta, answer.others)?;
+    #[cfg(feature = "talk")]
+    if let Some(words) = &answer.words {
+        let _ = agent.corrected(&walk.home, words, crate::listening::CLOSED_WORDS)?;
+    }
+    let _ = walk;
+    Ok(())
 }
 
 fn take<M: HomeMemory>(agent: &mut Agent<impl AgentMemory>, walk: &Walk<M>, step: &Step) -> Result<Evidence, AgentError> {

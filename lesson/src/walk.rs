@@ -48,7 +48,7 @@ impl Step {
 }
 
 /// An answer of a session.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SessionAnswer {
     /// Its line.
     pub line: usize,
@@ -62,6 +62,24 @@ pub struct SessionAnswer {
     pub eta: f32,
     /// How many other answers there were.
     pub others: u8,
+    /// What was said, where it was a correction: evidence beside the answer.
+    pub words: Option<String>,
+}
+
+impl SessionAnswer {
+    /// An answer of yes to nothing yet, which is wrong with this probability.
+    pub const fn of(eta: f32) -> Self {
+        Self { line: 0, after: 0, tasks: TaskSet::EMPTY, yes: true, eta, others: 1, words: None }
+    }
+}
+
+/// How a session began where the robot listened.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Listening {
+    /// What was said, from the session's command on.
+    pub utterance: String,
+    /// Where other commands were before this one: the lifted task of the last of them, by its position.
+    pub after: Option<u8>,
 }
 
 /// A trainer strategy that a session names.
@@ -96,6 +114,8 @@ impl Expected {
 pub struct Walk<M> {
     /// What was said.
     pub command: String,
+    /// Where the robot listened: the utterance that the command is of. Without the feature `talk` the command is heard.
+    pub listening: Option<Listening>,
     /// How it teaches.
     pub kind: Kind,
     /// Whether it is the command before, once more.
@@ -123,6 +143,7 @@ impl<M: HomeMemory> Walk<M> {
     pub const fn new(home: Home<M>, start: HomeState, kind: Kind) -> Self {
         Self {
             command: String::new(),
+            listening: None,
             kind,
             continues: false,
             header_line: 0,

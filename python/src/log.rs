@@ -64,6 +64,8 @@ pub fn header(rooms: &Rooms, state: &HomeState, command: &str) -> SessionHeader 
         continues: false,
         prior: None,
         strategies: None,
+        utterance: None,
+        after: None,
     }
 }
 

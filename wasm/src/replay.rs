@@ -102,7 +102,7 @@ impl World {
             tasks = tasks.with(position.ok_or_else(|| Refusal(format!("{name} is no task here")))?);
         }
         let after = told.walk.steps.len();
-        told.walk.answers.push(SessionAnswer { line: 0, after, tasks, yes, eta, others });
+        told.walk.answers.push(SessionAnswer { after, tasks, yes, others, ..SessionAnswer::of(eta) });
         Ok(())
     }
 

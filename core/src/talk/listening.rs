@@ -148,7 +148,7 @@ pub(super) struct Wording<'c> {
 }
 
 impl<'c> Wording<'c> {
-    fn of(language: LanguageRef<'_>, closed: ClosedWords<'c>, facts: u8) -> Self {
+    pub(super) fn of(language: LanguageRef<'_>, closed: ClosedWords<'c>, facts: u8) -> Self {
         let (bitext, words) = (language.bitext(), language.tables().words());
         let is_plain = |word| is_plain(language, closed, word);
         let coverage = Coverage::of(&mut Senses::new(language.tables(), bitext, &is_plain, facts));
@@ -235,7 +235,7 @@ fn is_plural(piece: &str, known: &str) -> bool {
 }
 
 impl Heard {
-    fn new(language: LanguageRef<'_>, symbol: Option<Symbol>, classes: Classes) -> Self {
+    pub(super) fn new(language: LanguageRef<'_>, symbol: Option<Symbol>, classes: Classes) -> Self {
         let (polite, common) = (classes.contains(Class::Polite), common(language.tables(), symbol));
         let share = |known: Option<f32>, new: f32| known.map_or(new, |share| (1.0 - new) * share);
         let cues = [
@@ -445,6 +445,21 @@ impl<M: AgentMemory> Agent<M> {
         words: ClosedWords<'_>,
     ) -> Result<Listened, AgentError> {
         let kind = self.most_likely().map(|task| self.task(task).lifted);
+        self.listen_after(domain, state, rest, words, kind)
+    }
+
+    /// As [`listen_on`](Self::listen_on), for who knows from a record which lifted task the part before was about, by its position.
+    ///
+    /// # Errors
+    /// As [`hear`](Self::hear).
+    pub fn listen_after<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        state: &D::State,
+        rest: &str,
+        words: ClosedWords<'_>,
+        kind: Option<u8>,
+    ) -> Result<Listened, AgentError> {
         self.listen_to(domain, state, rest, words, Place { is_rest: true, kind, ..Place::WHOLE })
     }
 
@@ -602,7 +617,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Gives the tasks that hold already a share of `done`.
-    fn share<D: Domain + ?Sized>(&mut self, domain: &D, done: f32) {
+    pub(super) fn share<D: Domain + ?Sized>(&mut self, domain: &D, done: f32) {
         if let Some(state) = self.started_from(domain) {
             let tasks = self.memory.lend().session.tasks.get_mut(..self.task_count).unwrap_or(&mut []);
             share_with_done(&self.lifted, tasks, done, |part| domain.holds(part, &state));

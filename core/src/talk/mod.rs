@@ -8,11 +8,13 @@
 //!
 //! - `classes`: closed classes of words, from a table;
 //! - `conversation`: what was done and said before, for words such as "it" and "there";
+//! - `correction`: words to a robot on its way;
 //! - `listening`: the hypotheses, and the verdict;
 //! - `readings`: what shall not be, all things of a kind, and one command after another.
 
 mod classes;
 mod conversation;
+mod correction;
 pub(crate) mod listening;
 mod readings;
 

@@ -13,7 +13,7 @@ use crate::task::grounded::is_thing;
 use heapless::Vec;
 
 /// The share of tasks that hold already where nothing says whether a change is asked for.
-const EITHER: f32 = 0.5;
+pub(super) const EITHER: f32 = 0.5;
 /// The same where a change is asked for, and the task is what shall not be.
 const CHANGE: f32 = 0.65;
 /// "All" things need no name: e^4.

@@ -81,7 +81,10 @@ pub fn ground<D: Domain + ?Sized>(
 
 /// As [`ground`], and with a share of `done` of each kind of task for those that hold already. Where there is no room for them, or `done` is 0,
 /// they are left out.
-pub(crate) fn ground_with_done<D: Domain + ?Sized>(
+///
+/// # Errors
+/// As [`ground`].
+pub fn ground_with_done<D: Domain + ?Sized>(
     domain: &D,
     lifted: &[LiftedTask],
     state: &D::State,

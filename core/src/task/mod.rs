@@ -20,6 +20,8 @@ pub(crate) mod wording;
 
 pub use constraint::{Fact, Facts, facts};
 pub(crate) use grounded::ground_unless;
+#[cfg(feature = "talk")]
+pub use grounded::ground_with_done;
 pub use grounded::{GroundedTask, ground};
 pub use lifted::{LiftedProposition, LiftedTask, NO_VARIABLE, TaskTextError};
 #[cfg(feature = "derived")]

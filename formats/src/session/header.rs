@@ -49,6 +49,13 @@ pub struct SessionHeader {
     /// The trainer strategies to consider, instead of the robot's own.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub strategies: Option<Vec<StrategyRecord>>,
+    /// Where the robot listened: what was said from this command on. The session may be about what shall not be, or about the first of
+    /// several commands.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub utterance: Option<String>,
+    /// Where this is not the first command of what was said: the task of the command before.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub after: Option<GroundTaskText>,
 }
 
 /// A way in which a trainer may use reward and punishment.
@@ -89,6 +96,8 @@ const FIELDS: &[&str] = &[
     "continues",
     "prior",
     "strategies",
+    "utterance",
+    "after",
 ];
 const KINDS: &[&str] = &["feedback", "demonstration", "labelled"];
 const MOVES: [&str; 4] = ["north", "south", "east", "west"];
@@ -130,7 +139,18 @@ impl SessionHeader {
             },
             prior: fields.optional("prior").map(prior).transpose()?,
             strategies: fields.optional("strategies").map(strategies).transpose()?,
+            utterance: fields.optional("utterance").map(|utterance| utterance.filled_text()).transpose()?,
+            after: fields.optional("after").map(task).transpose()?,
         };
+        if header.utterance.is_some() {
+            for name in ["prior", "continues"] {
+                if fields.optional(name).is_some() {
+                    return Err(fields.error(name, Problem::NotWithUtterance));
+                }
+            }
+        } else if header.after.is_some() {
+            return Err(fields.error("after", Problem::OnlyWithUtterance));
+        }
         if header.continues {
             for name in ["prior", "strategies"] {
                 if fields.optional(name).is_some() {
@@ -207,6 +227,10 @@ fn write_prior<S: serde::Serializer>(prior: &Option<Vec<(GroundTaskText, f64)>>,
 
 fn lists(node: Node<'_>) -> Result<Vec<Vec<GroundAtomText>>, FormatError> {
     node.filled_list()?.into_iter().map(propositions).collect()
+}
+
+fn task(node: Node<'_>) -> Result<GroundTaskText, FormatError> {
+    node.text()?.parse().map_err(|error| node.error(Problem::Task(error)))
 }
 
 fn propositions(node: Node<'_>) -> Result<Vec<GroundAtomText>, FormatError> {

@@ -21,15 +21,18 @@
 //! | `continues` | `true`: the command before, once more, in the same environment |
 //! | `prior` | from tasks to probabilities, instead of what the words would give |
 //! | `strategies` | the trainer strategies to consider, instead of the robot's own |
+//! | `utterance` | where the robot listened: what was said, from this command on |
+//! | `after` | where this is not the first command of what was said: the task of the command before |
 //!
 //! In a session of feedback, a line of type `answer` stands where the trainer answered a question of the robot's: `tasks` (the tasks that the
 //! answer is about), `yes` (whether what is meant is among them), `eta` (the probability that an answer is wrong, less than 0.5), and
-//! `others` (how many other answers there were; 1, as for yes and no, where it is absent).
+//! `others` (how many other answers there were; 1, as for yes and no, where it is absent). Where the trainer corrected the robot unasked,
+//! `words` are what was said: evidence beside the answer.
 //!
 //! When things were done, in milliseconds since the session began, a step may say by `at_ms` (the robot acted) and `said_ms` (the trainer said the
 //! word), and an answer by `said_ms`. Nothing is learned from these.
 //!
-//! A session that `continues` has neither `prior` nor `strategies`.
+//! A session that `continues` has neither `prior` nor `strategies`; one with an `utterance` has no `prior`, and does not continue.
 //!
 //! ```
 //! use goodbot_formats::session::{FeedbackWord, SessionReader};

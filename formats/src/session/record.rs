@@ -59,6 +59,9 @@ pub struct AnswerRecord {
     /// How many other answers there were, each as probable where the answer is wrong: 1 for yes and no.
     #[serde(skip_serializing_if = "is_one")]
     pub others: u8,
+    /// Where the trainer corrected the robot: what was said, which is evidence beside the answer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub words: Option<String>,
     /// When the trainer gave it, in milliseconds since the session began. Nothing is learned from it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub said_ms: Option<u64>,
@@ -144,7 +147,7 @@ impl AnswerRecord {
     }
 
     fn read(fields: &Object<'_>) -> Result<Self, FormatError> {
-        fields.only(&["type", "tasks", "yes", "eta", "others", "said_ms"])?;
+        fields.only(&["type", "tasks", "yes", "eta", "others", "words", "said_ms"])?;
         let mut tasks = Vec::new();
         for item in fields.required("tasks")?.filled_list()? {
             let task: GroundTaskText = item.text()?.parse().map_err(|error| item.error(Problem::Task(error)))?;
@@ -165,7 +168,9 @@ impl AnswerRecord {
         if probability >= 0.5 {
             return Err(eta.error(Problem::AnswersMostlyWrong));
         }
-        Ok(Self { tasks, yes: fields.required("yes")?.truth()?, eta: probability, others, said_ms: milliseconds(fields, "said_ms")? })
+        let words = fields.optional("words").map(|words| words.filled_text()).transpose()?;
+        let (yes, said_ms) = (fields.required("yes")?.truth()?, milliseconds(fields, "said_ms")?);
+        Ok(Self { tasks, yes, eta: probability, others, words, said_ms })
     }
 }
 

@@ -119,6 +119,12 @@ impl GroundTaskText {
         &self.way
     }
 
+    /// The task with each proposition of its goal the other way round.
+    #[must_use]
+    pub fn opposite(&self) -> Self {
+        GroundTaskText { atoms: self.atoms.iter().cloned().map(GroundAtomText::negated).collect(), way: self.way.clone() }
+    }
+
     /// Whether another text is of the same task: the same propositions and the same way, in whatever order they stand.
     pub fn is_same(&self, other: &Self) -> bool {
         way::sorted(&self.atoms) == way::sorted(&other.atoms) && self.way.is_same(&other.way)

@@ -5,7 +5,6 @@
 
 use super::following::{self, Followed};
 use goodbot::home::{Home, HomeState};
-use goodbot::language::Model;
 use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Domain;
@@ -13,6 +12,7 @@ use goodbot::probability::{Scaled, total};
 use goodbot::talk::{ClosedWords, Listened, Verdict};
 use goodbot::task::{GroundedTask, LiftedTask, ground};
 use goodbot::{Agent, AgentError, Capacities};
+use goodbot_lesson::listening::tells_talk;
 use goodbot_lesson::name::{in_words, task_name};
 
 /// What a command may mean.
@@ -39,9 +39,6 @@ pub struct Heard {
     pub meanings: Vec<Meaning>,
 }
 
-/// With fewer lessons everything is a command: nothing is known yet of how people word what the robot can do.
-pub const FEW_LESSONS: usize = 20;
-
 /// What the utterance is taken for, and all that it may mean. Afterwards the agent has heard the utterance as a command in `start`, if there is anything to do there.
 ///
 /// # Errors
@@ -52,8 +49,7 @@ pub fn meanings(
     start: &HomeState,
     utterance: &str,
 ) -> Result<Heard, AgentError> {
-    let is_untaught = agent.language().bitext().sessions() < FEW_LESSONS;
-    if is_untaught || agent.options().language.model == Model::Model2 {
+    if !tells_talk(agent) {
         return Ok(Heard { listened: None, followed: None, meanings: of_command(agent, home, start, utterance)? });
     }
     let listened = agent.listen(home, start, utterance, ClosedWords::EUROPEAN)?;

@@ -21,6 +21,8 @@ pub struct Classroom {
     pub wanted: Vec<String>,
     /// The commands that were said, each once.
     said: Vec<String>,
+    /// What was said last, as a command.
+    last: Option<String>,
     kept: Option<Kept>,
     /// What the robot knew before each session of a visit of which nothing is kept.
     before: Vec<Vec<u8>>,
@@ -65,7 +67,7 @@ impl Classroom {
             }
         };
         let (wanted, before, learning, learned) = (Vec::new(), Vec::new(), None, Vec::new());
-        let mut classroom = Self { trainer, tour, words, wanted, said, kept, before, learning, learned, sessions };
+        let mut classroom = Self { trainer, tour, words, wanted, said, last: None, kept, before, learning, learned, sessions };
         classroom.enter_tour()?;
         Ok(classroom)
     }
@@ -88,6 +90,7 @@ impl Classroom {
         }
         let id = stop.map_or_else(|| Some(format!("said-{}", self.sessions + 1)), |stop| stop.id());
         let heard = self.trainer.hear(command, id, stop.map(|stop| &stop.exercise.intention))?;
+        self.last = Some(command.to_owned());
         if heard == Heard::Command {
             self.words.hear(command);
             add_once(&mut self.said, command);
@@ -111,6 +114,16 @@ impl Classroom {
         })?;
         self.trainer.mean(meant.position);
         Ok(meant)
+    }
+
+    /// Hears what is still to come of what was said, once a part is over and learned from; `None` where nothing is.
+    pub fn hear_rest(&mut self) -> Result<Option<Heard>, Refusal> {
+        self.trainer.hear_rest(Some(format!("said-{}", self.sessions + 1)))
+    }
+
+    /// What was said last, as a command.
+    pub fn last(&self) -> Option<&str> {
+        self.last.as_deref()
     }
 
     /// What to teach next.
@@ -193,6 +206,11 @@ impl Classroom {
         let written = self.kept.as_mut().map_or(Ok(0), Kept::write_what_is_left);
         learned.and(forgotten)?;
         written.map(|_| ()).map_err(|failure| Refusal(failure.to_string()))
+    }
+
+    /// Whether a session of this visit taught something that can be taken back.
+    pub fn has_taught(&self) -> bool {
+        !self.learned.is_empty()
     }
 
     /// Takes back what the last session of this visit taught. Gives `false` where there is none.

@@ -66,6 +66,8 @@ fn elsewhere(witness: &mut Witness, lesson: &Lesson, random: &mut impl Rng) -> R
             kind: Kind::Demonstration,
             prior: None,
             strategies: None,
+            utterance: None,
+            after: None,
             continues: false,
             ..lesson.header.clone()
         };

@@ -12,7 +12,8 @@ use goodbot::asking::{Answer, Asking};
 use goodbot::feedback::Feedback;
 use goodbot::planning::OptimalSet;
 use goodbot::session::Evidence;
-use goodbot::talk::Hypothesis;
+use goodbot::talk::{Class, Hypothesis};
+use goodbot_lesson::voice::Said;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use lines::Lines;
 use serde_json::{Map, Value, json};
@@ -44,9 +45,10 @@ type Answers = Result<Vec<Value>, Misunderstood>;
 
 const REQUESTS: &[(&str, &str)] = &[
     ("command WORDS", "say a command; in the tour the lesson's own where no words are given"),
+    ("say WORDS", "say anything: praise, blame, stop, undo, again, an answer, a correction, or a command"),
     ("step", "let the robot take its next step"),
-    ("good", "reward the last step"),
-    ("bad", "punish the last step"),
+    ("good [WORDS]", "reward the last step; words said along with it are praise from then on"),
+    ("bad [WORDS]", "punish the last step; words said along with it are blame from then on"),
     ("silence", "say nothing to the last step"),
     ("ask", "tell what the robot asks here, where a question teaches it more than its next steps do"),
     (
@@ -56,7 +58,7 @@ const REQUESTS: &[(&str, &str)] = &[
     ("intended TASK", "note in the log what the command means, as its task or in words; nothing is learned from it"),
     ("auto", "let a simulated trainer judge the last step; in lessons of the tour"),
     ("back", "take back the last step and what was said to it"),
-    ("finish", "end the session and learn from it"),
+    ("finish", "end the session and learn from it; the next part of what was said begins, if there is one"),
     ("forget", "end the session and do not learn from it"),
     ("undo", "take back what the last session taught"),
     ("next", "tell what to teach next, and why"),
@@ -139,6 +141,9 @@ impl Speaker<'_> {
         let (request, rest) = line.split_once(char::is_whitespace).map_or((line, ""), |(request, rest)| (request, rest.trim()));
         match request {
             "command" => self.command(rest),
+            "say" => self.say(rest),
+            "good" => self.judge_saying(Feedback::Reward, rest),
+            "bad" => self.judge_saying(Feedback::Punish, rest),
             "home" => self.home(rest),
             "answer" => self.reply(rest),
             "intended" => self.intended(rest),
@@ -151,8 +156,6 @@ impl Speaker<'_> {
                 instead: "send command before the words of a command, such as: command go to the red room",
             }),
             "step" => self.step(),
-            "good" => self.judge(Feedback::Reward),
-            "bad" => self.judge(Feedback::Punish),
             "silence" => self.judge(Feedback::Neutral),
             "ask" => self.ask(),
             "auto" => self.auto(),
@@ -212,24 +215,78 @@ impl Speaker<'_> {
             });
         }
         let heard = self.classroom.say(said)?;
-        let declined = match &heard {
+        let told = self.heard(said, &heard)?;
+        if heard != Heard::Command {
+            return Ok(vec![told]);
+        }
+        let Some(tested) = self.classroom.tested() else { return Ok(vec![told]) };
+        let result = json!({"type": "tested", "right": tested.right, "task": tested.heard.name, "words": tested.heard.words});
+        self.classroom.pass_test(tested.right)?;
+        let mut answers = vec![told, result];
+        answers.extend(self.lesson());
+        Ok(answers)
+    }
+
+    /// What came of a command.
+    fn heard(&self, said: &str, heard: &Heard) -> Result<Value, Misunderstood> {
+        let declined = match heard {
             Heard::Command => None,
             Heard::Done(words) => Some(("done", Hypothesis::Command, Some(words))),
             Heard::Nothing(taken_for) => Some(("none", *taken_for, None)),
         };
         if let Some((verdict, taken_for, words)) = declined {
             let taken_for = taken_for.to_string();
-            return Ok(vec![json!({"type": "heard", "command": said, "verdict": verdict, "taken_for": taken_for, "done": words})]);
+            return Ok(json!({"type": "heard", "command": said, "verdict": verdict, "taken_for": taken_for, "done": words}));
         }
         let words: Vec<Value> = self.support()?;
-        let mut heard = json!({"type": "heard", "command": said, "verdict": "try", "words": words});
+        let command = self.classroom.lesson().command().unwrap_or(said);
+        let mut heard = json!({"type": "heard", "command": command, "verdict": "try", "words": words});
+        if let (Some(rest), Value::Object(fields)) = (self.classroom.lesson().rest(), &mut heard) {
+            fields.insert("rest".to_owned(), json!(rest));
+        }
         self.add_tasks(&mut heard);
-        let Some(tested) = self.classroom.tested() else { return Ok(vec![heard]) };
-        let result = json!({"type": "tested", "right": tested.right, "task": tested.heard.name, "words": tested.heard.words});
-        self.classroom.pass_test(tested.right)?;
-        let mut answers = vec![heard, result];
-        answers.extend(self.lesson());
-        Ok(answers)
+        Ok(heard)
+    }
+
+    /// Whatever a person says.
+    fn say(&mut self, words: &str) -> Answers {
+        if words.is_empty() {
+            return Err(Misunderstood { message: "nothing was said".to_owned(), instead: "send say and some words, such as: say good robot" });
+        }
+        let nothing = |taken_for: &str| Ok(vec![json!({"type": "said", "words": words, "taken_for": taken_for})]);
+        match self.classroom.trainer.said(words)? {
+            Said::Judgement(feedback) => self.judge(feedback),
+            Said::Finish => {
+                let mut answers = self.judge(Feedback::Reward)?;
+                answers.extend(self.finish()?);
+                Ok(answers)
+            }
+            Said::Answer(answer) => self.reply_as(words, answer),
+            Said::Correction => {
+                let evidence = self.classroom.trainer.correct(words)?;
+                let mut told = json!({"type": "corrected", "words": words, "counted": evidence == Evidence::Used});
+                self.add_tasks(&mut told);
+                Ok(vec![told])
+            }
+            Said::Stop if self.classroom.lesson().is_under_way() => self.forget(),
+            Said::Undo if self.classroom.lesson().steps() > 0 || self.classroom.lesson().acted().is_some() => self.back(),
+            Said::Undo if !self.classroom.lesson().is_under_way() && self.classroom.has_taught() => self.undo(),
+            Said::Again => match self.classroom.last().map(str::to_owned) {
+                Some(command) => self.command(&command),
+                None => nothing(Class::Again.name()),
+            },
+            Said::Command => self.command(words),
+            Said::Stop => nothing(Class::Stop.name()),
+            Said::Undo => nothing("undo"),
+            Said::Nothing(class) => nothing(class.name()),
+        }
+    }
+
+    /// A word to the last step, and what was said along with it.
+    fn judge_saying(&mut self, feedback: Feedback, words: &str) -> Answers {
+        let judged = self.judge(feedback)?;
+        self.classroom.trainer.learn_word(words, feedback)?;
+        Ok(judged)
     }
 
     fn support(&self) -> Result<Vec<Value>, Refusal> {
@@ -312,6 +369,11 @@ impl Speaker<'_> {
                 None => return Err(Misunderstood { message: format!("{number:?} is no answer"), instead }),
             },
         };
+        self.reply_as(answer, given)
+    }
+
+    fn reply_as(&mut self, answer: &str, given: Answer) -> Answers {
+        let instead = "send ask first, and then answer yes, answer no, or answer and the number of a choice, such as: answer 1";
         let trainer = &mut self.classroom.trainer;
         let evidence = trainer.answer(given).map_err(|refusal| Misunderstood { message: refusal.0, instead })?;
         let mut told = json!({"type": "answered", "answer": answer, "counted": evidence == Evidence::Used});
@@ -363,9 +425,15 @@ impl Speaker<'_> {
 
     fn finish(&mut self) -> Answers {
         let steps = self.classroom.lesson().steps();
+        let learned = !self.classroom.trainer.is_about_what_shall_not_be();
         let gave_way = self.classroom.finish()?;
         while !self.classroom.learn(u32::MAX)? {}
-        Ok(self.over(true, steps, gave_way))
+        let mut answers = self.over(learned, steps, gave_way);
+        let rest = self.classroom.lesson().rest().map(str::to_owned);
+        if let (Some(rest), Some(heard)) = (rest, self.classroom.hear_rest()?) {
+            answers.push(self.heard(&rest, &heard)?);
+        }
+        Ok(answers)
     }
 
     fn forget(&mut self) -> Answers {

@@ -104,7 +104,7 @@ fn framed(heading: &str, palette: Palette) -> Block<'_> {
 
 fn draw_prompt(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
     let writing = visit.focus() == Focus::Command;
-    let command = visit.classroom.lesson().command();
+    let command = visit.classroom.lesson().command().filter(|_| !writing);
     let text = match command {
         Some(command) => command.to_owned(),
         None => visit.prompt.text(),
@@ -129,7 +129,8 @@ fn keys(visit: &Visit) -> Vec<(&'static str, &'static str)> {
         (Focus::Page, _) => vec![("any key", "back"), ("↑ ↓", "move")],
         (Focus::Command, _) => {
             let mut keys = vec![("enter", "say it")];
-            keys.extend((visit.stop().is_none()).then_some(("tab", "what next")));
+            let is_idle = visit.phase() == Phase::Idle;
+            keys.extend((is_idle && visit.stop().is_none()).then_some(("tab", "what next")));
             keys.extend([("?", "explain"), ("esc", "keys"), ("ctrl-c", "leave")]);
             keys
         }

@@ -26,7 +26,7 @@ const KEYS: [(&str, &str); 17] = [
     ("w", "words: what it calls things"),
     ("h, r", "between sessions: another home; put everything back"),
     ("tab", "between sessions: what to teach next, and why"),
-    ("enter, esc", "write a command; stop writing"),
+    ("enter, esc", "write; stop writing. On its way it takes words too: good, no, stop, undo, no the blue one"),
     ("q, ctrl-c", "leave; all that was learned is kept"),
 ];
 

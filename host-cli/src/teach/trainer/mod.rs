@@ -15,17 +15,15 @@ mod thoughts;
 pub use goodbot_lesson::live::{Acted, Judged};
 pub use thoughts::{Idea, Meaning, WordSupport};
 
-use crate::ask::meanings::FEW_LESSONS;
 use crate::teach::scene::{Scene, scene};
 use goodbot::Capacities;
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
 use goodbot::home::HomeState;
-use goodbot::language::Model;
 use goodbot::planning::{OptimalSet, Progress};
-use goodbot::session::Finished;
+use goodbot::session::{Evidence, Finished};
 use goodbot::snapshot::Contents;
-use goodbot::talk::{ClosedWords, Hypothesis, Verdict};
-use goodbot::task::LiftedTask;
+use goodbot::talk::{Hypothesis, Listened, Verdict};
+use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot_console::believes::Believes;
 use goodbot_console::lessons::restored::room_for;
 use goodbot_console::refusal::InWords;
@@ -34,7 +32,9 @@ use goodbot_course::generator;
 use goodbot_course::next_lesson::times_heard;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::RecordedSession;
+use goodbot_lesson::listening::tells_talk;
 use goodbot_lesson::live::Lesson;
+use goodbot_lesson::voice::Said;
 use mind::{build, expect, new_mind};
 use rand_pcg::Pcg32;
 use std::fmt;
@@ -168,41 +168,64 @@ impl Trainer {
     /// Hears a command where everything is now. A session under way ends unlearned. `intention` is what the trainer means, where that is
     /// known: it is written down, and never learned from.
     ///
-    /// With some lessons, the robot first asks itself whether there is anything to do. Said once more, the words are a command all the same, unless
-    /// they say what shall not be.
+    /// With some lessons, the robot listens: it begins with what there is to do. Said once more, words for which there was nothing to do are a
+    /// command all the same, unless they say what shall not be.
     pub fn hear(&mut self, command: &str, id: Option<String>, intention: Option<&Intention>) -> Result<Heard, Refusal> {
         self.forget();
         let is_again = self.declined.take().is_some_and(|declined| declined == command);
-        let heard = if intention.is_some() { Heard::Command } else { self.listen(command)? };
-        if heard != Heard::Command && (!is_again || heard == Heard::Nothing(Hypothesis::Negated)) {
-            self.declined = Some(command.to_owned());
-            return Ok(heard);
-        }
+        (self.id, self.intended) = (id, None);
         let environment = self.scene().environment;
+        if intention.is_none() && tells_talk(&self.lesson.agent) {
+            let listened = self.lesson.listen(command, environment.clone(), is_again).map_err(refused)?;
+            let heard = self.heard(&listened);
+            if heard == Heard::Command || !is_again || self.is_about_what_shall_not_be() {
+                self.declined = (heard != Heard::Command).then(|| command.to_owned());
+                return Ok(heard);
+            }
+        }
         self.lesson.hear(command, environment).map_err(refused)?;
         self.intended = intention.and_then(|intention| intention.find(&self.lesson.agent, self.lesson.home()));
-        self.id = id;
         Ok(Heard::Command)
     }
 
-    /// What the words are taken for.
-    fn listen(&mut self, words: &str) -> Result<Heard, Refusal> {
-        if self.lessons_learned() < FEW_LESSONS || self.lesson.agent.options().language.model != Model::Roles {
-            return Ok(Heard::Command);
+    /// Hears what is still to come of what was said, where the robot is now; `None` where nothing is.
+    pub fn hear_rest(&mut self, id: Option<String>) -> Result<Option<Heard>, Refusal> {
+        let environment = self.scene().environment;
+        (self.id, self.intended) = (id, None);
+        let listened = self.lesson.listen_on(environment).map_err(refused)?;
+        Ok(listened.map(|listened| self.heard(&listened)))
+    }
+
+    /// What came of words that the robot has listened to.
+    fn heard(&self, listened: &Listened) -> Heard {
+        if self.lesson.is_under_way() {
+            return Heard::Command;
         }
-        let listened = {
-            let (agent, rooms, state) = self.lesson.parts();
-            agent.listen(rooms, state, words, ClosedWords::EUROPEAN).map_err(refused)?
-        };
-        let task = self.words_of(listened.task).unwrap_or_default();
-        self.lesson.agent.forget();
-        Ok(match (listened.verdict, listened.hypothesis) {
-            (_, Hypothesis::Negated) => Heard::Nothing(Hypothesis::Negated),
-            (Verdict::Done, _) => Heard::Done(task),
-            // A thing that nobody has named is perhaps to be learned.
-            (_, Hypothesis::Command | Hypothesis::Absent | Hypothesis::About) => Heard::Command,
-            (_, taken_for) => Heard::Nothing(taken_for),
-        })
+        match listened.verdict {
+            Verdict::Done => Heard::Done(self.words_of(listened.task).unwrap_or_default()),
+            _ if self.is_about_what_shall_not_be() => Heard::Nothing(Hypothesis::Negated),
+            _ => Heard::Nothing(listened.hypothesis),
+        }
+    }
+
+    /// Whether the session, or the last one, is about what shall not be.
+    pub fn is_about_what_shall_not_be(&self) -> bool {
+        self.lesson.agent.tasks().iter().any(GroundedTask::is_negated)
+    }
+
+    /// What a person's words ask for, given where the conversation stands.
+    pub fn said(&self, words: &str) -> Result<Said, Refusal> {
+        self.lesson.said(words).map_err(refused)
+    }
+
+    /// Takes in words that turn the robot on its way round.
+    pub fn correct(&mut self, words: &str) -> Result<Evidence, Refusal> {
+        self.lesson.correct(words).map_err(refused)
+    }
+
+    /// Learns what is said along with a button.
+    pub fn learn_word(&mut self, words: &str, feedback: Feedback) -> Result<(), Refusal> {
+        self.lesson.voice.learn(words, feedback).map_err(refused)
     }
 
     /// Goes on planning for where everything is now, with at most about `budget` looks. Gives whether the robot can act.

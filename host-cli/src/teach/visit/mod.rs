@@ -1,5 +1,6 @@
 //! A visit on the screen: what keys do, and what happens by itself as time goes by. Nothing here knows a terminal or a clock.
 
+mod talking;
 mod telling;
 mod time;
 
@@ -120,7 +121,7 @@ impl Visit {
     pub fn focus(&self) -> Focus {
         match self.page {
             Some(_) => Focus::Page,
-            None if self.typing && self.phase == Phase::Idle => Focus::Command,
+            None if self.typing && self.phase != Phase::Learning => Focus::Command,
             None => Focus::Keys,
         }
     }
@@ -149,7 +150,7 @@ impl Visit {
     pub fn next(&self) -> Option<Duration> {
         match self.phase {
             Phase::Planning | Phase::Learning => Some(Duration::ZERO),
-            Phase::Waiting(until) if !self.paused => [until, self.word_at].into_iter().flatten().min(),
+            Phase::Waiting(until) if !self.holds() => [until, self.word_at].into_iter().flatten().min(),
             Phase::Idle | Phase::Waiting(_) => None,
         }
     }
@@ -195,12 +196,13 @@ impl Visit {
             Intent::ToCommand => {
                 self.typing = true;
                 if in_session {
-                    self.message = "First end this session: f finishes and learns, d finishes without learning.".to_owned();
+                    self.prompt.set("");
+                    self.message = "It waits. Say good or bad, yes or no, stop, undo, what you meant, or something else to do.".to_owned();
                 }
             }
             Intent::Write(letter) => self.prompt.write(letter),
             Intent::Edit(edit) if self.focus() == Focus::Command => self.prompt.edit(edit),
-            Intent::Say => self.say()?,
+            Intent::Say => self.say(now)?,
             Intent::Pace => {
                 self.pace = self.pace.next();
                 self.message = format!("Speed: {}.", self.pace.name());
@@ -290,26 +292,36 @@ impl Visit {
         Ok(())
     }
 
-    fn say(&mut self) -> Result<(), Refusal> {
-        let command = self.prompt.text().trim().to_owned();
-        if command.is_empty() {
-            self.message = "Write what it shall do, such as: go to the red room".to_owned();
-            return Ok(());
-        }
-        let heard = self.classroom.say(&command)?;
+    /// Says a command.
+    fn command(&mut self, command: &str) -> Result<(), Refusal> {
+        let heard = self.classroom.say(command)?;
         if heard != Heard::Command {
+            // What was under way is over.
+            self.phase = Phase::Idle;
             self.message = telling::declined(&heard);
             return Ok(());
         }
-        self.support = self.classroom.trainer.word_support()?;
         self.prompt.said();
-        (self.phase, self.message, self.rests) = (Phase::Planning, String::new(), 0);
+        self.begin()?;
         self.tested = self.classroom.tested();
         if let Some(Tested { heard, right }) = &self.tested {
             let verdict = if *right { "Right!" } else { "That is not what was meant." };
             self.message = format!("It takes this for \"{}\", {}. {verdict}", heard.words, percent(heard.probability));
         }
         Ok(())
+    }
+
+    /// A session begins.
+    fn begin(&mut self) -> Result<(), Refusal> {
+        self.support = self.classroom.trainer.word_support()?;
+        (self.phase, self.message, self.rests) = (Phase::Planning, String::new(), 0);
+        (self.typing, self.paused, self.stepping, self.word_at) = (false, false, false, None);
+        Ok(())
+    }
+
+    /// Whether the robot waits until it is told to go on, or until what is being written is said.
+    const fn holds(&self) -> bool {
+        self.paused || self.typing
     }
 
     /// What the trainer says to the last step, if it can be judged.

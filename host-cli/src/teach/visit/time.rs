@@ -23,6 +23,9 @@ impl Visit {
         match self.phase {
             Phase::Planning if self.classroom.trainer.plan(PLAN_BUDGET)? => self.act(now),
             Phase::Learning if self.classroom.learn(LEARN_BUDGET)? => {
+                if self.go_on_with_the_rest()? {
+                    return Ok(());
+                }
                 let learned = counted(self.classroom.trainer.lessons_learned(), "session");
                 let gave_way = match self.gave_way {
                     0 => "u takes the last one back".to_owned(),
@@ -31,14 +34,14 @@ impl Visit {
                 self.idle(format!("Learned. It knows what {learned} taught it; {gave_way}."));
                 Ok(())
             }
-            Phase::Waiting(until) if !self.paused => self.wait_over(until, now),
+            Phase::Waiting(until) if !self.holds() => self.wait_over(until, now),
             _ => Ok(()),
         }
     }
 
     fn act(&mut self, now: Duration) -> Result<(), Refusal> {
         if self.acted().is_none() {
-            if self.paused && !self.stepping {
+            if self.holds() && !self.stepping {
                 self.phase = Phase::Waiting(None);
                 return Ok(());
             }

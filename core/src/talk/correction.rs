@@ -1,0 +1,102 @@
+//! Words that correct a robot on its way: "no, the blue one", "not the red one".
+//!
+//! They are evidence about the session under way. With L(t) the likelihood of the words that name something, as the role model reads them
+//! for a task t that needs no word of its own, and M the largest of these, the belief in t is multiplied by e + (1 - e) L(t) / M. For words
+//! behind a negation it is 1 - (1 - e) L(t) / M. Words that were never heard fit all tasks alike, and say nothing.
+
+use super::classes::{Class, Classes, ClosedWords};
+use super::listening::{Heard, View, Wording, Words};
+use super::readings::EITHER;
+use crate::language::roles::talk::is_of_task;
+use crate::language::{for_each_piece, word_form};
+use crate::memory::AgentMemory;
+use crate::oomdp::Domain;
+use crate::probability::Scaled;
+use crate::session::{Agent, AgentError, Evidence};
+use crate::symbols::Symbol;
+use crate::task::{GroundedTask, TaskSet};
+use heapless::Vec;
+
+/// How often words of a correction name a thing that is not meant, as often as an answer is wrong.
+const WRONG: f32 = 0.05;
+
+impl<M: AgentMemory> Agent<M> {
+    /// Whether a word says what to do, as "go" does: such words are a command rather than a correction. Known is what was learned; the words
+    /// of closed classes never are.
+    ///
+    /// # Errors
+    /// As [`hear`](Self::hear), where the words are too many or too long.
+    pub fn is_told_to_act(&self, words: &str, closed: ClosedWords<'_>) -> Result<bool, AgentError> {
+        let mut told = false;
+        for_each_piece(words, |piece| {
+            told |= closed.of(piece) == Classes::NONE && is_of_task(self.language().tables(), self.known_word(piece));
+            Ok(())
+        })?;
+        Ok(told)
+    }
+
+    /// Whether a word was learned from some command.
+    pub fn knows_word(&self, word: &str) -> bool {
+        self.known_word(word).is_some()
+    }
+
+    /// The learned word that a piece of an utterance is.
+    fn known_word(&self, piece: &str) -> Option<Symbol> {
+        let (language, learned) = (self.language(), self.language().tables().words());
+        let form = word_form(piece, self.options().language.letters_kept());
+        language.word_like(piece, learned).or_else(|| language.words().find(form)).filter(|word| word.index() < learned)
+    }
+
+    /// Takes in words that correct the robot on its way, as evidence about the session under way.
+    ///
+    /// # Errors
+    /// [`AgentError::NotNow`] and [`AgentError::OtherDomain`], and as [`hear`](Self::hear) where the words are too many or too long.
+    pub fn corrected<D: Domain + ?Sized>(&mut self, domain: &D, words: &str, closed: ClosedWords<'_>) -> Result<Evidence, AgentError> {
+        self.check_session(domain)?;
+        if self.tasks().iter().any(GroundedTask::is_negated) || self.language().tables().words() == 0 {
+            return Ok(Evidence::SaysNothing);
+        }
+        let (mut meant, mut other): (Words, Words) = (Vec::new(), Vec::new());
+        let mut is_other = false;
+        for_each_piece(words, |piece| {
+            let classes = closed.of(piece);
+            // "No" stands for itself; "not" turns round what is behind it.
+            if classes.contains_any(&[Class::But, Class::Connective]) {
+                is_other = false;
+            } else if classes.contains(Class::Negation) && !classes.contains(Class::No) {
+                is_other = true;
+            } else if classes == Classes::NONE {
+                let heard = Heard::new(self.language(), self.known_word(piece), classes);
+                let _ = if is_other { &mut other } else { &mut meant }.push(heard);
+            }
+            Ok(())
+        })?;
+        let mut evidence = Evidence::SaysNothing;
+        for (words, is_meant) in [(meant, true), (other, false)] {
+            let Some(fits) = self.fits(domain, &words, closed)? else { continue };
+            let fit = |task: usize| (1.0 - WRONG) * fits.get(task).copied().unwrap_or(0.0);
+            let possible = self.belief_mut().observe_beside(|task| if is_meant { WRONG + fit(task) } else { 1.0 - fit(task) });
+            evidence = if possible { Evidence::Used } else { Evidence::Impossible };
+        }
+        Ok(evidence)
+    }
+
+    /// How well each task fits words that name something, against the one that fits best; `None` where all fit alike.
+    fn fits<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: &[Heard],
+        closed: ClosedWords<'_>,
+    ) -> Result<Option<Vec<f32, { TaskSet::MOST }>>, AgentError> {
+        if words.is_empty() || words.iter().all(Heard::is_new) {
+            return Ok(None);
+        }
+        let wording = Wording::of(self.language(), closed, (domain.world().schema.attributes.len() << 1) as u8);
+        let explained = self.explain_all(domain, words, &wording, View { done: EITHER, has_act: true, ..View::PLAIN })?;
+        self.share(domain, View::PLAIN.done);
+        let most = explained.likelihoods.iter().fold(Scaled::ZERO, |most, &likelihood| if likelihood.exceeds(most) { likelihood } else { most });
+        let fits: Vec<f32, { TaskSet::MOST }> = explained.likelihoods.iter().map(|likelihood| likelihood.over(most)).collect();
+        let is_even = most.is_zero() || fits.iter().all(|&fit| fit == 1.0);
+        Ok(Some(fits).filter(|_| !is_even))
+    }
+}

@@ -1,0 +1,104 @@
+//! What the person says in words: the one field takes commands and all that is said to a robot on its way.
+
+use super::{Phase, Visit, telling};
+use crate::teach::trainer::{Heard, Refusal};
+use goodbot::feedback::Feedback;
+use goodbot::session::Evidence;
+use goodbot::talk::Class;
+use goodbot_lesson::voice::Said;
+use std::time::Duration;
+
+impl Visit {
+    /// Says what is written.
+    pub(super) fn say(&mut self, now: Duration) -> Result<(), Refusal> {
+        let words = self.prompt.text().trim().to_owned();
+        let in_session = self.classroom.lesson().is_under_way();
+        if words.is_empty() {
+            (self.message, self.typing) = if in_session {
+                (String::new(), false)
+            } else {
+                ("Write what it shall do, such as: go to the red room".to_owned(), true)
+            };
+            return Ok(());
+        }
+        let said = self.classroom.trainer.said(&words)?;
+        if said == Said::Command {
+            return self.command(&words);
+        }
+        self.prompt.said();
+        // What was said is about the robot on its way: it goes on.
+        self.typing = !in_session;
+        match said {
+            Said::Judgement(feedback) => self.judge(feedback, now),
+            Said::Finish => {
+                self.judge(Feedback::Reward, now)?;
+                self.finish()
+            }
+            Said::Answer(answer) => self.answer(answer),
+            Said::Correction => self.correct(&words),
+            Said::Stop => self.stop_it(),
+            Said::Undo => self.undo(),
+            Said::Again => match self.classroom.last().map(str::to_owned) {
+                Some(command) => self.command(&command),
+                None => {
+                    self.message = "Nothing was said yet that it could do again.".to_owned();
+                    Ok(())
+                }
+            },
+            Said::Nothing(class) => {
+                self.message = match class {
+                    Class::Praise | Class::Blame | Class::Yes | Class::No => "There is no step to judge yet.".to_owned(),
+                    class => format!("It takes that for {}, and there is nothing to do.", class.name()),
+                };
+                Ok(())
+            }
+            Said::Command => Ok(()),
+        }
+    }
+
+    /// Words turn the robot round.
+    fn correct(&mut self, words: &str) -> Result<(), Refusal> {
+        if self.tested.is_some() {
+            self.message = "This is a test: it hears no words. Enter goes on.".to_owned();
+            return Ok(());
+        }
+        let evidence = self.classroom.trainer.correct(words)?;
+        let best = self.classroom.trainer.meanings().into_iter().next().map(|meaning| meaning.words).unwrap_or_default();
+        self.message = match evidence {
+            Evidence::Used => format!("It thinks again: \"{best}\"."),
+            Evidence::Impossible | Evidence::SaysNothing => "That tells it nothing.".to_owned(),
+        };
+        // Where it waited at its goal, it goes on.
+        if let (Phase::Waiting(None), false) = (self.phase, self.paused) {
+            self.go_on()?;
+        }
+        Ok(())
+    }
+
+    /// "Stop": it waits, and ends the session where it waits already.
+    fn stop_it(&mut self) -> Result<(), Refusal> {
+        if !self.classroom.lesson().is_under_way() {
+            self.message = "It is doing nothing.".to_owned();
+        } else if self.paused {
+            self.classroom.forget()?;
+            self.idle("Finished without learning: it knows what it knew before.".to_owned());
+        } else {
+            self.paused = true;
+            self.message = "It waits. p goes on, n takes one step, stop once more ends this without learning.".to_owned();
+        }
+        Ok(())
+    }
+
+    /// A part of what was said is over: the next one begins. Gives `false` where there is none.
+    pub(super) fn go_on_with_the_rest(&mut self) -> Result<bool, Refusal> {
+        let rest = self.classroom.lesson().rest().map(str::to_owned);
+        let (Some(rest), Some(heard)) = (rest, self.classroom.hear_rest()?) else { return Ok(false) };
+        if heard == Heard::Command {
+            self.begin()?;
+            self.message = format!("Learned. Now: \"{}\".", self.classroom.lesson().command().unwrap_or(&rest));
+        } else {
+            self.idle(format!("Learned. {}", telling::declined(&heard)));
+        }
+        Ok(true)
+    }
+}

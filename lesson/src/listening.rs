@@ -1,0 +1,182 @@
+//! What a person says to the robot, and how a session begins with it.
+//!
+//! [`Lesson::listen`] begins a session where there is something to do: a command, what shall not be, the first of several commands, or the
+//! first of all things of a kind. When that session is over, [`Lesson::listen_on`] begins the next one, as long as [`Lesson::is_more`] says
+//! that there is one. Each part is a session of its own, with feedback of its own. To stop between parts, [`Lesson::forget`].
+
+use crate::live::{Lesson, LiveError, Session};
+use crate::replay::expect_ends;
+use crate::walk::Listening;
+use goodbot::language::Model;
+use goodbot::memory::{AgentMemory, HomeMemory};
+use goodbot::talk::{Class, ClosedWords, Hypothesis, Listened, Verdict};
+use goodbot::{Agent, AgentError};
+use goodbot::home::{Home, HomeState};
+use goodbot_formats::environment::EnvironmentFile;
+use goodbot_formats::task_text::GroundTaskText;
+
+/// The words that speak about commands.
+pub const CLOSED_WORDS: ClosedWords<'static> = ClosedWords::EUROPEAN;
+
+/// With fewer lessons everything is a command: nothing is known yet of how people word what the robot can do.
+pub const FEW_LESSONS: usize = 20;
+
+/// Whether a robot can tell what is no command.
+pub fn tells_talk(agent: &Agent<impl AgentMemory>) -> bool {
+    agent.language().bitext().sessions() >= FEW_LESSONS && agent.options().language.model == Model::Roles
+}
+
+/// Begins a session as the record has it.
+///
+/// # Errors
+/// What [`Agent::listen`] refuses.
+pub fn listen<M: HomeMemory>(
+    agent: &mut Agent<impl AgentMemory>,
+    home: &Home<M>,
+    start: &HomeState,
+    listening: &Listening,
+) -> Result<Listened, AgentError> {
+    match listening.after {
+        None => agent.listen(home, start, &listening.utterance, CLOSED_WORDS),
+        kind => agent.listen_after(home, start, &listening.utterance, CLOSED_WORDS, kind),
+    }
+}
+
+/// What is still to come of an utterance.
+#[derive(Clone, Debug)]
+pub(crate) struct Ahead {
+    listening: Listening,
+    after: Option<GroundTaskText>,
+    /// Where it is the same words once more, for the next of all things: how many were left.
+    left: Option<usize>,
+    /// Whether it is tried although it is not sure.
+    insists: bool,
+}
+
+/// Whether what was listened to is begun. `insists` says that it was said once before.
+fn is_followed(listened: &Listened, is_negated: bool, insists: bool) -> bool {
+    let is_sure = listened.verdict == Verdict::Sure;
+    match listened.hypothesis {
+        _ if listened.verdict == Verdict::Done => false,
+        // The opposite of what is meant is worse than to wait.
+        _ if is_negated => is_sure,
+        // A thing that nobody has named is perhaps to be learned.
+        Hypothesis::Command | Hypothesis::Absent | Hypothesis::About => true,
+        Hypothesis::Several => is_sure || insists,
+        Hypothesis::All => is_sure || insists && !listened.tasks.is_empty(),
+        _ => false,
+    }
+}
+
+/// The words before the rest of an utterance, without the connective.
+fn part(utterance: &str, rest: Option<usize>) -> &str {
+    let Some(mut part) = rest.and_then(|rest| utterance.get(..rest)) else { return utterance.trim() };
+    loop {
+        part = part.trim_end_matches(|letter: char| !letter.is_alphanumeric());
+        let last = part.rsplit(char::is_whitespace).next().unwrap_or_default();
+        match part.strip_suffix(last) {
+            Some(before) if !before.is_empty() && CLOSED_WORDS.of(&last.to_lowercase()).contains(Class::Connective) => part = before,
+            _ => return part,
+        }
+    }
+}
+
+impl Lesson {
+    /// Listens to what a person says, and begins a session where there is something to do. `insists` tries what is not sure: the same was said
+    /// before. `environment` is the home as it is now, for the record. A session under way is forgotten, and what was still to come with it.
+    ///
+    /// # Errors
+    /// What [`Agent::listen`] refuses.
+    pub fn listen(&mut self, utterance: &str, environment: EnvironmentFile, insists: bool) -> Result<Listened, LiveError> {
+        self.forget();
+        let listening = Listening { utterance: utterance.trim().to_owned(), after: None };
+        self.begin_part(Ahead { listening, after: None, left: None, insists }, environment)
+    }
+
+    /// Whether something is still to come of what was said.
+    pub const fn is_more(&self) -> bool {
+        self.ahead.is_some()
+    }
+
+    /// What is still to come of what was said.
+    pub fn rest(&self) -> Option<&str> {
+        self.ahead.as_ref().map(|ahead| ahead.listening.utterance.as_str())
+    }
+
+    /// Begins a session with what is still to come, where the robot is now; `None` where nothing is. The session before must be over.
+    ///
+    /// # Errors
+    /// What [`Agent::listen_after`] refuses.
+    pub fn listen_on(&mut self, environment: EnvironmentFile) -> Result<Option<Listened>, LiveError> {
+        let Some(ahead) = self.ahead.take() else { return Ok(None) };
+        let left = ahead.left;
+        let listened = self.begin_part(ahead, environment)?;
+        // Who could not bring one thing does not try it for ever.
+        if left.is_some_and(|left| listened.tasks.iter().count() >= left) {
+            self.forget();
+            return Ok(None);
+        }
+        Ok(Some(listened))
+    }
+
+    /// Begins with the first part that is not done already.
+    fn begin_part(&mut self, mut ahead: Ahead, environment: EnvironmentFile) -> Result<Listened, LiveError> {
+        expect_ends(&mut self.agent)?;
+        let listened = loop {
+            let (agent, home, state) = self.parts();
+            let listened = listen(agent, home, state, &ahead.listening)?;
+            let rest = listened.rest.and_then(|rest| ahead.listening.utterance.get(rest..)).filter(|_| listened.verdict == Verdict::Done);
+            let Some(rest) = rest else { break listened };
+            let listening = Listening { utterance: rest.to_owned(), after: self.kind_followed() };
+            (ahead.listening, ahead.after, ahead.left) = (listening, self.name_followed(), None);
+        };
+        let is_negated = self.agent.tasks().get(listened.task).is_some_and(goodbot::task::GroundedTask::is_negated);
+        if !is_followed(&listened, is_negated, ahead.insists) {
+            self.agent.forget();
+            return Ok(listened);
+        }
+        let command = part(&ahead.listening.utterance, listened.rest).to_owned();
+        let strategies = self.agent.belief().strategies().to_vec();
+        let after = ahead.after.clone();
+        self.begin(command, Some(ahead.listening.clone()), Session::new(environment, strategies, after));
+        let rest = listened.rest.and_then(|rest| ahead.listening.utterance.get(rest..));
+        self.ahead = match (listened.tasks.iter().count(), rest) {
+            (left, _) if left > 1 => Some(Ahead { left: Some(left), ..ahead }),
+            (_, Some(rest)) => {
+                let listening = Listening { utterance: rest.to_owned(), after: None };
+                Some(Ahead { listening, after: None, left: None, insists: ahead.insists })
+            }
+            _ => None,
+        };
+        Ok(listened)
+    }
+
+    /// A part is over: the next one comes after it.
+    pub(crate) fn end_part(&mut self) {
+        let (kind, name) = (self.kind_followed(), self.name_followed());
+        if let Some(ahead) = self.ahead.as_mut().filter(|ahead| ahead.left.is_none()) {
+            (ahead.listening.after, ahead.after) = (kind, name);
+        }
+    }
+
+    fn kind_followed(&self) -> Option<u8> {
+        self.agent.tasks().get(self.agent.most_likely()?).map(|task| task.lifted)
+    }
+
+    fn name_followed(&self) -> Option<GroundTaskText> {
+        self.name_of(self.agent.most_likely()?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::part;
+
+    #[test]
+    fn a_part_of_an_utterance_ends_before_its_connective() {
+        let utterance = "Go to the red room, and then to the blue one";
+        assert_eq!(part(utterance, utterance.find("to the blue")), "Go to the red room");
+        assert_eq!(part("and then", Some(8)), "and");
+        assert_eq!(part(" go on ", None), "go on");
+    }
+}
