@@ -336,7 +336,12 @@ fn impossible(record: &StepRecord, x: i32, y: i32) -> String {
 }
 
 /// The tasks of a robot that listens: those that are done already are among them.
-fn ground_with_done(home: &Home<impl HomeMemory>, lifted: &[LiftedTask], start: &HomeState, tasks: &mut [GroundedTask]) -> Result<usize, CapacityError> {
+fn ground_with_done(
+    home: &Home<impl HomeMemory>,
+    lifted: &[LiftedTask],
+    start: &HomeState,
+    tasks: &mut [GroundedTask],
+) -> Result<usize, CapacityError> {
     #[cfg(feature = "talk")]
     return goodbot::task::ground_with_done(home, lifted, start, tasks, f32::MIN_POSITIVE);
     #[cfg(not(feature = "talk"))]

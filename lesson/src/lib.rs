@@ -9,10 +9,12 @@
 //! - [`live`]: a session as it happens;
 //! - `listening`, with the feature `talk`: what a person says to the robot, and how a session begins with it;
 //! - `voice`, with the feature `talk`: praise, blame, answers and corrections in words;
+//! - [`asking`]: when the robot asks in it;
 //! - [`recording`]: a live session as a log has it.
 
 #![deny(missing_docs)]
 
+pub mod asking;
 pub mod checked;
 pub mod fault;
 pub mod home;

@@ -7,11 +7,12 @@
 use crate::live::{Lesson, LiveError, Session};
 use crate::replay::expect_ends;
 use crate::walk::Listening;
+use goodbot::home::{Home, HomeState};
 use goodbot::language::Model;
 use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::talk::{Class, ClosedWords, Hypothesis, Listened, Verdict};
+use goodbot::task::GroundedTask;
 use goodbot::{Agent, AgentError};
-use goodbot::home::{Home, HomeState};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::task_text::GroundTaskText;
 
@@ -20,6 +21,9 @@ pub const CLOSED_WORDS: ClosedWords<'static> = ClosedWords::EUROPEAN;
 
 /// With fewer lessons everything is a command: nothing is known yet of how people word what the robot can do.
 pub const FEW_LESSONS: usize = 20;
+
+/// How often a thing that is there already is meant, where all are to be brought.
+const DONE: f32 = 1e-4;
 
 /// Whether a robot can tell what is no command.
 pub fn tells_talk(agent: &Agent<impl AgentMemory>) -> bool {
@@ -36,10 +40,17 @@ pub fn listen<M: HomeMemory>(
     start: &HomeState,
     listening: &Listening,
 ) -> Result<Listened, AgentError> {
-    match listening.after {
-        None => agent.listen(home, start, &listening.utterance, CLOSED_WORDS),
-        kind => agent.listen_after(home, start, &listening.utterance, CLOSED_WORDS, kind),
+    let listened = match listening.after {
+        None => agent.listen(home, start, &listening.utterance, CLOSED_WORDS)?,
+        kind => agent.listen_after(home, start, &listening.utterance, CLOSED_WORDS, kind)?,
+    };
+    let done = agent.done(home);
+    let may_be_of_all = matches!(listened.hypothesis, Hypothesis::All | Hypothesis::Several) && listened.verdict != Verdict::Done;
+    if may_be_of_all && !done.is_empty() && !agent.tasks().iter().any(GroundedTask::is_negated) {
+        // Of all things, those that are there are not meant any more.
+        let _ = agent.answered(done, false, DONE, 1)?;
     }
+    Ok(listened)
 }
 
 /// What is still to come of an utterance.
@@ -130,7 +141,7 @@ impl Lesson {
             let listening = Listening { utterance: rest.to_owned(), after: self.kind_followed() };
             (ahead.listening, ahead.after, ahead.left) = (listening, self.name_followed(), None);
         };
-        let is_negated = self.agent.tasks().get(listened.task).is_some_and(goodbot::task::GroundedTask::is_negated);
+        let is_negated = self.agent.tasks().get(listened.task).is_some_and(GroundedTask::is_negated);
         if !is_followed(&listened, is_negated, ahead.insists) {
             self.agent.forget();
             return Ok(listened);

@@ -6,6 +6,7 @@
 //! A word counts at once, and of several words to one step the last one counts. To take a step back, the session is walked again up to
 //! there: the same steps and the same words give the same belief.
 
+use crate::asking::Asked;
 use crate::name::task_name;
 use crate::replay::{Event, Replay, ReplayError, Rules, expect_ends};
 use crate::walk::{Listening, SessionAnswer, Step, Walk};
@@ -116,11 +117,12 @@ pub struct Session {
     judgements: Vec<Vec<Judgement>>,
     /// Where it is walked again.
     again: Option<Replay>,
+    asked: Asked,
 }
 
 impl Session {
-    pub(crate) const fn new(environment: EnvironmentFile, strategies: Vec<(Strategy, f32)>, after: Option<GroundTaskText>) -> Self {
-        Self { environment, strategies, after, judgements: Vec::new(), again: None }
+    pub(crate) fn new(environment: EnvironmentFile, strategies: Vec<(Strategy, f32)>, after: Option<GroundTaskText>) -> Self {
+        Self { environment, strategies, after, judgements: Vec::new(), again: None, asked: Asked::default() }
     }
 
     /// The strategies that a log must name; `None` for the paper's one, which every robot begins with.
@@ -165,6 +167,8 @@ pub struct Lesson {
     state: HomeState,
     session: Option<Session>,
     acted: Option<Acted>,
+    /// In how many sessions, one after another, all answers were as expected.
+    pub(crate) trust: u8,
     #[cfg(feature = "talk")]
     pub(crate) ahead: Option<crate::listening::Ahead>,
     /// What was said along with the buttons.
@@ -182,6 +186,7 @@ impl Lesson {
             state: start,
             session: None,
             acted: None,
+            trust: 0,
             #[cfg(feature = "talk")]
             ahead: None,
             #[cfg(feature = "talk")]
@@ -414,8 +419,14 @@ impl Lesson {
     /// What [`Agent::answer`] refuses.
     pub fn answer(&mut self, answer: Answer) -> Result<Evidence, LiveError> {
         let question = self.agent.open_question().copied();
+        let meaning = question.and_then(|question| Some((question, question.meaning(answer)?)));
+        let among = |tasks: TaskSet| tasks.iter().map(|task| self.agent.belief().probability(task)).sum::<f32>();
+        let expected = meaning.map(|(_, (tasks, yes, others))| (if yes { among(tasks) } else { 1.0 - among(tasks) }, others));
         let evidence = self.agent.answer(answer)?;
-        if let Some((question, (tasks, yes, others))) = question.and_then(|question| Some((question, question.meaning(answer)?))) {
+        if let (Some(session), Some((probability, others))) = (&mut self.session, expected) {
+            session.asked.hear(probability, others);
+        }
+        if let Some((question, (tasks, yes, others))) = meaning {
             self.note_answer(SessionAnswer { tasks, yes, others, ..SessionAnswer::of(question.eta) });
         }
         Ok(evidence)
@@ -430,6 +441,10 @@ impl Lesson {
         let evidence = self.agent.answered(tasks, yes, eta, others)?;
         self.note_answer(SessionAnswer { tasks, yes, others, ..SessionAnswer::of(eta) });
         Ok(evidence)
+    }
+
+    pub(crate) fn asked_mut(&mut self) -> Result<&mut Asked, LiveError> {
+        self.session.as_mut().map(|session| &mut session.asked).ok_or(LiveError::NoSession)
     }
 
     pub(crate) fn note_answer(&mut self, answer: SessionAnswer) {
@@ -490,7 +505,8 @@ impl Lesson {
         if self.is_under_way() {
             self.take_end()?;
         }
-        self.session.take().ok_or(LiveError::NoSession)?;
+        let session = self.session.take().ok_or(LiveError::NoSession)?;
+        self.trust = session.asked.trust(self.trust);
         self.acted = None;
         #[cfg(feature = "talk")]
         self.end_part();

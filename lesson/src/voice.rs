@@ -66,7 +66,9 @@ fn pieces(words: &str) -> Result<Vec<(String, Classes)>, AgentError> {
 }
 
 fn is_closed(classes: Classes) -> bool {
-    Class::ALL.into_iter().any(|class| class.is_talk() && classes.contains(class)) || classes.contains(Class::Negation) || classes.contains_any(&BESIDE)
+    Class::ALL.into_iter().any(|class| class.is_talk() && classes.contains(class))
+        || classes.contains(Class::Negation)
+        || classes.contains_any(&BESIDE)
 }
 
 impl Voice {
@@ -113,8 +115,20 @@ fn class_of(pieces: &[(String, Classes)]) -> Option<Class> {
     Some(match () {
         () if has(Class::Stop) => Class::Stop,
         () if asks => Class::Asking,
-        () if has(Class::Praise) => if is_not || has(Class::No) { Class::Blame } else { Class::Praise },
-        () if has(Class::Blame) => if is_not { Class::Praise } else { Class::Blame },
+        () if has(Class::Praise) => {
+            if is_not || has(Class::No) {
+                Class::Blame
+            } else {
+                Class::Praise
+            }
+        }
+        () if has(Class::Blame) => {
+            if is_not {
+                Class::Praise
+            } else {
+                Class::Blame
+            }
+        }
         () if has(Class::No) => Class::No,
         () if has(Class::Yes) => Class::Yes,
         () if has(Class::Again) => Class::Again,
@@ -164,7 +178,7 @@ impl Lesson {
         match class {
             Class::Praise | Class::Yes if question.is_some_and(|question| question.subject.choices() == 0) => Said::Answer(Answer::Yes),
             Class::Blame | Class::No if question.is_some() => Said::Answer(Answer::No),
-            Class::Praise if is_there => Said::Finish,
+            Class::Praise | Class::Yes if is_there => Said::Finish,
             Class::Praise | Class::Yes if self.acted().is_some() => Said::Judgement(Feedback::Reward),
             Class::Blame | Class::No if self.acted().is_some() => Said::Judgement(Feedback::Punish),
             Class::Stop => Said::Stop,
@@ -186,8 +200,9 @@ impl Lesson {
         Ok((names || is_cue || is_other) && !self.agent.is_told_to_act(words, CLOSED_WORDS)?)
     }
 
-    /// Takes in words that correct the robot: "no, the other one", "I meant the blue one", "not the red one". The task that it follows is no
-    /// longer believed, as after an answer "no", and the words are evidence.
+    /// Takes in words that correct the robot: "no, the other one", "I meant the blue one", "not the red one". They are an answer "no" to the task
+    /// that it follows, which is left with a twentieth of the belief in the next one at most, however sure the robot was; and the words
+    /// are evidence.
     ///
     /// # Errors
     /// [`LiveError::NoSession`], or what the agent refuses.
@@ -196,7 +211,12 @@ impl Lesson {
             return Err(LiveError::NoSession);
         }
         let followed = self.acted().map_or_else(|| self.agent.most_likely(), |acted| Some(acted.task)).ok_or(LiveError::NoSession)?;
-        let answer = SessionAnswer { tasks: TaskSet::of(followed), yes: false, words: Some(words.trim().to_owned()), ..SessionAnswer::of(Asking::DEFAULT.eta) };
+        let belief = |task: usize| self.agent.belief().probability(task);
+        let next = (0..self.agent.tasks().len()).filter(|&task| task != followed).map(belief).fold(0.0, f32::max);
+        let left = (LEFT * next / belief(followed)).clamp(f32::MIN_POSITIVE, Asking::DEFAULT.eta);
+        let tasks = TaskSet::of(followed);
+        let answer = SessionAnswer { tasks, yes: false, words: Some(words.trim().to_owned()), ..SessionAnswer::of(left) };
+        self.agent.withdraw_question();
         let _ = self.agent.answered(answer.tasks, answer.yes, answer.eta, answer.others)?;
         let (agent, home, _) = self.parts();
         let _ = agent.corrected(home, words, CLOSED_WORDS)?;
@@ -204,6 +224,9 @@ impl Lesson {
         Ok(Evidence::Used)
     }
 }
+
+/// So much of the belief in the next task is left to the one that a correction turns the robot from.
+const LEFT: f32 = 0.05;
 
 /// Words that tell what was meant before.
 const MEANT: [&str; 10] = ["meant", "mean", "meinte", "meine", "gemeint", "pensais", "voulais", "quise", "quería", "decía"];

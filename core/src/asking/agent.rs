@@ -152,6 +152,11 @@ impl<M: AgentMemory> Agent<M> {
         Considered::Ask(looking.question)
     }
 
+    /// The question that was proposed last is not asked after all: it waits for no answer. It is not proposed again in this session.
+    pub const fn withdraw_question(&mut self) {
+        self.asked.open = None;
+    }
+
     /// The question that waits for its answer.
     pub fn open_question(&self) -> Option<&Question> {
         self.asked.open.as_ref()

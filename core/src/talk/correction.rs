@@ -17,8 +17,8 @@ use crate::symbols::Symbol;
 use crate::task::{GroundedTask, TaskSet};
 use heapless::Vec;
 
-/// How often words of a correction name a thing that is not meant, as often as an answer is wrong.
-const WRONG: f32 = 0.05;
+/// How often the words of a correction name a thing that is not meant. Who corrects the robot sees what it does, and chooses the words for that.
+const WRONG: f32 = 1e-4;
 
 impl<M: AgentMemory> Agent<M> {
     /// Whether a word says what to do, as "go" does: such words are a command rather than a correction. Known is what was learned; the words
@@ -94,7 +94,8 @@ impl<M: AgentMemory> Agent<M> {
         let wording = Wording::of(self.language(), closed, (domain.world().schema.attributes.len() << 1) as u8);
         let explained = self.explain_all(domain, words, &wording, View { done: EITHER, has_act: true, ..View::PLAIN })?;
         self.share(domain, View::PLAIN.done);
-        let most = explained.likelihoods.iter().fold(Scaled::ZERO, |most, &likelihood| if likelihood.exceeds(most) { likelihood } else { most });
+        let most =
+            explained.likelihoods.iter().fold(Scaled::ZERO, |most, &likelihood| if likelihood.exceeds(most) { likelihood } else { most });
         let fits: Vec<f32, { TaskSet::MOST }> = explained.likelihoods.iter().map(|likelihood| likelihood.over(most)).collect();
         let is_even = most.is_zero() || fits.iter().all(|&fit| fit == 1.0);
         Ok(Some(fits).filter(|_| !is_even))

@@ -6,6 +6,7 @@ mod window;
 
 mod ask;
 mod check;
+mod conversation;
 mod evaluate;
 mod examples;
 mod first_hour;

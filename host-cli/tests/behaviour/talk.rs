@@ -7,15 +7,15 @@ const COLORS: [&str; 6] = ["red", "blue", "green", "yellow", "purple", "orange"]
 const SHAPES: [&str; 3] = ["bag", "chair", "basket"];
 
 /// A home: a row of rooms, the blocks by color, shape and room, and the room of the robot.
-struct Home {
-    rooms: Vec<&'static str>,
-    blocks: Vec<(&'static str, &'static str, usize)>,
-    robot: usize,
+pub struct Home {
+    pub rooms: Vec<&'static str>,
+    pub blocks: Vec<(&'static str, &'static str, usize)>,
+    pub robot: usize,
 }
 
 impl Home {
     /// One of many homes: 3 to 5 rooms with 2 to 4 blocks, no two of which are alike.
-    fn number(seed: usize) -> Self {
+    pub fn number(seed: usize) -> Self {
         // Steps that share no factor with the lengths go through all.
         let pick = |of: usize, step: usize| (seed * step + seed / of + step) % of;
         let rooms: Vec<_> = (0..3 + pick(3, 7)).map(|room| COLORS[(pick(6, 5) + room * [1, 5][seed % 2]) % 6]).collect();
@@ -31,7 +31,7 @@ impl Home {
         Self { rooms, blocks, robot }
     }
 
-    fn json(&self) -> Value {
+    pub fn json(&self) -> Value {
         let mut objects = Vec::new();
         for (at, color) in self.rooms.iter().enumerate() {
             objects.push(json!({"class": "room", "name": format!("room{at}"), "left": at * 4, "bottom": 0, "right": at * 4 + 4, "top": 6, "color": color}));
@@ -48,11 +48,11 @@ impl Home {
     }
 }
 
-fn go(room: usize) -> String {
+pub fn go(room: usize) -> String {
     format!("agentInRoom(agent0,room{room})")
 }
 
-fn take(block: usize, room: usize) -> String {
+pub fn take(block: usize, room: usize) -> String {
     format!("blockInRoom(block{block},room{room})")
 }
 
@@ -67,14 +67,14 @@ fn then(tasks: &[String]) -> String {
 }
 
 /// How commands are worded in lessons.
-struct Wording {
+pub struct Wording {
     going: [&'static str; 4],
     taking: [&'static str; 3],
     /// The words for colors and shapes, if others than their own.
     names: &'static [(&'static str, &'static str)],
 }
 
-const ENGLISH: Wording = Wording {
+pub const ENGLISH: Wording = Wording {
     going: ["go to the {} room", "move to the {} room", "walk into the {} room", "go into the {} room"],
     taking: ["take the {c} {s} to the {} room", "bring the {c} {s} to the {} room", "put the {c} {s} into the {} room"],
     names: &[],
@@ -103,7 +103,7 @@ impl Wording {
 }
 
 /// A model that was told what commands mean, in `lessons` homes.
-fn taught(lessons: usize, wording: &Wording) -> (tempfile::TempDir, String) {
+pub fn taught(lessons: usize, wording: &Wording) -> (tempfile::TempDir, String) {
     let mut log = String::new();
     for lesson in 0..lessons {
         let home = Home::number(lesson);
@@ -256,12 +256,13 @@ fn a_robot_that_is_taught_waits_where_there_is_nothing_to_do_and_tries_when_it_i
     let home = Home { rooms: vec!["red", "blue", "green"], blocks: vec![("yellow", "chair", 1)], robot: 0 }.json();
     let requests = format!(
         "home {home}\ncommand go to the red room\nstep\ncommand hello\ncommand go to the red room\ncommand go to the red room\nforget\n\
-         command don't go to the red room\ncommand don't go to the blue room\ncommand don't go to the blue room\ncommand go to the blue room\n"
+         command don't go to the red room\nforget\ncommand don't go to the blue room\ncommand why don't you go to the blue room\n\
+         command why don't you go to the blue room\ncommand go to the blue room\n"
     );
     let run = goodbot(&["teach", "--model", &model, "--log", &format!("{model}.jsonl")], requests.as_bytes());
     let answers: Vec<Value> = run.output.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     let heard: Vec<_> = answers.iter().filter(|line| line["type"] == "heard").map(|line| line["verdict"].as_str().unwrap()).collect();
-    assert_eq!(heard, ["done", "none", "done", "try", "none", "none", "none", "try"], "{}{}", run.output, run.messages);
+    assert_eq!(heard, ["done", "none", "done", "try", "try", "done", "none", "none", "try"], "{}{}", run.output, run.messages);
     assert!(answers.iter().any(|line| line["done"] == "go to the red room"));
     assert!(answers.iter().any(|line| line["message"] == "no session is under way"), "it waits");
 }
@@ -278,7 +279,7 @@ fn check(model: &str, home: &Home, cases: &[(&str, &str, &str)]) {
 }
 
 /// Three rooms with the robot in the first, a yellow bag in the last, and two chairs.
-fn three_rooms() -> Home {
+pub fn three_rooms() -> Home {
     let blocks = vec![("yellow", "bag", 2), ("red", "chair", 0), ("green", "chair", 1)];
     Home { rooms: vec!["red", "blue", "green"], blocks, robot: 0 }
 }

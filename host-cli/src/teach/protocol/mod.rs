@@ -13,8 +13,8 @@ use goodbot::feedback::Feedback;
 use goodbot::planning::OptimalSet;
 use goodbot::session::Evidence;
 use goodbot::talk::{Class, Hypothesis};
-use goodbot_lesson::voice::Said;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+use goodbot_lesson::voice::Said;
 use lines::Lines;
 use serde_json::{Map, Value, json};
 use std::io::{self, BufRead, Write};
@@ -251,7 +251,10 @@ impl Speaker<'_> {
     /// Whatever a person says.
     fn say(&mut self, words: &str) -> Answers {
         if words.is_empty() {
-            return Err(Misunderstood { message: "nothing was said".to_owned(), instead: "send say and some words, such as: say good robot" });
+            return Err(Misunderstood {
+                message: "nothing was said".to_owned(),
+                instead: "send say and some words, such as: say good robot",
+            });
         }
         let nothing = |taken_for: &str| Ok(vec![json!({"type": "said", "words": words, "taken_for": taken_for})]);
         match self.classroom.trainer.said(words)? {

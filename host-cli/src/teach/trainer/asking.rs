@@ -24,8 +24,7 @@ impl Trainer {
         if !self.lesson.is_under_way() {
             return Err(no_session());
         }
-        let (agent, rooms, state) = self.lesson.parts();
-        let question = agent.question(rooms, state, asking).map_err(refused)?;
+        let question = self.lesson.ask(asking).map_err(refused)?;
         Ok(question.and_then(|question| self.in_words(&question)))
     }
 

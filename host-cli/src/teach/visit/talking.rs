@@ -14,11 +14,8 @@ impl Visit {
         let words = self.prompt.text().trim().to_owned();
         let in_session = self.classroom.lesson().is_under_way();
         if words.is_empty() {
-            (self.message, self.typing) = if in_session {
-                (String::new(), false)
-            } else {
-                ("Write what it shall do, such as: go to the red room".to_owned(), true)
-            };
+            (self.message, self.typing) =
+                if in_session { (String::new(), false) } else { ("Write what it shall do, such as: go to the red room".to_owned(), true) };
             return Ok(());
         }
         let said = self.classroom.trainer.said(&words)?;

@@ -1,0 +1,387 @@
+//! A robot that listens while it is taught: several commands, what shall not be, praise and blame in words, corrections, questions.
+
+use crate::program::goodbot;
+use crate::talk::{ENGLISH, Home, go, take, taught, three_rooms};
+use serde_json::{Value, json};
+use std::io::{BufRead, BufReader, Lines, Write};
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+
+/// A robot that is taught line by line.
+struct Robot {
+    child: Child,
+    input: Option<ChildStdin>,
+    output: Lines<BufReader<ChildStdout>>,
+}
+
+impl Robot {
+    fn new(arguments: &[&str]) -> Self {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_goodbot"))
+            .args(["teach", "--lines"])
+            .args(arguments)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("the program");
+        let mut output = BufReader::new(child.stdout.take().expect("a pipe")).lines();
+        output.next().expect("a greeting").expect("text");
+        Self { input: child.stdin.take(), output, child }
+    }
+
+    /// Sends a request, and gives the lines of the answer.
+    fn tell(&mut self, request: &str) -> Vec<Value> {
+        writeln!(self.input.as_mut().expect("a pipe"), "{request}").expect("a robot that listens");
+        let read = |line: std::io::Result<String>| serde_json::from_str(&line.expect("text")).expect("JSON");
+        self.output.by_ref().map(read).take_while(|line: &Value| line["type"] != "done").collect()
+    }
+
+    fn one(&mut self, request: &str) -> Value {
+        self.tell(request).into_iter().next().expect("an answer")
+    }
+
+    /// Walks until the robot takes its task for done, with a word for each step. Gives the task that it followed.
+    fn walk(&mut self, words: impl Fn(&Value) -> String) -> String {
+        for _ in 0..60 {
+            let step = self.one("step");
+            let word = words(&step);
+            self.tell(&word);
+            if step["plan"] == "goal" {
+                return step["task"].as_str().expect("a task").to_owned();
+            }
+        }
+        panic!("the robot does not arrive");
+    }
+}
+
+impl Drop for Robot {
+    fn drop(&mut self) {
+        self.input = None;
+        let _ = self.child.wait();
+    }
+}
+
+fn silence(_: &Value) -> String {
+    "silence".to_owned()
+}
+
+/// What is right for a task, in the words of somebody who means it.
+fn is_right(step: &Value, meant: &str) -> bool {
+    step["tasks"].as_array().expect("tasks").iter().any(|task| task["task"] == meant && task["right"] == true)
+}
+
+#[test]
+fn several_commands_are_a_session_each_and_other_commands_read_their_log() {
+    let (folder, model) = taught(60, &ENGLISH);
+    let path = |name: &str| folder.path().join(name).to_str().expect("a name").to_owned();
+    let log = path("lessons.jsonl");
+    {
+        let mut robot = Robot::new(&["--model", &model, "--log", &log]);
+        robot.tell(&format!("home {}", three_rooms().json()));
+        let heard = robot.one("command leave the red room and go to the green room and then to the blue one");
+        assert_eq!(
+            (heard["command"].as_str(), heard["rest"].as_str()),
+            (Some("leave the red room"), Some("go to the green room and then to the blue one")),
+            "{heard}"
+        );
+        assert_eq!(robot.walk(|_| "good".to_owned()), "!agentInRoom(agent0,room0)");
+        let [finished, next] = &robot.tell("finish")[..] else { panic!("the next part") };
+        assert_eq!(finished["learned"], false, "the words for what shall not be are not those of its tasks");
+        assert_eq!((next["command"].as_str(), next["rest"].as_str()), (Some("go to the green room"), Some("to the blue one")), "{next}");
+        assert_eq!(robot.walk(|_| "good".to_owned()), go(2));
+        let [finished, next] = &robot.tell("finish")[..] else { panic!("the last part") };
+        assert_eq!((&finished["learned"], next["command"].as_str(), &next["rest"]), (&json!(true), Some("to the blue one"), &Value::Null));
+        robot.tell("step");
+        robot.tell("good");
+        robot.tell("back");
+        assert_eq!(robot.walk(|_| "good".to_owned()), go(1));
+        assert_eq!(robot.tell("finish").len(), 1, "that was all");
+    }
+    let read = goodbot(&["check", &log], b"");
+    assert_eq!(read.code, 0, "{}{}", read.output, read.messages);
+    let replayed = goodbot(&["replay", &log, "--json"], b"");
+    assert_eq!(replayed.code, 0, "{}{}", replayed.output, replayed.messages);
+    let learned = goodbot(&["learn", &log, "--out", &path("again.goodbot"), "--quiet"], b"");
+    assert_eq!(learned.code, 0, "{}{}", learned.output, learned.messages);
+}
+
+#[test]
+fn all_things_of_a_kind_are_brought_one_after_another() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let mut robot = Robot::new(&["--model", &model]);
+    let home = json!({"version": 1, "objects": [
+        {"class": "room", "name": "room0", "left": 0, "bottom": 0, "right": 6, "top": 6, "color": "red"},
+        {"class": "room", "name": "room1", "left": 6, "bottom": 0, "right": 12, "top": 6, "color": "blue"},
+        {"class": "door", "name": "door0", "left": 6, "bottom": 3, "right": 6, "top": 3},
+        {"class": "block", "name": "block0", "x": 3, "y": 3, "color": "green", "shape": "chair"},
+        {"class": "block", "name": "block1", "x": 3, "y": 2, "color": "yellow", "shape": "chair"},
+        {"class": "agent", "name": "agent0", "x": 1, "y": 3},
+    ]});
+    robot.tell(&format!("home {home}"));
+    let heard = robot.one("command bring all chairs to the blue room");
+    assert_eq!(heard["verdict"], "try", "{heard}");
+    let first = robot.walk(silence);
+    let [_, next] = &robot.tell("finish")[..] else { panic!("the other chair") };
+    assert_eq!(next["verdict"], "try", "{next}");
+    let second = robot.walk(silence);
+    let mut both = [first, second];
+    both.sort();
+    assert_eq!(both, [take(0, 1), take(1, 1)]);
+    let ended = robot.tell("finish");
+    assert!(ended.len() == 1 || ended[1]["verdict"] == "done", "{ended:?}");
+}
+
+#[test]
+fn what_is_still_to_come_ends_with_a_part_that_is_stopped() {
+    let (_folder, model) = taught(60, &ENGLISH);
+    let mut robot = Robot::new(&["--model", &model]);
+    robot.tell(&format!("home {}", three_rooms().json()));
+    robot.tell("command go to the blue room and then go to the green room");
+    robot.tell("step");
+    let stopped = robot.tell("say stop");
+    assert_eq!((stopped.len(), &stopped[0]["type"], &stopped[0]["learned"]), (1, &json!("finished"), &json!(false)));
+    assert_eq!(robot.one("state")["command"], Value::Null);
+}
+
+/// A simulated trainer with no button: it says "good" and "no" in three of four steps, nothing in the others, and says good to a robot that
+/// rests where it should.
+#[test]
+fn a_robot_that_only_hears_words_passes_the_course() {
+    const GOOD: [&str; 4] = ["good", "yes", "good robot", "well that was right"];
+    const BAD: [&str; 4] = ["no", "bad robot", "wrong", "no no"];
+    let mut passed = Vec::new();
+    for seed in ["1", "2", "3"] {
+        let mut robot = Robot::new(&["--tour", "--seed", seed]);
+        let mut lesson = robot.one("state")["lesson"].clone();
+        let mut said = 0;
+        while lesson["test"] == false {
+            let heard = robot.one("command");
+            let words = heard["command"].as_str().expect("a command").to_owned();
+            let meant = heard["tasks"].as_array().expect("tasks").iter().find(|task| task["words"] == words.as_str()).cloned();
+            let Some(meant) = meant.and_then(|task| task["task"].as_str().map(str::to_owned)) else { panic!("{words}: {heard}") };
+            let mut over = None;
+            for step in 0..80 {
+                let acted = robot.one("step");
+                let right = is_right(&acted, &meant);
+                let is_there = right && acted["plan"] == "goal" && acted["task"] == meant.as_str();
+                said += 1;
+                let word = match (right, (step * step + said * 3) % 4) {
+                    (_, 3) if !is_there => continue,
+                    (true, which) => GOOD[which],
+                    (false, which) => BAD[which],
+                };
+                let told = robot.tell(&format!("say {word}"));
+                assert!(told[0]["type"] == "judged" && told[0]["feedback"] == if right { "reward" } else { "punish" }, "{word}: {told:?}");
+                over = told.iter().find(|line| line["type"] == "lesson").map(|line| line["lesson"].clone());
+                if over.is_some() {
+                    break;
+                }
+            }
+            lesson = over.expect("praise at the goal ends the lesson");
+        }
+        let mut right = 0;
+        for _ in 0..5 {
+            right += usize::from(robot.tell("command").iter().any(|line| line["type"] == "tested" && line["right"] == true));
+        }
+        passed.push(right);
+    }
+    assert!(passed.iter().all(|&right| right >= 4) && passed.contains(&5), "{passed:?}");
+}
+
+#[test]
+fn words_mean_what_the_conversation_makes_of_them() {
+    let mut robot = Robot::new(&["--seed", "1"]);
+    assert_eq!(robot.one("say hello")["taken_for"], "greeting");
+    assert_eq!(robot.one("say good robot")["taken_for"], "praise", "there is no step to judge");
+    assert_eq!(robot.one("say put the good chair into the red room")["type"], "heard");
+    robot.tell("step");
+    assert_eq!(robot.one("say well done")["feedback"], "reward");
+    robot.tell("step");
+    assert_eq!(robot.one("say not good")["feedback"], "punish");
+    assert_eq!(robot.one("say undo")["type"], "back");
+    assert_eq!(robot.one("say stop")["type"], "finished");
+    assert_eq!(robot.one("say again")["command"], "put the good chair into the red room");
+    robot.tell("step");
+    // Words of one's own, along with a button.
+    assert_eq!(robot.one("say flub")["type"], "heard", "a word that nobody knows may be a command");
+    robot.tell("step");
+    assert_eq!(robot.one("good flub")["feedback"], "reward");
+    robot.tell("step");
+    assert_eq!(robot.one("say flub")["feedback"], "reward");
+    assert_eq!(robot.one("bad zonk")["feedback"], "punish");
+    robot.tell("step");
+    assert_eq!(robot.one("say zonk")["feedback"], "punish");
+}
+
+#[test]
+fn a_correction_turns_the_robot_round() {
+    let (folder, model) = taught(60, &ENGLISH);
+    let log = folder.path().join("lessons.jsonl").to_str().expect("a name").to_owned();
+    let mut robot = Robot::new(&["--model", &model, "--log", &log]);
+    robot.tell(&format!("home {}", three_rooms().json()));
+    for (command, correction, meant) in [
+        ("go to the blue room", "no, the green one", go(2)),
+        ("go to the blue room", "I meant the green one", go(2)),
+        ("go to the green room", "not the green one", go(1)),
+        ("go to the blue room", "no the other one", go(2)),
+        ("take the red chair to the green room", "no, the blue room", take(1, 1)),
+        ("take the green chair to the red room", "no, I meant the yellow bag", take(0, 0)),
+    ] {
+        robot.tell(&format!("command {command}"));
+        let step = robot.one("step");
+        let told = robot.one(&format!("say {correction}"));
+        assert_eq!(
+            (told["type"].as_str(), told["tasks"][0]["task"].as_str()),
+            (Some("corrected"), Some(&*meant)),
+            "{command}; {correction}: {step} {told}"
+        );
+        robot.tell("forget");
+        robot.tell("reset");
+    }
+    robot.tell("command go to the blue room");
+    robot.tell("step");
+    let told = robot.one("say no, the green one");
+    let believed = told["tasks"][0].clone();
+    assert_eq!(robot.one("step")["task"], go(2), "it turns round");
+    assert!(robot.one("say go to the red room")["type"] == "heard", "words for what to do are a command");
+    drop(robot);
+    let replayed = goodbot(&["replay", &log, "--json"], b"");
+    assert_eq!(replayed.code, 0, "{}", replayed.messages);
+    let written = std::fs::read_to_string(&log).expect("a log");
+    assert!(written.contains(r#""words":"no, the green one""#), "{written}");
+    assert!(believed["probability"].as_f64().is_some_and(|probability| probability > 0.5), "{believed}");
+}
+
+/// Free play: a robot with 20 lessons asks before at most one command in five, and understands no less than one that never asks.
+#[test]
+fn a_robot_of_twenty_lessons_asks_seldom_and_loses_nothing() {
+    let (_folder, model) = taught(20, &ENGLISH);
+    let mut results = Vec::new();
+    for asks in [false, true] {
+        let mut robot = Robot::new(&["--model", &model]);
+        let (mut commands, mut questioned, mut right) = (0, 0, 0);
+        for seed in 2_000..2_040 {
+            let home = Home::number(seed);
+            let room = (home.robot + 1) % home.rooms.len();
+            let (color, shape, place) = home.blocks[seed % home.blocks.len()];
+            let (words, meant) = if seed % 2 == 0 || place == room {
+                (format!("please go to the {} room", home.rooms[room]), go(room))
+            } else {
+                (format!("bring the {color} {shape} to the {} room", home.rooms[room]), take(seed % home.blocks.len(), room))
+            };
+            robot.tell(&format!("home {}", home.json()));
+            let heard = robot.one(&format!("command {words}"));
+            commands += 1;
+            let (mut asked, mut seen) = (false, Vec::new());
+            let mut followed = heard["tasks"][0]["task"].clone();
+            for _ in 0..30 {
+                robot.tell("silence");
+                if asks {
+                    let question = robot.one("ask");
+                    if let Some(text) = question["text"].as_str() {
+                        let what = format!("{text}{}", question["choices"]);
+                        assert!(!seen.contains(&what), "{words}: {what} twice");
+                        seen.push(what);
+                        asked = true;
+                        assert!(heard_at_most(&robot.one("state"), 0.8), "{words}");
+                        let tasks = question["tasks"].as_array().expect("tasks");
+                        let choices = question["choices"].as_array().expect("choices").len();
+                        let answer = match tasks.iter().any(|task| *task == meant.as_str()) {
+                            false => "no".to_owned(),
+                            true if choices == 0 => "yes".to_owned(),
+                            true => choice(&question, &home, &meant),
+                        };
+                        robot.tell(&format!("answer {answer}"));
+                    }
+                }
+                let step = robot.one("step");
+                followed = step["task"].clone();
+                if step["plan"] != "toward" {
+                    break;
+                }
+            }
+            questioned += usize::from(asked);
+            right += usize::from(followed == meant.as_str());
+            robot.tell("finish");
+        }
+        results.push((commands, questioned, right));
+    }
+    let [(_, _, before), (commands, questioned, right)] = results[..] else { panic!("two ways") };
+    println!("of {commands} commands {questioned} brought a question; {before} were right without questions, {right} with them");
+    assert!(questioned * 5 <= commands && right >= before, "{results:?}");
+}
+
+fn heard_at_most(state: &Value, most: f64) -> bool {
+    state["tasks"][0]["probability"].as_f64().is_some_and(|probability| probability <= most + 1e-6)
+}
+
+/// The number of the choice that names the thing or the place of what is meant.
+fn choice(question: &Value, home: &Home, meant: &str) -> String {
+    let names = |text: &str| {
+        let room = home
+            .rooms
+            .iter()
+            .enumerate()
+            .any(|(at, color)| meant.contains(&format!("room{at})")) && text.contains(&format!("{color} room")));
+        let block = home
+            .blocks
+            .iter()
+            .enumerate()
+            .any(|(at, (color, shape, _))| meant.contains(&format!("block{at},")) && text.contains(&format!("{color} {shape}")));
+        (room, block)
+    };
+    let choices = question["choices"].as_array().expect("choices");
+    let is_block = meant.starts_with("block");
+    let fits = choices.iter().position(|text| {
+        let text = text.as_str().expect("text");
+        let (room, block) = names(text);
+        if text.starts_with("take ") {
+            room && block == is_block && is_block
+        } else if text.starts_with("go ") {
+            room && !is_block
+        } else {
+            room || block
+        }
+    });
+    fits.map_or_else(|| "no".to_owned(), |at| (at + 1).to_string())
+}
+
+#[test]
+fn which_of_two_is_asked_where_both_fit_alike() {
+    let (_folder, model) = taught(60, &ENGLISH);
+    let mut robot = Robot::new(&["--model", &model]);
+    let blocks = vec![("red", "chair", 0), ("green", "chair", 1)];
+    robot.tell(&format!("home {}", Home { rooms: vec!["red", "blue", "green"], blocks, robot: 0 }.json()));
+    let heard = robot.one("command take the chair to the green room");
+    let most = heard["tasks"][0]["probability"].as_f64().expect("a number");
+    assert!(most < 0.65, "sure of one of two: {heard}");
+    let question = robot.one("ask");
+    let text = format!("{}{}", question["text"], question["choices"]);
+    assert!(text.contains("chair"), "{question}");
+    assert_eq!(robot.one("ask")["text"], Value::Null, "not twice");
+}
+
+#[test]
+fn what_is_said_too_often_or_too_long_is_refused_and_nothing_is_lost() {
+    let (_folder, model) = taught(60, &ENGLISH);
+    let mut robot = Robot::new(&["--model", &model]);
+    robot.tell(&format!("home {}", three_rooms().json()));
+    robot.tell("command go to the blue room");
+    robot.tell("step");
+    for long in ["again ".repeat(1_000), "no ".repeat(1_000), ["go to the blue room"; 50].join(" and then "), "x".repeat(10_000)] {
+        let told = robot.one(&format!("say {long}"));
+        assert_eq!(told["type"], "error", "{told}");
+    }
+    assert_eq!(robot.one("state")["command"], "go to the blue room", "the session goes on");
+    assert_eq!(robot.one("say again")["type"], "said", "it is on its way");
+    assert_eq!(robot.one("say")["type"], "error");
+    // Fifty parts of one word each are too many for one sentence; ten are one after another.
+    let parts = ["blue", "red"].iter().cycle().take(10).map(|color| format!("go to {color}")).collect::<Vec<_>>().join(" then ");
+    let heard = robot.one(&format!("command {parts}"));
+    assert_eq!(heard["command"], "go to blue", "{heard}");
+    for part in 1..10 {
+        robot.walk(silence);
+        let ended = robot.tell("finish");
+        assert_eq!(ended.get(1).map(|next| next["verdict"].clone()), Some(json!("try")), "part {part}: {ended:?}");
+    }
+    robot.walk(silence);
+    assert_eq!(robot.tell("finish").len(), 1);
+}

@@ -1,0 +1,103 @@
+//! When the robot asks in a live session: seldom, and nothing twice.
+//!
+//! Beside what [`goodbot::asking`] decides: never where a task is believed with 0.8; never what was asked or offered before in the session,
+//! even after a step back; and half as readily after each session in which all answers were as expected, down to an eighth, until one is not.
+//! While a question waits for its answer, no other is asked.
+//! Where the robot listened and two tasks fit nearly as well that differ in one object, such as two chairs, it asks at once which is meant.
+
+use crate::live::{Lesson, LiveError};
+use goodbot::asking::{Asking, Question};
+use goodbot::task::TaskSet;
+
+/// With this much belief in a task nothing is asked.
+const SURE: f32 = 0.8;
+/// Answers as expected in so many sessions make it ask ever less.
+const MOST_TRUST: u8 = 3;
+/// An answer with less than this share of an even part is a surprise.
+const LEAST_EXPECTED: f32 = 0.9;
+/// What a question costs in steps where two things fit alike.
+const COST_OF_A_TIE: f32 = 0.5;
+/// Two tasks fit alike if the less probable one has this share of the other, and both together this belief.
+const TIE: f32 = 0.6;
+
+/// What was asked in a session, and how it was answered.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Asked {
+    /// The tasks of each question and of each of its choices.
+    sets: Vec<TaskSet>,
+    answered: bool,
+    surprised: bool,
+}
+
+impl Asked {
+    /// Takes note of an answer: how probable it was, and how many others there were. One that is less probable than most is a surprise.
+    pub fn hear(&mut self, probability: f32, others: u8) {
+        self.answered = true;
+        self.surprised |= probability * (f32::from(others) + 1.0) < LEAST_EXPECTED;
+    }
+
+    /// How far the robot trusts itself after this session.
+    pub fn trust(&self, before: u8) -> u8 {
+        match (self.answered, self.surprised) {
+            (false, _) => before,
+            (true, false) => before.saturating_add(1).min(MOST_TRUST),
+            (true, true) => 0,
+        }
+    }
+
+    fn has(&self, question: &Question) -> bool {
+        sets(question).any(|set| self.sets.contains(&set))
+    }
+}
+
+/// The tasks of a question, and those of each choice.
+fn sets(question: &Question) -> impl Iterator<Item = TaskSet> {
+    let count = usize::from(question.subject.choices());
+    std::iter::once(question.yes).chain(question.choices.into_iter().take(count)).filter(|set| !set.is_empty())
+}
+
+impl Lesson {
+    /// What the robot asks here, if a question teaches it more than its next steps do. The plan must be done.
+    ///
+    /// # Errors
+    /// [`LiveError::NoSession`], or what [`Agent::question`](goodbot::Agent::question) refuses.
+    pub fn ask(&mut self, asking: &Asking) -> Result<Option<Question>, LiveError> {
+        // Who does not answer is not asked more.
+        if self.agent.open_question().is_some() {
+            return Ok(None);
+        }
+        let mut asking =
+            Asking { sure: asking.sure.min(SURE), kappa: asking.kappa * f32::from(1_u8 << self.trust.min(MOST_TRUST)), ..*asking };
+        if asking.kappa.is_finite() && self.has_tie() {
+            asking.kappa = asking.kappa.min(COST_OF_A_TIE);
+        }
+        loop {
+            let (agent, home, state) = self.parts();
+            let question = agent.question(home, state, &asking)?;
+            let asked = self.asked_mut()?;
+            match question {
+                None => return Ok(None),
+                // The agent proposes nothing twice, so this ends.
+                Some(question) if asked.has(&question) => self.agent.withdraw_question(),
+                Some(question) => {
+                    asked.sets.extend(sets(&question));
+                    return Ok(Some(question));
+                }
+            }
+        }
+    }
+
+    /// Whether two tasks that differ in one object fit what was said nearly as well.
+    fn has_tie(&self) -> bool {
+        if self.session().is_none_or(|(walk, _)| walk.listening.is_none()) {
+            return false;
+        }
+        let mut likeliest: Vec<(usize, f32)> =
+            (0..self.agent.tasks().len()).map(|task| (task, self.agent.belief().probability(task))).collect();
+        likeliest.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let [(first, most), (second, next), ..] = likeliest[..] else { return false };
+        let [first, second] = [first, second].map(|task| self.agent.tasks()[task]);
+        let different = first.bindings.iter().zip(&second.bindings).filter(|(a, b)| a != b).count();
+        first.lifted == second.lifted && different == 1 && next >= TIE * most && most + next >= TIE
+    }
+}

@@ -1,0 +1,190 @@
+//! A live session that began by listening, and its record: gone through once more, it gives the same belief and the same model, to the bit.
+
+use goodbot::feedback::Feedback;
+use goodbot::home::{Moves, paper_tasks};
+use goodbot::memory::AgentHeap;
+use goodbot::session::Options;
+use goodbot::talk::{Hypothesis, Verdict};
+use goodbot::task::TaskSet;
+use goodbot::{Agent, Capacities};
+use goodbot_formats::environment::EnvironmentFile;
+use goodbot_formats::session::{RecordedSession, SessionReader};
+use goodbot_lesson::live::Lesson;
+use goodbot_lesson::replay::{Event, Replay, Rules};
+use goodbot_lesson::voice::Said;
+use goodbot_lesson::{checked, home};
+use rand_pcg::Pcg32;
+
+const COLORS: [[&str; 3]; 6] = [
+    ["red", "blue", "green"],
+    ["blue", "green", "red"],
+    ["green", "red", "blue"],
+    ["red", "green", "blue"],
+    ["blue", "red", "green"],
+    ["green", "blue", "red"],
+];
+
+/// Three rooms in a row, with two things that the robot can push along.
+fn home_of(colors: [&str; 3], things: [(&str, &str); 2]) -> EnvironmentFile {
+    let room = |at: usize| {
+        let left = at * 6;
+        format!(r#"{{"class":"room","name":"room{at}","left":{left},"bottom":0,"right":{},"top":6,"color":"{}"}}"#, left + 6, colors[at])
+    };
+    let door = |at: usize| format!(r#"{{"class":"door","name":"door{at}","left":{0},"bottom":3,"right":{0},"top":3}}"#, at * 6);
+    let thing = |at: usize| {
+        let (color, shape) = things[at];
+        format!(r#"{{"class":"block","name":"block{at}","x":3,"y":{},"color":"{color}","shape":"{shape}"}}"#, 3 - at)
+    };
+    let robot = r#"{"class":"agent","name":"agent0","x":1,"y":4}"#.to_owned();
+    let objects = [room(0), room(1), room(2), door(1), door(2), thing(0), thing(1), robot];
+    EnvironmentFile::parse(&format!(r#"{{"version":1,"objects":[{}]}}"#, objects.join(","))).expect("a home")
+}
+
+fn rooms() -> EnvironmentFile {
+    home_of(COLORS[0], [("yellow", "chair"), ("purple", "chair")])
+}
+
+/// A robot that was told what 60 commands mean, each in a home of its own.
+fn taught() -> Lesson {
+    let lifted = paper_tasks().expect("tasks");
+    let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), &lifted, Options::DEFAULT).expect("an agent");
+    for lesson in 0..60 {
+        let (colors, room) = (COLORS[lesson % 6], 1 + lesson / 6 % 2);
+        let shapes = [["chair", "bag"], ["bag", "chair"]][lesson / 2 % 2];
+        let of_things = [["yellow", "purple"], ["purple", "yellow"]][lesson / 3 % 2];
+        let things = [0, 1].map(|at| (of_things[at], shapes[at]));
+        let (place, start) = home::build(&home_of(colors, things), Moves::Push, home::memory()).expect("a home");
+        let ((color, shape), thing) = (things[lesson / 5 % 2], lesson / 5 % 2);
+        let (command, task) = match lesson % 4 {
+            0 => (format!("go to the {} room", colors[room]), format!("agentInRoom(agent0,room{room})")),
+            1 => (format!("walk into the {} room", colors[room]), format!("agentInRoom(agent0,room{room})")),
+            2 => (format!("take the {color} {shape} to the {} room", colors[room]), format!("blockInRoom(block{thing},room{room})")),
+            _ => (format!("bring the {color} {shape} to the {} room", colors[room]), format!("blockInRoom(block{thing},room{room})")),
+        };
+        agent.hear(&place, &start, &command).expect("a command");
+        let told = agent.task_named(&place, &task).expect("a task");
+        let _ = agent.answered(TaskSet::of(told), true, 1e-6, 1).expect("an answer");
+        if agent.finish_for_later(&place).is_err() {
+            let _ = agent.finish(&place).expect("learned");
+        }
+    }
+    agent.begin_learning();
+    agent.learn_fully();
+    let (place, start) = home::build(&rooms(), Moves::Push, home::memory()).expect("a home");
+    Lesson::new(agent, place, start)
+}
+
+/// Walks until the robot takes its task for done, and praises each step.
+fn walk(lesson: &mut Lesson, random: &mut Pcg32) {
+    for _ in 0..60 {
+        while !lesson.plan(10_000).expect("a plan") {}
+        let acted = lesson.act(random).expect("a step").clone();
+        let right = acted.is_right(lesson.agent.most_likely().expect("a task")).unwrap_or(false);
+        lesson.judge(if right { Feedback::Reward } else { Feedback::Punish }).expect("a word");
+        if acted.plan.onward().is_none() {
+            return;
+        }
+        lesson.go_on().expect("it goes on");
+    }
+    panic!("it does not arrive");
+}
+
+fn beliefs(agent: &Agent<AgentHeap>) -> Vec<u32> {
+    (0..agent.tasks().len()).map(|task| agent.belief().probability(task).to_bits()).collect()
+}
+
+/// Goes through a record with another robot, as one who reads it from a log.
+fn replayed(lesson: &mut Lesson, recorded: &RecordedSession) -> Vec<u32> {
+    let log = recorded.to_lines().expect("lines").join("\n");
+    let read = SessionReader::new(log.as_bytes()).next().expect("a session").expect("sound");
+    assert_eq!(read.header, recorded.header);
+    let lifted = paper_tasks().expect("tasks");
+    let session = checked::check("log", &read, &lifted, home::memory()).unwrap_or_else(|faults| panic!("{faults:?}\n{log}"));
+    let mut replay = Replay::new(Rules::AS_IT_WAS);
+    while replay.advance(&mut lesson.agent, &session.walk, u32::MAX).expect("a walk") != Event::Ended {}
+    let beliefs = beliefs(&lesson.agent);
+    let _ = lesson.agent.finish(&session.walk.home).expect("learned");
+    lesson.agent.learn_fully();
+    beliefs
+}
+
+/// Ends a session, and has another robot go through its record.
+fn end(lesson: &mut Lesson, other: &mut Lesson) {
+    let recorded = lesson.recorded(true).expect("a session");
+    // The end is evidence too where people are expected; here it is not.
+    let believed = beliefs(&lesson.agent);
+    assert_eq!(replayed(other, &recorded), believed, "{:?}", recorded.header.command);
+    let _ = lesson.finish().expect("learned");
+    lesson.agent.learn_fully();
+    assert!(lesson.agent.saved().expect("a model") == other.agent.saved().expect("a model"), "{:?}", recorded.header.command);
+}
+
+#[test]
+fn each_part_of_what_was_said_is_replayed_to_the_bit() {
+    let (mut lesson, mut other, mut random) = (taught(), taught(), Pcg32::new(1, 1));
+    let listened = lesson.listen("leave the red room and go to the green room, and then to the blue room", rooms(), false).expect("heard");
+    assert_eq!((listened.hypothesis, lesson.command()), (Hypothesis::Several, Some("leave the red room")));
+    walk(&mut lesson, &mut random);
+    end(&mut lesson, &mut other);
+    assert_eq!(lesson.rest(), Some("go to the green room, and then to the blue room"));
+    for command in ["go to the green room", "to the blue room"] {
+        let now = lesson.environment();
+        lesson.listen_on(now).expect("heard").expect("a part");
+        assert_eq!(lesson.command(), Some(command));
+        walk(&mut lesson, &mut random);
+        // A step back hears the part again as it was heard.
+        let before = beliefs(&lesson.agent);
+        lesson.go_on().expect("it goes on");
+        while !lesson.plan(10_000).expect("a plan") {}
+        lesson.act(&mut random).expect("a step");
+        lesson.judge(Feedback::Punish).expect("a word");
+        assert!(lesson.take_back().expect("a step back"));
+        lesson.walk_on().expect("walked again");
+        assert_eq!(beliefs(&lesson.agent), before);
+        end(&mut lesson, &mut other);
+    }
+    assert!(!lesson.is_more() && lesson.listen_on(rooms()).expect("nothing").is_none());
+}
+
+#[test]
+fn what_is_done_already_is_passed_over_and_the_part_behind_it_is_replayed() {
+    let (mut lesson, mut other, mut random) = (taught(), taught(), Pcg32::new(1, 1));
+    lesson.listen("go to the red room and then to the green room", rooms(), false).expect("heard");
+    assert_eq!(lesson.command(), Some("to the green room"), "it is in the red room");
+    walk(&mut lesson, &mut random);
+    end(&mut lesson, &mut other);
+    assert_eq!(lesson.listen("go to the green room", rooms(), false).expect("heard").verdict, Verdict::Done);
+    assert!(!lesson.is_under_way());
+}
+
+#[test]
+fn all_things_are_brought_one_by_one() {
+    let (mut lesson, mut other, mut random) = (taught(), taught(), Pcg32::new(1, 1));
+    let listened = lesson.listen("bring all chairs to the blue room", rooms(), false).expect("heard");
+    assert_eq!((listened.hypothesis, listened.tasks.iter().count()), (Hypothesis::All, 2));
+    let mut things = Vec::new();
+    while lesson.is_under_way() {
+        walk(&mut lesson, &mut random);
+        let task = lesson.agent.most_likely().expect("a task");
+        things.push(lesson.name_of(task).expect("a name").to_string());
+        end(&mut lesson, &mut other);
+        let now = lesson.environment();
+        lesson.listen_on(now).expect("heard");
+    }
+    things.sort();
+    assert_eq!(things, ["blockInRoom(block0,room1)", "blockInRoom(block1,room1)"]);
+}
+
+#[test]
+fn a_correction_is_replayed_to_the_bit() {
+    let (mut lesson, mut other, mut random) = (taught(), taught(), Pcg32::new(1, 1));
+    lesson.listen("go to the blue room", rooms(), false).expect("heard");
+    while !lesson.plan(10_000).expect("a plan") {}
+    lesson.act(&mut random).expect("a step");
+    assert_eq!(lesson.said("no, the green one").expect("heard"), Said::Correction);
+    let _ = lesson.correct("no, the green one").expect("taken in");
+    lesson.go_on().expect("it goes on");
+    assert_eq!(lesson.name_of(lesson.agent.most_likely().expect("a task")).expect("a name").to_string(), "agentInRoom(agent0,room2)");
+    walk(&mut lesson, &mut random);
+    end(&mut lesson, &mut other);
+}
