@@ -298,7 +298,11 @@ impl Trainer {
     fn record(&self, learn: bool) -> Option<RecordedSession> {
         let mut record = self.lesson.recorded(learn)?;
         record.header.id = self.id.clone();
-        record.header.set_meant(self.intended.and_then(|position| self.lesson.name_of(position)).as_ref());
+        // A log tells what was meant where it is a task of the paper's kind that is to be done.
+        let is_to_do =
+            |position: &usize| !self.is_about_what_shall_not_be() && !self.lesson.agent.done(self.lesson.home()).contains(*position);
+        let meant = self.intended.filter(is_to_do).and_then(|position| self.lesson.name_of(position));
+        record.header.set_meant(meant.as_ref());
         Some(record)
     }
 }
