@@ -169,6 +169,43 @@ pub enum Problem {
     ContinuesAnother,
     /// A session with `continues` after a session that could not be read.
     ContinuesUnread,
+    /// Something of a world that it does not have.
+    NotInWorld {
+        /// Of what kind it would be.
+        what: &'static str,
+        /// Its name.
+        name: String,
+    },
+    /// A value of an attribute that the object's class does not carry.
+    NotCarried {
+        /// The class.
+        class: String,
+    },
+    /// A proposition with more or fewer arguments than it has in its world.
+    ArgumentCount {
+        /// The proposition.
+        name: String,
+        /// How many it was given.
+        given: usize,
+        /// How many it has.
+        wanted: usize,
+    },
+    /// An object, or a variable, of another class than belongs in its place.
+    WrongClass {
+        /// Its name.
+        name: String,
+        /// The class that belongs there.
+        class: String,
+    },
+    /// A proposition with `!` where something holds.
+    Negated,
+    /// A kind of task of a world that has a way.
+    KindWithWay,
+    /// A command in a world that was not named before it.
+    NoSuchWorld {
+        /// The world's name.
+        name: String,
+    },
 }
 
 impl FormatError {
@@ -286,6 +323,21 @@ impl fmt::Display for Problem {
             Problem::ContinuesAnother => f.write_str("the session before has another command or environment; remove \"continues\""),
             Problem::ContinuesUnread => {
                 f.write_str("the session before could not be read, so nothing can be continued; mend that one first")
+            }
+            Problem::NotInWorld { what, name } => write!(f, "the world has no {what} {}; add it, or correct the name", quoted(name)),
+            Problem::NotCarried { class } => {
+                write!(f, "objects of the class {} do not carry this attribute; add the class to the attribute's list", quoted(class))
+            }
+            Problem::ArgumentCount { name, given, wanted } => {
+                write!(f, "{} was given {given} arguments, and it has {wanted} in this world; write so many", quoted(name))
+            }
+            Problem::WrongClass { name, class } => {
+                write!(f, "{} stands where an object of the class {} belongs; write one of those", quoted(name), quoted(class))
+            }
+            Problem::Negated => f.write_str("says what does not hold; leave it out, for what is not written does not hold"),
+            Problem::KindWithWay => f.write_str("has a way (then, through, avoiding), which worlds from files do not know; write the goal alone"),
+            Problem::NoSuchWorld { name } => {
+                write!(f, "no world {} could be read on a line before this one; put the world's line first", quoted(name))
             }
         }
     }

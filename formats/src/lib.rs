@@ -12,6 +12,7 @@
 //! | [`session`] | a log of training sessions: commands, steps, feedback |
 //! | [`posterior`] | what the robot believed after each step |
 //! | [`task_text`] | a task as a text, `agentInRoom(agent0,room1)` |
+//! | [`world`] | worlds of any kind, and commands in them |
 //!
 //! Every format is JSON in UTF-8, version 1. Readers are strict: a field that is unknown, missing
 //! or given twice is an error, and a [`FormatError`] names the field, the line, what is wrong and
@@ -24,11 +25,13 @@
 pub mod environment;
 mod error;
 mod json;
+mod lines;
 pub mod map;
 pub mod microbit;
 pub mod posterior;
 pub mod session;
 pub mod task_text;
 mod weights;
+pub mod world;
 
 pub use error::{FormatError, KNOWN_VERSIONS, Problem};

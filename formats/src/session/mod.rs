@@ -50,12 +50,11 @@
 //! ```
 
 mod header;
-mod lines;
 mod reader;
 mod record;
 
 pub use header::{SessionHeader, StrategyRecord};
-pub use lines::MAX_LINE_BYTES;
+pub use crate::lines::MAX_LINE_BYTES;
 pub use reader::SessionReader;
 pub use record::{AnswerRecord, EndRecord, FeedbackWord, Kind, Record, StepRecord};
 

@@ -3,11 +3,11 @@
 use std::io::BufRead;
 
 use super::header::SessionHeader;
-use super::lines::Lines;
 use super::record::Record;
 use super::{EndRecord, RecordedAnswer, RecordedSession};
 use crate::environment::EnvironmentFile;
 use crate::error::{FormatError, Problem};
+use crate::lines::Lines;
 
 /// Of what is no session so many lines are passed over to find the next one: what goes on beyond that is no log.
 const MOST_PASSED_OVER: usize = 100_000;

@@ -11,32 +11,32 @@ pub const MAX_LINE_BYTES: usize = 16 << 20;
 const MOST_PASSED_OVER: usize = 8 * MAX_LINE_BYTES;
 
 /// A file, line by line.
-pub(super) struct Lines<R> {
+pub(crate) struct Lines<R> {
     input: R,
     read: usize,
     failed: bool,
 }
 
 /// A line, and its number. What could be read of it is there even if it is not a line to use.
-pub(super) struct Line {
-    pub(super) number: usize,
-    pub(super) text: String,
-    pub(super) error: Option<FormatError>,
+pub(crate) struct Line {
+    pub(crate) number: usize,
+    pub(crate) text: String,
+    pub(crate) error: Option<FormatError>,
 }
 
 impl<R: BufRead> Lines<R> {
-    pub(super) fn new(input: R) -> Self {
+    pub(crate) fn new(input: R) -> Self {
         Lines { input, read: 0, failed: false }
     }
 
     /// Reads no more: what is wrong, on the line that was read last.
-    pub(super) fn give_up(&mut self, problem: Problem) -> FormatError {
+    pub(crate) fn give_up(&mut self, problem: Problem) -> FormatError {
         self.failed = true;
         FormatError::new(self.read, problem)
     }
 
     /// The next line without its end, be that LF or CRLF, and without a byte order mark.
-    pub(super) fn next(&mut self) -> Option<Line> {
+    pub(crate) fn next(&mut self) -> Option<Line> {
         if self.failed {
             return None;
         }

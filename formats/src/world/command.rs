@@ -1,0 +1,54 @@
+//! A command in a world, and what was meant by it.
+
+use super::file::{Known, WorldFile};
+use crate::error::FormatError;
+use crate::json::Object;
+use crate::task_text::GroundAtomText;
+
+/// A command in a world.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CommandRecord {
+    /// The line on which it stands, counted from 1.
+    pub line: usize,
+    /// The name of its world.
+    pub world: String,
+    /// Its name.
+    pub id: Option<String>,
+    /// What must stay together when data are parted.
+    pub group: Option<String>,
+    /// What was said.
+    pub command: String,
+    /// What was meant: all of this is to hold. Nothing where something was only to end.
+    pub intended: Vec<GroundAtomText>,
+    /// What was to hold no more.
+    pub ended: Vec<GroundAtomText>,
+    /// What held when it was said, where that is not what the world says.
+    pub facts: Option<Vec<GroundAtomText>>,
+}
+
+const FIELDS: &[&str] = &["type", "world", "id", "group", "language", "command", "intended", "before", "facts", "ended", "part"];
+
+impl CommandRecord {
+    pub(super) fn read(fields: &Object<'_>, line: usize, world: &WorldFile) -> Result<Self, FormatError> {
+        fields.only(FIELDS)?;
+        let text = |name: &str| fields.optional(name).map(|node| node.text()).transpose();
+        for name in ["language", "part"] {
+            text(name)?;
+        }
+        if let Some(before) = fields.optional("before") {
+            before.list()?.iter().try_for_each(|id| id.text().map(drop))?;
+        }
+        let known = Known::of(world);
+        let atoms = |name: &str| fields.optional(name).map(|node| known.atoms(&node)).transpose();
+        Ok(Self {
+            line,
+            world: world.name.clone(),
+            id: text("id")?,
+            group: text("group")?,
+            command: fields.required("command")?.filled_text()?,
+            intended: known.atoms(&fields.required("intended")?)?,
+            ended: atoms("ended")?.unwrap_or_default(),
+            facts: atoms("facts")?,
+        })
+    }
+}

@@ -1,0 +1,214 @@
+//! The description of a world.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::error::{FormatError, Problem};
+use crate::json::{Node, Object, Source};
+use crate::task_text::{GroundAtomText, LiftedTaskText, TaskTextError, is_usable_name};
+
+/// A world: what it speaks of, and what is in it.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct WorldFile {
+    /// Its name.
+    pub name: String,
+    /// The classes of objects.
+    pub classes: Vec<String>,
+    /// The attributes, each with the classes that carry it.
+    pub attributes: Vec<(String, Vec<String>)>,
+    /// The propositions, each with the class of each argument.
+    pub propositions: Vec<(String, Vec<String>)>,
+    /// The objects.
+    pub objects: Vec<ObjectOfWorld>,
+    /// What holds.
+    pub facts: Vec<GroundAtomText>,
+    /// The kinds of task that commands may mean.
+    pub task_kinds: Vec<LiftedTaskText>,
+}
+
+/// An object of a world.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ObjectOfWorld {
+    /// Its name.
+    pub name: String,
+    /// Its class.
+    pub class: String,
+    /// Its values, each with its attribute.
+    pub attributes: Vec<(String, String)>,
+}
+
+const FIELDS: &[&str] =
+    &["type", "name", "classes", "attributes", "propositions", "objects", "facts", "task_kinds", "license", "source"];
+
+impl WorldFile {
+    /// Reads a world, be it on one line or on many.
+    ///
+    /// # Errors
+    /// What is wrong with it, and where.
+    pub fn parse(text: &str) -> Result<Self, FormatError> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let source = Source::new(text, 1);
+        let fields = source.root()?.object()?;
+        fields.required("type")?.word(&["world"])?;
+        Self::read(&fields)
+    }
+
+    pub(super) fn read(fields: &Object<'_>) -> Result<Self, FormatError> {
+        fields.only(FIELDS)?;
+        for name in ["license", "source"] {
+            fields.optional(name).map(|node| node.text()).transpose()?;
+        }
+        let mut world = Self { name: fields.required("name")?.filled_text()?, ..Self::default() };
+        world.classes = names(&fields.required("classes")?)?;
+        world.attributes = world.of_classes(fields.required("attributes")?, false)?;
+        world.propositions = world.of_classes(fields.required("propositions")?, true)?;
+        world.read_objects(&fields.required("objects")?)?;
+        let objects = Known::of(&world);
+        if let Some(facts) = fields.optional("facts") {
+            world.facts = objects.atoms(&facts)?;
+        }
+        for node in fields.required("task_kinds")?.filled_list()? {
+            let kind: LiftedTaskText = node.text()?.parse().map_err(|error| node.error(Problem::Task(error)))?;
+            world.check_kind(&node, &kind)?;
+            if world.task_kinds.contains(&kind) {
+                return Err(node.error(Problem::DuplicateName { name: kind.to_string() }));
+            }
+            world.task_kinds.push(kind);
+        }
+        Ok(world)
+    }
+
+    /// From names to lists of classes.
+    fn of_classes(&self, node: Node<'_>, filled: bool) -> Result<Vec<(String, Vec<String>)>, FormatError> {
+        let mut all = Vec::new();
+        for (name, node) in node.object()?.entries() {
+            if !is_usable_name(name) {
+                return Err(node.error(Problem::Task(TaskTextError::UnusableName { name: name.to_owned() })));
+            }
+            let mut classes = Vec::new();
+            for item in if filled { node.filled_list()? } else { node.list()? } {
+                let class = item.text()?;
+                if !self.classes.contains(&class) {
+                    return Err(item.error(Problem::NotInWorld { what: "class", name: class }));
+                }
+                classes.push(class);
+            }
+            all.push((name.to_owned(), classes));
+        }
+        Ok(all)
+    }
+
+    fn read_objects(&mut self, list: &Node<'_>) -> Result<(), FormatError> {
+        let mut seen = BTreeSet::new();
+        for node in list.filled_list()? {
+            let fields = node.object()?;
+            fields.only(&["name", "class", "attributes"])?;
+            let name_node = fields.required("name")?;
+            let name = usable(&name_node)?;
+            if !seen.insert(name.clone()) {
+                return Err(name_node.error(Problem::DuplicateName { name }));
+            }
+            let class_node = fields.required("class")?;
+            let class = class_node.text()?;
+            if !self.classes.contains(&class) {
+                return Err(class_node.error(Problem::NotInWorld { what: "class", name: class }));
+            }
+            let mut attributes = Vec::new();
+            if let Some(node) = fields.optional("attributes") {
+                for (attribute, value) in node.object()?.entries() {
+                    let Some((_, carriers)) = self.attributes.iter().find(|(known, _)| known == attribute) else {
+                        return Err(value.error(Problem::NotInWorld { what: "attribute", name: attribute.to_owned() }));
+                    };
+                    if !carriers.contains(&class) {
+                        return Err(value.error(Problem::NotCarried { class }));
+                    }
+                    attributes.push((attribute.to_owned(), value.filled_text()?));
+                }
+            }
+            self.objects.push(ObjectOfWorld { name, class, attributes });
+        }
+        Ok(())
+    }
+
+    /// Whether the propositions of a kind of task are the world's, and each of its variables has one class.
+    fn check_kind(&self, node: &Node<'_>, kind: &LiftedTaskText) -> Result<(), FormatError> {
+        let way = kind.way();
+        if !(way.before.is_empty() && way.through.is_empty() && way.avoiding.is_empty()) {
+            return Err(node.error(Problem::KindWithWay));
+        }
+        let mut classes: BTreeMap<&str, &str> = BTreeMap::new();
+        for atom in kind.atoms() {
+            let parameters = self.parameters(node, atom.function(), atom.variables().len())?;
+            for (variable, class) in atom.variables().iter().zip(parameters) {
+                if *classes.entry(variable).or_insert(class) != class {
+                    return Err(node.error(Problem::WrongClass { name: format!("?{variable}"), class: class.clone() }));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The classes of a proposition's arguments, of which there must be so many.
+    fn parameters(&self, node: &Node<'_>, function: &str, given: usize) -> Result<&[String], FormatError> {
+        match self.propositions.iter().find(|(name, _)| name == function) {
+            None => Err(node.error(Problem::NotInWorld { what: "proposition", name: function.to_owned() })),
+            Some((_, parameters)) if parameters.len() != given => {
+                Err(node.error(Problem::ArgumentCount { name: function.to_owned(), given, wanted: parameters.len() }))
+            }
+            Some((_, parameters)) => Ok(parameters),
+        }
+    }
+}
+
+/// A world with the classes of its objects at hand.
+pub(super) struct Known<'w> {
+    world: &'w WorldFile,
+    classes: BTreeMap<&'w str, &'w str>,
+}
+
+impl<'w> Known<'w> {
+    pub(super) fn of(world: &'w WorldFile) -> Self {
+        Known { world, classes: world.objects.iter().map(|object| (object.name.as_str(), object.class.as_str())).collect() }
+    }
+
+    /// Propositions about the world's objects.
+    pub(super) fn atoms(&self, list: &Node<'_>) -> Result<Vec<GroundAtomText>, FormatError> {
+        list.list()?.iter().map(|node| self.atom(node)).collect()
+    }
+
+    fn atom(&self, node: &Node<'_>) -> Result<GroundAtomText, FormatError> {
+        let atom: GroundAtomText = node.text()?.parse().map_err(|error| node.error(Problem::Task(error)))?;
+        if atom.is_negated() {
+            return Err(node.error(Problem::Negated));
+        }
+        let parameters = self.world.parameters(node, atom.function(), atom.arguments().len())?;
+        for (argument, class) in atom.arguments().iter().zip(parameters) {
+            match self.classes.get(argument.as_str()) {
+                None => return Err(node.error(Problem::NotInWorld { what: "object", name: argument.clone() })),
+                Some(known) if known != class => {
+                    return Err(node.error(Problem::WrongClass { name: argument.clone(), class: class.clone() }));
+                }
+                Some(_) => {}
+            }
+        }
+        Ok(atom)
+    }
+}
+
+/// A list of usable names, each once.
+fn names(list: &Node<'_>) -> Result<Vec<String>, FormatError> {
+    let mut names = Vec::new();
+    let mut seen = BTreeSet::new();
+    for node in list.filled_list()? {
+        let name = usable(&node)?;
+        if !seen.insert(name.clone()) {
+            return Err(node.error(Problem::DuplicateName { name }));
+        }
+        names.push(name);
+    }
+    Ok(names)
+}
+
+fn usable(node: &Node<'_>) -> Result<String, FormatError> {
+    let name = node.text()?;
+    if is_usable_name(&name) { Ok(name) } else { Err(node.error(Problem::Task(TaskTextError::UnusableName { name }))) }
+}

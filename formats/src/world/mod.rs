@@ -1,0 +1,50 @@
+//! Worlds of any kind, and commands in them.
+//!
+//! A world is one JSON object with `"type":"world"`. It says its classes, attributes, propositions and objects, and the kinds of task that
+//! commands may mean:
+//!
+//! | field | what |
+//! |---|---|
+//! | `name` | the world's name |
+//! | `classes` | a list of names |
+//! | `attributes` | from each attribute to the list of classes that carry it |
+//! | `propositions` | from each proposition to the list of its arguments' classes |
+//! | `objects` | a list of objects with `name`, `class` and `attributes`: from attributes to values |
+//! | `facts` | propositions that hold, such as `"p(a,b)"`; may be absent |
+//! | `task_kinds` | a list of kinds of task, such as `"p(?x,?y)"` |
+//! | `license`, `source` | where it is from; may be absent |
+//!
+//! A log of worlds has one record on each line: a world, or a command in a world that was named before:
+//!
+//! | field of a command | what |
+//! |---|---|
+//! | `world` | the name of its world |
+//! | `command` | what was said |
+//! | `intended` | what was meant: propositions that are to hold |
+//! | `id` | the command's name; may be absent |
+//! | `group` | what must stay together when data are parted, such as the speaker; may be absent |
+//! | `facts` | propositions that hold, where they are others than the world's; may be absent |
+//! | `ended` | propositions that were to hold no more; may be absent |
+//! | `before` | the ids of earlier commands of the same sequence; may be absent |
+//! | `language`, `part` | for people; may be absent |
+//!
+//! ```
+//! use goodbot_formats::world::{Line, WorldReader};
+//!
+//! let log = r#"
+//! {"type":"world","name":"hall","classes":["lamp"],"attributes":{"color":["lamp"]},"propositions":{"on":["lamp"]},"objects":[{"name":"a","class":"lamp","attributes":{"color":"red"}}],"task_kinds":["on(?l)"]}
+//! {"type":"command","world":"hall","command":"the red one","intended":["on(a)"]}
+//! "#;
+//! let lines: Vec<Line> = WorldReader::new(log.as_bytes()).collect::<Result<_, _>>()?;
+//! let [Line::World(world), Line::Command(command)] = lines.as_slice() else { panic!("a world and a command") };
+//! assert_eq!((world.objects.len(), command.intended[0].to_string()), (1, "on(a)".to_owned()));
+//! # Ok::<(), goodbot_formats::FormatError>(())
+//! ```
+
+mod command;
+mod file;
+mod reader;
+
+pub use command::CommandRecord;
+pub use file::{ObjectOfWorld, WorldFile};
+pub use reader::{Line, WorldReader};
