@@ -335,7 +335,9 @@ impl fmt::Display for Problem {
                 write!(f, "{} stands where an object of the class {} belongs; write one of those", quoted(name), quoted(class))
             }
             Problem::Negated => f.write_str("says what does not hold; leave it out, for what is not written does not hold"),
-            Problem::KindWithWay => f.write_str("has a way (then, through, avoiding), which worlds from files do not know; write the goal alone"),
+            Problem::KindWithWay => {
+                f.write_str("has a way (then, through, avoiding), which worlds from files do not know; write the goal alone")
+            }
             Problem::NoSuchWorld { name } => {
                 write!(f, "no world {} could be read on a line before this one; put the world's line first", quoted(name))
             }

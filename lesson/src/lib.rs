@@ -10,7 +10,8 @@
 //! - `listening`, with the feature `talk`: what a person says to the robot, and how a session begins with it;
 //! - `voice`, with the feature `talk`: praise, blame, answers and corrections in words;
 //! - [`asking`]: when the robot asks in it;
-//! - [`recording`]: a live session as a log has it.
+//! - [`recording`]: a live session as a log has it;
+//! - [`world`]: a world from a file, and what commands may mean in it.
 
 #![deny(missing_docs)]
 
@@ -27,5 +28,6 @@ pub mod replay;
 #[cfg(feature = "talk")]
 pub mod voice;
 pub mod walk;
+pub mod world;
 
 pub use fault::Fault;

@@ -57,14 +57,17 @@ impl Witness {
             Kind::Feedback | Kind::Labelled => vec![],
         };
         let pairs = self.pairs();
-        let readings = self.readings(&session, &beliefs).map_err(at(recorded.header_line))?;
+        let readings = self.readings(&session).map_err(at(recorded.header_line))?;
         let lesson = Lesson {
             id: header.id.clone().unwrap_or_else(|| format!("{file}:{}", recorded.header_line)),
             command: header.command.clone(),
             header: header.clone(),
             intended,
             pairs: intended.filter(|_| header.kind == Kind::Labelled).and_then(|told| readings.get(told)).map_or(pairs, told_pairs),
-            readings,
+            readings: readings.into(),
+            beliefs,
+            world: None,
+            group: None,
             shown,
             walk: walked(recorded),
             learn: recorded.learn,
@@ -123,7 +126,7 @@ impl Witness {
         pairs
     }
 
-    fn readings(&mut self, session: &CheckedSession<impl HomeMemory>, beliefs: &[f32]) -> Result<Vec<Reading>, AgentError> {
+    fn readings(&mut self, session: &CheckedSession<impl HomeMemory>) -> Result<Vec<Reading>, AgentError> {
         let mut readings = Vec::new();
         for (position, (task, name)) in session.tasks.iter().enumerate() {
             let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
@@ -131,7 +134,6 @@ impl Witness {
                 name: name.clone(),
                 label: label(&session.walk.home, lifted, &task.bindings),
                 prior: task.prior,
-                belief: beliefs.get(position).copied().unwrap_or(0.0),
                 commands: commands(&session.walk.home, &self.lifted, task, &session.walk.start, self.agent.options())?,
                 plan: if self.plans { self.plan(session, position)? } else { vec![] },
             });
@@ -175,7 +177,7 @@ fn walked(recorded: &RecordedSession) -> String {
 }
 
 /// The machine commands of a task whose meaning was told: all equally probable, equal ones once.
-fn told_pairs(reading: &Reading) -> Vec<(MachineCommand, f32)> {
+pub(super) fn told_pairs(reading: &Reading) -> Vec<(MachineCommand, f32)> {
     let share = 1.0 / reading.commands.len().max(1) as f32;
     let mut pairs: Vec<(MachineCommand, f32)> = Vec::new();
     for command in &reading.commands {

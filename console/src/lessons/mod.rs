@@ -2,7 +2,8 @@
 //!
 //! - [`evidence`]: one session, walked by an agent that knows no word;
 //! - [`training`]: a language model trained on many at once;
-//! - [`restored`]: an agent from a model file.
+//! - [`restored`]: an agent from a model file;
+//! - [`worlds`]: commands in worlds from files.
 //!
 //! The order of the sessions plays no part: the posterior over a session's tasks comes from its prior without any word, Pr(l|s) Pr(t|s,l),
 //! and what the trainer said or showed.
@@ -10,18 +11,21 @@
 pub mod evidence;
 pub mod restored;
 pub mod training;
+pub mod worlds;
 
 use crate::believes::Believes;
+use crate::load::content::Content;
 use crate::load::input;
 use crate::messages::{bar, counted, printable, say};
 use crate::outcome::Failure;
-use evidence::Witness;
+use evidence::{Witness, told_pairs};
 use goodbot::Options;
 use goodbot::task::LiftedTask;
 use goodbot_formats::session::{Kind, RecordedSession, SessionHeader, SessionReader};
 use goodbot_formats::task_text::GroundTaskText;
 use goodbot_lesson::Fault;
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// A machine command: its tokens.
 pub type MachineCommand = Vec<String>;
@@ -35,8 +39,6 @@ pub struct Reading {
     pub label: String,
     /// Its probability before any word.
     pub prior: f32,
-    /// Its probability from the steps alone, or from what was told, without any word.
-    pub belief: f32,
     /// Its machine commands, equally probable.
     pub commands: Vec<MachineCommand>,
     /// The actions of one of its shortest plans; empty where no one asked for plans.
@@ -50,12 +52,18 @@ pub struct Lesson {
     pub id: String,
     /// What was said.
     pub command: String,
-    /// Where it was said, and the rest of its record.
+    /// Where it was said, and the rest of its record. The environment of a command in a world from a file is empty.
     pub header: SessionHeader,
+    /// The world from a file, and what held there, where it is no home.
+    pub world: Option<String>,
+    /// What it must stay together with when lessons are parted, where the log says so.
+    pub group: Option<String>,
     /// The task that was meant, by position, where the record says so.
     pub intended: Option<usize>,
-    /// The tasks.
-    pub readings: Vec<Reading>,
+    /// The tasks. Lessons in the same state of the same world share them.
+    pub readings: Arc<[Reading]>,
+    /// The probability of each task from the steps alone, or from what was told, without any word.
+    pub beliefs: Vec<f32>,
     /// What the command may have meant, and how probable that is.
     pub pairs: Vec<(MachineCommand, f32)>,
     /// What the trainer did, in order; empty for feedback.
@@ -72,8 +80,13 @@ impl Lesson {
     /// Whether the steps alone, without any word, speak more for what was meant than for any other task. Nothing where it is not known what
     /// was meant, or where it was told.
     pub fn evidence_is_right(&self) -> Option<bool> {
-        let meant = self.readings.get(self.intended.filter(|_| self.header.kind != Kind::Labelled)?)?;
-        Some(self.readings.iter().filter(|reading| reading.belief >= meant.belief).count() == 1)
+        let meant = self.beliefs.get(self.intended.filter(|_| self.header.kind != Kind::Labelled)?)?;
+        Some(self.beliefs.iter().filter(|belief| *belief >= meant).count() == 1)
+    }
+
+    /// Where it was said, as a text: equal in equal homes, and in the same state of the same world.
+    pub fn place(&self) -> String {
+        self.world.clone().unwrap_or_else(|| self.header.environment.to_json_line())
     }
 }
 
@@ -91,6 +104,8 @@ pub struct Lessons {
     pub skipped: usize,
     /// How many labelled sessions were left out because they tell a way.
     pub with_way: usize,
+    /// How many commands in worlds were left out because they mean none of the tasks.
+    pub no_task: usize,
 }
 
 /// How sessions are read.
@@ -106,17 +121,33 @@ pub struct Told {
 pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bool, told: &Told) -> Result<Lessons, Failure> {
     let keep_going = told.keep_going;
     let mut sessions: Vec<(String, RecordedSession)> = Vec::new();
-    let (mut skipped, mut with_way) = (0, 0);
+    let (mut skipped, mut with_way, mut no_task) = (0, 0, 0);
+    let (mut lessons, mut homes) = (Vec::new(), None);
     let ways = lifted.iter().any(LiftedTask::has_way);
     for file in files {
         let opened = input::log(file).map_err(|fault| Failure::Input(fault.to_string()))?;
         let name = input::name(file);
+        let is_of_homes = Content::of(opened.buffer()) != Content::Worlds;
+        if *homes.get_or_insert(is_of_homes) != is_of_homes {
+            let message = "is of homes where another log is of worlds, or the other way round; learn from each by itself";
+            return Err(Failure::Input(Fault::new(name, message).to_string()));
+        }
+        if !is_of_homes {
+            worlds::read(name, opened, options.language.model, |lesson| {
+                match lesson {
+                    Ok(Some(_)) if lessons.len() >= MOST_SESSIONS => return Err(too_many(name)),
+                    Ok(Some(lesson)) => lessons.push(lesson),
+                    Ok(None) => no_task += 1,
+                    Err(fault) => refuse(&[fault], keep_going, &mut skipped)?,
+                }
+                Ok(())
+            })?;
+            continue;
+        }
         for session in SessionReader::new(opened) {
             match session {
                 Ok(session) if session.header.has_way() && !ways => with_way += 1,
-                Ok(_) if sessions.len() >= MOST_SESSIONS => {
-                    return Err(Failure::Input(format!("{name}: has more than {MOST_SESSIONS} sessions; learn from fewer at once")));
-                }
+                Ok(_) if sessions.len() >= MOST_SESSIONS => return Err(too_many(name)),
                 Ok(session) => sessions.push((name.to_owned(), session)),
                 Err(error) => refuse(&[Fault::from_format(name, error)], keep_going, &mut skipped)?,
             }
@@ -138,7 +169,6 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
         )
         .collect();
     progress.finish_and_clear();
-    let mut lessons = Vec::new();
     for lesson in walked {
         match lesson {
             Ok(lesson) => {
@@ -154,10 +184,17 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
     if with_way > 0 {
         say!("{} with a way (through, avoiding) left out: consider ways with --routes", counted(with_way, "session"));
     }
+    if no_task > 0 {
+        say!("{} left out: what they mean is none of the kinds of task of their world, or holds already", counted(no_task, "command"));
+    }
     if lessons.is_empty() {
         return Err(Failure::Input("there is no session to learn from; name a file that has one".to_owned()));
     }
-    Ok(Lessons { lessons, skipped, with_way })
+    Ok(Lessons { lessons, skipped, with_way, no_task })
+}
+
+fn too_many(name: &str) -> Failure {
+    Failure::Input(format!("{name}: has more than {MOST_SESSIONS} sessions; learn from fewer at once"))
 }
 
 fn refuse(faults: &[Fault], keep_going: bool, skipped: &mut usize) -> Result<(), Failure> {

@@ -1,9 +1,11 @@
-//! A model file as an agent that can be asked.
+//! A model file as an agent that can be asked, or as a language model where it was learned in worlds from files.
 
 use crate::learner;
 use crate::outcome::Failure;
 use crate::whole_file::read_model;
+use goodbot::language::{LanguageModel, Settings};
 use goodbot::memory::AgentHeap;
+use goodbot::planning::Progress;
 use goodbot::snapshot::{Contents, SAVED};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
@@ -25,6 +27,34 @@ pub fn agent(file: &Path, lifted: &[LiftedTask]) -> Result<Agent<AgentHeap>, Fai
     agent.restore(&bytes).map_err(|error| fault(&error))?;
     agent.learn_fully();
     Ok(agent)
+}
+
+/// How a model file's language model understands and learns.
+///
+/// # Errors
+/// As [`agent`].
+pub fn settings(file: &Path) -> Result<Settings, Failure> {
+    let bytes = read_model(file)?;
+    let contents = Contents::read(&bytes).map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
+    Ok(contents.options.language)
+}
+
+/// The language model of a file that was learned in worlds from files. Its memory is made in place of `memory`.
+///
+/// # Errors
+/// As [`agent`], and where the file was learned in homes.
+pub fn language<'m>(file: &Path, memory: &'m mut AgentHeap) -> Result<LanguageModel<&'m mut AgentHeap>, Failure> {
+    let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
+    let bytes = read_model(file)?;
+    let contents = Contents::read(&bytes).map_err(|error| fault(&error))?;
+    if contents.vocabulary != 0 {
+        return Err(fault(&"was learned in homes, and these commands are in other worlds; name a model of a log of worlds"));
+    }
+    *memory = learner::memory(&room_for(&contents), &contents.options.language, contents.possible.len());
+    let mut model = LanguageModel::new(memory, contents.options.language).map_err(|error| fault(&error))?;
+    model.restore(&bytes).map_err(|error| fault(&error))?;
+    while model.train(u32::MAX) == Progress::Working {}
+    Ok(model)
 }
 
 /// Room for what a model file holds, and for more.

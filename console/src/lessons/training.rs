@@ -12,7 +12,8 @@ use goodbot::planning::Progress;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
 use goodbot::task::Marker;
-use std::collections::BTreeSet;
+use std::collections::hash_map::Entry;
+use std::collections::{BTreeSet, HashMap};
 
 /// Memory for a language model of these lessons, and for no search.
 pub fn memory(lessons: &[Lesson], settings: &Settings) -> AgentHeap {
@@ -28,6 +29,8 @@ pub fn tasks(lessons: &[Lesson]) -> usize {
 pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
     let (mut words, mut tokens, mut commands) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
     let (mut lengths, mut sentence_words, mut pairs) = (BTreeSet::new(), 0, 0);
+    // Lessons in one world share their tasks.
+    let mut counted = BTreeSet::new();
     for lesson in lessons {
         // As either model hears it. A command that is too long was refused when the session was read.
         let [count, pieces] = [Model::Model2, Model::Roles].map(|model| {
@@ -45,7 +48,9 @@ pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
             lengths.insert((command.len(), count));
             commands.insert(command);
         }
-        tokens.extend(lesson.readings.iter().flat_map(|reading| &reading.commands).flatten());
+        if counted.insert(lesson.readings.as_ptr()) {
+            tokens.extend(lesson.readings.iter().flat_map(|reading| &reading.commands).flatten());
+        }
     }
     let spare = 64;
     let (word_count, token_count) = (words.len() + spare, tokens.len() + spare);
@@ -97,24 +102,48 @@ pub fn train<'m, 'l>(
 /// The descriptions of a lesson's tasks, each once, and how probable each is before any word.
 fn possible(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -> Result<Vec<(Vec<Symbol>, f32)>, CapacityError> {
     let mut possible: Vec<(Vec<Symbol>, f32)> = Vec::new();
-    for reading in &lesson.readings {
+    let mut known: HashMap<Vec<Symbol>, usize> = HashMap::new();
+    let mut interned = Interned::default();
+    for reading in &*lesson.readings {
         let Some(description) = reading.commands.first() else { continue };
-        let description = symbols(model, description)?;
-        match possible.iter_mut().find(|(known, _)| *known == description) {
+        let description = interned.symbols(model, description)?;
+        match known.get(&description).and_then(|&at| possible.get_mut(at)) {
             Some((_, prior)) => *prior += reading.prior,
-            None => possible.push((description, reading.prior)),
+            None => {
+                known.insert(description.clone(), possible.len());
+                possible.push((description, reading.prior));
+            }
         }
     }
     Ok(possible)
 }
 
-/// The symbols of a machine command.
-pub fn symbols(model: &mut LanguageModel<impl AgentMemory>, command: &MachineCommand) -> Result<Vec<Symbol>, CapacityError> {
-    let symbol = |token: &String| match token.parse::<Marker>() {
+/// The symbols of the tokens of one lesson, each looked up once: a world has thousands of tasks that share them.
+#[derive(Default)]
+struct Interned<'l> {
+    symbols: HashMap<&'l str, Symbol>,
+}
+
+impl<'l> Interned<'l> {
+    fn symbols(&mut self, model: &mut LanguageModel<impl AgentMemory>, command: &'l MachineCommand) -> Result<Vec<Symbol>, CapacityError> {
+        let symbol = |token: &'l String| match self.symbols.entry(token) {
+            Entry::Occupied(known) => Ok(*known.get()),
+            Entry::Vacant(new) => Ok(*new.insert(symbol(model, token)?)),
+        };
+        command.iter().map(symbol).collect()
+    }
+}
+
+fn symbol(model: &mut LanguageModel<impl AgentMemory>, token: &str) -> Result<Symbol, CapacityError> {
+    match token.parse::<Marker>() {
         Ok(marker) => Ok(marker.symbol()),
         Err(_) => model.tokens_mut().intern(token),
-    };
-    command.iter().map(symbol).collect()
+    }
+}
+
+/// The symbols of a machine command.
+pub fn symbols(model: &mut LanguageModel<impl AgentMemory>, command: &MachineCommand) -> Result<Vec<Symbol>, CapacityError> {
+    command.iter().map(|token| symbol(model, token)).collect()
 }
 
 /// Pr(t|e,s) for each task of a lesson.
@@ -123,12 +152,12 @@ pub fn symbols(model: &mut LanguageModel<impl AgentMemory>, command: &MachineCom
 /// A [`CapacityError`] where the command has no room.
 pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -> Result<Vec<f32>, CapacityError> {
     let sentence = model.hear(&lesson.command)?;
-    let (mut scores, mut forms) = (Vec::new(), Vec::new());
-    for reading in &lesson.readings {
+    let (mut scores, mut forms, mut interned) = (Vec::new(), Vec::new(), Interned::default());
+    for reading in &*lesson.readings {
         let share = reading.prior / reading.commands.len().max(1) as f32;
         let mut sum = Scaled::ZERO;
         for command in &reading.commands {
-            let command = symbols(model, command)?;
+            let command = interned.symbols(model, command)?;
             if forms.len() == scores.len() {
                 forms.extend(command.first().copied());
             }
@@ -154,11 +183,15 @@ fn weigh_parts(
     sentence: &[Option<Symbol>],
     scores: &mut [Scaled],
 ) -> Result<(), CapacityError> {
-    let mut descriptions = Vec::new();
-    for reading in &lesson.readings {
-        descriptions.push(reading.commands.first().map_or_else(|| Ok(vec![]), |description| symbols(model, description))?);
+    let (mut descriptions, mut interned) = (Vec::new(), Interned::default());
+    for reading in &*lesson.readings {
+        descriptions.push(reading.commands.first().map_or_else(|| Ok(vec![]), |description| interned.symbols(model, description))?);
     }
-    let same = |task: usize| descriptions.iter().position(|other| Some(other) == descriptions.get(task)).unwrap_or(task);
+    let mut firsts: HashMap<&Vec<Symbol>, usize> = HashMap::new();
+    for (task, description) in descriptions.iter().enumerate() {
+        firsts.entry(description).or_insert(task);
+    }
+    let same = |task: usize| descriptions.get(task).and_then(|description| firsts.get(description)).copied().unwrap_or(task);
     let description = |task: usize| descriptions.get(task).map_or(&[][..], |description| &description[..]);
     model.read().weigh_parts(sentence, same, description, scores);
     Ok(())

@@ -9,6 +9,8 @@ pub enum Content {
     Map,
     /// A session log.
     Log,
+    /// A world, or a log of worlds and commands in them.
+    Worlds,
     /// Recorded beliefs.
     Beliefs,
     /// A model that `goodbot learn` wrote.
@@ -33,10 +35,12 @@ impl Content {
         }
         let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or("");
         match serde_json::from_str::<serde_json::Value>(first) {
+            Ok(line) if matches!(line.get("type").and_then(|it| it.as_str()), Some("world" | "command")) => Self::Worlds,
             Ok(line) if line.get("objects").is_some() => Self::Environment,
             Ok(line) if line.get("type").is_some() => Self::Log,
             Ok(line) if line.get("session").is_some() && line.get("step").is_some() => Self::Beliefs,
             Ok(_) => Self::Environment,
+            Err(_) if is_world(text) => Self::Worlds,
             // A session line may be broken itself, or be longer than what was looked at.
             Err(_) if first.contains("\"type\"") && first.contains("\"session\"") => Self::Log,
             Err(_) => Self::Environment,
@@ -48,9 +52,16 @@ impl Content {
         match self {
             Self::Environment | Self::Map => "a home",
             Self::Log => "a session log",
+            Self::Worlds => "a world",
             Self::Beliefs => "a file of beliefs",
             Self::Model => "a model",
             Self::Picture => "a picture",
         }
     }
+}
+
+/// Whether this is the beginning of a world, be it on one line or on many.
+fn is_world(text: &str) -> bool {
+    let text: String = text.chars().filter(|c| !c.is_whitespace()).take(1_000).collect();
+    text.starts_with('{') && text.contains("\"type\":\"world\"")
 }

@@ -53,8 +53,8 @@ mod header;
 mod reader;
 mod record;
 
-pub use header::{SessionHeader, StrategyRecord};
 pub use crate::lines::MAX_LINE_BYTES;
+pub use header::{SessionHeader, StrategyRecord};
 pub use reader::SessionReader;
 pub use record::{AnswerRecord, EndRecord, FeedbackWord, Kind, Record, StepRecord};
 

@@ -6,7 +6,7 @@ use crate::json::Object;
 use crate::task_text::GroundAtomText;
 
 /// A command in a world.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct CommandRecord {
     /// The line on which it stands, counted from 1.
     pub line: usize,

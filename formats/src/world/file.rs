@@ -36,8 +36,7 @@ pub struct ObjectOfWorld {
     pub attributes: Vec<(String, String)>,
 }
 
-const FIELDS: &[&str] =
-    &["type", "name", "classes", "attributes", "propositions", "objects", "facts", "task_kinds", "license", "source"];
+const FIELDS: &[&str] = &["type", "name", "classes", "attributes", "propositions", "objects", "facts", "task_kinds", "license", "source"];
 
 impl WorldFile {
     /// Reads a world, be it on one line or on many.

@@ -4,10 +4,12 @@
 //! - [`following`]: several tasks, one after another, and what shall not be;
 //! - [`plan`]: the actions that lead to a goal;
 //! - [`why`]: word by word, what speaks for a task;
-//! - [`drawing`]: the home as text.
+//! - [`drawing`]: the home as text;
+//! - [`in_world`]: a command in a world from a file, which has no home to draw and nothing to plan.
 
 mod drawing;
 mod following;
+mod in_world;
 pub mod meanings;
 mod plan;
 mod why;
@@ -52,7 +54,7 @@ pub struct AskOptions {
     /// A model that `goodbot learn` wrote
     #[arg(long, short = 'w', value_name = "MODEL", value_hint = ValueHint::FilePath)]
     with: PathBuf,
-    /// A home, as JSON or drawn as text; - is standard input
+    /// A home, as JSON or drawn as text, or a world from a file; - is standard input
     #[arg(long, short = 'e', value_name = "HOME", value_hint = ValueHint::FilePath, required_unless_present = "log")]
     environment: Option<String>,
     /// The command, in as many words as you like; - asks each line of standard input
@@ -144,6 +146,9 @@ struct Answer {
 /// # Errors
 /// [`Failure`].
 pub fn run(options: &AskOptions) -> Result<(), Failure> {
+    if let Some(lessons) = in_world::questions(options)? {
+        return in_world::ask(options, &lessons);
+    }
     let lifted = options.kinds.lifted()?;
     let mut agent = restored::agent(&options.with, &lifted)?;
     let synonyms = options.synonyms.read()?;

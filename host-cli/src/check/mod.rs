@@ -5,7 +5,9 @@
 mod doubts;
 
 use clap::Args;
+use goodbot::language::Model;
 use goodbot::task::LiftedTask;
+use goodbot_console::lessons::worlds;
 use goodbot_console::load::content::Content;
 use goodbot_console::load::input;
 use goodbot_console::load::kinds::TaskKinds;
@@ -16,6 +18,7 @@ use goodbot_formats::environment::{self, EnvironmentFile};
 use goodbot_formats::map;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession, SessionReader};
+use goodbot_formats::world::WorldFile;
 use goodbot_lesson::{Fault, checked, home};
 use serde_json::json;
 use std::collections::HashMap;
@@ -118,6 +121,9 @@ fn check(file: &str, lifted: &[LiftedTask]) -> Result<Findings, Fault> {
     if content == Content::Log {
         return Ok(check_log(name, opened, lifted));
     }
+    if content == Content::Worlds {
+        return check_worlds(name, opened);
+    }
     if matches!(content, Content::Model | Content::Picture) {
         let message = format!("this is {}; check looks at homes, session logs and beliefs", content.name());
         return Err(Fault::new(name, message));
@@ -213,6 +219,42 @@ fn check_log(file: &str, log: impl BufRead, lifted: &[LiftedTask]) -> Findings {
     found.warnings.truncate(MOST_FAULTS);
     found.what = format!("{} of {}", counted(sessions, "session"), counted(steps, "step"));
     found
+}
+
+/// A world, be it on many lines, or a log of worlds.
+fn check_worlds(file: &str, mut opened: impl BufRead) -> Result<Findings, Fault> {
+    let first = opened.fill_buf().ok().and_then(|head| head.split(|&byte| byte == b'\n').next()).unwrap_or(&[]);
+    // A world on many lines begins with a line that is not complete, and a short one.
+    let is_log = first.trim_ascii_end().ends_with(b"}") || first.len() > 1_000;
+    let mut found = Findings::default();
+    if !is_log {
+        let text = String::from_utf8(input::rest(file, opened)?).map_err(|_| Fault::new(file, Problem::NotUtf8))?;
+        let world = WorldFile::parse(&text).map_err(|error| Fault::from_format(file, error))?;
+        let tasks = goodbot_lesson::world::meanings(&world, &world.facts).map_err(|error| Fault::new(file, error))?;
+        found.what = format!("a world of {} and {}", counted(world.objects.len(), "object"), counted(tasks.len(), "task"));
+        return Ok(found);
+    }
+    let (mut commands, mut no_task) = (0_usize, 0_usize);
+    let read = worlds::read(file, opened, Model::Roles, |lesson| {
+        match lesson {
+            Ok(lesson) => (commands, no_task) = (commands + 1, no_task + usize::from(lesson.is_none())),
+            Err(fault) => found.faults.push(fault),
+        }
+        if found.faults.len() < MOST_FAULTS { Ok(()) } else { Err(()) }
+    });
+    if read.is_err() {
+        let message = format!("has {MOST_FAULTS} faults or more, and the rest was not looked at; mend these first");
+        found.faults.push(Fault::new(file, message));
+    }
+    if no_task > 0 {
+        let message = format!(
+            "the meaning of {} is none of the kinds of task, or holds already; nothing is learned from it",
+            counted(no_task, "command")
+        );
+        found.warnings.push(Fault::new(file, message));
+    }
+    found.what = format!("a log of worlds with {}", counted(commands, "command"));
+    Ok(found)
 }
 
 fn check_session(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask], warnings: &mut Vec<Fault>) -> Vec<Fault> {

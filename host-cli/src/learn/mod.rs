@@ -55,7 +55,8 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let lifted = options.kinds.lifted()?;
     let target = Output::model(&options.out, options.files.iter().map(String::as_str), options.force)?;
     let told = Told { believes: options.believes.clone(), keep_going: options.keep_going };
-    let lessons::Lessons { lessons, skipped, with_way } = lessons::read(&options.files, &lifted, options.learner.options(), false, &told)?;
+    let lessons::Lessons { lessons, skipped, with_way, no_task } =
+        lessons::read(&options.files, &lifted, options.learner.options(), false, &told)?;
     let learned = lessons.iter().filter(|lesson| lesson.learn).count();
     if learned == 0 {
         return Err(Failure::Input("no session is to be learned from; set \"learn\" to true at the end of one".to_owned()));
@@ -68,6 +69,8 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let model = training::train(&mut memory, lessons.iter(), settings).map_err(|error| Failure::Input(refusal::in_words(&error)))?;
     let words = model.saved().map_err(|error| fault(&error))?;
     // The robot's whole mind: the same training data, with its options, its trainer strategies and the vocabulary of its tasks.
+    // What was learned in worlds from files is of no domain of the core's.
+    let lifted = if lessons.iter().any(|lesson| lesson.world.is_some()) { vec![] } else { lifted };
     let mut agent = Agent::new(room(), &lifted, options.learner.options()).map_err(|error| fault(&error))?;
     let _ = agent.join(&words).map_err(|error| fault(&error))?;
     let file = agent.saved().map_err(|error| fault(&error))?;
@@ -76,7 +79,7 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let mut out = output::text(&[Some(&target)])?;
     if options.json {
         let line = json!({
-            "type": "model", "sessions": learned, "skipped": skipped, "left_out_with_way": with_way, "words": words, "tokens": tokens, "pairs": pairs, "bytes": file.len(),
+            "type": "model", "sessions": learned, "skipped": skipped, "left_out_with_way": with_way, "left_out_no_task": no_task, "words": words, "tokens": tokens, "pairs": pairs, "bytes": file.len(),
         });
         writeln!(out, "{line}")?;
     } else {

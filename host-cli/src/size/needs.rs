@@ -59,6 +59,9 @@ impl Needs {
         if log.is_empty() && !options.log.is_empty() {
             return Err(Failure::Input("no session is to be learned from; set \"learn\" to true at the end of one".to_owned()));
         }
+        if log.iter().any(|lesson| lesson.world.is_some()) {
+            return Err(Failure::Input("a log of worlds has no home to make room for; name a session log".to_owned()));
+        }
         let homes = homes(&options.homes, &log)?;
         let lessons = to_keep(options, &log, learner.language.model)?;
         let fault = |error: AgentError| Failure::Input(refusal::in_words(&error));

@@ -26,3 +26,4 @@ mod teach;
 mod teach_screen;
 mod trainers_and_questions;
 mod ways;
+mod worlds;

@@ -13,7 +13,7 @@ impl<'l> Keys<'l> {
     fn of(lesson: &'l Lesson) -> Self {
         let header = &lesson.header;
         let meant = lesson.intended.and_then(|task| lesson.readings.get(task)).map(|reading| reading.name.to_string());
-        let parts = [header.environment.to_json_line(), header.command.clone(), lesson.walk.clone(), meant.unwrap_or_default()];
+        let parts = [lesson.place(), header.command.clone(), lesson.walk.clone(), meant.unwrap_or_default()];
         Self { id: header.id.as_deref(), content: parts.join("\n") }
     }
 }

@@ -5,7 +5,7 @@ use super::novel::Novel;
 use super::wordless::Wordless;
 use goodbot::AgentError;
 use goodbot::language::{Settings, Synonyms};
-use goodbot_console::lessons::{Lesson, training};
+use goodbot_console::lessons::{Lesson, Reading, training};
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
 use rand_core::Rng;
@@ -169,7 +169,6 @@ fn by_actions(lesson: &Lesson) -> Lesson {
 
 /// The lesson with each task's plan as its only machine command.
 fn by_plans(lesson: &Lesson) -> Lesson {
-    let mut lesson = lesson.clone();
-    lesson.readings.iter_mut().for_each(|reading| reading.commands = vec![reading.plan.clone()]);
-    lesson
+    let by_plan = |reading: &Reading| Reading { commands: vec![reading.plan.clone()], ..reading.clone() };
+    Lesson { readings: lesson.readings.iter().map(by_plan).collect(), ..lesson.clone() }
 }

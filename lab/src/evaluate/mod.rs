@@ -21,9 +21,10 @@ mod wordless;
 use crate::calibration;
 use clap::{Args, ValueHint};
 use folds::Experiment;
-use goodbot::Options;
 use goodbot::language::Settings;
+use goodbot::memory::AgentHeap;
 use goodbot::task::LiftedTask;
+use goodbot::{Capacities, Options};
 use goodbot_console::learner::Learner;
 use goodbot_console::lessons::{self, Lesson, Lessons, Told, restored};
 use goodbot_console::load::kinds::TaskKinds;
@@ -224,13 +225,12 @@ fn with_model(
     plot: Option<&Output>,
     out: &mut impl Write,
 ) -> Result<(), Failure> {
-    options.refuse_idle_seed(0)?;
-    let agent = restored::agent(file, lifted)?;
+    options.refuse_idle_seed(&[])?;
     let files: Vec<String> = options.files.iter().chain(&options.test).cloned().collect();
     if files.is_empty() {
         return Err(Failure::Input("there is nothing to ask the model; name a session log with --test".to_owned()));
     }
-    let settings = *agent.language().settings();
+    let settings = restored::settings(file)?;
     let told = Told { keep_going: options.keep_going, ..Told::default() };
     let asked = lessons::read(&files, lifted, Options { language: settings, ..Learner::Default.options() }, false, &told)?;
     let sessions = Sessions { taught: Lessons::default(), asked: Some(asked) };
@@ -244,7 +244,12 @@ fn with_model(
         synonyms: synonyms.table()?,
         novel: options.novel(lifted, settings)?,
     };
-    let answers = experiment.ask(&mut Trained::Robot(Box::new(agent)))?;
+    let mut memory = AgentHeap::new(&Capacities::NONE);
+    let mut trained = match sessions.are_of_worlds() {
+        true => Trained::Model2(Box::new(restored::language(file, &mut memory)?)),
+        false => Trained::Robot(Box::new(restored::agent(file, lifted)?)),
+    };
+    let answers = experiment.ask(&mut trained)?;
     let summary = Summary::of(&answers, about);
     reliability(plot, &summary)?;
     report::print(out, &answers, &summary, options.json)?;
@@ -273,6 +278,11 @@ impl Sessions {
     /// The sessions that are asked.
     fn asked(&self) -> &[Lesson] {
         &self.asked.as_ref().unwrap_or(&self.taught).lessons
+    }
+
+    /// Whether the commands that are asked are in worlds from files.
+    fn are_of_worlds(&self) -> bool {
+        self.asked().iter().any(|lesson| lesson.world.is_some())
     }
 
     /// What can be said of what was read.
@@ -311,11 +321,15 @@ impl Sessions {
         let rounds: Vec<(Vec<usize>, Vec<usize>)> = match &self.asked {
             Some(asked) => vec![(vec![], (0..asked.lessons.len()).collect())],
             None => {
-                let parts = options.split(self.taught.lessons.len()).parts(&self.taught.lessons, options.seed()).map_err(Failure::Input)?;
+                let parts = options.split(&self.taught.lessons).parts(&self.taught.lessons, options.seed()).map_err(Failure::Input)?;
                 parts.into_iter().map(|part| (part.clone(), part)).collect()
             }
         };
-        options.refuse_idle_seed(self.taught.lessons.len())?;
+        options.refuse_idle_seed(&self.taught.lessons)?;
+        if self.are_of_worlds() && (options.novel_environments.is_some() || method == Method::Action) {
+            let message = "--novel-environments and --learner action are for homes: a world from a file has no other layout and no actions";
+            return Err(Failure::Input(message.to_owned()));
+        }
         // In another layout nothing is a copy.
         let copies = match options.novel_environments {
             Some(_) => vec![None; self.asked().len()],
@@ -352,19 +366,22 @@ impl EvaluateOptions {
         self.seed.unwrap_or(1)
     }
 
-    fn split(&self, sessions: usize) -> Split {
+    fn split(&self, lessons: &[Lesson]) -> Split {
+        let grouped = !self.leave_one_out && lessons.iter().any(|lesson| lesson.group.is_some());
         let group = match (self.leave_environment_out, self.leave_task_out) {
             (true, _) => Some(Group::Environment),
             (_, true) => Some(Group::Task),
-            _ => self.group,
+            _ => self.group.or(grouped.then_some(Group::Logged)),
         };
-        let many = sessions > MOST_LEFT_OUT_ONE_BY_ONE && group.is_none() && !self.leave_one_out;
-        Split { group, parts: self.k_fold.or(many.then_some(PARTS)) }
+        let many = lessons.len() > MOST_LEFT_OUT_ONE_BY_ONE && group.is_none() && !self.leave_one_out;
+        let most = (group == Some(Group::Logged)).then_some(PARTS);
+        Split { group, parts: self.k_fold.or(many.then_some(PARTS)), most }
     }
 
     /// A seed that nothing is drawn with is a mistake.
-    fn refuse_idle_seed(&self, sessions: usize) -> Result<(), Failure> {
-        let in_parts = self.with.is_none() && self.test.is_empty() && self.split(sessions).parts.is_some();
+    fn refuse_idle_seed(&self, lessons: &[Lesson]) -> Result<(), Failure> {
+        let split = self.split(lessons);
+        let in_parts = self.with.is_none() && self.test.is_empty() && (split.parts.is_some() || split.most.is_some());
         let draws = self.novel_environments.is_some() || self.curve.is_some() || in_parts;
         if self.seed.is_some() && !draws {
             let message = "--seed has no effect here: nothing is drawn. It is for --k-fold, --novel-environments and --curve; leave it out";

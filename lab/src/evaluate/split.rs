@@ -17,6 +17,8 @@ pub enum Group {
     Task,
     /// The command, word by word
     Command,
+    /// What a log of worlds says must stay together: a speaker, a meaning
+    Logged,
 }
 
 impl Group {
@@ -33,10 +35,11 @@ impl Group {
                 });
                 words.join(" ")
             }
-            Self::Environment => lesson.header.environment.to_json_line(),
+            Self::Logged => lesson.group.clone().unwrap_or_else(|| lesson.id.clone()),
+            Self::Environment => lesson.place(),
             Self::Task => {
                 let meant = lesson.intended.and_then(|task| lesson.readings.get(task)).map(|reading| reading.name.to_string());
-                format!("{} {}", lesson.header.environment.to_json_line(), meant.unwrap_or_default())
+                format!("{} {}", lesson.place(), meant.unwrap_or_default())
             }
         }
     }
@@ -49,6 +52,8 @@ pub struct Split {
     pub group: Option<Group>,
     /// How many parts; one for each session or group where nothing is said.
     pub parts: Option<usize>,
+    /// Where nothing is said, no more parts than so many.
+    pub most: Option<usize>,
 }
 
 impl Split {
@@ -69,11 +74,12 @@ impl Split {
             Some(Group::Command) => "command",
             Some(Group::Environment) => "environment",
             Some(Group::Task) => "environment and task",
+            Some(Group::Logged) => "group",
         };
         if groups.len() < 2 {
             return Err(format!("there is one {what} alone, and nothing else to train on; name files that have more"));
         }
-        let Some(count) = self.parts else { return Ok(groups) };
+        let Some(count) = self.parts.or(self.most.filter(|&most| most < groups.len())) else { return Ok(groups) };
         if count > groups.len() {
             let most = groups.len();
             return Err(format!("--k-fold {count} is more parts than there are: {what} by {what} there are {most}; give 2 to {most}"));

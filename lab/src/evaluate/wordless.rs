@@ -37,10 +37,10 @@ impl Wordless {
     pub fn of<'l>(lessons: impl Iterator<Item = &'l Lesson>) -> Self {
         let mut learner = Self::default();
         for lesson in lessons.filter(|lesson| lesson.learn) {
-            let scene = learner.scenes.entry(scene(&lesson.header.environment)).or_default();
-            for reading in &lesson.readings {
-                scene.add(&reading.label, f64::from(reading.belief));
-                learner.everywhere.add(&reading.label, f64::from(reading.belief));
+            let scene = learner.scenes.entry(scene(lesson)).or_default();
+            for (reading, &belief) in lesson.readings.iter().zip(&lesson.beliefs).filter(|&(_, &belief)| belief > 0.0) {
+                scene.add(&reading.label, f64::from(belief));
+                learner.everywhere.add(&reading.label, f64::from(belief));
             }
         }
         learner
@@ -48,9 +48,9 @@ impl Wordless {
 
     /// How probable each task of a lesson is, without its words.
     pub fn posterior(&self, lesson: &Lesson) -> Vec<f32> {
-        let here = self.scenes.get(&scene(&lesson.header.environment));
+        let here = self.scenes.get(&scene(lesson));
         let mut alike: BTreeMap<&str, f64> = BTreeMap::new();
-        for reading in &lesson.readings {
+        for reading in &*lesson.readings {
             *alike.entry(&reading.label).or_default() += f64::from(reading.prior);
         }
         let even = 1.0 / alike.len().max(1) as f64;
@@ -68,8 +68,12 @@ impl Wordless {
     }
 }
 
-/// Which room the agent is in, and which blocks are in which room, by their looks.
-fn scene(environment: &EnvironmentFile) -> String {
+/// Which room the agent is in, and which blocks are in which room, by their looks; in a world from a file, the world and what holds there.
+fn scene(lesson: &Lesson) -> String {
+    lesson.world.clone().unwrap_or_else(|| scene_of_home(&lesson.header.environment))
+}
+
+fn scene_of_home(environment: &EnvironmentFile) -> String {
     let room_of = |at: (i32, i32)| {
         environment.objects.iter().find_map(|object| match object {
             ObjectRecord::Room { left, bottom, right, top, color, .. }

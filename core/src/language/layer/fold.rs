@@ -8,16 +8,14 @@ use crate::language::tables::TablesRef;
 use crate::probability::{Scaled, total};
 use crate::symbols::Symbol;
 use crate::task::description::form;
+use alloc::vec;
 use heapless::Vec;
-
-/// The layer is silent where more tasks are possible, and learns nothing from such a session.
-pub(crate) const MOST_TASKS: usize = 64;
 
 impl LayerRef<'_> {
     /// How many tasks of a session the layer learns from; 0 where it learns nothing.
     pub(super) fn tasks(self, session: u16) -> usize {
         let count = self.possible.pairs_of(session).len();
-        if (2..=MOST_TASKS).contains(&count) { count } else { 0 }
+        if count < 2 { 0 } else { count }
     }
 }
 
@@ -39,8 +37,7 @@ impl Room<'_> {
         let description = |task: usize| pairs.get(task).map_or(&[][..], |pair| possible.command(pair.command));
         let prior = |task: usize| pairs.get(task).map_or(0.0, |pair| pair.weight);
         let (layout, mut cells) = (tables.layout(), 1_usize);
-        let mut weights = [Scaled::ZERO; MOST_TASKS];
-        let weights = weights.get_mut(..pairs.len()).unwrap_or(&mut []);
+        let weights = &mut *vec![Scaled::ZERO; pairs.len()];
         for (task, weight) in weights.iter_mut().enumerate() {
             let likelihood = forward::likelihood(layout, tables.cells(), &sentence, description(task), |_, _| {});
             *weight = likelihood.scaled_by(prior(task));

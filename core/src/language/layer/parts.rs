@@ -3,7 +3,8 @@
 use crate::symbols::Symbol;
 use crate::task::description::{form, groups};
 use crate::task::role::RoleKind;
-use heapless::Vec;
+use alloc::collections::BTreeMap;
+use alloc::vec::Vec;
 
 /// A role's marker and a value. For the kind of task, its token twice.
 pub(super) type Part = (Symbol, Symbol);
@@ -17,24 +18,31 @@ pub(super) fn of_description(description: &[Symbol]) -> impl Iterator<Item = Par
     form(description).map(|form| (form, form)).into_iter().chain(values)
 }
 
-/// The different parts of a session's tasks that count: those of the first tasks, where there are more.
-const MOST_PARTS: usize = 256;
-
 /// The different parts of a session's tasks, and a number for each.
 pub(super) struct Parts {
-    all: Vec<Part, MOST_PARTS>,
-    numbers: [f32; MOST_PARTS],
+    all: Vec<Part>,
+    numbers: Vec<f32>,
+    /// The parts of one task after another, by position among all, and where those of each task end.
+    of_tasks: Vec<u32>,
+    ends: Vec<usize>,
 }
 
 impl Parts {
     /// The parts of these tasks.
     pub fn of<'d>(descriptions: impl Iterator<Item = &'d [Symbol]>) -> Self {
-        let mut parts = Self { all: Vec::new(), numbers: [0.0; MOST_PARTS] };
-        for part in descriptions.flat_map(of_description) {
-            if !parts.all.contains(&part) {
-                // Those that find no room count as nothing for all tasks.
-                let _ = parts.all.push(part);
+        let mut parts = Self { all: Vec::new(), numbers: Vec::new(), of_tasks: Vec::new(), ends: Vec::new() };
+        let mut known: BTreeMap<Part, u32> = BTreeMap::new();
+        for description in descriptions {
+            for part in of_description(description) {
+                let next = parts.all.len() as u32;
+                let at = *known.entry(part).or_insert(next);
+                if at == next {
+                    parts.all.push(part);
+                    parts.numbers.push(0.0);
+                }
+                parts.of_tasks.push(at);
             }
+            parts.ends.push(parts.of_tasks.len());
         }
         parts
     }
@@ -44,17 +52,22 @@ impl Parts {
         self.all.iter().copied().zip(&mut self.numbers)
     }
 
+    fn of_task(&self, task: usize) -> core::ops::Range<usize> {
+        let start = task.checked_sub(1).and_then(|before| self.ends.get(before)).copied().unwrap_or(0);
+        start..self.ends.get(task).copied().unwrap_or(start)
+    }
+
     /// The sum of the numbers of a task's parts.
-    pub fn sum(&self, description: &[Symbol]) -> f32 {
-        let number = |part: Part| self.all.iter().position(|&other| other == part).and_then(|at| self.numbers.get(at));
-        of_description(description).filter_map(number).sum()
+    pub fn sum(&self, task: usize) -> f32 {
+        let parts = self.of_tasks.get(self.of_task(task)).unwrap_or(&[]);
+        parts.iter().filter_map(|&at| self.numbers.get(at as usize)).sum()
     }
 
     /// Adds to the number of each of a task's parts.
-    pub fn add(&mut self, description: &[Symbol], value: f32) {
-        for part in of_description(description) {
-            let at = self.all.iter().position(|&other| other == part);
-            if let Some(number) = at.and_then(|at| self.numbers.get_mut(at)) {
+    pub fn add(&mut self, task: usize, value: f32) {
+        let range = self.of_task(task);
+        for &at in self.of_tasks.get(range).unwrap_or(&[]) {
+            if let Some(number) = self.numbers.get_mut(at as usize) {
                 *number += value;
             }
         }

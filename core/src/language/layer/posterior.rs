@@ -7,6 +7,7 @@ use super::weights::TRUST;
 use crate::language::tables::TablesRef;
 use crate::probability::{Scaled, exp, total};
 use crate::symbols::Symbol;
+use alloc::vec::Vec;
 
 /// So much probability, in equal parts, is as good as any that the role model gives.
 const FLOOR: f32 = 0.03;
@@ -31,25 +32,25 @@ impl LayerRef<'_> {
         if !self.learned.done || whole.is_zero() {
             return;
         }
-        let firsts = || (0..weights.len()).filter(|&task| same(task) == task);
-        let (count, tasks) = (weights.len(), firsts().count());
-        let mut parts = Parts::of(firsts().map(&description));
+        // The tasks of one description follow each other, in order.
+        let mut alike: Vec<(usize, usize)> = (0..weights.len()).map(|task| (same(task), task)).collect();
+        alike.sort_unstable();
+        let groups = || alike.chunk_by(|a, b| a.0 == b.0).filter_map(|group| Some((group.first()?.0, group)));
+        let tasks = groups().count();
+        let mut parts = Parts::of(groups().map(|(first, _)| description(first)));
         let command = Command::new(tables, self.learned.said, sentence);
         for (part, number) in parts.each() {
             command.each_weight(part, |cell, times| *number += times * self.weight(cell));
         }
         let trust = 1.0 + self.weight(TRUST);
-        for first in 0..count {
-            if same(first) != first {
-                continue;
-            }
-            let alike = || (0..count).filter(|&task| same(task) == first);
-            let before = total(alike().filter_map(|task| weights.get(task).copied()));
-            let score = trust * logarithm(before.over(whole), tasks) + parts.sum(description(first));
+        for (position, (_, group)) in groups().enumerate() {
+            let before = total(group.iter().filter_map(|&(_, task)| weights.get(task).copied()));
+            let score = trust * logarithm(before.over(whole), tasks) + parts.sum(position);
             let after = Scaled::new(exp(score));
-            let (members, nothing) = (alike().count(), before.is_zero());
-            for (_, weight) in weights.iter_mut().enumerate().skip(first).filter(|&(task, _)| same(task) == first) {
-                *weight = if nothing { after.scaled_by(1.0 / members as f32) } else { after.times(weight.divided_by(before)) };
+            for &(_, task) in group {
+                let Some(weight) = weights.get_mut(task) else { continue };
+                let share = 1.0 / group.len() as f32;
+                *weight = if before.is_zero() { after.scaled_by(share) } else { after.times(weight.divided_by(before)) };
             }
         }
     }

@@ -11,7 +11,6 @@
 //! a tenth of its prior. After each pass one step pulls every weight towards 0, and a towards 1.
 
 use super::contexts::Command;
-use super::fold::MOST_TASKS;
 use super::parts::Parts;
 use super::posterior::logarithm;
 use super::tables::Room;
@@ -21,6 +20,7 @@ use crate::language::bitext::BitextRef;
 use crate::language::tables::TablesRef;
 use crate::probability::exp;
 use crate::symbols::Symbol;
+use alloc::vec;
 use heapless::Vec;
 
 const PASSES: u8 = 30;
@@ -77,14 +77,13 @@ impl Room<'_> {
             let _ = sentence.push(Some(word));
         }
         let command = Command::new(tables, self.learned.said, &sentence);
-        let descriptions = || pairs.iter().map(|pair| possible.command(pair.command));
         let of_session = first..first.saturating_add(count);
         let (understood, shown) = (self.understood.get(of_session.clone()), self.shares.get(of_session));
         let (understood, shown) = (understood.unwrap_or(&[]), shown.unwrap_or(&[]));
         let mut weights = Weights::of(self.weights);
         let mut cells = 1_usize;
 
-        let mut parts = Parts::of(descriptions());
+        let mut parts = Parts::of(pairs.iter().map(|pair| possible.command(pair.command)));
         for (part, number) in parts.each() {
             command.each_weight(part, |cell, times| {
                 *number += times * weights.values.get(cell).copied().unwrap_or(0.0);
@@ -92,11 +91,10 @@ impl Room<'_> {
             });
         }
         let trust = 1.0 + weights.values.get(TRUST).copied().unwrap_or(0.0);
-        let (mut believed, mut wanted) = ([0.0_f32; MOST_TASKS], [0.0_f32; MOST_TASKS]);
-        let (Some(believed), Some(wanted)) = (believed.get_mut(..count), wanted.get_mut(..count)) else { return 1 };
+        let (believed, wanted) = (&mut *vec![0.0_f32; count], &mut *vec![0.0_f32; count]);
         let mut best = f32::MIN;
-        for ((slot, &understood), description) in believed.iter_mut().zip(understood).zip(descriptions()) {
-            *slot = trust * logarithm(understood, count) + parts.sum(description);
+        for (task, (slot, &understood)) in believed.iter_mut().zip(understood).enumerate() {
+            *slot = trust * logarithm(understood, count) + parts.sum(task);
             best = best.max(*slot);
         }
         normalise(believed, |score| exp(score - best));
@@ -107,8 +105,8 @@ impl Room<'_> {
 
         parts.each().for_each(|(_, number)| *number = 0.0);
         let mut of_trust = 0.0;
-        for (((&believed, &wanted), &understood), description) in believed.iter().zip(&*wanted).zip(understood).zip(descriptions()) {
-            parts.add(description, believed - wanted);
+        for (task, ((&believed, &wanted), &understood)) in believed.iter().zip(&*wanted).zip(understood).enumerate() {
+            parts.add(task, believed - wanted);
             of_trust += (believed - wanted) * logarithm(understood, count);
         }
         for (part, number) in parts.each() {

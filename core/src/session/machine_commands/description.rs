@@ -3,8 +3,6 @@
 use super::MachineCommands;
 use crate::capacity::{CapacityError, LIFTED_TASKS, TOKENS_PER_COMMAND};
 use crate::feedback::Belief;
-#[cfg(feature = "layer")]
-use crate::language::layer::fold::MOST_TASKS;
 use crate::language::roles::Layout;
 use crate::language::roles::forward::Reading;
 use crate::language::{LanguageRef, Meaning, Model};
@@ -177,17 +175,17 @@ impl<M: AgentMemory> Agent<M> {
         language.read().weigh_kinds(&self.sentence, form, prior, belief.priors_mut());
     }
 
-    /// The candidate that each of the session's tasks has for a description; `None` for more tasks than the layer knows.
+    /// The candidate that each of the session's tasks has for a description; `None` where one has none.
     #[cfg(feature = "layer")]
-    fn described<D: Domain + ?Sized>(&mut self, domain: &D) -> Option<Vec<u16, MOST_TASKS>> {
+    fn described<D: Domain + ?Sized>(&mut self, domain: &D) -> Option<alloc::vec::Vec<u16>> {
         let mut scene = self.scene(domain)?;
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
         let candidates = CandidatesRef::new(session.candidates.read(), self.candidates);
-        let (mut described, mut description) = (Vec::new(), Tokens::new());
+        let (mut described, mut description) = (alloc::vec::Vec::new(), Tokens::new());
         for task in session.tasks.get(..self.task_count).unwrap_or(&[]) {
             describe(domain, &self.lifted, task, &mut scene, language.tokens_mut(), &mut description).ok()?;
-            described.push(candidates.find(&description)? as u16).ok()?;
+            described.push(candidates.find(&description)? as u16);
         }
         Some(described)
     }

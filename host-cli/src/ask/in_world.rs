@@ -1,0 +1,106 @@
+//! Commands in a world from a file: what they mean there. Nothing is planned.
+
+use super::{AskOptions, SURE, lines};
+use goodbot::Capacities;
+use goodbot::memory::AgentHeap;
+use goodbot_console::lessons::{Lesson, restored, training, worlds};
+use goodbot_console::load::content::Content;
+use goodbot_console::load::input;
+use goodbot_console::load::synonyms::in_known_words;
+use goodbot_console::outcome::Failure;
+use goodbot_console::refusal;
+use goodbot_formats::Problem;
+use goodbot_formats::world::WorldFile;
+use goodbot_lesson::Fault;
+use serde_json::json;
+use std::io::{BufRead, BufWriter, Write};
+
+/// So many meanings are told.
+const TOLD: usize = 10;
+
+/// The commands, where the options name a world or a log of worlds; nothing where they name something else.
+///
+/// # Errors
+/// What is wrong with the file, or with the options.
+pub fn questions(options: &AskOptions) -> Result<Option<Vec<Lesson>>, Failure> {
+    let fault = |fault: Fault| Failure::Input(fault.to_string());
+    // Standard input is read once: it has a home.
+    let Some(file) = options.log.as_ref().or(options.environment.as_ref()).filter(|file| *file != "-") else { return Ok(None) };
+    let name = input::name(file);
+    let mut opened = input::open(file).map_err(fault)?;
+    // What cannot be read is refused where it is read.
+    if opened.fill_buf().map(Content::of).ok() != Some(Content::Worlds) {
+        return Ok(None);
+    }
+    if options.why || options.expected.is_some() || options.pull {
+        return Err(Failure::Input("--why, --expected and --pull are for homes; leave them out in a world from a file".to_owned()));
+    }
+    let model = restored::settings(&options.with)?.model;
+    if options.log.is_some() {
+        let mut lessons = Vec::new();
+        worlds::read(name, opened, model, |lesson| {
+            lessons.extend(lesson.map_err(fault)?);
+            Ok::<(), Failure>(())
+        })?;
+        lessons.retain(|lesson| options.session.as_ref().is_none_or(|id| lesson.header.id.as_ref() == Some(id)));
+        if lessons.is_empty() {
+            return Err(Failure::Input(format!("{name}: has no such command; check its id")));
+        }
+        return Ok(Some(lessons));
+    }
+    let bytes = input::rest(name, opened).map_err(fault)?;
+    let text = String::from_utf8(bytes).map_err(|_| fault(Fault::new(name, Problem::NotUtf8)))?;
+    let world = WorldFile::parse(&text).map_err(|error| fault(Fault::from_format(name, error)))?;
+    let commands = match options.command.as_slice() {
+        [only] if only == "-" => lines()?,
+        words => vec![words.join(" ")],
+    };
+    let question =
+        |command: &String| worlds::question(&world, command, model).map_err(|error| fault(Fault::new(name, error).in_field("task_kinds")));
+    commands.iter().map(question).collect::<Result<_, _>>().map(Some)
+}
+
+/// Asks them.
+///
+/// # Errors
+/// [`Failure`].
+pub fn ask(options: &AskOptions, lessons: &[Lesson]) -> Result<(), Failure> {
+    let mut memory = AgentHeap::new(&Capacities::NONE);
+    let mut model = restored::language(&options.with, &mut memory)?;
+    let synonyms = options.synonyms.read()?;
+    let synonyms = synonyms.table()?;
+    let mut out = BufWriter::new(std::io::stdout().lock());
+    for (number, lesson) in lessons.iter().enumerate() {
+        let heard = in_known_words(synonyms, model.read(), &lesson.command)?;
+        let asked = Lesson { command: heard, ..lesson.clone() };
+        let posterior = training::posterior(&mut model, &asked).map_err(|error| Failure::Input(refusal::in_words(&error.into())))?;
+        let mut meanings: Vec<(String, f32)> =
+            lesson.readings.iter().zip(&posterior).map(|(reading, &share)| (reading.name.to_string(), share)).collect();
+        meanings.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let Some((best, share)) = meanings.first() else { continue };
+        let verdict = if *share >= options.threshold.unwrap_or(SURE) { "sure" } else { "unsure" };
+        let meant = lesson.intended.and_then(|task| lesson.readings.get(task)).map(|reading| reading.name.to_string());
+        let told = meanings.iter().take(TOLD);
+        if options.json {
+            let tasks: serde_json::Map<_, _> = told.map(|(name, share)| (name.clone(), json!(share))).collect();
+            let line = json!({
+                "type": "answer", "session": lesson.header.id, "command": lesson.command, "task": best, "tasks": tasks,
+                "of": meanings.len(), "verdict": verdict, "expected": meant,
+            });
+            writeln!(out, "{line}")?;
+            continue;
+        }
+        if number > 0 {
+            writeln!(out)?;
+        }
+        writeln!(out, "\"{}\"", lesson.command.escape_debug())?;
+        for (name, share) in told {
+            writeln!(out, "  {share:6.3}  {name}")?;
+        }
+        writeln!(out, "{verdict}: {best}, of {} tasks", meanings.len())?;
+        if let Some(meant) = meant {
+            writeln!(out, "meant was {meant}")?;
+        }
+    }
+    Ok(out.flush()?)
+}

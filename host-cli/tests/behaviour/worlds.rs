@@ -1,0 +1,105 @@
+//! Worlds from files, and logs of commands in them.
+
+use crate::program::{Run, goodbot};
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Two rooms with a lamp and a fan each.
+const WORLD: &str = r#"{"type":"world","name":"flat","classes":["lamp","fan","place"],"attributes":{"room":["lamp","fan"],"kind":["lamp","fan"]},"propositions":{"lampOn":["lamp"],"lampOff":["lamp"],"fanOn":["fan"],"fanOff":["fan"],"listenerIn":["place"]},"objects":[{"name":"kitchen","class":"place"},{"name":"bath","class":"place"},{"name":"a","class":"lamp","attributes":{"room":"kitchen","kind":"lamp"}},{"name":"b","class":"lamp","attributes":{"room":"bath","kind":"lamp"}},{"name":"c","class":"fan","attributes":{"room":"kitchen","kind":"fan"}},{"name":"d","class":"fan","attributes":{"room":"bath","kind":"fan"}}],"facts":["lampOff(a)"],"task_kinds":["lampOn(?x)","lampOff(?x)","fanOn(?x)","fanOff(?x)"]}"#;
+
+fn command(group: &str, words: &str, meant: &str) -> String {
+    format!(r#"{{"type":"command","world":"flat","id":"{words}","group":"{group}","command":"{words}","intended":["{meant}"]}}"#)
+}
+
+/// Each thing on and off, said in German: what stands for what is to be learned.
+fn log() -> String {
+    let mut lines = vec![WORLD.to_owned()];
+    for (thing, class, said) in
+        [("a", "lamp", "küche licht"), ("b", "lamp", "bad licht"), ("c", "fan", "küche lüfter"), ("d", "fan", "bad lüfter")]
+    {
+        for (state, word) in [("On", "an"), ("Off", "aus")] {
+            // What holds already is no task.
+            if (thing, state) != ("a", "Off") {
+                for (number, before) in ["", "bitte "].iter().enumerate() {
+                    lines.push(command(&number.to_string(), &format!("{before}{said} {word}"), &format!("{class}{state}({thing})")));
+                }
+            }
+        }
+    }
+    lines.join("\n")
+}
+
+fn file(folder: &Path, name: &str, content: &str) -> PathBuf {
+    let path = folder.join(name);
+    fs::write(&path, content).expect("a file");
+    path
+}
+
+fn last_line(run: &Run) -> Value {
+    assert_eq!(run.code, 0, "{}", run.messages);
+    serde_json::from_str(run.output.lines().last().expect("a line")).expect("JSON")
+}
+
+#[test]
+fn what_was_said_in_a_world_from_a_file_is_learned_and_understood() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (log, world) = (file(folder.path(), "log.jsonl", &log()), file(folder.path(), "world.json", WORLD));
+    let model = folder.path().join("words.goodbot");
+    let [log, world, model] = [&log, &world, &model].map(|path| path.to_str().expect("UTF-8"));
+    let learned = goodbot(&["learn", log, "--out", model], b"");
+    assert_eq!(learned.code, 0, "{}", learned.messages);
+    for (words, meant) in [("küche licht an", "lampOn(a)"), ("lüfter bad aus", "fanOff(d)"), ("licht bad aus bitte", "lampOff(b)")] {
+        let answer = last_line(&goodbot(&["ask", "--with", model, "--environment", world, "--json", words], b""));
+        assert_eq!((answer["task"].as_str(), answer["of"].as_u64()), (Some(meant), Some(7)), "{answer}");
+    }
+    let read = goodbot(&["ask", "--with", model, "--log", log], b"");
+    assert!(read.output.contains("\"bitte bad lüfter an\"") && read.output.contains("meant was fanOn(d)"), "{}", read.output);
+    let asked = last_line(&goodbot(&["evaluate", "--with", model, "--test", log, "--json"], b""));
+    assert_eq!((asked["asked"].as_u64(), asked["right"].as_u64()), (Some(14), Some(14)));
+}
+
+#[test]
+fn the_group_that_a_log_names_is_left_out_together() {
+    let summary = |more: &[&str]| last_line(&goodbot(&[&["evaluate", "-", "--json"], more].concat(), log().as_bytes()));
+    let by_group = summary(&[]);
+    assert_eq!(by_group["asked"].as_u64(), Some(14));
+    assert!(by_group["right"].as_u64() > Some(9), "each group says everything in the other's words: {by_group}");
+    assert_eq!(summary(&["--group", "logged"]), by_group);
+    let too_many = goodbot(&["evaluate", "-", "--k-fold", "3"], log().as_bytes());
+    assert!(too_many.code == 2 && too_many.messages.contains("group by group there are 2"), "{}", too_many.messages);
+}
+
+#[test]
+fn what_is_wrong_with_a_world_is_told_by_line_and_field() {
+    for (from, to, told) in [
+        ("\"classes\":[\"lamp\"", "\"classes\":[\"lump\"", "field \"attributes.room[0]\": the world has no class \"lamp\""),
+        ("\"lampOn(?x)\"", "\"lampOn(?x,?y)\"", "field \"task_kinds[0]\": \"lampOn\" was given 2 arguments, and it has 1"),
+        ("\"lampOff(a)\"", "\"lampOff(c)\"", "field \"facts[0]\": \"c\" stands where an object of the class \"lamp\" belongs"),
+        ("\"name\":\"b\"", "\"name\":\"a\"", "field \"objects[3].name\": \"a\" is here twice"),
+        ("\"room\":\"bath\",\"kind\":\"lamp\"", "\"size\":\"big\"", "the world has no attribute \"size\""),
+        ("\"type\":\"world\",", "\"type\":\"world\",\"rooms\":[],", "field \"rooms\": is not known here"),
+    ] {
+        let checked = goodbot(&["check", "-"], WORLD.replacen(from, to, 1).as_bytes());
+        assert!(checked.code == 2 && checked.messages.contains("standard input:1: "), "{}", checked.messages);
+        assert!(checked.messages.contains(told), "{told}: {}", checked.messages);
+    }
+    let lost = goodbot(&["check", "-"], command("1", "an", "lampOn(a)").as_bytes());
+    assert!(lost.messages.contains("field \"world\": no world \"flat\""), "{}", lost.messages);
+    let sound = goodbot(&["check", "-"], log().as_bytes());
+    assert!(sound.code == 0 && sound.output.contains("a log of worlds with 14 commands"), "{}", sound.output);
+}
+
+#[test]
+fn a_model_of_homes_is_not_asked_in_other_worlds_and_logs_of_both_are_not_mixed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let model = folder.path().join("home.goodbot");
+    let home = goodbot(&["example", "log"], b"").output;
+    let [homes, worlds] = [("homes.jsonl", home), ("worlds.jsonl", log())].map(|(name, text)| file(folder.path(), name, &text));
+    let [model, homes, worlds] = [&model, &homes, &worlds].map(|path| path.to_str().expect("UTF-8"));
+    assert_eq!(goodbot(&["learn", homes, "--out", model], b"").code, 0);
+    let asked = goodbot(&["ask", "--with", model, "--log", worlds], b"");
+    assert!(asked.code == 2 && asked.messages.contains("was learned in homes"), "{}", asked.messages);
+    let both = goodbot(&["learn", homes, worlds, "--out", model], b"");
+    assert!(both.code == 2 && both.messages.contains("learn from each by itself"), "{}", both.messages);
+}

@@ -1,0 +1,205 @@
+//! A world from a file, and what commands may mean in it.
+//!
+//! A world without actions needs no plan, so its tasks may be thousands. Each is told to the role model by a description of its own:
+//!
+//! - its form is the number of its propositions and their arguments;
+//! - one role has the words of the propositions' names, cut at capital letters: `coverOpen` and `coverClosed` share `cover`;
+//! - one role an argument has the values of the object there, a sort for each attribute, and what holds of the object alone.
+//!
+//! So what was learned of an object in one kind of task serves in all.
+
+use goodbot::capacity::NAME_BYTES;
+use goodbot::oomdp::PropositionId;
+use goodbot::task::{Marker, Role, RoleKind, VALUE_SORTS};
+use goodbot_formats::task_text::{GroundAtomText, GroundTaskText, LiftedTaskText};
+use goodbot_formats::world::WorldFile;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The most tasks that one world may have.
+pub const MOST_TASKS: usize = 100_000;
+
+/// A task that a command may mean in a world.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Meaning {
+    /// The task.
+    pub name: GroundTaskText,
+    /// Its propositions, and the values of its objects.
+    pub label: String,
+    /// Its probability before any word: all are equally probable. Where each kind of task had the same share, the only task of its kind would
+    /// be more probable than any of hundreds.
+    pub prior: f32,
+    /// What the role model reads: markers as `@8000`, and values.
+    pub description: Vec<String>,
+}
+
+/// A world with more tasks than [`MOST_TASKS`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooMany;
+
+impl std::fmt::Display for TooMany {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "gives more than {MOST_TASKS} tasks; give its kinds of task fewer variables, or leave out objects")
+    }
+}
+
+/// The tasks of a world in which `facts` hold: each kind of task with different objects for its variables, but those that hold already.
+///
+/// # Errors
+/// [`TooMany`].
+pub fn meanings(world: &WorldFile, facts: &[GroundAtomText]) -> Result<Vec<Meaning>, TooMany> {
+    let facts: BTreeSet<&GroundAtomText> = facts.iter().collect();
+    let scene = Scene::of(world, &facts);
+    let mut meanings: Vec<Meaning> = Vec::new();
+    for kind in &world.task_kinds {
+        for objects in bindings(world, kind, MOST_TASKS - meanings.len())? {
+            let atoms: Vec<GroundAtomText> = kind.atoms().iter().filter_map(|atom| ground(atom, &objects)).collect();
+            if atoms.iter().all(|atom| facts.contains(atom)) {
+                continue;
+            }
+            let (label, description) = (scene.label(&atoms), scene.description(&atoms));
+            let Ok(name) = GroundTaskText::new(atoms) else { continue };
+            meanings.push(Meaning { name, label, prior: 0.0, description });
+        }
+    }
+    let share = 1.0 / meanings.len() as f32;
+    meanings.iter_mut().for_each(|meaning| meaning.prior = share);
+    Ok(meanings)
+}
+
+/// An assignment of objects to the variables of a kind of task.
+type Binding<'w> = Vec<(&'w str, &'w str)>;
+
+fn ground(atom: &goodbot_formats::task_text::LiftedAtomText, objects: &Binding<'_>) -> Option<GroundAtomText> {
+    let object = |variable: &String| objects.iter().find(|(known, _)| known == variable).map_or("", |&(_, object)| object);
+    GroundAtomText::new(atom.function(), atom.variables().iter().map(object)).ok()
+}
+
+/// All assignments of different objects to the variables of a kind of task, in the order of the objects, the last variable fastest.
+fn bindings<'w>(world: &'w WorldFile, kind: &'w LiftedTaskText, most: usize) -> Result<Vec<Binding<'w>>, TooMany> {
+    let mut variables: Vec<(&str, &str)> = Vec::new();
+    for atom in kind.atoms() {
+        let parameters = world.propositions.iter().find(|(name, _)| name == atom.function()).map_or(&[][..], |(_, parameters)| parameters);
+        for (variable, class) in atom.variables().iter().zip(parameters) {
+            if !variables.iter().any(|(known, _)| known == variable) {
+                variables.push((variable, class));
+            }
+        }
+    }
+    let mut all: Vec<Binding<'w>> = vec![vec![]];
+    for (variable, class) in variables {
+        let mut next = Vec::new();
+        for before in &all {
+            for object in world.objects.iter().filter(|object| object.class == class) {
+                if before.iter().all(|(_, other)| *other != object.name) {
+                    let mut binding = before.clone();
+                    binding.push((variable, &object.name));
+                    next.push(binding);
+                }
+                if next.len() > most {
+                    return Err(TooMany);
+                }
+            }
+        }
+        all = next;
+    }
+    Ok(all)
+}
+
+/// What can be said of each object.
+struct Scene<'w> {
+    objects: BTreeMap<&'w str, Vec<(usize, String)>>,
+}
+
+impl<'w> Scene<'w> {
+    fn of(world: &'w WorldFile, facts: &BTreeSet<&GroundAtomText>) -> Self {
+        let sorts: BTreeMap<&str, usize> = world.attributes.iter().zip(0..).map(|((name, _), sort)| (name.as_str(), sort)).collect();
+        // What holds of an object alone, by its name.
+        let mut alone: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+        for fact in facts {
+            if let [object] = fact.arguments() {
+                alone.entry(object).or_default().push(fact.function());
+            }
+        }
+        let last = VALUE_SORTS - 1;
+        let said = |object: &'w goodbot_formats::world::ObjectOfWorld| {
+            let mut said: Vec<(usize, String)> = Vec::new();
+            for (attribute, value) in &object.attributes {
+                let sort = sorts.get(attribute.as_str()).copied().unwrap_or(last);
+                said.push((sort.min(last), token(attribute, value)));
+                // A value can be the name of another object, such as the room that a lamp is in: what holds there is said of the lamp.
+                for fact in alone.get(value.as_str()).into_iter().flatten() {
+                    said.push((last, token(attribute, fact)));
+                }
+            }
+            for fact in alone.get(object.name.as_str()).into_iter().flatten() {
+                said.push((last, token("is", fact)));
+            }
+            said.sort();
+            said.dedup();
+            (object.name.as_str(), said)
+        };
+        Self { objects: world.objects.iter().map(said).collect() }
+    }
+
+    fn label(&self, atoms: &[GroundAtomText]) -> String {
+        let mut words: Vec<&str> = atoms.iter().map(GroundAtomText::function).collect();
+        let objects: Vec<&String> = atoms.iter().flat_map(GroundAtomText::arguments).collect();
+        words.extend(objects.iter().flat_map(|object| self.said(object)).map(|(_, value)| value.as_str()));
+        words.join(" ")
+    }
+
+    fn said(&self, object: &str) -> &[(usize, String)] {
+        self.objects.get(object).map_or(&[], Vec::as_slice)
+    }
+
+    fn description(&self, atoms: &[GroundAtomText]) -> Vec<String> {
+        let arguments: Vec<String> = atoms.iter().map(|atom| atom.arguments().len().to_string()).collect();
+        let mut description = vec![format!("task{}", arguments.join("&"))];
+        for (position, atom) in atoms.iter().enumerate() {
+            let proposition = PropositionId::new(position as u8);
+            let marker = |kind, argument, sort| Marker { role: Role::of_argument(kind, proposition, argument), sort };
+            let mut words: Vec<String> = parts_of_name(atom.function()).map(|part| token("is", part)).collect();
+            words.sort();
+            words.dedup();
+            description.push(marker(RoleKind::Subject, 3, 0).to_string());
+            description.extend(words);
+            for (argument, object) in atom.arguments().iter().enumerate() {
+                let mut sort = None;
+                for (next, value) in self.said(object) {
+                    if sort != Some(*next) {
+                        sort = Some(*next);
+                        description.push(marker(RoleKind::Goal, argument, *next as u8).to_string());
+                    }
+                    description.push(value.clone());
+                }
+            }
+        }
+        description
+    }
+}
+
+/// `color` and `red` make `colorRed`; what is too long for a token is cut.
+fn token(attribute: &str, value: &str) -> String {
+    let mut token = attribute.to_owned();
+    let mut letters = value.chars();
+    token.extend(letters.next().map(|first| first.to_ascii_uppercase()));
+    token.push_str(letters.as_str());
+    while token.len() > NAME_BYTES {
+        token.pop();
+    }
+    token
+}
+
+/// The parts of a name, each from a capital letter to the next.
+fn parts_of_name(name: &str) -> impl Iterator<Item = &str> {
+    let mut rest = name;
+    std::iter::from_fn(move || {
+        if rest.is_empty() {
+            return None;
+        }
+        let end = rest.char_indices().skip(1).find(|(_, letter)| letter.is_uppercase()).map_or(rest.len(), |(at, _)| at);
+        let (part, behind) = rest.split_at(end);
+        rest = behind;
+        Some(part)
+    })
+}
