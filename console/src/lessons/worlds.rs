@@ -141,6 +141,8 @@ fn header(command: &CommandRecord) -> SessionHeader {
         continues: false,
         prior: None,
         strategies: None,
+        utterance: None,
+        after: None,
     }
 }
 
