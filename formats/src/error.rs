@@ -184,7 +184,7 @@ pub enum Problem {
     /// A proposition with more or fewer arguments than it has in its world.
     ArgumentCount {
         /// The proposition.
-        name: String,
+        name: Box<str>,
         /// How many it was given.
         given: usize,
         /// How many it has.
@@ -193,9 +193,9 @@ pub enum Problem {
     /// An object, or a variable, of another class than belongs in its place.
     WrongClass {
         /// Its name.
-        name: String,
+        name: Box<str>,
         /// The class that belongs there.
-        class: String,
+        class: Box<str>,
     },
     /// A proposition with `!` where something holds.
     Negated,

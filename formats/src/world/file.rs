@@ -139,7 +139,7 @@ impl WorldFile {
             let parameters = self.parameters(node, atom.function(), atom.variables().len())?;
             for (variable, class) in atom.variables().iter().zip(parameters) {
                 if *classes.entry(variable).or_insert(class) != class {
-                    return Err(node.error(Problem::WrongClass { name: format!("?{variable}"), class: class.clone() }));
+                    return Err(node.error(Problem::WrongClass { name: format!("?{variable}").into(), class: class.as_str().into() }));
                 }
             }
         }
@@ -151,7 +151,7 @@ impl WorldFile {
         match self.propositions.iter().find(|(name, _)| name == function) {
             None => Err(node.error(Problem::NotInWorld { what: "proposition", name: function.to_owned() })),
             Some((_, parameters)) if parameters.len() != given => {
-                Err(node.error(Problem::ArgumentCount { name: function.to_owned(), given, wanted: parameters.len() }))
+                Err(node.error(Problem::ArgumentCount { name: function.into(), given, wanted: parameters.len() }))
             }
             Some((_, parameters)) => Ok(parameters),
         }
@@ -184,7 +184,7 @@ impl<'w> Known<'w> {
             match self.classes.get(argument.as_str()) {
                 None => return Err(node.error(Problem::NotInWorld { what: "object", name: argument.clone() })),
                 Some(known) if known != class => {
-                    return Err(node.error(Problem::WrongClass { name: argument.clone(), class: class.clone() }));
+                    return Err(node.error(Problem::WrongClass { name: argument.as_str().into(), class: class.as_str().into() }));
                 }
                 Some(_) => {}
             }
