@@ -1,6 +1,6 @@
 //! When the robot asks in a live session: seldom, and nothing twice.
 //!
-//! Beside what [`goodbot::asking`] decides: never where a task is believed with 0.8; never what was asked or offered before in the session,
+//! Beside what [`goodbot::asking`] decides: never where a task is believed with 0.5; never what was asked or offered before in the session,
 //! even after a step back; and half as readily after each session in which all answers were as expected, down to an eighth, until one is not.
 //! While a question waits for its answer, no other is asked.
 //! Where the robot listened and two tasks fit nearly as well that differ in one object, such as two chairs, it asks at once which is meant.
@@ -9,8 +9,9 @@ use crate::live::{Lesson, LiveError};
 use goodbot::asking::{Asking, Question};
 use goodbot::task::TaskSet;
 
-/// With this much belief in a task nothing is asked.
-const SURE: f32 = 0.8;
+/// With this much belief in a task nothing is asked. Chosen with four robots of twenty lessons: 0.8 brings a question before a third of the
+/// commands, and understands 2 in 100 more.
+const SURE: f32 = 0.5;
 /// Answers as expected in so many sessions make it ask ever less.
 const MOST_TRUST: u8 = 3;
 /// An answer with less than this share of an even part is a surprise.

@@ -4,7 +4,7 @@ use goodbot::feedback::Feedback;
 use goodbot::home::{Moves, paper_tasks};
 use goodbot::memory::AgentHeap;
 use goodbot::session::Options;
-use goodbot::talk::{Hypothesis, Verdict};
+use goodbot::talk::{Class, ClosedWords, Hypothesis, Verdict};
 use goodbot::task::TaskSet;
 use goodbot::{Agent, Capacities};
 use goodbot_formats::environment::EnvironmentFile;
@@ -187,4 +187,23 @@ fn a_correction_is_replayed_to_the_bit() {
     assert_eq!(lesson.name_of(lesson.agent.most_likely().expect("a task")).expect("a name").to_string(), "agentInRoom(agent0,room2)");
     walk(&mut lesson, &mut random);
     end(&mut lesson, &mut other);
+}
+
+#[test]
+fn tables_of_closed_words_may_be_empty_long_or_have_a_word_in_two_classes() {
+    let mut lesson = taught();
+    let (agent, home, state) = lesson.parts();
+    let none = agent.listen(home, state, "go to the blue room", ClosedWords::new("").expect("a table")).expect("heard");
+    assert_eq!((none.verdict, none.hypothesis), (Verdict::Sure, Hypothesis::Command), "no table: a command is one all the same");
+    let both = ClosedWords::new("praise: fine\nblame: fine").expect("a table");
+    assert!(both.of("fine").contains(Class::Praise) && both.of("fine").contains(Class::Blame));
+    let fine = agent.listen(home, state, "fine", both).expect("heard");
+    assert_eq!(fine.verdict, Verdict::None, "whichever it is, it is no command");
+    let lines: String = (0..10_000).map(|line| format!("polite: word{line}\n")).collect();
+    let long = ClosedWords::new(&lines).expect("a table");
+    assert!(long.of("word9999").contains(Class::Polite));
+    let polite = agent.listen(home, state, "word9999 go to the blue room", long).expect("heard");
+    assert_eq!((polite.verdict, polite.hypothesis), (Verdict::Sure, Hypothesis::Command));
+    let wrong = format!("{lines}polite word");
+    assert_eq!(ClosedWords::new(&wrong).expect_err("no table").to_string(), "line 10001: write a class and a colon before \"polite\"");
 }

@@ -68,8 +68,8 @@ fn then(tasks: &[String]) -> String {
 
 /// How commands are worded in lessons.
 pub struct Wording {
-    going: [&'static str; 4],
-    taking: [&'static str; 3],
+    pub going: [&'static str; 4],
+    pub taking: [&'static str; 3],
     /// The words for colors and shapes, if others than their own.
     names: &'static [(&'static str, &'static str)],
 }
