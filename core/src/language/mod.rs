@@ -1,6 +1,7 @@
 //! The language model (paper, section 3): how words are explained by machine tokens.
 //!
 //! - `tokenizer`: a command as words;
+//! - `letters`: one letter that is written in many ways;
 //! - [`unspaced`]: words of scripts without spaces;
 //! - `bitext`: the training data, pairs of an English command and a machine command, each with a weight;
 //! - `spelling`: which words are variants of one;
@@ -18,6 +19,7 @@ pub(crate) mod bitext;
 pub mod forgetting;
 pub mod ibm2;
 pub mod layer;
+pub(crate) mod letters;
 pub(crate) mod model;
 pub mod roles;
 pub(crate) mod settings;
@@ -31,6 +33,7 @@ pub mod unspaced;
 pub use bitext::{BitextRef, BitextTables, BitextTablesRef, Pair, Span};
 pub use ibm2::LengthPair;
 pub use layer::{LayerTables, LayerTablesRef};
+pub use letters::is_spelled_alike;
 pub use model::{LanguageModel, LanguageMut, LanguageRef, LanguageTables, LanguageTablesRef};
 pub use roles::Meaning;
 pub use settings::{MOST_ROUNDS, MOST_WEIGHT, Model, SettingError, Settings};

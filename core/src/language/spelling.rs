@@ -1,12 +1,14 @@
 //! Which words are variants of one: what begins alike, and slips of the pen.
 
+use super::letters::is_spelled_alike;
 use super::tokenizer::word_form;
 use crate::symbols::{Symbol, SymbolsRef};
 
 /// Shorter words have no slips: too many words differ by one letter.
 const LEAST_LETTERS: usize = 5;
 
-/// The known word that `word` counts as: itself, one that begins with the same `letters` letters (0 for none such), or, for a word of five
+/// The known word that `word` counts as: itself, one that begins with the same `letters` letters (0 for none such), also where "ä" is written
+/// "ae", or, for a word of five
 /// letters or more, the first of the `learned` words that differs by one letter left out, put in, exchanged with its neighbour or taken for
 /// another.
 pub(super) fn variant(words: SymbolsRef<'_>, learned: usize, word: &str, letters: usize) -> Option<Symbol> {
@@ -19,7 +21,9 @@ pub(super) fn variant(words: SymbolsRef<'_>, learned: usize, word: &str, letters
     let begins_alike = |known: &str| has_form && known.starts_with(form);
     let find =
         |alike: &dyn Fn(&str) -> bool, most: usize| words.iter().take(most).find(|(_, known)| alike(known)).map(|(symbol, _)| symbol);
-    find(&begins_alike, usize::MAX).or_else(|| find(&|known| is_slip(known, word), learned))
+    let spelled_alike = |known: &str| is_spelled_alike(known, word, letters);
+    let alike = find(&begins_alike, usize::MAX).or_else(|| find(&spelled_alike, usize::MAX));
+    alike.or_else(|| find(&|known| is_slip(known, word), learned))
 }
 
 /// Whether two words, one of them of five letters or more, differ by one slip.

@@ -3,6 +3,7 @@
 //! Without the feature `unicode`, which costs 4.6 KB in the course for a Cortex-M4F, only ASCII letters become lower case, and every
 //! character beyond ASCII that is no blank and no common punctuation counts as a letter.
 
+use super::letters::{composed, full_width, is_unseen, ordinary};
 use super::settings::Model;
 use super::unspaced::cut;
 use crate::capacity::{Capacity, CapacityError, NAME_BYTES, WORDS_PER_COMMAND};
@@ -60,7 +61,7 @@ pub fn for_each_piece(command: &str, mut take: impl FnMut(&str) -> Result<(), Ca
     if count > WORDS_PER_COMMAND {
         return Err(CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, count));
     }
-    pieces(command).try_for_each(|word| take(&lower_case(word)?))
+    pieces(command).try_for_each(|word| take(&composed_word(word)?))
 }
 
 impl Model {
@@ -82,8 +83,15 @@ pub(crate) fn start_of_piece(command: &str, position: usize) -> Option<usize> {
     Some(pieces(command).nth(position)?.as_ptr().addr().saturating_sub(command.as_ptr().addr()))
 }
 
+/// The marks that make が of か and ぱ of は.
+const fn is_voicing(letter: char) -> bool {
+    matches!(letter, '\u{3099}' | '\u{309a}')
+}
+
 fn pieces(command: &str) -> impl Iterator<Item = &str> {
-    let words = command.split(|letter| !is_of_word(letter)).map(|word| word.trim_matches(is_apostrophe));
+    let words = command
+        .split(|letter| !(is_of_word(letter) || is_unseen(letter) || is_voicing(letter)))
+        .map(|word| word.trim_matches(is_apostrophe));
     words.flat_map(cut).filter(|word| word.chars().any(is_alphanumeric))
 }
 
@@ -170,9 +178,26 @@ pub fn word_form(word: &str, letters: usize) -> &str {
 fn lower_case(text: &str) -> Result<Word, CapacityError> {
     let mut word = Word::new();
     for letter in text.chars().flat_map(to_lower_case) {
-        word.push(letter).map_err(|_| CapacityError::new(Capacity::NameBytes, NAME_BYTES, text.len().max(NAME_BYTES + 1)))?;
+        word.push(letter).map_err(|_| too_long(text))?;
     }
     Ok(word)
+}
+
+/// A word in lower case, as it would be typed most shortly.
+fn composed_word(text: &str) -> Result<Word, CapacityError> {
+    let mut word = Word::new();
+    for letter in text.chars().filter_map(ordinary).map(full_width).flat_map(to_lower_case) {
+        let one = word.chars().next_back().and_then(|before| composed(before, letter));
+        if one.is_some() {
+            word.pop();
+        }
+        word.push(one.unwrap_or(letter)).map_err(|_| too_long(text))?;
+    }
+    Ok(word)
+}
+
+fn too_long(text: &str) -> CapacityError {
+    CapacityError::new(Capacity::NameBytes, NAME_BYTES, text.len().max(NAME_BYTES + 1))
 }
 
 #[cfg(test)]
@@ -230,7 +255,7 @@ mod tests {
             assert_eq!(pieces(command), plain, "{command}");
         }
         assert_eq!(words("don't go to the tan-coloured room 5"), ["don't", "go", "to", "the", "tan-coloured", "room", "5"]);
-        assert_eq!(pieces("don’t，go！to\u{3000}room"), ["don’t", "go", "to", "room"]);
+        assert_eq!(pieces("don’t，go！to\u{3000}room"), ["don't", "go", "to", "room"]);
     }
 
     #[test]
