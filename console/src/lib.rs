@@ -23,4 +23,5 @@ pub mod numbers;
 pub mod outcome;
 pub mod output;
 pub mod refusal;
+pub mod starter;
 pub mod whole_file;

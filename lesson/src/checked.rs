@@ -7,7 +7,7 @@ use crate::walk::{Expected, Listening, SessionAnswer, Step, Walk};
 use goodbot::capacity::{Capacity, CapacityError, PROPOSITIONS_PER_TASK};
 use goodbot::feedback::Feedback;
 use goodbot::home::{Home, HomeState, Moves, SCHEMA};
-use goodbot::language::for_each_word;
+use goodbot::language::for_each_piece;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Domain;
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
@@ -127,7 +127,7 @@ impl Checker<'_> {
         let said = header.utterance.iter().map(|utterance| ("utterance", utterance));
         for (field, text) in std::iter::once(("command", &header.command)).chain(said) {
             let mut words = 0_usize;
-            let counted = for_each_word(text, |_| {
+            let counted = for_each_piece(text, |_| {
                 words += 1;
                 Ok(())
             });

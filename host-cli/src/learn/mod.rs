@@ -10,6 +10,7 @@ use goodbot_console::messages::counted;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Output};
 use goodbot_console::refusal;
+use goodbot_console::starter::StarterOptions;
 use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
@@ -21,7 +22,8 @@ All sessions are learned from at once, in no order: each by what its steps show 
 Sessions that say that they are not to be learned from are walked through and left out.
 
 Example:
-  goodbot learn turk-simplified.jsonl --out words.goodbot")]
+  goodbot learn turk-simplified.jsonl --out words.goodbot
+  goodbot learn few.jsonl --starter en --out words.goodbot")]
 pub struct LearnOptions {
     /// Session logs (JSON Lines): feedback, demonstrations or labels; - is standard input
     #[arg(required = true, value_name = "FILE", value_hint = ValueHint::FilePath)]
@@ -34,6 +36,8 @@ pub struct LearnOptions {
     /// What learns
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
     learner: Learner,
+    #[command(flatten)]
+    starter: StarterOptions,
     /// What is expected of trainers who judge the robot, in place of what the sessions say: population (the strategies of real people, and that
     /// they end a session when it suits them, as teach has it), logged, paper, or probabilities. A session that names no strategies is otherwise
     /// one of the paper's trainer
@@ -55,12 +59,15 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let lifted = options.kinds.lifted()?;
     let target = Output::model(&options.out, options.files.iter().map(String::as_str), options.force)?;
     let told = Told { believes: options.believes.clone(), keep_going: options.keep_going };
-    let lessons::Lessons { lessons, skipped, with_way, no_task } =
+    let lessons::Lessons { mut lessons, skipped, with_way, no_task } =
         lessons::read(&options.files, &lifted, options.learner.options(), false, &told)?;
     let learned = lessons.iter().filter(|lesson| lesson.learn).count();
     if learned == 0 {
         return Err(Failure::Input("no session is to be learned from; set \"learn\" to true at the end of one".to_owned()));
     }
+    let starter = options.starter.read(&lifted, options.learner.options())?;
+    let own = lessons.len();
+    lessons.extend(starter.beside(learned).cloned());
     let fault = |error: &dyn std::fmt::Display| Failure::Input(error.to_string());
     let capacities = training::capacities(&lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD });
     let settings = options.learner.options().language;
@@ -79,12 +86,16 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let mut out = output::text(&[Some(&target)])?;
     if options.json {
         let line = json!({
-            "type": "model", "sessions": learned, "skipped": skipped, "left_out_with_way": with_way, "left_out_no_task": no_task, "words": words, "tokens": tokens, "pairs": pairs, "bytes": file.len(),
+            "type": "model", "sessions": learned, "skipped": skipped, "left_out_with_way": with_way, "left_out_no_task": no_task, "starter": lessons.len() - own, "words": words, "tokens": tokens, "pairs": pairs, "bytes": file.len(),
         });
         writeln!(out, "{line}")?;
     } else {
         let [sessions, words, tokens] = [(learned, "session"), (words, "word"), (tokens, "machine token")].map(|(n, it)| counted(n, it));
-        writeln!(out, "{sessions}, {words}, {tokens}: {} bytes in {}", file.len(), target.name())?;
+        let beside = match lessons.len() - own {
+            0 => String::new(),
+            count => format!(" and {} of the starter", counted(count, "sentence")),
+        };
+        writeln!(out, "{sessions}{beside}, {words}, {tokens}: {} bytes in {}", file.len(), target.name())?;
     }
     Ok(out.flush()?)
 }

@@ -6,6 +6,7 @@ use goodbot::language::Settings;
 use goodbot_console::lessons::{Lesson, training};
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
+use goodbot_console::starter::Starter;
 use plotters::prelude::*;
 use rayon::prelude::*;
 use std::error::Error;
@@ -25,7 +26,14 @@ pub struct Point {
 ///
 /// # Errors
 /// [`Failure::Input`] where a command has no room.
-pub fn points(lessons: &[Lesson], method: Method, settings: Settings, runs: usize, seed: u64) -> Result<Vec<Point>, Failure> {
+pub fn points(
+    lessons: &[Lesson],
+    starter: &Starter,
+    method: Method,
+    settings: Settings,
+    runs: usize,
+    seed: u64,
+) -> Result<Vec<Point>, Failure> {
     let most = lessons.len() * 9 / 10;
     let doubling = std::iter::successors(Some(2_usize), |size| Some(size * 2)).take_while(|&size| size < most);
     let sizes: Vec<usize> = doubling.chain([most]).collect();
@@ -35,12 +43,12 @@ pub fn points(lessons: &[Lesson], method: Method, settings: Settings, runs: usiz
         let shares: Vec<f64> = (0..runs)
             .into_par_iter()
             .map_init(
-                || training::memory(lessons, &settings),
+                || training::memory(&[lessons, starter.lessons()].concat(), &settings),
                 |memory, run| {
                     let order = shuffled(lessons.len(), seed.wrapping_add(run as u64));
                     let (taught, asked) = order.split_at(sessions);
-                    let mut trained =
-                        Trained::on(method, memory, taught.iter().filter_map(|&taught| lessons.get(taught)), settings).map_err(no_room)?;
+                    let taught = taught.iter().filter_map(|&taught| lessons.get(taught)).chain(starter.beside(sessions));
+                    let mut trained = Trained::on(method, memory, taught, settings).map_err(no_room)?;
                     let (mut right, mut all) = (0_usize, 0_usize);
                     for lesson in asked.iter().filter_map(|&asked| lessons.get(asked)) {
                         if let Some(answer) = ask(&mut trained, lesson)? {

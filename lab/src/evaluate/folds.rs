@@ -8,6 +8,7 @@ use goodbot::language::{Settings, Synonyms};
 use goodbot_console::lessons::{Lesson, Reading, training};
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
+use goodbot_console::starter::Starter;
 use rand_core::Rng;
 use rayon::prelude::*;
 
@@ -58,6 +59,8 @@ pub struct Experiment<'l> {
     pub copies: Vec<Option<&'l Lesson>>,
     /// Words that mean the same.
     pub synonyms: Synonyms<'l>,
+    /// What is learned from beside the sessions.
+    pub starter: &'l Starter,
     /// Other layouts to ask in, if any.
     pub novel: Option<Novel<'l>>,
 }
@@ -75,12 +78,13 @@ impl Experiment<'_> {
             .rounds
             .par_iter()
             .map_init(
-                || training::memory(taught, &settings),
+                || training::memory(&[taught, self.starter.lessons()].concat(), &settings),
                 |memory, (left_out, part)| {
                     let left: std::collections::HashSet<usize> = left_out.iter().copied().collect();
                     let others = || taught.iter().enumerate().filter(|(position, _)| !left.contains(position)).map(|(_, lesson)| lesson);
                     let wordless = Wordless::of(others());
-                    let mut trained = Trained::on(method, memory, others(), settings).map_err(no_room)?;
+                    let lessons = others().chain(self.starter.beside(others().count()));
+                    let mut trained = Trained::on(method, memory, lessons, settings).map_err(no_room)?;
                     let answers = self.ask_part(&mut trained, &wordless, part, method == Method::Action);
                     progress.inc(1);
                     answers

@@ -32,6 +32,7 @@ use goodbot_console::load::synonyms::SynonymOptions;
 use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Output};
+use goodbot_console::starter::{Starter, StarterOptions};
 use method::{Method, Trained};
 use novel::Novel;
 use report::{Read, Summary};
@@ -83,6 +84,8 @@ pub struct EvaluateOptions {
     /// What learns
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
     learner: Method,
+    #[command(flatten)]
+    starter: StarterOptions,
     /// Compare the default with the same without one choice at a time, in a table
     #[arg(long, conflicts_with_all = ["learner", "plot", "curve"])]
     ablation: bool,
@@ -145,6 +148,7 @@ Examples:
   goodbot evaluate turk-original.jsonl --synonyms words.txt
   goodbot evaluate turk-simplified.jsonl --k-fold 10 --learner bag-of-words
   goodbot evaluate turk-simplified.jsonl --curve curve.svg --runs 20
+  goodbot evaluate turk-simplified.jsonl --curve curve.svg --starter en
   goodbot evaluate turk-simplified.jsonl --ablation";
 
 /// Runs the command.
@@ -180,7 +184,7 @@ pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
     report::print(&mut out, &answers, &summary, options.json).or_else(unheard)?;
     if let Some(curve) = &curve {
         let runs = options.runs.unwrap_or(10);
-        let points = curve::points(&sessions.taught.lessons, options.learner, settings, runs, options.seed())?;
+        let points = curve::points(&sessions.taught.lessons, &sessions.starter, options.learner, settings, runs, options.seed())?;
         let svg = curve::draw(&points, runs).map_err(|error| Failure::Result(error.to_string()))?;
         curve.write(svg.as_bytes())?;
         if !options.json {
@@ -233,7 +237,7 @@ fn with_model(
     let settings = restored::settings(file)?;
     let told = Told { keep_going: options.keep_going, ..Told::default() };
     let asked = lessons::read(&files, lifted, Options { language: settings, ..Learner::Default.options() }, false, &told)?;
-    let sessions = Sessions { taught: Lessons::default(), asked: Some(asked) };
+    let sessions = Sessions { taught: Lessons::default(), asked: Some(asked), starter: Starter::default() };
     let synonyms = options.synonyms.read()?;
     let about = sessions.about()?;
     let experiment = Experiment {
@@ -242,6 +246,7 @@ fn with_model(
         rounds: vec![(vec![], (0..sessions.asked().len()).collect())],
         copies: vec![None; sessions.asked().len()],
         synonyms: synonyms.table()?,
+        starter: &Starter::default(),
         novel: options.novel(lifted, settings)?,
     };
     let mut memory = AgentHeap::new(&Capacities::NONE);
@@ -260,6 +265,7 @@ fn with_model(
 struct Sessions {
     taught: Lessons,
     asked: Option<Lessons>,
+    starter: Starter,
 }
 
 impl Sessions {
@@ -272,7 +278,7 @@ impl Sessions {
             [] => None,
             files => Some(lessons::read(files, lifted, agent, plans, &told)?),
         };
-        Ok(Self { taught, asked })
+        Ok(Self { taught, asked, starter: options.starter.read(lifted, agent)? })
     }
 
     /// The sessions that are asked.
@@ -337,8 +343,15 @@ impl Sessions {
         };
         let synonyms = options.synonyms.read()?;
         let novel = options.novel(lifted, settings)?;
-        let experiment =
-            Experiment { taught: &self.taught.lessons, asked: self.asked(), rounds, copies, synonyms: synonyms.table()?, novel };
+        let experiment = Experiment {
+            taught: &self.taught.lessons,
+            asked: self.asked(),
+            rounds,
+            copies,
+            synonyms: synonyms.table()?,
+            starter: &self.starter,
+            novel,
+        };
         let answers = experiment.run(method, settings)?;
         let summary = Summary::of(&answers, about);
         Ok((answers, summary))

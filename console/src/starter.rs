@@ -1,0 +1,290 @@
+//! Half taught from the start: everyday sentences of our own in five languages, whose place own sessions take.
+//!
+//! A starter is a text: which words name which values, and sentences with gaps for them. Each sentence is a labelled session in a home that
+//! has what it speaks of. With n own sessions, 1 / (1 + n / 4) of the sentences are learned from beside them, and so few of many: what people say
+//! themselves soon counts alone.
+
+use crate::lessons::Lesson;
+use crate::lessons::evidence::Witness;
+use crate::outcome::Failure;
+use clap::{Args, ValueEnum};
+use goodbot::Options;
+use goodbot::home::{AGENT_IN_ROOM, BLOCK_IN_ROOM};
+use goodbot::language::Model;
+use goodbot::oomdp::PropositionId;
+use goodbot::task::LiftedTask;
+use goodbot_formats::session::SessionReader;
+use goodbot_lesson::Fault;
+use serde_json::{Value, json};
+
+/// The languages that there is a starter in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Language {
+    /// German
+    De,
+    /// English
+    En,
+    /// Spanish
+    Es,
+    /// French
+    Fr,
+    /// Chinese
+    Zh,
+}
+
+impl Language {
+    const fn text(self) -> &'static str {
+        match self {
+            Self::De => include_str!("../starter/de.txt"),
+            Self::En => include_str!("../starter/en.txt"),
+            Self::Es => include_str!("../starter/es.txt"),
+            Self::Fr => include_str!("../starter/fr.txt"),
+            Self::Zh => include_str!("../starter/zh.txt"),
+        }
+    }
+}
+
+/// Which starter.
+#[derive(Clone, Copy, Debug, Args)]
+pub struct StarterOptions {
+    /// Begin with everyday sentences in a language, most of which give way as soon as there are sessions of one's own
+    #[arg(long, value_enum, value_name = "LANGUAGE")]
+    starter: Option<Language>,
+}
+
+impl StarterOptions {
+    /// The starter that is asked for; without any, it has no lessons.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] for the paper's settings, and where the tasks are so that a sentence cannot be read.
+    pub fn read(&self, lifted: &[LiftedTask], options: Options) -> Result<Starter, Failure> {
+        match self.starter {
+            None => Ok(Starter::default()),
+            Some(_) if options.language.model != Model::Roles => {
+                Err(Failure::Input("--starter is not for the paper's settings; leave out --learner or --starter".to_owned()))
+            }
+            Some(language) => Starter::new(language, lifted, options),
+        }
+    }
+}
+
+/// With so many own sessions, half of the starter's sentences are left.
+const HALF: usize = 4;
+/// How often each sentence is said, of other things each time.
+const TIMES: usize = 2;
+
+/// Sessions that are learned from beside one's own, the more of them the fewer those are.
+#[derive(Clone, Debug, Default)]
+pub struct Starter {
+    lessons: Vec<Lesson>,
+}
+
+impl Starter {
+    /// The starter in a language, for a robot with these kinds of task. A sentence of another kind is left out.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] where the tasks are so that a sentence cannot be read.
+    pub fn new(language: Language, lifted: &[LiftedTask], options: Options) -> Result<Self, Failure> {
+        let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("the starter: {error}"));
+        let mut witness = Witness::new(lifted, options, None, false).map_err(|error| fault(&error))?;
+        let text = Text::of(language.text());
+        let mut lessons = Vec::new();
+        for time in 0..TIMES {
+            for (number, (kind, sentence)) in text.sentences.iter().enumerate() {
+                if !kind.is_of(lifted) {
+                    continue;
+                }
+                let log = text.session(*kind, sentence, number + time * text.sentences.len());
+                for session in SessionReader::new(log.as_bytes()) {
+                    let session = session.map_err(|error| fault(&error))?;
+                    let refused =
+                        |faults: Vec<Fault>| Failure::Input(faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"));
+                    lessons.push(witness.lesson("starter", &session).map_err(refused)?);
+                }
+            }
+        }
+        Ok(Self { lessons })
+    }
+
+    /// All its lessons.
+    pub fn lessons(&self) -> &[Lesson] {
+        &self.lessons
+    }
+
+    /// The lessons to learn from beside so many own ones: evenly of all.
+    pub fn beside(&self, own: usize) -> impl Iterator<Item = &Lesson> {
+        let all = self.lessons.len();
+        let left = (all * HALF).div_ceil(HALF + own).min(all);
+        (0..left).filter_map(move |position| self.lessons.get(position * all / left.max(1)))
+    }
+}
+
+/// What a sentence asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// The robot in a room.
+    Go,
+    /// A thing in a room.
+    Take,
+    /// A thing in a room, and then the robot in another.
+    Both,
+}
+
+impl Kind {
+    /// Whether a robot with these kinds of task can be asked for that.
+    fn is_of(self, lifted: &[LiftedTask]) -> bool {
+        let wanted: &[PropositionId] = match self {
+            Self::Go => &[AGENT_IN_ROOM],
+            Self::Take => &[BLOCK_IN_ROOM],
+            Self::Both => &[AGENT_IN_ROOM, BLOCK_IN_ROOM],
+        };
+        let is_wanted = |task: &LiftedTask| {
+            let goals = task.propositions();
+            !task.has_way() && goals.len() == wanted.len() && wanted.iter().all(|&goal| goals.iter().any(|it| it.proposition == goal))
+        };
+        lifted.iter().any(is_wanted)
+    }
+}
+
+/// A starter as it is written.
+struct Text<'t> {
+    /// A colour's value, and the forms of its word.
+    colors: Vec<(&'t str, Vec<&'t str>)>,
+    /// A shape's value, and its name with a gap for the colour.
+    things: Vec<(&'t str, &'t str)>,
+    sentences: Vec<(Kind, &'t str)>,
+}
+
+impl<'t> Text<'t> {
+    fn of(text: &'t str) -> Self {
+        let mut read = Self { colors: vec![], things: vec![], sentences: vec![] };
+        for line in text.lines().filter(|line| !line.starts_with('#')) {
+            if let Some((kind, sentence)) = line.split_once(' ').and_then(|(kind, sentence)| {
+                let kind = match kind {
+                    "go" => Kind::Go,
+                    "take" => Kind::Take,
+                    "both" => Kind::Both,
+                    _ => return None,
+                };
+                Some((kind, sentence))
+            }) {
+                read.sentences.push((kind, sentence));
+            } else if let Some((value, words)) = line.split_once('=') {
+                read.colors.push((value, words.split('/').collect()));
+            } else if let Some((value, name)) = line.split_once(':') {
+                read.things.push((value, name));
+            }
+        }
+        read
+    }
+
+    /// A sentence with its gaps filled, as a labelled session in a home that has what it speaks of. `number` chooses the values.
+    fn session(&self, kind: Kind, sentence: &str, number: usize) -> String {
+        // Four rooms and two things of different colours, by turns.
+        let color = |place: usize| number.wrapping_mul(5).wrapping_add(place * (1 + number / self.colors.len() % 3)) % self.colors.len();
+        let [goal, start, other, last] = [0, 1, 2, 3].map(color);
+        let (own, second) = ((number * 7 + 3) % self.colors.len(), (number * 7 + 8) % self.colors.len());
+        let (thing, beside) = (number % self.things.len(), (number + 1) % self.things.len());
+        let value = |color: usize| self.colors.get(color).map_or("", |(value, _)| *value);
+        let word = |color: usize, form: usize| {
+            self.colors.get(color).and_then(|(_, forms)| forms.get(form).or(forms.first())).map_or("", |word| *word)
+        };
+        let (shape, name) = self.things.get(thing).copied().unwrap_or(("", ""));
+        let named = name.replace("{C}", word(own, 0)).replace("{c}", word(own, 1));
+        let plain: Vec<&str> = name.split_inclusive(' ').filter(|part| !part.contains('{')).collect();
+        let plain = match name.split_once("的") {
+            Some((_, noun)) => noun.to_owned(),
+            None => plain.concat().trim_end().to_owned(),
+        };
+        let mut command = sentence.replace("{T}", &named).replace("{N}", &plain);
+        for (gap, color) in [('R', goal), ('F', start), ('O', other)] {
+            command = command.replace(&format!("{{{gap}}}"), word(color, 0));
+            command = command.replace(&format!("{{{}}}", gap.to_ascii_lowercase()), word(color, 1));
+        }
+        let room = |name: &str, [left, bottom]: [u8; 2], color: usize| json!({"class": "room", "name": name, "left": left, "bottom": bottom, "right": left + 4, "top": bottom + 4, "color": value(color)});
+        let door = |name: &str, [x, y]: [u8; 2]| json!({"class": "door", "name": name, "left": x, "bottom": y, "right": x, "top": y});
+        let block = |name: &str, [x, y]: [u8; 2], color: usize, shape: &str| json!({"class": "block", "name": name, "x": x, "y": y, "color": value(color), "shape": shape});
+        let beside = self.things.get(beside).map_or("", |(shape, _)| *shape);
+        let objects: Vec<Value> = vec![
+            room("room0", [0, 0], goal),
+            room("room1", [4, 0], start),
+            room("room2", [0, 4], other),
+            room("room3", [4, 4], last),
+            door("door0", [4, 2]),
+            door("door1", [4, 6]),
+            door("door2", [2, 4]),
+            door("door3", [6, 4]),
+            block("block0", [6, 2], own, shape),
+            block("block1", [6, 6], second, beside),
+            json!({"class": "agent", "name": "agent0", "x": 5, "y": 1}),
+        ];
+        let intended = match kind {
+            Kind::Go => vec!["agentInRoom(agent0,room0)"],
+            Kind::Take => vec!["blockInRoom(block0,room0)"],
+            Kind::Both => vec!["agentInRoom(agent0,room2)", "blockInRoom(block0,room0)"],
+        };
+        let header = json!({
+            "type": "session", "version": 1, "kind": "labelled", "environment": {"version": 1, "objects": objects}, "command": command, "intended": intended,
+        });
+        format!("{header}\n{}\n", json!({"type": "end", "learn": true}))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lessons::training;
+    use goodbot::home::paper_tasks;
+
+    #[test]
+    fn a_starter_says_a_hundred_things_in_little_room() {
+        for language in Language::value_variants() {
+            let starter = Starter::new(*language, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+            assert!(language.text().len() <= 4_096 && starter.lessons().len() >= 80, "{language:?}: {}", starter.lessons().len());
+            for lesson in starter.lessons() {
+                assert!(!lesson.command.contains(['{', '}']) && lesson.pairs.len() == 1, "{}", lesson.command);
+            }
+        }
+    }
+
+    #[test]
+    fn own_sessions_take_the_starters_place() {
+        let starter = Starter::new(Language::En, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+        let all = starter.lessons().len();
+        let left = |own| starter.beside(own).count();
+        assert_eq!([left(0), left(4), left(28)], [all, all.div_ceil(2), all.div_ceil(8)]);
+        assert!(left(400) < 3 && Starter::default().beside(0).count() == 0);
+    }
+
+    #[test]
+    fn a_robot_that_was_told_nothing_else_understands_everyday_sentences() {
+        for (language, go, take) in [
+            (Language::En, "go to the green room", "take the chair to the yellow room"),
+            (Language::De, "geh in den grünen Raum", "bring den Stuhl in den gelben Raum"),
+            (Language::Fr, "va dans la pièce verte", "porte la chaise dans la pièce jaune"),
+            (Language::Es, "ve a la habitación verde", "lleva la silla a la habitación amarilla"),
+            (Language::Zh, "去绿色的房间", "把椅子搬到黄色的房间"),
+        ] {
+            let lifted = paper_tasks().unwrap();
+            let starter = Starter::new(language, &lifted, Options::DEFAULT).unwrap();
+            let settings = Options::DEFAULT.language;
+            let mut memory = training::memory(starter.lessons(), &settings);
+            let mut model = training::train(&mut memory, starter.beside(0), settings).unwrap();
+            let text = Text {
+                colors: vec![("green", vec!["a"]), ("red", vec!["b"]), ("blue", vec!["c"]), ("yellow", vec!["d"])],
+                ..Text::of("chair:x\nbag:y\nbox:z")
+            };
+            let mut witness = Witness::new(&lifted, Options::DEFAULT, None, false).unwrap();
+            for command in [go, take] {
+                let log = text.session(Kind::Go, command, 0);
+                let session = SessionReader::new(log.as_bytes()).next().unwrap().unwrap();
+                let lesson = witness.lesson("home", &session).unwrap();
+                let posterior = training::posterior(&mut model, &lesson).unwrap();
+                let best = posterior.iter().enumerate().max_by(|one, other| one.1.total_cmp(other.1)).unwrap().0;
+                let label = &lesson.readings[best].label;
+                let wanted = if command == go { "agentInRoom green" } else { "blockInRoom yellow chair yellow" };
+                assert_eq!(label, wanted, "{command}");
+            }
+        }
+    }
+}
