@@ -1,8 +1,14 @@
 //! What is told on standard error beside failures: remarks and progress. `--quiet` leaves them out.
 
+use goodbot_lesson::Fault;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::borrow::Cow;
+use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+/// How often something that goes on shows that it does.
+const BEAT: Duration = Duration::from_millis(250);
 
 static QUIET: AtomicBool = AtomicBool::new(false);
 static COLORED: AtomicBool = AtomicBool::new(false);
@@ -56,6 +62,44 @@ pub fn counted(count: usize, noun: &str) -> String {
     format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }
 
+/// Tells, on standard error where that is a terminal, that something goes on whose end is not known.
+pub fn working(what: impl Into<Cow<'static, str>>) -> ProgressBar {
+    if is_quiet() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{spinner} {msg} {elapsed}").unwrap_or_else(|_| ProgressStyle::default_spinner());
+    let working = ProgressBar::new_spinner().with_style(style).with_message(what);
+    working.enable_steady_tick(BEAT);
+    working
+}
+
+/// A count that grows, on standard error where that is a terminal.
+pub fn counting(what: &'static str) -> ProgressBar {
+    let counting = working(what);
+    let style = ProgressStyle::with_template("{spinner} {msg}: {human_pos} {elapsed}").unwrap_or_else(|_| ProgressStyle::default_spinner());
+    counting.with_style(style)
+}
+
+/// Faults as lines to be read: where many say the same of many lines, the first one with their count.
+pub fn summed(faults: &[Fault]) -> Vec<String> {
+    let mut same: HashMap<(&str, Option<&str>, String), usize> = HashMap::new();
+    let mut told: Vec<(&Fault, usize)> = Vec::new();
+    for fault in faults {
+        // Numbers differ from line to line.
+        let text = fault.message.chars().filter(|letter| !letter.is_ascii_digit()).collect();
+        let at = *same.entry((&fault.file, fault.field.as_deref(), text)).or_insert(told.len());
+        match told.get_mut(at) {
+            Some((_, more)) => *more += 1,
+            None => told.push((fault, 0)),
+        }
+    }
+    let line = |(fault, more): (&Fault, usize)| match more {
+        0 => fault.to_string(),
+        more => format!("{fault}; and {} like it", counted(more, "line")),
+    };
+    told.into_iter().map(line).collect()
+}
+
 /// A progress bar on standard error, where that is a terminal.
 pub fn bar(length: usize, what: &'static str) -> ProgressBar {
     if is_quiet() {
@@ -69,6 +113,13 @@ pub fn bar(length: usize, what: &'static str) -> ProgressBar {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_fault_of_many_lines_is_told_once_with_their_count() {
+        let fault = |line, message: &str| Fault::on_line("log", line, message);
+        let faults = [fault(1, "the sum is 0.9"), fault(2, "no end"), fault(3, "the sum is 0.8"), fault(5, "the sum is 0.7")];
+        assert_eq!(summed(&faults), ["log:1: the sum is 0.9; and 2 lines like it", "log:2: no end"]);
+    }
 
     #[test]
     fn control_characters_are_shown_and_not_obeyed() {

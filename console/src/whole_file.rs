@@ -87,6 +87,11 @@ pub fn remove_torn(path: &Path, age: Duration) -> usize {
     entries.flatten().filter(is_torn).filter(|entry| std::fs::remove_file(entry.path()).is_ok()).count()
 }
 
+/// Whether a file has the name of one that was left unfinished.
+pub fn is_unfinished(path: &Path) -> bool {
+    path.file_name().and_then(|name| name.to_str()).is_some_and(|name| name.starts_with('.') && name.ends_with(TORN_SUFFIX))
+}
+
 /// How the names of unfinished files begin: with that of the file, as far as there is room.
 fn torn_prefix(path: &Path) -> String {
     let name: String = path.file_name().unwrap_or_default().to_string_lossy().chars().take(MOST_LETTERS).collect();

@@ -2,6 +2,8 @@
 
 use crate::ask::AskOptions;
 use crate::check::CheckArgs;
+use crate::diff::DiffArgs;
+use crate::doctor::DoctorArgs;
 use crate::example::Example;
 use crate::inspect::InspectOptions;
 use crate::learn::LearnOptions;
@@ -11,6 +13,7 @@ use crate::paper::options::PaperOptions;
 use crate::replay::ReplayArgs;
 use crate::size::SizeOptions;
 use crate::teach::TeachOptions;
+use crate::unlearn::UnlearnArgs;
 use clap::{Parser, Subcommand, ValueEnum};
 use goodbot_lab::evaluate::EvaluateOptions;
 use goodbot_lab::fit_trainers::FitOptions;
@@ -101,6 +104,9 @@ pub enum Command {
     /// Write a file for a BBC micro:bit whose robot knows what a model has
     Microbit(MicrobitOptions),
     Merge(MergeArgs),
+    Diff(DiffArgs),
+    Unlearn(UnlearnArgs),
+    Doctor(DoctorArgs),
     Study(StudyOptions),
     /// Print a home or a session log to begin with
     Example {

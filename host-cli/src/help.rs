@@ -5,14 +5,17 @@ use clap::builder::StyledStr;
 use clap::{Arg, Command, CommandFactory};
 
 /// The commands that most people need.
-const EVERYDAY: [&str; 10] = ["teach", "learn", "ask", "inspect", "replay", "merge", "check", "example", "size", "microbit"];
+const EVERYDAY: [&str; 10] = ["teach", "learn", "ask", "inspect", "replay", "diff", "merge", "unlearn", "check", "example"];
+/// The commands for robots that are no host.
+const BOARDS: [&str; 2] = ["size", "microbit"];
 /// The commands about this program itself.
-const ITSELF: [&str; 3] = ["completions", "man", "help"];
+const ITSELF: [&str; 4] = ["doctor", "completions", "man", "help"];
 
 /// What can be typed, with help in groups. A command that no list names is one of the laboratory.
 pub fn arguments() -> Command {
     let everyday = group(|name| EVERYDAY.contains(&name));
-    let laboratory = group(|name| !EVERYDAY.contains(&name) && !ITSELF.contains(&name));
+    let boards = group(|name| BOARDS.contains(&name));
+    let laboratory = group(|name| !EVERYDAY.contains(&name) && !BOARDS.contains(&name) && !ITSELF.contains(&name));
     let itself = group(|name| ITSELF.contains(&name));
     let cli = Cli::command();
     let heading = |text: &str| {
@@ -20,9 +23,11 @@ pub fn arguments() -> Command {
         format!("{style}{text}:{style:#}")
     };
     let template = format!(
-        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{{options}}{{after-help}}",
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{{options}}{{after-help}}",
         heading("Commands"),
         everyday.ansi(),
+        heading("For controllers"),
+        boards.ansi(),
         heading("The laboratory"),
         laboratory.ansi(),
         heading("This program"),

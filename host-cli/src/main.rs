@@ -8,6 +8,8 @@
 mod ask;
 mod check;
 mod cli;
+mod diff;
+mod doctor;
 mod example;
 mod help;
 mod inspect;
@@ -19,6 +21,7 @@ mod paper;
 mod replay;
 mod size;
 mod teach;
+mod unlearn;
 
 use clap::{CommandFactory, FromArgMatches};
 use cli::{Cli, Color, Command};
@@ -56,6 +59,9 @@ fn main() -> ExitCode {
         Command::Size(options) => size::run(&options),
         Command::Microbit(options) => microbit::run(&options),
         Command::Merge(options) => merge::run(&options),
+        Command::Diff(args) => diff::run(&args),
+        Command::Unlearn(args) => unlearn::run(&args),
+        Command::Doctor(args) => doctor::run(&args),
         Command::Evaluate(options) => evaluate::run(&options),
         Command::Study(options) => study::run(&options),
         Command::Example { what } => example::run(what),

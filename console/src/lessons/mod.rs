@@ -16,7 +16,7 @@ pub mod worlds;
 use crate::believes::Believes;
 use crate::load::content::Content;
 use crate::load::input;
-use crate::messages::{bar, counted, printable, say};
+use crate::messages::{bar, counted, printable, say, summed};
 use crate::outcome::Failure;
 use evidence::{Witness, told_pairs};
 use goodbot::Options;
@@ -169,15 +169,17 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
         )
         .collect();
     progress.finish_and_clear();
+    let mut remarks = Vec::new();
     for lesson in walked {
         match lesson {
             Ok(lesson) => {
-                lesson.remarks.iter().for_each(|remark| say!("{remark}"));
+                remarks.extend_from_slice(&lesson.remarks);
                 lessons.push(lesson);
             }
             Err(faults) => refuse(&faults, keep_going, &mut skipped)?,
         }
     }
+    summed(&remarks).iter().for_each(|remark| say!("{remark}"));
     if skipped > 0 {
         say!("{} at fault passed over", counted(skipped, "session"));
     }

@@ -1,10 +1,11 @@
 //! A model file as an agent that can be asked, or as a language model where it was learned in worlds from files.
 
 use crate::learner;
+use crate::messages::{counted, working};
 use crate::outcome::Failure;
 use crate::whole_file::read_model;
 use goodbot::language::{LanguageModel, Settings};
-use goodbot::memory::AgentHeap;
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::planning::Progress;
 use goodbot::snapshot::{Contents, SAVED};
 use goodbot::task::LiftedTask;
@@ -13,6 +14,9 @@ use std::path::Path;
 
 /// The most that any table may hold, whatever a file says.
 const MOST_OF_A_FIELD: usize = 1 << 24;
+
+/// From so many sessions on, learning may take seconds.
+const MANY: usize = 500;
 
 /// An agent that knows what a model file knows.
 ///
@@ -25,8 +29,18 @@ pub fn agent(file: &Path, lifted: &[LiftedTask]) -> Result<Agent<AgentHeap>, Fai
     let memory = learner::memory(&room_for(&contents), &contents.options.language, contents.possible.len());
     let mut agent = Agent::new(memory, lifted, Options::DEFAULT).map_err(|error| fault(&error))?;
     agent.restore(&bytes).map_err(|error| fault(&error))?;
-    agent.learn_fully();
+    learn_fully(&mut agent);
     Ok(agent)
+}
+
+/// Learns to the end, and tells that it goes on where that takes a while.
+pub fn learn_fully(agent: &mut Agent<impl AgentMemory>) {
+    let sessions = agent.language().bitext().sessions();
+    let working = (sessions >= MANY).then(|| working(format!("learning from {}", counted(sessions, "session"))));
+    agent.learn_fully();
+    if let Some(working) = working {
+        working.finish_and_clear();
+    }
 }
 
 /// How a model file's language model understands and learns.

@@ -170,6 +170,17 @@ impl LanguageMut<'_> {
         Ok(Room::Found)
     }
 
+    /// Takes a session out of the training data, with the words and machine tokens that no other has. Training begins.
+    pub(crate) fn unlearn(&mut self, session: u16) {
+        self.forget_unlearned();
+        self.remove_session(session);
+        self.remove_unused_words(&mut []);
+        self.remove_unused_tokens(&mut []);
+        // It is less than before, so it fits.
+        let _ = self.data_replaced();
+        self.begin_training();
+    }
+
     /// The table of words, machine tokens or their parameters that has too little room, if there is one.
     fn full_of_vocabulary(&self) -> Option<Capacity> {
         let Capacities { words, word_bytes, tokens, token_bytes, .. } = self.read().rooms();

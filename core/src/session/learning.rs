@@ -171,6 +171,27 @@ impl<M: AgentMemory> Agent<M> {
         Ok(())
     }
 
+    /// Takes one session out of what was learned, by its position from 0 on, the oldest first, with the words and machine tokens that no other
+    /// session has, and begins training on the rest: call [`learn`](Self::learn) until it is done. Gives `false` where there is no such
+    /// session. A session under way ends unlearned. What the session showed of the trainer, and what later sessions owe to it, stays.
+    ///
+    /// ```
+    /// use goodbot::{Agent, Capacities, HeapMemory, Options, home};
+    /// let memory = HeapMemory::new(&Capacities::SMALL);
+    /// let mut agent = Agent::new(memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
+    /// assert!(!agent.unlearn(0), "nothing was learned yet");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn unlearn(&mut self, session: u16) -> bool {
+        if usize::from(session) >= self.language().bitext().sessions() {
+            return false;
+        }
+        self.end_session();
+        self.workspace_to_training();
+        self.language_mut().unlearn(session);
+        true
+    }
+
     /// Begins to learn from all sessions so far. Call [`learn`](Self::learn) until it is done.
     pub fn begin_learning(&mut self) {
         self.forget();

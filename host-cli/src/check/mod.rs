@@ -5,13 +5,14 @@
 mod doubts;
 
 use clap::Args;
+use goodbot::home::paper_tasks;
 use goodbot::language::Model;
 use goodbot::task::LiftedTask;
 use goodbot_console::lessons::worlds;
 use goodbot_console::load::content::Content;
 use goodbot_console::load::input;
 use goodbot_console::load::kinds::TaskKinds;
-use goodbot_console::messages::{counted, printable};
+use goodbot_console::messages::{counted, counting, printable, summed};
 use goodbot_console::outcome;
 use goodbot_formats::Problem;
 use goodbot_formats::environment::{self, EnvironmentFile};
@@ -83,14 +84,32 @@ pub fn run(args: &CheckArgs) -> ExitCode {
     ExitCode::from(if sound { 0 } else { 2 })
 }
 
+/// What a file is, where nothing is wrong with it.
+///
+/// # Errors
+/// The first fault, and how many there are.
+pub fn summary(file: &str) -> Result<String, String> {
+    let lifted = paper_tasks().map_err(|error| error.to_string())?;
+    let found = check(file, &lifted).map_err(|fault| fault.to_string())?;
+    match found.faults.split_first() {
+        None => Ok(found.what),
+        Some((first, [])) => Err(first.to_string()),
+        Some((first, rest)) => Err(format!("{first}; and {} more: goodbot check {file} names all", rest.len())),
+    }
+}
+
 fn tell(file: &str, found: &Findings) -> std::io::Result<()> {
     let mut messages = std::io::stderr().lock();
     for fault in &found.faults {
         writeln!(messages, "{}", printable(&fault.to_string()))?;
     }
-    for warning in &found.warnings {
-        let doubtful = Fault { message: format!("warning: {}", warning.message), ..warning.clone() };
-        writeln!(messages, "{}", printable(&doubtful.to_string()))?;
+    let doubtful = |warning: &Fault| Fault { message: format!("warning: {}", warning.message), ..warning.clone() };
+    let doubts = summed(&found.warnings.iter().map(doubtful).collect::<Vec<_>>());
+    for doubt in doubts.iter().take(MOST_FAULTS) {
+        writeln!(messages, "{}", printable(doubt))?;
+    }
+    if let Some(more) = doubts.len().checked_sub(MOST_FAULTS).filter(|&more| more > 0) {
+        writeln!(messages, "{}: {} of other kinds not told; mend these first", printable(file), counted(more, "warning"))?;
     }
     if !found.faults.is_empty() {
         return Ok(());
@@ -195,7 +214,9 @@ fn check_log(file: &str, log: impl BufRead, lifted: &[LiftedTask]) -> Findings {
     let mut ids: HashMap<String, usize> = HashMap::new();
     // Most sessions of a log are in a home that was there before.
     let mut homes: Vec<EnvironmentFile> = Vec::new();
+    let progress = counting("sessions checked");
     for recorded in SessionReader::new(log) {
+        progress.inc(1);
         match recorded {
             Ok(recorded) => {
                 sessions += 1;
@@ -216,7 +237,7 @@ fn check_log(file: &str, log: impl BufRead, lifted: &[LiftedTask]) -> Findings {
             break;
         }
     }
-    found.warnings.truncate(MOST_FAULTS);
+    progress.finish_and_clear();
     found.what = format!("{} of {}", counted(sessions, "session"), counted(steps, "step"));
     found
 }

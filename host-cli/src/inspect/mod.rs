@@ -1,5 +1,7 @@
 //! `goodbot inspect`: which words a model knows, and what they mean to it.
 
+pub mod sessions;
+
 use crate::paper::lexicon::Lexicon;
 use crate::paper::plot;
 use crate::teach::full_words::FullWords;
@@ -32,6 +34,9 @@ pub struct InspectOptions {
     /// Replace a file that is no picture of goodbot's
     #[arg(long, requires = "plot")]
     force: bool,
+    /// Print the sessions with their numbers, the oldest first, and nothing else; goodbot unlearn takes one out
+    #[arg(long, conflicts_with = "plot")]
+    sessions: bool,
     /// Print a line of JSON for each token and each word
     #[arg(long)]
     json: bool,
@@ -47,6 +52,17 @@ pub fn run(options: &InspectOptions) -> Result<(), Failure> {
     let target =
         options.plot.as_deref().map(|plot| Output::picture(plot, options.model.to_str().into_iter(), options.force)).transpose()?;
     let agent = restored::agent(&options.model, &lifted)?;
+    if options.sessions {
+        let mut out = output::text(&[])?;
+        for (number, command) in (1..).zip(sessions::commands(&agent)) {
+            if options.json {
+                writeln!(out, "{}", json!({"type": "session", "number": number, "command": command}))?;
+            } else {
+                writeln!(out, "{number:>5}  {command}")?;
+            }
+        }
+        return Ok(out.flush()?);
+    }
     let mut lexicon = Lexicon::of(agent.language());
     let full = FullWords::new(agent.language().settings().letters_kept());
     lexicon.words.iter_mut().for_each(|word| *word = full.of(word));

@@ -6,7 +6,7 @@ use goodbot_console::believes::Believes;
 use goodbot_console::learner::{self, Learner};
 use goodbot_console::lessons::{self, Told, training};
 use goodbot_console::load::kinds::TaskKinds;
-use goodbot_console::messages::counted;
+use goodbot_console::messages::{counted, working};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Output};
 use goodbot_console::refusal;
@@ -46,6 +46,9 @@ pub struct LearnOptions {
     /// Replace a file that is no model
     #[arg(long)]
     force: bool,
+    /// Leave out the session of this id; may be given several times
+    #[arg(long, value_name = "ID")]
+    without: Vec<String>,
     /// Pass over sessions that are at fault, and count them
     #[arg(long)]
     keep_going: bool,
@@ -61,6 +64,10 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let told = Told { believes: options.believes.clone(), keep_going: options.keep_going };
     let lessons::Lessons { mut lessons, skipped, with_way, no_task } =
         lessons::read(&options.files, &lifted, options.learner.options(), false, &told)?;
+    if let Some(unknown) = options.without.iter().find(|id| lessons.iter().all(|lesson| lesson.id != **id)) {
+        return Err(Failure::Input(format!("no session has the id {unknown:?}; check --without")));
+    }
+    lessons.retain(|lesson| !options.without.contains(&lesson.id));
     let learned = lessons.iter().filter(|lesson| lesson.learn).count();
     if learned == 0 {
         return Err(Failure::Input("no session is to be learned from; set \"learn\" to true at the end of one".to_owned()));
@@ -73,7 +80,10 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let settings = options.learner.options().language;
     let room = || learner::memory(&capacities, &settings, training::tasks(&lessons));
     let mut memory = room();
-    let model = training::train(&mut memory, lessons.iter(), settings).map_err(|error| Failure::Input(refusal::in_words(&error)))?;
+    let progress = working("learning what the words mean");
+    let model = training::train(&mut memory, lessons.iter(), settings);
+    progress.finish_and_clear();
+    let model = model.map_err(|error| Failure::Input(refusal::in_words(&error)))?;
     let words = model.saved().map_err(|error| fault(&error))?;
     // The robot's whole mind: the same training data, with its options, its trainer strategies and the vocabulary of its tasks.
     // What was learned in worlds from files is of no domain of the core's.

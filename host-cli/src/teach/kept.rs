@@ -35,12 +35,20 @@ impl Places {
         if name.is_empty() || name.len() > 64 || !name.chars().all(plain) {
             return Err(Failure::Input(format!("{name:?} is no name for a robot; use letters, digits, - and _, at most 64")));
         }
-        let folders = etcetera::base_strategy::choose_native_strategy()
-            .map_err(|_| Failure::Input("there is no home folder to keep the robot in; name a file with --model".to_owned()))?;
-        let folder = folders.data_dir().join("goodbot");
+        let folder = Self::folder()?;
         std::fs::create_dir_all(&folder)
             .map_err(|error| Failure::Input(format!("{} cannot be made ({error}); name another file with --model", folder.display())))?;
         Ok(Self { model: folder.join(format!("{name}.goodbot")), log: folder.join(format!("{name}.jsonl")) })
+    }
+
+    /// Where robots are kept by name.
+    ///
+    /// # Errors
+    /// A [`Failure`] where the platform has no such folder.
+    pub fn folder() -> Result<PathBuf, Failure> {
+        let folders = etcetera::base_strategy::choose_native_strategy()
+            .map_err(|_| Failure::Input("there is no home folder to keep the robot in; name a file with --model".to_owned()))?;
+        Ok(folders.data_dir().join("goodbot"))
     }
 
     /// A model file, and its log beside it unless that is named too.

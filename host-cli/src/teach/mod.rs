@@ -8,14 +8,14 @@
 
 mod classroom;
 pub mod full_words;
-mod kept;
+pub mod kept;
 mod keys;
 mod lessons;
 mod next_lesson;
 mod pace;
 mod palette;
 mod picture;
-mod plain_names;
+pub mod plain_names;
 mod prompt;
 mod protocol;
 mod scene;

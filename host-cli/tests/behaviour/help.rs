@@ -9,12 +9,13 @@ fn names(list: &str) -> Vec<&str> {
 }
 
 /// The help's lists of commands, in its order.
-fn lists(help: &str) -> [Vec<&str>; 3] {
+fn lists(help: &str) -> [Vec<&str>; 4] {
     let (_, rest) = help.split_once("\nCommands:\n").expect("the everyday commands");
-    let (everyday, rest) = rest.split_once("\nThe laboratory:\n").expect("the laboratory");
+    let (everyday, rest) = rest.split_once("\nFor controllers:\n").expect("those for controllers");
+    let (boards, rest) = rest.split_once("\nThe laboratory:\n").expect("the laboratory");
     let (laboratory, rest) = rest.split_once("\nThis program:\n").expect("the program itself");
     let (itself, _) = rest.split_once("\nOptions:\n").expect("the options");
-    [everyday, laboratory, itself].map(names)
+    [everyday, boards, laboratory, itself].map(names)
 }
 
 #[test]
@@ -28,10 +29,10 @@ fn the_help_names_each_command_once_and_the_everyday_ones_first() {
     assert!(commands.len() > 15, "{commands:?}");
     for help in [&["--help"][..], &["-h"], &["help"]] {
         let help = goodbot(help, b"").output;
-        let [everyday, laboratory, itself] = lists(&help);
+        let [everyday, boards, laboratory, itself] = lists(&help);
         assert!(everyday.contains(&"teach") && everyday.len() <= 10, "{everyday:?}");
         assert!(laboratory.contains(&"study"), "{laboratory:?}");
-        let mut named = [everyday, laboratory, itself].concat();
+        let mut named = [everyday, boards, laboratory, itself].concat();
         named.sort_unstable();
         assert_eq!(named, commands, "{help}");
     }

@@ -14,6 +14,7 @@ mod help;
 mod language;
 mod merge;
 mod microbit;
+mod models_apart;
 mod nothing_lost;
 mod one_lesson;
 mod paper;

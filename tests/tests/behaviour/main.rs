@@ -31,5 +31,6 @@ mod second_robot;
 mod snapshot;
 mod sound_domains;
 mod understanding;
+mod unlearning;
 mod ways;
 mod windows_of_regions;

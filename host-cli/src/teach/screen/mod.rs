@@ -18,6 +18,8 @@ use ratatui::widgets::{Block, Borders, Paragraph, Wrap};
 
 /// The smallest screen on which anything can be seen.
 const LEAST: (u16, u16) = (24, 8);
+/// The rows that the likeliest guesses have below a home, with their heading.
+const GUESSES: u16 = 5;
 /// From this size on, thoughts stand beside the home.
 const BESIDE: u16 = 60;
 
@@ -72,7 +74,8 @@ fn draw_middle(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palett
     let scene = visit.classroom.trainer.scene();
     let (columns, rows) = plan::wanted(&scene);
     if area.width < BESIDE {
-        let [home, rest] = Layout::vertical([Constraint::Max(rows + 1), Constraint::Fill(1)]).areas(area);
+        let for_guesses = GUESSES.min(area.height / 2);
+        let [home, rest] = Layout::vertical([Constraint::Max(rows + 1), Constraint::Min(for_guesses)]).areas(area);
         draw_home(frame, home, &scene, visit, palette);
         thoughts::draw_beliefs(frame, rest, visit, palette);
         return;

@@ -5,10 +5,14 @@ use super::super::visit::{Page, Visit};
 use super::framed;
 use super::thoughts::all_ideas;
 use ratatui::Frame;
+use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
-use ratatui::widgets::{Clear, Paragraph, Wrap};
+use ratatui::widgets::{Clear, Paragraph, Widget, Wrap};
+
+/// The most rows that a page is looked at for.
+const MOST_ROWS: usize = 2_000;
 
 const KEYS: [(&str, &str); 17] = [
     ("g → ↑", "good: its last step was right"),
@@ -38,10 +42,19 @@ pub fn draw(frame: &mut Frame<'_>, area: Rect, visit: &Visit, page: Page, first:
     };
     let block = framed(heading, palette);
     let inner = block.inner(area);
-    let rows = lines.iter().map(|line| line.width().div_ceil(usize::from(inner.width.max(1))).max(1)).sum::<usize>();
-    let last = u16::try_from(rows).unwrap_or(u16::MAX).saturating_sub(inner.height);
+    let last = rows_of(&lines, inner.width).saturating_sub(inner.height);
     frame.render_widget(Clear, area);
     frame.render_widget(Paragraph::new(lines).block(block).wrap(Wrap { trim: false }).scroll((first.min(last), 0)), area);
+}
+
+/// The rows that lines take where words are not cut: they are drawn on a screen that is high enough.
+fn rows_of(lines: &[Line<'_>], width: u16) -> u16 {
+    let most = lines.iter().map(|line| 1 + line.width() * 2 / usize::from(width.max(1))).sum::<usize>().min(MOST_ROWS);
+    let area = Rect::new(0, 0, width, u16::try_from(most).unwrap_or(u16::MAX));
+    let mut drawn = Buffer::empty(area);
+    Paragraph::new(lines.to_vec()).wrap(Wrap { trim: false }).render(area, &mut drawn);
+    let is_blank = |row: &u16| (0..width).all(|column| drawn.cell((column, *row)).is_none_or(|cell| cell.symbol() == " "));
+    area.height.saturating_sub((0..area.height).rev().take_while(is_blank).count() as u16)
 }
 
 fn explanation<'a>(visit: &Visit, palette: Palette) -> Vec<Line<'a>> {

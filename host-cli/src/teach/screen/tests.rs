@@ -49,6 +49,17 @@ fn a_lesson_under_way_at_80_by_24() {
 }
 
 #[test]
+fn a_narrow_screen_shows_guesses_too_and_the_explanation_to_its_end() {
+    let mut visit = first_lesson();
+    let best = visit.classroom.trainer.meanings()[0].words.clone();
+    assert!(text(&drawn(&visit, 40, 20, Palette::None)).contains(&best));
+    visit.take(Intent::Explain, Duration::ZERO);
+    assert!(!text(&drawn(&visit, 40, 20, Palette::None)).contains("leave; all"));
+    visit.take(Intent::Scroll(100), Duration::ZERO);
+    assert!(text(&drawn(&visit, 40, 20, Palette::None)).contains("leave; all"));
+}
+
+#[test]
 fn nothing_is_told_by_a_colour_alone() {
     let visit = first_lesson();
     let (plain, colored) = (drawn(&visit, 80, 24, Palette::None), drawn(&visit, 80, 24, Palette::Many));

@@ -25,7 +25,7 @@ use goodbot::snapshot::Contents;
 use goodbot::talk::{Hypothesis, Listened, Verdict};
 use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot_console::believes::Believes;
-use goodbot_console::lessons::restored::room_for;
+use goodbot_console::lessons::restored::{learn_fully, room_for};
 use goodbot_console::refusal::InWords;
 use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
@@ -106,7 +106,7 @@ impl Trainer {
         if self.believes.is_some() {
             expect(&mut mind, self.believes.as_ref())?;
         }
-        mind.learn_fully();
+        learn_fully(&mut mind);
         self.lesson.replace_agent(mind);
         Ok(())
     }

@@ -1,0 +1,49 @@
+//! Programs that the project's tests use, looked for on the path.
+
+use super::{Finding, State};
+use std::path::Path;
+
+/// Each program, and what uses it.
+const PROGRAMS: [(&str, &str); 9] = [
+    ("git", "style checks"),
+    ("gcc", "the C interface"),
+    ("node", "the page"),
+    ("npm", "the page"),
+    ("python3", "the package for Python"),
+    ("qemu-system-arm", "the firmware"),
+    ("arm-none-eabi-gcc", "C on controllers"),
+    ("chromium-headless-shell", "the page"),
+    ("firefox-esr", "the page"),
+];
+
+/// Where each is.
+pub fn found() -> Vec<Finding> {
+    let folders: Vec<_> = std::env::var_os("PATH").map(|path| std::env::split_paths(&path).collect()).unwrap_or_default();
+    let mut findings: Vec<Finding> = PROGRAMS.iter().map(|(name, why)| look_for(name, why, &folders)).collect();
+    if findings.iter().any(|finding| finding.state == State::Missing) {
+        findings.push(Finding::new(State::Fine, "cargo xtask programs fetches those that it can, and names the others"));
+    }
+    findings
+}
+
+fn look_for(name: &str, why: &str, folders: &[impl AsRef<Path>]) -> Finding {
+    let file = format!("{name}{}", std::env::consts::EXE_SUFFIX);
+    match folders.iter().map(|folder| folder.as_ref().join(&file)).find(|path| path.is_file()) {
+        Some(path) => Finding::new(State::Fine, format!("{name}: {}", path.display())),
+        None => Finding::new(State::Missing, format!("{name}, for {why}")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_program_is_found_in_a_folder_of_the_path_or_told_with_what_it_is_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join(format!("node{}", std::env::consts::EXE_SUFFIX));
+        std::fs::write(&file, "").unwrap();
+        assert_eq!(look_for("node", "the page", &[folder.path()]).state, State::Fine);
+        assert_eq!(look_for("npm", "the page", &[folder.path()]), Finding::new(State::Missing, "npm, for the page"));
+    }
+}

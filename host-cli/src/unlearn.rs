@@ -1,0 +1,103 @@
+//! `goodbot unlearn`: a model without one of its sessions.
+
+use crate::inspect::sessions;
+use clap::{Args, ValueHint};
+use goodbot::home::paper_tasks;
+use goodbot_console::lessons::restored;
+use goodbot_console::load::input;
+use goodbot_console::messages::{counted, say};
+use goodbot_console::outcome::Failure;
+use goodbot_console::output::Output;
+use goodbot_formats::session::SessionReader;
+use goodbot_lesson::Fault;
+use std::path::{Path, PathBuf};
+
+/// Take one session out of what a robot learned
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+The words that no other session has go with it. What the session showed of the trainer stays, and so does what later sessions owe to it: \
+they were understood with its help. A log still has the session; goodbot learn --without ID leaves it out.
+
+Examples:
+  goodbot inspect robot.goodbot --sessions
+  goodbot unlearn robot.goodbot 3 --out robot2.goodbot
+  goodbot unlearn robot.goodbot said-3 --log robot.jsonl --out robot2.goodbot")]
+pub struct UnlearnArgs {
+    /// The model
+    #[arg(value_name = "MODEL", value_hint = ValueHint::FilePath)]
+    model: PathBuf,
+    /// The session: its number, as goodbot inspect --sessions has it; with --log, its id
+    #[arg(value_name = "SESSION")]
+    session: String,
+    /// The log of all sessions that the model learned from, which has their ids
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    log: Option<String>,
+    /// Where the model without it goes; - is standard output
+    #[arg(long, short = 'o', value_name = "MODEL", value_hint = ValueHint::FilePath)]
+    out: PathBuf,
+    /// Replace a file that is no model
+    #[arg(long)]
+    force: bool,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// [`Failure`] names the file and what is wrong with it.
+pub fn run(args: &UnlearnArgs) -> Result<(), Failure> {
+    let inputs = [args.model.to_str(), args.log.as_deref()].into_iter().flatten();
+    let target = Output::model(&args.out, inputs, args.force)?;
+    let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
+    let mut agent = restored::agent(&args.model, &tasks)?;
+    let commands = sessions::commands(&agent);
+    let at = match &args.log {
+        Some(log) => position_in_log(&args.model, log, &args.session, commands.len())?,
+        None => number(&args.model, &args.session, commands.len())?,
+    };
+    let command = commands.get(at).cloned().unwrap_or_default();
+    if !u16::try_from(at).is_ok_and(|at| agent.unlearn(at)) {
+        return Err(Failure::Input(format!("{}: has no session {}", args.model.display(), at + 1)));
+    }
+    restored::learn_fully(&mut agent);
+    target.write(&agent.saved().map_err(|error| Failure::Input(error.to_string()))?)?;
+    say!("{}: {} without \"{command}\"", target.name(), counted(commands.len() - 1, "session"));
+    Ok(())
+}
+
+/// The position of a session that is named by its number.
+fn number(model: &Path, text: &str, count: usize) -> Result<usize, Failure> {
+    let number = text.parse::<usize>().ok().filter(|number| (1..=count).contains(number));
+    number.map(|number| number - 1).ok_or_else(|| {
+        let what = match text.parse::<usize>() {
+            Ok(_) => format!("has {}", counted(count, "session")),
+            Err(_) => format!("{text:?} is no number; name the log that has this id with --log"),
+        };
+        Failure::Input(format!("{}: {what}; goodbot inspect --sessions numbers them", model.display()))
+    })
+}
+
+/// The position of a session that is named by its id in the log of all that was learned.
+fn position_in_log(model: &Path, log: &str, id: &str, count: usize) -> Result<usize, Failure> {
+    let name = input::name(log);
+    let opened = input::log(log).map_err(|fault| Failure::Input(fault.to_string()))?;
+    let mut ids = Vec::new();
+    for session in SessionReader::new(opened) {
+        let session = session.map_err(|error| Failure::Input(Fault::from_format(name, error).to_string()))?;
+        if session.learn {
+            ids.push(session.header.id);
+        }
+    }
+    if ids.len() != count {
+        return Err(Failure::Input(format!(
+            "{name}: has {} that taught something, and {} knows {count}: name the session by its number in goodbot inspect --sessions",
+            counted(ids.len(), "session"),
+            model.display()
+        )));
+    }
+    let mut found = ids.iter().enumerate().filter(|(_, known)| known.as_deref() == Some(id)).map(|(at, _)| at);
+    match (found.next(), found.next()) {
+        (Some(at), None) => Ok(at),
+        (None, _) => Err(Failure::Input(format!("{name}: has no session {id:?} that taught something; check the id"))),
+        _ => Err(Failure::Input(format!("{name}: has several sessions {id:?}; name one by its number in goodbot inspect --sessions"))),
+    }
+}
