@@ -6,7 +6,7 @@
 //! Where the robot listened and two tasks fit nearly as well that differ in one object, such as two chairs, it asks at once which is meant.
 
 use crate::live::{Lesson, LiveError};
-use goodbot::asking::{Asking, Question};
+use goodbot::asking::{Answer, Asking, Question};
 use goodbot::task::TaskSet;
 
 /// With this much belief in a task nothing is asked. Chosen with four robots of twenty lessons: 0.8 brings a question before a third of the
@@ -31,6 +31,9 @@ pub(crate) struct Asked {
 }
 
 impl Asked {
+    /// Nothing was asked.
+    pub const NOTHING: Self = Self { sets: Vec::new(), answered: false, surprised: false };
+
     /// Takes note of an answer: how probable it was, and how many others there were. One that is less probable than most is a surprise.
     pub fn hear(&mut self, probability: f32, others: u8) {
         self.answered = true;
@@ -86,6 +89,21 @@ impl Lesson {
                 }
             }
         }
+    }
+
+    /// Takes note of how probable an answer is that is about to be taken in.
+    pub(crate) fn expect_answer(&mut self, answer: Answer) {
+        let Some((tasks, yes, others)) = self.agent.open_question().and_then(|question| question.meaning(answer)) else { return };
+        let among: f32 = tasks.iter().map(|task| self.agent.belief().probability(task)).sum();
+        if let Ok(asked) = self.asked_mut() {
+            asked.hear(if yes { among } else { 1.0 - among }, others);
+        }
+    }
+
+    /// A session is over: whether its answers were as expected counts for the next.
+    pub(crate) fn end_asking(&mut self) {
+        let trust = self.trust;
+        self.trust = self.asked_mut().map_or(trust, |asked| asked.trust(trust));
     }
 
     /// Whether two tasks that differ in one object fit what was said nearly as well.

@@ -3,7 +3,9 @@
 use crate::fault::{Fault, quoted};
 use crate::home;
 use crate::name::task_name;
-use crate::walk::{Expected, Listening, SessionAnswer, Step, Walk};
+#[cfg(feature = "talk")]
+use crate::walk::Listening;
+use crate::walk::{Expected, SessionAnswer, Step, Walk};
 use goodbot::capacity::{Capacity, CapacityError, PROPOSITIONS_PER_TASK};
 use goodbot::feedback::Feedback;
 use goodbot::home::{Home, HomeState, Moves, SCHEMA};
@@ -85,6 +87,7 @@ pub fn check<M: HomeMemory>(
     let meant = header.meant().and_then(Result::ok);
     let walk = Walk {
         command: header.command.clone(),
+        #[cfg(feature = "talk")]
         listening: checker.listening(&home, &start, lifted),
         kind: header.kind,
         continues: header.continues,
@@ -143,6 +146,7 @@ impl Checker<'_> {
     }
 
     /// How the session began where the robot listened.
+    #[cfg(feature = "talk")]
     fn listening(&mut self, home: &Home<impl HomeMemory>, start: &HomeState, lifted: &[LiftedTask]) -> Option<Listening> {
         let header = &self.recorded.header;
         let utterance = header.utterance.clone()?;
@@ -300,8 +304,17 @@ impl Checker<'_> {
                     }
                 }
             }
-            let (yes, eta, others, words) = (answer.yes, answer.eta as f32, answer.others, answer.words.clone());
-            answers.push(SessionAnswer { line: *line, after: *after, tasks: named, yes, eta, others, words });
+            let (yes, eta, others) = (answer.yes, answer.eta as f32, answer.others);
+            answers.push(SessionAnswer {
+                line: *line,
+                after: *after,
+                tasks: named,
+                yes,
+                eta,
+                others,
+                #[cfg(feature = "talk")]
+                words: answer.words.clone(),
+            });
         }
         answers
     }

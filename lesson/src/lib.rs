@@ -9,12 +9,13 @@
 //! - [`live`]: a session as it happens;
 //! - `listening`, with the feature `talk`: what a person says to the robot, and how a session begins with it;
 //! - `voice`, with the feature `talk`: praise, blame, answers and corrections in words;
-//! - [`asking`]: when the robot asks in it;
+//! - `asking`, with the feature `talk`: when the robot asks in it;
 //! - [`recording`]: a live session as a log has it;
 //! - [`world`]: a world from a file, and what commands may mean in it.
 
 #![deny(missing_docs)]
 
+#[cfg(feature = "talk")]
 pub mod asking;
 pub mod checked;
 pub mod fault;

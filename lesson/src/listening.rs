@@ -149,7 +149,8 @@ impl Lesson {
         let command = part(&ahead.listening.utterance, listened.rest).to_owned();
         let strategies = self.agent.belief().strategies().to_vec();
         let after = ahead.after.clone();
-        self.begin(command, Some(ahead.listening.clone()), Session::new(environment, strategies, after));
+        self.begin(command, Session { after, ..Session::new(environment, strategies) });
+        self.walk.listening = Some(ahead.listening.clone());
         let rest = listened.rest.and_then(|rest| ahead.listening.utterance.get(rest..));
         self.ahead = match (listened.tasks.iter().count(), rest) {
             (left, _) if left > 1 => Some(Ahead { left: Some(left), ..ahead }),

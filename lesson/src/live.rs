@@ -6,10 +6,11 @@
 //! A word counts at once, and of several words to one step the last one counts. To take a step back, the session is walked again up to
 //! there: the same steps and the same words give the same belief.
 
+#[cfg(feature = "talk")]
 use crate::asking::Asked;
 use crate::name::task_name;
 use crate::replay::{Event, Replay, ReplayError, Rules, expect_ends};
-use crate::walk::{Listening, SessionAnswer, Step, Walk};
+use crate::walk::{SessionAnswer, Step, Walk};
 use goodbot::asking::Answer;
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{Home, HomeState};
@@ -112,17 +113,28 @@ pub struct Session {
     /// The trainer strategies that were expected then, each with its probability.
     pub strategies: Vec<(Strategy, f32)>,
     /// Where this is not the first command of what was said: the task of the command before.
+    #[cfg(feature = "talk")]
     pub after: Option<GroundTaskText>,
     /// For each step that was taken, and each task, whether it was right.
-    judgements: Vec<Vec<Judgement>>,
+    pub(crate) judgements: Vec<Vec<Judgement>>,
     /// Where it is walked again.
-    again: Option<Replay>,
-    asked: Asked,
+    pub(crate) again: Option<Replay>,
+    #[cfg(feature = "talk")]
+    pub(crate) asked: Asked,
 }
 
 impl Session {
-    pub(crate) fn new(environment: EnvironmentFile, strategies: Vec<(Strategy, f32)>, after: Option<GroundTaskText>) -> Self {
-        Self { environment, strategies, after, judgements: Vec::new(), again: None, asked: Asked::default() }
+    pub(crate) const fn new(environment: EnvironmentFile, strategies: Vec<(Strategy, f32)>) -> Self {
+        Self {
+            environment,
+            strategies,
+            #[cfg(feature = "talk")]
+            after: None,
+            judgements: Vec::new(),
+            again: None,
+            #[cfg(feature = "talk")]
+            asked: Asked::NOTHING,
+        }
     }
 
     /// The strategies that a log must name; `None` for the paper's one, which every robot begins with.
@@ -163,11 +175,12 @@ const MOVES: usize = 4;
 pub struct Lesson {
     /// The robot.
     pub agent: Agent<AgentHeap>,
-    walk: Walk<HomeHeap>,
+    pub(crate) walk: Walk<HomeHeap>,
     state: HomeState,
     session: Option<Session>,
     acted: Option<Acted>,
     /// In how many sessions, one after another, all answers were as expected.
+    #[cfg(feature = "talk")]
     pub(crate) trust: u8,
     #[cfg(feature = "talk")]
     pub(crate) ahead: Option<crate::listening::Ahead>,
@@ -186,6 +199,7 @@ impl Lesson {
             state: start,
             session: None,
             acted: None,
+            #[cfg(feature = "talk")]
             trust: 0,
             #[cfg(feature = "talk")]
             ahead: None,
@@ -280,13 +294,17 @@ impl Lesson {
         expect_ends(&mut self.agent)?;
         self.agent.hear(&self.walk.home, &self.state, command)?;
         let strategies = self.agent.belief().strategies().to_vec();
-        self.begin(command.to_owned(), None, Session::new(environment, strategies, None));
+        #[cfg(feature = "talk")]
+        {
+            self.walk.listening = None;
+        }
+        self.begin(command.to_owned(), Session::new(environment, strategies));
         Ok(())
     }
 
     /// Begins a session whose command the agent has heard.
-    pub(crate) fn begin(&mut self, command: String, listening: Option<Listening>, session: Session) {
-        (self.walk.command, self.walk.listening, self.walk.start) = (command, listening, self.state);
+    pub(crate) fn begin(&mut self, command: String, session: Session) {
+        (self.walk.command, self.walk.start) = (command, self.state);
         self.walk.steps.clear();
         self.walk.answers.clear();
         self.session = Some(session);
@@ -419,14 +437,10 @@ impl Lesson {
     /// What [`Agent::answer`] refuses.
     pub fn answer(&mut self, answer: Answer) -> Result<Evidence, LiveError> {
         let question = self.agent.open_question().copied();
-        let meaning = question.and_then(|question| Some((question, question.meaning(answer)?)));
-        let among = |tasks: TaskSet| tasks.iter().map(|task| self.agent.belief().probability(task)).sum::<f32>();
-        let expected = meaning.map(|(_, (tasks, yes, others))| (if yes { among(tasks) } else { 1.0 - among(tasks) }, others));
+        #[cfg(feature = "talk")]
+        self.expect_answer(answer);
         let evidence = self.agent.answer(answer)?;
-        if let (Some(session), Some((probability, others))) = (&mut self.session, expected) {
-            session.asked.hear(probability, others);
-        }
-        if let Some((question, (tasks, yes, others))) = meaning {
+        if let Some((question, (tasks, yes, others))) = question.and_then(|question| Some((question, question.meaning(answer)?))) {
             self.note_answer(SessionAnswer { tasks, yes, others, ..SessionAnswer::of(question.eta) });
         }
         Ok(evidence)
@@ -443,6 +457,7 @@ impl Lesson {
         Ok(evidence)
     }
 
+    #[cfg(feature = "talk")]
     pub(crate) fn asked_mut(&mut self) -> Result<&mut Asked, LiveError> {
         self.session.as_mut().map(|session| &mut session.asked).ok_or(LiveError::NoSession)
     }
@@ -505,8 +520,9 @@ impl Lesson {
         if self.is_under_way() {
             self.take_end()?;
         }
-        let session = self.session.take().ok_or(LiveError::NoSession)?;
-        self.trust = session.asked.trust(self.trust);
+        #[cfg(feature = "talk")]
+        self.end_asking();
+        self.session.take().ok_or(LiveError::NoSession)?;
         self.acted = None;
         #[cfg(feature = "talk")]
         self.end_part();

@@ -18,7 +18,11 @@ impl Lesson {
         let step = |step: &Step| StepRecord::new(action_name(home, step.action).to_owned(), Some(word(step.feedback)));
         let answer = |given: &SessionAnswer| {
             let tasks = given.tasks.iter().filter_map(|task| self.name_of(task)).collect();
-            let (eta, words) = (given.eta.into(), given.words.clone());
+            #[cfg(feature = "talk")]
+            let words = given.words.clone();
+            #[cfg(not(feature = "talk"))]
+            let words = None;
+            let eta = given.eta.into();
             let answer = AnswerRecord { tasks, yes: given.yes, eta, others: given.others, words, said_ms: None };
             RecordedAnswer { line: 1, after: given.after, answer }
         };
@@ -36,8 +40,14 @@ impl Lesson {
                 actions: self.named_actions().map(|names| names.map(str::to_owned).collect()),
                 continues: false,
                 prior: None,
+                #[cfg(feature = "talk")]
                 utterance: walk.listening.as_ref().map(|listening| listening.utterance.clone()),
+                #[cfg(not(feature = "talk"))]
+                utterance: None,
+                #[cfg(feature = "talk")]
                 after: session.after.clone(),
+                #[cfg(not(feature = "talk"))]
+                after: None,
                 strategies: session.named_strategies().map(|all| all.iter().enumerate().map(strategy).collect()),
             },
             header_line: 1,

@@ -63,16 +63,27 @@ pub struct SessionAnswer {
     /// How many other answers there were.
     pub others: u8,
     /// What was said, where it was a correction: evidence beside the answer.
+    #[cfg(feature = "talk")]
     pub words: Option<String>,
 }
 
 impl SessionAnswer {
     /// An answer of yes to nothing yet, which is wrong with this probability.
     pub const fn of(eta: f32) -> Self {
-        Self { line: 0, after: 0, tasks: TaskSet::EMPTY, yes: true, eta, others: 1, words: None }
+        Self {
+            line: 0,
+            after: 0,
+            tasks: TaskSet::EMPTY,
+            yes: true,
+            eta,
+            others: 1,
+            #[cfg(feature = "talk")]
+            words: None,
+        }
     }
 }
 
+#[cfg(feature = "talk")]
 /// How a session began where the robot listened.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Listening {
@@ -114,7 +125,8 @@ impl Expected {
 pub struct Walk<M> {
     /// What was said.
     pub command: String,
-    /// Where the robot listened: the utterance that the command is of. Without the feature `talk` the command is heard.
+    /// Where the robot listened: the utterance that the command is of.
+    #[cfg(feature = "talk")]
     pub listening: Option<Listening>,
     /// How it teaches.
     pub kind: Kind,
@@ -143,6 +155,7 @@ impl<M: HomeMemory> Walk<M> {
     pub const fn new(home: Home<M>, start: HomeState, kind: Kind) -> Self {
         Self {
             command: String::new(),
+            #[cfg(feature = "talk")]
             listening: None,
             kind,
             continues: false,
