@@ -212,4 +212,12 @@ impl PushGrid for Surroundings {
             Self::Table(_) => false,
         }
     }
+
+    fn swaps(&self) -> bool {
+        match self {
+            Self::Home(home) => home.swaps(),
+            #[cfg(feature = "table")]
+            Self::Table(_) => false,
+        }
+    }
 }

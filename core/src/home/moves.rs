@@ -338,4 +338,9 @@ impl<M: HomeMemory> PushGrid for Home<M> {
     fn pushes_plainly(&self) -> bool {
         true
     }
+
+    #[inline]
+    fn swaps(&self) -> bool {
+        self.can_pull()
+    }
 }

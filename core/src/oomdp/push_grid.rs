@@ -128,4 +128,11 @@ pub trait PushGrid: Domain {
     fn pushes_plainly(&self) -> bool {
         false
     }
+
+    /// Whether each action that is no direction does nothing but swap the robot with a piece beside it that has a wall or a piece behind it,
+    /// as by pulling; it need not do so in every such place. Where this holds, or where there are only directions, and where pushes are
+    /// plain, floors with more states than the memory holds get exact plans too. If in doubt, return `false`.
+    fn swaps(&self) -> bool {
+        false
+    }
 }

@@ -21,6 +21,8 @@
 mod approximate;
 mod bitboard;
 mod bits;
+#[cfg(feature = "bounds")]
+mod bounds;
 mod deadlock;
 pub(crate) mod goals;
 mod one_by_one;

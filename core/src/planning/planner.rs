@@ -12,6 +12,8 @@
 use super::Progress;
 use super::approximate::Approximation;
 use super::bitboard::{RowSearch, View};
+#[cfg(feature = "bounds")]
+use super::bounds::Bounds;
 use super::deadlock;
 use super::goals::{GoalMemory, GoalMemoryRef, GoalPart, GoalTable, Goals};
 use super::one_by_one::{self, StateSearch, Stray};
@@ -99,6 +101,9 @@ enum Marked {
     Rows(RowSearch, Option<u8>),
     /// State by state.
     States(StateSearch, Option<u8>),
+    /// By bounds of the distances.
+    #[cfg(feature = "bounds")]
+    Bounds(Bounds),
 }
 
 impl Marked {
@@ -109,6 +114,8 @@ impl Marked {
             Self::Nothing => {}
             Self::Rows(rows, _) => rows.clear(marks),
             Self::States(states, _) => states.clear(marks),
+            #[cfg(feature = "bounds")]
+            Self::Bounds(bounds) => bounds.clear(marks),
         }
     }
 }
@@ -125,6 +132,11 @@ enum Stage {
     Tabulate,
     /// Deadlocks are told next.
     RuleOut,
+    /// The distances of tasks are bounded next; these tasks have ways to go.
+    #[cfg(feature = "bounds")]
+    Bound {
+        with_ways: TaskSet,
+    },
     /// The tasks that still wait for their exact search, and those that have ways to go.
     Exact {
         waiting: TaskSet,
@@ -220,6 +232,13 @@ impl Planner {
         let of_floor = D::Search::grid(domain).map_or(1, |grid| grid.floor().cells.len() as u32);
         while !self.is_done() {
             let is_search = !self.found.sought.is_empty();
+            #[cfg(feature = "bounds")]
+            if let Stage::Bound { .. } = self.stage
+                && left > 0
+            {
+                self.bound(tables, domain, state, &mut left);
+                continue;
+            }
             let is_part = is_search || matches!(self.stage, Stage::Tabulate);
             // What cannot be cut is left to the next call, unless nothing was done in this one.
             if left == 0 || (!is_part && left < of_floor.min(budget)) {
@@ -236,6 +255,8 @@ impl Planner {
                     continue;
                 }
                 Stage::RuleOut => self.rule_out(tables, domain, state),
+                #[cfg(feature = "bounds")]
+                Stage::Bound { .. } => {}
                 Stage::Exact { .. } | Stage::Approximate(_) | Stage::Done => self.next_search(tables, domain, state),
             }
             left = left.saturating_sub(of_floor);
@@ -280,7 +301,31 @@ impl Planner {
             results.found.rule_out(results.found.unknown.without(possible));
         }
         let waiting = results.found.unknown;
-        self.stage = Stage::Exact { waiting, with_ways: ways.open(waiting) };
+        let with_ways = ways.open(waiting);
+        self.stage = Stage::Exact { waiting, with_ways };
+        #[cfg(feature = "bounds")]
+        if let Some(grid) = D::Search::grid(domain) {
+            let plain = waiting.without(with_ways);
+            let fits = StateSearch::fits(domain, marks.len())
+                || RowSearch::layout(grid, &goals, plain, View::WHOLE, None, marks.len()).is_some();
+            if let Some(bounds) = Bounds::new(grid, plain).filter(|_| !fits) {
+                (self.marked, self.stage) = (Marked::Bounds(bounds), Stage::Bound { with_ways });
+            }
+        }
+    }
+
+    /// Goes on with the bounds of distances. What they leave open waits for an exact search.
+    #[cfg(feature = "bounds")]
+    #[inline(never)]
+    fn bound<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
+        let (Stage::Bound { with_ways }, Marked::Bounds(bounds)) = (self.stage, &mut self.marked) else { return };
+        let before = *left;
+        let (goals, marks, _, mut results) = tables.split(&self.goals, &mut self.found);
+        let is_open = D::Search::grid(domain).is_some_and(|grid| bounds.advance(marks, &mut results, grid, &goals, state, left));
+        self.found.expansions = self.found.expansions.saturating_add(before.saturating_sub(*left));
+        if !is_open {
+            self.stage = Stage::Exact { waiting: self.found.unknown, with_ways };
+        }
     }
 
     /// Goes on with the search under way. It is over once it seeks no task.
@@ -294,7 +339,7 @@ impl Planner {
                 Marked::States(states, Some(task)) => ways
                     .product(domain, usize::from(*task))
                     .and_then(|(product, _)| states.expand(marks, hashed, &mut results, &product, &goals)),
-                Marked::Anything | Marked::Nothing => None,
+                _ => None,
             };
             if let Some(expansions) = expansions {
                 *left = left.saturating_sub(expansions);
@@ -308,7 +353,7 @@ impl Planner {
             let ahead = match &mut self.marked {
                 Marked::Rows(rows, _) => rows.next_level(),
                 Marked::States(states, _) => states.next_level(results.found.level),
-                Marked::Anything | Marked::Nothing => false,
+                _ => false,
             };
             if !ahead || results.found.sought.is_empty() {
                 results.found.sought = TaskSet::EMPTY;
@@ -324,7 +369,7 @@ impl Planner {
             let searched = match &self.marked {
                 Marked::Rows(_, way) => Some(*way),
                 Marked::States(states, way) => Some(*way).filter(|_| states.is_complete()),
-                Marked::Anything | Marked::Nothing => None,
+                _ => None,
             };
             if let Some(way) = searched {
                 let group =

@@ -12,6 +12,7 @@ mod teach;
 mod turning_robot;
 
 mod bit_flips;
+mod bounds;
 mod derived_facts;
 mod every_state;
 mod example_robots;

@@ -1,0 +1,118 @@
+//! Exact plans where the joint states of all pieces do not fit the memory, by bounds on the distance.
+//!
+//! 1. *The lower bound.* The pieces that a task does not ask for are taken away. Each plan of the floor is also one without them, so the
+//!    distance without them is never longer. One backward search finds it for all cells of the robot and one piece (see `relaxation`). Tasks
+//!    with the same goal cells share it. A task that is impossible without the other pieces is impossible with them.
+//! 2. *The upper bound.* A* with that lower bound as heuristic moves all pieces (see `a_star`). The plan that it finds is as short as the bound
+//!    that it reached, so the two bounds agree, and the optimal set is exact.
+//!
+//! The work grows with the square of the cells, and with how often other pieces are in the way, not with the number of pieces. What A* leaves
+//! open in its memory and work stays open.
+
+mod a_star;
+mod relaxation;
+
+use self::a_star::{AStar, Outcome, Scene};
+use self::relaxation::{Bound, Relaxation, piece_of};
+use super::goals::Goals;
+use super::plan::Results;
+use crate::oomdp::{PushGrid, own_actions};
+use crate::task::TaskSet;
+
+/// Which tasks are left to bound, and what is under way.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    /// The tasks that have no lower bound yet.
+    waiting: TaskSet,
+    /// The tasks that share the lower bound under way.
+    group: TaskSet,
+    relaxation: Option<Relaxation>,
+    search: Option<AStar>,
+}
+
+/// Whether bounds are sound on this floor: every action costs 1, and a piece is moved by a plain push or a swap alone.
+fn is_sound<G: PushGrid + ?Sized>(grid: &G) -> bool {
+    let directions = grid.floor().directions;
+    grid.pushes_plainly()
+        && grid.actions().iter().all(|kind| kind.cost == 1)
+        && (grid.swaps() || own_actions(grid).all(|action| directions.contains(&action)))
+}
+
+impl Bounds {
+    /// Begins for these tasks; `None` on a floor where bounds say nothing.
+    pub(super) fn new<G: PushGrid + ?Sized>(grid: &G, tasks: TaskSet) -> Option<Self> {
+        is_sound(grid).then_some(Self { waiting: tasks, group: TaskSet::EMPTY, relaxation: None, search: None })
+    }
+
+    /// Goes on, with at most about `left` expansions. Returns whether there is more to do. `marks` holds zeros at the beginning, and again
+    /// at the end.
+    pub(super) fn advance<G: PushGrid + ?Sized>(
+        &mut self,
+        marks: &mut [u64],
+        results: &mut Results<'_>,
+        grid: &G,
+        goals: &Goals<'_>,
+        state: &G::State,
+        left: &mut u32,
+    ) -> bool {
+        while *left > 0 {
+            let Some(relaxation) = &mut self.relaxation else {
+                if !self.next_group(marks, grid, goals, state) {
+                    return false;
+                }
+                *left = left.saturating_sub(grid.floor().cells.len() as u32);
+                continue;
+            };
+            if !relaxation.search(marks, grid, left) {
+                continue;
+            }
+            if let Some(search) = &mut self.search {
+                let scene = Scene { grid, goals, relaxation, start: state };
+                if search.advance(marks, results, &scene, left) == Outcome::Working {
+                    continue;
+                }
+                self.search = None;
+            }
+            let Some(task) = self.group.iter().next() else {
+                relaxation.clear(marks);
+                self.relaxation = None;
+                continue;
+            };
+            self.group = self.group.without(TaskSet::of(task));
+            let Some(piece) = piece_of(grid, goals, state, task) else { continue };
+            match relaxation.bound(marks, grid, state, piece) {
+                Bound::Unreachable => results.found.rule_out(TaskSet::of(task)),
+                Bound::Exactly(distance, first) => {
+                    results.found.level = distance;
+                    results.meet(task, first);
+                    results.end_level();
+                }
+                Bound::AtLeast(distance) => self.search = AStar::new(relaxation, marks.len(), task, piece, distance),
+                Bound::Unknown => {}
+            }
+        }
+        true
+    }
+
+    /// Takes the next tasks that share a lower bound. Returns whether there are any.
+    fn next_group<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, goals: &Goals<'_>, state: &G::State) -> bool {
+        let Some(first) = self.waiting.iter().next() else { return false };
+        self.relaxation = Relaxation::begin(marks, grid, goals, state, first);
+        let is_shared = |&task: &usize| {
+            task == first || self.relaxation.is_some_and(|it| it.is_shared_by(marks, grid, goals, state, task))
+        };
+        self.group = self.waiting.iter().filter(is_shared).collect();
+        self.waiting = self.waiting.without(self.group);
+        true
+    }
+
+    /// Leaves zeros in the marks.
+    pub(super) fn clear(&self, marks: &mut [u64]) {
+        if let Some(relaxation) = &self.relaxation {
+            relaxation.clear(marks);
+        }
+        if let Some(search) = &self.search {
+            search.clear(marks);
+        }
+    }
+}

@@ -1,0 +1,290 @@
+//! The robot and one piece alone on the floor: a search backward from a task's goal, over the cells of the two.
+//!
+//! No other piece is in the way, so the distance is a lower bound of the real one. Pieces that can never move again are walls.
+//! A state is one bit in each of three sets: it is closed, or open at the distance under way, or at the next. Where there is room, an array
+//! keeps the distances of all states, as A* needs them. Otherwise the search ends at the state that is planned for.
+
+use crate::oomdp::{ActionSet, CellId, Piece, PushGrid, own_actions};
+use crate::planning::bits::{entry, entry_words, insert, set_entry, take_from};
+use crate::planning::goals::Goals;
+
+/// The robot and one piece on the floor, and how far the search has come.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Relaxation {
+    /// A task whose goal it leads to; tasks of other pieces can share it.
+    task: usize,
+    /// The piece that moves beside the robot; the robot itself if the task asks for its cell alone.
+    piece: Piece,
+    cells: usize,
+    /// States: pairs of cells, or cells of the robot alone.
+    states: usize,
+    /// Whether there are pieces that are taken away.
+    others: bool,
+    /// Whether distances are kept.
+    tabled: bool,
+    /// Where the search ends if distances are not kept.
+    start: usize,
+    level: u16,
+    /// The word that is scanned for open states.
+    cursor: usize,
+    /// Which of the two sets of open states is the next.
+    flipped: bool,
+    done: bool,
+}
+
+/// What is known of the distance from one state.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Bound {
+    /// No goal can be reached.
+    Unreachable,
+    /// It is this one, by these first actions.
+    Exactly(u32, ActionSet),
+    /// It is this one, or a longer one.
+    AtLeast(u32),
+    /// Nothing.
+    Unknown,
+}
+
+/// The pieces beside the robot that a search leaves out.
+pub(super) fn others<G: PushGrid + ?Sized>(grid: &G, piece: Piece) -> impl Iterator<Item = Piece> + Clone + use<G> {
+    (1..grid.pieces()).map(|other| Piece(other as u8)).filter(move |&other| other != piece)
+}
+
+/// The piece that moves beside the robot in a task's lower bound: the first that it asks for and that is not at its goal. The robot, where it
+/// asks for no other; `None` where no single pieces decide the task.
+pub(super) fn piece_of<G: PushGrid + ?Sized>(grid: &G, goals: &Goals<'_>, state: &G::State, task: usize) -> Option<Piece> {
+    let asked = goals.pieces_of(task)?;
+    let is_open = |piece: &Piece| !goals.allowed(grid, state, *piece, grid.cell(state, *piece)).contains(task);
+    let mut blocks = others(grid, Piece::ROBOT).filter(|piece| asked & piece.bit() != 0);
+    Some(blocks.clone().find(is_open).or_else(|| blocks.next()).unwrap_or(Piece::ROBOT))
+}
+
+/// Finds the pieces that never move again, and marks their cells. In each line of such a piece, one of the cells beside it is a wall, or holds
+/// another such piece: so none of them can be the first that moves.
+fn freeze<G: PushGrid + ?Sized>(walls: &mut [u64], grid: &G, state: &G::State) {
+    if grid.can_pull() {
+        return;
+    }
+    let cells = || others(grid, Piece::ROBOT).map(|piece| grid.cell(state, piece));
+    cells().for_each(|cell| {
+        insert(walls, cell.index());
+    });
+    let floor = grid.floor();
+    loop {
+        let is_wall = |cell: CellId| cell == CellId::NONE || has(walls, cell.index());
+        // North and south stand side by side, and so do east and west.
+        let can_move = |cell: CellId, line: usize| [line, line ^ 1].into_iter().all(|side| !is_wall(floor.neighbour(cell, side)));
+        let Some(moved) = cells().find(|&cell| has(walls, cell.index()) && [0, 2].into_iter().any(|line| can_move(cell, line))) else {
+            return;
+        };
+        remove(walls, moved.index());
+    }
+}
+
+/// The parts of the marks.
+struct Parts<'m> {
+    walls: &'m mut [u64],
+    closed: &'m mut [u64],
+    here: &'m mut [u64],
+    next: &'m mut [u64],
+    distances: &'m mut [u64],
+}
+
+impl Relaxation {
+    /// Lays out the marks, which hold zeros, and opens the goals of a task; `None` where they are too small, or where no single pieces
+    /// decide the task.
+    pub(super) fn begin<G: PushGrid + ?Sized>(
+        marks: &mut [u64],
+        grid: &G,
+        goals: &Goals<'_>,
+        state: &G::State,
+        task: usize,
+    ) -> Option<Self> {
+        let piece = piece_of(grid, goals, state, task)?;
+        let cells = grid.floor().cells.len();
+        let states = if piece == Piece::ROBOT { cells } else { cells.checked_mul(cells)? };
+        let has_others = others(grid, piece).next().is_some();
+        let mut it = Self {
+            task,
+            piece,
+            cells,
+            states,
+            others: has_others,
+            tabled: has_others,
+            start: 0,
+            level: 0,
+            cursor: 0,
+            flipped: false,
+            done: false,
+        };
+        it.start = it.number(grid.cell(state, Piece::ROBOT), grid.cell(state, piece));
+        if it.words() > marks.len() {
+            return None;
+        }
+        let mut parts = it.parts(marks)?;
+        freeze(parts.walls, grid, state);
+        if piece != Piece::ROBOT {
+            remove(parts.walls, grid.cell(state, piece).index());
+        }
+        let rows = if piece == Piece::ROBOT { 1 } else { cells };
+        let asked = |piece, cell| goals.allowed(grid, state, piece, cell).contains(task);
+        for row in (0..rows).map(|row| CellId(row as u16)).filter(|&row| piece == Piece::ROBOT || asked(piece, row)) {
+            for robot in grid.floor().ids().filter(|&robot| piece == Piece::ROBOT || robot != row) {
+                if asked(Piece::ROBOT, robot) && !has(parts.walls, robot.index()) {
+                    it.open(&mut parts, it.number(robot, row), 0);
+                }
+            }
+        }
+        it.turn();
+        Some(it)
+    }
+
+    /// Whether another task has the same goal cells, for the robot and for a piece that can stand where its own stands.
+    pub(super) fn is_shared_by<G: PushGrid + ?Sized>(
+        &self,
+        marks: &[u64],
+        grid: &G,
+        goals: &Goals<'_>,
+        state: &G::State,
+        task: usize,
+    ) -> bool {
+        let blocks = |task| goals.pieces_of(task).map(|pieces| (pieces & !Piece::ROBOT.bit()).count_ones());
+        let Some(piece) = piece_of(grid, goals, state, task) else { return false };
+        let is_alike = |own: Piece, other: Piece, cell: CellId| {
+            goals.allowed(grid, state, own, cell).contains(self.task) == goals.allowed(grid, state, other, cell).contains(task)
+        };
+        self.tabled
+            && blocks(task).is_some_and(|count| count <= 1)
+            && blocks(task) == blocks(self.task)
+            && (piece == Piece::ROBOT || !has(marks, grid.cell(state, piece).index()))
+            && grid.floor().ids().all(|cell| is_alike(Piece::ROBOT, Piece::ROBOT, cell) && is_alike(self.piece, piece, cell))
+    }
+
+    /// Words of the marks that it takes.
+    pub(super) fn words(&self) -> usize {
+        let distances = if self.tabled { entry_words(self.states) } else { 0 };
+        self.set().saturating_mul(3).saturating_add(self.cells.div_ceil(64)).saturating_add(distances)
+    }
+
+    /// Words of a set of states.
+    const fn set(&self) -> usize {
+        self.states.div_ceil(64)
+    }
+
+    /// The number of the state with the robot and the piece on these cells.
+    fn number(&self, robot: CellId, piece: CellId) -> usize {
+        let row = if self.piece == Piece::ROBOT { 0 } else { piece.index() };
+        row.wrapping_mul(self.cells).wrapping_add(robot.index())
+    }
+
+    fn parts<'m>(&self, marks: &'m mut [u64]) -> Option<Parts<'m>> {
+        let (walls, rest) = marks.split_at_mut_checked(self.cells.div_ceil(64))?;
+        let (closed, rest) = rest.split_at_mut_checked(self.set())?;
+        let (even, rest) = rest.split_at_mut_checked(self.set())?;
+        let (odd, rest) = rest.split_at_mut_checked(self.set())?;
+        let distances = rest.get_mut(..if self.tabled { entry_words(self.states) } else { 0 })?;
+        let (here, next) = if self.flipped { (odd, even) } else { (even, odd) };
+        Some(Parts { walls, closed, here, next, distances })
+    }
+
+    /// Opens a state at the next distance, unless it is known.
+    #[inline]
+    fn open(&self, parts: &mut Parts<'_>, number: usize, distance: u16) {
+        if insert(parts.closed, number) {
+            insert(parts.next, number);
+            set_entry(parts.distances, number, distance.saturating_add(1));
+        }
+    }
+
+    /// The states open at the next distance are now under way.
+    const fn turn(&mut self) {
+        (self.flipped, self.cursor) = (!self.flipped, 0);
+    }
+
+    /// Goes on, with at most `left` expansions. Returns whether it has come to its end.
+    pub(super) fn search<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, left: &mut u32) -> bool {
+        while !self.done && *left > 0 {
+            let Some(mut parts) = self.parts(marks) else { return true };
+            while let Some(number) = take_from(parts.here, &mut self.cursor) {
+                self.expand(&mut parts, grid, number);
+                *left = left.saturating_sub(1);
+                if *left == 0 {
+                    return false;
+                }
+            }
+            let is_near = !self.tabled && has(parts.closed, self.start);
+            // Goals farther than entries can say are not told from those that are out of reach: then nothing is said.
+            self.done = is_near || parts.next.iter().all(|&word| word == 0) || self.level >= FARTHEST;
+            if !self.done {
+                self.level = self.level.saturating_add(1);
+                self.turn();
+            }
+        }
+        self.done
+    }
+
+    /// Opens the states from which an action leads to this one.
+    #[inline]
+    fn expand<G: PushGrid + ?Sized>(&self, parts: &mut Parts<'_>, grid: &G, number: usize) {
+        let (Some(row), Some(rank)) = (number.checked_div(self.cells), number.checked_rem(self.cells)) else { return };
+        let (floor, robot, distance) = (grid.floor(), CellId(rank as u16), self.level.saturating_add(1));
+        let piece = if self.piece == Piece::ROBOT { CellId::NONE } else { CellId(row as u16) };
+        for direction in 0..4 {
+            let before = floor.neighbour(robot, direction);
+            if before == CellId::NONE || has(parts.walls, before.index()) {
+                continue;
+            }
+            if before != piece {
+                self.open(parts, self.number(before, piece), distance);
+                // North and south stand side by side, and so do east and west.
+                if piece != CellId::NONE && floor.neighbour(robot, direction ^ 1) == piece {
+                    self.open(parts, self.number(before, robot), distance);
+                }
+            } else if grid.swaps() && (self.others || floor.neighbour(robot, direction ^ 1) == CellId::NONE) {
+                self.open(parts, self.number(piece, robot), distance);
+            }
+        }
+    }
+
+    /// The lower bound of the distance from a state, `None` where no goal can be reached.
+    #[inline]
+    pub(super) fn distance(&self, marks: &[u64], robot: CellId, piece: CellId) -> Option<u32> {
+        let at = self.words().wrapping_sub(entry_words(self.states));
+        entry(marks.get(at..)?, self.number(robot, piece)).checked_sub(1).map(u32::from)
+    }
+
+    /// What is known of the distance from the state that is planned for, if the task's piece is this one.
+    pub(super) fn bound<G: PushGrid + ?Sized>(&self, marks: &mut [u64], grid: &G, state: &G::State, piece: Piece) -> Bound {
+        let number = |state: &G::State| self.number(grid.cell(state, Piece::ROBOT), grid.cell(state, piece));
+        let Some(parts) = self.parts(marks).filter(|_| self.level < FARTHEST) else { return Bound::Unknown };
+        if !has(parts.closed, number(state)) {
+            return Bound::Unreachable;
+        }
+        if self.tabled {
+            return Bound::AtLeast(u32::from(entry(parts.distances, number(state)).saturating_sub(1)));
+        }
+        // The state was opened last; what is closed and not open is nearer.
+        let is_nearer = |next: &G::State| has(parts.closed, number(next)) && !has(parts.next, number(next));
+        let first = own_actions(grid).filter(|&action| grid.step(state, action).is_some_and(|next| is_nearer(&next)));
+        Bound::Exactly(u32::from(self.level).saturating_add(1), first.fold(ActionSet::EMPTY, ActionSet::with))
+    }
+
+    /// Leaves zeros in the marks.
+    pub(super) fn clear(&self, marks: &mut [u64]) {
+        marks.get_mut(..self.words()).unwrap_or(&mut []).fill(0);
+    }
+}
+
+/// The greatest distance that is searched.
+const FARTHEST: u16 = u16::MAX - 2;
+
+fn remove(bits: &mut [u64], at: usize) {
+    if let Some(word) = bits.get_mut(at / 64) {
+        *word &= !(1 << (at % 64));
+    }
+}
+
+#[inline]
+fn has(bits: &[u64], at: usize) -> bool {
+    bits.get(at / 64).is_some_and(|word| word >> (at % 64) & 1 == 1)
+}
