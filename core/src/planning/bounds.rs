@@ -98,9 +98,7 @@ impl Bounds {
     fn next_group<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, goals: &Goals<'_>, state: &G::State) -> bool {
         let Some(first) = self.waiting.iter().next() else { return false };
         self.relaxation = Relaxation::begin(marks, grid, goals, state, first);
-        let is_shared = |&task: &usize| {
-            task == first || self.relaxation.is_some_and(|it| it.is_shared_by(marks, grid, goals, state, task))
-        };
+        let is_shared = |&task: &usize| task == first || self.relaxation.is_some_and(|it| it.is_shared_by(marks, grid, goals, state, task));
         self.group = self.waiting.iter().filter(is_shared).collect();
         self.waiting = self.waiting.without(self.group);
         true

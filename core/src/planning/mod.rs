@@ -13,6 +13,7 @@
 //! - `deadlock`: tasks that one piece alone rules out for ever, told without a search;
 //! - `bitboard`: exact; expands the states that differ only in the robot's cell together, as rows of bits;
 //! - `one_by_one`: exact; serves every domain, and searches nearby through a hash table if the states do not fit the memory;
+//! - `bounds`: exact where two bounds of the distance agree; for floors with more joint states than fit (feature `bounds`);
 //! - `approximate`: searches smaller state spaces for the tasks that the exact search left open; to act on, but no evidence;
 //! - `ways`: exact; tasks with a path constraint (a way), state by state in the product of the world and the way's progress;
 //! - `planner`: the order of all these;

@@ -3,11 +3,12 @@
 //! Each plan takes these steps, for all tasks at once:
 //! 1. goals that hold here, and deadlocks, need no search. On a floor with pieces, the first plan of a session begins by tabulating the
 //!    tasks' goal cells;
-//! 2. the exact search for all tasks without a way: by rows of bits if the domain is a floor with pieces and the rows fit, else state by
+//! 2. on a floor with more joint states than fit, bounds of the distances of the tasks without a way: exact where the two bounds agree;
+//! 3. the exact search for all that are left without a way: by rows of bits if the domain is a floor with pieces and the rows fit, else state by
 //!    state. If the states do not fit either, it searches as far as its hash table reaches, so near goals are still found exactly;
-//! 3. for the tasks of each unfinished way, an exact search in the product of world and way: by rows of bits if the robot's cell determines
+//! 4. for the tasks of each unfinished way, an exact search in the product of world and way: by rows of bits if the robot's cell determines
 //!    the way's progress, else state by state;
-//! 4. on a floor with pieces, the tasks without a way that are still open get an approximate plan. Those with one stay unknown.
+//! 5. on a floor with pieces, the tasks without a way that are still open get an approximate plan. Those with one stay unknown.
 
 use super::Progress;
 use super::approximate::Approximation;
@@ -306,8 +307,8 @@ impl Planner {
         #[cfg(feature = "bounds")]
         if let Some(grid) = D::Search::grid(domain) {
             let plain = waiting.without(with_ways);
-            let fits = StateSearch::fits(domain, marks.len())
-                || RowSearch::layout(grid, &goals, plain, View::WHOLE, None, marks.len()).is_some();
+            let fits =
+                StateSearch::fits(domain, marks.len()) || RowSearch::layout(grid, &goals, plain, View::WHOLE, None, marks.len()).is_some();
             if let Some(bounds) = Bounds::new(grid, plain).filter(|_| !fits) {
                 (self.marked, self.stage) = (Marked::Bounds(bounds), Stage::Bound { with_ways });
             }

@@ -55,7 +55,7 @@ fn compare(seed: u64, size: Size, moves: Moves, states: usize, seen: &mut Seen) 
     let parse = |text| LiftedTask::parse(text, &home::SCHEMA).unwrap();
     let with_agent = parse("agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2)");
     let two_blocks = parse("blockInRoom(?o1, ?r1) & blockInRoom(?o2, ?r2)");
-    let lifted = if home.blocks().len() * size.columns as usize <= 6 { vec![agent, block, with_agent, two_blocks] } else { vec![agent, block] };
+    let lifted = if size.columns * size.rows == 2 { vec![agent, block, with_agent, two_blocks] } else { vec![agent, block] };
     let mut tasks = [GroundedTask::UNUSED; 64];
     let count = ground(&home, &lifted, &state, &mut tasks).unwrap();
     let sweep = Sweep::new(&home, &state, &lifted, &tasks[..count]);
