@@ -93,6 +93,37 @@ fn the_layer_is_silent_before_it_has_learned() {
     }
 }
 
+/// How probable it is that something is to be taken, after lessons of going alone: what is believed of the tasks of the other kind together.
+fn believed_of_a_new_kind(settings: Settings, command: &str) -> f32 {
+    let mut model = LanguageModel::new(memory(), settings).unwrap();
+    let both = |model: &mut LanguageModel<AgentHeap>| {
+        let take = model.tokens_mut().intern("blockInRoom").unwrap();
+        let goes = tasks(model);
+        goes.iter().copied().chain(goes.iter().map(|&[_, goal, color]| [take, goal, color])).collect::<Vec<_>>()
+    };
+    for (position, color) in ["red", "green", "blue", "yellow"].into_iter().enumerate() {
+        let words = model.hear(&format!("go to the {color} room")).unwrap();
+        let tasks = both(&mut model);
+        model.add_session(&words, [(&tasks[position][..], 1.0)].into_iter()).unwrap();
+        model.add_possible(tasks.iter().map(|task| (&task[..], 0.125))).unwrap();
+    }
+    train(&mut model, u32::MAX);
+    let words = model.hear(command).unwrap();
+    let tasks = both(&mut model);
+    let mut scores: Vec<Scaled> = tasks.iter().map(|task| model.likelihood(&words, task).scaled_by(0.125)).collect();
+    model.read().weigh_kinds(&words, |task| tasks[task][0], |_| 0.125, &mut scores);
+    model.read().weigh_parts(&words, |task| task, |task| &tasks[task], &mut scores);
+    total(scores[4..].iter().copied()).over(total(scores.iter().copied()))
+}
+
+#[test]
+fn a_kind_of_task_that_was_never_meant_is_as_probable_as_without_the_layer() {
+    for command in ["take the chair to the yellow room", "go to the red room"] {
+        let [layered, alone] = [Settings::LAYERED, Settings::DEFAULT].map(|settings| believed_of_a_new_kind(settings, command));
+        assert!((layered - alone).abs() < 1e-4, "{command}: {layered} {alone}");
+    }
+}
+
 #[test]
 fn memory_without_room_for_the_layer_is_that_of_the_role_model() {
     let alone = bits(&mut taught(memory(), Settings::DEFAULT, &LESSONS));

@@ -12,6 +12,9 @@
 //! words with g > 0.05, a weight of the word, and g times a weight for each thing that stands around the word (`contexts`); all values of a
 //! role share those. So the layer learns "avoid" from one color and knows it with another.
 //!
+//! So it weighs the tasks of kinds that were meant before. The tasks of all other kinds are weighed among themselves: of those kinds nothing
+//! was learned, and they keep the probability that the role model gives them together.
+//!
 //! It is trained to give each session's tasks the shares that the session has shown (`training`), with
 //! - p from a model that has not seen the session: four models are trained, each without a quarter of the sessions;
 //! - weights pulled towards 0, and a towards 1, by pulls that do not grow with the sessions, so that few sessions leave p as it is.

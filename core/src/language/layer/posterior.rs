@@ -12,9 +12,49 @@ use alloc::vec::Vec;
 /// So much probability, in equal parts, is as good as any that the role model gives.
 const FLOOR: f32 = 0.03;
 
-/// The logarithm of the role model's posterior of a task among so many, with the floor.
-pub(super) fn logarithm(understood: f32, tasks: usize) -> f32 {
-    libm::logf(understood + FLOOR / tasks.max(1) as f32)
+/// A task as the layer weighs it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Weighed {
+    /// Whether its kind was meant before.
+    pub met: bool,
+    /// The role model's posterior.
+    pub understood: f32,
+    /// The logarithm of the role model's posterior among the tasks of its group, with the floor.
+    pub logarithm: f32,
+    /// The sum of U over its parts.
+    pub parts: f32,
+    /// The layer's posterior among the tasks of its group.
+    pub within: f32,
+    /// The layer's posterior.
+    pub believed: f32,
+}
+
+/// Weighs the tasks against each other: those of kinds that were meant before, and the others, each among themselves. Nothing was learned for
+/// or against a kind that was never meant. So the two groups keep the probability that the role model gives them.
+pub(super) fn weigh(tasks: &mut [Weighed], trust: f32) {
+    for met in [true, false] {
+        let of_group = |task: &&mut Weighed| task.met == met;
+        let (mut count, mut mass) = (0_usize, 0.0_f32);
+        for task in tasks.iter().filter(|task| task.met == met) {
+            (count, mass) = (count.saturating_add(1), mass + task.understood);
+        }
+        let share = |understood: f32| if mass > 0.0 { understood / mass } else { 0.0 };
+        let mut best = f32::MIN;
+        for task in tasks.iter_mut().filter(of_group) {
+            task.logarithm = libm::logf(share(task.understood) + FLOOR / count.max(1) as f32);
+            task.within = trust * task.logarithm + task.parts;
+            best = best.max(task.within);
+        }
+        let mut sum = 0.0;
+        for task in tasks.iter_mut().filter(of_group) {
+            task.within = exp(task.within - best);
+            sum += task.within;
+        }
+        for task in tasks.iter_mut().filter(of_group) {
+            task.within /= sum;
+            task.believed = mass * task.within;
+        }
+    }
 }
 
 impl LayerRef<'_> {
@@ -36,17 +76,20 @@ impl LayerRef<'_> {
         let mut alike: Vec<(usize, usize)> = (0..weights.len()).map(|task| (same(task), task)).collect();
         alike.sort_unstable();
         let groups = || alike.chunk_by(|a, b| a.0 == b.0).filter_map(|group| Some((group.first()?.0, group)));
-        let tasks = groups().count();
         let mut parts = Parts::of(groups().map(|(first, _)| description(first)));
         let command = Command::new(tables, self.learned.said, sentence);
         for (part, number) in parts.each() {
             command.each_weight(part, |cell, times| *number += times * self.weight(cell));
         }
-        let trust = 1.0 + self.weight(TRUST);
-        for (position, (_, group)) in groups().enumerate() {
-            let before = total(group.iter().filter_map(|&(_, task)| weights.get(task).copied()));
-            let score = trust * logarithm(before.over(whole), tasks) + parts.sum(position);
-            let after = Scaled::new(exp(score));
+        let before = |weights: &[Scaled], group: &[(usize, usize)]| total(group.iter().filter_map(|&(_, task)| weights.get(task).copied()));
+        let mut tasks: Vec<Weighed> = Vec::new();
+        for (position, (first, group)) in groups().enumerate() {
+            let (met, understood) = (self.learned.has_met(description(first)), before(weights, group).over(whole));
+            tasks.push(Weighed { met, understood, parts: parts.sum(position), ..Weighed::default() });
+        }
+        weigh(&mut tasks, 1.0 + self.weight(TRUST));
+        for (task, (_, group)) in tasks.iter().zip(groups()) {
+            let (before, after) = (before(weights, group), Scaled::new(task.believed));
             for &(_, task) in group {
                 let Some(weight) = weights.get_mut(task) else { continue };
                 let share = 1.0 / group.len() as f32;

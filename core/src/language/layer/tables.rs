@@ -2,6 +2,8 @@
 
 #[cfg(feature = "layer")]
 use super::weights::CELLS;
+#[cfg(feature = "layer")]
+use crate::capacity::LIFTED_TASKS;
 use crate::language::bitext::LeftOut;
 #[cfg(feature = "layer")]
 use crate::language::bitext::{Bitext, BitextRef, BitextTables, BitextTablesRef, Extent};
@@ -11,7 +13,11 @@ use crate::language::forgetting::close_up;
 use crate::language::settings::{Model, Settings};
 #[cfg(feature = "layer")]
 use crate::symbols::Symbol;
+#[cfg(feature = "layer")]
+use crate::task::description::form;
 use core::marker::PhantomData;
+#[cfg(feature = "layer")]
+use heapless::Vec;
 
 /// How many numbers the layer learns, three times: each weight, its slope, and the sum of the squares of its slopes.
 #[cfg(feature = "layer")]
@@ -99,8 +105,12 @@ pub struct LayerState {
 #[cfg(feature = "layer")]
 impl LayerState {
     /// What unused memory holds.
-    pub const UNUSED: Self = Self { possible: Extent::NONE, learned: Learned { done: false, said: 0.0 }, left_out: LeftOut::NONE };
+    pub const UNUSED: Self = Self { possible: Extent::NONE, learned: Learned::NOTHING, left_out: LeftOut::NONE };
 }
+
+/// A kind of task was meant if the sessions show it so often, all together.
+#[cfg(feature = "layer")]
+const MET: f32 = 0.5;
 
 /// What a training left.
 #[cfg(feature = "layer")]
@@ -110,6 +120,36 @@ pub(super) struct Learned {
     pub done: bool,
     /// How many words were said in the sessions trained on.
     pub said: f32,
+    /// The kinds of task that were meant, by their tokens.
+    met: [Option<Symbol>; LIFTED_TASKS],
+}
+
+#[cfg(feature = "layer")]
+impl Learned {
+    const NOTHING: Self = Self { done: false, said: 0.0, met: [None; LIFTED_TASKS] };
+
+    /// A training begins on these data.
+    pub fn begin(&mut self, bitext: BitextRef<'_>) {
+        *self = Self { said: bitext.words_said() as f32, ..Self::NOTHING };
+        let mut meant: Vec<(Symbol, f32), LIFTED_TASKS> = Vec::new();
+        for pair in bitext.pairs() {
+            let Some(form) = form(bitext.command(pair.command)) else { continue };
+            match meant.iter_mut().find(|(other, _)| *other == form) {
+                Some((_, times)) => *times += pair.weight,
+                // As many as there are kinds.
+                None => {
+                    let _ = meant.push((form, pair.weight));
+                }
+            }
+        }
+        let met = meant.iter().filter(|(_, times)| *times >= MET).map(|(form, _)| *form);
+        self.met.iter_mut().zip(met).for_each(|(slot, form)| *slot = Some(form));
+    }
+
+    /// Whether the kind of a task was meant before, so that words can speak for it or against it.
+    pub fn has_met(&self, description: &[Symbol]) -> bool {
+        form(description).is_some_and(|form| self.met.contains(&Some(form)))
+    }
 }
 
 /// The layer, to be taught, if there is memory for it.

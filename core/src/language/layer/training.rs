@@ -12,13 +12,12 @@
 
 use super::contexts::Command;
 use super::parts::Parts;
-use super::posterior::logarithm;
+use super::posterior::{Weighed, weigh};
 use super::tables::Room;
 use super::weights::{PULLS, TRUST, Weights};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::bitext::BitextRef;
 use crate::language::tables::TablesRef;
-use crate::probability::exp;
 use crate::symbols::Symbol;
 use alloc::vec;
 use heapless::Vec;
@@ -47,7 +46,7 @@ impl Room<'_> {
             Part::Clear => {
                 let mut weights = Weights::of(self.weights);
                 weights.clear();
-                self.learned.said = bitext.words_said() as f32;
+                self.learned.begin(bitext);
                 (weights.values.len(), Part::Pass(0, 0))
             }
             Part::Pass(pass, session) if usize::from(session) < bitext.sessions() => {
@@ -90,24 +89,27 @@ impl Room<'_> {
                 cells = cells.saturating_add(3);
             });
         }
-        let trust = 1.0 + weights.values.get(TRUST).copied().unwrap_or(0.0);
-        let (believed, wanted) = (&mut *vec![0.0_f32; count], &mut *vec![0.0_f32; count]);
-        let mut best = f32::MIN;
-        for (task, (slot, &understood)) in believed.iter_mut().zip(understood).enumerate() {
-            *slot = trust * logarithm(understood, count) + parts.sum(task);
-            best = best.max(*slot);
+        let mut tasks: alloc::vec::Vec<Weighed> = alloc::vec::Vec::new();
+        for (position, (&understood, pair)) in understood.iter().zip(pairs).enumerate() {
+            let (met, parts) = (self.learned.has_met(possible.command(pair.command)), parts.sum(position));
+            tasks.push(Weighed { met, understood, parts, ..Weighed::default() });
         }
-        normalise(believed, |score| exp(score - best));
-        for (((slot, &believed), &shown), pair) in wanted.iter_mut().zip(&*believed).zip(shown).zip(pairs) {
-            *slot = (shown + UNREFUTED * pair.weight) * (believed + LEAST);
+        weigh(&mut tasks, 1.0 + weights.values.get(TRUST).copied().unwrap_or(0.0));
+        let wanted = &mut *vec![0.0_f32; count];
+        for (((slot, task), &shown), pair) in wanted.iter_mut().zip(&tasks).zip(shown).zip(pairs) {
+            *slot = (shown + UNREFUTED * pair.weight) * (task.believed + LEAST);
         }
-        normalise(wanted, |share| share);
+        normalise(wanted);
+        // The words cannot change what is wanted of each group.
+        let wanted_of = |met: bool| tasks.iter().zip(&*wanted).filter(|(task, _)| task.met == met).map(|(_, wanted)| wanted).sum::<f32>();
+        let (of_met, of_others) = (wanted_of(true), wanted_of(false));
 
         parts.each().for_each(|(_, number)| *number = 0.0);
         let mut of_trust = 0.0;
-        for (task, ((&believed, &wanted), &understood)) in believed.iter().zip(&*wanted).zip(understood).enumerate() {
-            parts.add(task, believed - wanted);
-            of_trust += (believed - wanted) * logarithm(understood, count);
+        for (position, (task, &wanted)) in tasks.iter().zip(&*wanted).enumerate() {
+            let slope = if task.met { of_met } else { of_others } * task.within - wanted;
+            parts.add(position, slope);
+            of_trust += slope * task.logarithm;
         }
         for (part, number) in parts.each() {
             command.each_weight(part, |cell, times| weights.lean(cell, times * *number));
@@ -134,13 +136,9 @@ impl Room<'_> {
     }
 }
 
-/// Makes of each number another, and then of their sum 1.
-fn normalise(numbers: &mut [f32], of: impl Fn(f32) -> f32) {
-    let mut whole = 0.0;
-    for number in &mut *numbers {
-        *number = of(*number);
-        whole += *number;
-    }
+/// Makes the numbers' sum 1.
+fn normalise(numbers: &mut [f32]) {
+    let whole: f32 = numbers.iter().sum();
     if whole > 0.0 {
         numbers.iter_mut().for_each(|number| *number /= whole);
     }
