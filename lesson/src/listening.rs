@@ -17,7 +17,7 @@ use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::task_text::GroundTaskText;
 
 /// The words that speak about commands.
-pub const CLOSED_WORDS: ClosedWords<'static> = ClosedWords::EUROPEAN;
+pub const CLOSED_WORDS: ClosedWords<'static> = ClosedWords::ALL;
 
 /// With fewer lessons everything is a command: nothing is known yet of how people word what the robot can do.
 pub const FEW_LESSONS: usize = 20;

@@ -540,8 +540,8 @@ impl Agent {
             mind.forget_robot();
             let place = mind.place(domain, state)?;
             let listened = in_place!(&place, |domain, state| match goes_on {
-                false => mind.core.listen(domain, state, words, ClosedWords::EUROPEAN),
-                true => mind.core.listen_on(domain, state, words, ClosedWords::EUROPEAN),
+                false => mind.core.listen(domain, state, words, ClosedWords::ALL),
+                true => mind.core.listen_on(domain, state, words, ClosedWords::ALL),
             });
             let listened = mind.settled(py, &place, listened)?;
             words.clone_into(&mut mind.command);

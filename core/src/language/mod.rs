@@ -40,5 +40,7 @@ pub use settings::{MOST_ROUNDS, MOST_WEIGHT, Model, SettingError, Settings};
 pub use spelling::is_slip;
 pub use synonyms::{SynonymError, Synonyms};
 pub use tables::{ParameterTables, ParameterTablesRef, TablesRef};
+#[cfg(feature = "talk")]
+pub use tokenizer::first_words;
 pub use tokenizer::{Sentence, Word, for_each_piece, for_each_word, word_form};
 pub use training::Training;

@@ -77,6 +77,17 @@ impl Model {
     }
 }
 
+/// The words of a command that are read where it has too many: as many as [`WORDS_PER_COMMAND`], from the first.
+///
+/// ```
+/// assert_eq!(goodbot::language::first_words("go to the red room"), "go to the red room");
+/// assert_eq!(goodbot::language::first_words(&"go ".repeat(100)).trim(), "go ".repeat(64).trim());
+/// ```
+#[cfg(feature = "talk")]
+pub fn first_words(command: &str) -> &str {
+    start_of_piece(command, WORDS_PER_COMMAND).and_then(|end| command.get(..end)).unwrap_or(command)
+}
+
 /// Where a word of [`for_each_piece`] begins in a command, in bytes. `None` where there are fewer words.
 #[cfg(feature = "talk")]
 pub(crate) fn start_of_piece(command: &str, position: usize) -> Option<usize> {

@@ -215,7 +215,8 @@ impl<M: AgentMemory> Agent<M> {
     fn finish_part<D: Domain + ?Sized>(&mut self, domain: &D, mut left: u32) -> Result<Option<Finished>, AgentError> {
         while left > 0 {
             match self.progressed {
-                Progressed::Weighing(..) if self.is_negated() => {
+                // "Again" has no words for its task.
+                Progressed::Weighing(..) if self.is_negated() || self.sentence.is_empty() => {
                     self.forget();
                     return Ok(Some(Finished { gave_way: self.gave_way }));
                 }

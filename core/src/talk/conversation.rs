@@ -1,6 +1,7 @@
 //! What a conversation remembers: the last task, the thing that it moved, the place that it named, and where the thing and the robot were
 //! before. Words such as "it", "there" and "back" stand for these. They are facts about objects, as *leftmost* is.
 
+use super::recalled::Before;
 use crate::memory::AgentMemory;
 use crate::oomdp::{Domain, GroundProposition, ObjectId, PropositionId, digest};
 use crate::session::Agent;
@@ -104,6 +105,11 @@ impl Conversation {
         after
     }
 
+    /// What words can point back at.
+    pub(super) const fn before(&self) -> Before<'_> {
+        if self.is_empty() { Before::Nothing } else { Before::Known(self) }
+    }
+
     /// Whether a fact holds of an object.
     pub fn holds<D: Domain + ?Sized>(&self, domain: &D, fact: Fact, object: ObjectId) -> bool {
         match fact {
@@ -182,8 +188,9 @@ impl<M: AgentMemory> Agent<M> {
         self.conversation = conversation;
     }
 
-    /// Remembers a task that was followed from a state on. With the feature `derived`, the descriptions of tasks then tell its [facts](Fact), so
-    /// that words are learned for them. An agent that is not told of tasks has no facts, and understands as it did without them.
+    /// Remembers a task that was followed from a state on. [`listen`](Self::listen) then knows what "it", "there", "back", "the other one", "the
+    /// same" and "again" stand for, in the words of its table. With the feature `derived`, the descriptions of tasks tell the [facts](Fact), so that
+    /// other words are learned for them. An agent that is not told of tasks has no facts, and understands as it did without them.
     ///
     /// ```
     /// use goodbot::talk::Fact;

@@ -2,12 +2,13 @@
 
 use super::classes::{Class, Classes, ClosedWords};
 use super::readings::{Parting, all, has_more, negated};
+use super::recalled::{Before, Recalled};
 use crate::capacity::{CapacityError, LIFTED_TASKS, WORDS_PER_COMMAND};
 use crate::language::bitext::BitextRef;
 use crate::language::roles::kind;
-use crate::language::roles::talk::{Coverage, Named, Said, Senses, background, common, is_of_task, likelihood};
+use crate::language::roles::talk::{Coverage, Named, Said, Senses, background, common, is_name, is_of_task, likelihood};
 use crate::language::spelling::is_slip_of_any_length;
-use crate::language::tokenizer::start_of_piece;
+use crate::language::tokenizer::{first_words, start_of_piece};
 use crate::language::{LanguageRef, Model, for_each_piece};
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::Domain;
@@ -16,11 +17,11 @@ use crate::probability::{Scaled, total};
 use crate::session::phase::Progressed;
 use crate::session::{Agent, AgentError};
 use crate::symbols::Symbol;
-use crate::task::TaskSet;
 use crate::task::description::{describe, form, groups};
 use crate::task::grounded::share_with_done;
 use crate::task::machine_command::Tokens;
 use crate::task::role::RoleKind;
+use crate::task::{GroundedTask, TaskSet};
 use core::fmt;
 use heapless::Vec;
 
@@ -32,6 +33,8 @@ pub(super) const NEGATED: f32 = 0.1;
 pub(super) const SEVERAL: f32 = 0.05;
 pub(super) const ALL: f32 = 0.03;
 const TALK: f32 = 0.02;
+/// The weight of "again" where something was done before, in no unit.
+const AGAIN: f32 = 1.0;
 /// The share of each kind of task that is for tasks that are done already.
 const DONE: f32 = 0.03;
 /// How probable a word that was never heard is where no task is meant, and beside a command.
@@ -51,6 +54,10 @@ const LETTER: f32 = 1.0 / 12.0;
 const NEW_SPELLING: f32 = 0.2;
 /// The factor of tasks of another kind than that of the command before, where no word tells the kind.
 const OTHER_KIND: f32 = 0.05;
+/// How much more probable a task must be after few lessons, times their number.
+const SURE_OF_FEW: f32 = 2.4;
+/// A sentence with more new words is not a command in another's words.
+const MOST_NEW: usize = 2;
 /// So many letters a plural has more.
 const LONGEST_ENDING: usize = 2;
 /// Not sure if a done task of the same kind explains the words a fifth as well.
@@ -75,6 +82,8 @@ pub enum Hypothesis {
     Several,
     /// A command for all things of a class.
     All,
+    /// The task of before once more.
+    Again,
     /// Words of a closed class: praise, stop, a greeting ...
     Talk(Class),
 }
@@ -89,6 +98,7 @@ impl fmt::Display for Hypothesis {
             Self::Negated => "what shall not be",
             Self::Several => "several commands",
             Self::All => "all things of a kind",
+            Self::Again => "the same again",
             Self::Talk(class) => class.name(),
         })
     }
@@ -131,6 +141,9 @@ pub struct Listened {
     /// Where the rest of the utterance begins, in bytes, if it has several commands. The session is about the first. The rest is for
     /// [`Agent::listen_on`], in the state that the first leads to.
     pub rest: Option<usize>,
+    /// Where the words begin, in bytes, that were not read: those beyond [`WORDS_PER_COMMAND`]. The answer is then never sure, unless the rest
+    /// has them.
+    pub unread: Option<usize>,
 }
 
 /// How commands are worded, as far as was learned.
@@ -164,8 +177,8 @@ impl<'c> Wording<'c> {
             // Good and Turing's estimate; at first every word is new.
             new: (once + 2.0) / (all + 2.0),
             end: 1.0 / (1.0 + all / sessions),
-            // 0.8 after 24 lessons, 0.65 after 120.
-            sure: (0.6125 + 4.5 / sessions).min(0.95),
+            // 0.7 after 24 lessons, 0.62 after 120.
+            sure: (0.6 + SURE_OF_FEW / sessions).min(0.95),
             facts,
         }
     }
@@ -197,6 +210,8 @@ pub(super) struct Heard {
     is_mended: bool,
     /// Whether it is of some task sooner than of the background.
     is_of_task: bool,
+    /// Whether it names a value.
+    is_name: bool,
 }
 
 pub(super) type Words = Vec<Heard, WORDS_PER_COMMAND>;
@@ -261,7 +276,17 @@ impl Heard {
         let turns = [Class::Negation, Class::Out, Class::But, Class::All, Class::Connective];
         let factor = if count == 0.0 && classes.contains_any(&turns) { TURNS } else { 1.0 };
         let beside = factor * share(common, if polite { NEW / 2.0 } else { NEW });
-        Self { said: Said { symbol, chatter }, classes, beside, count, factor, is_new, is_mended: false, is_of_task }
+        Self {
+            said: Said { symbol, chatter },
+            classes,
+            beside,
+            count,
+            factor,
+            is_new,
+            is_mended: false,
+            is_of_task,
+            is_name: is_name(language.tables(), symbol),
+        }
     }
 
     /// Nothing stands before it.
@@ -271,9 +296,26 @@ impl Heard {
         }
     }
 
+    /// It stands among polite words alone.
+    const fn make_polite(&mut self) {
+        if self.classes.contains(Class::Connective) {
+            (self.factor, self.said.chatter, self.classes) = (1.0, POLITE, Classes::of(Class::Polite));
+        }
+    }
+
     /// Whether it was heard for the first time, and is in no class, whatever it was mended to.
     pub fn is_strange(&self) -> bool {
         self.is_new || self.is_mended
+    }
+
+    /// Whether it says nothing of a task, nor names a value.
+    pub const fn is_plain(&self) -> bool {
+        !(self.is_new || self.is_of_task || self.is_name)
+    }
+
+    /// How probable it is where no task is meant.
+    pub const fn beside(&self) -> f32 {
+        self.beside
     }
 
     /// Whether it may be the word of a task.
@@ -298,6 +340,7 @@ impl Heard {
             is_new: false,
             is_mended: true,
             is_of_task: meant.is_of_task,
+            is_name: meant.is_name,
             ..self
         }
     }
@@ -331,18 +374,20 @@ pub(super) fn learned(words: &[Heard], of: impl Fn(&Heard) -> bool) -> f32 {
 
 /// How some words are read.
 #[derive(Clone, Copy)]
-pub(super) struct View {
+pub(super) struct View<'c> {
     /// The share of the tasks that hold already.
     pub done: f32,
     /// Whether another word is the sign of a task.
     pub has_act: bool,
     /// The kind of task that the command before was of: a command without a word of its own for that is most probably of the same.
     pub kind: Option<u8>,
+    /// What words can point back at.
+    pub before: Before<'c>,
 }
 
-impl View {
+impl View<'_> {
     /// As a command.
-    pub const PLAIN: Self = Self { done: DONE, has_act: false, kind: None };
+    pub const PLAIN: Self = Self { done: DONE, has_act: false, kind: None, before: Before::Nothing };
 }
 
 /// How well the tasks here explain some words.
@@ -350,7 +395,7 @@ pub(super) struct Explained {
     /// Pr(words) where one of the tasks is meant.
     pub here: Scaled,
     /// Pr(words) where a thing is meant that is not here.
-    absent: Scaled,
+    pub absent: Scaled,
     /// Pr(words | t) of each task, with its coverage.
     pub likelihoods: Vec<Scaled, { TaskSet::MOST }>,
     /// Each task's share of the belief, in no unit.
@@ -359,6 +404,10 @@ pub(super) struct Explained {
     pub signed: TaskSet,
     /// The tasks of which a word names the place, and no word anything that they are not about.
     pub fitting: TaskSet,
+    /// The tasks that no word names another thing than.
+    own: TaskSet,
+    /// The tasks of which all is named.
+    whole: TaskSet,
     /// Whether a word is a sign of a kind of task.
     pub acts: bool,
     /// The share of the tasks that hold already.
@@ -395,23 +444,48 @@ struct Judged {
     rest: Option<usize>,
 }
 
+impl Judged {
+    /// The task of before once more. No word of the utterance is a word for it.
+    fn again(explained: Explained, task: usize, probability: f32) -> Self {
+        let (hypothesis, words, tasks) = (Hypothesis::Again, Words::new(), TaskSet::of(task));
+        Self { hypothesis, explained, words, task, tasks, probability, command: probability, is_clear: true, rest: None }
+    }
+}
+
 /// Where words stand in an utterance.
 #[derive(Clone, Copy)]
-struct Place {
+pub(super) struct Place<'c> {
     /// Whether they may be several commands.
     may_part: bool,
     /// Whether a command is before them. The task's own word may then be left out.
-    is_rest: bool,
+    pub is_rest: bool,
     /// The kind of task that it was of.
     kind: Option<u8>,
+    /// What words can point back at.
+    before: Before<'c>,
 }
 
-impl Place {
-    const WHOLE: Self = Self { may_part: true, is_rest: false, kind: None };
+impl<'c> Place<'c> {
+    const WHOLE: Self = Self { may_part: true, is_rest: false, kind: None, before: Before::Nothing };
+
+    /// Whether something was done before.
+    const fn is_known(self) -> bool {
+        matches!(self.before, Before::Known(_))
+    }
+
+    /// Behind another part of the same utterance.
+    pub const fn behind(self) -> Self {
+        Self { is_rest: true, before: Before::Open, ..self }
+    }
+
+    /// How what is read so is read here, whatever kind of task the command before was of.
+    pub const fn of_any_kind(self, view: View<'_>) -> View<'c> {
+        Self { kind: None, ..self }.view(view)
+    }
 
     /// How what is read so is read here.
-    const fn view(self, view: View) -> View {
-        View { has_act: view.has_act || self.is_rest, kind: self.kind, ..view }
+    pub const fn view(self, view: View<'_>) -> View<'c> {
+        View { done: view.done, has_act: view.has_act || self.is_rest, kind: self.kind, before: self.before }
     }
 }
 
@@ -429,7 +503,8 @@ impl<M: AgentMemory> Agent<M> {
         utterance: &str,
         words: ClosedWords<'_>,
     ) -> Result<Listened, AgentError> {
-        self.listen_to(domain, state, utterance, words, Place::WHOLE)
+        let conversation = self.conversation.here(domain);
+        self.listen_to(domain, state, utterance, words, Place { before: conversation.before(), ..Place::WHOLE })
     }
 
     /// Hears the rest of an utterance of several commands, from [`Listened::rest`] on, in the state that the part before leads to. A command
@@ -445,10 +520,15 @@ impl<M: AgentMemory> Agent<M> {
         words: ClosedWords<'_>,
     ) -> Result<Listened, AgentError> {
         let kind = self.most_likely().map(|task| self.task(task).lifted);
-        self.listen_after(domain, state, rest, words, kind)
+        // Words of this part may point at the part before.
+        let (part, start) = (self.most_likely().map(|task| self.task(task)), self.started_from(domain));
+        let conversation = self.conversation.here(domain);
+        let conversation = part.zip(start).map_or(conversation, |(part, start)| conversation.after(domain, &self.lifted, &start, &part));
+        self.listen_to(domain, state, rest, words, Place { is_rest: true, kind, before: conversation.before(), ..Place::WHOLE })
     }
 
-    /// As [`listen_on`](Self::listen_on), for who knows from a record which lifted task the part before was about, by its position.
+    /// As [`listen_on`](Self::listen_on), for who knows from a record which lifted task the part before was about, by its position. Words that
+    /// point back mean what was [remembered](Self::remember).
     ///
     /// # Errors
     /// As [`hear`](Self::hear).
@@ -460,7 +540,8 @@ impl<M: AgentMemory> Agent<M> {
         words: ClosedWords<'_>,
         kind: Option<u8>,
     ) -> Result<Listened, AgentError> {
-        self.listen_to(domain, state, rest, words, Place { is_rest: true, kind, ..Place::WHOLE })
+        let conversation = self.conversation.here(domain);
+        self.listen_to(domain, state, rest, words, Place { is_rest: true, kind, before: conversation.before(), ..Place::WHOLE })
     }
 
     fn listen_to<D: Domain + ?Sized>(
@@ -469,18 +550,21 @@ impl<M: AgentMemory> Agent<M> {
         state: &D::State,
         utterance: &str,
         words: ClosedWords<'_>,
-        place: Place,
+        place: Place<'_>,
     ) -> Result<Listened, AgentError> {
-        self.open(domain, state, utterance, DONE)?;
+        let read = first_words(utterance);
+        let unread = Some(read.len()).filter(|&end| end < utterance.len());
+        self.open(domain, state, read, DONE)?;
         if self.options.language.model.in_use() != Model::Roles || self.language().tables().words() == 0 {
             self.begin_to_understand(domain)?;
             while self.hear_on(domain, u32::MAX)? == Progress::Working {}
             let task = self.most_likely().unwrap_or(0);
             let (hypothesis, probability) = (Hypothesis::Command, self.belief().probability(task));
             let tasks = TaskSet::of(task);
-            return Ok(Listened { verdict: Verdict::Unsure, hypothesis, task, tasks, probability, command: 1.0, sure: 1.0, rest: None });
+            let (verdict, command, sure) = (Verdict::Unsure, 1.0, 1.0);
+            return Ok(Listened { verdict, hypothesis, task, tasks, probability, command, sure, rest: None, unread });
         }
-        let result = self.listen_here(domain, utterance, words, place);
+        let result = self.listen_here(domain, read, words, place, unread);
         if result.is_err() {
             (self.start, self.progressed) = (None, Progressed::Idle);
         }
@@ -492,20 +576,37 @@ impl<M: AgentMemory> Agent<M> {
         domain: &D,
         utterance: &str,
         closed: ClosedWords<'_>,
-        place: Place,
+        place: Place<'_>,
+        unread: Option<usize>,
     ) -> Result<Listened, AgentError> {
         self.begin_to_understand(domain)?;
         let mut words: Words = Vec::new();
         let (sentence, language) = (&self.sentence, self.language.read(self.memory.read().language, self.memory.read().workspace.len()));
+        let mut signs: Vec<Option<char>, WORDS_PER_COMMAND> = Vec::new();
+        for_each_piece(utterance, |piece| {
+            let mut letters = piece.chars();
+            let sign = letters.next().filter(|sign| !sign.is_ascii() && letters.next().is_none());
+            let _ = signs.push(sign);
+            Ok(())
+        })?;
+        let mut of_word = (0, Classes::NONE);
         for_each_piece(utterance, |piece| {
             let symbol = sentence.get(words.len()).copied().flatten();
-            let heard = Heard::new(language, symbol, closed.of(piece));
+            if of_word.0 == 0 {
+                of_word = closed.of_signs(signs.get(words.len()..).unwrap_or(&[])).unwrap_or((1, closed.of(piece)));
+            }
+            of_word.0 = usize::saturating_sub(of_word.0, 1);
+            let heard = Heard::new(language, symbol, of_word.1);
             let is_cue = heard.is_new() && slip_for(language, piece, SLIP).is_none();
             let _ = words.push(if is_cue { Heard::new(language, symbol, closed.of_slip(piece)) } else { heard });
             Ok(())
         })?;
         // "Then go on" has nothing before it.
         words.iter_mut().take(1).for_each(Heard::begin);
+        // "Be so kind and go" has no command before it.
+        let polite = [Class::Polite, Class::Greeting, Class::Connective];
+        let begin = words.iter().take_while(|word| word.classes.contains_any(&polite)).count();
+        words.iter_mut().take(begin).for_each(Heard::make_polite);
         let wording = Wording::of(language, closed, (domain.world().schema.attributes.len() << 1) as u8);
         let mended = mend(language, utterance, &words)?;
         let mut all = self.explain_all(domain, &words, &wording, place.view(View::PLAIN))?;
@@ -518,7 +619,7 @@ impl<M: AgentMemory> Agent<M> {
         let judged = self.judge(domain, words, all, &wording, place)?;
         let done = self.done(domain);
         let is_done = !judged.tasks.is_empty() && judged.tasks.without(done).is_empty();
-        let verdict = if judged.probability >= wording.sure && judged.is_clear {
+        let verdict = if judged.probability >= wording.sure && judged.is_clear && (unread.is_none() || judged.rest.is_some()) {
             if is_done { Verdict::Done } else { Verdict::Sure }
         } else {
             match judged.hypothesis {
@@ -530,7 +631,7 @@ impl<M: AgentMemory> Agent<M> {
         let Judged { hypothesis, task, probability, command, .. } = judged;
         let tasks = if is_done { judged.tasks } else { judged.tasks.without(done) };
         let rest = judged.rest.and_then(|rest| start_of_piece(utterance, rest));
-        Ok(Listened { verdict, hypothesis, task, tasks, probability, command, sure: wording.sure, rest })
+        Ok(Listened { verdict, hypothesis, task, tasks, probability, command, sure: wording.sure, rest, unread })
     }
 
     /// Whether a task that is done explains the words nearly as well as the one that is to be done.
@@ -550,9 +651,9 @@ impl<M: AgentMemory> Agent<M> {
         words: Words,
         explained: Explained,
         wording: &Wording<'_>,
-        place: Place,
+        place: Place<'_>,
     ) -> Result<Judged, AgentError> {
-        let parting = if place.may_part { self.part(domain, &words, wording, place.is_rest)? } else { None };
+        let parting = if place.may_part { self.part(domain, &words, wording, place)? } else { None };
         let hypotheses = self.hypotheses(domain, &words, wording, &explained, place, parting)?;
         let whole = total(hypotheses.iter().map(|(_, weight)| *weight));
         let mut best = (Hypothesis::Command, Scaled::ZERO);
@@ -596,12 +697,21 @@ impl<M: AgentMemory> Agent<M> {
             }
             _ => {}
         }
+        if best.0 == Hypothesis::Talk(Class::Again)
+            && let Some(task) = self.again(&words, place.before, &explained)
+        {
+            let explained = explained.only(task);
+            return Ok(Judged::again(explained, task, share));
+        }
         let (task, of_command) = explained.best();
         let command = hypotheses.iter().find(|(it, _)| *it == Hypothesis::Command).map_or(0.0, |(_, weight)| weight.over(whole));
         let (tasks, probability) = (TaskSet::of(task), command * of_command);
         // "This or that" leaves the choice to the robot.
         let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0);
-        let is_clear = !is_choice && !has_more(&words) && !self.has_rival(domain, &explained, task);
+        // A word that names nothing known may be the name of something else.
+        let is_named = explained.own.contains(task) && (explained.whole.contains(task) || !has_new_name(&words));
+        let is_told = is_named && !is_choice && !is_question(&words);
+        let is_clear = is_told && !has_more(&words) && !self.has_rival(domain, &explained, task);
         Ok(Judged { hypothesis: best.0, explained, words, task, tasks, probability, command, is_clear, rest: None })
     }
 
@@ -650,13 +760,14 @@ impl<M: AgentMemory> Agent<M> {
         Ok(())
     }
 
-    /// How well the tasks explain these words.
-    pub(super) fn explain_all<D: Domain + ?Sized>(
+    /// How well the tasks explain these words, or those of them that other words point at.
+    pub(super) fn explain_words<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
         words: &[Heard],
         wording: &Wording<'_>,
-        view: View,
+        view: View<'_>,
+        recalled: Option<Recalled<'_>>,
     ) -> Result<Explained, AgentError> {
         self.share(domain, view.done);
         let mut said: Vec<Said, WORDS_PER_COMMAND> = Vec::new();
@@ -672,11 +783,19 @@ impl<M: AgentMemory> Agent<M> {
         let mut named = {
             let language = language.read();
             let is_plain = |word| is_plain(language, wording.closed, word);
-            Named::of(&mut Senses::new(language.tables(), language.bitext(), &is_plain, wording.facts), &said)
+            let mut senses = Senses::new(language.tables(), language.bitext(), &is_plain, wording.facts);
+            let mut named = Named::of(&mut senses, &said);
+            if let Some(behind) = new_verb(words) {
+                named.may_act(senses.acts_before(behind));
+            }
+            named
         };
         let acts = named.acts();
         if view.has_act {
             named.act();
+        }
+        if let Some(recalled) = &recalled {
+            named.cover(recalled.has_place(), recalled.has_thing());
         }
         let mut explained = Explained {
             here: Scaled::ZERO,
@@ -685,11 +804,14 @@ impl<M: AgentMemory> Agent<M> {
             weights: Vec::new(),
             signed: TaskSet::EMPTY,
             fitting: TaskSet::EMPTY,
+            own: TaskSet::EMPTY,
+            whole: TaskSet::EMPTY,
             acts,
             done: view.done,
         };
         let mut forms: Vec<Symbol, { TaskSet::MOST }> = Vec::new();
         let mut ghosts: Vec<Scaled, { TaskSet::MOST }> = Vec::new();
+        let is_meant = |task: &GroundedTask| recalled.is_none_or(|recalled| recalled.fits(domain, &self.lifted, task));
         for (position, task) in tasks.iter().enumerate() {
             let mut description = Tokens::new();
             if let Some(scene) = &mut scene {
@@ -701,8 +823,14 @@ impl<M: AgentMemory> Agent<M> {
                 likelihood(tables, &said, description, wording.new).times(share)
             };
             let whole = explain(&description, None);
-            if named.fits(tables, &description) {
-                explained.fitting = explained.fitting.with(position);
+            if named.is_own(tables, &description) {
+                explained.own = explained.own.with(position);
+                if named.places(tables.layout(), &description) {
+                    explained.fitting = explained.fitting.with(position);
+                }
+            }
+            if named.is_whole(tables.layout(), &description) {
+                explained.whole = explained.whole.with(position);
             }
             let mut absent = Scaled::ZERO;
             let mut kinds = 0.0_f32;
@@ -715,13 +843,16 @@ impl<M: AgentMemory> Agent<M> {
                 }
             }
             let _ = forms.push(form(&description).unwrap_or(Symbol(0)));
-            let _ = explained.likelihoods.push(whole);
             let is_other = !acts && view.kind.is_some_and(|kind| kind != task.lifted);
-            let _ = explained.weights.push(whole.scaled_by(if is_other { OTHER_KIND * task.prior } else { task.prior }));
+            let share = if recalled.is_some() { share_among(tasks, task, is_meant) } else { 1.0 };
+            let whole = if share > 0.0 { whole } else { Scaled::ZERO };
+            let prior = share * task.prior;
+            let _ = explained.likelihoods.push(whole);
+            let _ = explained.weights.push(whole.scaled_by(if is_other { OTHER_KIND * prior } else { prior }));
             if named.acts_for(tables.layout(), &description) {
                 explained.signed = explained.signed.with(position);
             }
-            let _ = ghosts.push(if kinds > 0.0 { absent.scaled_by(task.prior / kinds) } else { Scaled::ZERO });
+            let _ = ghosts.push(if kinds > 0.0 { absent.scaled_by(prior / kinds) } else { Scaled::ZERO });
         }
         let language = language.read();
         let groups = count_kinds(&forms) as f32;
@@ -749,7 +880,7 @@ impl<M: AgentMemory> Agent<M> {
         words: &Words,
         wording: &Wording<'_>,
         explained: &Explained,
-        place: Place,
+        place: Place<'_>,
         parting: Option<Parting>,
     ) -> Result<Vec<(Hypothesis, Scaled), 16>, AgentError> {
         let mut hypotheses: Vec<(Hypothesis, Scaled), 16> = Vec::new();
@@ -764,12 +895,14 @@ impl<M: AgentMemory> Agent<M> {
         };
         add(Hypothesis::Nothing, no_task(&|_, word| word.beside).scaled_by(NOTHING));
         add(Hypothesis::Absent, explained.absent.scaled_by(ABSENT));
-        if !explained.acts && !place.is_rest {
+        if !explained.signed.contains(explained.best().0) && !place.is_rest {
             let without = wording.coverage.least_without_task(self.language().tables().layout());
             add(Hypothesis::About, explained.here.scaled_by(ABOUT / without));
         }
         for class in Class::ALL.into_iter().filter(|class| class.is_talk()) {
-            if !words.iter().any(|word| word.classes.contains(class)) {
+            // "Back" is a place where something was done before.
+            let speaks = |word: &Heard| word.classes.contains(class) && !(place.is_known() && word.classes.contains(Class::Back));
+            if !words.iter().any(speaks) {
                 continue;
             }
             let size = wording.closed.count(class) as f32;
@@ -777,7 +910,8 @@ impl<M: AgentMemory> Agent<M> {
                 true => 0.5 / size * if position == 0 { 3.0 } else { 1.0 } + 0.5 * word.beside,
                 false => 0.8 * word.beside,
             });
-            add(Hypothesis::Talk(class), weight.scaled_by(TALK / learned(words, |word| word.classes.contains(class))));
+            let prior = if place.is_known() && class == Class::Again { AGAIN } else { TALK };
+            add(Hypothesis::Talk(class), weight.scaled_by(prior / learned(words, |word| word.classes.contains(class))));
         }
         for (hypothesis, rest) in [(Hypothesis::Negated, negated(words)), (Hypothesis::All, all(words))] {
             let Some(rest) = rest else { continue };
@@ -790,6 +924,43 @@ impl<M: AgentMemory> Agent<M> {
         }
         Ok(hypotheses)
     }
+}
+
+/// By how much the prior of a task grows where only some tasks of its kind are meant; 0 for the others.
+fn share_among(tasks: &[GroundedTask], task: &GroundedTask, is_meant: impl Fn(&GroundedTask) -> bool) -> f32 {
+    if !is_meant(task) {
+        return 0.0;
+    }
+    let of_kind = || tasks.iter().filter(|other| other.lifted == task.lifted);
+    let (all, meant): (f32, f32) = (of_kind().map(|it| it.prior).sum(), of_kind().filter(|it| is_meant(it)).map(|it| it.prior).sum());
+    if meant > 0.0 { all / meant } else { 0.0 }
+}
+
+/// The word behind a new word that may be a word for what to do: nothing but closed words stand before it, and the last is no "I".
+fn new_verb(words: &[Heard]) -> Option<Option<Symbol>> {
+    let first = words.iter().position(|word| word.classes == Classes::NONE)?;
+    let is_verb = words.get(first)?.is_new() && words.iter().filter(|word| word.is_new()).count() <= MOST_NEW;
+    let is_of_speaker = first.checked_sub(1).and_then(|before| words.get(before)).is_some_and(|word| word.classes.contains(Class::Speaker));
+    let asks = words.iter().take(first).any(|word| word.classes.contains(Class::Asking));
+    let behind = words.iter().skip(first).find(|word| !word.is_new());
+    (is_verb && !is_of_speaker && !asks).then(|| behind.and_then(|word| word.said.symbol))
+}
+
+/// Whether a new word stands between known ones.
+fn has_new_name(words: &[Heard]) -> bool {
+    let is_known = |word: &Heard| word.count > 0.0;
+    let (first, last) = (words.iter().position(is_known), words.iter().rposition(is_known));
+    let (Some(first), Some(last)) = (first, last) else { return false };
+    words.iter().take(last).skip(first).any(Heard::is_new)
+}
+
+/// Whether the words ask or tell something, with a word for it that no command had.
+pub(super) fn is_question(words: &[Heard]) -> bool {
+    let asks = |word: &Heard| word.classes.contains(Class::Asking) && !word.classes.contains(Class::Polite);
+    let is_request = words.iter().take_while(|word| word.count == 0.0).any(|word| word.classes.contains(Class::Polite));
+    // "The bag was there", and a particle at the end: 吗.
+    let mut words = words.iter().take(if is_request { words.len().saturating_sub(1) } else { words.len() });
+    words.any(|word| word.count == 0.0 && asks(word))
 }
 
 /// How many different kinds of task.

@@ -10,6 +10,7 @@
 //! - `conversation`: what was done and said before, for words such as "it" and "there";
 //! - `correction`: words to a robot on its way;
 //! - `listening`: the hypotheses, and the verdict;
+//! - `recalled`: words that stand for what was said before;
 //! - `readings`: what shall not be, all things of a kind, and one command after another.
 
 mod classes;
@@ -17,6 +18,7 @@ mod conversation;
 mod correction;
 pub(crate) mod listening;
 mod readings;
+mod recalled;
 
 pub use classes::{Class, Classes, ClosedWords, ClosedWordsError};
 pub use conversation::{Conversation, Fact};

@@ -2,7 +2,7 @@
 //! after another.
 
 use super::classes::Class;
-use super::listening::{ALL, CUE, Explained, Heard, NEGATED, SEVERAL, View, Wording, Words, learned};
+use super::listening::{ALL, CUE, Explained, Heard, NEGATED, Place, SEVERAL, View, Wording, Words, is_question, learned};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::memory::AgentMemory;
 use crate::oomdp::{Domain, ObjectId};
@@ -28,7 +28,7 @@ pub(super) struct Rest {
     pub words: Words,
     /// How probable this reading is before the other words.
     pub prior: f32,
-    pub view: View,
+    pub view: View<'static>,
     /// Whether it says clearly what is meant.
     pub is_clear: bool,
     /// Whether it needs no word of a task: "leave the red room".
@@ -44,7 +44,7 @@ fn without(words: &[Heard], cues: &[Class]) -> Option<(Words, f32)> {
     for word in words {
         if word.classes.contains_any(cues) {
             probability *= if before == Before::Cue { 1.0 } else { CUE };
-            before = Before::Cue;
+            before = if word.classes.contains(Class::From) { Before::From } else { Before::Cue };
         } else if is_out && word.classes.contains(Class::From) {
             before = Before::From;
         } else if before == Before::From && word.is_strange() {
@@ -77,8 +77,10 @@ pub(super) fn negated(words: &[Heard]) -> Option<Rest> {
     let view = if is_out { View { done: CHANGE, has_act: true, ..View::PLAIN } } else { View { done: EITHER, ..View::PLAIN } };
     // "Do not leave" is the opposite of the opposite, and so is "not anywhere but".
     // "Why don't you go" is no command.
-    let is_question = words.iter().any(|word| word.classes.contains(Class::Asking) && word.count == 0.0);
-    let is_clear = !(is_question || is_not && (is_out || has(Class::But)));
+    // "If it's not too much trouble" is none either.
+    // "Anywhere" asks nothing: "n'importe où".
+    let is_question = !has(Class::But) && is_question(words);
+    let is_clear = !(is_question || has(Class::If) || is_not && (is_out || has(Class::But)));
     let is_act = is_out || rest.iter().any(Heard::may_act);
     Some(Rest { words: rest, prior, view, is_clear, is_act, is_act_for_things: is_act && (is_not || has(Class::From)) })
 }
@@ -88,7 +90,9 @@ pub(super) fn all(words: &[Heard]) -> Option<Rest> {
     let (rest, probability) = without(words, &[Class::All])?;
     let cue = words.iter().position(|word| word.classes.contains(Class::All))?;
     let mut named = words.iter().skip(cue.saturating_add(1)).take(NAME_OF_ALL);
-    let is_clear = !named.any(|word| word.is_new());
+    // "Everything but the red bag" is not followed.
+    let is_exception = |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::But]) && !word.classes.contains(Class::All);
+    let is_clear = !named.any(|word| word.is_new()) && !words.iter().any(is_exception);
     let view = View { done: EITHER, ..View::PLAIN };
     Some(Rest { words: rest, prior: ALL * UNNAMED * probability, view, is_clear, is_act: false, is_act_for_things: false })
 }
@@ -131,7 +135,7 @@ impl<M: AgentMemory> Agent<M> {
         domain: &D,
         words: &Words,
         wording: &Wording<'_>,
-        is_rest: bool,
+        place: Place<'_>,
     ) -> Result<Option<Parting>, AgentError> {
         let clauses = clauses(words);
         let mut parting = None;
@@ -151,7 +155,8 @@ impl<M: AgentMemory> Agent<M> {
                 if first == 0 && next.is_none() {
                     continue;
                 }
-                let here = self.clause(domain, words.get(start..end).unwrap_or(&[]), wording, is_rest || first > 0)?;
+                let here =
+                    self.clause(domain, words.get(start..end).unwrap_or(&[]), wording, if first > 0 { place.behind() } else { place })?;
                 let rest = ahead.get(after).copied().unwrap_or(Scaled::ZERO);
                 let connective = next.map_or(Scaled::ONE, |_| {
                     let learned = words.get(end).map_or(1.0, |word| 1.0 + word.count);
@@ -174,14 +179,13 @@ impl<M: AgentMemory> Agent<M> {
         domain: &D,
         clause: &[Heard],
         wording: &Wording<'_>,
-        is_rest: bool,
+        place: Place<'_>,
     ) -> Result<Scaled, AgentError> {
         // Where the command before leads to is not known yet.
-        let mut sum = self.explain_all(domain, clause, wording, View { done: EITHER, has_act: is_rest, ..View::PLAIN })?.here;
+        let mut sum = self.explain_all(domain, clause, wording, place.of_any_kind(View { done: EITHER, ..View::PLAIN }))?.here;
         for rest in [negated(clause), all(clause)].into_iter().flatten() {
-            let here = self
-                .explain_all(domain, &rest.words, wording, View { done: EITHER, has_act: is_rest || rest.view.has_act, ..rest.view })?
-                .here;
+            let view = place.of_any_kind(View { done: EITHER, ..rest.view });
+            let here = self.explain_all(domain, &rest.words, wording, view)?.here;
             sum = sum.plus(here.scaled_by(rest.prior));
         }
         Ok(sum)

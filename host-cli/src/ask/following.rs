@@ -3,8 +3,10 @@
 use super::plan::{Plan, plan};
 use goodbot::home::{Home, HomeState};
 use goodbot::memory::{AgentMemory, HomeMemory};
-use goodbot::talk::{ClosedWords, Hypothesis, Listened, Verdict};
+use goodbot::talk::{Hypothesis, Listened, Verdict};
+use goodbot::task::GroundedTask;
 use goodbot::{Agent, AgentError};
+use goodbot_lesson::listening::CLOSED_WORDS;
 use goodbot_lesson::name::{in_words, task_name};
 
 /// The tasks of an utterance, one after another.
@@ -20,11 +22,18 @@ pub struct Followed {
     pub verdict: Verdict,
     /// The actions of all, if they are known.
     pub plan: Option<Plan>,
+    /// What is done, step by step.
+    pub steps: Vec<Step>,
+    /// Where all of it leads to.
+    pub end: HomeState,
 }
+
+/// A task, and the state that it is begun in.
+pub type Step = (GroundedTask, HomeState);
 
 /// Whether an utterance is followed in another way than a plain command.
 pub const fn is_followed(hypothesis: Hypothesis) -> bool {
-    matches!(hypothesis, Hypothesis::Negated | Hypothesis::Several | Hypothesis::All)
+    matches!(hypothesis, Hypothesis::Negated | Hypothesis::Several | Hypothesis::All | Hypothesis::Again)
 }
 
 /// Follows an utterance, of which the agent has heard the first part, each part in the state that the one before leads to.
@@ -39,7 +48,7 @@ pub fn follow(
     first: Listened,
 ) -> Result<Followed, AgentError> {
     let (mut state, mut part, mut rest) = (*start, first, utterance);
-    let (mut names, mut words, mut verdicts) = (vec![], vec![], vec![]);
+    let (mut names, mut words, mut verdicts, mut steps) = (vec![], vec![], vec![], vec![]);
     let (mut probability, mut whole) = (1.0, Some(Plan::default()));
     loop {
         probability *= part.probability;
@@ -52,13 +61,14 @@ pub fn follow(
             };
             names.push(task_name(home, &kind, &grounded).map(|name| name.to_string()).unwrap_or_default());
             words.push(in_words(home, &kind, &grounded));
+            steps.push((grounded, state));
             let planned = plan(agent, home, state, task)?;
             state = planned.as_ref().map_or(state, |(_, end)| *end);
             whole = whole.zip(planned).map(|(whole, (more, _))| whole.and(more));
         }
         let Some(behind) = part.rest.and_then(|at| rest.get(at..)) else { break };
         rest = behind;
-        part = agent.listen_on(home, &state, rest, ClosedWords::EUROPEAN)?;
+        part = agent.listen_on(home, &state, rest, CLOSED_WORDS)?;
     }
     let verdict = if verdicts.iter().all(|verdict| *verdict == Verdict::Done) {
         Verdict::Done
@@ -67,5 +77,5 @@ pub fn follow(
     } else {
         Verdict::Unsure
     };
-    Ok(Followed { name: names.join(" then "), words: words.join(", then "), probability, verdict, plan: whole })
+    Ok(Followed { name: names.join(" then "), words: words.join(", then "), probability, verdict, plan: whole, steps, end: state })
 }

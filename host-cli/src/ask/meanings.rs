@@ -3,16 +3,17 @@
 //! A robot with some lessons [listens](goodbot::talk). A robot with few takes everything for a command. It hears each task that is done already
 //! from a state where it is not done yet: one thing is moved elsewhere.
 
-use super::following::{self, Followed};
+use super::following::{self, Followed, Step};
 use goodbot::home::{Home, HomeState};
+use goodbot::language::first_words;
 use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Domain;
 use goodbot::probability::{Scaled, total};
-use goodbot::talk::{ClosedWords, Listened, Verdict};
+use goodbot::talk::{Listened, Verdict};
 use goodbot::task::{GroundedTask, LiftedTask, ground};
 use goodbot::{Agent, AgentError, Capacities};
-use goodbot_lesson::listening::tells_talk;
+use goodbot_lesson::listening::{CLOSED_WORDS, tells_talk};
 use goodbot_lesson::name::{in_words, task_name};
 
 /// What a command may mean.
@@ -35,6 +36,8 @@ pub struct Heard {
     pub listened: Option<Listened>,
     /// What it leads to, if it is no plain command.
     pub followed: Option<Followed>,
+    /// The tasks that it most likely asks for, each with the state that it is begun in.
+    pub steps: Vec<Step>,
     /// All that it may mean, the most probable first.
     pub meanings: Vec<Meaning>,
 }
@@ -50,12 +53,19 @@ pub fn meanings(
     utterance: &str,
 ) -> Result<Heard, AgentError> {
     if !tells_talk(agent) {
-        return Ok(Heard { listened: None, followed: None, meanings: of_command(agent, home, start, utterance)? });
+        let meanings = of_command(agent, home, start, first_words(utterance))?;
+        let likeliest = agent.most_likely().and_then(|task| agent.tasks().get(task));
+        let steps = likeliest.map(|task| (*task, *start)).into_iter().collect();
+        return Ok(Heard { listened: None, followed: None, steps, meanings });
     }
-    let listened = agent.listen(home, start, utterance, ClosedWords::EUROPEAN)?;
+    let listened = agent.listen(home, start, utterance, CLOSED_WORDS)?;
     let followed = match following::is_followed(listened.hypothesis) {
         true => Some(following::follow(agent, home, start, utterance, listened)?),
         false => None,
+    };
+    let steps = match &followed {
+        Some(followed) => followed.steps.clone(),
+        None => agent.tasks().get(listened.task).map(|task| (*task, *start)).into_iter().collect(),
     };
     let mut meanings: Vec<Meaning> = match &followed {
         Some(Followed { name, .. }) if name.is_empty() => vec![],
@@ -65,8 +75,8 @@ pub fn meanings(
         None => of_session(agent, home, listened),
     };
     meanings.sort_by(|a, b| b.probability.total_cmp(&a.probability));
-    match agent.hear(home, start, utterance) {
-        Ok(()) | Err(AgentError::NoTask) => Ok(Heard { listened: Some(listened), followed, meanings }),
+    match agent.hear(home, start, first_words(utterance)) {
+        Ok(()) | Err(AgentError::NoTask) => Ok(Heard { listened: Some(listened), followed, steps, meanings }),
         Err(error) => Err(error),
     }
 }

@@ -15,10 +15,10 @@ mod plan;
 mod why;
 
 use clap::{Args, ValueHint};
-use following::Followed;
+use following::{Followed, Step};
 use goodbot::home::Map;
 use goodbot::home::{Home, HomeState, Moves};
-use goodbot::language::Synonyms;
+use goodbot::language::{Synonyms, first_words};
 use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
 use goodbot::talk::{Hypothesis, Listened, Verdict};
@@ -82,6 +82,9 @@ pub struct AskOptions {
     /// The robot can pull blocks too
     #[arg(long)]
     pull: bool,
+    /// Each command goes on where the one before leads to, and may speak of what was done: "put it back", "go there", "again"
+    #[arg(long, conflicts_with = "log")]
+    conversation: bool,
     /// Print a line of JSON for each command
     #[arg(long)]
     json: bool,
@@ -99,6 +102,7 @@ Examples:
   goodbot ask --with words.goodbot --environment home.json --why take the bag to the blue room
   goodbot ask --with words.goodbot --log log.jsonl --session w01-3 --why
   goodbot ask --with words.goodbot --environment home.json --synonyms words.txt go to the crimson room
+  printf 'go to the red room\\nthen go back\\n' | goodbot ask --with words.goodbot --environment home.json --conversation -
   echo \"go to the red room\" | goodbot ask --with words.goodbot --environment home.json -";
 
 fn expected(text: &str) -> Result<GroundTaskText, String> {
@@ -139,6 +143,11 @@ struct Answer {
     /// What was meant, in words, and how it explains the words.
     expected: Option<(GroundTaskText, String, Vec<Word>)>,
     plan: Option<Plan>,
+    /// The tasks that it most likely asks for, each with the state that it is begun in, and where they lead to.
+    steps: Vec<Step>,
+    end: HomeState,
+    /// How many words were not read.
+    unread: usize,
 }
 
 /// Runs the command.
@@ -154,12 +163,18 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
     let synonyms = options.synonyms.read()?;
     let synonyms = synonyms.table()?;
     let mut out = BufWriter::new(std::io::stdout().lock());
+    let mut state = None;
     for (number, question) in questions(options)?.iter().enumerate() {
         let mut memory = home::memory();
         let (home, start) = home::build(&question.environment, question.moves, &mut memory).map_err(|flaw| {
             Failure::Input(format!("{}: field \"{}\": {}", question.source, flaw.field(), flaw.message(&question.environment)))
         })?;
+        let start = state.unwrap_or(start);
         let answer = answer(&mut agent, &home, &start, question, synonyms)?;
+        if options.conversation && ["sure", "done"].contains(&answer.verdict(options.threshold)) {
+            answer.steps.iter().for_each(|(task, before)| agent.remember(&home, before, task));
+            state = Some(answer.end);
+        }
         if options.json {
             writeln!(out, "{}", to_json(&answer, question, options.threshold))?;
             continue;
@@ -255,8 +270,11 @@ fn answer(
     synonyms: Synonyms<'_>,
 ) -> Result<Answer, Failure> {
     let fault = |error: AgentError| Failure::Input(refusal::in_words(&error));
-    let heard = in_known_words(synonyms, agent.language(), &question.command)?;
-    let Heard { listened, followed, meanings } = meanings::meanings(agent, home, start, &heard).map_err(fault)?;
+    let first = first_words(&question.command);
+    let heard = in_known_words(synonyms, agent.language(), first)? + question.command.get(first.len()..).unwrap_or("");
+    let read = first_words(&heard);
+    let unread = heard.get(read.len()..).map_or(0, |rest| rest.split_whitespace().count());
+    let Heard { listened, followed, steps, meanings } = meanings::meanings(agent, home, start, &heard).map_err(fault)?;
     let mut tasks = Vec::new();
     for (position, task) in agent.tasks().iter().enumerate() {
         let Some(kind) = agent.lifted().get(usize::from(task.lifted)) else { continue };
@@ -276,7 +294,7 @@ fn answer(
             match (grounded.zip(kind), position, done) {
                 (Some((grounded, kind)), Some(position), _) => {
                     let text = in_words(home, kind, grounded);
-                    let words = why::words(agent, home, start, &heard, position).map_err(fault)?;
+                    let words = why::words(agent, home, start, read, position).map_err(fault)?;
                     Some((task.clone(), text, words))
                 }
                 (_, _, Some(done)) => Some((task.clone(), done.words.clone(), vec![])),
@@ -289,15 +307,16 @@ fn answer(
             }
         }
     };
-    let words = why::words(agent, home, start, &heard, best).map_err(fault)?;
+    let words = why::words(agent, home, start, read, best).map_err(fault)?;
     let is_to_do = listened.is_none_or(|listened| listened.hypothesis == Hypothesis::Command && listened.verdict != Verdict::Done);
-    let plan = match &followed {
-        Some(followed) => followed.plan.clone().filter(|_| followed.verdict == Verdict::Sure),
-        None if tasks.is_empty() || !is_to_do => None,
-        None => plan(agent, home, *start, best).map_err(fault)?.map(|(plan, _)| plan),
+    let (plan, end) = match &followed {
+        Some(followed) => (followed.plan.clone().filter(|_| followed.verdict == Verdict::Sure), followed.end),
+        None if tasks.is_empty() || !is_to_do => (None, *start),
+        None => plan(agent, home, *start, best).map_err(fault)?.map_or((None, *start), |(plan, end)| (Some(plan), end)),
     };
     let tasks = tasks.into_iter().map(|(name, probability)| (name.to_string(), probability)).collect();
-    Ok(Answer { heard, tasks, best, meanings, listened, followed, words, expected, plan })
+    let unread = if followed.is_some() { 0 } else { unread };
+    Ok(Answer { heard, tasks, best, meanings, listened, followed, words, expected, plan, steps, end, unread })
 }
 
 /// Whether a task is none of those that one command means: something shall not be, or comes after something else.
@@ -367,6 +386,9 @@ fn to_json(answer: &Answer, question: &Question, threshold: Option<f32>) -> serd
         if answer.heard != question.command {
             line.insert("heard".to_owned(), json!(answer.heard));
         }
+        if answer.unread > 0 {
+            line.insert("unread".to_owned(), json!(answer.unread));
+        }
         if let Some(session) = &question.session {
             line.insert("session".to_owned(), json!(session));
         }
@@ -399,6 +421,9 @@ fn print(
         answer.words.iter().filter(|word| word.probability.is_none()).map(|word| format!("{:?}", word.word)).collect();
     if !unheard.is_empty() {
         writeln!(out, "\nnever heard: {}", unheard.join(", "))?;
+    }
+    if answer.unread > 0 {
+        writeln!(out, "\nthe last {} words were not read: say it in parts", answer.unread)?;
     }
     verdict(out, options.threshold, answer)?;
     if answer.tied() > 1 {

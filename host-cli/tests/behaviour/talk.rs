@@ -1,5 +1,7 @@
 //! What people say beside commands, and what `goodbot ask` makes of it. The lessons and the sentences have different words and homes.
 
+mod suite;
+
 use crate::program::goodbot;
 use serde_json::{Value, json};
 
@@ -376,24 +378,119 @@ fn german_is_taken_apart_as_well() {
 }
 
 #[test]
-fn long_utterances_get_an_answer_or_are_refused_in_plain_words() {
+fn long_utterances_get_an_answer_and_end_no_batch() {
     let (_folder, model) = taught(120, &ENGLISH);
     let home = three_rooms();
     let ways: Vec<String> = (0..10).map(|part| format!("go to {}", ["blue", "red"][part % 2])).collect();
     let tasks: Vec<String> = (0..10).map(|part| go([1, 0][part % 2])).collect();
     let [answer] = &asked(&model, &home, &[ways.join(" then ")])[..] else { panic!("one answer") };
     assert_eq!((answer["taken_for"].as_str(), answer["task"].as_str()), (Some("several commands"), Some(&*then(&tasks))), "{answer}");
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("home.json");
-    std::fs::write(&file, home.json().to_string()).expect("a file");
-    for long in [["go to the blue room"; 50].join(" and then "), "again ".repeat(1_000), "and ".repeat(1_000)] {
-        let run = goodbot(&["ask", "--with", &model, "--environment", file.to_str().expect("a name"), "--json", &long], b"");
-        assert!(run.code == 2 && run.messages.contains("too many words in a command"), "{} {}", run.code, run.messages);
+    // The first 64 words are read, and the next sentence is answered as ever.
+    let long = [
+        ["go to the blue room"; 50].join(" and then "),
+        "again ".repeat(1_000),
+        "and ".repeat(1_000),
+        format!("please {}", "go ".repeat(99)),
+    ];
+    let sentences: Vec<String> = long.iter().flat_map(|long| [long.clone(), "go to the blue room".to_owned()]).collect();
+    for pair in asked(&model, &home, &sentences).chunks(2) {
+        assert!(pair[0]["verdict"] == "unsure" || pair[0]["verdict"] == "none", "{}", pair[0]);
+        assert_eq!(pair[1]["task"], go(1), "a long sentence ends no batch");
     }
     for short in
         ["again ".repeat(64), "and ".repeat(64), "not ".repeat(64), "all ".repeat(64), "go and ".repeat(32), "leave and ".repeat(32)]
     {
         let [answer] = &asked(&model, &home, &[short])[..] else { panic!("one answer") };
         assert!(answer["verdict"] == "none" || answer["verdict"] == "unsure", "{answer}");
+    }
+}
+
+#[test]
+fn a_thing_of_a_color_that_is_not_here_is_never_taken_for_another_of_its_kind() {
+    for (wording, lessons) in [(&ENGLISH, 120), (&ENGLISH, 24), (&GERMAN, 120), (&GERMAN, 24)] {
+        let (_folder, model) = taught(lessons, wording);
+        let mut said = Vec::new();
+        for (color, place) in
+            COLORS.iter().filter(|color| **color != "green").flat_map(|color| ["red", "blue", "green"].map(|place| (color, place)))
+        {
+            let home = Home { rooms: vec!["red", "blue", "green"], blocks: vec![("green", "bag", 0), ("red", "chair", 1)], robot: 1 };
+            for template in wording.taking {
+                let words = template.replace("{c}", wording.name(color)).replace("{s}", wording.name("bag"));
+                said.push(words.replace("{}", wording.name(place)));
+            }
+            for (words, answer) in said.iter().zip(asked(&model, &home, &said)) {
+                assert!(answer["verdict"] != "sure" && answer["verdict"] != "done", "{words}: {answer}");
+            }
+            said.clear();
+        }
+    }
+}
+
+/// Verdicts and tasks of sentences of one conversation, each said where the one before leads to.
+fn check_conversation(model: &str, home: &Home, cases: &[(&str, &str, &str)]) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("home.json");
+    let mut home = home.json();
+    // Away from the walls, a robot that only pushes can move a block.
+    for block in home["objects"].as_array_mut().expect("objects").iter_mut().filter(|object| object["class"] == "block") {
+        (block["x"], block["y"]) = (json!(block["x"].as_i64().expect("a number") / 4 * 4 + 2), json!(3));
+    }
+    std::fs::write(&file, home.to_string()).expect("a file");
+    let sentences: Vec<&str> = cases.iter().map(|(words, ..)| *words).collect();
+    let file = file.to_str().expect("a name");
+    let run = goodbot(&["ask", "--with", model, "--environment", file, "--json", "--conversation", "-"], sentences.join("\n").as_bytes());
+    assert_eq!(run.code, 0, "{}", run.messages);
+    for ((words, verdict, task), line) in cases.iter().zip(run.output.lines()) {
+        let answer: Value = serde_json::from_str(line).expect("JSON");
+        assert_eq!(answer["verdict"], *verdict, "{words}: {answer}");
+        if ["sure", "done"].contains(verdict) {
+            assert_eq!(answer["task"], *task, "{words}");
+        }
+    }
+}
+
+#[test]
+fn words_of_a_conversation_stand_for_what_was_done_before() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let cases = [
+        ("go to the blue room", "sure", "agentInRoom(agent0,room1)"),
+        ("go back", "sure", "agentInRoom(agent0,room0)"),
+        ("go there", "done", "agentInRoom(agent0,room0)"),
+    ];
+    check_conversation(&model, &Home { rooms: vec!["red", "blue", "green"], blocks: vec![("yellow", "bag", 2)], robot: 0 }, &cases);
+    let cases = [
+        ("take the yellow bag to the green room", "sure", "blockInRoom(block0,room2)"),
+        ("bring it to the red room", "sure", "blockInRoom(block0,room0)"),
+        ("put it back", "sure", "blockInRoom(block0,room2)"),
+        ("go to the blue room", "sure", "agentInRoom(agent0,room1)"),
+        ("bring it there", "sure", "blockInRoom(block0,room1)"),
+        ("do it again", "done", "blockInRoom(block0,room1)"),
+    ];
+    check_conversation(&model, &Home { rooms: vec!["red", "blue", "green"], blocks: vec![("yellow", "bag", 1)], robot: 0 }, &cases);
+}
+
+#[test]
+fn the_other_one_is_the_other_of_its_kind_and_goes_to_the_same_place() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let blocks = vec![("yellow", "bag", 3), ("red", "chair", 1), ("green", "chair", 2)];
+    let home = Home { rooms: vec!["red", "blue", "green", "purple"], blocks, robot: 0 };
+    let cases = [
+        ("take the red chair to the red room", "sure", "blockInRoom(block1,room0)"),
+        ("the other one too", "sure", "blockInRoom(block2,room0)"),
+    ];
+    check_conversation(&model, &home, &cases);
+    let cases = [
+        ("take the red chair to the red room", "sure", "blockInRoom(block1,room0)"),
+        ("now the same with the bag", "sure", "blockInRoom(block0,room0)"),
+    ];
+    check_conversation(&model, &home, &cases);
+}
+
+#[test]
+fn words_that_point_back_are_not_followed_where_nothing_was_done_before() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let unsure = ["take it there", "put it back", "go back", "the other one", "do it again", "go there"];
+    for (words, answer) in unsure.iter().zip(asked(&model, &three_rooms(), &unsure.map(str::to_owned))) {
+        assert!(answer["verdict"] == "unsure" || answer["verdict"] == "none", "{words}: {answer}");
     }
 }

@@ -127,6 +127,33 @@ impl<'t> Senses<'t> {
     }
 }
 
+/// A word that stands behind the first of so many commands of a kind stands behind a word of the kind.
+const BEHIND: f32 = 0.3;
+
+impl Senses<'_> {
+    /// The kinds of task whose word a new word may be that has this word behind it: one bit each.
+    pub fn acts_before(&mut self, behind: Option<Symbol>) -> u8 {
+        let Some(behind) = behind.filter(|word| word.index() < self.tables.words()) else { return 0 };
+        let (layout, bitext) = (self.tables.layout(), self.bitext);
+        let names = self.of(behind).value.is_some();
+        let (mut with, mut all) = ([0.0_f32; LIFTED_TASKS], [0.0_f32; LIFTED_TASKS]);
+        for session in 0..bitext.sessions() as u16 {
+            let is_plain = self.is_plain;
+            let second = bitext.sentence(session).iter().copied().skip_while(|&word| is_plain(word)).nth(1);
+            let is_alike = second.is_some_and(|word| word == behind || names && self.of(word).value.is_some());
+            for pair in bitext.pairs_of(session) {
+                let Some(row) = form(bitext.command(pair.command)).and_then(|token| layout.form(token)) else { continue };
+                if let (Some(with), Some(all)) = (with.get_mut(row), all.get_mut(row)) {
+                    *all += pair.weight;
+                    *with += if is_alike { pair.weight } else { 0.0 };
+                }
+            }
+        }
+        let is_behind = |(with, all): (f32, f32)| all > 0.0 && with >= BEHIND * all;
+        with.into_iter().zip(all).enumerate().fold(0, |acts, (row, counts)| acts | u8::from(is_behind(counts)) << row)
+    }
+}
+
 /// The values that an utterance names, and which kinds of task it has a sign of.
 pub(crate) struct Named {
     /// The words that name a value, and the values.
@@ -136,11 +163,13 @@ pub(crate) struct Named {
     new: usize,
     acts: u8,
     facts: u8,
+    /// Whether the place, and the thing, of a task need no name.
+    covers: [bool; 2],
 }
 
 impl Named {
     pub fn of(senses: &mut Senses<'_>, said: &[Said]) -> Self {
-        let mut named = Self { words: Vec::new(), values: Vec::new(), new: 0, acts: 0, facts: senses.facts };
+        let mut named = Self { words: Vec::new(), values: Vec::new(), new: 0, acts: 0, facts: senses.facts, covers: [false; 2] };
         for word in said {
             let Some(symbol) = word.symbol.filter(|symbol| symbol.index() < senses.tables.words()) else {
                 named.new = named.new.saturating_add(1);
@@ -156,14 +185,26 @@ impl Named {
         named
     }
 
-    /// Whether a word names the place of a task, and no word anything that the task is not about.
-    pub fn fits(&self, tables: TablesRef<'_>, description: &[Symbol]) -> bool {
-        let (layout, (rows, _)) = (tables.layout(), tables.cells());
+    /// Whether a word names the place of a task.
+    pub fn places(&self, layout: &Layout, description: &[Symbol]) -> bool {
         let is_goal = |position: usize| layout.roles().get(position).is_some_and(|role| role.kind() == RoleKind::Goal);
         let mut places = false;
         named_of(layout, self, description, None, |role, share| {
             places |= share > 0 && role.checked_sub(1).is_some_and(is_goal);
         });
+        places
+    }
+
+    /// Whether all is named that a task is about.
+    pub fn is_whole(&self, layout: &Layout, description: &[Symbol]) -> bool {
+        let mut whole = true;
+        named_of(layout, self, description, None, |role, share| whole &= role == 0 || share == 2);
+        whole
+    }
+
+    /// Whether no word names anything that the task is not about.
+    pub fn is_own(&self, tables: TablesRef<'_>, description: &[Symbol]) -> bool {
+        let (layout, (rows, _)) = (tables.layout(), tables.cells());
         let cell = |value: Symbol, word: Symbol| get(rows, layout.row(Some(value))).get(word.index()).copied().unwrap_or(0.0);
         // A word of a task may go with a value by chance.
         let is_name = |word: Symbol, value: Symbol| beside_values(tables, word) * FOREIGN < cell(value, word);
@@ -176,12 +217,27 @@ impl Named {
             let known = own().filter(|group| group.values.contains(&value)).count();
             !is_name(word, value) || most * FOREIGN >= cell(value, word) && (said == 1 || said <= known)
         };
-        places && self.words.iter().copied().zip(self.values.iter().copied()).all(|named| is_own(&named))
+        self.words.iter().copied().zip(self.values.iter().copied()).all(|named| is_own(&named))
     }
 
     /// Whether there is a sign of a task's kind.
     pub fn acts_for(&self, layout: &Layout, description: &[Symbol]) -> bool {
         form(description).and_then(|token| layout.form(token)).is_some_and(|row| self.acts & 1 << row != 0)
+    }
+
+    /// Other words tell the place, or the thing.
+    pub fn cover(&mut self, place: bool, thing: bool) {
+        self.covers = [place, thing];
+    }
+
+    fn covers(&self, kind: RoleKind) -> bool {
+        let [place, thing] = self.covers;
+        place && kind == RoleKind::Goal || thing && kind == RoleKind::Subject
+    }
+
+    /// A new word may be the sign of some kinds of task.
+    pub const fn may_act(&mut self, kinds: u8) {
+        self.acts |= kinds;
     }
 
     /// Another word is the sign of a task, of whatever kind.
@@ -210,6 +266,11 @@ pub(crate) fn is_of_task(tables: TablesRef<'_>, word: Option<Symbol>) -> bool {
         let background = background(tables, Some(word)).unwrap_or(f32::MAX);
         value_of(tables, word).is_none() && beside_values(tables, word) > OF_TASK * background
     })
+}
+
+/// Whether a word names a value sooner than anything else.
+pub(crate) fn is_name(tables: TablesRef<'_>, word: Option<Symbol>) -> bool {
+    word.is_some_and(|word| value_of(tables, word).is_some())
 }
 
 /// The value that a word names sooner than anything else.
@@ -330,6 +391,7 @@ fn named_of(layout: &Layout, named: &Named, description: &[Symbol], ghost: Optio
                 !has_subject && guests.any(|group| left.iter().any(|value| group.values.contains(value)))
             };
             let share = match said {
+                _ if named.covers(kind) => 2,
                 0 => usize::from(names_guest()),
                 said if said == all => 2,
                 _ => 1,

@@ -1,0 +1,205 @@
+//! Words that stand for what was said before: "it", "there", "back", "the other one", "the same with the bag", "again".
+//!
+//! Such words narrow the tasks to those that the conversation leaves possible. The other words are read as ever, and what the narrowing
+//! tells needs no name of its own.
+
+use super::classes::Class;
+use super::conversation::{Conversation, Fact};
+use super::listening::{Explained, Heard, View, Wording, Words, learned};
+use crate::memory::AgentMemory;
+use crate::oomdp::Domain;
+use crate::probability::Scaled;
+use crate::session::{Agent, AgentError};
+use crate::task::grounded::is_thing;
+use crate::task::{GroundedTask, LiftedTask};
+use heapless::Vec;
+
+/// How probable it is that an utterance in a conversation points back, and each word by which it does.
+const POINTS_BACK: f32 = 0.4;
+const CUE: f32 = 0.6;
+/// How much less probable a command is, as it was learned, without the words for a thing, for a place,
+/// or for what to do. "The same" counts twice.
+const MISSING: f32 = 10.0;
+/// The share of a reading in which the place is not the one of before: "bring it back to the red room".
+const ELSEWHERE: f32 = 0.3;
+
+/// What words that point back can point at.
+#[derive(Clone, Copy)]
+pub(super) enum Before<'c> {
+    /// Nothing was said before.
+    Nothing,
+    /// Tasks that were done.
+    Known(&'c Conversation),
+    /// A part of the same utterance, which is not done yet.
+    Open,
+}
+
+/// What is known of the place.
+#[derive(Clone, Copy, PartialEq)]
+enum Place {
+    /// It must be named.
+    Free,
+    /// The one that was named last.
+    Named,
+    /// Where the thing, or the robot, was before.
+    Was,
+}
+
+/// What is known of the thing.
+#[derive(Clone, Copy, PartialEq)]
+enum Thing {
+    /// It must be named, or the task is about none.
+    Free,
+    /// The one of the last task.
+    Last,
+    /// Another of its kind.
+    Other,
+    /// Any but the one of the last task, of the same kind of task.
+    Named,
+}
+
+/// Which tasks fit the words that point back.
+#[derive(Clone, Copy)]
+pub(super) struct Recalled<'c> {
+    before: Before<'c>,
+    thing: Thing,
+    place: Place,
+}
+
+/// The classes of words that point back.
+const CUES: [Class; 5] = [Class::It, Class::There, Class::Back, Class::Other, Class::Same];
+
+impl Recalled<'_> {
+    /// Whether the thing of a task needs no name.
+    pub const fn has_thing(&self) -> bool {
+        matches!(self.thing, Thing::Last | Thing::Other)
+    }
+
+    /// Whether the place of a task needs no name.
+    pub fn has_place(&self) -> bool {
+        self.place != Place::Free
+    }
+
+    /// Whether a task is one that the words can point at: of one proposition about something and its place, without a way.
+    pub fn fits<D: Domain + ?Sized>(&self, domain: &D, all: &[LiftedTask], task: &GroundedTask) -> bool {
+        let world = domain.world();
+        let kind = all.get(usize::from(task.lifted)).filter(|kind| !kind.has_way() && kind.propositions().len() == 1);
+        let Some(part) = kind.and_then(|kind| task.propositions(kind).next()) else { return false };
+        let (Some(&subject), [_, _]) = (part.arguments.first(), world.schema.parameters(part.proposition)) else { return false };
+        let Some(&place) = part.arguments.get(1) else { return false };
+        let is_about_thing = is_thing(&world, subject);
+        let Before::Known(conversation) = self.before else { return is_about_thing || self.thing == Thing::Free };
+        let holds = |fact, object| conversation.holds(domain, fact, object);
+        let is_like_last = conversation.last().is_some_and(|last| last.lifted == task.lifted);
+        let is_the_thing = match self.thing {
+            Thing::Free => true,
+            Thing::Last => is_about_thing && holds(Fact::MovedLast, subject),
+            Thing::Other if is_about_thing => is_like_last && holds(Fact::OtherOfItsKind, subject),
+            Thing::Other => is_like_last && !holds(Fact::NamedLast, place),
+            Thing::Named => is_like_last && is_about_thing && !holds(Fact::MovedLast, subject),
+        };
+        let is_the_place = match self.place {
+            Place::Free => true,
+            Place::Named => holds(Fact::NamedLast, place),
+            Place::Was if is_about_thing => holds(Fact::MovedLast, subject) && holds(Fact::WasThereBefore, place),
+            Place::Was => holds(Fact::RobotWasThereBefore, place),
+        };
+        // "The other room" is another place than that of the last task.
+        is_the_thing && (is_the_place || self.thing == Thing::Other && !is_about_thing)
+    }
+}
+
+/// The words without those that point back, with how probable it is that these do.
+fn without(words: &[Heard]) -> Option<(Words, f32)> {
+    let (mut rest, mut probability) = (Words::new(), POINTS_BACK);
+    // "The other one" needs no other word.
+    let is_told = words.iter().any(|word| word.classes.contains_any(&[Class::Other, Class::Same]));
+    for word in words {
+        if word.classes.contains_any(&CUES) {
+            probability *= CUE;
+        } else if is_told && word.is_plain() {
+            probability *= word.beside();
+        } else {
+            let _ = rest.push(*word);
+        }
+    }
+    let is_pointing = rest.len() < words.len() && (is_told || !rest.is_empty());
+    is_pointing.then(|| (rest, probability / learned(words, |word| word.classes.contains_any(&CUES))))
+}
+
+/// What the words that point back may point at, each with its share.
+fn readings<'c>(words: &[Heard], before: Before<'c>) -> Vec<(Recalled<'c>, f32), 2> {
+    let has = |class| words.iter().any(|word| word.classes.contains(class));
+    let thing = if has(Class::Other) {
+        Thing::Other
+    } else if has(Class::Same) {
+        Thing::Named
+    } else if has(Class::It) {
+        Thing::Last
+    } else {
+        Thing::Free
+    };
+    let places: &[(Place, f32)] = if has(Class::There) {
+        &[(Place::Named, 1.0)]
+    } else if has(Class::Back) {
+        &[(Place::Was, 1.0 - ELSEWHERE), (Place::Free, ELSEWHERE)]
+    } else if matches!(thing, Thing::Other | Thing::Named) {
+        &[(Place::Named, 1.0 - ELSEWHERE), (Place::Free, ELSEWHERE)]
+    } else {
+        &[(Place::Free, 1.0)]
+    };
+    places.iter().map(|&(place, share)| (Recalled { before, thing, place }, share)).collect()
+}
+
+impl<M: AgentMemory> Agent<M> {
+    /// How well the tasks here explain some words, where some of these may point back. The likeliest reading is taken.
+    pub(super) fn explain_all<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: &[Heard],
+        wording: &Wording<'_>,
+        view: View<'_>,
+    ) -> Result<Explained, AgentError> {
+        let mut explained = self.explain_words(domain, words, wording, view, None)?;
+        let (false, Some((rest, prior))) = (matches!(view.before, Before::Nothing), without(words)) else { return Ok(explained) };
+        for (recalled, share) in readings(words, view.before) {
+            let kind = match view.before {
+                Before::Known(conversation) if matches!(recalled.thing, Thing::Other | Thing::Named) => {
+                    conversation.last().map(|last| last.lifted)
+                }
+                _ => view.kind,
+            };
+            let view = View { has_act: view.has_act || matches!(recalled.thing, Thing::Other | Thing::Named), kind, ..view };
+            let mut other = self.explain_words(domain, &rest, wording, view, Some(recalled))?;
+            // Words are missing that a command would have.
+            let is_same = recalled.thing == Thing::Named;
+            let missing = [recalled.has_thing(), recalled.has_place(), is_same, is_same];
+            let missing = missing.into_iter().filter(|&is_missing| is_missing).fold(1.0, |product, _| product * MISSING);
+            let prior = prior * share * missing;
+            (other.here, other.absent) = (other.here.scaled_by(prior), other.absent.scaled_by(prior));
+            if other.here.exceeds(explained.here) {
+                explained = other;
+            }
+        }
+        Ok(explained)
+    }
+
+    /// The position of the last task among those of the session, where words ask for it again and for nothing else.
+    pub(super) fn again(&self, words: &[Heard], before: Before<'_>, explained: &Explained) -> Option<usize> {
+        let Before::Known(conversation) = before else { return None };
+        let last = conversation.last()?;
+        let asks = words.iter().any(|word| word.classes.contains(Class::Again) && !word.classes.contains_any(&[Class::Back, Class::Undo]));
+        let task = self.tasks().iter().position(|task| (task.lifted, task.bindings) == (last.lifted, last.bindings))?;
+        (asks && (!explained.acts || explained.signed.contains(task))).then_some(task)
+    }
+}
+
+impl Explained {
+    /// One task alone.
+    pub(super) fn only(mut self, task: usize) -> Self {
+        for (position, weight) in self.weights.iter_mut().enumerate() {
+            *weight = if position == task { Scaled::ONE } else { Scaled::ZERO };
+        }
+        self
+    }
+}
