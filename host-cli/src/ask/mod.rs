@@ -16,6 +16,7 @@ mod why;
 
 use clap::{Args, ValueHint};
 use following::{Followed, Step};
+use goodbot::capacity::WORDS_PER_COMMAND;
 use goodbot::home::Map;
 use goodbot::home::{Home, HomeState, Moves};
 use goodbot::language::{Synonyms, first_words};
@@ -423,7 +424,7 @@ fn print(
         writeln!(out, "\nnever heard: {}", unheard.join(", "))?;
     }
     if answer.unread > 0 {
-        writeln!(out, "\nthe last {} words were not read: say it in parts", answer.unread)?;
+        writeln!(out, "\nthe words behind the first {WORDS_PER_COMMAND} were not read: say it in parts")?;
     }
     verdict(out, options.threshold, answer)?;
     if answer.tied() > 1 {
