@@ -288,7 +288,7 @@ impl Mechanism {
         }
         let bound: Vec<(&str, ClassId)> = action.parameters.iter().map(|(name, of)| (name.as_str(), class(of))).collect();
         let mut cases_of_all = 0_usize;
-        let mut one = |binding: &BTreeMap<&str, ObjectId>| -> Result<(), Flaw> {
+        let mut one = |binding: &Binding<'_>| -> Result<(), Flaw> {
             let mut cases = Vec::new();
             each_binding(objects, &free, binding, &mut |binding| {
                 cases_of_all += 1;
@@ -313,7 +313,7 @@ impl Mechanism {
     }
 
     /// What happens with these objects, where that can ever be.
-    fn case(&self, action: &ActionOfWorld, schema: &Schema<'_>, objects: Objects<'_>, binding: &BTreeMap<&str, ObjectId>) -> Option<Case> {
+    fn case(&self, action: &ActionOfWorld, schema: &Schema<'_>, objects: Objects<'_>, binding: &Binding<'_>) -> Option<Case> {
         let key = |literal: &Literal| -> Option<Key> {
             let mut arguments = [ObjectId::new(0); ARGUMENTS];
             for (slot, term) in arguments.iter_mut().zip(&literal.terms) {
@@ -361,12 +361,15 @@ fn choices(objects: Objects<'_>, classes: &[ClassId]) -> Result<Vec<[ObjectId; A
     Ok(all)
 }
 
+/// The object of each variable.
+type Binding<'v> = BTreeMap<&'v str, ObjectId>;
+
 /// Each choice of objects for variables beside those that have theirs; different variables have different objects.
 fn each_binding<'v>(
     objects: Objects<'_>,
     variables: &[(&'v str, ClassId)],
-    before: &BTreeMap<&'v str, ObjectId>,
-    each: &mut dyn FnMut(&BTreeMap<&'v str, ObjectId>) -> Result<(), Flaw>,
+    before: &Binding<'v>,
+    each: &mut dyn FnMut(&Binding<'v>) -> Result<(), Flaw>,
 ) -> Result<(), Flaw> {
     let Some((&(name, class), rest)) = variables.split_first() else { return each(before) };
     for object in objects.of_class(class) {
