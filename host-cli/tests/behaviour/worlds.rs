@@ -113,11 +113,11 @@ fn a_robot_from_a_file_is_checked_and_its_commands_are_planned_for() {
     assert_eq!(checked.output, "standard input: a world of 5 objects and 3 tasks, with a robot of 4 actions and 8 states, no fault\n");
     for (from, to, told) in [
         ("\"liftAtFloor(lift0,floor1)\",", "", "field \"facts\": say no value of the variable liftAtFloor of lift0"),
-        ("\"effects\":[\"doorOpen(lift0)\"]", "\"effects\":[]", "15: field \"actions[2].effects\": are none"),
+        ("\"effects\":[\"doorOpen(lift0)\"]", "\"effects\":[]", "16: field \"actions[2].effects\": are none"),
         (
             "\"effects\":[\"doorOpen(lift0)\"]",
             "\"effects\":[\"lit(lift0)\"]",
-            "15: field \"actions[2].effects[0]\": the world has no proposition \"lit\"",
+            "16: field \"actions[2].effects[0]\": the world has no proposition \"lit\"",
         ),
     ] {
         let wrong = goodbot(&["check", "-"], lift.replacen(from, to, 1).as_bytes());
