@@ -201,6 +201,33 @@ pub enum Problem {
     Negated,
     /// A kind of task of a world that has a way.
     KindWithWay,
+    /// A variable of a world whose last argument can be no object.
+    NoValues {
+        /// The class of its values.
+        class: String,
+    },
+    /// A parameter that does not begin with `?`.
+    NoVariable {
+        /// The parameter.
+        name: String,
+    },
+    /// A variable in an effect that is no parameter and in no condition.
+    UnknownVariable {
+        /// The variable.
+        name: String,
+    },
+    /// An effect that takes a variable of the world its value and gives it none.
+    NegatedVariable {
+        /// The variable.
+        name: String,
+    },
+    /// An action without an effect.
+    NoEffect,
+    /// A cost that no action can have.
+    Cost {
+        /// The cost.
+        cost: u64,
+    },
     /// A command in a world that was not named before it.
     NoSuchWorld {
         /// The world's name.
@@ -338,6 +365,18 @@ impl fmt::Display for Problem {
             Problem::KindWithWay => {
                 f.write_str("has a way (then, through, avoiding), which worlds from files do not know; write the goal alone")
             }
+            Problem::NoValues { class } => {
+                write!(f, "is a variable without values: there is no object of the class {}; add one", quoted(class))
+            }
+            Problem::NoVariable { name } => write!(f, "{} is no variable; begin it with ?, like \"?room\"", quoted(name)),
+            Problem::UnknownVariable { name } => {
+                write!(f, "?{} has no value: it is no parameter and in no condition; add it to one of them", excerpt(name, 40))
+            }
+            Problem::NegatedVariable { name } => {
+                write!(f, "{} is a variable, which always has a value; write the effect that gives it another", quoted(name))
+            }
+            Problem::NoEffect => f.write_str("are none: an action that changes nothing is of no use; write what holds after it"),
+            Problem::Cost { cost } => write!(f, "{cost} is no cost of an action; write a whole number from 1 to 16"),
             Problem::NoSuchWorld { name } => {
                 write!(f, "no world {} could be read on a line before this one; put the world's line first", quoted(name))
             }

@@ -1,4 +1,4 @@
-//! `goodbot example`: a home, a session log and a table of synonyms to begin with.
+//! `goodbot example`: a home, a session log, a world and a table of synonyms to begin with.
 
 use clap::ValueEnum;
 use goodbot_console::outcome::Failure;
@@ -13,6 +13,8 @@ pub enum Example {
     Map,
     /// A session log: what was said, done and judged
     Log,
+    /// A world of another kind: a lift, with what it can do
+    World,
     /// A table of words that mean the same
     Synonyms,
 }
@@ -43,6 +45,7 @@ pub fn run(what: Example) -> Result<(), Failure> {
         Example::Home => include_str!("example/home.json"),
         Example::Map => MAP,
         Example::Log => include_str!("example/sessions.jsonl"),
+        Example::World => include_str!("example/world.json"),
         Example::Synonyms => include_str!("example/synonyms.txt"),
     };
     Ok(std::io::stdout().lock().write_all(text.as_bytes())?)

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::action::ActionOfWorld;
 use crate::error::{FormatError, Problem};
 use crate::json::{Node, Object, Source};
 use crate::task_text::{GroundAtomText, LiftedTaskText, TaskTextError, is_usable_name};
@@ -23,6 +24,10 @@ pub struct WorldFile {
     pub facts: Vec<GroundAtomText>,
     /// The kinds of task that commands may mean.
     pub task_kinds: Vec<LiftedTaskText>,
+    /// The propositions that are variables: for each choice of the first arguments exactly one last argument holds at a time.
+    pub variables: Vec<String>,
+    /// What a robot can do.
+    pub actions: Vec<ActionOfWorld>,
 }
 
 /// An object of a world.
@@ -36,7 +41,20 @@ pub struct ObjectOfWorld {
     pub attributes: Vec<(String, String)>,
 }
 
-const FIELDS: &[&str] = &["type", "name", "classes", "attributes", "propositions", "objects", "facts", "task_kinds", "license", "source"];
+const FIELDS: &[&str] = &[
+    "type",
+    "name",
+    "classes",
+    "attributes",
+    "propositions",
+    "objects",
+    "facts",
+    "task_kinds",
+    "license",
+    "source",
+    "variables",
+    "actions",
+];
 
 impl WorldFile {
     /// Reads a world, be it on one line or on many.
@@ -61,9 +79,14 @@ impl WorldFile {
         world.attributes = world.of_classes(fields.required("attributes")?, false)?;
         world.propositions = world.of_classes(fields.required("propositions")?, true)?;
         world.read_objects(&fields.required("objects")?)?;
-        let objects = Known::of(&world);
         if let Some(facts) = fields.optional("facts") {
-            world.facts = objects.atoms(&facts)?;
+            world.facts = Known::of(&world).atoms(&facts)?;
+        }
+        if let Some(variables) = fields.optional("variables") {
+            world.read_variables(&variables)?;
+        }
+        if let Some(actions) = fields.optional("actions") {
+            world.read_actions(&actions)?;
         }
         for node in fields.required("task_kinds")?.filled_list()? {
             let kind: LiftedTaskText = node.text()?.parse().map_err(|error| node.error(Problem::Task(error)))?;
@@ -128,6 +151,37 @@ impl WorldFile {
         Ok(())
     }
 
+    fn read_variables(&mut self, list: &Node<'_>) -> Result<(), FormatError> {
+        for node in list.list()? {
+            let name = node.text()?;
+            let Some((_, classes)) = self.propositions.iter().find(|(known, _)| *known == name) else {
+                return Err(node.error(Problem::NotInWorld { what: "proposition", name }));
+            };
+            if let Some(class) = classes.last().filter(|class| self.objects.iter().all(|object| object.class != **class)) {
+                return Err(node.error(Problem::NoValues { class: class.clone() }));
+            }
+            if self.variables.contains(&name) {
+                return Err(node.error(Problem::DuplicateName { name }));
+            }
+            self.variables.push(name);
+        }
+        Ok(())
+    }
+
+    fn read_actions(&mut self, list: &Node<'_>) -> Result<(), FormatError> {
+        let mut actions: Vec<ActionOfWorld> = Vec::new();
+        let known = Known::of(self);
+        for node in list.list()? {
+            let action = ActionOfWorld::read(&node, &known)?;
+            if actions.iter().any(|other| other.name == action.name) {
+                return Err(node.error(Problem::DuplicateName { name: action.name }));
+            }
+            actions.push(action);
+        }
+        self.actions = actions;
+        Ok(())
+    }
+
     /// Whether the propositions of a kind of task are the world's, and each of its variables has one class.
     fn check_kind(&self, node: &Node<'_>, kind: &LiftedTaskText) -> Result<(), FormatError> {
         let way = kind.way();
@@ -147,7 +201,7 @@ impl WorldFile {
     }
 
     /// The classes of a proposition's arguments, of which there must be so many.
-    fn parameters(&self, node: &Node<'_>, function: &str, given: usize) -> Result<&[String], FormatError> {
+    pub(super) fn parameters(&self, node: &Node<'_>, function: &str, given: usize) -> Result<&[String], FormatError> {
         match self.propositions.iter().find(|(name, _)| name == function) {
             None => Err(node.error(Problem::NotInWorld { what: "proposition", name: function.to_owned() })),
             Some((_, parameters)) if parameters.len() != given => {
@@ -155,6 +209,24 @@ impl WorldFile {
             }
             Some((_, parameters)) => Ok(parameters),
         }
+    }
+}
+
+/// The line, counted from 1, of a field such as `objects[3]`, `propositions.at` or `actions` in the text of a world: what is found wrong with
+/// the world as a whole can be told in its place.
+pub fn field_line(text: &str, field: &str) -> Option<usize> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let source = Source::new(text, 1);
+    let world = source.root().ok()?.object().ok()?;
+    let end = field.find(['[', '.']).unwrap_or(field.len());
+    let (name, rest) = field.split_at(end);
+    let node = world.optional(name)?;
+    if let Some(position) = rest.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+        return node.list().ok()?.get(position.parse::<usize>().ok()?).map(Node::line);
+    }
+    match rest.strip_prefix('.') {
+        Some(entry) => node.object().ok()?.optional(entry).map(|node| node.line()),
+        None => Some(node.line()),
     }
 }
 
@@ -167,6 +239,14 @@ pub(super) struct Known<'w> {
 impl<'w> Known<'w> {
     pub(super) fn of(world: &'w WorldFile) -> Self {
         Known { world, classes: world.objects.iter().map(|object| (object.name.as_str(), object.class.as_str())).collect() }
+    }
+
+    pub(super) const fn world(&self) -> &'w WorldFile {
+        self.world
+    }
+
+    pub(super) fn class_of(&self, object: &str) -> Option<&'w str> {
+        self.classes.get(object).copied()
     }
 
     /// Propositions about the world's objects.
@@ -207,7 +287,7 @@ fn names(list: &Node<'_>) -> Result<Vec<String>, FormatError> {
     Ok(names)
 }
 
-fn usable(node: &Node<'_>) -> Result<String, FormatError> {
+pub(super) fn usable(node: &Node<'_>) -> Result<String, FormatError> {
     let name = node.text()?;
     if is_usable_name(&name) { Ok(name) } else { Err(node.error(Problem::Task(TaskTextError::UnusableName { name }))) }
 }

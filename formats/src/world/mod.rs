@@ -13,6 +13,12 @@
 //! | `facts` | propositions that hold, such as `"p(a,b)"`; may be absent |
 //! | `task_kinds` | a list of kinds of task, such as `"p(?x,?y)"` |
 //! | `license`, `source` | where it is from; may be absent |
+//! | `variables` | propositions of which exactly one last argument holds at a time, such as `at(robot,room)`; may be absent |
+//! | `actions` | what a robot can do there; may be absent |
+//!
+//! An action has a `name`, `parameters` (from variables such as `?room` to classes), `conditions` and `effects` (lists of propositions with
+//! variables or objects, `!` before one that is not to hold, or holds no more) and a `cost` of 1 to 16; all but `name` and `effects` may be absent. A
+//! variable of its conditions that is no parameter takes the value with which they hold.
 //!
 //! A log of worlds has one record on each line: a world, or a command in a world that was named before:
 //!
@@ -41,10 +47,12 @@
 //! # Ok::<(), goodbot_formats::FormatError>(())
 //! ```
 
+mod action;
 mod command;
 mod file;
 mod reader;
 
+pub use action::{ActionOfWorld, Literal, Term};
 pub use command::CommandRecord;
-pub use file::{ObjectOfWorld, WorldFile};
+pub use file::{ObjectOfWorld, WorldFile, field_line};
 pub use reader::{Line, WorldReader};

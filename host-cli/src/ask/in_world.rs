@@ -1,4 +1,4 @@
-//! Commands in a world from a file: what they mean there. Nothing is planned.
+//! Commands in a world from a file: what they mean there, and where a robot acts there, how it does that.
 
 use super::{AskOptions, SURE, lines};
 use goodbot::Capacities;
@@ -10,19 +10,28 @@ use goodbot_console::load::synonyms::in_known_words;
 use goodbot_console::outcome::Failure;
 use goodbot_console::refusal;
 use goodbot_formats::Problem;
+use goodbot_formats::task_text::GroundTaskText;
 use goodbot_formats::world::WorldFile;
 use goodbot_lesson::Fault;
+use goodbot_lesson::world::robot;
 use serde_json::json;
 use std::io::{BufRead, BufWriter, Write};
 
 /// So many meanings are told.
 const TOLD: usize = 10;
 
+/// The commands, and the world where it is one with actions.
+#[derive(Debug, Default)]
+pub struct Questions {
+    lessons: Vec<Lesson>,
+    world: Option<WorldFile>,
+}
+
 /// The commands, where the options name a world or a log of worlds; nothing where they name something else.
 ///
 /// # Errors
 /// What is wrong with the file, or with the options.
-pub fn questions(options: &AskOptions) -> Result<Option<Vec<Lesson>>, Failure> {
+pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
     let fault = |fault: Fault| Failure::Input(fault.to_string());
     // Standard input is read once: it has a home.
     let Some(file) = options.log.as_ref().or(options.environment.as_ref()).filter(|file| *file != "-") else { return Ok(None) };
@@ -46,7 +55,7 @@ pub fn questions(options: &AskOptions) -> Result<Option<Vec<Lesson>>, Failure> {
         if lessons.is_empty() {
             return Err(Failure::Input(format!("{name}: has no such command; check its id")));
         }
-        return Ok(Some(lessons));
+        return Ok(Some(Questions { lessons, world: None }));
     }
     let bytes = input::rest(name, opened).map_err(fault)?;
     let text = String::from_utf8(bytes).map_err(|_| fault(Fault::new(name, Problem::NotUtf8)))?;
@@ -57,20 +66,21 @@ pub fn questions(options: &AskOptions) -> Result<Option<Vec<Lesson>>, Failure> {
     };
     let question =
         |command: &String| worlds::question(&world, command, model).map_err(|error| fault(Fault::new(name, error).in_field("task_kinds")));
-    commands.iter().map(question).collect::<Result<_, _>>().map(Some)
+    let lessons = commands.iter().map(question).collect::<Result<_, _>>()?;
+    Ok(Some(Questions { lessons, world: Some(world).filter(|world| !world.actions.is_empty()) }))
 }
 
 /// Asks them.
 ///
 /// # Errors
 /// [`Failure`].
-pub fn ask(options: &AskOptions, lessons: &[Lesson]) -> Result<(), Failure> {
+pub fn ask(options: &AskOptions, questions: &Questions) -> Result<(), Failure> {
     let mut memory = AgentHeap::new(&Capacities::NONE);
     let mut model = restored::language(&options.with, &mut memory)?;
     let synonyms = options.synonyms.read()?;
     let synonyms = synonyms.table()?;
     let mut out = BufWriter::new(std::io::stdout().lock());
-    for (number, lesson) in lessons.iter().enumerate() {
+    for (number, lesson) in questions.lessons.iter().enumerate() {
         let heard = in_known_words(synonyms, model.read(), &lesson.command)?;
         let asked = Lesson { command: heard, ..lesson.clone() };
         let posterior = training::posterior(&mut model, &asked).map_err(|error| Failure::Input(refusal::in_words(&error.into())))?;
@@ -81,11 +91,15 @@ pub fn ask(options: &AskOptions, lessons: &[Lesson]) -> Result<(), Failure> {
         let verdict = if *share >= options.threshold.unwrap_or(SURE) { "sure" } else { "unsure" };
         let meant = lesson.intended.and_then(|task| lesson.readings.get(task)).map(|reading| reading.name.to_string());
         let told = meanings.iter().take(TOLD);
+        let plan = match (&questions.world, best.parse::<GroundTaskText>()) {
+            (Some(world), Ok(task)) => robot::plan(world, &task).map_err(|flaw| Failure::Input(format!("{}: {flaw}", world.name)))?,
+            _ => None,
+        };
         if options.json {
             let tasks: serde_json::Map<_, _> = told.map(|(name, share)| (name.clone(), json!(share))).collect();
             let line = json!({
                 "type": "answer", "session": lesson.header.id, "command": lesson.command, "task": best, "tasks": tasks,
-                "of": meanings.len(), "verdict": verdict, "expected": meant,
+                "of": meanings.len(), "verdict": verdict, "expected": meant, "plan": plan,
             });
             writeln!(out, "{line}")?;
             continue;
@@ -98,6 +112,11 @@ pub fn ask(options: &AskOptions, lessons: &[Lesson]) -> Result<(), Failure> {
             writeln!(out, "  {share:6.3}  {name}")?;
         }
         writeln!(out, "{verdict}: {best}, of {} tasks", meanings.len())?;
+        match plan {
+            Some(plan) => writeln!(out, "plan: {}", plan.join(" "))?,
+            None if questions.world.is_some() => writeln!(out, "no plan leads there")?,
+            None => {}
+        }
         if let Some(meant) = meant {
             writeln!(out, "meant was {meant}")?;
         }

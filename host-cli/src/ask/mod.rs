@@ -5,7 +5,7 @@
 //! - [`plan`]: the actions that lead to a goal;
 //! - [`why`]: word by word, what speaks for a task;
 //! - [`drawing`]: the home as text;
-//! - [`in_world`]: a command in a world from a file, which has no home to draw and nothing to plan.
+//! - [`in_world`]: a command in a world from a file, which has no home to draw.
 
 mod drawing;
 mod following;
@@ -156,8 +156,8 @@ struct Answer {
 /// # Errors
 /// [`Failure`].
 pub fn run(options: &AskOptions) -> Result<(), Failure> {
-    if let Some(lessons) = in_world::questions(options)? {
-        return in_world::ask(options, &lessons);
+    if let Some(questions) = in_world::questions(options)? {
+        return in_world::ask(options, &questions);
     }
     let lifted = options.kinds.lifted()?;
     let mut agent = restored::agent(&options.with, &lifted)?;

@@ -7,6 +7,7 @@ mod doubts;
 use clap::Args;
 use goodbot::home::paper_tasks;
 use goodbot::language::Model;
+use goodbot::oomdp::{Domain, check as soundness};
 use goodbot::task::LiftedTask;
 use goodbot_console::lessons::worlds;
 use goodbot_console::load::content::Content;
@@ -19,7 +20,8 @@ use goodbot_formats::environment::{self, EnvironmentFile};
 use goodbot_formats::map;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession, SessionReader};
-use goodbot_formats::world::WorldFile;
+use goodbot_formats::world::{WorldFile, field_line};
+use goodbot_lesson::world::robot::{self, Flaw};
 use goodbot_lesson::{Fault, checked, home};
 use serde_json::json;
 use std::collections::HashMap;
@@ -242,6 +244,31 @@ fn check_log(file: &str, log: impl BufRead, lifted: &[LiftedTask]) -> Findings {
     found
 }
 
+/// So many states of a robot are looked at.
+const MOST_STATES: usize = 1_000_000;
+
+/// The robot of a world: what it can come to.
+fn check_robot(file: &str, world: &WorldFile, found: &mut Findings) -> Result<(), Flaw> {
+    robot::with(world, |robot, start| {
+        robot::tasks(world, robot)?;
+        let actions = counted(robot.actions().len(), "action");
+        match soundness(robot, start, MOST_STATES) {
+            Ok(checked) => {
+                let and_more = if checked.all { "" } else { " or more" };
+                found.what.push_str(&format!(", with a robot of {actions} and {}{and_more}", counted(checked.states, "state")));
+                if let Some(never) = checked.never_held.filter(|_| checked.all) {
+                    let name = robot.world().schema.proposition_name(never).to_owned();
+                    let warning =
+                        Fault::new(file, "holds of no objects, whatever the robot does; leave it out, or correct the facts and effects");
+                    found.warnings.push(warning.in_field(format!("propositions.{name}")));
+                }
+            }
+            Err(error) => found.faults.push(Fault::new(file, error)),
+        }
+        Ok(())
+    })?
+}
+
 /// A world, be it on many lines, or a log of worlds.
 fn check_worlds(file: &str, mut opened: impl BufRead) -> Result<Findings, Fault> {
     let first = opened.fill_buf().ok().and_then(|head| head.split(|&byte| byte == b'\n').next()).unwrap_or(&[]);
@@ -251,8 +278,13 @@ fn check_worlds(file: &str, mut opened: impl BufRead) -> Result<Findings, Fault>
     if !is_log {
         let text = String::from_utf8(input::rest(file, opened)?).map_err(|_| Fault::new(file, Problem::NotUtf8))?;
         let world = WorldFile::parse(&text).map_err(|error| Fault::from_format(file, error))?;
-        let tasks = goodbot_lesson::world::meanings(&world, &world.facts).map_err(|error| Fault::new(file, error))?;
+        let tasks =
+            goodbot_lesson::world::meanings(&world, &world.facts).map_err(|error| Fault::new(file, error).in_field("task_kinds"))?;
         found.what = format!("a world of {} and {}", counted(world.objects.len(), "object"), counted(tasks.len(), "task"));
+        if !world.actions.is_empty() {
+            let at = |flaw: Flaw| Fault { line: field_line(&text, &flaw.field), ..Fault::new(file, &flaw.message) }.in_field(flaw.field);
+            check_robot(file, &world, &mut found).map_err(at)?;
+        }
         return Ok(found);
     }
     let (mut commands, mut no_task) = (0_usize, 0_usize);

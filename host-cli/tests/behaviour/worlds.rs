@@ -103,3 +103,42 @@ fn a_model_of_homes_is_not_asked_in_other_worlds_and_logs_of_both_are_not_mixed(
     let both = goodbot(&["learn", homes, worlds, "--out", model], b"");
     assert!(both.code == 2 && both.messages.contains("learn from each by itself"), "{}", both.messages);
 }
+
+#[test]
+fn a_robot_from_a_file_is_checked_and_its_commands_are_planned_for() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lift = goodbot(&["example", "world"], b"").output;
+    assert_eq!(lift, include_str!("../../../docs/examples/worlds/lift.json"));
+    let checked = goodbot(&["check", "-"], lift.as_bytes());
+    assert_eq!(checked.output, "standard input: a world of 5 objects and 3 tasks, with a robot of 4 actions and 8 states, no fault\n");
+    for (from, to, told) in [
+        ("\"liftAtFloor(lift0,floor1)\",", "", "field \"facts\": say no value of the variable liftAtFloor of lift0"),
+        ("\"effects\":[\"doorOpen(lift0)\"]", "\"effects\":[]", "16: field \"actions[2].effects\": are none"),
+        (
+            "\"effects\":[\"doorOpen(lift0)\"]",
+            "\"effects\":[\"lit(lift0)\"]",
+            "16: field \"actions[2].effects[0]\": the world has no proposition \"lit\"",
+        ),
+    ] {
+        let wrong = goodbot(&["check", "-"], lift.replacen(from, to, 1).as_bytes());
+        assert!(wrong.code == 2 && wrong.messages.contains(told), "{told}: {}", wrong.messages);
+    }
+    // A log names its worlds on one line each.
+    let line: String = lift.lines().collect();
+    let command = |words: &str, floor: u8| {
+        format!(r#"{{"type":"command","world":"lift","command":"{words}","intended":["liftAtFloor(lift0,floor{floor})"]}}"#)
+    };
+    let said =
+        [("to the roof", 3), ("up to the roof", 3), ("to the garage", 0), ("garage please", 0), ("the office", 2), ("to the office", 2)];
+    let log = [vec![line], said.map(|(words, floor)| command(words, floor)).to_vec()].concat().join("\n");
+    let (world, log, model) =
+        (file(folder.path(), "lift.json", &lift), file(folder.path(), "log.jsonl", &log), folder.path().join("lift.goodbot"));
+    let [world, log, model] = [&world, &log, &model].map(|path| path.to_str().expect("UTF-8"));
+    assert_eq!(goodbot(&["learn", log, "--out", model], b"").code, 0);
+    let answer = last_line(&goodbot(&["ask", "--with", model, "--environment", world, "--json", "roof please"], b""));
+    assert_eq!(
+        (answer["task"].as_str(), &answer["plan"]),
+        (Some("liftAtFloor(lift0,floor3)"), &serde_json::json!(["up", "up"])),
+        "{answer}"
+    );
+}

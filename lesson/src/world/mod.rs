@@ -7,6 +7,10 @@
 //! - one role an argument has the values of the object there, a sort for each attribute, and what holds of the object alone.
 //!
 //! So what was learned of an object in one kind of task serves in all.
+//!
+//! A world with actions is a robot's: see [`robot`].
+
+pub mod robot;
 
 use goodbot::capacity::NAME_BYTES;
 use goodbot::oomdp::PropositionId;

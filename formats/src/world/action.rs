@@ -1,0 +1,128 @@
+//! What a robot can do in a world: actions with conditions, effects and a cost.
+
+use std::collections::BTreeMap;
+
+use super::file::Known;
+use crate::error::{FormatError, Problem};
+use crate::json::Node;
+use crate::task_text::GroundAtomText;
+
+/// An action of a world.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ActionOfWorld {
+    /// Its name.
+    pub name: String,
+    /// Its parameters without their `?`, each with its class: each choice of objects for them is an action of the robot.
+    pub parameters: Vec<(String, String)>,
+    /// What must hold, and what must not, before it.
+    pub conditions: Vec<Literal>,
+    /// What holds after it, and what does not.
+    pub effects: Vec<Literal>,
+    /// Its cost, 1 to 16.
+    pub cost: u8,
+}
+
+/// A proposition of an action, or its opposite.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Literal {
+    /// Whether it is the opposite.
+    pub negated: bool,
+    /// The proposition.
+    pub proposition: String,
+    /// Its arguments.
+    pub terms: Vec<Term>,
+}
+
+/// An argument of a proposition of an action.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Term {
+    /// A variable, without its `?`: a parameter, or one that a condition gives its value.
+    Variable(String),
+    /// An object.
+    Object(String),
+}
+
+/// Stands for `?` where a proposition is read: a character of Unicode's private area.
+const VARIABLE: &str = "\u{e000}";
+
+/// The costs that an action can have.
+const COSTS: std::ops::RangeInclusive<u64> = 1..=16;
+
+impl ActionOfWorld {
+    pub(super) fn read(node: &Node<'_>, known: &Known<'_>) -> Result<Self, FormatError> {
+        let fields = node.clone().object()?;
+        fields.only(&["name", "parameters", "conditions", "effects", "cost"])?;
+        let name = super::file::usable(&fields.required("name")?)?;
+        let mut classes: BTreeMap<String, String> = BTreeMap::new();
+        let mut parameters = Vec::new();
+        if let Some(node) = fields.optional("parameters") {
+            for (variable, class) in node.object()?.entries() {
+                let text = class.text()?;
+                let Some(variable) = variable.strip_prefix('?').filter(|name| !name.is_empty()) else {
+                    return Err(class.error(Problem::NoVariable { name: variable.to_owned() }));
+                };
+                if !known.world().classes.contains(&text) {
+                    return Err(class.error(Problem::NotInWorld { what: "class", name: text }));
+                }
+                classes.insert(variable.to_owned(), text.clone());
+                parameters.push((variable.to_owned(), text));
+            }
+        }
+        let mut conditions = Vec::new();
+        if let Some(list) = fields.optional("conditions") {
+            for node in list.list()? {
+                conditions.push(known.literal(&node, &mut classes, true)?);
+            }
+        }
+        let mut effects = Vec::new();
+        let effects_node = fields.required("effects")?;
+        for node in effects_node.list()? {
+            let effect = known.literal(&node, &mut classes, false)?;
+            if effect.negated && known.world().variables.contains(&effect.proposition) {
+                return Err(node.error(Problem::NegatedVariable { name: effect.proposition }));
+            }
+            effects.push(effect);
+        }
+        if effects.is_empty() {
+            return Err(effects_node.error(Problem::NoEffect));
+        }
+        let cost = match fields.optional("cost") {
+            None => 1,
+            Some(node) => match node.count()? {
+                cost if COSTS.contains(&cost) => cost as u8,
+                cost => return Err(node.error(Problem::Cost { cost })),
+            },
+        };
+        Ok(Self { name, parameters, conditions, effects, cost })
+    }
+}
+
+impl Known<'_> {
+    /// A proposition of an action. Conditions may name variables that are no parameters.
+    fn literal(&self, node: &Node<'_>, classes: &mut BTreeMap<String, String>, may_be_new: bool) -> Result<Literal, FormatError> {
+        let text = node.text()?;
+        // A variable is read as an object of a name that no file writes.
+        let atom: GroundAtomText = text.replace('?', VARIABLE).parse().map_err(|error| node.error(Problem::Task(error)))?;
+        let parameters = self.world().parameters(node, atom.function(), atom.arguments().len())?.to_vec();
+        let mut terms = Vec::new();
+        for (argument, class) in atom.arguments().iter().zip(parameters) {
+            let wrong = |name: String| Err(node.error(Problem::WrongClass { name: name.into(), class: class.as_str().into() }));
+            if let Some(variable) = argument.strip_prefix(VARIABLE) {
+                match classes.get(variable) {
+                    Some(other) if *other != class => return wrong(format!("?{variable}")),
+                    None if !may_be_new => return Err(node.error(Problem::UnknownVariable { name: variable.to_owned() })),
+                    Some(_) | None => {}
+                }
+                classes.insert(variable.to_owned(), class);
+                terms.push(Term::Variable(variable.to_owned()));
+            } else {
+                match self.class_of(argument) {
+                    None => return Err(node.error(Problem::NotInWorld { what: "object", name: argument.clone() })),
+                    Some(other) if other != class => return wrong(argument.clone()),
+                    Some(_) => terms.push(Term::Object(argument.clone())),
+                }
+            }
+        }
+        Ok(Literal { negated: atom.is_negated(), proposition: atom.function().to_owned(), terms })
+    }
+}

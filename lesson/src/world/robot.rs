@@ -1,0 +1,469 @@
+//! A robot from a world file: a [`Domain`] whose states are numbers.
+//!
+//! What actions change are variables: a proposition that the file lists among its `variables` has one value for each choice of its first
+//! arguments, the object in its last; any other proposition that an effect names holds or does not. A state is the number whose digits
+//! are the values.
+
+use crate::name::task_name;
+use goodbot::capacity::{ARGUMENTS, ATTRIBUTES};
+use goodbot::memory::AgentHeap;
+use goodbot::oomdp::{
+    Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, Object, ObjectCount, ObjectId, ObjectSet,
+    ObjectTables, ObjectTablesRef, Objects, OneByOne, Proposition, PropositionId, Schema, World, action_name,
+};
+use goodbot::planning::OptimalSet;
+use goodbot::task::{GroundedTask, LiftedTask};
+use goodbot::{Agent, AgentError, Capacities, Options};
+use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
+use goodbot_formats::world::{ActionOfWorld, Literal, Term, WorldFile};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+/// Why a world file is no robot's.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Flaw {
+    /// The field at fault.
+    pub field: String,
+    /// What is wrong, and what to do.
+    pub message: String,
+}
+
+impl std::fmt::Display for Flaw {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "field \"{}\": {}", self.field, self.message)
+    }
+}
+
+impl std::error::Error for Flaw {}
+
+fn flaw<T>(field: impl Into<String>, message: impl Into<String>) -> Result<T, Flaw> {
+    Err(Flaw { field: field.into(), message: message.into() })
+}
+
+/// The most objects that a robot's world may have.
+pub const MOST_OBJECTS: usize = 255;
+/// The most ways to apply an action's conditions and effects to objects, of all actions together.
+const MOST_CASES: usize = 1 << 20;
+
+/// Makes the robot of a world file, and hands it over with the state that it starts in.
+///
+/// ```
+/// use goodbot::oomdp::check;
+/// use goodbot_formats::world::WorldFile;
+/// use goodbot_lesson::world::robot;
+/// let file = WorldFile::parse(r#"{"type":"world","name":"hall","classes":["lamp"],"attributes":{},"propositions":{"on":["lamp"]},
+///     "objects":[{"name":"a","class":"lamp"},{"name":"b","class":"lamp"}],"task_kinds":["on(?l)"],
+///     "actions":[{"name":"light","parameters":{"?l":"lamp"},"conditions":["!on(?l)"],"effects":["on(?l)"]}]}"#)?;
+/// let checked = robot::with(&file, |lamps, start| check(lamps, start, 1_000))??;
+/// assert!(checked.all && checked.states == 4);
+/// assert_eq!(robot::plan(&file, &"on(b)".parse()?)?, Some(vec!["light(b)".to_owned()]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// A [`Flaw`] where the world is too large for the core, or has nothing to do.
+pub fn with<R>(file: &WorldFile, use_it: impl FnOnce(&Robot<'_>, u64) -> R) -> Result<R, Flaw> {
+    if file.actions.is_empty() {
+        return flaw(
+            "actions",
+            "is not there: commands in this world can be learned and asked, and there is nothing to do in it; add actions",
+        );
+    }
+    let limits = [
+        ("objects", file.objects.len(), MOST_OBJECTS),
+        ("attributes", file.attributes.len(), ATTRIBUTES),
+        ("classes", file.classes.len(), 255),
+    ];
+    if let Some((field, given, most)) = limits.into_iter().find(|(_, given, most)| given > most) {
+        return flaw(field, format!("are {given}, and {most} are the most for a robot that acts; leave out some"));
+    }
+    let class = |name: &String| ClassId::new(file.classes.iter().position(|known| known == name).unwrap_or(0) as u8);
+    let prefixes: Vec<Vec<String>> = file
+        .attributes
+        .iter()
+        .map(|(name, classes)| classes.iter().map(|class| format!("{class}{}", capitalised(name))).collect())
+        .collect();
+    let carriers: Vec<Vec<Carrier<'_>>> = (file.attributes.iter().zip(&prefixes))
+        .map(|((_, classes), prefixes)| classes.iter().zip(prefixes).map(|(name, prefix)| Carrier::new(class(name), prefix)).collect())
+        .collect();
+    let parameters: Vec<Vec<ClassId>> = file.propositions.iter().map(|(_, classes)| classes.iter().map(class).collect()).collect();
+    if let Some((name, _)) = file.propositions.iter().find(|(_, classes)| classes.len() > ARGUMENTS) {
+        return flaw(format!("propositions.{name}"), format!("has more than {ARGUMENTS} arguments; give it fewer"));
+    }
+    let classes: Vec<Class<'_>> = file.classes.iter().map(|name| Class::new(name)).collect();
+    let attributes: Vec<Attribute<'_>> =
+        file.attributes.iter().zip(&carriers).map(|((name, _), carriers)| Attribute::new(name, carriers)).collect();
+    let propositions: Vec<Proposition<'_>> =
+        file.propositions.iter().zip(&parameters).map(|((name, _), parameters)| Proposition::new(name, parameters)).collect();
+    let schema = Schema { classes: &classes, attributes: &attributes, propositions: &propositions };
+    let (mut rows, mut bytes, mut ends) =
+        (vec![Object::UNUSED; file.objects.len()], vec![0; 60_000], vec![0; file.objects.len() * (1 + ATTRIBUTES)]);
+    let count = add_objects(file, &class, ObjectTables { objects: &mut rows, name_bytes: &mut bytes, name_ends: &mut ends })?;
+    let objects = Objects::new(ObjectTablesRef { objects: &rows, name_bytes: &bytes, name_ends: &ends }, count);
+    let mechanism = Mechanism::of(file, &schema, objects)?;
+    let kinds: Vec<ActionKind<'_>> = mechanism.actions.iter().map(|action| ActionKind::new(&action.name, action.cost)).collect();
+    let start = mechanism.start(file, &schema, objects)?;
+    Ok(use_it(&Robot { schema, objects, kinds: &kinds, mechanism: &mechanism }, start))
+}
+
+fn capitalised(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().map(|first| first.to_ascii_uppercase()).into_iter().chain(letters).collect()
+}
+
+fn add_objects(file: &WorldFile, class: &impl Fn(&String) -> ClassId, tables: ObjectTables<'_>) -> Result<ObjectCount, Flaw> {
+    let mut set = ObjectSet::new(tables);
+    for (position, object) in file.objects.iter().enumerate() {
+        let value = |(attribute, _): &(String, Vec<String>)| {
+            object.attributes.iter().find(|(known, _)| known == attribute).map_or("", |(_, value)| value.as_str())
+        };
+        let values: Vec<&str> = file.attributes.iter().map(value).collect();
+        set.add(class(&object.class), &object.name, &values)
+            .map_err(|error| Flaw { field: format!("objects[{position}]"), message: error.to_string() })?;
+    }
+    Ok(set.count())
+}
+
+/// The kinds of task of a robot's world.
+///
+/// # Errors
+/// A [`Flaw`] that names the kind.
+pub fn tasks(file: &WorldFile, robot: &Robot<'_>) -> Result<Vec<LiftedTask>, Flaw> {
+    let parse = |(position, kind): (usize, &goodbot_formats::task_text::LiftedTaskText)| {
+        LiftedTask::parse(&kind.to_string(), &robot.schema)
+            .map_err(|error| Flaw { field: format!("task_kinds[{position}]"), message: error.to_string() })
+    };
+    file.task_kinds.iter().enumerate().map(parse).collect()
+}
+
+/// A robot from a world file.
+#[derive(Debug)]
+pub struct Robot<'w> {
+    schema: Schema<'w>,
+    objects: Objects<'w>,
+    kinds: &'w [ActionKind<'w>],
+    mechanism: &'w Mechanism,
+}
+
+/// What can hold of objects, by name and arguments.
+type Key = (PropositionId, [ObjectId; ARGUMENTS]);
+
+/// A digit of the state's number.
+#[derive(Clone, Copy, Debug)]
+struct Digit {
+    /// What the digits before it count together.
+    unit: u64,
+    /// How many values it has.
+    values: u64,
+}
+
+impl Digit {
+    fn of(self, state: u64) -> u64 {
+        state / self.unit % self.values
+    }
+
+    fn set(self, state: u64, value: u64) -> u64 {
+        state - self.of(state) * self.unit + value * self.unit
+    }
+}
+
+#[derive(Debug)]
+struct Mechanism {
+    digits: Vec<Digit>,
+    states: u64,
+    /// Where what can change stands: its digit, and the value with which it holds.
+    places: HashMap<Key, (usize, u64)>,
+    /// What holds and cannot change.
+    fixed: BTreeSet<Key>,
+    actions: Vec<Grounded>,
+}
+
+/// An action with objects for its parameters.
+#[derive(Debug)]
+struct Grounded {
+    name: String,
+    cost: u8,
+    /// In order: the first whose conditions hold is what happens.
+    cases: Vec<Case>,
+}
+
+#[derive(Debug)]
+struct Case {
+    conditions: Vec<(usize, u64, bool)>,
+    effects: Vec<(usize, u64)>,
+}
+
+impl Mechanism {
+    fn of(file: &WorldFile, schema: &Schema<'_>, objects: Objects<'_>) -> Result<Self, Flaw> {
+        let changed: BTreeSet<&str> =
+            file.actions.iter().flat_map(|action| &action.effects).map(|effect| effect.proposition.as_str()).collect();
+        let mut mechanism = Self { digits: vec![], states: 1, places: HashMap::new(), fixed: BTreeSet::new(), actions: vec![] };
+        for (position, (name, _)) in file.propositions.iter().enumerate() {
+            let id = PropositionId::new(position as u8);
+            let classes = schema.parameters(id);
+            if file.variables.contains(name) {
+                let Some((last, firsts)) = classes.split_last() else { continue };
+                let values: Vec<ObjectId> = objects.of_class(*last).collect();
+                for arguments in choices(objects, firsts)? {
+                    let digit = mechanism.add_digit(name, values.len() as u64)?;
+                    for (value, &object) in values.iter().enumerate() {
+                        let mut arguments = arguments;
+                        if let Some(slot) = arguments.get_mut(firsts.len()) {
+                            *slot = object;
+                        }
+                        mechanism.places.insert((id, arguments), (digit, value as u64));
+                    }
+                }
+            } else if changed.contains(name.as_str()) {
+                for arguments in choices(objects, classes)? {
+                    let digit = mechanism.add_digit(name, 2)?;
+                    mechanism.places.insert((id, arguments), (digit, 1));
+                }
+            }
+        }
+        for fact in &file.facts {
+            let key = key(schema, objects, fact);
+            if !mechanism.places.contains_key(&key) {
+                mechanism.fixed.insert(key);
+            }
+        }
+        for (position, action) in file.actions.iter().enumerate() {
+            mechanism.ground(position, action, schema, objects)?;
+        }
+        if mechanism.actions.len() > Action::MOST {
+            let message = format!(
+                "give the robot {} actions with their objects, and {} are the most; give them fewer parameters",
+                mechanism.actions.len(),
+                Action::MOST
+            );
+            return flaw("actions", message);
+        }
+        Ok(mechanism)
+    }
+
+    fn add_digit(&mut self, name: &str, values: u64) -> Result<usize, Flaw> {
+        self.digits.push(Digit { unit: self.states, values });
+        match self.states.checked_mul(values).filter(|&states| states < u64::MAX) {
+            Some(states) => self.states = states,
+            None => {
+                return flaw(format!("propositions.{name}"), "gives more states than can be numbered; leave out objects or what changes");
+            }
+        }
+        Ok(self.digits.len() - 1)
+    }
+
+    /// The state that the facts describe.
+    fn start(&self, file: &WorldFile, schema: &Schema<'_>, objects: Objects<'_>) -> Result<u64, Flaw> {
+        let (mut start, mut told) = (0, BTreeSet::new());
+        for (position, fact) in file.facts.iter().enumerate() {
+            let Some(&(digit, value)) = self.places.get(&key(schema, objects, fact)) else { continue };
+            if !told.insert(digit) && file.variables.iter().any(|name| name == fact.function()) {
+                return flaw(format!("facts[{position}]"), "gives a variable a second value; leave one of the two");
+            }
+            start = self.digits.get(digit).map_or(start, |digit| digit.set(start, value));
+        }
+        for (&(proposition, arguments), &(digit, _)) in &self.places {
+            let name = schema.proposition_name(proposition);
+            if file.variables.iter().any(|variable| variable == name) && !told.contains(&digit) {
+                let count = schema.parameters(proposition).len() - 1;
+                let of: Vec<&str> = arguments.iter().take(count).map(|&object| objects.name(object)).collect();
+                return flaw("facts", format!("say no value of the variable {name} of {}; add it", of.join(", ")));
+            }
+        }
+        Ok(start)
+    }
+
+    fn ground(&mut self, position: usize, action: &ActionOfWorld, schema: &Schema<'_>, objects: Objects<'_>) -> Result<(), Flaw> {
+        let class = |name: &str| schema.class(name).unwrap_or(ClassId::new(0));
+        let mut free: Vec<(&str, ClassId)> = Vec::new();
+        for literal in &action.conditions {
+            let classes = schema.proposition(&literal.proposition).map_or(&[][..], |proposition| schema.parameters(proposition));
+            for (term, &class) in literal.terms.iter().zip(classes) {
+                if let Term::Variable(name) = term
+                    && action.parameters.iter().all(|(known, _)| known != name)
+                    && free.iter().all(|(known, _)| known != name)
+                {
+                    free.push((name, class));
+                }
+            }
+        }
+        let bound: Vec<(&str, ClassId)> = action.parameters.iter().map(|(name, of)| (name.as_str(), class(of))).collect();
+        let mut cases_of_all = 0_usize;
+        let mut one = |binding: &Binding<'_>| -> Result<(), Flaw> {
+            let mut cases = Vec::new();
+            each_binding(objects, &free, binding, &mut |binding| {
+                cases_of_all += 1;
+                if cases_of_all > MOST_CASES {
+                    return flaw(
+                        format!("actions[{position}]"),
+                        "can be done with more objects than can be tried; give it fewer variables",
+                    );
+                }
+                cases.extend(self.case(action, schema, objects, binding));
+                Ok(())
+            })?;
+            if !cases.is_empty() {
+                let arguments: Vec<&str> =
+                    bound.iter().filter_map(|(name, _)| binding.get(name)).map(|&object| objects.name(object)).collect();
+                let name = if arguments.is_empty() { action.name.clone() } else { format!("{}({})", action.name, arguments.join(",")) };
+                self.actions.push(Grounded { name, cost: action.cost, cases });
+            }
+            Ok(())
+        };
+        each_binding(objects, &bound, &BTreeMap::new(), &mut one)
+    }
+
+    /// What happens with these objects, where that can ever be.
+    fn case(&self, action: &ActionOfWorld, schema: &Schema<'_>, objects: Objects<'_>, binding: &Binding<'_>) -> Option<Case> {
+        let key = |literal: &Literal| -> Option<Key> {
+            let mut arguments = [ObjectId::new(0); ARGUMENTS];
+            for (slot, term) in arguments.iter_mut().zip(&literal.terms) {
+                *slot = match term {
+                    Term::Variable(name) => *binding.get(name.as_str())?,
+                    Term::Object(name) => objects.find(name)?,
+                };
+            }
+            Some((schema.proposition(&literal.proposition)?, arguments))
+        };
+        let mut case = Case { conditions: vec![], effects: vec![] };
+        for condition in &action.conditions {
+            let key = key(condition)?;
+            match self.places.get(&key) {
+                Some(&(digit, value)) => case.conditions.push((digit, value, !condition.negated)),
+                None if self.fixed.contains(&key) == condition.negated => return None,
+                None => {}
+            }
+        }
+        for effect in &action.effects {
+            let &(digit, value) = self.places.get(&key(effect)?)?;
+            case.effects.push((digit, if effect.negated { 0 } else { value }));
+        }
+        Some(case)
+    }
+
+    fn has(&self, state: u64, digit: usize, value: u64) -> bool {
+        self.digits.get(digit).is_some_and(|digit| digit.of(state) == value)
+    }
+}
+
+/// All choices of different objects of these classes.
+fn choices(objects: Objects<'_>, classes: &[ClassId]) -> Result<Vec<[ObjectId; ARGUMENTS]>, Flaw> {
+    let names = ["0", "1", "2"];
+    let variables: Vec<(&str, ClassId)> = names.iter().copied().zip(classes.iter().copied()).collect();
+    let mut all = Vec::new();
+    each_binding(objects, &variables, &BTreeMap::new(), &mut |binding| {
+        let mut arguments = [ObjectId::new(0); ARGUMENTS];
+        for (slot, (name, _)) in arguments.iter_mut().zip(&variables) {
+            *slot = binding.get(name).copied().unwrap_or(ObjectId::new(0));
+        }
+        all.push(arguments);
+        if all.len() > MOST_CASES { flaw("objects", "give more propositions than can be told apart; leave out some") } else { Ok(()) }
+    })?;
+    Ok(all)
+}
+
+/// The object of each variable.
+type Binding<'v> = BTreeMap<&'v str, ObjectId>;
+
+/// Each choice of objects for variables beside those that have theirs; different variables have different objects.
+fn each_binding<'v>(
+    objects: Objects<'_>,
+    variables: &[(&'v str, ClassId)],
+    before: &Binding<'v>,
+    each: &mut dyn FnMut(&Binding<'v>) -> Result<(), Flaw>,
+) -> Result<(), Flaw> {
+    let Some((&(name, class), rest)) = variables.split_first() else { return each(before) };
+    for object in objects.of_class(class) {
+        if before.values().all(|&taken| taken != object) {
+            let mut binding = before.clone();
+            binding.insert(name, object);
+            each_binding(objects, rest, &binding, each)?;
+        }
+    }
+    Ok(())
+}
+
+fn key(schema: &Schema<'_>, objects: Objects<'_>, fact: &GroundAtomText) -> Key {
+    let mut arguments = [ObjectId::new(0); ARGUMENTS];
+    for (slot, name) in arguments.iter_mut().zip(fact.arguments()) {
+        *slot = objects.find(name).unwrap_or(ObjectId::new(0));
+    }
+    (schema.proposition(fact.function()).unwrap_or(PropositionId::new(0)), arguments)
+}
+
+impl Domain for Robot<'_> {
+    type State = u64;
+    type Search = OneByOne;
+
+    fn world(&self) -> World<'_> {
+        World { schema: self.schema, objects: self.objects }
+    }
+
+    fn actions(&self) -> &[ActionKind<'_>] {
+        self.kinds
+    }
+
+    fn step(&self, state: &u64, action: Action) -> Option<u64> {
+        let cases = &self.mechanism.actions.get(action.index())?.cases;
+        let holds = |&(digit, value, wanted): &(usize, u64, bool)| self.mechanism.has(*state, digit, value) == wanted;
+        let case = cases.iter().find(|case| case.conditions.iter().all(holds))?;
+        let set =
+            |state: u64, &(digit, value): &(usize, u64)| self.mechanism.digits.get(digit).map_or(state, |digit| digit.set(state, value));
+        Some(case.effects.iter().fold(*state, set))
+    }
+
+    fn holds(&self, proposition: &GroundProposition, state: &u64) -> bool {
+        // Beyond its parameters, a proposition's arguments say nothing.
+        let mut arguments = proposition.arguments;
+        let count = self.schema.parameters(proposition.proposition).len();
+        arguments.iter_mut().skip(count).for_each(|slot| *slot = ObjectId::new(0));
+        let key = (proposition.proposition, arguments);
+        match self.mechanism.places.get(&key) {
+            Some(&(digit, value)) => self.mechanism.has(*state, digit, value),
+            None => self.mechanism.fixed.contains(&key),
+        }
+    }
+
+    fn state_count(&self) -> u64 {
+        self.mechanism.states
+    }
+
+    fn number(&self, state: &u64) -> u64 {
+        *state
+    }
+
+    fn numbered(&self, number: u64) -> u64 {
+        number
+    }
+}
+
+/// The actions that make a task hold, from the state that a world file describes, as one of the cheapest plans; nothing where it cannot be
+/// made to hold, or is no task there.
+///
+/// # Errors
+/// A [`Flaw`], as [`with`].
+pub fn plan(file: &WorldFile, task: &GroundTaskText) -> Result<Option<Vec<String>>, Flaw> {
+    with(file, |robot, start| {
+        let lifted = tasks(file, robot)?;
+        planned(robot, start, &lifted, task).map_err(|error| Flaw { field: "task_kinds".to_owned(), message: error.to_string() })
+    })?
+}
+
+fn planned(robot: &Robot<'_>, start: u64, lifted: &[LiftedTask], task: &GroundTaskText) -> Result<Option<Vec<String>>, AgentError> {
+    let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), lifted, Options::DEFAULT)?;
+    let is_meant = |grounded: &GroundedTask, lifted: &LiftedTask| task_name(robot, lifted, grounded).is_ok_and(|name| name.is_same(task));
+    // The words say nothing: the task is told.
+    match agent.hear_with_prior(robot, &start, "do", |grounded, lifted| f32::from(u8::from(is_meant(grounded, lifted)))) {
+        Err(AgentError::NoPrior | AgentError::NoTask) => return Ok(None),
+        heard => heard?,
+    }
+    let (mut state, mut actions) = (start, Vec::new());
+    loop {
+        agent.plan_fully(robot, &state)?;
+        let decision = agent.decide(robot, &state)?;
+        if decision.action == Action::NOOP {
+            return Ok((decision.plan == OptimalSet::Goal).then_some(actions));
+        }
+        actions.push(action_name(robot, decision.action).to_owned());
+        state = agent.acted(robot, &state, decision.action)?;
+    }
+}
