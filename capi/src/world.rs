@@ -1,12 +1,12 @@
 //! What a robot lives in: a home, or a world of the caller's own. Both are one domain here, so that all that works on a domain is linked once.
 
 #[cfg(feature = "home")]
-use crate::arena::HomeArena;
 #[cfg(feature = "table")]
 use crate::table::TableDomain;
 use goodbot::Capacities;
 #[cfg(feature = "home")]
 use goodbot::home::{Home, HomeBuilder, HomeState};
+use goodbot::memory::HomeTables;
 use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition};
 #[cfg(feature = "home")]
 use goodbot::oomdp::{BitRows, CellId, Floor, Piece, PushGrid};
@@ -16,10 +16,10 @@ use goodbot::oomdp::{BitRows, CellId, Floor, Piece, PushGrid};
 pub enum World {
     /// Nothing yet.
     #[cfg(feature = "home")]
-    Nothing(HomeArena),
+    Nothing(HomeTables<'static>),
     /// A home that is being described.
     #[cfg(feature = "home")]
-    Plan(HomeBuilder<HomeArena>),
+    Plan(HomeBuilder<HomeTables<'static>>),
     /// It is being changed for another; no call ends so.
     #[cfg(feature = "home")]
     Changing,
@@ -32,7 +32,7 @@ pub enum World {
 pub enum Surroundings {
     /// A home.
     #[cfg(feature = "home")]
-    Home(Home<HomeArena>),
+    Home(Home<HomeTables<'static>>),
     /// The caller's own.
     #[cfg(feature = "table")]
     Table(TableDomain),

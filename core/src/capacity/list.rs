@@ -248,6 +248,12 @@ impl Capacities {
         groups.saturating_mul(11).saturating_add(groups.div_ceil(64).saturating_mul(3))
     }
 
+    /// The length of tables that a memory gets only where it is asked for them.
+    #[doc(hidden)]
+    pub const fn none(&self) -> usize {
+        0
+    }
+
     /// u64s that planning and training have in turn: as many as the search takes, or the expected counts of all table cells, two to each.
     pub const fn workspace_words(&self) -> usize {
         let (search, counts) = (self.search_words(), self.translations.saturating_add(self.alignments).div_ceil(2));

@@ -5,43 +5,8 @@ use super::moves::{Home, HomeState, Moves};
 use super::{AGENT, BLOCK, DOOR, ROOM};
 use crate::capacity::{BLOCKS, Capacity, CapacityError};
 use crate::memory::HomeMemory;
-use crate::oomdp::objects::{ObjectCount, ObjectError, ObjectTables, ObjectTablesRef};
+use crate::oomdp::objects::{ObjectCount, ObjectError};
 use crate::oomdp::{CellId, ClassId, ObjectId, ObjectSet, Objects};
-
-/// The tables of one home.
-#[derive(Debug)]
-pub struct HomeTables<'t> {
-    /// The objects and their names.
-    pub objects: ObjectTables<'t>,
-    /// One box an object.
-    pub areas: &'t mut [StoredArea],
-    /// One entry a free cell.
-    pub places: &'t mut [Place],
-}
-
-/// The tables of one home, to be read.
-#[derive(Clone, Copy, Debug)]
-pub struct HomeTablesRef<'t> {
-    /// The objects and their names.
-    pub objects: ObjectTablesRef<'t>,
-    /// One box an object.
-    pub areas: &'t [StoredArea],
-    /// One entry a free cell.
-    pub places: &'t [Place],
-}
-
-impl HomeTables<'_> {
-    /// The same tables, lent for a shorter time.
-    pub fn lend(&mut self) -> HomeTables<'_> {
-        HomeTables { objects: self.objects.lend(), areas: self.areas, places: self.places }
-    }
-
-    /// The same tables, to be read.
-    #[inline]
-    pub const fn read(&self) -> HomeTablesRef<'_> {
-        HomeTablesRef { objects: self.objects.read(), areas: self.areas, places: self.places }
-    }
-}
 
 /// What is wrong with a home.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

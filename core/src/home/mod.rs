@@ -15,7 +15,7 @@ pub(crate) mod layout;
 pub(crate) mod map;
 pub(crate) mod moves;
 
-pub use builder::{HomeBuilder, HomeError, HomeTables, HomeTablesRef, Problem};
+pub use builder::{HomeBuilder, HomeError, Problem};
 pub use layout::{Area, Cell, FARTHEST, Place, StoredArea};
 pub use map::Map;
 pub use moves::{Home, HomeState, Moves};

@@ -8,7 +8,7 @@ use super::candidates::{CandidateCount, CandidatesRef};
 use super::done::LastDone;
 use super::error::AgentError;
 use super::learning::GaveWay;
-use super::options::{Options, SessionTablesRef};
+use super::options::Options;
 use super::phase::{Phase, Progressed};
 #[cfg(feature = "asking")]
 use crate::asking::Asked;
@@ -16,7 +16,7 @@ use crate::capacity::{Capacities, Capacity, CapacityError, LIFTED_TASKS};
 use crate::feedback::{Belief, BeliefCount, BeliefRef, Ending, Feedback, Judged, LAGS, Moment, Strategy, Words};
 use crate::language::model::LanguageState;
 use crate::language::{LanguageMut, LanguageRef, Sentence};
-use crate::memory::{AgentMemory, AgentTables};
+use crate::memory::{AgentMemory, AgentTables, SessionTablesRef};
 use crate::oomdp::{Action, ActionSet, Domain, DomainFlaw, apply, digest};
 use crate::planning::{Judgement, OptimalSet, Plan, PlanTables, Planner, Progress, Ways};
 use crate::probability::{Scaled, total};
@@ -114,7 +114,7 @@ impl<M> Agent<M> {
     /// ```
     /// use goodbot::{Agent, home, memory::AgentArrays};
     /// goodbot::memory! { struct Memory = goodbot::Capacities::TINY; }
-    /// static AGENT: std::sync::Mutex<Agent<AgentArrays<Memory>>> = std::sync::Mutex::new(Agent::without_tasks(AgentArrays::new()));
+    /// static AGENT: std::sync::Mutex<Agent<AgentArrays<Memory>>> = std::sync::Mutex::new(Agent::without_tasks(Memory::new().agent));
     /// AGENT.lock().unwrap().set_tasks(&home::paper_tasks()?, goodbot::Options::PAPER)?;
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -632,10 +632,10 @@ impl<M: AgentMemory> Agent<M> {
             tasks: tasks.len(),
             strategies: belief.strategies.len(),
             beliefs: belief.joint.len(),
-            candidates: candidates.entries.len(),
-            candidate_tokens: candidates.tokens.len(),
-            ground_propositions: goals.parts.len(),
-            goal_entries: goals.entries.len(),
+            candidates: candidates.candidates.len(),
+            candidate_tokens: candidates.candidate_tokens.len(),
+            ground_propositions: goals.goal_parts.len(),
+            goal_entries: goals.goal_entries.len(),
             // Groups of 64 states: see `Capacities::search_words`.
             states: (plan.search_words.len().saturating_mul(64) / (11 * 64 + 3)).saturating_mul(64),
             hashed_states: plan.hashed.len(),

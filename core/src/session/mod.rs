@@ -26,10 +26,10 @@ pub(crate) mod phase;
 mod ways;
 
 pub use agent::{Agent, Decision, Evidence, NEGLIGIBLE};
-pub use candidates::{Candidate, CandidateTables, CandidateTablesRef, CandidatesRef};
+pub use candidates::{Candidate, CandidatesRef};
 pub use error::AgentError;
 pub use hypotheses::Hypothesis;
 pub use learning::{Finished, GaveWay};
 pub use least::Lessons;
-pub use options::{Options, SessionTables, SessionTablesRef, Weights};
+pub use options::{Options, Weights};
 pub use phase::Phase;

@@ -1,10 +1,7 @@
 //! How an agent understands and learns, and the memory it needs.
 
-use super::candidates::{CandidateTables, CandidateTablesRef};
-use crate::feedback::{BeliefTables, BeliefTablesRef, Ending, population};
+use crate::feedback::{Ending, population};
 use crate::language::{SettingError, Settings};
-use crate::planning::{GoalMemory, GoalMemoryRef, PlanMemory, PlanMemoryRef};
-use crate::task::GroundedTask;
 
 /// How machine commands are weighted when a session ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -85,59 +82,5 @@ impl Options {
 impl Default for Options {
     fn default() -> Self {
         Self::DEFAULT
-    }
-}
-
-/// The tables of what one session needs.
-#[derive(Debug)]
-pub struct SessionTables<'t> {
-    /// One entry a grounded task.
-    pub tasks: &'t mut [GroundedTask],
-    /// The machine commands.
-    pub candidates: CandidateTables<'t>,
-    /// The belief.
-    pub belief: BeliefTables<'t>,
-    /// The goals.
-    pub goals: GoalMemory<'t>,
-    /// The searches.
-    pub plan: PlanMemory<'t>,
-}
-
-/// The tables of what one session needs, to be read.
-#[derive(Clone, Copy, Debug)]
-pub struct SessionTablesRef<'t> {
-    /// One entry a grounded task.
-    pub tasks: &'t [GroundedTask],
-    /// The machine commands.
-    pub candidates: CandidateTablesRef<'t>,
-    /// The belief.
-    pub belief: BeliefTablesRef<'t>,
-    /// The goals.
-    pub goals: GoalMemoryRef<'t>,
-    /// The searches.
-    pub plan: PlanMemoryRef<'t>,
-}
-
-impl SessionTables<'_> {
-    /// The same tables, lent for a shorter time.
-    pub fn lend(&mut self) -> SessionTables<'_> {
-        SessionTables {
-            tasks: self.tasks,
-            candidates: self.candidates.lend(),
-            belief: self.belief.lend(),
-            goals: self.goals.lend(),
-            plan: self.plan.lend(),
-        }
-    }
-
-    /// The same tables, to be read.
-    pub const fn read(&self) -> SessionTablesRef<'_> {
-        SessionTablesRef {
-            tasks: self.tasks,
-            candidates: self.candidates.read(),
-            belief: self.belief.read(),
-            goals: self.goals.read(),
-            plan: self.plan.read(),
-        }
     }
 }
