@@ -10,7 +10,8 @@
 //! | `&mut memory.agent` | the caller, who can use them again when the agent is gone |
 //! | [`AgentTables`] | the caller, table by table: for memory that is dealt out at run time |
 //!
-//! All of it is made from one list of tables (`list.rs`).
+//! All of it is made from one list of tables (`list.rs`). The tables are typed. An untyped array of words, dealt out at each call, would
+//! need a type of which every bit pattern is valid for each table; a goal's piece, a task's progress and a pair's lengths are none.
 
 mod arrays;
 #[cfg(feature = "alloc")]

@@ -32,7 +32,7 @@ mod serial;
 mod stack;
 
 use buttons::Buttons;
-use goodbot::memory::{AgentArrays, HomeArrays};
+use goodbot::memory::HomeArrays;
 use memory::{Agent, RobotMemory};
 use nrf51_pac::Peripherals;
 use robot::Robot;
