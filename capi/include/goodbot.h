@@ -45,16 +45,16 @@
 #define GOODBOT_TINY 1
 
 // Bytes that the small preset takes where a pointer has four bytes.
-#define GOODBOT_SMALL_BYTES_32 21888
+#define GOODBOT_SMALL_BYTES_32 21920
 
 // Bytes that the small preset takes where a pointer has eight bytes.
-#define GOODBOT_SMALL_BYTES_64 22400
+#define GOODBOT_SMALL_BYTES_64 22464
 
 // Bytes that the tiny preset takes where a pointer has four bytes.
-#define GOODBOT_TINY_BYTES_32 13568
+#define GOODBOT_TINY_BYTES_32 13600
 
 // Bytes that the tiny preset takes where a pointer has eight bytes.
-#define GOODBOT_TINY_BYTES_64 14080
+#define GOODBOT_TINY_BYTES_64 14144
 
 // Bytes that a robot of the caller's own takes beyond that.
 #define GOODBOT_TABLE_BYTES 1344
