@@ -207,7 +207,7 @@ impl<'t> Symbols<'t> {
     }
 }
 
-/// Moves what stands behind the first `gap` entries to the front. The standard rotation can panic, and brings the text for it into a
+/// Moves the entries after the first `gap` to the front. The standard rotation can panic, and would bring panic messages into a
 /// controller's flash.
 pub(crate) fn close_gap<T: Copy>(entries: &mut [T], gap: usize) {
     let mut to = 0_usize;

@@ -23,9 +23,9 @@ pub enum Problem {
     RoomOfNoArea,
     /// The door's right is left of its left, or its top below its bottom.
     DoorOfNoArea,
-    /// The agent or block stands in a wall, or outside every room.
+    /// The agent or block is in a wall, or outside every room.
     InWall,
-    /// The agent or block stands where another block or the agent is.
+    /// The agent or block is on the cell of another block or of the agent.
     OnAnother,
     /// A coordinate is further from the origin than [`FARTHEST`](super::layout::FARTHEST).
     TooFar,
@@ -161,7 +161,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
         self.add(ROOM, name, area, &[color, ""])
     }
 
-    /// Adds a door: the box of cells where no wall stands.
+    /// Adds a door: a box of cells without walls.
     ///
     /// # Errors
     /// [`HomeError`]; the home is then as before.
@@ -224,7 +224,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
         }
     }
 
-    /// Finds the free cells and where everything stands: how many cells, the agent, the initial state, and the blocks.
+    /// Finds the free cells and the cell of each thing: the number of cells, the agent, the initial state, and the blocks.
     fn check(&mut self) -> Result<(usize, ObjectId, HomeState, [ObjectId; BLOCKS]), HomeError> {
         let whole = |problem| HomeError { problem, object: None };
         let Some(agent) = self.agent else { return Err(whole(Problem::NoAgent)) };

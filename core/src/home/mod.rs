@@ -3,7 +3,7 @@
 //! - `layout`: where the rooms and doors are, and which cells are free;
 //! - `builder`: a home from its objects, checked;
 //! - `moves`: what north, south, east, west and pull do, and which propositions hold;
-//! - `derived`: what can be said of rooms and blocks by where they are, such as leftmost (feature `derived`);
+//! - `derived`: facts of rooms and blocks that follow from where they are, such as leftmost (feature `derived`);
 //! - `map`: a home drawn as text.
 //!
 //! Cells are integer pairs, x to the east, y to the north.

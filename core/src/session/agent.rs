@@ -32,7 +32,7 @@ use rand_core::Rng;
 /// Below this probability a task is not planned: its optimal set is unknown, and what happens is no evidence for or against it.
 pub const NEGLIGIBLE: f32 = 1e-9;
 
-/// What the agent does next, and for which task.
+/// The agent's next action, and its task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -304,7 +304,7 @@ impl<M: AgentMemory> Agent<M> {
         CandidatesRef::new(self.memory.read().session.candidates, self.candidates)
     }
 
-    /// What is known of each task in the state that was planned for last.
+    /// The plan of each task, for the state planned for last.
     pub fn planned(&self) -> Plan<'_> {
         let plan = self.memory.read().session.plan;
         self.planner.plan(plan.optimal, plan.distances)
@@ -340,7 +340,7 @@ impl<M: AgentMemory> Agent<M> {
         self.sentence.clear();
     }
 
-    /// Forgets what was planned and done.
+    /// Forgets the plan and the last actions.
     pub(super) fn forget_plan(&mut self) {
         (self.planned, self.expected, self.done) = (None, None, LastDone::NOTHING);
         self.dead = TaskSet::EMPTY;
@@ -348,7 +348,7 @@ impl<M: AgentMemory> Agent<M> {
         self.asked.close();
     }
 
-    /// Forgets what was asked in the session before.
+    /// Forgets the questions of the session before.
     pub(super) fn forget_questions(&mut self) {
         #[cfg(feature = "asking")]
         {

@@ -1,7 +1,7 @@
-//! The machine commands that the tasks of one session can be expressed by.
+//! The machine commands that express the tasks of one session.
 //!
-//! Different tasks and constraints often give the same tokens ("go to the room" for every room); each distinct machine command stands
-//! once, with its likelihood Pr(e|m) and, at the end of the session, its weight.
+//! Different tasks and constraints often give the same tokens ("go to the room" for every room). Each distinct machine command is kept once,
+//! with its likelihood Pr(e|m) and, at the end of the session, its weight.
 
 use crate::capacity::{Capacity, CapacityError};
 use crate::memory::{CandidateTables, CandidateTablesRef};
@@ -18,12 +18,12 @@ pub struct Candidate {
     check: u16,
     /// Pr(e|m).
     pub likelihood: Scaled,
-    /// How much of the session's posterior it has.
+    /// Its share of the session's posterior, in no unit.
     pub weight: Scaled,
 }
 
 impl Candidate {
-    /// What unused memory holds.
+    /// The value of unused memory.
     pub const UNUSED: Self = Self { start: 0, task: 0, len: 0, check: 0, likelihood: Scaled::ZERO, weight: Scaled::ZERO };
 }
 

@@ -11,7 +11,7 @@ pub enum Weights {
     Paper,
     /// By the tasks' posterior alone, evenly over each task's constraints (the authors' later program).
     Belief,
-    /// By what the trainer said or showed alone: the tasks' prior without any word times the likelihood of all evidence.
+    /// By the trainer's evidence alone: the tasks' prior without any word times the likelihood of all evidence.
     Evidence,
 }
 
@@ -27,7 +27,7 @@ pub struct Options {
     /// The share by which what is believed of the trainer's strategies drifts back, at each new command, to what was believed before the
     /// trainer was met: from 0 (the paper: never) to 1.
     pub drift: f32,
-    /// What the end of a session says of the task; [`Ending::NO_EVIDENCE`] in the paper.
+    /// The evidence of the end of a session; [`Ending::NO_EVIDENCE`] in the paper.
     pub ending: Ending,
     /// Of the actions that lead on, do the last one once more, so that a late word counts for the right one. Where it does not lead on, take
     /// the action whose feedback tells most of what is meant. The paper takes any, and so does an agent without the feature `asking`.
@@ -52,16 +52,15 @@ impl Options {
     /// The paper's, with Model 2 for short commands in few words: [`Settings::SMOOTHED`].
     pub const SMOOTHED: Self = Self { language: Settings::SMOOTHED, ..Self::PAPER };
 
-    /// The same for a robot that people train: what it believes of its trainer drifts a little. The strategies to expect of people are
-    /// [`population::STRATEGIES`]. The end of a session stays no evidence, because a robot may not know who ended it: see
-    /// [`with_ends`](Self::with_ends).
+    /// The same for a robot that people train: its belief of its trainer drifts a little. People follow [`population::STRATEGIES`]. The end
+    /// of a session is no evidence yet, because a robot may not know who ended it: see [`with_ends`](Self::with_ends).
     pub const fn for_people(self) -> Self {
         Self { drift: population::DRIFT, ..self }
     }
 
-    /// The same for a robot that knows when its trainer ends a session, and says so with
-    /// [`trainer_ended`](crate::Agent::trainer_ended): that is evidence, as far as it is with recorded people ([`population::ENDING`]), and
-    /// so is each step after which the trainer goes on.
+    /// The same for a robot that knows when its trainer ends a session, and reports it with
+    /// [`trainer_ended`](crate::Agent::trainer_ended). The end is evidence, as measured with recorded people ([`population::ENDING`]), and so
+    /// is each step after which the trainer goes on.
     pub const fn with_ends(self) -> Self {
         Self { ending: population::ENDING, ..self }
     }

@@ -37,7 +37,7 @@ impl GroundedTask {
         is_single.then_some(Self { way: WayState::NEGATED, ..*self })
     }
 
-    /// Whether its goal is reached, its way aside, in a state of which `holds` tells. `lifted` is the task that it grounds.
+    /// Whether its goal is reached, regardless of its way. `holds` evaluates propositions in the state; `lifted` is its lifted task.
     pub fn is_reached(&self, lifted: &LiftedTask, holds: impl Fn(&GroundProposition) -> bool) -> bool {
         self.propositions(lifted).all(|part| holds(&part)) != self.is_negated()
     }
@@ -158,7 +158,7 @@ pub(crate) fn expect_change<D: Domain + ?Sized>(domain: &D, lifted: &[LiftedTask
     }
 }
 
-/// Grounds every lifted task, except those of which `holds` says so.
+/// Grounds every lifted task, except those for which `holds` is true.
 pub(crate) fn ground_unless(
     objects: Objects<'_>,
     lifted: &[LiftedTask],

@@ -77,9 +77,9 @@ pub enum TaskTextError {
         /// How many its function has.
         wanted: u8,
     },
-    /// One variable stands for objects of two classes.
+    /// One variable is used for objects of two classes.
     ClassConflict {
-        /// The proposition in which it stands for another class than before, of those that were given, from 0.
+        /// The proposition with the second class, by its position among those given, from 0.
         proposition: u8,
         /// Which of its arguments, from 0.
         argument: u8,
@@ -317,7 +317,7 @@ impl LiftedTask {
         Ok(LiftedProposition { proposition, variables })
     }
 
-    /// What was the goal so far is an earlier one.
+    /// The goal so far becomes an earlier one.
     fn goal_is_only_before(&mut self, stage: u8) {
         for position in 0..self.propositions.len() {
             if self.parts.get(position) == Part::Goal {
@@ -347,7 +347,7 @@ impl LiftedTask {
         }
     }
 
-    /// Refuses a way that asks for what the task asks for anyway, or avoids it.
+    /// Refuses a way that requires or avoids the goal itself.
     fn check_way(&self) -> Result<(), TaskTextError> {
         for (position, (part, proposition)) in self.way().enumerate() {
             let mut others = self.way().enumerate().filter(|&(other, _)| other != position).map(|(_, other)| other);
@@ -413,8 +413,8 @@ impl LiftedTask {
     }
 }
 
-/// What stands before and behind the first `separator`, an ASCII character. The library's own way of splitting brings code that panics into
-/// a controller's flash.
+/// The text before and after the first `separator`, an ASCII character. The standard library's split would bring panicking code into a
+/// controller's flash.
 fn split_at_byte(text: &str, separator: u8) -> Option<(&str, &str)> {
     let at = text.bytes().position(|byte| byte == separator)?;
     Some((text.get(..at)?, text.get(at.saturating_add(1)..)?))
