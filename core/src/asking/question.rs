@@ -183,7 +183,7 @@ impl<'a> Candidates<'a> {
             };
             (*slot, *choice, listed) = (object, set, listed.union(set));
             if position > 0 {
-                self.propose_choice(best, Subject::WhichObject(objects, position.saturating_add(1) as u8), choices);
+                self.propose_choice(best, Subject::WhichObject(objects, (position + 1) as u8), choices);
             }
         }
     }
@@ -202,7 +202,7 @@ impl<'a> Candidates<'a> {
             let (Some((task, _)), Some(slot), Some(choice)) = (next, tasks.get_mut(position), choices.get_mut(position)) else { break };
             (*slot, *choice, listed) = (task as u8, TaskSet::of(task), listed.with(task));
             if position > 0 {
-                self.propose_choice(best, Subject::WhichTask(tasks, position.saturating_add(1) as u8), choices);
+                self.propose_choice(best, Subject::WhichTask(tasks, (position + 1) as u8), choices);
             }
         }
     }

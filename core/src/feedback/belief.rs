@@ -172,7 +172,7 @@ impl<'t> Belief<'t> {
         let slots = self.memory.strategies.iter_mut().zip(self.memory.expected.iter_mut());
         for ((slot, expected), (strategy, before)) in slots.zip(strategies) {
             (*slot, *expected) = (strategy, before);
-            count = count.saturating_add(1);
+            count += 1;
         }
         if count > 0 {
             self.count.strategies = count;

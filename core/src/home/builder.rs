@@ -261,7 +261,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
                     return Err(CapacityError::full(Capacity::Cells, limit));
                 };
                 *slot = Place { x: x as i16, y: y as i16, neighbours: [CellId::NONE; 4], region };
-                count = count.saturating_add(1);
+                count += 1;
             }
         }
         Ok(count)
@@ -272,7 +272,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
             let free = self.memory.read().places.get(..count).unwrap_or(&[]);
             let Some(cell) = free.get(position).map(Place::cell) else { return };
             let neighbours = [(0, 1), (0, -1), (1, 0), (-1, 0)]
-                .map(|(x, y)| find(free, Cell::new(cell.x.saturating_add(x), cell.y.saturating_add(y))).unwrap_or(CellId::NONE));
+                .map(|(x, y)| find(free, Cell::new(cell.x + x, cell.y + y)).unwrap_or(CellId::NONE));
             if let Some(place) = self.memory.lend().places.get_mut(position) {
                 place.neighbours = neighbours;
             }

@@ -127,7 +127,7 @@ impl<M> Home<M> {
         if object == self.agent {
             return Some(Piece::ROBOT);
         }
-        self.blocks().iter().position(|&block| block == object).map(|position| Piece(position.saturating_add(1) as u8))
+        self.blocks().iter().position(|&block| block == object).map(|position| Piece((position + 1) as u8))
     }
 }
 
@@ -302,7 +302,7 @@ impl<M: HomeMemory> PushGrid for Home<M> {
 
     #[inline]
     fn pieces(&self) -> usize {
-        self.block_count.saturating_add(1)
+        self.block_count + 1
     }
 
     #[inline]

@@ -170,7 +170,7 @@ impl<'t> ObjectSet<'t> {
         if let Some(slot) = self.memory.objects.get_mut(self.count.objects) {
             *slot = object;
         }
-        self.count.objects = self.count.objects.saturating_add(1);
+        self.count.objects += 1;
         Ok(id)
     }
 }

@@ -318,7 +318,7 @@ fn misnamed<'n>(mut names: impl Iterator<Item = &'n str> + Clone) -> Option<usiz
     let mut position: usize = 0;
     names.position(|name| {
         let is_known = all.clone().take(position).any(|before| before == name);
-        position = position.saturating_add(1);
+        position += 1;
         name.is_empty() || is_known
     })
 }

@@ -122,7 +122,7 @@ impl<'t> Candidates<'t> {
     /// A [`CapacityError`].
     pub fn add(&mut self, task: usize, tokens: &[Symbol], likelihood: Scaled) -> Result<usize, CapacityError> {
         let limit = self.memory.candidates.len();
-        let end = self.count.used.saturating_add(tokens.len());
+        let end = self.count.used + tokens.len();
         let full = CapacityError::new(Capacity::CandidateTokens, self.memory.candidate_tokens.len(), end);
         let Some(entry) = self.memory.candidates.get_mut(self.count.len) else {
             return Err(CapacityError::full(Capacity::Candidates, limit));
@@ -137,7 +137,7 @@ impl<'t> Candidates<'t> {
         let (start, len) = (self.count.used as u32, tokens.len() as u8);
         *entry = Candidate { start, task: task as u8, len, check: check(tokens), likelihood, weight: Scaled::ZERO };
         let position = self.count.len;
-        (self.count.len, self.count.used) = (self.count.len.saturating_add(1), end);
+        (self.count.len, self.count.used) = (self.count.len + 1, end);
         Ok(position)
     }
 }

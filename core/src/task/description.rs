@@ -86,17 +86,17 @@ pub(crate) fn form_token(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut 
         };
         if position > 0 {
             add(sign);
-            number.into_iter().for_each(|number| add(char::from(b'0'.saturating_add(number.min(9)))));
+            number.into_iter().for_each(|number| add(char::from(b'0' + number.min(9))));
         }
         schema.proposition_name(part.proposition).chars().for_each(&mut add);
         if several {
             let count = schema.parameters(part.proposition).len();
-            part.variables.iter().take(count).for_each(|&variable| add(char::from(b'0'.saturating_add(variable.min(9)))));
+            part.variables.iter().take(count).for_each(|&variable| add(char::from(b'0' + variable.min(9))));
         }
     }
     if rest != 0 {
         for shift in [12, 8, 4, 0] {
-            let _ = text.push(char::from(b'a'.saturating_add(((rest >> shift) & 15) as u8)));
+            let _ = text.push(char::from(b'a' + ((rest >> shift) & 15) as u8));
         }
     }
     tokens.intern(&text)
@@ -296,7 +296,7 @@ impl Chosen {
     fn insert_bits(&mut self, position: u8, bits: u32) {
         if let Some(word) = self.words.get_mut(usize::from(position)) {
             *word |= bits;
-            self.end = self.end.max(position.saturating_add(1));
+            self.end = self.end.max(position + 1);
         }
     }
 
@@ -482,7 +482,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         }
         let marker = Marker { role, sort: sort as u8 };
         let Self { domain, scene, tokens, description, .. } = self;
-        let first = description.len().saturating_add(1);
+        let first = description.len() + 1;
         for object in objects.iter() {
             let mut tell = |fact: &str| {
                 let token = attribute_token("is", fact).and_then(|token| tokens.intern(&token)).ok();
@@ -502,7 +502,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
     }
 
     fn write_group(&mut self, marker: Marker, attribute: usize, objects: &Chosen) -> Result<(), CapacityError> {
-        let first = self.description.len().saturating_add(1);
+        let first = self.description.len() + 1;
         for object in objects.iter() {
             let Some(token) = self.scene.token(&self.world, object, attribute, self.tokens)? else { continue };
             if self.description.len() < first && self.description.push(marker.symbol()).is_err() {
@@ -529,7 +529,7 @@ fn insert(description: &mut Tokens, first: usize, token: Symbol) {
     }
     // The later ones move up by one. The list's own insertion can panic.
     let mut moved = token;
-    for slot in description.iter_mut().skip(first.saturating_add(place)) {
+    for slot in description.iter_mut().skip(first + place) {
         core::mem::swap(slot, &mut moved);
     }
 }

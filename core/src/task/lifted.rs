@@ -337,10 +337,10 @@ impl LiftedTask {
                 if self.parts.get(behind) == Part::Goal {
                     break;
                 }
-                let (part, before) = (self.parts.get(behind.saturating_add(1)), self.parts.get(behind));
+                let (part, before) = (self.parts.get(behind + 1), self.parts.get(behind));
                 self.parts.set(behind, part);
-                self.parts.set(behind.saturating_add(1), before);
-                if let Some([first, second]) = self.propositions.get_mut(behind..=behind.saturating_add(1)) {
+                self.parts.set(behind + 1, before);
+                if let Some([first, second]) = self.propositions.get_mut(behind..=behind + 1) {
                     core::mem::swap(first, second);
                 }
             }
@@ -358,7 +358,7 @@ impl LiftedTask {
             }
         }
         for (position, (part, proposition)) in self.way().enumerate() {
-            let mut others = self.way().skip(position.saturating_add(1));
+            let mut others = self.way().skip(position + 1);
             let in_way = others.any(|(other, same)| same == proposition && !matches!((part, other), (Part::Before(_), Part::Before(_))));
             if in_way || self.propositions().contains(&proposition) && !matches!(part, Part::Before(_)) {
                 return Err(TaskTextError::SaysNothing);
@@ -417,7 +417,7 @@ impl LiftedTask {
 /// controller's flash.
 fn split_at_byte(text: &str, separator: u8) -> Option<(&str, &str)> {
     let at = text.bytes().position(|byte| byte == separator)?;
-    Some((text.get(..at)?, text.get(at.saturating_add(1)..)?))
+    Some((text.get(..at)?, text.get(at + 1..)?))
 }
 
 /// The pieces of a text between one `separator`, an ASCII character, and the next.

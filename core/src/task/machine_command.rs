@@ -157,7 +157,7 @@ fn place<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTas
     let mut end = 0_usize;
     for (connective, part) in parts(lifted) {
         let parameters = domain.world().schema.parameters(part.proposition).len();
-        end = end.saturating_add(parameters).saturating_add(1).saturating_add(usize::from(connective.is_some()));
+        end += parameters + 1 + usize::from(connective.is_some());
         let arguments = task.grounded(part).arguments;
         if let Some(argument) = arguments.iter().take(parameters).position(|&object| object == fact.object) {
             return (end as u8, argument as u8);
@@ -169,7 +169,7 @@ fn place<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTas
 /// The number of tokens before a fact, if a task has a way and facts are ordered by attribute: those of the goal, or those up to the part
 /// of the way in which its object first occurs.
 fn behind_goal<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask, fact: &Fact) -> u8 {
-    let parameters = |part: &LiftedProposition| domain.world().schema.parameters(part.proposition).len().saturating_add(1);
+    let parameters = |part: &LiftedProposition| domain.world().schema.parameters(part.proposition).len() + 1;
     let goal: usize = lifted.propositions().iter().map(parameters).sum();
     place(domain, lifted, task, fact).0.max(goal as u8)
 }
