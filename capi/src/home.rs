@@ -118,7 +118,7 @@ pub unsafe extern "C" fn goodbot_home_room(
     }
 }
 
-/// Adds a door: a box of cells where no wall stands.
+/// Adds a door: a box of cells without walls.
 ///
 /// # Safety
 /// As `goodbot_home_room`.

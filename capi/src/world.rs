@@ -1,4 +1,4 @@
-//! What a robot lives in: a home, or a world of the caller's own. Both are one domain here, so that all that works on a domain is linked once.
+//! The robot's world: a home, or a world of the caller's own. Both are one domain here, so code for a domain is linked once.
 
 #[cfg(feature = "home")]
 #[cfg(feature = "table")]
@@ -11,7 +11,7 @@ use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition};
 #[cfg(feature = "home")]
 use goodbot::oomdp::{BitRows, CellId, Floor, Piece, PushGrid};
 
-/// What the robot lives in, also before that is described.
+/// The robot's world, also before it is described.
 #[derive(Debug)]
 pub enum World {
     /// Nothing yet.
@@ -23,7 +23,7 @@ pub enum World {
     /// It is being changed for another; no call ends so.
     #[cfg(feature = "home")]
     Changing,
-    /// A world, and where things stand now.
+    /// A world and its state.
     Here(Surroundings, Standing),
 }
 
@@ -38,7 +38,7 @@ pub enum Surroundings {
     Table(TableDomain),
 }
 
-/// Where things stand in a world of the same kind.
+/// The state of a world of the same kind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Standing {
     /// In a home.

@@ -53,10 +53,9 @@ pub unsafe extern "C" fn goodbot_init_table(
     }
 }
 
-/// Does what `goodbot_init_table` does, in the same memory, and writes what is wrong with the description, with a 0 at its end: which list,
-/// which item by its position, which field, what stands there and what may; or which table is full, how much it holds and how much is
-/// needed. An empty text where nothing is wrong. Gives what `goodbot_init_table` gives, or `BUFFER` where the text does not fit; 200 bytes
-/// are enough.
+/// Does what `goodbot_init_table` does, in the same memory, and writes the fault of the description, with a 0 at its end: the list, the
+/// item's position, the field, its value and the allowed values; or the full table, its size and the size needed. The text is empty if there
+/// is no fault. Gives what `goodbot_init_table` gives, or `BUFFER` if the text does not fit; 200 bytes are enough.
 ///
 /// # Safety
 /// As `goodbot_init_table`; `text` is null or room for `text_bytes` bytes.

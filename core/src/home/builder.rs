@@ -271,8 +271,8 @@ impl<M: HomeMemory> HomeBuilder<M> {
         for position in 0..count {
             let free = self.memory.read().places.get(..count).unwrap_or(&[]);
             let Some(cell) = free.get(position).map(Place::cell) else { return };
-            let neighbours = [(0, 1), (0, -1), (1, 0), (-1, 0)]
-                .map(|(x, y)| find(free, Cell::new(cell.x + x, cell.y + y)).unwrap_or(CellId::NONE));
+            let neighbours =
+                [(0, 1), (0, -1), (1, 0), (-1, 0)].map(|(x, y)| find(free, Cell::new(cell.x + x, cell.y + y)).unwrap_or(CellId::NONE));
             if let Some(place) = self.memory.lend().places.get_mut(position) {
                 place.neighbours = neighbours;
             }
