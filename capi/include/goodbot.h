@@ -45,16 +45,16 @@
 #define GOODBOT_TINY 1
 
 // Bytes that the small preset takes where a pointer has four bytes.
-#define GOODBOT_SMALL_BYTES_32 21888
+#define GOODBOT_SMALL_BYTES_32 21920
 
 // Bytes that the small preset takes where a pointer has eight bytes.
-#define GOODBOT_SMALL_BYTES_64 22400
+#define GOODBOT_SMALL_BYTES_64 22464
 
 // Bytes that the tiny preset takes where a pointer has four bytes.
-#define GOODBOT_TINY_BYTES_32 13568
+#define GOODBOT_TINY_BYTES_32 13600
 
 // Bytes that the tiny preset takes where a pointer has eight bytes.
-#define GOODBOT_TINY_BYTES_64 14080
+#define GOODBOT_TINY_BYTES_64 14144
 
 // Bytes that a robot of the caller's own takes beyond that.
 #define GOODBOT_TABLE_BYTES 1344
@@ -98,7 +98,7 @@
 // Silence.
 #define GOODBOT_NEUTRAL 0
 
-// What the plan says for the task that the robot follows.
+// The plan for the task that the robot follows.
 #define GOODBOT_PLAN_GOAL 0
 
 // The action begins a shortest way to the goal.
@@ -140,7 +140,7 @@
 // By the probability of its task.
 #define GOODBOT_WEIGHTS_BELIEF 1
 
-// By what the trainer said or showed alone.
+// By the trainer's evidence alone.
 #define GOODBOT_WEIGHTS_EVIDENCE 2
 
 // There is nothing to ask: act.
@@ -167,8 +167,7 @@
 // No, or none of these.
 #define GOODBOT_NO -1
 
-// `goodbot_flash.write` is called for whole units of so many bytes, each at a multiple of it: a flash that writes fewer at once, or as many,
-// will do.
+// `goodbot_flash.write` is called for whole units of this many bytes, at multiples of it. The flash's own unit may be smaller, not larger.
 #define GOODBOT_FLASH_UNIT 256
 
 // What came of a call.
@@ -454,7 +453,7 @@ typedef struct goodbot_strategy {
   float prior;
 } goodbot_strategy;
 
-// What a recogniser of speech may have heard: one entry of its n-best list.
+// One entry of a speech recogniser's n-best list.
 typedef struct goodbot_hypothesis {
   // The command, in UTF-8.
   const char *command;
@@ -480,7 +479,7 @@ typedef struct goodbot_hazard {
 typedef struct goodbot_options {
   // Of the actions that lead on, take the one whose feedback tells most of what is meant; otherwise any of them.
   bool telling;
-  // How much of what was found out about the trainer is forgotten at each new command, from 0 to 1.
+  // The share of the belief about the trainer that is forgotten at each new command, from 0 to 1.
   float drift;
   // How probable it is that the trainer ends the session after an action where the task is done.
   struct goodbot_hazard ends_at_goal;
@@ -622,7 +621,7 @@ enum goodbot_status goodbot_home_room(struct goodbot *robot,
                                       int32_t top,
                                       const char *color);
 
-// Adds a door: a box of cells where no wall stands.
+// Adds a door: a box of cells without walls.
 //
 // The caller sees to it:
 // As `goodbot_home_room`.
@@ -708,10 +707,9 @@ enum goodbot_status goodbot_init_table(void *memory,
                                        const struct goodbot_table *table,
                                        struct goodbot **robot);
 
-// Does what `goodbot_init_table` does, in the same memory, and writes what is wrong with the description, with a 0 at its end: which list,
-// which item by its position, which field, what stands there and what may; or which table is full, how much it holds and how much is
-// needed. An empty text where nothing is wrong. Gives what `goodbot_init_table` gives, or `BUFFER` where the text does not fit; 200 bytes
-// are enough.
+// Does what `goodbot_init_table` does, in the same memory, and writes the fault of the description, with a 0 at its end: the list, the
+// item's position, the field, its value and the allowed values; or the full table, its size and the size needed. The text is empty if there
+// is no fault. Gives what `goodbot_init_table` gives, or `BUFFER` if the text does not fit; 200 bytes are enough.
 //
 // The caller sees to it:
 // As `goodbot_init_table`; `text` is null or room for `text_bytes` bytes.
@@ -760,9 +758,8 @@ enum goodbot_status goodbot_trainers(struct goodbot *robot,
 // `robot` is null or a handle, `command` null or a C string in UTF-8.
 enum goodbot_status goodbot_hear(struct goodbot *robot, const char *command);
 
-// Hears one command of which several transcripts are given, `count` of them: the one is taken that is most probable by its weight and by
-// what it could mean here. `chosen` is given its position, and the session is as if it alone had been heard. It takes the time of hearing
-// each, and one once more.
+// Hears the most probable of `count` transcripts of one command, by its weight and its possible meanings here. `chosen` is given its
+// position, and the session is as if it alone had been heard. It takes the time of hearing each transcript, and one of them twice.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `hypotheses` is null or points to `count` of them; the commands are null or C strings; `chosen` is null or
@@ -779,8 +776,8 @@ enum goodbot_status goodbot_hear_one_of(struct goodbot *robot,
 enum goodbot_status goodbot_begin_hearing(struct goodbot *robot,
                                           const char *command);
 
-// Hears the last command again, where everything stands as it stood when the session began: the belief goes on. An ended session, learned
-// from or forgotten, is taken up again by this; `NO_SESSION` where the last one did not begin so.
+// Hears the last command again, in the state in which the session began: the belief goes on. This also takes up an ended session, learned
+// from or forgotten; `NO_SESSION` if the last one began in another state.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
@@ -930,7 +927,7 @@ enum goodbot_status goodbot_task_text(struct goodbot *robot,
 // to this one.
 //
 // The caller sees to it:
-// `robot` is null or a handle; `word` and `meaning` are null or room for so many bytes; `share` is null or room for a number.
+// `robot` is null or a handle; `word` and `meaning` are null or room for that many bytes; `share` is null or room for a number.
 enum goodbot_status goodbot_explain_word(struct goodbot *robot,
                                          uint32_t task,
                                          uint32_t position,
@@ -992,7 +989,7 @@ enum goodbot_status goodbot_save(struct goodbot *robot,
                                  size_t bytes,
                                  size_t *written);
 
-// Takes over what was saved, in place of what was learned here. Call `goodbot_learn` until it is done. On any failure the robot is as
+// Replaces everything learned here by a saved model. Call `goodbot_learn` until it is done. On any failure the robot is as
 // before.
 //
 // The caller sees to it:

@@ -1,4 +1,4 @@
-//! What the robot takes a command to mean.
+//! The possible meanings of a command.
 
 use crate::robot::{Goodbot, give, with};
 use crate::status::GoodbotStatus;
@@ -103,7 +103,7 @@ pub(crate) struct Writer {
 }
 
 impl Writer {
-    /// Writes to so many bytes from here on.
+    /// Writes to this many bytes from here on.
     ///
     /// # Safety
     /// They are the caller's room.

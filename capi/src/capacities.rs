@@ -87,13 +87,13 @@ pub const GOODBOT_SMALL: u32 = 0;
 pub const GOODBOT_TINY: u32 = 1;
 
 /// Bytes that the small preset takes where a pointer has four bytes.
-pub const GOODBOT_SMALL_BYTES_32: usize = 21_888;
+pub const GOODBOT_SMALL_BYTES_32: usize = 21_920;
 /// Bytes that the small preset takes where a pointer has eight bytes.
-pub const GOODBOT_SMALL_BYTES_64: usize = 22_400;
+pub const GOODBOT_SMALL_BYTES_64: usize = 22_464;
 /// Bytes that the tiny preset takes where a pointer has four bytes.
-pub const GOODBOT_TINY_BYTES_32: usize = 13_568;
+pub const GOODBOT_TINY_BYTES_32: usize = 13_600;
 /// Bytes that the tiny preset takes where a pointer has eight bytes.
-pub const GOODBOT_TINY_BYTES_64: usize = 14_080;
+pub const GOODBOT_TINY_BYTES_64: usize = 14_144;
 /// Bytes that a robot of the caller's own takes beyond that.
 pub const GOODBOT_TABLE_BYTES: usize = 1_344;
 

@@ -1,6 +1,5 @@
 //! The home environment: rooms, doors, blocks, an agent.
 
-use crate::arena::HomeArena;
 use crate::capacities::GoodbotCapacities;
 use crate::robot::{Goodbot, give, plot, settle, text, with};
 use crate::status::{Failure, GoodbotStatus};
@@ -9,6 +8,7 @@ use crate::world::{Standing, Surroundings, World};
 use core::ffi::c_char;
 use goodbot::capacity::BLOCKS;
 use goodbot::home::{self, Area, Cell, HomeBuilder, Moves};
+use goodbot::memory::HomeTables;
 use goodbot::oomdp::ObjectId;
 use goodbot::task::LiftedTask;
 use heapless::Vec;
@@ -87,7 +87,7 @@ pub unsafe extern "C" fn goodbot_home_begin(robot: *mut Goodbot) -> GoodbotStatu
     }
 }
 
-fn plan(robot: &mut Goodbot) -> Result<&mut HomeBuilder<HomeArena>, Failure> {
+fn plan(robot: &mut Goodbot) -> Result<&mut HomeBuilder<HomeTables<'static>>, Failure> {
     match &mut robot.world {
         World::Plan(builder) => Ok(builder),
         World::Nothing(_) => Err(GoodbotStatus::NoWorld.into()),
@@ -118,7 +118,7 @@ pub unsafe extern "C" fn goodbot_home_room(
     }
 }
 
-/// Adds a door: a box of cells where no wall stands.
+/// Adds a door: a box of cells without walls.
 ///
 /// # Safety
 /// As `goodbot_home_room`.

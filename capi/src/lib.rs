@@ -8,16 +8,16 @@
 //! - [`capacities`]: how large the tables are, and what memory that takes;
 //! - [`arena`]: the caller's memory, dealt out;
 //! - [`robot`]: the handle;
-//! - [`world`]: what a robot lives in, whichever kind it is;
+//! - [`world`]: the robot's world of either kind;
 //! - [`home`]: the home environment;
 //! - [`table`]: robots of the caller's own: classes, objects, propositions and a step function or a table of steps;
 //! - [`tasks`]: the kinds of tasks that a robot can be told;
 //! - [`training`]: hear, plan, decide, feedback, learn;
 //! - [`options`]: how it takes evidence and acts;
 //! - [`asking`]: questions to the trainer;
-//! - [`beliefs`]: what the robot takes a command to mean;
-//! - [`words`]: what it takes each word for;
-//! - [`model`]: saving and restoring what was learned;
+//! - [`beliefs`]: the possible meanings of a command;
+//! - [`words`]: the meanings of its words;
+//! - [`model`]: saving and restoring a model;
 //! - [`storage`]: the same in a flash, where it outlives power cuts.
 
 #![no_std]

@@ -1,4 +1,4 @@
-//! Saving and restoring what was learned.
+//! Saving and restoring a model.
 
 use crate::robot::{Goodbot, give, with};
 use crate::status::GoodbotStatus;
@@ -32,7 +32,7 @@ pub unsafe extern "C" fn goodbot_save(robot: *mut Goodbot, buffer: *mut u8, byte
     }
 }
 
-/// Takes over what was saved, in place of what was learned here. Call `goodbot_learn` until it is done. On any failure the robot is as
+/// Replaces everything learned here by a saved model. Call `goodbot_learn` until it is done. On any failure the robot is as
 /// before.
 ///
 /// # Safety

@@ -12,7 +12,7 @@ use goodbot::session::Weights;
 pub const GOODBOT_WEIGHTS_PAPER: u32 = 0;
 /// By the probability of its task.
 pub const GOODBOT_WEIGHTS_BELIEF: u32 = 1;
-/// By what the trainer said or showed alone.
+/// By the trainer's evidence alone.
 pub const GOODBOT_WEIGHTS_EVIDENCE: u32 = 2;
 
 /// How probable it is that the trainer ends the session after an action, at every moment from 0 to less than 1.
@@ -49,7 +49,7 @@ impl From<GoodbotHazard> for Hazard {
 pub struct GoodbotOptions {
     /// Of the actions that lead on, take the one whose feedback tells most of what is meant; otherwise any of them.
     pub telling: bool,
-    /// How much of what was found out about the trainer is forgotten at each new command, from 0 to 1.
+    /// The share of the belief about the trainer that is forgotten at each new command, from 0 to 1.
     pub drift: f32,
     /// How probable it is that the trainer ends the session after an action where the task is done.
     pub ends_at_goal: GoodbotHazard,

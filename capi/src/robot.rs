@@ -1,6 +1,6 @@
 //! The handle: a robot at the beginning of the caller's memory.
 
-use crate::arena::{AgentArena, Arena, HomeArena};
+use crate::arena::{Arena, deal_agent, deal_home};
 use crate::capacities::GoodbotCapacities;
 use crate::status::{At, Failure, GoodbotStatus, Place};
 #[cfg(feature = "home")]
@@ -9,6 +9,7 @@ use crate::world::World;
 use core::ffi::{CStr, c_char};
 use core::ptr::NonNull;
 use goodbot::capacity::CapacityError;
+use goodbot::memory::{AgentTables, HomeTables};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use rand_pcg::Pcg32;
@@ -21,14 +22,14 @@ pub struct Goodbot {
     magic: u32,
     pub(crate) full: Option<CapacityError>,
     pub(crate) random: Pcg32,
-    pub(crate) agent: Agent<AgentArena>,
+    pub(crate) agent: Agent<AgentTables<'static>>,
     pub(crate) world: World,
 }
 
 #[cfg(feature = "home")]
 impl Goodbot {
     /// The home's memory for a new description; the world there was is gone, and with it a session under way.
-    pub(crate) fn empty_home(&mut self) -> Result<HomeArena, Failure> {
+    pub(crate) fn empty_home(&mut self) -> Result<HomeTables<'static>, Failure> {
         if !matches!(self.world, World::Nothing(_) | World::Plan(_) | World::Here(Surroundings::Home(_), _)) {
             return Err(GoodbotStatus::World.into());
         }
@@ -45,8 +46,8 @@ impl Goodbot {
 /// Memory that was checked and dealt out, for a robot that is not made yet.
 pub(crate) struct Plot {
     at: NonNull<Goodbot>,
-    pub(crate) home: HomeArena,
-    agent: AgentArena,
+    pub(crate) home: HomeTables<'static>,
+    agent: AgentTables<'static>,
     #[cfg_attr(not(feature = "table"), expect(dead_code, reason = "only a table takes more of it"))]
     pub(crate) arena: Arena,
 }
@@ -68,8 +69,8 @@ pub(crate) unsafe fn plot(at: *mut u8, bytes: usize, capacities: *const GoodbotC
     let mut arena = unsafe { Arena::new(at, bytes) };
     let capacities = Capacities::from(capacities);
     let at = arena.place::<Goodbot>(1).ok_or(GoodbotStatus::Memory)?;
-    let home = HomeArena::deal(&mut arena, &capacities).ok_or(GoodbotStatus::Memory)?;
-    let agent = AgentArena::deal(&mut arena, &capacities).ok_or(GoodbotStatus::Memory)?;
+    let home = deal_home(&mut arena, &capacities).ok_or(GoodbotStatus::Memory)?;
+    let agent = deal_agent(&mut arena, &capacities).ok_or(GoodbotStatus::Memory)?;
     Ok(Plot { at, home, agent, arena })
 }
 
@@ -80,7 +81,7 @@ pub(crate) unsafe fn plot(at: *mut u8, bytes: usize, capacities: *const GoodbotC
 pub(crate) unsafe fn settle(
     plot: Plot,
     tasks: &[LiftedTask],
-    world: impl FnOnce(HomeArena) -> Result<World, Failure>,
+    world: impl FnOnce(HomeTables<'static>) -> Result<World, Failure>,
     robot: *mut *mut Goodbot,
 ) -> Result<GoodbotStatus, Failure> {
     let agent = Agent::new(plot.agent, tasks, Options::DEFAULT)?;

@@ -89,9 +89,9 @@ pub struct Place {
     pub(crate) item: Option<usize>,
     /// The item's field.
     pub(crate) field: &'static str,
-    /// What stands there, where it is a number.
+    /// The value there, if it is a number.
     pub(crate) found: Option<u32>,
-    /// The least and the most that may stand there.
+    /// The least and the greatest allowed value.
     pub(crate) allowed: Option<(u32, u32)>,
 }
 
@@ -106,7 +106,7 @@ impl Place {
         Self { item: Some(item), field, ..Self::of(list) }
     }
 
-    /// The number that stands there, and the least and the most that may.
+    /// Adds the value there, and the least and the greatest allowed value.
     pub(crate) const fn number(self, found: u32, least: u32, most: u32) -> Self {
         Self { found: Some(found), allowed: Some((least, most)), ..self }
     }

@@ -1,4 +1,4 @@
-//! What was learned in a flash of the caller's, where a power cut at any moment leaves a whole model.
+//! A model in the caller's flash. A power cut at any moment leaves a whole model.
 
 use crate::robot::{Goodbot, give, with};
 use crate::status::{Failure, GoodbotStatus};
@@ -6,8 +6,7 @@ use core::ffi::c_void;
 use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
 use goodbot::storage::{StorageError, TwoSlots};
 
-/// `goodbot_flash.write` is called for whole units of so many bytes, each at a multiple of it: a flash that writes fewer at once, or as many,
-/// will do.
+/// `goodbot_flash.write` is called for whole units of this many bytes, at multiples of it. The flash's own unit may be smaller, not larger.
 pub const GOODBOT_FLASH_UNIT: usize = 256;
 
 /// A flash of the caller's: two slots, one after the other. Each function gives false where the flash refused, and must not call goodbot.

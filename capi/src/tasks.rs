@@ -13,7 +13,7 @@ pub const GOODBOT_MOST_TASKS: usize = 8;
 /// The kinds of tasks that commands may mean.
 ///
 /// # Safety
-/// `tasks` is null or points to so many texts, each null or ended by a 0.
+/// `tasks` is null or points to that many texts, each null or ended by a 0.
 pub(crate) unsafe fn kinds_of_tasks(
     tasks: *const *const c_char,
     count: u32,

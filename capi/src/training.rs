@@ -19,7 +19,7 @@ pub const GOODBOT_PUNISH: i32 = -1;
 /// Silence.
 pub const GOODBOT_NEUTRAL: i32 = 0;
 
-/// What the plan says for the task that the robot follows.
+/// The plan for the task that the robot follows.
 pub const GOODBOT_PLAN_GOAL: u32 = 0;
 /// The action begins a shortest way to the goal.
 pub const GOODBOT_PLAN_TOWARD: u32 = 1;
@@ -143,7 +143,7 @@ pub unsafe extern "C" fn goodbot_hear(robot: *mut Goodbot, command: *const c_cha
     }
 }
 
-/// What a recogniser of speech may have heard: one entry of its n-best list.
+/// One entry of a speech recogniser's n-best list.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct GoodbotHypothesis {
@@ -156,9 +156,8 @@ pub struct GoodbotHypothesis {
 /// Most transcripts of one command.
 pub const GOODBOT_MOST_HYPOTHESES: usize = 16;
 
-/// Hears one command of which several transcripts are given, `count` of them: the one is taken that is most probable by its weight and by
-/// what it could mean here. `chosen` is given its position, and the session is as if it alone had been heard. It takes the time of hearing
-/// each, and one once more.
+/// Hears the most probable of `count` transcripts of one command, by its weight and its possible meanings here. `chosen` is given its
+/// position, and the session is as if it alone had been heard. It takes the time of hearing each transcript, and one of them twice.
 ///
 /// # Safety
 /// `robot` is null or a handle; `hypotheses` is null or points to `count` of them; the commands are null or C strings; `chosen` is null or
@@ -202,8 +201,8 @@ pub unsafe extern "C" fn goodbot_begin_hearing(robot: *mut Goodbot, command: *co
     }
 }
 
-/// Hears the last command again, where everything stands as it stood when the session began: the belief goes on. An ended session, learned
-/// from or forgotten, is taken up again by this; `NO_SESSION` where the last one did not begin so.
+/// Hears the last command again, in the state in which the session began: the belief goes on. This also takes up an ended session, learned
+/// from or forgotten; `NO_SESSION` if the last one began in another state.
 ///
 /// # Safety
 /// `robot` is null or a handle.

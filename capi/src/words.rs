@@ -1,4 +1,4 @@
-//! What the robot takes each word of a command for.
+//! The meanings of the words of a command.
 
 use crate::beliefs::Writer;
 use crate::robot::{Goodbot, give, with};
@@ -18,7 +18,7 @@ use goodbot::task::{Role, RoleKind};
 /// to this one.
 ///
 /// # Safety
-/// `robot` is null or a handle; `word` and `meaning` are null or room for so many bytes; `share` is null or room for a number.
+/// `robot` is null or a handle; `word` and `meaning` are null or room for that many bytes; `share` is null or room for a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_explain_word(
     robot: *mut Goodbot,

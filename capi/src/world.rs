@@ -1,29 +1,29 @@
-//! What a robot lives in: a home, or a world of the caller's own. Both are one domain here, so that all that works on a domain is linked once.
+//! The robot's world: a home, or a world of the caller's own. Both are one domain here, so code for a domain is linked once.
 
 #[cfg(feature = "home")]
-use crate::arena::HomeArena;
 #[cfg(feature = "table")]
 use crate::table::TableDomain;
 use goodbot::Capacities;
 #[cfg(feature = "home")]
 use goodbot::home::{Home, HomeBuilder, HomeState};
+use goodbot::memory::HomeTables;
 use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition};
 #[cfg(feature = "home")]
 use goodbot::oomdp::{BitRows, CellId, Floor, Piece, PushGrid};
 
-/// What the robot lives in, also before that is described.
+/// The robot's world, also before it is described.
 #[derive(Debug)]
 pub enum World {
     /// Nothing yet.
     #[cfg(feature = "home")]
-    Nothing(HomeArena),
+    Nothing(HomeTables<'static>),
     /// A home that is being described.
     #[cfg(feature = "home")]
-    Plan(HomeBuilder<HomeArena>),
+    Plan(HomeBuilder<HomeTables<'static>>),
     /// It is being changed for another; no call ends so.
     #[cfg(feature = "home")]
     Changing,
-    /// A world, and where things stand now.
+    /// A world and its state.
     Here(Surroundings, Standing),
 }
 
@@ -32,13 +32,13 @@ pub enum World {
 pub enum Surroundings {
     /// A home.
     #[cfg(feature = "home")]
-    Home(Home<HomeArena>),
+    Home(Home<HomeTables<'static>>),
     /// The caller's own.
     #[cfg(feature = "table")]
     Table(TableDomain),
 }
 
-/// Where things stand in a world of the same kind.
+/// The state of a world of the same kind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Standing {
     /// In a home.

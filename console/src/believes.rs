@@ -1,15 +1,15 @@
-//! What a robot expects of the trainers of recorded sessions, as it is typed.
+//! The trainers that a robot expects in recorded sessions, as a command-line option.
 
 use goodbot::feedback::{LAGS, RESTS, Strategy, population};
 use goodbot::session::Options;
 use std::str::FromStr;
 
-/// What a robot expects of trainers.
+/// The trainers that a robot expects.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Believes {
     /// The strategies of real people.
     Population,
-    /// What each session says.
+    /// Those that each session names.
     Logged,
     /// The paper's balanced strategy, or one that was typed.
     One([(Strategy, f32); 1]),

@@ -38,7 +38,7 @@ impl Learner {
     }
 }
 
-/// Memory for an agent that learns by these settings from sessions in which so many tasks are possible, all together.
+/// Memory for an agent with these settings. `tasks` is the number of possible tasks of all its sessions together.
 pub fn memory(capacities: &Capacities, settings: &Settings, tasks: usize) -> AgentHeap {
     let memory = AgentHeap::new(capacities);
     if settings.layer { memory.with_layer(tasks) } else { memory }

@@ -1,4 +1,4 @@
-//! What is told on standard error beside failures: remarks and progress. `--quiet` leaves them out.
+//! Remarks and progress on standard error. `--quiet` leaves them out.
 
 use goodbot_lesson::Fault;
 use indicatif::{ProgressBar, ProgressStyle};

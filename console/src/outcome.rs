@@ -1,4 +1,4 @@
-//! How a command ends: its exit code, and what it says on standard error.
+//! The end of a command: its exit code and its message on standard error.
 
 use crate::messages::printable;
 use std::fmt;

@@ -1,4 +1,4 @@
-//! Files that are written because someone asked for them: never over what was read, and never over what is not ours unless it is said.
+//! Files written on request: never over an input, and over files that goodbot did not write only with `--force`.
 
 use crate::messages::printable;
 use crate::outcome::Failure;
@@ -11,9 +11,9 @@ use std::path::{Path, PathBuf};
 const MARK: &str = "<!-- drawn by goodbot -->";
 /// What marks a page as written here.
 const PAGE_MARK: &str = "<!-- written by goodbot -->";
-/// With what a model begins.
+/// The first bytes of a model.
 const MODEL: &[u8] = b"goodbot\0";
-/// With what a micro:bit's file begins: the first record is at the flash's beginning.
+/// The first bytes of a micro:bit's file: its first record is at the flash's beginning.
 const MICROBIT: &[u8] = b":020000040000FA";
 /// How far into a file the mark is looked for.
 const HEAD: u64 = 4_096;
@@ -184,7 +184,7 @@ pub fn text(outputs: &[Option<&Output>]) -> Result<BufWriter<Box<dyn Write>>, Fa
     }
 }
 
-/// A picture with the mark behind its first tag.
+/// A picture with the mark after its first tag.
 fn with_mark(svg: &[u8]) -> Vec<u8> {
     let end = svg.iter().position(|&byte| byte == b'>').map_or(0, |at| at + 1);
     [&svg[..end], b"\n", MARK.as_bytes(), &svg[end..]].concat()

@@ -1,4 +1,4 @@
-//! What the library refuses, in the words of who uses the program: no name of a constant, and no advice to change the program.
+//! The library's refusals in a user's words: without names of constants, and without advice to change the program.
 
 use goodbot::AgentError;
 use goodbot::capacity::{Capacity, CapacityError};
@@ -66,7 +66,7 @@ impl InWords for LiveError {
     }
 }
 
-/// What was full, and what to do.
+/// The full table, and what to do.
 pub fn full(error: &CapacityError) -> String {
     if let Some(full) = home::full(error) {
         return full;

@@ -74,7 +74,7 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     Ok(())
 }
 
-/// Removes what a program that was stopped while it wrote a file has left beside it, where it is at least this old. Gives how many.
+/// Removes the unfinished files of stopped programs beside a file, if they are at least this old. Returns their number.
 pub fn remove_torn(path: &Path, age: Duration) -> usize {
     let prefix = torn_prefix(path);
     let is_torn = |entry: &DirEntry| {
@@ -92,7 +92,7 @@ pub fn is_unfinished(path: &Path) -> bool {
     path.file_name().and_then(|name| name.to_str()).is_some_and(|name| name.starts_with('.') && name.ends_with(TORN_SUFFIX))
 }
 
-/// How the names of unfinished files begin: with that of the file, as far as there is room.
+/// The prefix of unfinished files' names: the file's own name, cut to the room there is.
 fn torn_prefix(path: &Path) -> String {
     let name: String = path.file_name().unwrap_or_default().to_string_lossy().chars().take(MOST_LETTERS).collect();
     format!(".{name}.")

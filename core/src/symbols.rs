@@ -86,7 +86,7 @@ impl<'t> SymbolsRef<'t> {
         if position >= self.len {
             return &[];
         }
-        self.bytes.get(self.start(position)..self.start(position.saturating_add(1))).unwrap_or(&[])
+        self.bytes.get(self.start(position)..self.start(position + 1)).unwrap_or(&[])
     }
 
     /// The bytes of all texts end to end, and where each ends.
@@ -162,7 +162,7 @@ impl<'t> Symbols<'t> {
             return Ok(symbol);
         }
         let start = self.read().byte_len();
-        let end = start.saturating_add(text.len());
+        let end = start + text.len();
         let most = self.bytes.len().min(usize::from(u16::MAX));
         let full = CapacityError::new(self.byte_capacity, most, end);
         let end_entry = u16::try_from(end).map_err(|_| full)?;
@@ -176,7 +176,7 @@ impl<'t> Symbols<'t> {
             *entry = end_entry;
         }
         let symbol = Symbol(*self.len as u16);
-        *self.len = self.len.saturating_add(1);
+        *self.len += 1;
         Ok(symbol)
     }
 
@@ -186,7 +186,7 @@ impl<'t> Symbols<'t> {
         if position >= *self.len {
             return;
         }
-        let (start, end) = (self.read().start(position), self.read().start(position.saturating_add(1)));
+        let (start, end) = (self.read().start(position), self.read().start(position + 1));
         let (all, length) = (self.read().byte_len(), end.saturating_sub(start));
         if let Some(bytes) = self.bytes.get_mut(start..all) {
             close_gap(bytes, length);
@@ -207,15 +207,15 @@ impl<'t> Symbols<'t> {
     }
 }
 
-/// Moves what stands behind the first `gap` entries to the front. The standard rotation can panic, and brings the text for it into a
+/// Moves the entries after the first `gap` to the front. The standard rotation can panic, and would bring panic messages into a
 /// controller's flash.
 pub(crate) fn close_gap<T: Copy>(entries: &mut [T], gap: usize) {
     let mut to = 0_usize;
-    while let Some(&entry) = entries.get(to.saturating_add(gap)) {
+    while let Some(&entry) = entries.get(to + gap) {
         if let Some(slot) = entries.get_mut(to) {
             *slot = entry;
         }
-        to = to.saturating_add(1);
+        to += 1;
     }
 }
 

@@ -20,7 +20,7 @@ pub struct Scene<'a, H, M> {
     pub exercise: &'static Exercise,
     /// The home.
     pub home: &'a Home<H>,
-    /// Where things stand.
+    /// The state now.
     pub state: &'a HomeState,
     /// The agent.
     pub agent: &'a Agent<M>,
@@ -42,7 +42,7 @@ pub trait Observer {
 
 impl Observer for () {}
 
-/// What a test came to.
+/// The result of a test.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TestReport {
     /// Whether the most likely task is the intended one.
@@ -53,7 +53,7 @@ pub struct TestReport {
     pub probability: f32,
 }
 
-/// What a course came to.
+/// The result of a course.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Results {
     /// The lessons.
@@ -63,7 +63,7 @@ pub struct Results {
 }
 
 impl Results {
-    /// What the trainer said in all lessons together.
+    /// The trainer's words in all lessons together.
     pub fn feedback(&self) -> FeedbackCounts {
         self.lessons.iter().fold(FeedbackCounts::default(), |sum, lesson| sum.plus(lesson.feedback))
     }

@@ -7,7 +7,7 @@ use goodbot::oomdp::{Domain, ObjectId, PropositionId};
 use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, AgentError};
 
-/// What the trainer means by a command: a task told by the looks of its objects.
+/// The meaning of a command: a task, told by the looks of its objects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Intention {
     /// The propositional function that shall hold.
@@ -90,9 +90,9 @@ impl HomeName {
 /// A command, what it means, and where it is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Exercise {
-    /// What the trainer says.
+    /// The trainer's command.
     pub command: &'static str,
-    /// What the trainer means.
+    /// Its meaning.
     pub intention: Intention,
     /// Where.
     pub home: HomeName,

@@ -12,9 +12,9 @@ use goodbot::planning::OptimalSet;
 use goodbot::session::{Decision, Evidence};
 use rand_core::Rng;
 
-/// The trainer ends a lesson after so many times of doing nothing in a row at the intended goal.
+/// Rests in a row at the intended goal after which the trainer ends the lesson.
 pub const RESTS: u8 = 3;
-/// The trainer gives up after so many steps.
+/// Steps after which the trainer gives up.
 pub const MOST_STEPS: u16 = 300;
 
 /// Why a lesson ended.
@@ -75,7 +75,7 @@ impl FeedbackCounts {
 /// What happened in one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
-    /// What the agent did, and for which task.
+    /// The agent's action, and its task.
     pub decision: Decision,
     /// Whether that was right for the intended task.
     pub correct: bool,
@@ -105,7 +105,7 @@ pub struct Lesson<S> {
     feedback: FeedbackCounts,
 }
 
-/// What a lesson came to.
+/// The result of a lesson.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LessonReport {
     /// Whether the agent set out for the intended task on hearing the command, before any feedback.
@@ -149,7 +149,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
         Self { state: *start, intended, understood: None, rests: 0, steps: 0, feedback: FeedbackCounts::default() }
     }
 
-    /// Where things stand.
+    /// The state now.
     pub fn state(&self) -> &S {
         &self.state
     }
@@ -159,7 +159,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
         self.intended
     }
 
-    /// What the lesson came to, if it ended now for this reason.
+    /// The result of the lesson, if it ended now for this reason.
     pub fn report(&self, ending: Ending) -> LessonReport {
         LessonReport { understood: self.understood.unwrap_or(false), ending, steps: self.steps, feedback: self.feedback }
     }

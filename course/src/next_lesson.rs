@@ -1,4 +1,4 @@
-//! Which lesson next: the one that teaches most of what the robot is to understand in the end.
+//! The next lesson: the one that teaches most of the commands that the robot is to understand in the end.
 //!
 //! One new word at a time: a lesson with many words that were never heard leaves open which of them names what. Lessons that are worth the sum
 //! over their words of need / (1 + heard)^2, which look for many new words at once, teach no faster than lessons at random.
@@ -12,7 +12,7 @@ use goodbot::language::{for_each_word, word_form};
 use goodbot::memory::AgentMemory;
 use goodbot::symbols::Symbol;
 
-/// A word that was heard in so many lessons is known.
+/// Lessons after which a word counts as known.
 const OFTEN: u32 = 6;
 
 /// A lesson that is worth teaching next.

@@ -1,4 +1,4 @@
-//! What a simulated trainer does, which need not be what the agent thinks that trainers do.
+//! Simulated trainers. They need not behave as the agent expects.
 
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
 use rand_core::Rng;
@@ -15,7 +15,7 @@ impl Trainer for SimulatedTrainer {
     }
 }
 
-/// A trainer who follows a strategy but may never reward, or never punish: in place of what is withheld stands silence.
+/// A trainer who follows a strategy but may never reward, or never punish: silence replaces the withheld feedback.
 ///
 /// The paper's second trainer "was only allowed to punish" (section 5), while its agent took a correct action to be rewarded three times out
 /// of ten.

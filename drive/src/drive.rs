@@ -1,5 +1,5 @@
-//! The wheel speeds that carry out an action: turn on the spot, then follow the line between the middles of two cells. A robot that
-//! stands off that line, since its last action failed, goes back to the middle of its cell first: so it clears the posts of a door.
+//! The wheel speeds that carry out an action: turn on the spot, then follow the line between the middles of two cells. After a failed action
+//! a robot off that line goes back to the middle of its cell first, which clears the posts of a door.
 
 use crate::grid::{Grid, direction};
 use crate::pose::{Pose, wrapped};
@@ -13,7 +13,7 @@ use micromath::F32Ext;
 const FACING: f32 = 0.06;
 /// A robot that faces further off than this while it drives stops and turns, radians.
 const ASTRAY: f32 = 0.5;
-/// The middle of a cell is reached within so much of the cell's side.
+/// Distance from the middle of a cell within which it is reached, as a share of the cell's side.
 const NEAR: f32 = 0.03;
 /// A robot that is further off the line than this share of a cell goes back to the middle first.
 const OFF: f32 = 0.1;
@@ -63,11 +63,11 @@ pub enum Motion {
     Turning,
     /// It drives to the next cell.
     Driving,
-    /// It has come to the middle of the cell and stands.
+    /// It has stopped in the middle of the cell.
     Arrived,
     /// It stops, since nothing was heard; it goes on once something is.
     Waiting,
-    /// It has given the action up, and stands. Sense the cell and plan again.
+    /// It has given the action up and stopped. Sense the cell and plan again.
     Stuck,
 }
 
@@ -150,7 +150,7 @@ pub struct Drive {
 }
 
 impl Drive {
-    /// A robot that stands.
+    /// A robot at rest.
     ///
     /// # Errors
     /// [`DriveError::Limit`].
@@ -172,8 +172,8 @@ impl Drive {
         }
     }
 
-    /// Begins an action from the cell on which the robot stands. `certainty` is how likely the task is that it follows, from 0 to 1: the
-    /// speed grows with it, from the slowest to the highest.
+    /// Begins an action from the robot's cell. `certainty` is the probability of its task, from 0 to 1: the speed grows with it, from the
+    /// slowest to the highest.
     ///
     /// # Errors
     /// [`DriveError::NoNeighbour`] for an action that is not north, south, east or west.
@@ -193,7 +193,7 @@ impl Drive {
         Ok(())
     }
 
-    /// Gives the action up; the robot comes to a stand.
+    /// Gives the action up; the robot stops.
     pub fn halt(&mut self) {
         self.leg = None;
     }

@@ -34,7 +34,7 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Cells of so many metres. The cell changes only where the robot is `hysteresis` of a cell beyond the border, so that a robot on the
+    /// Cells with sides of `size` metres. The cell changes only if the robot is `hysteresis` of a cell beyond the border, so a robot on the
     /// border does not flicker between two cells.
     ///
     /// # Errors
@@ -59,7 +59,7 @@ impl Grid {
         Pose { x: cell.x as f32 * self.size, y: cell.y as f32 * self.size, heading: 0.0 }
     }
 
-    /// The cell of a pose of which the cell before is known. A pose that is not finite leaves the cell as it was.
+    /// The cell of a pose, given the cell before. A pose that is not finite keeps the cell.
     #[must_use]
     pub fn cell(&self, pose: Pose, before: Cell) -> Cell {
         if !(pose.x.is_finite() && pose.y.is_finite()) {

@@ -73,7 +73,7 @@ fn main() -> ! {
     // SAFETY: this function runs once, and nothing else touches the static.
     let memory = unsafe { &mut *(&raw mut MEMORY) };
     let (Ok(arm), Ok(tasks)) = (Arm::new(memory.home.lend().objects), Arm::tasks()) else { board::exit(2) };
-    // Left where it was made: taken out of the result, it would stand on the stack twice.
+    // Borrow the `Result`: moving the value out would copy it on the stack.
     let mut made = Agent::new(&mut memory.agent, &tasks, Options::DEFAULT);
     let Ok(agent) = made.as_mut() else { board::exit(2) };
     let understood = course(agent, &arm);

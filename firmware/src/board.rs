@@ -43,7 +43,7 @@ pub fn sleep_through(period: u32) {
     }
 }
 
-/// Starts the counter, with a period of so many instructions, at most [`MOST_PERIOD`].
+/// Starts the counter. `period` is in instructions, at most [`MOST_PERIOD`].
 pub fn start_counter(period: u32) {
     let ticks = ((u64::from(period.min(MOST_PERIOD)) << 16) / PER_TICK) as u32;
     PERIOD.store(ticks, Ordering::Relaxed);

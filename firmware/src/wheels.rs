@@ -19,7 +19,7 @@ use goodbot_drive::simulation::{Tally, course};
 
 static mut MEMORY: memory::RobotMemory = memory::RobotMemory::new();
 
-/// One action in so many fails, at least: otherwise nothing is tried.
+/// At least one action in this many fails: otherwise failures are not tried.
 const FAIL: u32 = 30;
 
 #[cortex_m_rt::entry]
@@ -43,7 +43,7 @@ fn main() -> ! {
 
 /// All lessons and tests; nothing where a call was refused.
 fn drive(memory: &mut memory::RobotMemory, tally: &mut Tally) -> Option<()> {
-    // Left where it was made: taken out of the result, it would stand on the stack twice.
+    // Borrow the `Result`: moving the value out would copy it on the stack.
     let mut made = Agent::new(&mut memory.agent, &home::paper_tasks().ok()?, Options::DEFAULT);
     course(made.as_mut().ok()?, &mut memory.home, &mut generator(SEED), tally).ok()
 }

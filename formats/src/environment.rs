@@ -44,7 +44,7 @@ use crate::task_text::{TaskTextError, is_usable_name};
 pub struct EnvironmentFile {
     /// The format's version.
     pub version: u32,
-    /// The objects, in the order in which they stand.
+    /// The objects, in their order in the file.
     pub objects: Vec<ObjectRecord>,
     /// Whether the home tells derived facts: which room is the leftmost, the largest, and so on.
     #[serde(skip_serializing_if = "std::ops::Not::not")]

@@ -113,7 +113,7 @@ pub enum Problem {
     },
     /// Probabilities that are all 0.
     AllZero,
-    /// A name that stands twice where each may stand once.
+    /// A repeated name, where each may occur once.
     DuplicateName {
         /// The name.
         name: String,
@@ -135,7 +135,7 @@ pub enum Problem {
     FeedbackMissing,
     /// A step with feedback in a demonstration.
     FeedbackInDemonstration,
-    /// No session begins in so many lines.
+    /// No session begins in the first `lines` lines.
     NoSession {
         /// How many lines were looked at.
         lines: usize,

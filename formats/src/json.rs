@@ -1,8 +1,8 @@
-//! JSON whose values remember where they stand.
+//! JSON whose values know their lines.
 //!
-//! Serde's derived readers hold a tagged record back until its tag is known and have then lost the
-//! lines of its fields. Here a text is checked as a whole and then taken apart value by value: each
-//! is a slice of the text, so its line follows from its place.
+//! Serde's derived readers hold a tagged record back until its tag is known, and then no longer know the lines of its fields. Here each value is
+//! a slice of the checked text, so its place tells its line. `serde_json`'s reader would also cost the page 8.8 KB packed; a test compares both
+//! on more than 10,000 texts.
 
 use std::collections::BTreeSet;
 
@@ -106,7 +106,7 @@ impl<'a> Node<'a> {
 
     pub(crate) fn text(&self) -> Result<String, FormatError> {
         self.expect("a text")?;
-        // What is a text by its quotes can still hold half of a surrogate pair.
+        // A text in quotes can still have half a surrogate pair.
         scan::unescaped(self.raw).map_err(|message| self.error(Problem::Syntax(message.to_owned())))
     }
 
@@ -163,7 +163,7 @@ impl<'a> Node<'a> {
 }
 
 impl<'a> Object<'a> {
-    /// What is wrong with the object as a whole, told of one of its fields.
+    /// A fault of the object as a whole, reported at one of its fields.
     pub(crate) fn error(&self, name: &str, problem: Problem) -> FormatError {
         let at = self.members.iter().find(|m| m.name == name);
         let at = at.map_or(self.node.raw, |m| m.key);
@@ -197,7 +197,7 @@ impl<'a> Object<'a> {
         Some(self.member(member))
     }
 
-    /// All fields in the order in which they stand, for objects whose names are data.
+    /// All fields in their order in the text, for objects whose names are data.
     pub(crate) fn entries(&self) -> impl Iterator<Item = (&str, Node<'a>)> {
         self.members.iter().map(|m| (m.name.as_str(), self.member(m)))
     }

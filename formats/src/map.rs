@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The most characters of a line, and lines, of a drawing.
 const MOST: usize = 200;
 
-/// What the letters of rooms mean where the legend does not say.
+/// The default meanings of the letters of rooms.
 const COLORS: [(char, &str); 7] =
     [('r', "red"), ('g', "green"), ('b', "blue"), ('y', "yellow"), ('p', "purple"), ('o', "orange"), ('t', "tan")];
 
@@ -77,7 +77,7 @@ impl Notes {
 
 /// A drawing taken apart.
 struct Drawing {
-    /// What stands where: x to the east, y to the north.
+    /// The letter of each cell: x to the east, y to the north.
     cells: BTreeMap<(i32, i32), char>,
     legend: BTreeMap<char, (usize, String)>,
     notes: Notes,

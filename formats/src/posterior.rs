@@ -31,18 +31,18 @@ use crate::json::Source;
 use crate::task_text::GroundTaskText;
 use crate::weights;
 
-/// One belief. `P` is `f64` when read, and what the program computes with when written.
+/// One belief. `P` is `f64` when read, and the program's own type when written.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PosteriorLine<P = f64> {
     /// The id of the session.
     pub session: String,
     /// How many steps came before; 0 is the prior.
     pub step: u64,
-    /// The tasks' probabilities, in the order in which they stand.
+    /// The tasks' probabilities, in their order in the text.
     #[serde(serialize_with = "weights::in_order")]
     #[serde(bound(serialize = "P: Serialize"))]
     pub tasks: Vec<(GroundTaskText, P)>,
-    /// The strategies' probabilities, in the order in which they stand.
+    /// The strategies' probabilities, in their order in the text.
     #[serde(serialize_with = "weights::in_order")]
     pub strategies: Vec<(String, P)>,
 }

@@ -1,4 +1,4 @@
-//! Objects from names to probabilities, in the order in which they stand.
+//! Objects from names to probabilities, in their order in the text.
 
 use std::collections::BTreeSet;
 

@@ -15,15 +15,15 @@ use crate::process::{once, root, shell, within};
 use crate::programs::QEMU;
 use crate::toolchain::{self, CORTEX_M0, CORTEX_M3, CORTEX_M4F};
 
-/// What no run should come near; a binary for another processor would hang.
+/// No run should come near this; a binary for another processor would hang.
 const LIMIT: Duration = Duration::from_secs(180);
-/// What a firmware ends with that the processor stopped by a fault.
+/// The exit code of a firmware stopped by a processor fault.
 const FAULT: i32 = 102;
 
-/// What a symbol's name has in it if it is there to panic.
+/// Parts of the names of panicking symbols.
 const PANIC: [&str; 8] = ["panic", "unwind", "unwrap_failed", "expect_failed", "slice_index", "_fail", "const_div", "begin_unwind"];
 
-/// What the linker puts into the flash, and into the RAM.
+/// The linker's sections in the flash, and in the RAM.
 pub const FLASH: [&str; 5] = [".vector_table", ".text", ".rodata", ".ARM.exidx", ".data"];
 pub const STATICS: [&str; 2] = [".data", ".bss"];
 
@@ -34,7 +34,7 @@ pub struct Board {
     pub processor: &'static str,
     pub target: &'static str,
     pub preset: &'static str,
-    /// What the course may take: bytes of RAM with the stack, bytes of flash, and instructions to hear a command and to choose an action once
+    /// The course's bounds: bytes of RAM with the stack, bytes of flash, and instructions to hear a command and to choose an action once
     /// it is planned.
     pub most: [u64; 3],
 }
@@ -43,7 +43,7 @@ const AN386: Board =
     Board { name: "mps2-an386", processor: "Cortex-M4F", target: CORTEX_M4F, preset: "small", most: [32 * 1024, 100 * 1024, 1_000_000] };
 const UNBOUND: [u64; 3] = [u64::MAX; 3];
 
-/// What is built, run and measured. The micro:bit's floats are made of whole numbers, which takes flash and instructions.
+/// The boards that are built for, run and measured. The micro:bit's floats are made of whole numbers, which takes flash and instructions.
 const BOARDS: [Board; 4] = [
     AN386,
     Board { preset: "tiny", most: UNBOUND, ..AN386 },
@@ -51,10 +51,10 @@ const BOARDS: [Board; 4] = [
     Board { name: "microbit", processor: "Cortex-M0", target: CORTEX_M0, preset: "tiny", most: [16 * 1024, 104 * 1024, 2_000_000] },
 ];
 
-/// What each firmware consists of.
+/// The binaries of each firmware.
 const BINARIES: [&str; 3] = ["course", "tick", "overflow"];
 
-/// What a binary said: lines of a name and a number among others.
+/// A binary's output, with lines of a name and a number among others.
 #[derive(Clone, Debug)]
 pub struct Report(pub String);
 
@@ -69,7 +69,7 @@ impl Report {
         self.all(name).first().copied().with_context(|| format!("the firmware did not report `{name}`"))
     }
 
-    /// Bytes of RAM that it takes: what is static and the deepest stack.
+    /// Bytes of RAM: statics and the deepest stack.
     pub fn ram(&self) -> Result<u64> {
         Ok(self.number("statics")? + self.number("stack")?)
     }
@@ -141,7 +141,7 @@ impl Image {
     }
 }
 
-/// One firmware, run: what the course cost, and what the loop with a fixed tick.
+/// One firmware, run: the costs of the course, and of the loop with a fixed tick.
 #[derive(Debug)]
 pub struct Trial {
     pub image: &'static Image,
@@ -174,7 +174,7 @@ pub fn trials() -> Result<&'static [Trial]> {
 
 /// A robot of one's own, the first plan for tasks with ways, and the lessons on wheels that slip: built for the Cortex-M4F.
 pub fn alone() -> Result<[PathBuf; 3]> {
-    // What has the same features is built once.
+    // Programs with the same features are built once.
     let folder = build(AN386.target, &["--bin", "arm", "--features", "mps2-an386 arm"])?;
     build(AN386.target, &["--bin", "ways", "--bin", "wheels", "--features", "mps2-an386 ways wheels"])?;
     Ok(["arm", "ways", "wheels"].map(|name| folder.join(name)))
@@ -221,7 +221,7 @@ pub fn deliver() -> Result<PathBuf> {
     Ok(path)
 }
 
-/// The addresses in the flash, and the bytes there. What begins in the RAM with a value stands in the flash too: its physical address.
+/// The addresses in the flash, and the bytes there. Initial values of the RAM are in the flash too, at their physical address.
 fn in_flash(program: &[u8]) -> Result<Vec<(u32, &[u8])>> {
     let elf = ElfFile32::<Endianness>::parse(program).context("the linked program cannot be read")?;
     let mut parts = Vec::new();

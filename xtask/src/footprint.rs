@@ -123,7 +123,7 @@ fn renew(kept: &mut Kept, compiler: &str, footprint: Footprint) {
     kept.insert(compiler.to_owned(), footprint);
 }
 
-/// Measures what was built and run. What takes long to build is left out of a check.
+/// Measures the binaries. A check leaves out those that take long to build.
 fn measure(trials: &[Trial], is_check: bool) -> Result<Footprint> {
     let (mut rows, mut programs) = (Rows::new(), Rows::new());
     for Trial { image, course, tick } in trials {
@@ -170,7 +170,7 @@ fn measure(trials: &[Trial], is_check: bool) -> Result<Footprint> {
     Ok(Footprint::from([("rows".to_owned(), rows), ("programs".to_owned(), programs)]))
 }
 
-/// What is higher, built by this compiler, than it was by the same one, or by any where it is not known.
+/// Numbers that rose against the same compiler's, or against every compiler's if this one is new.
 fn against(kept: &Kept, compiler: &str, found: &Footprint) -> Vec<String> {
     if let Some(kept) = kept.get(compiler) {
         return risen(found, kept, 0);
@@ -179,7 +179,7 @@ fn against(kept: &Kept, compiler: &str, found: &Footprint) -> Vec<String> {
     complaints.min_by_key(Vec::len).unwrap_or_else(|| vec!["the table is empty".to_owned()])
 }
 
-/// What is higher now than it was, by more than it may be and so many per cent more.
+/// Numbers that rose by more than they may and `more` per cent.
 fn risen(now: &Footprint, before: &Footprint, more: u64) -> Vec<String> {
     let mut complaints = Vec::new();
     for (kind, rows) in now {
@@ -199,7 +199,7 @@ fn risen(now: &Footprint, before: &Footprint, more: u64) -> Vec<String> {
     complaints
 }
 
-/// The files that have tables: each as it is, and as it should be.
+/// The files with tables: each as it is, and as it should be.
 fn files(kept: &Kept) -> Result<[(&'static str, String, String); 2]> {
     let (readme, page) = (shell()?.read_file(README)?, shell()?.read_file(PAGE)?);
     let tables: [(&str, &str, &str, &Columns); 5] = [

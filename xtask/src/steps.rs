@@ -1,4 +1,4 @@
-//! What the steps of `cargo xtask test` do that are no command of their own.
+//! The steps of `cargo xtask test` that are no command of their own.
 
 use std::path::PathBuf;
 
@@ -15,7 +15,7 @@ use crate::toolchain::{self, DESKTOPS, WASM};
 /// tests it.
 const WORKSPACE: [&str; 3] = ["--workspace", "--exclude", "goodbot-page"];
 
-/// What must be in no file: why, where, and as which regular expression.
+/// Patterns that no file may have: why, where, and the regular expression.
 const FORBIDDEN: [(&str, &str, &str); 2] = [
     ("a place on one machine is named", "*", r#"(^|[[:space:]"'`=:,;|([{])/(work|root|home|Users)($|[^[:alnum:]_-])"#),
     (
@@ -27,7 +27,7 @@ const FORBIDDEN: [(&str, &str, &str); 2] = [
 
 /// Instructions that the first plan for the 50 tasks of a home of three storeys may take on the Cortex-M4F.
 const MOST_TO_PLAN_WAYS: u64 = 3_000_000;
-/// A tick of 10 ms has room for so many calls, whichever they are.
+/// Calls that fit into a tick of 10 ms, whichever they are.
 const CALLS_IN_A_TICK: u64 = 4;
 
 pub fn format() -> Result<()> {
@@ -61,7 +61,7 @@ pub fn docs() -> Result<()> {
     Ok(cmd!(sh, "cargo doc {WORKSPACE...} --no-deps").env("RUSTDOCFLAGS", "-D warnings").run()?)
 }
 
-/// For other systems than this one, as far as a compiler can tell without a linker for them.
+/// Checks other systems' builds, without a linker.
 pub fn portable() -> Result<()> {
     let sh = shell()?;
     toolchain::add_desktops()?;
@@ -75,7 +75,7 @@ pub fn portable() -> Result<()> {
 pub fn tests(run: &mut Run) -> Result<()> {
     let sh = shell()?;
     if run.chosen.contains(&Step::Page) {
-        // What the page exports is looked at then.
+        // The page's exports are looked at then.
         sh.set_var("GOODBOT_PAGE_EXPORT", "later");
     }
     let has_nextest = cmd!(sh, "cargo nextest --version").ignore_stdout().ignore_stderr().quiet().run().is_ok();
@@ -178,7 +178,7 @@ pub fn tick() -> Result<()> {
     Ok(())
 }
 
-/// What is tried is the file itself.
+/// The file itself is tried.
 pub fn microbit(run: &mut Run) -> Result<()> {
     let sh = shell()?;
     sh.set_var("GOODBOT_MICROBIT", deliver()?);

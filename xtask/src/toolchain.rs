@@ -1,4 +1,4 @@
-//! What is needed to build for the targets other than the host.
+//! The toolchain for targets other than the host.
 //!
 //! There are two ways to build for those [`TARGETS`]. rustup can add a target's ready-made standard library to the host's toolchain. Where
 //! that cannot be had, Debian's compiler comes with the standard library's sources, and cargo builds the library together with the project.
@@ -112,7 +112,7 @@ pub fn compiler() -> Result<String> {
     Ok(format!("{whose}'s {}", version.split(" (").next().unwrap_or_default()))
 }
 
-/// Sets up the targets [`DESKTOPS`], as far as that has to be done.
+/// Sets up the targets [`DESKTOPS`] if needed.
 pub fn add_desktops() -> Result<()> {
     if debian()?.is_none() {
         add_by_rustup(&DESKTOPS)
@@ -151,7 +151,7 @@ pub fn without_panic_messages(profile: &str) -> Result<Vec<String>> {
     if debian()?.is_none() {
         return Ok(Vec::new());
     }
-    // Not by -Z: what stands behind the subcommand would replace what stands before it.
+    // Not by -Z: options after the subcommand would replace those before it.
     let immediate = format!("profile.{profile}.panic=\"immediate-abort\"");
     let settings = ["unstable.panic-immediate-abort=true", "unstable.build-std-features=[\"optimize_for_size\"]", &immediate];
     Ok(settings.map(|setting| format!("--config={setting}")).to_vec())

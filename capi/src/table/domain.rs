@@ -1,12 +1,11 @@
 //! The caller's robot as the core sees it.
 
 use super::description::{GOODBOT_CANNOT, GOODBOT_MOST_DERIVED, GoodbotDerived, GoodbotHolds, GoodbotStep};
-use crate::arena::HomeArena;
 use crate::robot::text;
 use crate::status::GoodbotStatus;
 use core::ffi::c_void;
 use goodbot::Capacities;
-use goodbot::memory::HomeMemory;
+use goodbot::memory::HomeTables;
 use goodbot::oomdp::{
     Action, ActionKind, Attribute, Class, Domain, GroundProposition, ObjectCount, ObjectId, Objects, OneByOne, Proposition, Schema, World,
 };
@@ -50,7 +49,7 @@ pub(super) fn derived_by<'a>(
 #[derive(Debug)]
 pub struct TableDomain {
     pub(super) schema: Schema<'static>,
-    pub(super) memory: HomeArena,
+    pub(super) memory: HomeTables<'static>,
     pub(super) objects: ObjectCount,
     pub(super) actions: &'static [ActionKind<'static>],
     pub(super) steps: Steps,

@@ -5,7 +5,7 @@ use super::description::{
     GOODBOT_MOST_DERIVED, GOODBOT_MOST_PROPOSITIONS, GoodbotObject, GoodbotTable,
 };
 use super::domain::{Parts, Steps, TableDomain, derived_by, next_by};
-use crate::arena::{Arena, HomeArena, after};
+use crate::arena::{Arena, after};
 use crate::beliefs::Writer;
 use crate::capacities::GoodbotCapacities;
 use crate::robot::{Goodbot, give, list, plot, settle, text, with};
@@ -15,7 +15,7 @@ use crate::world::{Standing, Surroundings, World};
 use core::ffi::{c_char, c_void};
 use goodbot::Capacities;
 use goodbot::capacity::{Capacity, CapacityError, NAME_BYTES};
-use goodbot::memory::HomeMemory;
+use goodbot::memory::HomeTables;
 use goodbot::oomdp::{ActionKind, Attribute, Carrier, Class, ClassId, ObjectCount, ObjectSet, Proposition, Schema};
 
 const NO_CARRIER: Carrier<'static> = Carrier::new(ClassId::new(0), "");
@@ -53,10 +53,9 @@ pub unsafe extern "C" fn goodbot_init_table(
     }
 }
 
-/// Does what `goodbot_init_table` does, in the same memory, and writes what is wrong with the description, with a 0 at its end: which list,
-/// which item by its position, which field, what stands there and what may; or which table is full, how much it holds and how much is
-/// needed. An empty text where nothing is wrong. Gives what `goodbot_init_table` gives, or `BUFFER` where the text does not fit; 200 bytes
-/// are enough.
+/// Does what `goodbot_init_table` does, in the same memory, and writes the fault of the description, with a 0 at its end: the list, the
+/// item's position, the field, its value and the allowed values; or the full table, its size and the size needed. The text is empty if there
+/// is no fault. Gives what `goodbot_init_table` gives, or `BUFFER` if the text does not fit; 200 bytes are enough.
 ///
 /// # Safety
 /// As `goodbot_init_table`; `text` is null or room for `text_bytes` bytes.
@@ -151,7 +150,7 @@ unsafe fn init(
             return Err(GoodbotStatus::Number).at(Place::of("start").number(table.start, 0, table.state_count.saturating_sub(1)));
         }
         let tasks = kinds_of_tasks(table.tasks, table.task_count, &schema)?;
-        let world = |mut memory: HomeArena| {
+        let world = |mut memory: HomeTables<'static>| {
             let objects = objects(table, attributes, &mut memory)?;
             let (holds, derived, context, states) = (table.holds, table.derived, table.context, table.state_count);
             let domain = TableDomain { schema, memory, objects, actions, steps, holds, derived, context, states };
@@ -166,15 +165,11 @@ unsafe fn init(
 unsafe fn schema(table: &GoodbotTable, arena: &mut Arena) -> Result<Parts, Failure> {
     let room = GoodbotStatus::Memory;
     let classes = arena.table(GOODBOT_MOST_CLASSES, Class { name: "" }).ok_or(room)?;
-    let carriers = arena.table(GOODBOT_MOST_CARRIERS, NO_CARRIER).ok_or(room)?;
+    let mut carriers = arena.table(GOODBOT_MOST_CARRIERS, NO_CARRIER).ok_or(room)?;
     let attributes = arena.table(GOODBOT_MOST_ATTRIBUTES, NO_ATTRIBUTE).ok_or(room)?;
-    let parameters = arena.table(GOODBOT_MOST_PROPOSITIONS * GOODBOT_MOST_ARGUMENTS, ClassId::new(0)).ok_or(room)?;
+    let mut parameters = arena.table(GOODBOT_MOST_PROPOSITIONS * GOODBOT_MOST_ARGUMENTS, ClassId::new(0)).ok_or(room)?;
     let propositions = arena.table(GOODBOT_MOST_PROPOSITIONS, NO_PROPOSITION).ok_or(room)?;
-    // SAFETY: the caller's promise, for all that follows: its memory stays as long as the robot is used.
-    let (classes, attributes, propositions) = unsafe { (classes.stay(), attributes.stay(), propositions.stay()) };
-    // SAFETY: as above.
-    let (mut carriers, mut parameters) = unsafe { (carriers.stay(), parameters.stay()) };
-    // SAFETY: as above.
+    // SAFETY: the caller's promise.
     unsafe {
         let given = list(table.classes, table.class_count, GOODBOT_MOST_CLASSES, Place::of("classes"), Place::of("class_count"))?;
         for (number, (slot, &name)) in classes.iter_mut().zip(given).enumerate() {
@@ -225,8 +220,6 @@ fn class(table: &GoodbotTable, position: u8, place: Place) -> Result<ClassId, Fa
 
 unsafe fn actions(table: &GoodbotTable, arena: &mut Arena) -> Result<&'static [ActionKind<'static>], Failure> {
     let actions = arena.table(GOODBOT_MOST_ACTIONS, ActionKind { name: "", cost: 1 }).ok_or(GoodbotStatus::Memory)?;
-    // SAFETY: the caller's promise: its memory stays as long as the robot is used.
-    let actions = unsafe { actions.stay() };
     let (place, counted) = (Place::of("actions"), Place::of("action_count"));
     // SAFETY: the caller's promise.
     let given = unsafe { list(table.actions, table.action_count, GOODBOT_MOST_ACTIONS, place, counted) }?;
@@ -312,7 +305,11 @@ fn derive_texts(table: &GoodbotTable, most: usize) -> Result<(), Failure> {
     Ok(())
 }
 
-unsafe fn objects(table: &GoodbotTable, attributes: &[Attribute<'static>], memory: &mut HomeArena) -> Result<ObjectCount, Failure> {
+unsafe fn objects(
+    table: &GoodbotTable,
+    attributes: &[Attribute<'static>],
+    memory: &mut HomeTables<'static>,
+) -> Result<ObjectCount, Failure> {
     let mut objects = ObjectSet::new(memory.lend().objects);
     // SAFETY: the caller's promise, for all that follows.
     unsafe {

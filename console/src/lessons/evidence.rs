@@ -161,7 +161,7 @@ impl Witness {
     }
 }
 
-/// What is worth knowing of a step that is no evidence.
+/// A remark on a step that is no evidence.
 pub fn remark(evidence: Evidence) -> Option<&'static str> {
     match evidence {
         Evidence::Used => None,
@@ -170,7 +170,7 @@ pub fn remark(evidence: Evidence) -> Option<&'static str> {
     }
 }
 
-/// What was done and how it was judged, step by step.
+/// The actions and their feedback, step by step.
 fn walked(recorded: &RecordedSession) -> String {
     let step = |(_, step): &(usize, StepRecord)| format!("{} {}", step.action, step.feedback.map_or("", FeedbackWord::as_str));
     recorded.steps.iter().map(step).collect::<Vec<_>>().join(", ")

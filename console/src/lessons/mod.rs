@@ -1,4 +1,4 @@
-//! Recorded sessions as training data: what was said, and what each session shows of the task that was meant.
+//! Recorded sessions as training data: the command, and the evidence of each session for the intended task.
 //!
 //! - [`evidence`]: one session, walked by an agent that knows no word;
 //! - [`training`]: a language model trained on many at once;
@@ -45,12 +45,12 @@ pub struct Reading {
     pub plan: MachineCommand,
 }
 
-/// What one session has to teach.
+/// The training data of one session.
 #[derive(Clone, Debug)]
 pub struct Lesson {
     /// The session's name.
     pub id: String,
-    /// What was said.
+    /// The command.
     pub command: String,
     /// Where it was said, and the rest of its record. The environment of a command in a world from a file is empty.
     pub header: SessionHeader,
@@ -64,15 +64,15 @@ pub struct Lesson {
     pub readings: Arc<[Reading]>,
     /// The probability of each task from the steps alone, or from what was told, without any word.
     pub beliefs: Vec<f32>,
-    /// What the command may have meant, and how probable that is.
+    /// The possible tasks, with their probabilities.
     pub pairs: Vec<(MachineCommand, f32)>,
-    /// What the trainer did, in order; empty for feedback.
+    /// The trainer's actions, in order; empty for feedback.
     pub shown: Vec<String>,
-    /// What was done and how it was judged, as a text.
+    /// The actions and their feedback, as a text.
     pub walk: String,
     /// Whether it is to be learned from.
     pub learn: bool,
-    /// What is worth knowing, and no fault.
+    /// Remarks that are no faults.
     pub remarks: Vec<Fault>,
 }
 
@@ -90,7 +90,7 @@ impl Lesson {
     }
 }
 
-/// The most sessions at fault that are passed over: what has more is no log.
+/// The most sessions at fault that are passed over: a file with more is no log.
 pub const MOST_FAULTS: usize = 1_000;
 /// The most sessions that a model can be trained on.
 const MOST_SESSIONS: usize = u16::MAX as usize;
@@ -111,7 +111,7 @@ pub struct Lessons {
 /// How sessions are read.
 #[derive(Clone, Debug, Default)]
 pub struct Told {
-    /// What is expected of trainers, in place of what the sessions say.
+    /// The expected trainers, in place of those that the sessions name.
     pub believes: Option<Believes>,
     /// Whether sessions at fault are passed over.
     pub keep_going: bool,

@@ -1,6 +1,6 @@
-//! What a file is, seen from how it begins.
+//! The kind of a file, from its first bytes.
 
-/// What a file can be.
+/// Kinds of files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
     /// A home, as JSON.
@@ -20,7 +20,7 @@ pub enum Content {
 }
 
 impl Content {
-    /// What a file is that begins like this.
+    /// The kind of a file that begins like this.
     pub fn of(bytes: &[u8]) -> Self {
         if bytes.starts_with(b"goodbot\0") {
             return Self::Model;

@@ -51,7 +51,7 @@ impl SynonymFile {
     }
 }
 
-/// A command in words that a model knows, as far as a table has them.
+/// A command with unknown words replaced by known synonyms, if a table has them.
 ///
 /// # Errors
 /// [`Failure::Input`] where the command is too long.

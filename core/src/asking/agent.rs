@@ -15,7 +15,7 @@ use heapless::Vec;
 /// The questions of the session under way.
 #[derive(Clone, Debug)]
 pub(crate) struct Asked {
-    /// What was asked.
+    /// The question.
     sets: Vec<TaskSet, QUESTIONS_PER_SESSION>,
     /// The question that waits for its answer.
     open: Option<Question>,
@@ -118,7 +118,7 @@ impl<M: AgentMemory> Agent<M> {
     fn look_on<D: Domain + ?Sized>(&mut self, domain: &D, mut looking: LookingAhead, budget: u32) -> Result<Considered, AgentError> {
         let words = Words::expected(self.belief());
         loop {
-            // Dead ends stay dead on the way, and are no longer known for certain behind it.
+            // Dead ends on the way stay dead; after it they are no longer certain.
             let state = domain.numbered(looking.at);
             if self.planned != Some(looking.at) {
                 self.expected = Some(looking.at);
@@ -175,8 +175,8 @@ impl<M: AgentMemory> Agent<M> {
         self.answered(tasks, yes, question.eta, others)
     }
 
-    /// Takes in an answer that is told in full, such as a recorded one: whether what is meant is among `tasks`, the probability `eta` that
-    /// this is wrong, and how many other answers there were, of which each is then as probable (1 for yes and no).
+    /// Takes in an answer given in full, such as a recorded one: whether the intended task is among `tasks`, the probability `eta` of a wrong
+    /// answer, and the number of other answers, which are equally probable (1 for yes and no).
     ///
     /// # Errors
     /// [`AgentError::NotNow`], [`AgentError::NoAnswer`] where there is no such task or no other answer, and [`AgentError::Setting`]

@@ -1,4 +1,4 @@
-//! What the next steps of the plan that is followed are expected to tell.
+//! The expected information of the next steps of the current plan.
 
 use super::question::Question;
 use crate::task::TaskSet;
@@ -11,7 +11,7 @@ pub(super) const STEPS: u8 = 12;
 pub(super) struct LookingAhead {
     /// The question that would be asked.
     pub(super) question: Question,
-    /// What it tells for each step that it costs, in bits.
+    /// Its information per step of its cost, in bits.
     pub(super) worth: f32,
     /// The state in which it would be asked.
     pub(super) start: u64,
@@ -21,7 +21,7 @@ pub(super) struct LookingAhead {
     pub(super) followed: usize,
     /// The dead ends known at the start.
     pub(super) dead: TaskSet,
-    /// How many steps were looked at, and what they tell together.
+    /// The number of steps looked at, and their information, in bits.
     pub(super) steps: u8,
     pub(super) told: f32,
     /// Whether to ask, once that is known.
@@ -29,7 +29,7 @@ pub(super) struct LookingAhead {
 }
 
 impl LookingAhead {
-    /// Takes in what the next step tells, in bits. Decides where it can.
+    /// Adds the information of the next step, in bits. Decides if it can.
     pub(super) fn add(&mut self, information: f32) {
         self.steps = self.steps.saturating_add(1);
         self.told += information;

@@ -6,9 +6,9 @@
 //! more than the most that actions tell on average over the next 1, 2, ... or 12 steps of the plan that is followed. Looking one step ahead
 //! alone asks too much: the next step often tells nothing, but the one at the next door does.
 //!
-//! - `settings`: what a question costs, and how often an answer is wrong;
-//! - `question`: what can be asked, and what it tells;
-//! - `looking_ahead`: what the next steps tell;
+//! - `settings`: the cost of a question, and the probability of a wrong answer;
+//! - `question`: possible questions, and their information;
+//! - `looking_ahead`: the information of the next steps;
 //! - `agent`: how an [`Agent`](crate::Agent) asks, and takes the answer.
 //!
 //! ```

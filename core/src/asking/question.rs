@@ -1,4 +1,4 @@
-//! What can be asked, and what an answer is expected to tell.
+//! Possible questions, and the expected information of their answers.
 
 use super::settings::Asking;
 use crate::feedback::BeliefRef;
@@ -10,7 +10,7 @@ use crate::task::{GroundedTask, LiftedTask, TaskSet};
 /// The most meanings that a question shows to choose from.
 pub const CHOICES: usize = 3;
 
-/// What a question is about.
+/// The subject of a question.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
     /// "Do you mean this room?", "this block?": an object.
@@ -19,9 +19,9 @@ pub enum Subject {
     Kind(u8),
     /// "Do you mean this?": a single task, by its position.
     Task(u8),
-    /// "Which of these rooms, or none of these?": so many objects of one class.
+    /// "Which of these rooms, or none of these?": objects of one class, and their number.
     WhichObject([ObjectId; CHOICES], u8),
-    /// "Which of these, or none of these?": so many single tasks, by position.
+    /// "Which of these, or none of these?": single tasks by position, and their number.
     WhichTask([u8; CHOICES], u8),
 }
 
@@ -38,7 +38,7 @@ impl Subject {
 /// A question.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Question {
-    /// What it is about.
+    /// Its subject.
     pub subject: Subject,
     /// The tasks for which the answer is yes; where there is something to choose, all that can be chosen.
     pub yes: TaskSet,
@@ -50,7 +50,7 @@ pub struct Question {
     pub eta: f32,
 }
 
-/// What the trainer answers.
+/// The trainer's answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Answer {
     /// Yes.
@@ -62,7 +62,7 @@ pub enum Answer {
 }
 
 impl Question {
-    /// What the answer says: the tasks that it is about, whether what is meant is among them, and how many other answers there were.
+    /// The meaning of an answer: its tasks, whether the intended task is among them, and the number of other answers.
     /// Nothing where it is no answer to this question.
     pub fn meaning(&self, answer: Answer) -> Option<(TaskSet, bool, u8)> {
         let count = self.subject.choices();
@@ -75,13 +75,13 @@ impl Question {
     }
 }
 
-/// What is needed to find the question that tells most.
+/// The inputs for choosing the most informative question.
 #[derive(Clone, Copy)]
 pub(super) struct Candidates<'a> {
     pub(super) belief: BeliefRef<'a>,
     pub(super) tasks: &'a [GroundedTask],
     pub(super) lifted: &'a [LiftedTask],
-    /// The tasks of what was asked already.
+    /// The tasks of the questions asked already.
     pub(super) asked: &'a [TaskSet],
     pub(super) asking: &'a Asking,
 }
@@ -183,7 +183,7 @@ impl<'a> Candidates<'a> {
             };
             (*slot, *choice, listed) = (object, set, listed.union(set));
             if position > 0 {
-                self.propose_choice(best, Subject::WhichObject(objects, position.saturating_add(1) as u8), choices);
+                self.propose_choice(best, Subject::WhichObject(objects, (position + 1) as u8), choices);
             }
         }
     }
@@ -202,7 +202,7 @@ impl<'a> Candidates<'a> {
             let (Some((task, _)), Some(slot), Some(choice)) = (next, tasks.get_mut(position), choices.get_mut(position)) else { break };
             (*slot, *choice, listed) = (task as u8, TaskSet::of(task), listed.with(task));
             if position > 0 {
-                self.propose_choice(best, Subject::WhichTask(tasks, position.saturating_add(1) as u8), choices);
+                self.propose_choice(best, Subject::WhichTask(tasks, (position + 1) as u8), choices);
             }
         }
     }

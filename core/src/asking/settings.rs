@@ -1,4 +1,4 @@
-//! What a question costs, and how often an answer is wrong.
+//! The cost of a question, and the probability of a wrong answer.
 
 use super::question::CHOICES;
 use crate::language::SettingError;
@@ -6,7 +6,7 @@ use crate::language::SettingError;
 /// When to ask.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Asking {
-    /// What a question costs, in steps; more than 0. [`f32::INFINITY`]: never ask.
+    /// The cost of a question, in steps; more than 0. [`f32::INFINITY`]: never ask.
     pub kappa: f32,
     /// The probability that an answer is wrong, from 0 to less than 0.5.
     pub eta: f32,

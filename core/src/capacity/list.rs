@@ -121,7 +121,7 @@ macro_rules! capacities {
     };
 }
 
-/// The enum, with the limits that are constants behind the fields.
+/// The enum: the fields, then the limits that are constants.
 macro_rules! constants {
     ($([$(#[doc = $doc:literal])*] $Variant:ident $of:literal $field:ident;)*) => {
         /// What was full: a field of [`Capacities`], or a constant of [`capacity`](crate::capacity).
@@ -234,7 +234,7 @@ impl Capacities {
         Self::words_of(self.states.div_ceil(64))
     }
 
-    /// The least states of which the search has so many words: see [`search_words`](Self::search_words).
+    /// The least number of states that needs this many words: the inverse of [`search_words`](Self::search_words).
     pub(crate) const fn states_of(search_words: usize) -> usize {
         // At most 707 words for 64 groups, and 3 more.
         let mut groups = (search_words.saturating_sub(3) / 707).saturating_mul(64);
@@ -248,7 +248,14 @@ impl Capacities {
         groups.saturating_mul(11).saturating_add(groups.div_ceil(64).saturating_mul(3))
     }
 
-    /// u64s that planning and training have in turn: as many as the search takes, or the expected counts of all table cells, two to each.
+    /// The length of tables that a memory gets only where it is asked for them.
+    #[doc(hidden)]
+    pub const fn none(&self) -> usize {
+        0
+    }
+
+    /// u64s that planning and training use in turn: the larger of the search's words and the expected counts of all table cells, two to a
+    /// word.
     pub const fn workspace_words(&self) -> usize {
         let (search, counts) = (self.search_words(), self.translations.saturating_add(self.alignments).div_ceil(2));
         if search > counts { search } else { counts }
@@ -268,7 +275,7 @@ impl Capacity {
         let mut name = self.field();
         while let [byte, rest @ ..] = path {
             if *byte == b':' {
-                // Cut behind ASCII characters.
+                // The cut is after an ASCII character.
                 name = match core::str::from_utf8(rest) {
                     Ok(rest) => rest,
                     Err(_) => name,

@@ -7,26 +7,9 @@
 use super::judged::Judged;
 use super::strategy::{Feedback, LAGS, Strategy};
 use crate::capacity::{Capacity, CapacityError};
+use crate::memory::{BeliefTables, BeliefTablesRef};
 use crate::probability::{Scaled, total};
 use core::fmt;
-
-crate::memory::tables! {
-    /// The tables of the belief.
-    BeliefTables,
-    /// The tables of the belief, to be read.
-    BeliefTablesRef {
-        /// One entry for each task and strategy.
-        joint: Scaled,
-        /// The same, as it was before the last piece of evidence.
-        settled: Scaled,
-        /// One entry a task: its prior.
-        priors: Scaled,
-        /// One entry a strategy, with its probability.
-        strategies: (Strategy, f32),
-        /// One entry a strategy: its probability before this trainer was met.
-        expected: f32,
-    }
-}
 
 /// The numbers of tasks and strategies of a belief.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -189,7 +172,7 @@ impl<'t> Belief<'t> {
         let slots = self.memory.strategies.iter_mut().zip(self.memory.expected.iter_mut());
         for ((slot, expected), (strategy, before)) in slots.zip(strategies) {
             (*slot, *expected) = (strategy, before);
-            count = count.saturating_add(1);
+            count += 1;
         }
         if count > 0 {
             self.count.strategies = count;

@@ -1,9 +1,9 @@
-//! When trainers end a session: more often at the goal than elsewhere, so that the end is evidence. They also end one more often after a rest
-//! than after a move, and more often after "good bot" than after "bad bot", and by how much depends on where the robot is.
+//! When trainers end a session: more often at the goal than elsewhere, so the end is evidence. They also end it more often after a rest than
+//! after a move, and after "good bot" than after "bad bot"; the ratios depend on where the robot is.
 
 use super::strategy::Feedback;
 
-/// What was done and said last, as far as it tells when a trainer ends a session.
+/// The last actions and words that predict whether a trainer ends a session.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Moment {
     /// How often the robot rested in a row.

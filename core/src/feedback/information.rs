@@ -23,7 +23,7 @@ pub(crate) fn surprise(probability: f32) -> f32 {
     if probability > 0.0 && probability < 1.0 { -probability * libm::log2f(probability) } else { 0.0 }
 }
 
-/// What a trainer is expected to say to right and to wrong actions, all strategies together.
+/// The expected feedback to right and to wrong actions, over all strategies.
 #[derive(Clone, Copy, Debug)]
 pub struct Words {
     right: [f32; 3],
@@ -33,7 +33,7 @@ pub struct Words {
 }
 
 impl Words {
-    /// What is expected by this belief.
+    /// The feedback expected by this belief.
     pub fn expected(belief: BeliefRef<'_>) -> Self {
         let (mut right, mut wrong) = ([0.0; 3], [0.0; 3]);
         for (position, (strategy, _)) in belief.strategies().iter().enumerate() {

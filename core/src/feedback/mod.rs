@@ -16,7 +16,8 @@ pub mod population;
 pub(crate) mod simulated;
 pub(crate) mod strategy;
 
-pub use belief::{Belief, BeliefCount, BeliefError, BeliefRef, BeliefTables, BeliefTablesRef};
+pub use crate::memory::{BeliefTables, BeliefTablesRef};
+pub use belief::{Belief, BeliefCount, BeliefError, BeliefRef};
 pub use ending::{Ending, Hazard, Moment};
 pub use information::{Words, binary_entropy};
 pub use judged::Judged;

@@ -5,7 +5,7 @@ use super::judged::Judged;
 use core::fmt;
 use core::str::FromStr;
 
-/// What the trainer says after an action.
+/// The trainer's word after an action.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Feedback {
@@ -70,7 +70,7 @@ const LAG_TOLERANCE: f32 = 1e-3;
 /// The numbers of a strategy that are about rests: see [`Strategy::with_rests`].
 pub const RESTS: usize = 4;
 
-/// A trainer strategy: three probabilities for what is said to a move, four for rests and for moves inside the goal, and three for its lag.
+/// A trainer strategy: three probabilities of feedback to moves, four to rests and to moves inside the goal, and three of its lag.
 ///
 /// With lag k a word is about the action k actions before the last one. The paper's strategies have no lag: each word is about the last
 /// action. They judge a rest as they judge a move, and a move inside the goal is wrong.
@@ -274,7 +274,7 @@ impl Strategy {
     }
 }
 
-/// The probability of a feedback by the probabilities of silence after what is right and what is wrong, and of a mistake.
+/// The probability of a feedback, from the probabilities of silence after right and wrong actions and of a mistake.
 #[inline(never)]
 fn said([mu_plus, mu_minus, epsilon]: [f32; 3], feedback: Feedback, correct: bool) -> f32 {
     let seen_correct = if correct { 1.0 - epsilon } else { epsilon };

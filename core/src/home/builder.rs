@@ -5,43 +5,8 @@ use super::moves::{Home, HomeState, Moves};
 use super::{AGENT, BLOCK, DOOR, ROOM};
 use crate::capacity::{BLOCKS, Capacity, CapacityError};
 use crate::memory::HomeMemory;
-use crate::oomdp::objects::{ObjectCount, ObjectError, ObjectTables, ObjectTablesRef};
+use crate::oomdp::objects::{ObjectCount, ObjectError};
 use crate::oomdp::{CellId, ClassId, ObjectId, ObjectSet, Objects};
-
-/// The tables of one home.
-#[derive(Debug)]
-pub struct HomeTables<'t> {
-    /// The objects and their names.
-    pub objects: ObjectTables<'t>,
-    /// One box an object.
-    pub areas: &'t mut [StoredArea],
-    /// One entry a free cell.
-    pub places: &'t mut [Place],
-}
-
-/// The tables of one home, to be read.
-#[derive(Clone, Copy, Debug)]
-pub struct HomeTablesRef<'t> {
-    /// The objects and their names.
-    pub objects: ObjectTablesRef<'t>,
-    /// One box an object.
-    pub areas: &'t [StoredArea],
-    /// One entry a free cell.
-    pub places: &'t [Place],
-}
-
-impl HomeTables<'_> {
-    /// The same tables, lent for a shorter time.
-    pub fn lend(&mut self) -> HomeTables<'_> {
-        HomeTables { objects: self.objects.lend(), areas: self.areas, places: self.places }
-    }
-
-    /// The same tables, to be read.
-    #[inline]
-    pub const fn read(&self) -> HomeTablesRef<'_> {
-        HomeTablesRef { objects: self.objects.read(), areas: self.areas, places: self.places }
-    }
-}
 
 /// What is wrong with a home.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,9 +23,9 @@ pub enum Problem {
     RoomOfNoArea,
     /// The door's right is left of its left, or its top below its bottom.
     DoorOfNoArea,
-    /// The agent or block stands in a wall, or outside every room.
+    /// The agent or block is in a wall, or outside every room.
     InWall,
-    /// The agent or block stands where another block or the agent is.
+    /// The agent or block is on the cell of another block or of the agent.
     OnAnother,
     /// A coordinate is further from the origin than [`FARTHEST`](super::layout::FARTHEST).
     TooFar,
@@ -196,7 +161,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
         self.add(ROOM, name, area, &[color, ""])
     }
 
-    /// Adds a door: the box of cells where no wall stands.
+    /// Adds a door: a box of cells without walls.
     ///
     /// # Errors
     /// [`HomeError`]; the home is then as before.
@@ -259,7 +224,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
         }
     }
 
-    /// Finds the free cells and where everything stands: how many cells, the agent, the initial state, and the blocks.
+    /// Finds the free cells and the cell of each thing: the number of cells, the agent, the initial state, and the blocks.
     fn check(&mut self) -> Result<(usize, ObjectId, HomeState, [ObjectId; BLOCKS]), HomeError> {
         let whole = |problem| HomeError { problem, object: None };
         let Some(agent) = self.agent else { return Err(whole(Problem::NoAgent)) };
@@ -296,7 +261,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
                     return Err(CapacityError::full(Capacity::Cells, limit));
                 };
                 *slot = Place { x: x as i16, y: y as i16, neighbours: [CellId::NONE; 4], region };
-                count = count.saturating_add(1);
+                count += 1;
             }
         }
         Ok(count)
@@ -306,8 +271,8 @@ impl<M: HomeMemory> HomeBuilder<M> {
         for position in 0..count {
             let free = self.memory.read().places.get(..count).unwrap_or(&[]);
             let Some(cell) = free.get(position).map(Place::cell) else { return };
-            let neighbours = [(0, 1), (0, -1), (1, 0), (-1, 0)]
-                .map(|(x, y)| find(free, Cell::new(cell.x.saturating_add(x), cell.y.saturating_add(y))).unwrap_or(CellId::NONE));
+            let neighbours =
+                [(0, 1), (0, -1), (1, 0), (-1, 0)].map(|(x, y)| find(free, Cell::new(cell.x + x, cell.y + y)).unwrap_or(CellId::NONE));
             if let Some(place) = self.memory.lend().places.get_mut(position) {
                 place.neighbours = neighbours;
             }

@@ -1,4 +1,4 @@
-//! What can be said of a room or a block beside its colour and shape, by where things are: derived facts.
+//! Derived facts of a room or a block: they follow from where things are.
 //!
 //! | fact | of |
 //! |---|---|

@@ -3,7 +3,7 @@
 //! - `layout`: where the rooms and doors are, and which cells are free;
 //! - `builder`: a home from its objects, checked;
 //! - `moves`: what north, south, east, west and pull do, and which propositions hold;
-//! - `derived`: what can be said of rooms and blocks by where they are, such as leftmost (feature `derived`);
+//! - `derived`: facts of rooms and blocks that follow from where they are, such as leftmost (feature `derived`);
 //! - `map`: a home drawn as text.
 //!
 //! Cells are integer pairs, x to the east, y to the north.
@@ -15,7 +15,7 @@ pub(crate) mod layout;
 pub(crate) mod map;
 pub(crate) mod moves;
 
-pub use builder::{HomeBuilder, HomeError, HomeTables, HomeTablesRef, Problem};
+pub use builder::{HomeBuilder, HomeError, Problem};
 pub use layout::{Area, Cell, FARTHEST, Place, StoredArea};
 pub use map::Map;
 pub use moves::{Home, HomeState, Moves};

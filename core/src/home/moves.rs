@@ -127,7 +127,7 @@ impl<M> Home<M> {
         if object == self.agent {
             return Some(Piece::ROBOT);
         }
-        self.blocks().iter().position(|&block| block == object).map(|position| Piece(position.saturating_add(1) as u8))
+        self.blocks().iter().position(|&block| block == object).map(|position| Piece((position + 1) as u8))
     }
 }
 
@@ -170,9 +170,9 @@ impl<M: HomeMemory> Home<M> {
         self.place(self.cell(state, self.piece(block).filter(|&piece| piece != Piece::ROBOT)?))
     }
 
-    /// Returns the state in which the agent and blocks named stand on these cells, all at once: a robot that senses where things are says
-    /// so by this, also where two things have swapped places. What is not named stays. `None` where a cell is wall, two things would
-    /// stand on one cell, or an object is neither the agent nor a block.
+    /// Moves the named agent and blocks to these cells, all at once, so two things can swap places. Use it for a robot that senses where
+    /// things are. The others stay. `None` if a cell is a wall, two things would share a cell, or an object is neither the agent nor a
+    /// block.
     pub fn placed(&self, state: &HomeState, things: &[(ObjectId, Cell)]) -> Option<HomeState> {
         let placed = things
             .iter()
@@ -302,7 +302,7 @@ impl<M: HomeMemory> PushGrid for Home<M> {
 
     #[inline]
     fn pieces(&self) -> usize {
-        self.block_count.saturating_add(1)
+        self.block_count + 1
     }
 
     #[inline]

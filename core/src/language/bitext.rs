@@ -3,6 +3,7 @@
 //! Equal machine commands are kept once. A session's English command is kept once, however many machine commands it goes with.
 
 use crate::capacity::{Capacities, Capacity, CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
+use crate::memory::{BitextTables, BitextTablesRef};
 use crate::symbols::{Symbol, close_gap};
 
 /// Where a run of symbols lies in its pool: the start above a byte of the length and, for a session, a bit that says whether its command
@@ -56,24 +57,6 @@ pub struct Pair {
 impl Pair {
     /// What unused memory holds.
     pub const UNUSED: Self = Self { session: 0, command: 0, weight: 0.0 };
-}
-
-crate::memory::tables! {
-    /// The tables of the training data.
-    BitextTables,
-    /// The tables of the training data, to be read.
-    BitextTablesRef {
-        /// One entry a distinct machine command.
-        commands: Span,
-        /// Their tokens.
-        command_tokens: Symbol,
-        /// One entry a session.
-        sessions: Span,
-        /// The words of their English commands.
-        sentence_words: Symbol,
-        /// One entry a pair.
-        pairs: Pair,
-    }
 }
 
 /// How much of the memory is used.

@@ -30,16 +30,15 @@ pub(crate) mod tokenizer;
 pub(crate) mod training;
 pub mod unspaced;
 
-pub use bitext::{BitextRef, BitextTables, BitextTablesRef, Pair, Span};
+pub use bitext::{BitextRef, Pair, Span};
 pub use ibm2::LengthPair;
-pub use layer::{LayerTables, LayerTablesRef};
 pub use letters::is_spelled_alike;
-pub use model::{LanguageModel, LanguageMut, LanguageRef, LanguageTables, LanguageTablesRef};
+pub use model::{LanguageModel, LanguageMut, LanguageRef};
 pub use roles::Meaning;
 pub use settings::{MOST_ROUNDS, MOST_WEIGHT, Model, SettingError, Settings};
 pub use spelling::is_slip;
 pub use synonyms::{SynonymError, Synonyms};
-pub use tables::{ParameterTables, ParameterTablesRef, TablesRef};
+pub use tables::TablesRef;
 #[cfg(feature = "talk")]
 pub use tokenizer::first_words;
 pub use tokenizer::{Sentence, Word, for_each_piece, for_each_word, word_form};

@@ -1,88 +1,22 @@
 //! The language model as a whole: vocabularies, training data and parameters.
 
-use super::bitext::{Bitext, BitextRef, BitextTables, BitextTablesRef, Extent};
+use super::bitext::{Bitext, BitextRef, Extent};
+use super::layer::Layer;
 #[cfg(feature = "layer")]
 use super::layer::LayerRef;
-use super::layer::{Layer, LayerTables, LayerTablesRef};
 use super::roles::Meaning;
 use super::roles::forward::{Reading, likelihood_on};
 use super::settings::{Model, SettingError, Settings, is_weight};
 use super::spelling::variant;
-use super::tables::{ParameterTables, ParameterTablesRef, Tables, TablesRef, Trained, Wanted};
+use super::tables::{Tables, TablesRef, Trained, Wanted};
 use super::tokenizer::{Sentence, word_form};
 use super::training::Training;
 use super::{ibm2, roles};
 use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
-use crate::memory::AgentMemory;
+use crate::memory::{AgentMemory, LanguageTables, LanguageTablesRef};
 use crate::planning::Progress;
 use crate::probability::Scaled;
 use crate::symbols::{Symbol, Symbols, SymbolsRef};
-
-/// The tables of a language model.
-#[derive(Debug)]
-pub struct LanguageTables<'t> {
-    /// The English words end to end.
-    pub word_bytes: &'t mut [u8],
-    /// One entry an English word.
-    pub word_ends: &'t mut [u16],
-    /// The machine tokens end to end.
-    pub token_bytes: &'t mut [u8],
-    /// One entry a machine token.
-    pub token_ends: &'t mut [u16],
-    /// The training data.
-    pub bitext: BitextTables<'t>,
-    /// The parameters.
-    pub parameters: ParameterTables<'t>,
-    /// The layer's, which has none without the feature `layer`.
-    pub layer: LayerTables<'t>,
-}
-
-/// The tables of a language model, to be read.
-#[derive(Clone, Copy, Debug)]
-pub struct LanguageTablesRef<'t> {
-    /// The English words end to end.
-    pub word_bytes: &'t [u8],
-    /// One entry an English word.
-    pub word_ends: &'t [u16],
-    /// The machine tokens end to end.
-    pub token_bytes: &'t [u8],
-    /// One entry a machine token.
-    pub token_ends: &'t [u16],
-    /// The training data.
-    pub bitext: BitextTablesRef<'t>,
-    /// The parameters.
-    pub parameters: ParameterTablesRef<'t>,
-    /// The layer's.
-    pub layer: LayerTablesRef<'t>,
-}
-
-impl LanguageTables<'_> {
-    /// The same tables, lent for a shorter time.
-    pub fn lend(&mut self) -> LanguageTables<'_> {
-        LanguageTables {
-            word_bytes: self.word_bytes,
-            word_ends: self.word_ends,
-            token_bytes: self.token_bytes,
-            token_ends: self.token_ends,
-            bitext: self.bitext.lend(),
-            parameters: self.parameters.lend(),
-            layer: self.layer.lend(),
-        }
-    }
-
-    /// The same tables, to be read.
-    pub const fn read(&self) -> LanguageTablesRef<'_> {
-        LanguageTablesRef {
-            word_bytes: self.word_bytes,
-            word_ends: self.word_ends,
-            token_bytes: self.token_bytes,
-            token_ends: self.token_ends,
-            bitext: self.bitext.read(),
-            parameters: self.parameters.read(),
-            layer: self.layer.read(),
-        }
-    }
-}
 
 /// All of a language model that is not in its tables.
 #[derive(Clone, Debug)]

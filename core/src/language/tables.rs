@@ -2,24 +2,10 @@
 //!
 //! Each model says in its own folder which part of them is which: [`ibm2`](super::ibm2) and [`roles::layout`](super::roles::layout).
 
-use super::ibm2::LengthPair;
 use super::roles::Layout;
 use crate::capacity::{Capacities, Capacity, CapacityError};
+use crate::memory::{ParameterTables, ParameterTablesRef};
 use crate::symbols::Symbol;
-
-crate::memory::tables! {
-    /// The tables of the parameters.
-    ParameterTables,
-    /// The tables of the parameters, to be read.
-    ParameterTablesRef {
-        /// A row of words for NULL, or the background, and one for each machine token.
-        translations: f32,
-        /// Model 2: a(j | i, l, n). The role model: all its other parameters.
-        alignments: f32,
-        /// Model 2: one entry a pair of lengths.
-        length_pairs: LengthPair,
-    }
-}
 
 /// The parameters that the training data now would have.
 #[derive(Clone, Copy, Debug, PartialEq)]

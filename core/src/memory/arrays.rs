@@ -1,79 +1,19 @@
 //! Memory in plain arrays, whose lengths are known when the program is compiled.
 
-use super::{AgentMemory, AgentTables, AgentTablesRef, HomeMemory};
-use crate::home::{HomeTables, HomeTablesRef};
-use core::fmt;
+use super::{AgentMemory, HomeMemory};
 
-macro_rules! shape {
-    ($($table:ident: $Element:ty = $empty:expr; $field:ident $(($($call:tt)*))?,)*) => {
-        /// The arrays of a memory. [`memory!`](crate::memory!) implements it.
-        #[expect(missing_docs, non_camel_case_types, non_upper_case_globals, reason = "each item is the table of the same name")]
-        pub trait Shape: 'static {
-            $(
-                type $table: AsRef<[$Element]> + AsMut<[$Element]>;
-                const $table: Self::$table;
-            )*
-        }
-    };
+/// The two parts of a memory in arrays. [`memory!`](crate::memory!) implements it.
+pub trait Arrays {
+    /// For a home.
+    type Home: HomeMemory;
+    /// For an agent.
+    type Agent: AgentMemory;
 }
 
-macro_rules! arrays {
-    ($(#[$meta:meta])* $Arrays:ident $($table:ident: $Element:ty = $empty:expr; $field:ident $(($($call:tt)*))?,)*) => {
-        $(#[$meta])*
-        pub struct $Arrays<S: Shape> {
-            $($table: S::$table,)*
-        }
-
-        impl<S: Shape> $Arrays<S> {
-            /// Memory that nothing uses yet.
-            pub const fn new() -> Self {
-                Self { $($table: S::$table,)* }
-            }
-        }
-
-        impl<S: Shape> Default for $Arrays<S> {
-            fn default() -> Self {
-                Self::new()
-            }
-        }
-
-        impl<S: Shape> fmt::Debug for $Arrays<S> {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.debug_struct(stringify!($Arrays)).finish_non_exhaustive()
-            }
-        }
-    };
-}
-
-crate::for_each_home_table! { crate::all_memory!(shape!()) }
-crate::for_each_home_table! { arrays!(
-    /// Memory for a home, in plain arrays.
-    HomeArrays
-) }
-crate::for_each_agent_table! { arrays!(
-    /// Memory for an agent, in plain arrays.
-    AgentArrays
-) }
-
-impl<S: Shape> HomeMemory for HomeArrays<S> {
-    fn lend(&mut self) -> HomeTables<'_> {
-        crate::home_tables!(mut self)
-    }
-
-    fn read(&self) -> HomeTablesRef<'_> {
-        crate::home_tables!(ref self)
-    }
-}
-
-impl<S: Shape> AgentMemory for AgentArrays<S> {
-    fn lend(&mut self) -> AgentTables<'_> {
-        crate::agent_tables!(mut self)
-    }
-
-    fn read(&self) -> AgentTablesRef<'_> {
-        crate::agent_tables!(ref self)
-    }
-}
+/// The part of the memory `M` that is for a home.
+pub type HomeArrays<M> = <M as Arrays>::Home;
+/// The part of the memory `M` that is for an agent.
+pub type AgentArrays<M> = <M as Arrays>::Agent;
 
 /// Makes a struct that holds all memory of one home and one agent, in plain arrays. It starts as zeros, so that a static of it takes no
 /// flash and is never built on the stack.
@@ -105,28 +45,77 @@ macro_rules! memory {
         impl $Name {
             /// How large each table is.
             $vis const CAPACITIES: $crate::Capacities = $capacities;
-
-            /// Memory that nothing uses yet.
-            $vis const fn new() -> Self {
-                Self { home: $crate::memory::HomeArrays::new(), agent: $crate::memory::AgentArrays::new() }
-            }
         }
 
-        $crate::for_each_home_table! { $crate::all_memory!($crate::memory_shape!($Name [$capacities])) }
+        const _: () = {
+            $crate::for_each_home_table! { $crate::tables_in_arrays!(HomeArrays $Name) }
+            $crate::for_each_agent_table! { $crate::tables_in_arrays!(AgentArrays $Name) }
+            $crate::for_each_home_table! { $crate::lend_tables!(HomeArrays) }
+            $crate::for_each_agent_table! { $crate::lend_tables!(AgentArrays) }
+
+            impl $crate::memory::Arrays for $Name {
+                type Home = HomeArrays;
+                type Agent = AgentArrays;
+            }
+
+            #[allow(dead_code, missing_docs)]
+            impl $Name {
+                /// Memory that nothing uses yet.
+                $vis const fn new() -> Self {
+                    Self { home: HomeArrays::new(), agent: AgentArrays::new() }
+                }
+            }
+        };
     };
 }
 
-/// The shape that `memory!` makes.
+/// A struct with an array for each table.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! memory_shape {
-    ($Name:ident [$capacities:expr] $($table:ident: $Element:ty = $empty:expr; $field:ident $(($($call:tt)*))?,)*) => {
-        #[allow(non_camel_case_types, non_upper_case_globals)]
-        impl $crate::memory::Shape for $Name {
-            $(
-                type $table = [$Element; ($capacities).$field $(($($call)*))?];
-                const $table: Self::$table = [$empty; ($capacities).$field $(($($call)*))?];
-            )*
+macro_rules! tables_in_arrays {
+    ($Arrays:ident $Name:ident $Memory:ident $whole:ident $Whole:ident $WholeRef:ident; $(
+        $(#[$meta:meta])* $group:ident: $Tables:ident $TablesRef:ident
+        { $($(#[$doc:meta])* $table:ident: $Element:ty = $empty:expr; $field:ident $(($($call:tt)*))?,)* } ($($parts:tt)*)
+    )*) => {
+        #[derive(Debug)]
+        #[allow(missing_docs, unnameable_types)]
+        pub struct $Arrays {
+            $($($table: [$Element; $Name::CAPACITIES.$field $(($($call)*))?],)*)*
+        }
+
+        impl $Arrays {
+            const fn new() -> Self {
+                Self { $($($table: [$empty; $Name::CAPACITIES.$field $(($($call)*))?],)*)* }
+            }
+        }
+
+        impl Default for $Arrays {
+            fn default() -> Self {
+                Self::new()
+            }
+        }
+    };
+}
+
+/// Lends the tables of a struct that has an array or a `Vec` for each.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! lend_tables {
+    ($Owner:ident $Memory:ident $whole:ident $Whole:ident $WholeRef:ident; $(
+        $(#[$meta:meta])* $group:ident: $Tables:ident $TablesRef:ident
+        { $($(#[$doc:meta])* $table:ident: $Element:ty = $empty:expr; $field:ident $(($($call:tt)*))?,)* }
+        ($($part:ident: $Part:ident $PartRef:ident,)*)
+    )*) => {
+        impl $crate::memory::$Memory for $Owner {
+            fn lend(&mut self) -> $crate::memory::$Whole<'_> {
+                $(let $group = $crate::memory::$Tables { $($table: &mut self.$table,)* $($part,)* };)*
+                $whole
+            }
+
+            fn read(&self) -> $crate::memory::$WholeRef<'_> {
+                $(let $group = $crate::memory::$TablesRef { $($table: &self.$table,)* $($part,)* };)*
+                $whole
+            }
         }
     };
 }

@@ -9,136 +9,90 @@
 //! | `memory.agent` | the agent |
 //! | `&mut memory.agent` | the caller, who can use them again when the agent is gone |
 //! | [`AgentTables`] | the caller, table by table: for memory that is dealt out at run time |
+//!
+//! All of it is made from one list of tables (`list.rs`). The tables are typed. An untyped array of words, dealt out at each call, would
+//! need a type of which every bit pattern is valid for each table; a goal's piece, a task's progress and a pair's lengths are none.
 
 mod arrays;
 #[cfg(feature = "alloc")]
 mod heap;
 mod list;
 
-pub use arrays::{AgentArrays, HomeArrays, Shape};
+pub use arrays::{AgentArrays, Arrays, HomeArrays};
 #[cfg(feature = "alloc")]
 pub use heap::{AgentHeap, HeapMemory, HomeHeap};
 
-use crate::home::{HomeTables, HomeTablesRef};
-use crate::language::{LanguageTables, LanguageTablesRef};
-use crate::session::{SessionTables, SessionTablesRef};
-
-/// The tables of one agent.
-#[derive(Debug)]
-pub struct AgentTables<'t> {
-    /// What it learns.
-    pub language: LanguageTables<'t>,
-    /// What one session needs.
-    pub session: SessionTables<'t>,
-    /// What planning and training have in turn.
-    pub workspace: &'t mut [u64],
-}
-
-/// The tables of one agent, to be read.
-#[derive(Clone, Copy, Debug)]
-pub struct AgentTablesRef<'t> {
-    /// What it learns.
-    pub language: LanguageTablesRef<'t>,
-    /// What one session needs.
-    pub session: SessionTablesRef<'t>,
-    /// What planning and training have in turn.
-    pub workspace: &'t [u64],
-}
-
-impl AgentTables<'_> {
-    /// The same tables, lent for a shorter time.
-    pub fn lend(&mut self) -> AgentTables<'_> {
-        AgentTables { language: self.language.lend(), session: self.session.lend(), workspace: self.workspace }
-    }
-
-    /// The same tables, to be read.
-    pub const fn read(&self) -> AgentTablesRef<'_> {
-        AgentTablesRef { language: self.language.read(), session: self.session.read(), workspace: self.workspace }
-    }
-}
-
-/// Memory for an [`Agent`](crate::Agent). Every call must lend the same tables, and nothing else may write to them in between.
-pub trait AgentMemory {
-    /// Lends the tables to one call.
-    fn lend(&mut self) -> AgentTables<'_>;
-    /// Lends the tables to one call that only reads.
-    fn read(&self) -> AgentTablesRef<'_>;
-}
-
-impl<M: AgentMemory + ?Sized> AgentMemory for &mut M {
-    fn lend(&mut self) -> AgentTables<'_> {
-        (**self).lend()
-    }
-
-    fn read(&self) -> AgentTablesRef<'_> {
-        (**self).read()
-    }
-}
-
-impl AgentMemory for AgentTables<'_> {
-    fn lend(&mut self) -> AgentTables<'_> {
-        Self::lend(self)
-    }
-
-    fn read(&self) -> AgentTablesRef<'_> {
-        Self::read(self)
-    }
-}
-
-/// Memory for a [`Home`](crate::home::Home). Every call must lend the same tables, and nothing else may write to them in between.
-pub trait HomeMemory {
-    /// Lends the tables to one call.
-    fn lend(&mut self) -> HomeTables<'_>;
-    /// Lends the tables to one call that only reads.
-    fn read(&self) -> HomeTablesRef<'_>;
-}
-
-impl<M: HomeMemory + ?Sized> HomeMemory for &mut M {
-    fn lend(&mut self) -> HomeTables<'_> {
-        (**self).lend()
-    }
-
-    fn read(&self) -> HomeTablesRef<'_> {
-        (**self).read()
-    }
-}
-
-impl HomeMemory for HomeTables<'_> {
-    fn lend(&mut self) -> HomeTables<'_> {
-        Self::lend(self)
-    }
-
-    fn read(&self) -> HomeTablesRef<'_> {
-        Self::read(self)
-    }
-}
-
-/// Makes two structs of tables, one to be written and one to be read.
+/// Makes the structs of slices, each to be written and to be read, and the trait of what lends them.
 macro_rules! tables {
-    ($(#[$meta:meta])* $Tables:ident, $(#[$ref_meta:meta])* $TablesRef:ident { $($(#[$doc:meta])* $table:ident: $Element:ty,)* }) => {
-        $(#[$meta])*
-        #[derive(Debug, Default)]
-        pub struct $Tables<'t> {
-            $($(#[$doc])* pub $table: &'t mut [$Element],)*
-        }
-
-        $(#[$ref_meta])*
-        #[derive(Clone, Copy, Debug, Default)]
-        pub struct $TablesRef<'t> {
-            $($(#[$doc])* pub $table: &'t [$Element],)*
-        }
-
-        impl $Tables<'_> {
-            /// The same tables, lent for a shorter time.
-            pub fn lend(&mut self) -> $Tables<'_> {
-                $Tables { $($table: self.$table,)* }
+    ($(#[$memory_meta:meta])* $Memory:ident $whole:ident $Whole:ident $WholeRef:ident; $(
+        $(#[$meta:meta])* $group:ident: $Tables:ident $TablesRef:ident
+        { $($(#[$doc:meta])* $table:ident: $Element:ty = $empty:expr; $field:ident $(($($call:tt)*))?,)* }
+        ($($part:ident: $Part:ident $PartRef:ident,)*)
+    )*) => {
+        $(
+            $(#[$meta])*
+            #[derive(Debug, Default)]
+            pub struct $Tables<'t> {
+                $($(#[$doc])* pub $table: &'t mut [$Element],)*
+                $(#[doc = concat!("See [`", stringify!($Part), "`].")] pub $part: $Part<'t>,)*
             }
 
-            /// The same tables, to be read.
-            pub const fn read(&self) -> $TablesRef<'_> {
-                $TablesRef { $($table: self.$table,)* }
+            $(#[$meta])*
+            ///
+            /// To be read.
+            #[derive(Clone, Copy, Debug, Default)]
+            pub struct $TablesRef<'t> {
+                $($(#[$doc])* pub $table: &'t [$Element],)*
+                $(#[doc = concat!("See [`", stringify!($PartRef), "`].")] pub $part: $PartRef<'t>,)*
+            }
+
+            impl $Tables<'_> {
+                /// The same tables, lent for a shorter time.
+                pub fn lend(&mut self) -> $Tables<'_> {
+                    $Tables { $($table: self.$table,)* $($part: self.$part.lend(),)* }
+                }
+
+                /// The same tables, to be read.
+                #[inline]
+                pub const fn read(&self) -> $TablesRef<'_> {
+                    $TablesRef { $($table: self.$table,)* $($part: self.$part.read(),)* }
+                }
+            }
+        )*
+
+        $(#[$memory_meta])*
+        pub trait $Memory {
+            /// Lends the tables to one call.
+            fn lend(&mut self) -> $Whole<'_>;
+            /// Lends the tables to one call that only reads.
+            fn read(&self) -> $WholeRef<'_>;
+        }
+
+        impl<M: $Memory + ?Sized> $Memory for &mut M {
+            fn lend(&mut self) -> $Whole<'_> {
+                (**self).lend()
+            }
+
+            fn read(&self) -> $WholeRef<'_> {
+                (**self).read()
+            }
+        }
+
+        impl $Memory for $Whole<'_> {
+            fn lend(&mut self) -> $Whole<'_> {
+                Self::lend(self)
+            }
+
+            fn read(&self) -> $WholeRef<'_> {
+                Self::read(self)
             }
         }
     };
 }
-pub(crate) use tables;
+
+crate::for_each_home_table! { tables!(
+    /// Memory for a [`Home`](crate::home::Home). Every call must lend the same tables, and nothing else may write to them in between.
+) }
+crate::for_each_agent_table! { tables!(
+    /// Memory for an [`Agent`](crate::Agent). Every call must lend the same tables, and nothing else may write to them in between.
+) }

@@ -96,7 +96,7 @@ pub struct ActionKind<'a> {
 }
 
 impl<'a> ActionKind<'a> {
-    /// The action of this name, which costs so much.
+    /// An action with this name and cost.
     pub const fn new(name: &'a str, cost: u8) -> Self {
         Self { name, cost }
     }

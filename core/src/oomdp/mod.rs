@@ -19,10 +19,11 @@ pub(crate) mod search_kind;
 pub(crate) mod soundness;
 pub(crate) mod vocabulary;
 
+pub use crate::memory::{ObjectTables, ObjectTablesRef};
 pub use divider::Divider;
 pub use domain::{Action, ActionKind, ActionSet, Domain, MOST_COST, World, action_name, action_named, apply};
 pub(crate) use domain::{cost, digest, own_actions};
-pub use objects::{Object, ObjectCount, ObjectError, ObjectId, ObjectSet, ObjectTables, ObjectTablesRef, Objects};
+pub use objects::{Object, ObjectCount, ObjectError, ObjectId, ObjectSet, Objects};
 pub use push_grid::{CellId, Floor, FloorCell, Piece, PushGrid};
 pub use schema::{Attribute, Carrier, Class, ClassId, GroundProposition, Proposition, PropositionId, Schema};
 pub use search_kind::{BitRows, OneByOne, SearchKind};

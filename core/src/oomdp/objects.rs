@@ -3,6 +3,7 @@
 use super::domain::for_each_word;
 use super::schema::ClassId;
 use crate::capacity::{ATTRIBUTES, Capacities, Capacity, CapacityError};
+use crate::memory::{ObjectTables, ObjectTablesRef};
 use crate::symbols::{Symbol, Symbols, SymbolsRef};
 use core::fmt;
 
@@ -41,20 +42,6 @@ impl Object {
     /// The value of an attribute, by the attribute's position in the schema.
     pub fn value(&self, attribute: usize) -> Option<Symbol> {
         self.values.get(attribute)?.checked_sub(1).map(Symbol)
-    }
-}
-
-crate::memory::tables! {
-    /// The tables of the objects.
-    ObjectTables,
-    /// The tables of the objects, to be read.
-    ObjectTablesRef {
-        /// One entry an object.
-        objects: Object,
-        /// Names and attribute values.
-        name_bytes: u8,
-        /// One entry a name or value.
-        name_ends: u16,
     }
 }
 
@@ -183,7 +170,7 @@ impl<'t> ObjectSet<'t> {
         if let Some(slot) = self.memory.objects.get_mut(self.count.objects) {
             *slot = object;
         }
-        self.count.objects = self.count.objects.saturating_add(1);
+        self.count.objects += 1;
         Ok(id)
     }
 }

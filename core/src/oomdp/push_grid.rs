@@ -97,8 +97,8 @@ impl Piece {
 /// - any other action changes nothing unless a piece is beside the robot;
 /// - one action moves a piece by at most one cell.
 pub trait PushGrid: Domain {
-    /// Whether this domain is such a floor at all. One type may stand for domains of several kinds; where this is false, states are expanded
-    /// one by one, and nothing below is asked.
+    /// Whether this domain is such a floor. One type may serve domains of several kinds; if this is false, states are expanded one by one,
+    /// and the other functions are not called.
     fn is_floor(&self) -> bool {
         true
     }
@@ -118,8 +118,8 @@ pub trait PushGrid: Domain {
     /// The only piece whose cell decides whether the proposition holds, or `None` where several matter.
     fn piece_of(&self, proposition: &GroundProposition) -> Option<Piece>;
 
-    /// Whether the robot can move a piece to a cell without a free cell behind the piece, as by pulling. A robot that only pushes cannot
-    /// get a piece out of a corner, and its planner need not search to know that.
+    /// Whether the robot can move a piece without standing on the piece's far side, as by pulling. A robot that only pushes cannot get a
+    /// piece out of a corner, and its planner knows that without a search.
     fn can_pull(&self) -> bool;
 
     /// Whether a direction toward a cell with a piece pushes plainly: the piece goes to the next cell in that direction and the robot

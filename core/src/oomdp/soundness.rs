@@ -151,7 +151,7 @@ fn write_origin(f: &mut fmt::Formatter<'_>, from: Option<(u64, Action)>) -> fmt:
 
 impl core::error::Error for DomainFlaw {}
 
-/// Whether the actions are as [`Domain::actions`] asks for, but for their names: what is asked each time that a command is heard.
+/// Whether the actions are as [`Domain::actions`] asks for, except for their names. Checked at each command.
 pub(crate) fn check_actions<D: Domain + ?Sized>(domain: &D) -> Result<(), DomainFlaw> {
     let actions = domain.actions();
     if actions.len() > Action::MOST {
@@ -311,14 +311,14 @@ fn check_schema(schema: &Schema<'_>) -> Result<(), DomainFlaw> {
     Ok(())
 }
 
-/// The first name that is empty, or that stands before already.
+/// The first name that is empty or repeated.
 #[cfg(feature = "alloc")]
 fn misnamed<'n>(mut names: impl Iterator<Item = &'n str> + Clone) -> Option<usize> {
     let all = names.clone();
     let mut position: usize = 0;
     names.position(|name| {
         let is_known = all.clone().take(position).any(|before| before == name);
-        position = position.saturating_add(1);
+        position += 1;
         name.is_empty() || is_known
     })
 }

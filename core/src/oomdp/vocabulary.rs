@@ -3,8 +3,8 @@
 use super::Schema;
 use crate::checksum::{CHECK, Check};
 
-/// A digest of what the domain's machine commands can speak of: its propositional functions with their classes, and its attributes with
-/// their carriers. Never 0, which stands for no domain.
+/// A digest of the domain's vocabulary: its propositional functions with their classes, and its attributes with their carriers. Never 0,
+/// which means no domain.
 pub fn digest(schema: &Schema<'_>) -> u32 {
     let mut digest = CHECK.digest();
     let mut name = |text: &str| take(&mut digest, text);

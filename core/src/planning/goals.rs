@@ -5,6 +5,7 @@
 //! intersection over its pieces: one look-up a piece, for any number of tasks. In other domains the propositions are asked one by one.
 
 use crate::capacity::{Capacity, CapacityError};
+use crate::memory::GoalMemory;
 use crate::oomdp::{CellId, Domain, GroundProposition, ObjectId, Piece, PropositionId, PushGrid, SearchKind};
 use crate::task::{GroundedTask, LiftedTask, TaskSet, WayState};
 
@@ -47,18 +48,6 @@ impl GoalPart {
         tasks: TaskSet::EMPTY,
         piece: None,
     };
-}
-
-crate::memory::tables! {
-    /// The tables of the goals.
-    GoalMemory,
-    /// The tables of the goals, to be read.
-    GoalMemoryRef {
-        /// One entry a distinct ground proposition.
-        parts: GoalPart,
-        /// One entry a cell and piece; with too few, propositions are asked one by one.
-        entries: TaskSet,
-    }
 }
 
 /// The goals of one session's tasks, beside the tables.
@@ -108,7 +97,7 @@ impl GoalTable {
                 };
                 *asked = asked.with(position);
                 let known = memory
-                    .parts
+                    .goal_parts
                     .iter_mut()
                     .take(table.parts())
                     .find(|part| part.proposition == proposition && part.sign == Sign::of(task.way));
@@ -116,8 +105,8 @@ impl GoalTable {
                     part.tasks = part.tasks.with(position);
                     continue;
                 }
-                let limit = memory.parts.len();
-                let slot = memory.parts.get_mut(table.parts()).ok_or(CapacityError::full(Capacity::GroundPropositions, limit))?;
+                let limit = memory.goal_parts.len();
+                let slot = memory.goal_parts.get_mut(table.parts()).ok_or(CapacityError::full(Capacity::GroundPropositions, limit))?;
                 *slot = GoalPart { proposition, sign: Sign::of(task.way), tasks: TaskSet::of(position), piece };
                 table.parts = table.parts.saturating_add(1);
             }
@@ -140,8 +129,8 @@ impl GoalTable {
         for at in (before..all).take(most) {
             let piece = Piece(at.checked_div(cells).unwrap_or(0) as u8);
             let cell = CellId(at.checked_rem(cells).unwrap_or(0) as u16);
-            let there = Goals { table: self, parts: memory.parts, entries: &[] }.allowed_by(grid, state, piece, cell);
-            if let Some(entry) = memory.entries.get_mut(at) {
+            let there = Goals { table: self, parts: memory.goal_parts, entries: &[] }.allowed_by(grid, state, piece, cell);
+            if let Some(entry) = memory.goal_entries.get_mut(at) {
                 *entry = there;
             }
             self.filled = at.saturating_add(1) as u32;

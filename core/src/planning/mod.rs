@@ -31,10 +31,10 @@ pub(crate) mod plan;
 pub(crate) mod planner;
 mod ways;
 
-pub use goals::{GoalMemory, GoalMemoryRef, GoalPart};
+pub use goals::GoalPart;
 pub use one_by_one::states_needed;
 pub use plan::{Judgement, OptimalSet, Plan};
-pub use planner::{PlanMemory, PlanMemoryRef, PlanTables, Planner};
+pub use planner::{PlanTables, Planner};
 pub use ways::Ways;
 
 /// Whether work that is done in parts has come to its end.

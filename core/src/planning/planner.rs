@@ -16,30 +16,14 @@ use super::bitboard::{RowSearch, View};
 #[cfg(feature = "bounds")]
 use super::bounds::Bounds;
 use super::deadlock;
-use super::goals::{GoalMemory, GoalMemoryRef, GoalPart, GoalTable, Goals};
+use super::goals::{GoalPart, GoalTable, Goals};
 use super::one_by_one::{self, StateSearch, Stray};
 use super::plan::{Found, Plan, Results};
 use super::ways::Ways;
 use crate::capacity::{Capacities, Capacity, CapacityError};
+use crate::memory::{GoalMemory, GoalMemoryRef, PlanMemory};
 use crate::oomdp::{ActionSet, Domain, PushGrid, SearchKind};
 use crate::task::{GroundedTask, LiftedTask, TaskSet};
-
-crate::memory::tables! {
-    /// The tables of the searches and of what they find.
-    PlanMemory,
-    /// The tables of the searches and of what they find, to be read.
-    PlanMemoryRef {
-        /// One entry for each word of first actions and frontier in the workspace: see
-        /// [`Capacities::search_words`](crate::Capacities::search_words).
-        search_words: (),
-        /// State numbers, where states are hashed; may be empty.
-        hashed: u64,
-        /// The optimal set of each task.
-        optimal: ActionSet,
-        /// The distance of each task.
-        distances: u32,
-    }
-}
 
 /// The tables of a [`Planner`], lent to it for each call. Do not change their contents between its calls.
 #[derive(Debug)]
@@ -65,8 +49,8 @@ impl<'t> PlanTables<'t> {
     pub fn new(goals: GoalMemory<'t>, plan: PlanMemory<'t>, workspace: &'t mut [u64]) -> Self {
         let words = plan.search_words.len().min(workspace.len());
         Self {
-            goal_parts: goals.parts,
-            goal_entries: goals.entries,
+            goal_parts: goals.goal_parts,
+            goal_entries: goals.goal_entries,
             marks: workspace.get_mut(..words).unwrap_or(&mut []),
             hashed: plan.hashed,
             optimal: plan.optimal,
@@ -184,7 +168,7 @@ impl Planner {
     ) -> Result<(), CapacityError> {
         (self.goals, self.found, self.stage) = (GoalTable::EMPTY, Found::NOTHING, Stage::Done);
         one_by_one::check(domain, tables.marks.len(), tables.hashed.len())?;
-        let mut memory = GoalMemory { parts: tables.goal_parts, entries: tables.goal_entries };
+        let mut memory = GoalMemory { goal_parts: tables.goal_parts, goal_entries: tables.goal_entries };
         self.goals = GoalTable::list(&mut memory, domain, lifted, tasks)?;
         self.with_ways = Ways { lifted, tasks }.all();
         Ok(())
@@ -204,7 +188,7 @@ impl Planner {
     ) -> Result<(usize, usize), CapacityError> {
         let table = GoalTable::list(goals, domain, lifted, tasks)?;
         let parts = table.parts();
-        let seen = Goals { table: &table, parts: goals.parts, entries: goals.entries };
+        let seen = Goals { table: &table, parts: goals.goal_parts, entries: goals.goal_entries };
         let words = D::Search::grid(domain).and_then(|grid| RowSearch::words_needed(grid, &seen, TaskSet::first(tasks.len())));
         let states = words.map(Capacities::states_of).or_else(|| one_by_one::states_needed(domain));
         let states = states.or(D::Search::grid(domain).map(|_| 0));
@@ -287,7 +271,7 @@ impl Planner {
             self.stage = Stage::RuleOut;
             return 0;
         };
-        let mut memory = GoalMemory { parts: tables.goal_parts, entries: tables.goal_entries };
+        let mut memory = GoalMemory { goal_parts: tables.goal_parts, goal_entries: tables.goal_entries };
         let cells = self.goals.tabulate(&mut memory, grid, state, (left as usize).saturating_mul(CELLS_AN_EXPANSION));
         cells.div_ceil(CELLS_AN_EXPANSION) as u32
     }
@@ -449,7 +433,7 @@ impl Planner {
 
     /// The tasks among `asked` whose goals hold in a state; for tasks whose ways are gone to their ends.
     pub(crate) fn satisfied<D: Domain + ?Sized>(&self, goals: GoalMemoryRef<'_>, domain: &D, state: &D::State, asked: TaskSet) -> TaskSet {
-        Goals { table: &self.goals, parts: goals.parts, entries: goals.entries }.satisfied(domain, state, asked)
+        Goals { table: &self.goals, parts: goals.goal_parts, entries: goals.goal_entries }.satisfied(domain, state, asked)
     }
 
     /// The results for each task, in the tables that planning wrote.

@@ -8,7 +8,7 @@ use super::candidates::{CandidateCount, CandidatesRef};
 use super::done::LastDone;
 use super::error::AgentError;
 use super::learning::GaveWay;
-use super::options::{Options, SessionTablesRef};
+use super::options::Options;
 use super::phase::{Phase, Progressed};
 #[cfg(feature = "asking")]
 use crate::asking::Asked;
@@ -16,7 +16,7 @@ use crate::capacity::{Capacities, Capacity, CapacityError, LIFTED_TASKS};
 use crate::feedback::{Belief, BeliefCount, BeliefRef, Ending, Feedback, Judged, LAGS, Moment, Strategy, Words};
 use crate::language::model::LanguageState;
 use crate::language::{LanguageMut, LanguageRef, Sentence};
-use crate::memory::{AgentMemory, AgentTables};
+use crate::memory::{AgentMemory, AgentTables, SessionTablesRef};
 use crate::oomdp::{Action, ActionSet, Domain, DomainFlaw, apply, digest};
 use crate::planning::{Judgement, OptimalSet, Plan, PlanTables, Planner, Progress, Ways};
 use crate::probability::{Scaled, total};
@@ -32,7 +32,7 @@ use rand_core::Rng;
 /// Below this probability a task is not planned: its optimal set is unknown, and what happens is no evidence for or against it.
 pub const NEGLIGIBLE: f32 = 1e-9;
 
-/// What the agent does next, and for which task.
+/// The agent's next action, and its task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -114,7 +114,7 @@ impl<M> Agent<M> {
     /// ```
     /// use goodbot::{Agent, home, memory::AgentArrays};
     /// goodbot::memory! { struct Memory = goodbot::Capacities::TINY; }
-    /// static AGENT: std::sync::Mutex<Agent<AgentArrays<Memory>>> = std::sync::Mutex::new(Agent::without_tasks(AgentArrays::new()));
+    /// static AGENT: std::sync::Mutex<Agent<AgentArrays<Memory>>> = std::sync::Mutex::new(Agent::without_tasks(Memory::new().agent));
     /// AGENT.lock().unwrap().set_tasks(&home::paper_tasks()?, goodbot::Options::PAPER)?;
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -304,7 +304,7 @@ impl<M: AgentMemory> Agent<M> {
         CandidatesRef::new(self.memory.read().session.candidates, self.candidates)
     }
 
-    /// What is known of each task in the state that was planned for last.
+    /// The plan of each task, for the state planned for last.
     pub fn planned(&self) -> Plan<'_> {
         let plan = self.memory.read().session.plan;
         self.planner.plan(plan.optimal, plan.distances)
@@ -340,7 +340,7 @@ impl<M: AgentMemory> Agent<M> {
         self.sentence.clear();
     }
 
-    /// Forgets what was planned and done.
+    /// Forgets the plan and the last actions.
     pub(super) fn forget_plan(&mut self) {
         (self.planned, self.expected, self.done) = (None, None, LastDone::NOTHING);
         self.dead = TaskSet::EMPTY;
@@ -348,7 +348,7 @@ impl<M: AgentMemory> Agent<M> {
         self.asked.close();
     }
 
-    /// Forgets what was asked in the session before.
+    /// Forgets the questions of the session before.
     pub(super) fn forget_questions(&mut self) {
         #[cfg(feature = "asking")]
         {
@@ -632,10 +632,10 @@ impl<M: AgentMemory> Agent<M> {
             tasks: tasks.len(),
             strategies: belief.strategies.len(),
             beliefs: belief.joint.len(),
-            candidates: candidates.entries.len(),
-            candidate_tokens: candidates.tokens.len(),
-            ground_propositions: goals.parts.len(),
-            goal_entries: goals.entries.len(),
+            candidates: candidates.candidates.len(),
+            candidate_tokens: candidates.candidate_tokens.len(),
+            ground_propositions: goals.goal_parts.len(),
+            goal_entries: goals.goal_entries.len(),
             // Groups of 64 states: see `Capacities::search_words`.
             states: (plan.search_words.len().saturating_mul(64) / (11 * 64 + 3)).saturating_mul(64),
             hashed_states: plan.hashed.len(),

@@ -1,9 +1,10 @@
-//! The machine commands that the tasks of one session can be expressed by.
+//! The machine commands that express the tasks of one session.
 //!
-//! Different tasks and constraints often give the same tokens ("go to the room" for every room); each distinct machine command stands
-//! once, with its likelihood Pr(e|m) and, at the end of the session, its weight.
+//! Different tasks and constraints often give the same tokens ("go to the room" for every room). Each distinct machine command is kept once,
+//! with its likelihood Pr(e|m) and, at the end of the session, its weight.
 
 use crate::capacity::{Capacity, CapacityError};
+use crate::memory::{CandidateTables, CandidateTablesRef};
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
 
@@ -17,25 +18,13 @@ pub struct Candidate {
     check: u16,
     /// Pr(e|m).
     pub likelihood: Scaled,
-    /// How much of the session's posterior it has.
+    /// Its share of the session's posterior, in no unit.
     pub weight: Scaled,
 }
 
 impl Candidate {
-    /// What unused memory holds.
+    /// The value of unused memory.
     pub const UNUSED: Self = Self { start: 0, task: 0, len: 0, check: 0, likelihood: Scaled::ZERO, weight: Scaled::ZERO };
-}
-
-crate::memory::tables! {
-    /// The tables of the candidates.
-    CandidateTables,
-    /// The tables of the candidates, to be read.
-    CandidateTablesRef {
-        /// One entry a distinct machine command.
-        entries: Candidate,
-        /// Their tokens.
-        tokens: Symbol,
-    }
 }
 
 /// How much of the tables is used.
@@ -71,18 +60,18 @@ impl<'t> CandidatesRef<'t> {
 
     /// All, in the order in which they first came.
     pub fn entries(self) -> &'t [Candidate] {
-        self.memory.entries.get(..self.count.len).unwrap_or(&[])
+        self.memory.candidates.get(..self.count.len).unwrap_or(&[])
     }
 
     /// The tokens of one.
     pub fn tokens(self, candidate: &Candidate) -> &'t [Symbol] {
         let start = candidate.start as usize;
-        self.memory.tokens.get(start..start.saturating_add(usize::from(candidate.len))).unwrap_or(&[])
+        self.memory.candidate_tokens.get(start..start.saturating_add(usize::from(candidate.len))).unwrap_or(&[])
     }
 
     /// The tokens of all.
     pub(super) fn all_tokens(self) -> &'t [Symbol] {
-        self.memory.tokens.get(..self.count.used).unwrap_or(&[])
+        self.memory.candidate_tokens.get(..self.count.used).unwrap_or(&[])
     }
 
     /// The position of the machine command with these tokens, if it is among them.
@@ -108,12 +97,12 @@ impl<'t> Candidates<'t> {
     }
 
     pub(super) fn entry_mut(&mut self, position: usize) -> Option<&mut Candidate> {
-        self.memory.entries.get_mut(..self.count.len)?.get_mut(position)
+        self.memory.candidates.get_mut(..self.count.len)?.get_mut(position)
     }
 
     /// The tokens of all, to be renamed.
     pub(super) fn all_tokens_mut(&mut self) -> &mut [Symbol] {
-        self.memory.tokens.get_mut(..self.count.used).unwrap_or(&mut [])
+        self.memory.candidate_tokens.get_mut(..self.count.used).unwrap_or(&mut [])
     }
 
     /// Takes note that the tokens were renamed.
@@ -132,17 +121,23 @@ impl<'t> Candidates<'t> {
     /// # Errors
     /// A [`CapacityError`].
     pub fn add(&mut self, task: usize, tokens: &[Symbol], likelihood: Scaled) -> Result<usize, CapacityError> {
-        let limit = self.memory.entries.len();
-        let end = self.count.used.saturating_add(tokens.len());
-        let full = CapacityError::new(Capacity::CandidateTokens, self.memory.tokens.len(), end);
-        let Some(entry) = self.memory.entries.get_mut(self.count.len) else {
+        let limit = self.memory.candidates.len();
+        let end = self.count.used + tokens.len();
+        let full = CapacityError::new(Capacity::CandidateTokens, self.memory.candidate_tokens.len(), end);
+        let Some(entry) = self.memory.candidates.get_mut(self.count.len) else {
             return Err(CapacityError::full(Capacity::Candidates, limit));
         };
-        self.memory.tokens.get_mut(self.count.used..end).ok_or(full)?.iter_mut().zip(tokens).for_each(|(slot, &token)| *slot = token);
+        self.memory
+            .candidate_tokens
+            .get_mut(self.count.used..end)
+            .ok_or(full)?
+            .iter_mut()
+            .zip(tokens)
+            .for_each(|(slot, &token)| *slot = token);
         let (start, len) = (self.count.used as u32, tokens.len() as u8);
         *entry = Candidate { start, task: task as u8, len, check: check(tokens), likelihood, weight: Scaled::ZERO };
         let position = self.count.len;
-        (self.count.len, self.count.used) = (self.count.len.saturating_add(1), end);
+        (self.count.len, self.count.used) = (self.count.len + 1, end);
         Ok(position)
     }
 }

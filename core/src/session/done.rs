@@ -16,7 +16,7 @@ struct Done {
 }
 
 impl Done {
-    /// An action of which nothing is known.
+    /// An action that nothing is known about.
     const UNKNOWN: Self = Self { correct: TaskSet::EMPTY, incorrect: TaskSet::EMPTY, inside: TaskSet::EMPTY };
 
     const fn judged(self, task: usize, rests: bool) -> Judged {
@@ -38,7 +38,7 @@ pub(super) struct LastDone {
     /// Whether each was a rest.
     rests: [bool; LAGS],
     any: bool,
-    /// What was done and said before the last action's own word.
+    /// The moment before the last action's own word.
     moment: Moment,
     /// The last action's word, silence too; `None` while nobody has judged it.
     word: Option<Feedback>,
@@ -96,12 +96,12 @@ impl LastDone {
         self.word = Some(word);
     }
 
-    /// What was done and said last.
+    /// The last moment.
     pub(super) fn moment(&self) -> Moment {
         self.moment.heard(self.word.unwrap_or(Feedback::Neutral))
     }
 
-    /// What the actions were for a task.
+    /// How a task judges the actions.
     pub(super) fn judged(&self, task: usize) -> [Judged; LAGS] {
         let mut judged = [Judged::Unknown; LAGS];
         for ((slot, done), rests) in judged.iter_mut().zip(self.actions).zip(self.rests) {

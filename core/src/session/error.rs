@@ -1,4 +1,4 @@
-//! Why an agent could not do what it was asked.
+//! Why an agent refused a call.
 
 use super::phase::Phase;
 use crate::capacity::CapacityError;
@@ -7,7 +7,7 @@ use crate::language::SettingError;
 use crate::oomdp::DomainFlaw;
 use core::fmt;
 
-/// Why the agent could not do what it was asked.
+/// Why the agent refused a call.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -63,7 +63,7 @@ pub enum AgentError {
     Strategy(BeliefError),
     /// An option is out of range.
     Setting(SettingError),
-    /// Something was full. What was learned before is kept.
+    /// A table was full. Everything learned before is kept.
     Capacity(CapacityError),
 }
 

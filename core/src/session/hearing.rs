@@ -162,7 +162,7 @@ impl<M: AgentMemory> Agent<M> {
         let session = self.memory.lend().session;
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
         Belief::new(session.belief, &mut self.belief).restart(tasks.iter().map(|task| Scaled::new(task.prior)), self.options.drift)?;
-        // The tasks' own tokens come first, and what can be said of objects after them, as far as there is room.
+        // The tasks' own tokens come first, then those of the objects' facts, while there is room.
         self.intern_own_tokens(domain)?;
         self.progressed = Progressed::Hearing(Position::of_task(0), Prior::Zero);
         Ok(())
@@ -205,7 +205,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(Progress::Done)
     }
 
-    /// What the descriptions of the session's tasks need to know of the state that it started from.
+    /// The facts of the session's start state that its tasks' descriptions need.
     pub(crate) fn scene<D: Domain + ?Sized>(&self, domain: &D) -> Option<Scene<D::State>> {
         let scene = self.start.map(|start| Scene::new(domain.numbered(start)));
         #[cfg(all(feature = "derived", feature = "talk"))]

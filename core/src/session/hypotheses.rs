@@ -11,7 +11,7 @@ use crate::symbols::Symbol;
 /// says how probable it is that any of them comes.
 const ONE_UNHEARD: f32 = 1e-4;
 
-/// What a recogniser of speech may have heard: one entry of its n-best list.
+/// One entry of a speech recogniser's n-best list.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hypothesis<'h> {
     /// The command.
@@ -21,12 +21,12 @@ pub struct Hypothesis<'h> {
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// Hears one command of which several transcripts are given: the one is taken that is most probable by its weight and by what it could
-    /// mean here, Pr(e|s) = sum over tasks t of Pr(t|s) Pr(e|t), where each word that was never heard is one of ten thousand. Returns its
-    /// position; of equals the one of more weight, and of these the first. The session is as if it alone had been heard by
-    /// [`hear`](Self::hear). A transcript that cannot be heard is passed over where another can.
+    /// Hears the most probable of several transcripts of one command, and returns its position. Its probability is its weight times
+    /// Pr(e|s) = sum over tasks t of Pr(t|s) Pr(e|t), with each unheard word one of ten thousand. Of equals, the one of more weight is taken,
+    /// and of these the first. The session is as if it alone had been heard by [`hear`](Self::hear). A transcript that cannot be heard is
+    /// passed over if another can.
     ///
-    /// It takes the time of hearing each, and one once more.
+    /// It takes the time of hearing each transcript, and one of them twice.
     ///
     /// ```
     /// use goodbot::session::Hypothesis;

@@ -95,16 +95,16 @@ pub struct Finished {
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// Ends the session as if it had never been: what it showed of the trainer is forgotten too. The same command can then be heard again
-    /// and walked through anew, for instance to take a step back.
+    /// Ends the session and forgets all its evidence, also about the trainer. The same command can then be heard and walked through again,
+    /// for instance to take a step back.
     pub fn forget_evidence(&mut self) {
         self.forget();
         self.end_session();
         self.belief_mut().forget();
     }
 
-    /// Ends the session without learning from it. What it made known of words and machine tokens is forgotten with the next command, so
-    /// that the same session can still be taken up again with [`hear_again`](Self::hear_again).
+    /// Ends the session without learning from it. Its new words and machine tokens are forgotten only with the next command, so
+    /// [`hear_again`](Self::hear_again) can still take the session up again.
     pub fn forget(&mut self) {
         match self.progressed {
             // Half heard, it is no session.
@@ -124,7 +124,7 @@ impl<M: AgentMemory> Agent<M> {
         self.end_session();
     }
 
-    /// Whether the session is about what shall not be. The words of the tasks are not what was said: nothing is learned of them.
+    /// Whether the session's tasks are negated. Their words are not those that were said, so nothing is learned.
     fn is_negated(&self) -> bool {
         self.tasks().iter().any(GroundedTask::is_negated)
     }
@@ -146,9 +146,8 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// Ends the session as [`finish`](Self::finish) does, but learns nothing from it yet: it joins the training data, and words go on meaning
-    /// what they meant. What comes of the next [`finish`](Self::finish) or of [`begin_learning`](Self::begin_learning) is learned from it too.
-    /// Many sessions in a row then cost one training.
+    /// Ends the session and adds it to the training data, without training. The next [`finish`](Self::finish) or
+    /// [`begin_learning`](Self::begin_learning) trains on it too, so many sessions in a row cost one training.
     ///
     /// # Errors
     /// As [`finish`](Self::finish); but no other session gives way: where there is no room, [`AgentError::Capacity`] says so, the session
@@ -211,7 +210,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Goes on ending the session, with at most about `budget` table cells of work (at least one machine command, or one session that gives
-    /// way). What is learned is the same whatever the budget. `None` means: call again.
+    /// way). The budget does not change the result. `None` means: call again.
     ///
     /// # Errors
     /// As [`finish`](Self::finish).
@@ -322,9 +321,9 @@ impl<M: AgentMemory> Agent<M> {
         Ok(Progress::Done)
     }
 
-    /// The weight of each machine command of the session as it stands, for [`finish`](Self::finish) and for those who look on: the entries
-    /// of [`candidates`](Self::candidates) then have their weights, in no unit: their share of the sum is what is learned. Where no machine
-    /// command explains the words, the tasks' posterior alone counts, evenly over each task's constraints.
+    /// Computes the current weight of each machine command in [`candidates`](Self::candidates), for [`finish`](Self::finish) and for
+    /// observers. Weights have no unit: each command is learned with its share of the sum. If no machine command explains the words, the
+    /// tasks' posterior counts alone, evenly over each task's constraints.
     ///
     /// # Errors
     /// [`AgentError::Capacity`].

@@ -20,7 +20,7 @@ use alloc::{collections::BTreeSet, string::String};
 ///
 /// ```
 /// use goodbot::session::Lessons;
-/// // Twenty commands of at most eight words, in which thirty different words stand, of 180 bytes together.
+/// // Twenty commands of at most eight words, in which thirty different words occur, of 180 bytes together.
 /// let lessons = Lessons { different_words: 30, word_bytes: 180, ..Lessons::new(20, 8) };
 /// assert_eq!((lessons.sessions, lessons.words), (20, 8));
 /// ```
@@ -37,8 +37,8 @@ pub struct Lessons {
 }
 
 impl Lessons {
-    /// So many sessions, each with a command of at most so many words. No word comes twice, and a word has 12 bytes on average; where you
-    /// know better, correct the other fields: they decide on most of the memory.
+    /// This many sessions, each with a command of at most `words` words. It assumes that no word occurs twice and that a word has 12 bytes on
+    /// average. Correct the other fields where you know better: they determine most of the memory.
     pub const fn new(sessions: usize, words: usize) -> Self {
         let different_words = sessions.saturating_mul(words);
         Self { sessions, words, different_words, word_bytes: different_words.saturating_mul(12) }
@@ -78,10 +78,10 @@ impl Lessons {
     }
 }
 
-/// What was found of the worlds that were looked at.
+/// The needs of the worlds looked at so far.
 pub(super) struct Survey {
     pub(super) least: Capacities,
-    /// What the descriptions speak of.
+    /// The contents of the descriptions.
     pub(super) layout: Layout,
 }
 

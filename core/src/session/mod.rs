@@ -3,11 +3,11 @@
 //! - `candidates`: the machine commands that this session's tasks can be expressed by, and how well each explains the command;
 //! - `machine_commands`: those machine commands, by language model;
 //! - `agent`: the robot's mind: plans, decides, takes feedback;
-//! - `phase`: what it is doing, and which call leads on;
-//! - `done`: the last actions, which a word may be about;
+//! - `phase`: its phase, and the call that leads on;
+//! - `done`: the last actions, which feedback may be about;
 //! - `hearing`: how it hears a command;
-//! - `hypotheses`: how it hears one of which a recogniser of speech is not sure;
-//! - `learning`: what it does when the session ends;
+//! - `hypotheses`: how it hears one from a speech recogniser's transcripts;
+//! - `learning`: how it ends a session and learns;
 //! - `least`: the least capacities for a domain and a number of lessons;
 //! - `ways`: how far the ways of its tasks have come;
 //! - `options`, `error`: how it learns, and why it may refuse.
@@ -26,10 +26,10 @@ pub(crate) mod phase;
 mod ways;
 
 pub use agent::{Agent, Decision, Evidence, NEGLIGIBLE};
-pub use candidates::{Candidate, CandidateTables, CandidateTablesRef, CandidatesRef};
+pub use candidates::{Candidate, CandidatesRef};
 pub use error::AgentError;
 pub use hypotheses::Hypothesis;
 pub use learning::{Finished, GaveWay};
 pub use least::Lessons;
-pub use options::{Options, SessionTables, SessionTablesRef, Weights};
+pub use options::{Options, Weights};
 pub use phase::Phase;

@@ -1,10 +1,7 @@
 //! How an agent understands and learns, and the memory it needs.
 
-use super::candidates::{CandidateTables, CandidateTablesRef};
-use crate::feedback::{BeliefTables, BeliefTablesRef, Ending, population};
+use crate::feedback::{Ending, population};
 use crate::language::{SettingError, Settings};
-use crate::planning::{GoalMemory, GoalMemoryRef, PlanMemory, PlanMemoryRef};
-use crate::task::GroundedTask;
 
 /// How machine commands are weighted when a session ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,7 +11,7 @@ pub enum Weights {
     Paper,
     /// By the tasks' posterior alone, evenly over each task's constraints (the authors' later program).
     Belief,
-    /// By what the trainer said or showed alone: the tasks' prior without any word times the likelihood of all evidence.
+    /// By the trainer's evidence alone: the tasks' prior without any word times the likelihood of all evidence.
     Evidence,
 }
 
@@ -30,7 +27,7 @@ pub struct Options {
     /// The share by which what is believed of the trainer's strategies drifts back, at each new command, to what was believed before the
     /// trainer was met: from 0 (the paper: never) to 1.
     pub drift: f32,
-    /// What the end of a session says of the task; [`Ending::NO_EVIDENCE`] in the paper.
+    /// The evidence of the end of a session; [`Ending::NO_EVIDENCE`] in the paper.
     pub ending: Ending,
     /// Of the actions that lead on, do the last one once more, so that a late word counts for the right one. Where it does not lead on, take
     /// the action whose feedback tells most of what is meant. The paper takes any, and so does an agent without the feature `asking`.
@@ -55,16 +52,15 @@ impl Options {
     /// The paper's, with Model 2 for short commands in few words: [`Settings::SMOOTHED`].
     pub const SMOOTHED: Self = Self { language: Settings::SMOOTHED, ..Self::PAPER };
 
-    /// The same for a robot that people train: what it believes of its trainer drifts a little. The strategies to expect of people are
-    /// [`population::STRATEGIES`]. The end of a session stays no evidence, because a robot may not know who ended it: see
-    /// [`with_ends`](Self::with_ends).
+    /// The same for a robot that people train: its belief of its trainer drifts a little. People follow [`population::STRATEGIES`]. The end
+    /// of a session is no evidence yet, because a robot may not know who ended it: see [`with_ends`](Self::with_ends).
     pub const fn for_people(self) -> Self {
         Self { drift: population::DRIFT, ..self }
     }
 
-    /// The same for a robot that knows when its trainer ends a session, and says so with
-    /// [`trainer_ended`](crate::Agent::trainer_ended): that is evidence, as far as it is with recorded people ([`population::ENDING`]), and
-    /// so is each step after which the trainer goes on.
+    /// The same for a robot that knows when its trainer ends a session, and reports it with
+    /// [`trainer_ended`](crate::Agent::trainer_ended). The end is evidence, as measured with recorded people ([`population::ENDING`]), and so
+    /// is each step after which the trainer goes on.
     pub const fn with_ends(self) -> Self {
         Self { ending: population::ENDING, ..self }
     }
@@ -85,59 +81,5 @@ impl Options {
 impl Default for Options {
     fn default() -> Self {
         Self::DEFAULT
-    }
-}
-
-/// The tables of what one session needs.
-#[derive(Debug)]
-pub struct SessionTables<'t> {
-    /// One entry a grounded task.
-    pub tasks: &'t mut [GroundedTask],
-    /// The machine commands.
-    pub candidates: CandidateTables<'t>,
-    /// The belief.
-    pub belief: BeliefTables<'t>,
-    /// The goals.
-    pub goals: GoalMemory<'t>,
-    /// The searches.
-    pub plan: PlanMemory<'t>,
-}
-
-/// The tables of what one session needs, to be read.
-#[derive(Clone, Copy, Debug)]
-pub struct SessionTablesRef<'t> {
-    /// One entry a grounded task.
-    pub tasks: &'t [GroundedTask],
-    /// The machine commands.
-    pub candidates: CandidateTablesRef<'t>,
-    /// The belief.
-    pub belief: BeliefTablesRef<'t>,
-    /// The goals.
-    pub goals: GoalMemoryRef<'t>,
-    /// The searches.
-    pub plan: PlanMemoryRef<'t>,
-}
-
-impl SessionTables<'_> {
-    /// The same tables, lent for a shorter time.
-    pub fn lend(&mut self) -> SessionTables<'_> {
-        SessionTables {
-            tasks: self.tasks,
-            candidates: self.candidates.lend(),
-            belief: self.belief.lend(),
-            goals: self.goals.lend(),
-            plan: self.plan.lend(),
-        }
-    }
-
-    /// The same tables, to be read.
-    pub const fn read(&self) -> SessionTablesRef<'_> {
-        SessionTablesRef {
-            tasks: self.tasks,
-            candidates: self.candidates.read(),
-            belief: self.belief.read(),
-            goals: self.goals.read(),
-            plan: self.plan.read(),
-        }
     }
 }

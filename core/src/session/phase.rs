@@ -1,4 +1,4 @@
-//! What the agent is doing: it hears a command, is ready to plan and act, ends the session, and learns from it.
+//! The agent's phase: it hears a command, is ready to plan and act, ends the session, or learns from it.
 
 use super::agent::Agent;
 use super::options::Weights;
@@ -31,7 +31,7 @@ pub enum Phase {
 }
 
 impl fmt::Display for Phase {
-    /// Says what the agent is doing and which call leads on.
+    /// Names the phase and the call that leads on.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Idle => "no session is under way; give a command first",
@@ -83,7 +83,7 @@ pub(crate) enum Prior {
 }
 
 impl<M> Agent<M> {
-    /// What the agent is doing. What another phase asks for is refused with [`AgentError::NotNow`](crate::AgentError::NotNow).
+    /// The agent's phase. Calls of another phase are refused with [`AgentError::NotNow`](crate::AgentError::NotNow).
     ///
     /// ```
     /// use goodbot::{Agent, HeapMemory, Options, home, session::Phase};

@@ -86,7 +86,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(file)
     }
 
-    /// Takes over all that a model file holds, in place of what was learned here, and begins training on it: call
+    /// Replaces everything learned here by a model file, and begins training on it: call
     /// [`learn`](Self::learn) until it is done. Everything is checked before anything is changed. A session under way ends unlearned.
     ///
     /// # Errors

@@ -57,7 +57,7 @@ impl<'a, T: Deserialize<'a>> Section<'a, T> {
     }
 }
 
-/// Where every so many records of a section begin, so that any of them is found by reading few.
+/// The start of every few records of a section, so that any record is found by reading few.
 pub(super) struct Index<'a, T> {
     marks: [&'a [u8]; MARKS],
     stride: usize,
@@ -156,7 +156,7 @@ pub struct Contents<'a> {
     /// How late each strategy's words come, and its probability before the trainer was met. Files of before this was kept have none: no
     /// word is late, and the trainer is met now.
     pub trainers: Section<'a, TrainerRecord>,
-    /// What each strategy says to rests. Files of before this was kept have none: it is what is said to moves.
+    /// How each strategy judges rests. Older files have none: rests are then judged like moves.
     pub rests: Section<'a, RestsRecord>,
     /// The descriptions of all tasks of the sessions, for the [layer](crate::language::layer).
     #[cfg(feature = "layer")]
@@ -350,7 +350,7 @@ pub(super) const NEWEST_VERSION: u16 = super::record::LAYERED_VERSION;
 #[cfg(not(feature = "layer"))]
 pub(super) const NEWEST_VERSION: u16 = super::record::VERSION;
 
-/// What is between the header and the check, where both are right.
+/// The bytes between the header and the check, if both are right.
 fn payload(bytes: &[u8]) -> Result<&[u8], RestoreError> {
     let mut rest = bytes.strip_prefix(&MAGIC).ok_or(RestoreError::NotAModel)?;
     let truncated = RestoreError::Length { stated: LEAST_BYTES as u32, given: bytes.len() };

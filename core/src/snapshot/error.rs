@@ -34,7 +34,7 @@ impl fmt::Display for SaveError {
 
 impl core::error::Error for SaveError {}
 
-/// Why a model could not be restored. What the robot knew before is unchanged.
+/// Why a model could not be restored. The robot is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -93,7 +93,7 @@ pub enum Part {
     Possible,
     /// How late the trainer strategies' words come, and how probable the strategies were before the trainer was met.
     Trainers,
-    /// What each trainer strategy says to rests.
+    /// How each trainer strategy judges rests.
     Rests,
 }
 

@@ -33,7 +33,7 @@ impl<M: AgentMemory> Agent<M> {
 }
 
 impl LanguageRef<'_> {
-    /// Whole words can be cut to the letters that count here, but cut ones cannot be made whole; and facts stand where they stand.
+    /// Whole words can be cut to the letters that count here; cut words cannot be restored, nor facts reordered.
     pub(super) fn check_forms(self, contents: &Contents<'_>) -> Result<(), RestoreError> {
         let (here, there) = (self.settings(), &contents.options.language);
         let letters = |letters: u8| if letters == 0 { u8::MAX } else { letters };

@@ -92,7 +92,7 @@ impl<'t> LanguageRef<'t> {
         Ok(needs.fits_in(&rooms)?)
     }
 
-    /// Whether a model's training data fit here, and whether no word or token stands twice.
+    /// Checks that a model's training data fit here, and that no word or token occurs twice.
     pub(super) fn check_room(self, contents: &Contents<'_>) -> Result<(), RestoreError> {
         Capacities { strategies: 0, ..contents.needs() }.fits_in(&self.rooms())?;
         #[cfg(feature = "layer")]

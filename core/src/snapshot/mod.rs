@@ -1,4 +1,4 @@
-//! What is learned is kept: a model as bytes, the same for firmware, browser, command line and C.
+//! A model as bytes, the same for firmware, browser, command line and C.
 //!
 //! [`Agent::save`](crate::Agent::save) writes all that the robot has learned, [`Agent::restore`](crate::Agent::restore) takes it back and
 //! begins training on it: the restored robot then has the same parameters, to the last bit, as one that was never switched off. The

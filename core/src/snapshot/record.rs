@@ -26,7 +26,7 @@ pub const HEADER_BYTES: usize = 14;
 /// The shortest file that has a header, a length and a check.
 pub const LEAST_BYTES: usize = HEADER_BYTES + CHECK_BYTES;
 
-/// The tables whose sizes a file tells, in its order: those that what is learned lies in.
+/// The tables of learned data. A file tells their sizes in this order.
 pub const SAVED: [Capacity; 13] = [
     Capacity::Strategies,
     Capacity::Words,
@@ -65,7 +65,7 @@ impl Sizes {
 /// Room for the options' record.
 pub(crate) const OPTIONS_BYTES: usize = 80;
 
-/// How the robot learns: [`Options`], field by field. New fields are appended, and their 0 is what was before there was a choice.
+/// How the robot learns: [`Options`], field by field. New fields are appended, and their 0 means the behaviour before there was a choice.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct OptionsRecord {
     pub smoothing: f32,
@@ -202,7 +202,7 @@ impl TrainerRecord {
     }
 }
 
-/// What a strategy's trainer says to rests: see [`Strategy::with_rests`].
+/// How a strategy's trainer judges rests: see [`Strategy::with_rests`].
 pub type RestsRecord = [f32; RESTS];
 
 /// A machine command: its tokens, by position.

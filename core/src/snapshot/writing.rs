@@ -17,7 +17,7 @@ use crate::symbols::Symbol;
 use postcard::ser_flavors::Size;
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
-/// What a model file says, ready to be written.
+/// The contents of a model file, ready to be written.
 pub(super) struct Writing<'a> {
     pub vocabulary: u32,
     pub options: Options,

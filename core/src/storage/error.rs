@@ -19,9 +19,9 @@ pub enum StorageError<E> {
         /// Bytes that there are.
         given: usize,
     },
-    /// What was to be stored is not a model.
+    /// The bytes to store are not a model.
     NotAModel(RestoreError),
-    /// What was read back is not what was written. The older model is still there.
+    /// The flash gave back other bytes than were written. The older model is still there.
     NotKept,
 }
 

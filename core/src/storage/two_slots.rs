@@ -1,4 +1,4 @@
-//! Two slots in flash, of which one always holds a complete model.
+//! Two slots in flash: one always holds a complete model.
 
 use super::error::StorageError;
 use super::slot::{SLOT_HEADER_BYTES, SlotHeader};
@@ -9,7 +9,7 @@ use embedded_storage::nor_flash::NorFlash;
 /// The most that a flash may read or write at once.
 const MOST_UNIT: usize = 256;
 
-/// Two slots in flash, of which one always holds a complete model once one was stored.
+/// Two slots in flash. After the first store, one of them always holds a complete model.
 ///
 /// ```no_run
 /// # fn example<F: embedded_storage::nor_flash::NorFlash>(flash: F, agent: &mut goodbot::Agent<impl goodbot::memory::AgentMemory>) -> Option<()> {

@@ -49,7 +49,7 @@ pub fn facts<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &Grounde
 pub(super) fn sort<K: Ord>(facts: &mut Facts, key: impl Fn(&Fact) -> K) {
     for unsorted in 1..facts.len() {
         for earlier in (0..unsorted).rev() {
-            let Some([before, after]) = facts.get_mut(earlier..=earlier.saturating_add(1)) else { break };
+            let Some([before, after]) = facts.get_mut(earlier..=earlier + 1) else { break };
             if key(before) <= key(after) {
                 break;
             }

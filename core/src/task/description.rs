@@ -67,7 +67,7 @@ pub fn has_value(description: &[Symbol], value: Symbol) -> bool {
 #[inline(never)]
 pub(crate) fn form_token(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut Symbols<'_>) -> Result<Symbol, CapacityError> {
     let mut text: String<NAME_BYTES> = String::new();
-    // What is too long is told apart by a digest of the rest.
+    // A digest of the rest tells long names apart.
     let mut rest: u16 = 0;
     let mut add = |letter: char| {
         if text.len().saturating_add(letter.len_utf8()) > NAME_BYTES.saturating_sub(4) || rest != 0 {
@@ -86,17 +86,17 @@ pub(crate) fn form_token(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut 
         };
         if position > 0 {
             add(sign);
-            number.into_iter().for_each(|number| add(char::from(b'0'.saturating_add(number.min(9)))));
+            number.into_iter().for_each(|number| add(char::from(b'0' + number.min(9))));
         }
         schema.proposition_name(part.proposition).chars().for_each(&mut add);
         if several {
             let count = schema.parameters(part.proposition).len();
-            part.variables.iter().take(count).for_each(|&variable| add(char::from(b'0'.saturating_add(variable.min(9)))));
+            part.variables.iter().take(count).for_each(|&variable| add(char::from(b'0' + variable.min(9))));
         }
     }
     if rest != 0 {
         for shift in [12, 8, 4, 0] {
-            let _ = text.push(char::from(b'a'.saturating_add(((rest >> shift) & 15) as u8)));
+            let _ = text.push(char::from(b'a' + ((rest >> shift) & 15) as u8));
         }
     }
     tokens.intern(&text)
@@ -296,7 +296,7 @@ impl Chosen {
     fn insert_bits(&mut self, position: u8, bits: u32) {
         if let Some(word) = self.words.get_mut(usize::from(position)) {
             *word |= bits;
-            self.end = self.end.max(position.saturating_add(1));
+            self.end = self.end.max(position + 1);
         }
     }
 
@@ -338,7 +338,7 @@ impl FromIterator<ObjectId> for Chosen {
     }
 }
 
-/// The description of a task in its scene, as it is written.
+/// The description of a task in its scene, under construction.
 struct Description<'a, 't, D: Domain + ?Sized> {
     domain: &'a D,
     world: World<'a>,
@@ -346,7 +346,7 @@ struct Description<'a, 't, D: Domain + ?Sized> {
     spoken: Spoken,
     lifted: &'a LiftedTask,
     task: &'a GroundedTask,
-    /// What the task binds.
+    /// The objects that the task binds.
     bound: Chosen,
     tokens: &'a mut Symbols<'t>,
     description: &'a mut Tokens,
@@ -357,7 +357,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         self.world.objects.get(object).map(|object| object.class)
     }
 
-    /// Whether words could tell an object of a class from others.
+    /// Whether words could distinguish objects of a class.
     fn can_be_told(&self, class: ClassId) -> bool {
         cfg!(feature = "derived") || self.spoken.things.contains(class.0)
     }
@@ -382,19 +382,19 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         all.filter(move |proposition| bits.contains(proposition.0))
     }
 
-    /// What the task binds as an argument of a proposition.
+    /// The objects that the task binds as an argument of a proposition.
     fn bound_as(&self, proposition: PropositionId, argument: usize) -> Chosen {
         let parts = self.task.propositions(self.lifted).filter(|part| part.proposition == proposition);
         parts.filter_map(|part| part.arguments.get(argument).copied()).filter(|&object| self.bound.contains(object)).collect()
     }
 
-    /// What the task is about, of a class: what is bound, or everything of a class that no words can tell apart, like the robot.
+    /// The task's subjects of a class: the bound objects, or all objects if no words can distinguish them, like the robot.
     fn subjects(&self, class: ClassId) -> Chosen {
         let is_thing = self.spoken.things.contains(class.0);
         self.of_class(class).filter(|&object| !is_thing || self.bound.contains(object)).collect()
     }
 
-    /// The objects that a proposition holds of at the start as its last argument, with what the task is about before them.
+    /// The last arguments with which a proposition holds at the start, its other arguments being subjects of the task.
     fn starts(&self, proposition: PropositionId) -> Chosen {
         let none = ObjectId(0);
         match *self.world.schema.parameters(proposition) {
@@ -417,7 +417,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         }
     }
 
-    /// What is at these places at the start, beside what the task binds.
+    /// The objects at these places at the start, except those that the task binds.
     fn guests(&self, places: &Chosen) -> Chosen {
         let mut guests = Chosen::NONE;
         for proposition in self.propositions(RoleKind::Start) {
@@ -431,7 +431,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         guests
     }
 
-    /// Writes the groups of what the way alone is about. Alternatives stand in one group.
+    /// Writes the groups of the objects of the way alone. Alternatives share a group.
     fn write_way(&mut self, with_role: &mut Chosen) -> Result<(), CapacityError> {
         let lifted = self.lifted;
         if !lifted.has_way() {
@@ -453,7 +453,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         Ok(())
     }
 
-    /// Writes the groups of a role: for each attribute the values of its objects and, for goals, those of what is there at the start.
+    /// Writes the groups of a role: for each attribute the values of its objects and, for goals, of the objects there at the start.
     fn write(&mut self, role: Role, objects: &Chosen) -> Result<(), CapacityError> {
         let Some(class) = objects.iter().next().and_then(|object| self.class(object)) else { return Ok(()) };
         let guests = (role.kind() == RoleKind::Goal).then(|| self.guests(objects)).filter(|guests| guests.end > 0);
@@ -473,7 +473,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         Ok(())
     }
 
-    /// Writes the group of what can be derived of a role's objects, as of one more attribute. What finds no room is left out.
+    /// Writes the group of a role's derived facts, like one more attribute. Facts without room are left out.
     #[cfg(feature = "derived")]
     fn write_derived(&mut self, role: Role, objects: &Chosen) {
         let sort = self.world.schema.attributes.len() << 1;
@@ -482,7 +482,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         }
         let marker = Marker { role, sort: sort as u8 };
         let Self { domain, scene, tokens, description, .. } = self;
-        let first = description.len().saturating_add(1);
+        let first = description.len() + 1;
         for object in objects.iter() {
             let mut tell = |fact: &str| {
                 let token = attribute_token("is", fact).and_then(|token| tokens.intern(&token)).ok();
@@ -502,7 +502,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
     }
 
     fn write_group(&mut self, marker: Marker, attribute: usize, objects: &Chosen) -> Result<(), CapacityError> {
-        let first = self.description.len().saturating_add(1);
+        let first = self.description.len() + 1;
         for object in objects.iter() {
             let Some(token) = self.scene.token(&self.world, object, attribute, self.tokens)? else { continue };
             if self.description.len() < first && self.description.push(marker.symbol()).is_err() {
@@ -527,9 +527,9 @@ fn insert(description: &mut Tokens, first: usize, token: Symbol) {
     if description.push(token).is_err() {
         return;
     }
-    // Those behind move up by one. The list's own insertion can panic.
+    // The later ones move up by one. The list's own insertion can panic.
     let mut moved = token;
-    for slot in description.iter_mut().skip(first.saturating_add(place)) {
+    for slot in description.iter_mut().skip(first + place) {
         core::mem::swap(slot, &mut moved);
     }
 }

@@ -37,7 +37,7 @@ impl GroundedTask {
         is_single.then_some(Self { way: WayState::NEGATED, ..*self })
     }
 
-    /// Whether its goal is reached, its way aside, in a state of which `holds` tells. `lifted` is the task that it grounds.
+    /// Whether its goal is reached, regardless of its way. `holds` evaluates propositions in the state; `lifted` is its lifted task.
     pub fn is_reached(&self, lifted: &LiftedTask, holds: impl Fn(&GroundProposition) -> bool) -> bool {
         self.propositions(lifted).all(|part| holds(&part)) != self.is_negated()
     }
@@ -158,7 +158,7 @@ pub(crate) fn expect_change<D: Domain + ?Sized>(domain: &D, lifted: &[LiftedTask
     }
 }
 
-/// Grounds every lifted task, except those of which `holds` says so.
+/// Grounds every lifted task, except those for which `holds` is true.
 pub(crate) fn ground_unless(
     objects: Objects<'_>,
     lifted: &[LiftedTask],
@@ -179,7 +179,7 @@ pub(crate) fn ground_unless(
                 if let Some(slot) = tasks.get_mut(count).filter(|_| count < limit) {
                     *slot = grounded;
                 }
-                count = count.saturating_add(1);
+                count += 1;
                 // Beyond what any memory has room for, nobody need know how many there are.
                 if count > TaskSet::MOST {
                     return Err(CapacityError::new(Capacity::Tasks, limit, count));
@@ -189,7 +189,7 @@ pub(crate) fn ground_unless(
         }
         let group = tasks.get_mut(first..count).unwrap_or(&mut []);
         let share = 1.0 / group.len().max(1) as f32;
-        groups = groups.saturating_add(usize::from(!group.is_empty()));
+        groups += usize::from(!group.is_empty());
         for grounded in group {
             grounded.prior = share;
         }
@@ -214,7 +214,7 @@ fn next_binding(
     let variables = task.variables.as_slice();
     // The variable to set next, and the first object to try for it.
     let mut variable = if first { 0 } else { variables.len().checked_sub(1)? };
-    let mut from = if first { 0 } else { bound.get(variable)?.index().saturating_add(1) };
+    let mut from = if first { 0 } else { bound.get(variable)?.index() + 1 };
     loop {
         let class = *variables.get(variable)?;
         let taken = bound.get(..variable)?;
@@ -222,7 +222,7 @@ fn next_binding(
         match found {
             Some(id) => {
                 *bound.get_mut(variable)? = id;
-                variable = variable.saturating_add(1);
+                variable += 1;
                 from = 0;
                 if variable == variables.len() {
                     return Some(bound);
@@ -230,7 +230,7 @@ fn next_binding(
             }
             None => {
                 variable = variable.checked_sub(1)?;
-                from = bound.get(variable)?.index().saturating_add(1);
+                from = bound.get(variable)?.index() + 1;
             }
         }
     }

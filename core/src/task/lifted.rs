@@ -77,9 +77,9 @@ pub enum TaskTextError {
         /// How many its function has.
         wanted: u8,
     },
-    /// One variable stands for objects of two classes.
+    /// One variable is used for objects of two classes.
     ClassConflict {
-        /// The proposition in which it stands for another class than before, of those that were given, from 0.
+        /// The proposition with the second class, by its position among those given, from 0.
         proposition: u8,
         /// Which of its arguments, from 0.
         argument: u8,
@@ -317,7 +317,7 @@ impl LiftedTask {
         Ok(LiftedProposition { proposition, variables })
     }
 
-    /// What was the goal so far is an earlier one.
+    /// The goal so far becomes an earlier one.
     fn goal_is_only_before(&mut self, stage: u8) {
         for position in 0..self.propositions.len() {
             if self.parts.get(position) == Part::Goal {
@@ -337,17 +337,17 @@ impl LiftedTask {
                 if self.parts.get(behind) == Part::Goal {
                     break;
                 }
-                let (part, before) = (self.parts.get(behind.saturating_add(1)), self.parts.get(behind));
+                let (part, before) = (self.parts.get(behind + 1), self.parts.get(behind));
                 self.parts.set(behind, part);
-                self.parts.set(behind.saturating_add(1), before);
-                if let Some([first, second]) = self.propositions.get_mut(behind..=behind.saturating_add(1)) {
+                self.parts.set(behind + 1, before);
+                if let Some([first, second]) = self.propositions.get_mut(behind..=behind + 1) {
                     core::mem::swap(first, second);
                 }
             }
         }
     }
 
-    /// Refuses a way that asks for what the task asks for anyway, or avoids it.
+    /// Refuses a way that requires or avoids the goal itself.
     fn check_way(&self) -> Result<(), TaskTextError> {
         for (position, (part, proposition)) in self.way().enumerate() {
             let mut others = self.way().enumerate().filter(|&(other, _)| other != position).map(|(_, other)| other);
@@ -358,7 +358,7 @@ impl LiftedTask {
             }
         }
         for (position, (part, proposition)) in self.way().enumerate() {
-            let mut others = self.way().skip(position.saturating_add(1));
+            let mut others = self.way().skip(position + 1);
             let in_way = others.any(|(other, same)| same == proposition && !matches!((part, other), (Part::Before(_), Part::Before(_))));
             if in_way || self.propositions().contains(&proposition) && !matches!(part, Part::Before(_)) {
                 return Err(TaskTextError::SaysNothing);
@@ -413,11 +413,11 @@ impl LiftedTask {
     }
 }
 
-/// What stands before and behind the first `separator`, an ASCII character. The library's own way of splitting brings code that panics into
-/// a controller's flash.
+/// The text before and after the first `separator`, an ASCII character. The standard library's split would bring panicking code into a
+/// controller's flash.
 fn split_at_byte(text: &str, separator: u8) -> Option<(&str, &str)> {
     let at = text.bytes().position(|byte| byte == separator)?;
-    Some((text.get(..at)?, text.get(at.saturating_add(1)..)?))
+    Some((text.get(..at)?, text.get(at + 1..)?))
 }
 
 /// The pieces of a text between one `separator`, an ASCII character, and the next.

@@ -30,7 +30,7 @@ pub enum TokenOrder {
 pub struct Expression {
     head: Tokens,
     facts: Vec<[Symbol; 2], FACTS_PER_TASK, u8>,
-    /// How many tokens of the head each fact stands behind, in rising order.
+    /// The number of head tokens before each fact, in rising order.
     behind: Vec<u8, FACTS_PER_TASK, u8>,
 }
 
@@ -118,8 +118,8 @@ impl Expression {
     }
 }
 
-/// The tokens of a lifted task's propositions and their classes, interned in `tokens`. Behind the goal's stand those of the way, each with the
-/// word before it that says what it is.
+/// The tokens of a lifted task's propositions and their classes, interned in `tokens`. The way's tokens follow the goal's, each after the
+/// word for its part.
 pub(crate) fn head(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut Symbols<'_>) -> Result<Tokens, CapacityError> {
     let mut head = Tokens::new();
     for (connective, part) in parts(lifted) {
@@ -157,7 +157,7 @@ fn place<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTas
     let mut end = 0_usize;
     for (connective, part) in parts(lifted) {
         let parameters = domain.world().schema.parameters(part.proposition).len();
-        end = end.saturating_add(parameters).saturating_add(1).saturating_add(usize::from(connective.is_some()));
+        end += parameters + 1 + usize::from(connective.is_some());
         let arguments = task.grounded(part).arguments;
         if let Some(argument) = arguments.iter().take(parameters).position(|&object| object == fact.object) {
             return (end as u8, argument as u8);
@@ -166,10 +166,10 @@ fn place<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTas
     (end as u8, 0)
 }
 
-/// How many tokens a fact stands behind, where a task has a way and facts stand by attribute: those of the goal, or those of the part of the
-/// way that its object comes first in.
+/// The number of tokens before a fact, if a task has a way and facts are ordered by attribute: those of the goal, or those up to the part
+/// of the way in which its object first occurs.
 fn behind_goal<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask, fact: &Fact) -> u8 {
-    let parameters = |part: &LiftedProposition| domain.world().schema.parameters(part.proposition).len().saturating_add(1);
+    let parameters = |part: &LiftedProposition| domain.world().schema.parameters(part.proposition).len() + 1;
     let goal: usize = lifted.propositions().iter().map(parameters).sum();
     place(domain, lifted, task, fact).0.max(goal as u8)
 }

@@ -12,21 +12,21 @@ use core::str::FromStr;
 /// The part of an object in a task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum RoleKind {
-    /// It is, by the goal, the last argument of a proposition: where something is to be.
+    /// The last argument of a goal proposition: the place where something is to be.
     Goal,
-    /// It is, by the goal, another argument: what is to be there.
+    /// Another argument of a goal proposition: the thing that is to be there.
     Subject,
-    /// At the start it is the last argument of a proposition about what the task binds: where that thing is now.
+    /// The last argument of a proposition that holds at the start of an object of the task: the place where that object is now.
     Start,
-    /// Nothing of that, and its class is that of a proposition's last argument.
+    /// None of these, but of the class of a proposition's last argument.
     OtherPlace,
-    /// Nothing of that.
+    /// None of these.
     Other,
-    /// It is an argument of what a way goes through.
+    /// An argument of a proposition that a way goes through.
     Through,
-    /// It is an argument of what a way avoids.
+    /// An argument of a proposition that a way avoids.
     Avoiding,
-    /// It is an argument of an earlier goal.
+    /// An argument of an earlier goal.
     Before,
 }
 
@@ -38,7 +38,7 @@ impl RoleKind {
     const ALL: [Self; 8] =
         [Self::Goal, Self::Subject, Self::Start, Self::OtherPlace, Self::Other, Self::Through, Self::Avoiding, Self::Before];
 
-    /// The kind of what a part of a task is about.
+    /// The kind of the objects in a part of a task.
     pub const fn of_part(part: Part) -> Self {
         match part {
             Part::Goal => Self::Goal,
@@ -122,7 +122,7 @@ pub const VALUE_SORTS: usize = 2 * crate::capacity::ATTRIBUTES;
 pub struct Marker {
     /// Whose values follow.
     pub role: Role,
-    /// Which: twice the attribute, and one more for those of what is there.
+    /// Twice the attribute's position, plus one for the values of the objects at a place.
     pub sort: u8,
 }
 

@@ -12,7 +12,7 @@
 use super::{GroundedTask, LiftedTask};
 use crate::oomdp::GroundProposition;
 
-/// What a proposition of a task is to its way.
+/// The part of a task that a proposition belongs to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Part {
     /// It belongs to the goal, the last where there are several.
@@ -47,7 +47,7 @@ const STAGES: u8 = 3 << STAGE;
 const NEGATED: u8 = 1 << 5;
 /// The task was done once.
 const ENDED: u8 = 1 << 6;
-/// What must be avoided was not.
+/// Something to be avoided happened.
 const BROKEN: u8 = 1 << 7;
 
 impl WayState {
@@ -73,7 +73,7 @@ impl WayState {
         self.0 & ENDED != 0
     }
 
-    /// Whether what must be avoided was not: the task has become impossible.
+    /// Whether something to be avoided happened: the task has become impossible.
     pub const fn is_broken(self) -> bool {
         self.0 & BROKEN != 0
     }
@@ -115,7 +115,7 @@ impl<'l> Way<'l> {
         !self.lifted.has_way()
     }
 
-    /// What the way asks beside the goal, in the order of the text.
+    /// The way's propositions without the goal, in the order of the text.
     pub fn parts(&self) -> impl Iterator<Item = (Part, GroundProposition)> + use<'l> {
         let task = self.task;
         self.lifted.way().map(move |(part, proposition)| (part, task.grounded(proposition)))
@@ -134,7 +134,7 @@ impl<'l> Way<'l> {
         (0..3).filter(has).filter(move |&clause| !state.has_passed(clause))
     }
 
-    /// Whether all but the goal is behind, and nothing need be avoided any more: the task is then as one without a way.
+    /// Whether only the goal is left, with nothing to avoid: the task is then like one without a way.
     pub fn is_behind(&self, state: WayState) -> bool {
         let open = |(part, _)| match part {
             Part::Goal => false,
@@ -145,22 +145,22 @@ impl<'l> Way<'l> {
         state.has_ended() || !self.lifted.way().any(open)
     }
 
-    /// What the way says of one kind of part.
+    /// The propositions of one part.
     fn parts_of(&self, wanted: Part) -> impl Iterator<Item = GroundProposition> + use<'l> {
         self.parts().filter(move |&(part, _)| part == wanted).map(|(_, proposition)| proposition)
     }
 
-    /// Whether what must be avoided holds.
+    /// Whether something to be avoided holds.
     pub fn is_violated(&self, holds: impl Fn(&GroundProposition) -> bool) -> bool {
         self.parts_of(Part::Avoiding).any(|part| holds(&part))
     }
 
-    /// Whether nothing is left to come to but the goal.
+    /// Whether only the goal is left to reach.
     pub fn leads_to_goal(&self, state: WayState) -> bool {
         state.stage() == self.stages() && self.pending(state).next().is_none()
     }
 
-    /// Which clauses and earlier goals are behind, a state of which `holds` tells included.
+    /// Marks the clauses and earlier goals that hold in a state as done. `holds` evaluates propositions in the state.
     #[must_use]
     pub fn pass(&self, mut now: WayState, holds: impl Fn(&GroundProposition) -> bool) -> WayState {
         for clause in self.pending(now) {
@@ -174,7 +174,7 @@ impl<'l> Way<'l> {
         now
     }
 
-    /// How far the way has come in a state, of which `holds` tells.
+    /// The progress of the way after a state. `holds` evaluates propositions in the state.
     #[must_use]
     pub fn advance(&self, now: WayState, holds: impl Fn(&GroundProposition) -> bool) -> WayState {
         if self.is_none() || now.has_ended() || now.is_broken() {
@@ -213,13 +213,13 @@ impl<'l> Way<'l> {
         WayState(layer & 1_u8.wrapping_shl(clauses).wrapping_sub(1) | layer.wrapping_shr(clauses) << STAGE)
     }
 
-    /// Whether the way says nothing, or nothing new, where a session starts in a state, of which `holds` tells: a part of it is behind already, or
-    /// what must be avoided holds.
+    /// Whether the way adds no constraint in this start state: a part of it is done already, or something to be avoided holds. `holds`
+    /// evaluates propositions in the state.
     pub fn is_idle(&self, holds: impl Fn(&GroundProposition) -> bool) -> bool {
         !self.is_none() && self.advance(WayState::START, holds) != WayState::START
     }
 
-    /// Whether the task says the same as another of its lifted task, whose objects stand in order: alternatives, and clauses, can be exchanged.
+    /// Whether another grounding of the lifted task, with its objects in order, means the same: alternatives and clauses commute.
     pub fn is_twin(&self) -> bool {
         let parts = || self.lifted.way().zip(self.parts()).map(|((_, lifted), (part, ground))| (part, lifted, ground));
         let alone = |part: Part| parts().filter(|&(other, ..)| other == part).count() == 1;

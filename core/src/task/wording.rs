@@ -5,7 +5,7 @@ use crate::capacity::PROPOSITIONS_PER_TASK;
 use crate::oomdp::{GroundProposition, World};
 use core::fmt;
 
-/// What stands between the parts of a task.
+/// The separator between the parts of a task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wording {
     and: &'static str,
@@ -18,9 +18,9 @@ pub struct Wording {
 /// A piece of a task as it is told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Piece<T> {
-    /// What stands between two propositions, or before one.
+    /// The text between two propositions, or before one.
     Between(&'static str),
-    /// A proposition, and what it is to the task.
+    /// A proposition, and the part that it belongs to.
     Proposition(Part, T),
 }
 
@@ -119,7 +119,7 @@ impl PartialEq<str> for TaskText<'_> {
     }
 }
 
-/// What is left of a text, once what was written so far was found in it.
+/// The rest of a text after a match of the text written so far.
 struct Rest<'t>(core::str::Chars<'t>);
 
 impl Rest<'_> {

@@ -20,7 +20,7 @@ pub const BLOCKS: usize = 2;
 /// A block of a layout.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BlockPlan {
-    /// Where it stands.
+    /// Its cell.
     pub cell: Cell,
     /// Its colour.
     pub color: &'static str,
@@ -35,7 +35,7 @@ pub struct Layout {
     pub rooms: [Option<(Area, &'static str)>; ROOMS],
     /// The doors.
     pub doors: [Option<Cell>; ROOMS],
-    /// Where the agent stands.
+    /// The agent's cell.
     pub agent: Cell,
     /// The blocks.
     pub blocks: [Option<BlockPlan>; BLOCKS],
@@ -71,7 +71,7 @@ impl Layout {
         builder.build(Moves::Push)
     }
 
-    /// What can be taught here: to go to each room, and to take each block to each room, but for what is so already.
+    /// The teachable tasks: to go to each room, and to take each block to each room, except those done already.
     pub fn teachable(&self) -> impl Iterator<Item = Intention> + '_ {
         let others = |cell: Cell| self.rooms.iter().flatten().filter(move |(area, _)| !area.holds_strictly(cell)).map(|&(_, color)| color);
         let take = move |block: &BlockPlan| {
@@ -111,7 +111,7 @@ impl Homes {
         }
     }
 
-    /// What can be taught in these homes, the simplest home first: the home, and what is meant.
+    /// The teachable tasks of these homes, the simplest home first: the home, and the intended task.
     ///
     /// ```
     /// use goodbot_course::{HomeName, Homes};

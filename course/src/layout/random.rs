@@ -55,7 +55,7 @@ fn solvable_layout<R: Rng + ?Sized>(name: HomeName, drawn: &Layout, random: &mut
     *drawn
 }
 
-/// A layout with rooms and blocks for the exercises of a home. `None` where one thing would stand on another.
+/// A layout with rooms and blocks for the exercises of a home. `None` if two things would share a cell.
 fn layout<R: Rng + ?Sized>(name: HomeName, drawn: &Layout, random: &mut R) -> Option<Layout> {
     let Plan { mut layout, east, north, start } = if name == HomeName::Test { four_rooms(random) } else { three_rooms(random) };
     let mut colors = COLORS;
@@ -95,12 +95,12 @@ fn wall<R: Rng + ?Sized>(length: i32, random: &mut R) -> i32 {
     between(4, length - 4, random)
 }
 
-/// Where a door may stand between two corners: not in a corner, where a block that comes through would be stuck.
+/// A place for a door between two corners: not next to a corner, where a block that comes through would be stuck.
 fn door<R: Rng + ?Sized>(from: i32, to: i32, random: &mut R) -> i32 {
     between(from + 2, to - 2, random)
 }
 
-/// One room over the whole width, two beside each other behind it. One of the three has a door to each of the others; there the agent and
+/// One room over the whole width, and two side by side above it. One of the three has a door to each of the others; there the agent and
 /// the block start, so that no room lies on the way to another. At most 49 cells are free: a controller can plan for a block in them.
 fn three_rooms<R: Rng + ?Sized>(random: &mut R) -> Plan {
     let (east, north) = [(8, 8), (8, 9), (9, 8)].get(below(3, random)).copied().unwrap_or((8, 8));
@@ -127,7 +127,7 @@ fn three_rooms<R: Rng + ?Sized>(random: &mut R) -> Plan {
     Plan { layout, east, north, start: Some(start) }
 }
 
-/// Two rooms beside each other and two behind them, each with a door to both its neighbours.
+/// Two rooms side by side and two above them, each with a door to both its neighbours.
 fn four_rooms<R: Rng + ?Sized>(random: &mut R) -> Plan {
     let (east, north) = (between(8, 9, random), between(8, 9, random));
     let (middle, front, back) = (wall(north, random), wall(east, random), wall(east, random));
@@ -150,7 +150,7 @@ fn four_rooms<R: Rng + ?Sized>(random: &mut R) -> Plan {
     Plan { layout, east, north, start: None }
 }
 
-/// A cell inside one room or any, at least so far from its border. `None` where something stands there.
+/// A cell inside the given room, or any, at least `far` cells from its border. `None` if it is taken.
 fn cell_in<R: Rng + ?Sized>(layout: &Layout, room: Option<usize>, far: i32, random: &mut R) -> Option<Cell> {
     let room = room.unwrap_or_else(|| below(layout.rooms.iter().flatten().count(), random));
     let (area, _) = layout.rooms.iter().flatten().nth(room)?;

@@ -1,4 +1,4 @@
-//! Whether a task can be done from where things stand.
+//! Whether a task can be done from a layout.
 
 use crate::exercise::Intention;
 use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, HomeState, ROOM, SHAPE};

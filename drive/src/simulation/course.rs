@@ -17,7 +17,7 @@ pub struct Tally {
     pub lessons: u32,
     /// Actions of all lessons.
     pub actions: u32,
-    /// Actions after which the robot or a block stood elsewhere than planned.
+    /// Actions after which the robot or a block was elsewhere than planned.
     pub failed: u32,
     /// Turns of the control loop in which the robot touched a wall.
     pub walls_hit: u32,
@@ -95,7 +95,7 @@ fn lesson<R: Rng>(
             if expected != before {
                 driven = world.act(&home, decision.action, agent.belief().probability(decision.task), random);
             }
-            // Where things are is sensed, and not taken from what the action should have done.
+            // The state is sensed, not computed from the action.
             let sensed = world.sensed(&home, &before);
             tally.actions = tally.actions.saturating_add(1);
             tally.failed = tally.failed.saturating_add(u32::from(sensed != expected));

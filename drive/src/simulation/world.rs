@@ -18,7 +18,7 @@ const RADIUS: f32 = 0.09;
 /// How far the middle of a block is from the robot's while it is pushed.
 const CONTACT: f32 = 0.25;
 
-/// One action in so many is held up.
+/// One action in this many is held up.
 const HELD_UP: u32 = 10;
 
 /// A home and the robot in it, as they are and as the robot's sensors tell.
@@ -43,7 +43,7 @@ fn noise<R: Rng>(random: &mut R) -> f32 {
 }
 
 impl World {
-    /// Everything stands where the state says.
+    /// A world in this state.
     ///
     /// # Errors
     /// None: the cells and the limits are such that can be driven with.
@@ -74,7 +74,7 @@ impl World {
     /// Where the action leads to no neighbour cell, or the certainty is out of range.
     pub fn act<R: Rng>(&mut self, home: &Home<impl HomeMemory>, action: Action, certainty: f32, random: &mut R) -> Result<(), DriveError> {
         self.drive.go(self.cell, action, certainty)?;
-        // One action in ten is held up: somebody stands in the way, the robot gives up, and goes back to the middle of its cell.
+        // One action in ten is held up: somebody is in the way, the robot gives up and goes back to the middle of its cell.
         let held_up = random.next_u32().is_multiple_of(HELD_UP);
         for turn in 0.. {
             self.drive.heard();
@@ -126,7 +126,7 @@ impl World {
         let here = Cell::new(F32Ext::round(self.truth.x / size) as i32, F32Ext::round(self.truth.y / size) as i32);
         let around = (-1..=1).flat_map(|x| (-1..=1).map(move |y| Cell::new(here.x.saturating_add(x), here.y.saturating_add(y))));
         let is_wall = |cell: &Cell| home.places().iter().all(|place| place.cell() != *cell);
-        // The square of the distance: what is compared needs no root.
+        // The square of the distance: a comparison needs no root.
         let beyond = |at: f32, wall: i32| (F32Ext::abs(at - wall as f32 * size) - size / 2.0).max(0.0);
         let squared = |wall: Cell| {
             beyond(self.truth.x, wall.x) * beyond(self.truth.x, wall.x) + beyond(self.truth.y, wall.y) * beyond(self.truth.y, wall.y)
@@ -144,7 +144,7 @@ impl World {
             let _ = things.push((*block, *cell));
         }
         home.placed(before, &things).unwrap_or_else(|| {
-            // A block that was pushed half way is on the robot's own cell: the robot counts as still behind it.
+            // A block pushed half way is on the robot's own cell: the robot counts as one cell further back.
             self.cell = home.agent_cell(before);
             *before
         })

@@ -106,7 +106,7 @@ pub fn run(
     watch: &mut impl Watch,
 ) -> Result<Outcome, CourseError> {
     let tasks = home::paper_tasks().map_err(|_| CourseError::NotPosed)?;
-    // Left where it was made: taken out of the result, it would stand on the stack twice.
+    // Borrow the `Result`: moving the value out would copy it on the stack.
     let mut made = Agent::new(agent, &tasks, Options::DEFAULT);
     let agent = made.as_mut().map_err(|error| *error)?;
     let mut outcome = Outcome { passed: 0, tests: TESTS.len() as u32, steps: 0, digest: Digest::EMPTY };

@@ -91,7 +91,7 @@ impl NorFlash for Flash {
             NVMC.erasepage().write_value(page);
             while !is_ready() {}
             allow(Wen::Ren);
-            // The processor stands still while a page is erased, 21 ms; the others run before the next.
+            // The processor stops while a page is erased, 21 ms; the other tasks run before the next.
             yield_now().await;
         }
         Ok(())

@@ -49,8 +49,8 @@ goodbot::memory! {
 type Agent = goodbot::Agent<AgentArrays<RobotMemory>>;
 type Home = goodbot::home::Home<&'static mut HomeArrays<RobotMemory>>;
 
-static mut AGENT: Agent = Agent::without_tasks(AgentArrays::new());
-static mut ROOMS: HomeArrays<RobotMemory> = HomeArrays::new();
+static mut AGENT: Agent = Agent::without_tasks(RobotMemory::new().agent);
+static mut ROOMS: HomeArrays<RobotMemory> = RobotMemory::new().home;
 
 struct Robot {
     agent: &'static mut Agent,

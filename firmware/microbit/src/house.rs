@@ -25,7 +25,7 @@ say take the chair to the blue room
 /// How a command begins.
 const SAY: &str = "say ";
 
-/// The lines of a text. What `str::lines` takes to find them can panic, as far as the compiler sees.
+/// The lines of a text. `str::lines` would bring panicking code.
 #[allow(clippy::manual_pattern_char_comparison, reason = "the search for a char is what can panic")]
 fn lines(text: &'static str) -> impl Iterator<Item = &'static str> {
     text.split(|letter| letter == '\n').filter(|line| !line.is_empty())

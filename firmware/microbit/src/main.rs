@@ -32,13 +32,13 @@ mod serial;
 mod stack;
 
 use buttons::Buttons;
-use goodbot::memory::{AgentArrays, HomeArrays};
+use goodbot::memory::HomeArrays;
 use memory::{Agent, RobotMemory};
 use nrf51_pac::Peripherals;
 use robot::Robot;
 
-static mut AGENT: Agent = Agent::without_tasks(AgentArrays::new());
-static mut ROOMS: HomeArrays<RobotMemory> = HomeArrays::new();
+static mut AGENT: Agent = Agent::without_tasks(RobotMemory::new().agent);
+static mut ROOMS: HomeArrays<RobotMemory> = RobotMemory::new().home;
 
 #[cortex_m_rt::entry]
 fn main() -> ! {

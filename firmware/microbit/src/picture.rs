@@ -13,7 +13,7 @@ const DOOR: u8 = 2;
 const BLINK: u32 = 256;
 /// How long each column of a text that runs by is shown.
 const COLUMN: u32 = 90;
-/// The columns of a letter, with the gap behind it.
+/// The columns of a letter, with the gap after it.
 const LETTER: usize = 6;
 
 /// What the trainer said was good.
@@ -60,7 +60,7 @@ pub fn home(home: &Home, state: &HomeState, now: u32) -> Picture {
     picture
 }
 
-/// A text that has run by for so many milliseconds; `None` where it is over.
+/// A frame of a running text after some milliseconds; `None` after its end.
 pub fn text(text: &str, since: u32) -> Option<Picture> {
     let first = (since / COLUMN) as usize;
     if first > text.len() * LETTER + 5 {

@@ -55,7 +55,7 @@ pub(super) fn items(list: &str) -> Option<Vec<&str>> {
     Some(items)
 }
 
-/// What a text in quotes says. It is an error if half of a surrogate pair stands alone in it.
+/// The contents of a text in quotes. Half a surrogate pair alone is an error.
 pub(super) fn unescaped(quoted: &str) -> Result<String, &'static str> {
     let mut rest = quoted.get(1..quoted.len().saturating_sub(1)).unwrap_or_default();
     let mut text = String::with_capacity(rest.len());
@@ -78,7 +78,7 @@ pub(super) fn unescaped(quoted: &str) -> Result<String, &'static str> {
     Ok(text)
 }
 
-/// The character whose code stands first in `rest`, which is then behind it: four digits, or a surrogate pair.
+/// Takes a character's code from the front of `rest`: four digits, or a surrogate pair.
 fn code_point(rest: &mut &str) -> Option<char> {
     let first = code_unit(rest)?;
     let pair = (0xd800..0xdc00).contains(&first).then(|| rest.strip_prefix("\\u")).flatten();
@@ -104,7 +104,7 @@ impl<'a> Scanner<'a> {
         self.text.as_bytes().get(self.at).copied()
     }
 
-    /// What is wrong here. Where the text has ended, it is that.
+    /// The fault here: at the end of the text, that it ends.
     fn fault(&self, message: &'static str) -> Fault {
         Fault { at: self.at, message: Some(message).filter(|_| self.at < self.text.len()) }
     }
@@ -131,7 +131,7 @@ impl<'a> Scanner<'a> {
         self.value().ok()
     }
 
-    /// Goes behind a value, however deep, and returns it.
+    /// Passes a value, however deep, and returns it.
     fn value(&mut self) -> Result<&'a str, Fault> {
         self.blanks();
         let from = self.at;
@@ -163,7 +163,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// Goes to the next value of what ends so; in an object a name stands before it.
+    /// Goes to the next value of the list that ends with `end`; in an object, passes its name.
     fn name(&mut self, end: u8) -> Result<(), Fault> {
         self.blanks();
         if end == b']' {
@@ -179,7 +179,7 @@ impl<'a> Scanner<'a> {
         Ok(())
     }
 
-    /// Goes behind a value that has none within.
+    /// Passes a value without values inside.
     fn scalar(&mut self) -> Result<(), Fault> {
         match self.byte() {
             Some(b'"') => self.string(),

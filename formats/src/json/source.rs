@@ -1,4 +1,4 @@
-//! A text, and where in it something stands.
+//! A text, and the lines of its parts.
 
 use super::Node;
 use super::scan::{self, Fault};

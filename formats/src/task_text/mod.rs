@@ -2,13 +2,13 @@
 //!
 //! A ground task names objects: `agentInRoom(agent0,room1)`, or several at once,
 //! `agentInRoom(agent0,room1) & blockInRoom(block0,room2)`. A lifted task has variables in their
-//! place: `agentInRoom(?a,?r1) & blockInRoom(?o,?r2)`. Blanks around names, commas and `&` may be
-//! there when reading, and ` AND ` may stand for ` & `; what is written has no blank inside the
-//! parentheses and one on each side of `&`.
+//! place: `agentInRoom(?a,?r1) & blockInRoom(?o,?r2)`. A reader accepts blanks around names, commas
+//! and `&`, and ` AND ` for ` & `; a writer puts no blank inside the parentheses and one on each
+//! side of `&`.
 //!
 //! `!` before a ground proposition says that it is not to hold: `!agentInRoom(agent0,room1)`.
 //!
-//! A task may have a [way](WayText). It stands behind: `then` and the next goal, `through` a proposition `or` another, `avoiding` a
+//! A task may have a [way](WayText) after it: `then` and the next goal, `through` a proposition `or` another, `avoiding` a
 //! proposition `or` another: `agentInRoom(agent0,room0) through agentInRoom(agent0,room1) or agentInRoom(agent0,room2)`.
 //!
 //! ```
@@ -44,7 +44,7 @@ pub struct GroundAtomText {
     arguments: Vec<String>,
 }
 
-/// A conjunction of propositions about objects, at least one, in the order in which they stand, and the way to it, if it has one.
+/// A conjunction of propositions about objects, at least one, in their order in the text, and the way to it, if it has one.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct GroundTaskText {
     atoms: Vec<GroundAtomText>,
@@ -58,7 +58,7 @@ pub struct LiftedAtomText {
     variables: Vec<String>,
 }
 
-/// A conjunction of propositions over variables, at least one, in the order in which they stand, and the way to it, if it has one.
+/// A conjunction of propositions over variables, at least one, in their order in the text, and the way to it, if it has one.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct LiftedTaskText {
     atoms: Vec<LiftedAtomText>,
@@ -125,7 +125,7 @@ impl GroundTaskText {
         GroundTaskText { atoms: self.atoms.iter().cloned().map(GroundAtomText::negated).collect(), way: self.way.clone() }
     }
 
-    /// Whether another text is of the same task: the same propositions and the same way, in whatever order they stand.
+    /// Whether another text is of the same task: the same propositions and the same way, in any order.
     pub fn is_same(&self, other: &Self) -> bool {
         way::sorted(&self.atoms) == way::sorted(&other.atoms) && self.way.is_same(&other.way)
     }

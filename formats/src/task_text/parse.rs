@@ -6,11 +6,11 @@ use std::str::FromStr;
 use super::{GroundAtomText, GroundTaskText, LiftedAtomText, LiftedTaskText, WayText, is_name_character};
 use crate::error::quoted;
 
-/// A text that is no task. What it says of a place counts characters from 1.
+/// A text that is no task. Places count characters from 1.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum TaskTextError {
-    /// Something else stands where this belongs.
+    /// Something else is where this belongs.
     Expected {
         /// What belongs there.
         what: &'static str,
@@ -67,7 +67,7 @@ impl fmt::Display for TaskTextError {
 
 impl std::error::Error for TaskTextError {}
 
-/// What is left of a text that is being read.
+/// The rest of a text that is being read.
 struct Rest<'a> {
     text: &'a str,
     at: usize,
@@ -171,7 +171,7 @@ impl<'a> Rest<'a> {
 /// The goal of a task and its way.
 type Task<A> = (Vec<A>, WayText<A>);
 
-/// What the proposition that comes next belongs to.
+/// The part that the next proposition belongs to.
 #[derive(Clone, Copy, PartialEq)]
 enum Clause {
     Goal,

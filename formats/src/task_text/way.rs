@@ -6,11 +6,11 @@ use std::fmt;
 /// The way of a task; each list may be empty.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct WayText<A> {
-    /// Earlier goals, one after the other, each a conjunction: what stands before `then`.
+    /// Earlier goals in order, each a conjunction: the parts before `then`.
     pub before: Vec<Vec<A>>,
-    /// What is to hold at some time before the end or at it, in whatever order; of each list one at least.
+    /// Lists of alternatives: one of each list is to hold at some time up to the end, in any order.
     pub through: Vec<Vec<A>>,
-    /// What must not hold before the end, none of it.
+    /// Propositions that must not hold before the end.
     pub avoiding: Vec<A>,
 }
 
@@ -28,7 +28,7 @@ impl<A> WayText<A> {
 }
 
 impl<A: Ord + Clone + fmt::Display> WayText<A> {
-    /// Refuses a task without a goal, an empty clause, and one whose way avoids what it asks for.
+    /// Refuses a task without a goal, an empty clause, and a way that avoids the goal.
     pub(super) fn check(&self, goal: &[A]) -> Result<(), TaskTextError> {
         if goal.is_empty() || self.before.iter().chain(&self.through).any(Vec::is_empty) {
             return Err(TaskTextError::Empty);
@@ -48,7 +48,7 @@ impl<A: Ord + Clone + fmt::Display> WayText<A> {
             && sorted(&self.avoiding) == sorted(&other.avoiding)
     }
 
-    /// Writes a task: its goals, and the way behind them.
+    /// Writes a task: its goals, then its way.
     pub(super) fn fmt_around(&self, f: &mut fmt::Formatter<'_>, goal: &[A]) -> fmt::Result {
         for before in &self.before {
             list(f, before, " & ")?;
@@ -77,7 +77,7 @@ fn list<A: fmt::Display>(f: &mut fmt::Formatter<'_>, atoms: &[A], between: &str)
     Ok(())
 }
 
-/// What stands in a list, without its order.
+/// The items of a list, without their order.
 pub(super) fn sorted<A: Ord + Clone>(list: &[A]) -> Vec<A> {
     let mut list = list.to_vec();
     list.sort();

@@ -19,7 +19,7 @@
 //! - p from a model that has not seen the session: four models are trained, each without a quarter of the sessions;
 //! - weights pulled towards 0, and a towards 1, by pulls that do not grow with the sessions, so that few sessions leave p as it is.
 //!
-//! It needs the tasks of each session that were not meant, too, in memory of its own ([`LayerTables`]). Where there is none of it, or it is
+//! It needs the tasks of each session that were not meant, too, in memory of its own ([`LayerMemory`]). Where there is none of it, or it is
 //! full, the layer is silent, and all is as without it.
 
 mod tables;
@@ -37,9 +37,9 @@ pub(crate) mod training;
 #[cfg(feature = "layer")]
 mod weights;
 
+#[cfg(feature = "layer")]
+pub use tables::LAYER_WEIGHTS;
 pub(in crate::language) use tables::Layer;
+pub use tables::LayerMemory;
 #[cfg(feature = "layer")]
 pub(in crate::language) use tables::LayerRef;
-#[cfg(feature = "layer")]
-pub use tables::{LAYER_WEIGHTS, LayerState};
-pub use tables::{LayerTables, LayerTablesRef};

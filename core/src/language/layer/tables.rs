@@ -6,106 +6,89 @@ use super::weights::CELLS;
 use crate::capacity::LIFTED_TASKS;
 use crate::language::bitext::LeftOut;
 #[cfg(feature = "layer")]
-use crate::language::bitext::{Bitext, BitextRef, BitextTables, BitextTablesRef, Extent};
+use crate::language::bitext::{Bitext, BitextRef, Extent, Pair, Span};
 #[cfg(feature = "layer")]
 use crate::language::forgetting::close_up;
 #[cfg(feature = "layer")]
 use crate::language::settings::{Model, Settings};
 #[cfg(feature = "layer")]
+use crate::memory::{BitextTables, BitextTablesRef};
+#[cfg(feature = "layer")]
 use crate::symbols::Symbol;
 #[cfg(feature = "layer")]
 use crate::task::description::form;
-use core::marker::PhantomData;
 #[cfg(feature = "layer")]
-use heapless::Vec;
+use alloc::{vec, vec::Vec};
+#[cfg(not(feature = "layer"))]
+use core::marker::PhantomData;
 
 /// How many numbers the layer learns, three times: each weight, its slope, and the sum of the squares of its slopes.
 #[cfg(feature = "layer")]
 pub const LAYER_WEIGHTS: usize = 3 * CELLS;
 
-/// The tables of the layer.
-#[derive(Debug, Default)]
-pub struct LayerTables<'t> {
-    /// The tasks of all sessions: each session's machine commands, and the prior of each in place of its weight. The sessions have no words.
-    #[cfg(feature = "layer")]
-    pub possible: BitextTables<'t>,
-    /// One entry a pair of `possible`: the share that the session showed of it.
-    #[cfg(feature = "layer")]
-    pub shares: &'t mut [f32],
-    /// One entry a pair of `possible`: its posterior by a role model that has not seen the session.
-    #[cfg(feature = "layer")]
-    pub understood: &'t mut [f32],
-    /// [`LAYER_WEIGHTS`] numbers.
-    #[cfg(feature = "layer")]
-    pub weights: &'t mut [f32],
-    /// One entry; without it there is no layer.
-    #[cfg(feature = "layer")]
-    pub state: &'t mut [LayerState],
-    /// Nothing.
-    pub lent: PhantomData<&'t mut ()>,
-}
-
-/// The tables of the layer, to be read.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct LayerTablesRef<'t> {
-    /// As [`LayerTables::possible`].
-    #[cfg(feature = "layer")]
-    pub possible: BitextTablesRef<'t>,
-    /// As [`LayerTables::weights`].
-    #[cfg(feature = "layer")]
-    pub weights: &'t [f32],
-    /// As [`LayerTables::state`].
-    #[cfg(feature = "layer")]
-    pub state: &'t [LayerState],
-    /// Nothing.
-    pub lent: PhantomData<&'t ()>,
-}
-
-impl LayerTables<'_> {
-    /// The same tables, lent for a shorter time.
-    pub fn lend(&mut self) -> LayerTables<'_> {
-        LayerTables {
-            #[cfg(feature = "layer")]
-            possible: self.possible.lend(),
-            #[cfg(feature = "layer")]
-            shares: self.shares,
-            #[cfg(feature = "layer")]
-            understood: self.understood,
-            #[cfg(feature = "layer")]
-            weights: self.weights,
-            #[cfg(feature = "layer")]
-            state: self.state,
-            lent: PhantomData,
-        }
-    }
-
-    /// The same tables, to be read.
-    pub const fn read(&self) -> LayerTablesRef<'_> {
-        LayerTablesRef {
-            #[cfg(feature = "layer")]
-            possible: self.possible.read(),
-            #[cfg(feature = "layer")]
-            weights: self.weights,
-            #[cfg(feature = "layer")]
-            state: self.state,
-            lent: PhantomData,
-        }
-    }
-}
-
-/// All of the layer that is not in its other tables.
+/// The memory of the layer: the tasks of all sessions, and what is learned from them.
 #[cfg(feature = "layer")]
-#[derive(Clone, Copy, Debug)]
-pub struct LayerState {
-    possible: Extent,
+#[derive(Clone, Debug)]
+pub struct LayerMemory {
+    /// The tasks of all sessions: each session's machine commands, and the prior of each in place of its weight. The sessions have no words.
+    commands: Vec<Span>,
+    command_tokens: Vec<Symbol>,
+    sessions: Vec<Span>,
+    pairs: Vec<Pair>,
+    used: Extent,
+    /// One entry a pair: the share that the session showed of it.
+    shares: Vec<f32>,
+    /// One entry a pair: its posterior by a role model that has not seen the session.
+    understood: Vec<f32>,
+    /// [`LAYER_WEIGHTS`] numbers.
+    weights: Vec<f32>,
     learned: Learned,
     left_out: LeftOut,
 }
 
 #[cfg(feature = "layer")]
-impl LayerState {
-    /// What unused memory holds.
-    pub const UNUSED: Self = Self { possible: Extent::NONE, learned: Learned::NOTHING, left_out: LeftOut::NONE };
+impl LayerMemory {
+    /// No room.
+    pub const NONE: Self = Self {
+        commands: Vec::new(),
+        command_tokens: Vec::new(),
+        sessions: Vec::new(),
+        pairs: Vec::new(),
+        used: Extent::NONE,
+        shares: Vec::new(),
+        understood: Vec::new(),
+        weights: Vec::new(),
+        learned: Learned::NOTHING,
+        left_out: LeftOut::NONE,
+    };
+
+    /// Symbols that a task's description has on average, at most.
+    const SYMBOLS: usize = 24;
+
+    /// Room for this many tasks of this many sessions.
+    pub(crate) fn new(sessions: usize, tasks: usize) -> Self {
+        Self {
+            commands: vec![Span::UNUSED; tasks],
+            command_tokens: vec![Symbol::new(0); tasks.saturating_mul(Self::SYMBOLS)],
+            sessions: vec![Span::UNUSED; sessions],
+            pairs: vec![Pair::UNUSED; tasks],
+            shares: vec![0.0; tasks],
+            understood: vec![0.0; tasks],
+            weights: vec![0.0; LAYER_WEIGHTS],
+            ..Self::NONE
+        }
+    }
+}
+
+/// The memory of the layer: none without the feature `layer`.
+#[cfg(not(feature = "layer"))]
+#[derive(Clone, Copy, Debug)]
+pub struct LayerMemory;
+
+#[cfg(not(feature = "layer"))]
+impl LayerMemory {
+    /// No room.
+    pub const NONE: Self = Self;
 }
 
 /// A kind of task was meant if the sessions show it so often, all together.
@@ -131,7 +114,7 @@ impl Learned {
     /// A training begins on these data.
     pub fn begin(&mut self, bitext: BitextRef<'_>) {
         *self = Self { said: bitext.words_said() as f32, ..Self::NOTHING };
-        let mut meant: Vec<(Symbol, f32), LIFTED_TASKS> = Vec::new();
+        let mut meant: heapless::Vec<(Symbol, f32), LIFTED_TASKS> = heapless::Vec::new();
         for pair in bitext.pairs() {
             let Some(form) = form(bitext.command(pair.command)) else { continue };
             match meant.iter_mut().find(|(other, _)| *other == form) {
@@ -157,17 +140,19 @@ impl Learned {
 pub(in crate::language) struct Layer<'t> {
     #[cfg(feature = "layer")]
     pub room: Option<Room<'t>>,
+    #[cfg(not(feature = "layer"))]
     lent: PhantomData<&'t mut ()>,
 }
 
 impl<'t> Layer<'t> {
-    /// The layer in its tables.
-    pub fn new(tables: LayerTables<'t>) -> Self {
-        let lent = tables.lent;
+    /// The layer in its memory, of which there is one entry or none.
+    #[cfg_attr(not(feature = "layer"), expect(clippy::missing_const_for_fn, unused_variables, reason = "as with the feature"))]
+    pub fn new(memory: &'t mut [LayerMemory]) -> Self {
         Self {
             #[cfg(feature = "layer")]
-            room: Room::new(tables),
-            lent,
+            room: Room::new(memory),
+            #[cfg(not(feature = "layer"))]
+            lent: PhantomData,
         }
     }
 }
@@ -228,25 +213,38 @@ pub(in crate::language) struct LayerRef<'t> {
 
 #[cfg(feature = "layer")]
 impl<'t> LayerRef<'t> {
-    /// The layer in its tables.
-    pub fn new(tables: LayerTablesRef<'t>) -> Option<Self> {
-        let state = tables.state.first()?;
-        Some(Self { possible: BitextRef::new(tables.possible, state.possible), weights: tables.weights, learned: state.learned })
+    /// The layer in its memory, of which there is one entry or none.
+    pub fn new(memory: &'t [LayerMemory]) -> Option<Self> {
+        let memory = memory.first()?;
+        let possible = BitextTablesRef {
+            commands: &memory.commands,
+            command_tokens: &memory.command_tokens,
+            sessions: &memory.sessions,
+            sentence_words: &[],
+            pairs: &memory.pairs,
+        };
+        Some(Self { possible: BitextRef::new(possible, memory.used), weights: &memory.weights, learned: memory.learned })
     }
 }
 
 #[cfg(feature = "layer")]
 impl<'t> Room<'t> {
-    fn new(tables: LayerTables<'t>) -> Option<Self> {
-        let LayerTables { possible, shares, understood, weights, state, .. } = tables;
-        let state = state.first_mut()?;
+    fn new(memory: &'t mut [LayerMemory]) -> Option<Self> {
+        let memory = memory.first_mut()?;
+        let possible = BitextTables {
+            commands: &mut memory.commands,
+            command_tokens: &mut memory.command_tokens,
+            sessions: &mut memory.sessions,
+            sentence_words: &mut [],
+            pairs: &mut memory.pairs,
+        };
         Some(Self {
-            possible: Bitext::new(possible, &mut state.possible),
-            left_out: &mut state.left_out,
-            shares,
-            understood,
-            weights,
-            learned: &mut state.learned,
+            possible: Bitext::new(possible, &mut memory.used),
+            left_out: &mut memory.left_out,
+            shares: &mut memory.shares,
+            understood: &mut memory.understood,
+            weights: &mut memory.weights,
+            learned: &mut memory.learned,
         })
     }
 

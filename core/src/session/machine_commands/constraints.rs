@@ -44,7 +44,7 @@ impl<M: AgentMemory> Agent<M> {
         let Some(task) = session.tasks.get(position.task) else { return Ok(true) };
         let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { return Ok(true) };
         let order = language.read().settings().order;
-        // Left where it was made, and the tokens too: taken out of their results, they would stand on the stack twice.
+        // Borrow both `Result`s: moving the values out would copy them on the stack.
         let expression = Expression::new(domain, lifted, task, order, language.tokens_mut());
         let expression = expression.as_ref().map_err(|error| *error)?;
         let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
