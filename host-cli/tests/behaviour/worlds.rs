@@ -135,7 +135,7 @@ fn a_robot_from_a_file_is_checked_and_its_commands_are_planned_for() {
         (file(folder.path(), "lift.json", &lift), file(folder.path(), "log.jsonl", &log), folder.path().join("lift.goodbot"));
     let [world, log, model] = [&world, &log, &model].map(|path| path.to_str().expect("UTF-8"));
     assert_eq!(goodbot(&["learn", log, "--out", model], b"").code, 0);
-    let answer = last_line(&goodbot(&["ask", "--with", model, "--environment", world, "--json", "roof please"], b""));
+    let answer = last_line(&goodbot(&["ask", "--with", model, "--environment", world, "--json", "up to the roof please"], b""));
     assert_eq!(
         (answer["task"].as_str(), &answer["plan"]),
         (Some("liftAtFloor(lift0,floor3)"), &serde_json::json!(["up", "up"])),
