@@ -51,7 +51,7 @@
 //!
 //! # Features
 //! On by default: `asking`, `snapshot`, `storage` (which needs it), `model2` (the paper's language model), `ways` (through, avoiding, then),
-//! `unicode` (letters beyond ASCII) and `derived` (facts such as leftmost). A controller takes those that it needs. The others:
+//! `unicode` (letters beyond ASCII), `marks` (marks written apart) and `derived` (facts such as leftmost). A controller takes those that it needs. The others:
 //!
 //! | feature | what it adds |
 //! |---|---|

@@ -78,9 +78,10 @@ export const unknownWords = () => (state.support && state.sessions > 0 ? [...new
 // Scripts that are written without spaces between the words.
 const UNSPACED = /[\p{Script=Han}\p{Script=Hiragana}\p{Script=Katakana}\p{Script=Thai}\p{Script=Lao}\p{Script=Khmer}\p{Script=Myanmar}]/u;
 
-/** A command with spaces between its words, in any script.
- * @param {string} command */
-export function spaced(command) {
+/** A command in composed letters, with spaces between its words, in any script.
+ * @param {string} written */
+export function spaced(written) {
+  const command = written.normalize('NFKC');
   if (!UNSPACED.test(command) || !('Segmenter' in Intl)) return command;
   return [...new Intl.Segmenter(undefined, { granularity: 'word' }).segment(command)].map(part => part.segment.trim()).filter(Boolean).join(' ');
 }

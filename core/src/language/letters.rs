@@ -59,14 +59,14 @@ fn spelled_out(word: &str) -> impl Iterator<Item = char> {
     })
 }
 
-/// The one letter that two are, the second a mark or a part of a syllable. Without the feature `unicode` there is none.
-#[cfg(not(feature = "unicode"))]
+/// The one letter that two are, the second a mark or a part of a syllable. Without the feature `marks` there is none.
+#[cfg(not(feature = "marks"))]
 pub(super) const fn composed(_before: char, _letter: char) -> Option<char> {
     None
 }
 
 /// The one letter that two are: a letter with a mark, or parts of a Korean syllable.
-#[cfg(feature = "unicode")]
+#[cfg(feature = "marks")]
 pub(super) fn composed(before: char, letter: char) -> Option<char> {
     let (first, second) = (u32::from(before), u32::from(letter));
     match letter {
@@ -91,7 +91,7 @@ pub(super) fn composed(before: char, letter: char) -> Option<char> {
 }
 
 /// The full-width letter that a half-width one of Japanese is, with its marks apart.
-#[cfg(feature = "unicode")]
+#[cfg(feature = "marks")]
 pub(super) fn full_width(letter: char) -> char {
     const KATAKANA: &str =
         "ヲァィゥェォャュョッーアイウエオカキクケコサシスセソタチツテトナニヌネノハヒフヘホマミムメモヤユヨラリルレロワン\u{3099}\u{309a}";
@@ -101,14 +101,14 @@ pub(super) fn full_width(letter: char) -> char {
     }
 }
 
-/// Without the feature `unicode`, letters stay as wide as they are.
-#[cfg(not(feature = "unicode"))]
+/// Without the feature `marks`, letters stay as wide as they are.
+#[cfg(not(feature = "marks"))]
 pub(super) const fn full_width(letter: char) -> char {
     letter
 }
 
 /// For each mark, letters and the same ones with it, by turns: lower case of Latin, Greek and Cyrillic. From Unicode's canonical compositions.
-#[cfg(feature = "unicode")]
+#[cfg(feature = "marks")]
 #[rustfmt::skip]
 const MARKED: [(char, &str); 25] = [
     ('\u{300}', "aàeèiìnǹoòuùwẁyỳâầêềôồüǜăằēḕōṑơờưừеѐиѝ"),
@@ -138,7 +138,7 @@ const MARKED: [(char, &str); 25] = [
     ('\u{331}', "bḇdḏhẖkḵlḻnṉrṟtṯzẕ"),
 ];
 
-#[cfg(all(test, feature = "unicode"))]
+#[cfg(all(test, feature = "marks"))]
 mod tests {
     use super::*;
     use crate::language::for_each_piece;
