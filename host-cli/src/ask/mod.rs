@@ -272,7 +272,10 @@ fn answer(
 ) -> Result<Answer, Failure> {
     let fault = |error: AgentError| Failure::Input(refusal::in_words(&error));
     let first = first_words(&question.command);
-    let heard = in_known_words(synonyms, agent.language(), first)? + question.command.get(first.len()..).unwrap_or("");
+    // The blank between is a part of the rest.
+    let first = first.trim_end();
+    let unheard = question.command.get(first.len()..).unwrap_or("");
+    let heard = in_known_words(synonyms, agent.language(), first)? + unheard;
     let read = first_words(&heard);
     let unread = heard.get(read.len()..).map_or(0, |rest| rest.split_whitespace().count());
     let Heard { listened, followed, steps, meanings } = meanings::meanings(agent, home, start, &heard).map_err(fault)?;
