@@ -385,13 +385,11 @@ fn long_utterances_get_an_answer_and_end_no_batch() {
     let tasks: Vec<String> = (0..10).map(|part| go([1, 0][part % 2])).collect();
     let [answer] = &asked(&model, &home, &[ways.join(" then ")])[..] else { panic!("one answer") };
     assert_eq!((answer["taken_for"].as_str(), answer["task"].as_str()), (Some("several commands"), Some(&*then(&tasks))), "{answer}");
-    // The first 64 words are read, and the next sentence is answered as ever.
-    let long = [
-        ["go to the blue room"; 50].join(" and then "),
-        "again ".repeat(1_000),
-        "and ".repeat(1_000),
-        format!("please {}", "go ".repeat(99)),
-    ];
+    // The first 64 words are read, of several commands with each part, and the next sentence is answered as ever.
+    let parts = ["go to the blue room"; 50].join(" and then ");
+    let [answer] = &asked(&model, &home, &[parts])[..] else { panic!("one answer") };
+    assert_eq!(answer["task"], then(&vec![go(1); 50]), "nothing of a long utterance is lost");
+    let long = ["again ".repeat(1_000), "and ".repeat(1_000), format!("please {}", "go ".repeat(99))];
     let sentences: Vec<String> = long.iter().flat_map(|long| [long.clone(), "go to the blue room".to_owned()]).collect();
     for pair in asked(&model, &home, &sentences).chunks(2) {
         assert!(pair[0]["verdict"] == "unsure" || pair[0]["verdict"] == "none", "{}", pair[0]);
