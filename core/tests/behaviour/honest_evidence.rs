@@ -51,7 +51,7 @@ fn probabilities(agent: &Agent<impl AgentMemory>) -> Vec<f32> {
 #[test]
 fn an_approximate_plan_is_acted_on_and_is_no_evidence() {
     // Room for the agent alone, and not for bounds on where it pushes the block.
-    let (mut memory, mut rooms_memory) = (memory(192, 0), memory(0, 0));
+    let (mut memory, mut rooms_memory) = (memory(64, 0), memory(0, 0));
     let (home, start) = rooms(&mut rooms_memory.home, COLORS, &[Cell::new(4, 2)]);
     let mut agent = agent(&mut memory);
     agent.hear(&home, &start, "go").unwrap();
