@@ -81,7 +81,7 @@ const UNSPACED = /[\p{Script=Han}\p{Script=Hiragana}\p{Script=Katakana}\p{Script
 /** A command in composed letters, with spaces between its words, in any script.
  * @param {string} written */
 export function spaced(written) {
-  const command = written.normalize('NFKC');
+  const command = written.normalize('NFKC').replace(/[‘’ʼ]/g, "'");
   if (!UNSPACED.test(command) || !('Segmenter' in Intl)) return command;
   return [...new Intl.Segmenter(undefined, { granularity: 'word' }).segment(command)].map(part => part.segment.trim()).filter(Boolean).join(' ');
 }

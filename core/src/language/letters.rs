@@ -1,4 +1,4 @@
-//! One letter that is written in many ways: a mark by itself, full-width, half-width, with characters that nobody sees.
+//! With the feature `unicode`: one letter that is written in many ways: a mark by itself, full-width, half-width, with characters that nobody sees.
 //!
 //! A word is kept as it would be typed most shortly, in Unicode's composed form. Other spellings of one word, such as "gruen" and "grün", are
 //! kept as they were heard, and [compared](is_spelled_alike) as one.
@@ -16,8 +16,13 @@ pub(super) const fn ordinary(letter: char) -> Option<char> {
 }
 
 /// The soft hyphen, joiners and non-joiners, and the mark of the byte order.
-pub(super) const fn is_unseen(letter: char) -> bool {
+const fn is_unseen(letter: char) -> bool {
     matches!(letter, '\u{ad}' | '\u{200c}' | '\u{200d}' | '\u{2060}' | '\u{feff}')
+}
+
+/// Whether a letter stands within words beside what writes them: what nobody sees, and the marks that make が of か and ぱ of は.
+pub(super) const fn is_within_words(letter: char) -> bool {
+    is_unseen(letter) || matches!(letter, '\u{3099}' | '\u{309a}')
 }
 
 /// Whether two words are one but for ä and ae, ö and oe, ü and ue, å and aa, ß and ss, ı and i, or begin so with the same `letters` letters;
@@ -59,14 +64,7 @@ fn spelled_out(word: &str) -> impl Iterator<Item = char> {
     })
 }
 
-/// The one letter that two are, the second a mark or a part of a syllable. Without the feature `marks` there is none.
-#[cfg(not(feature = "marks"))]
-pub(super) const fn composed(_before: char, _letter: char) -> Option<char> {
-    None
-}
-
 /// The one letter that two are: a letter with a mark, or parts of a Korean syllable.
-#[cfg(feature = "marks")]
 pub(super) fn composed(before: char, letter: char) -> Option<char> {
     let (first, second) = (u32::from(before), u32::from(letter));
     match letter {
@@ -91,7 +89,6 @@ pub(super) fn composed(before: char, letter: char) -> Option<char> {
 }
 
 /// The full-width letter that a half-width one of Japanese is, with its marks apart.
-#[cfg(feature = "marks")]
 pub(super) fn full_width(letter: char) -> char {
     const KATAKANA: &str =
         "ヲァィゥェォャュョッーアイウエオカキクケコサシスセソタチツテトナニヌネノハヒフヘホマミムメモヤユヨラリルレロワン\u{3099}\u{309a}";
@@ -101,14 +98,7 @@ pub(super) fn full_width(letter: char) -> char {
     }
 }
 
-/// Without the feature `marks`, letters stay as wide as they are.
-#[cfg(not(feature = "marks"))]
-pub(super) const fn full_width(letter: char) -> char {
-    letter
-}
-
 /// For each mark, letters and the same ones with it, by turns: lower case of Latin, Greek and Cyrillic. From Unicode's canonical compositions.
-#[cfg(feature = "marks")]
 #[rustfmt::skip]
 const MARKED: [(char, &str); 25] = [
     ('\u{300}', "aàeèiìnǹoòuùwẁyỳâầêềôồüǜăằēḕōṑơờưừеѐиѝ"),
@@ -138,7 +128,7 @@ const MARKED: [(char, &str); 25] = [
     ('\u{331}', "bḇdḏhẖkḵlḻnṉrṟtṯzẕ"),
 ];
 
-#[cfg(all(test, feature = "marks"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::language::for_each_piece;

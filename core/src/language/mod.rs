@@ -19,6 +19,7 @@ pub(crate) mod bitext;
 pub mod forgetting;
 pub mod ibm2;
 pub mod layer;
+#[cfg(feature = "marks")]
 pub(crate) mod letters;
 pub(crate) mod model;
 pub mod roles;
@@ -32,6 +33,7 @@ pub mod unspaced;
 
 pub use bitext::{BitextRef, Pair, Span};
 pub use ibm2::LengthPair;
+#[cfg(feature = "marks")]
 pub use letters::is_spelled_alike;
 pub use model::{LanguageModel, LanguageMut, LanguageRef};
 pub use roles::Meaning;

@@ -1,6 +1,5 @@
 //! Which words are variants of one: what begins alike, and slips of the pen.
 
-use super::letters::is_spelled_alike;
 use super::tokenizer::word_form;
 use crate::symbols::{Symbol, SymbolsRef};
 
@@ -21,8 +20,9 @@ pub(super) fn variant(words: SymbolsRef<'_>, learned: usize, word: &str, letters
     let begins_alike = |known: &str| has_form && known.starts_with(form);
     let find =
         |alike: &dyn Fn(&str) -> bool, most: usize| words.iter().take(most).find(|(_, known)| alike(known)).map(|(symbol, _)| symbol);
-    let spelled_alike = |known: &str| is_spelled_alike(known, word, letters);
-    let alike = find(&begins_alike, usize::MAX).or_else(|| find(&spelled_alike, usize::MAX));
+    let alike = find(&begins_alike, usize::MAX);
+    #[cfg(feature = "marks")]
+    let alike = alike.or_else(|| find(&|known| super::letters::is_spelled_alike(known, word, letters), usize::MAX));
     alike.or_else(|| find(&|known| is_slip(known, word), learned))
 }
 
