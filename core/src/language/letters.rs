@@ -1,4 +1,4 @@
-//! With the feature `unicode`: one letter that is written in many ways: a mark by itself, full-width, half-width, with characters that nobody sees.
+//! With the feature `marks`: one letter that is written in many ways: a mark by itself, full-width, half-width, with characters that nobody sees.
 //!
 //! A word is kept as it would be typed most shortly, in Unicode's composed form. Other spellings of one word, such as "gruen" and "grün", are
 //! kept as they were heard, and [compared](is_spelled_alike) as one.
