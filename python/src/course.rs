@@ -57,6 +57,8 @@ fn run(
     lifted: &[goodbot::task::LiftedTask],
 ) -> Result<goodbot_course::Results, CourseError> {
     let mut memory = HeapMemory::new(&CAPACITIES);
+    // As in the paper, any action that leads on.
+    let options = goodbot::Options { telling: false, ..options };
     let mut agent = Agent::new(&mut memory.agent, lifted, options).map_err(CourseError::Agent)?;
     let mut random = generator(seed);
     let homes = if homes == "random" { Homes::random(&mut random, &mut memory.home) } else { Homes::FIXED };
