@@ -262,7 +262,7 @@ def test_words_that_are_no_command_are_told_apart() -> None:
         color, task = [("red", red), ("green", green)][lesson % 2]
         goodbot.Trainer(seed=lesson).teach(agent, home, home.start, f"go to the {color} room", task)
     heard = agent.listen(home, home.start, "go to the red room please")
-    assert (heard["taken_for"], heard["tasks"], heard["rest"]) == ("a command", [red], None)
+    assert (heard["verdict"], heard["tasks"], heard["rest"]) == ("sure", [red], None)
     assert agent.listen(home, home.start, "hello")["verdict"] == "none"
     heard = agent.listen(home, home.start, "don't go to the red room")
     assert (heard["taken_for"], heard["tasks"]) == ("what shall not be", ["!" + red])

@@ -823,7 +823,7 @@ impl<M: AgentMemory> Agent<M> {
                 likelihood(tables, &said, description, wording.new).times(share)
             };
             let whole = explain(&description, None);
-            if named.is_own(tables, &description) {
+            if named.is_own(tables, bitext, &description) {
                 explained.own = explained.own.with(position);
                 if named.places(tables.layout(), &description) {
                     explained.fitting = explained.fitting.with(position);

@@ -104,21 +104,10 @@ impl Wording {
     }
 }
 
-/// A model that was told what commands mean, in `lessons` homes.
-pub fn taught(lessons: usize, wording: &Wording) -> (tempfile::TempDir, String) {
+/// A model that learned what commands mean: words and tasks, each in a home.
+fn told(lessons: impl Iterator<Item = (Home, String, String)>) -> (tempfile::TempDir, String) {
     let mut log = String::new();
-    for lesson in 0..lessons {
-        let home = Home::number(lesson);
-        let room = (home.robot + 1 + lesson % (home.rooms.len() - 1)) % home.rooms.len();
-        let block = lesson % home.blocks.len();
-        let (color, shape, place) = home.blocks[block];
-        let (command, task) = if lesson % 2 == 0 || place == room {
-            let room = if room == home.robot { (room + 1) % home.rooms.len() } else { room };
-            (wording.going[lesson / 2 % 4].replace("{}", wording.name(home.rooms[room])), go(room))
-        } else {
-            let words = wording.taking[lesson / 2 % 3].replace("{}", wording.name(home.rooms[room]));
-            (words.replace("{c}", wording.name(color)).replace("{s}", wording.name(shape)), take(block, room))
-        };
+    for (lesson, (home, command, task)) in lessons.enumerate() {
         let session = json!({"type": "session", "version": 1, "id": lesson.to_string(), "kind": "labelled", "environment": home.json(), "command": command, "intended": [task]});
         log += &format!("{session}\n{}\n", json!({"type": "end", "learn": true}));
     }
@@ -127,6 +116,25 @@ pub fn taught(lessons: usize, wording: &Wording) -> (tempfile::TempDir, String) 
     let run = goodbot(&["learn", "-", "--quiet", "--out", &model], log.as_bytes());
     assert_eq!(run.code, 0, "{}", run.messages);
     (folder, model)
+}
+
+/// A model that was told what commands mean, in `lessons` homes.
+pub fn taught(lessons: usize, wording: &Wording) -> (tempfile::TempDir, String) {
+    told((0..lessons).map(|lesson| {
+        let home = Home::number(lesson);
+        let room = (home.robot + 1 + lesson % (home.rooms.len() - 1)) % home.rooms.len();
+        let block = lesson % home.blocks.len();
+        let (color, shape, place) = home.blocks[block];
+        if lesson % 2 == 0 || place == room {
+            let room = if room == home.robot { (room + 1) % home.rooms.len() } else { room };
+            let words = wording.going[lesson / 2 % 4].replace("{}", wording.name(home.rooms[room]));
+            (home, words, go(room))
+        } else {
+            let words = wording.taking[lesson / 2 % 3].replace("{}", wording.name(home.rooms[room]));
+            let words = words.replace("{c}", wording.name(color)).replace("{s}", wording.name(shape));
+            (home, words, take(block, room))
+        }
+    }))
 }
 
 /// The answers to sentences said in a home.
@@ -267,6 +275,24 @@ fn a_robot_that_is_taught_waits_where_there_is_nothing_to_do_and_tries_when_it_i
     assert_eq!(heard, ["done", "none", "done", "try", "try", "done", "none", "none", "try"], "{}{}", run.output, run.messages);
     assert!(answers.iter().any(|line| line["done"] == "go to the red room"));
     assert!(answers.iter().any(|line| line["message"] == "no session is under way"), "it waits");
+}
+
+#[test]
+fn a_robot_that_was_taught_two_commands_from_one_place_is_sure_of_them() {
+    // Every lesson starts in the blue room: "go" and "the" are in all, and so is that room.
+    let home = || Home { rooms: vec!["green", "blue", "red"], blocks: Vec::new(), robot: 1 };
+    let lessons = (0..24).map(|lesson| {
+        let (color, room) = [("red", 2), ("green", 0)][lesson % 2];
+        (home(), format!("go to the {color} room"), go(room))
+    });
+    let (_folder, model) = told(lessons);
+    let cases = [
+        ("go to the red room", "sure", &*go(2)),
+        ("go to the green room", "sure", &*go(0)),
+        ("go to the red room please", "sure", &*go(2)),
+        ("hello", "none", ""),
+    ];
+    check(&model, &home(), &cases);
 }
 
 /// Checks verdicts and tasks of sentences in a home.

@@ -203,7 +203,7 @@ impl Named {
     }
 
     /// Whether no word names anything that the task is not about.
-    pub fn is_own(&self, tables: TablesRef<'_>, description: &[Symbol]) -> bool {
+    pub fn is_own(&self, tables: TablesRef<'_>, bitext: BitextRef<'_>, description: &[Symbol]) -> bool {
         let (layout, (rows, _)) = (tables.layout(), tables.cells());
         let cell = |value: Symbol, word: Symbol| get(rows, layout.row(Some(value))).get(word.index()).copied().unwrap_or(0.0);
         // A word of a task may go with a value by chance.
@@ -215,7 +215,8 @@ impl Named {
             let most = own().flat_map(|group| group.values).map(|&value| cell(value, word)).fold(0.0, f32::max);
             let said = self.words.iter().filter(|&&other| other == word).count();
             let known = own().filter(|group| group.values.contains(&value)).count();
-            !is_name(word, value) || most * FOREIGN >= cell(value, word) && (said == 1 || said <= known)
+            let fits = || most * FOREIGN >= cell(value, word) && (said == 1 || said <= known);
+            !is_name(word, value) || fits() || !is_of_things(bitext, word, value)
         };
         self.words.iter().copied().zip(self.values.iter().copied()).all(|named| is_own(&named))
     }
@@ -285,6 +286,21 @@ fn value_of(tables: TablesRef<'_>, word: Symbol) -> Option<Symbol> {
         }
     }
     best
+}
+
+/// Whether most of the commands that have a word are about something with this value. In lessons that all start in one place, a word of
+/// every command goes with that place, and does not name it.
+fn is_of_things(bitext: BitextRef<'_>, word: Symbol, value: Symbol) -> bool {
+    let (mut with, mut all) = (0.0_f32, 0.0_f32);
+    for session in (0..bitext.sessions() as u16).filter(|&session| bitext.sentence(session).contains(&word)) {
+        for pair in bitext.pairs_of(session) {
+            let is_of_thing = groups(bitext.command(pair.command))
+                .any(|group| matches!(group.marker.role.kind(), RoleKind::Goal | RoleKind::Subject) && group.values.contains(&value));
+            all += pair.weight;
+            with += if is_of_thing { pair.weight } else { 0.0 };
+        }
+    }
+    with * 2.0 > all
 }
 
 /// The kinds of task that a word is a sign of.
