@@ -83,7 +83,7 @@ fn markdown(plan: &Plan, rows: &[Row], links: &[String], checks: Option<&str>) -
              for each pair of a word (or two neighbours, or none) and a fact of a task (its kind, the colour of the room, the colour and shape of \
              the block). The weights score the tasks of a command, and goodbot's exact planner acts for the best one. In this form each \
              word of the trainer judges every task: it supports the tasks that agree with the action and counts against the others. Most \
-             of the originals ask for less; this makes them comparable.\n\n| agent | what | settings |\n|---|---|---|\n";
+             of the original algorithms have no such help; it makes them comparable.\n\n| agent | description | settings |\n|---|---|---|\n";
     for agent in &plan.agents {
         text += &format!("| `{}` | {} | {} |\n", agent.name, agent.is, agent.learns);
     }
