@@ -47,7 +47,7 @@ impl Language {
 /// Which starter.
 #[derive(Clone, Copy, Debug, Args)]
 pub struct StarterOptions {
-    /// Begin with everyday sentences in a language, most of which give way as soon as there are sessions of one's own
+    /// Begin with everyday sentences in a language; they count less with each session of your own
     #[arg(long, value_enum, value_name = "LANGUAGE")]
     starter: Option<Language>,
 }

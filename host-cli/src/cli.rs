@@ -28,18 +28,18 @@ Examples:
   goodbot --trainer punish-only        a trainer who only ever says \"bad bot\"
   goodbot --runs 200                   how often each command is understood
   goodbot --runs 200 --json | tail -1  the same, for programs
-  goodbot check home.json log.jsonl    what is wrong with files of your own
+  goodbot check home.json log.jsonl    the faults of your own files
   goodbot learn log.jsonl --out words.goodbot
                                        a model from recorded sessions
   goodbot ask --with words.goodbot --environment home.json go to the red room
-                                       what that model takes a command to mean
+                                       what a command means to that model
   goodbot example home                 a home to begin with
 
 What you see: the robot hears a command in words that it may not know. For every task that is \
 possible in the home it holds a belief, acts for the most likely one, and changes its mind as the \
 trainer says \"good bot\", \"bad bot\" or nothing. After each lesson it learns what the words mean. \
-In the tests it hears new commands and gets no feedback: the most likely task must be the one that \
-is meant.
+The five tests are in a new home, without feedback: three repeat a lesson's command word for word, \
+two are new. A test is right if the most likely task is the intended one.
 
 Exit codes: 0 all well, 1 a result that failed, 2 bad use or bad input.";
 
@@ -49,7 +49,7 @@ Exit codes: 0 all well, 1 a result that failed, 2 bad use or bad input.";
 #[derive(Debug, Parser)]
 #[command(name = "goodbot", version, after_help = EXAMPLES, args_conflicts_with_subcommands = true, max_term_width = 110)]
 pub struct Cli {
-    /// Tell nothing on standard error but failures: no progress, no remarks
+    /// Print only errors on standard error: no progress, no remarks
     #[arg(long, short = 'q', global = true)]
     pub quiet: bool,
     /// When to use colours
@@ -96,12 +96,12 @@ pub enum Command {
     Questions(QuestionsOptions),
     /// Simulate how the robot learns commands with a way: through a room, or around it
     Ways(WaysOptions),
-    /// Find what trainers to expect, from what real ones said
+    /// Fit trainer strategies to the words of real trainers
     FitTrainers(FitOptions),
     Check(CheckArgs),
     /// Print the memory that a robot needs for homes and lessons, as source for a controller
     Size(SizeOptions),
-    /// Write a file for a BBC micro:bit whose robot knows what a model has
+    /// Write a file for a BBC micro:bit with a model
     Microbit(MicrobitOptions),
     Merge(MergeArgs),
     Diff(DiffArgs),

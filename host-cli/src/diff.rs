@@ -15,11 +15,11 @@ use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// Tell what two models differ in: sessions, words, and what words mean
+/// Print the differences of two models: sessions, words, and meanings of words
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
-A word is shared among the ideas that speak for it, as goodbot inspect has it. It has moved by the part of it that belongs to another idea than \
-before: 0 % is the same meaning, 100 % another one.
+A word is shared among ideas, as in goodbot inspect. It has moved by the part of it that belongs to another idea than before: 0 % is the same \
+meaning, 100 % another one.
 
 Example:
   goodbot diff before.goodbot after.goodbot")]

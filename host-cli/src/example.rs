@@ -11,11 +11,11 @@ pub enum Example {
     Home,
     /// The same kind of home, drawn as text
     Map,
-    /// A session log: what was said, done and judged
+    /// A session log: commands, steps and feedback
     Log,
-    /// A world of another kind: a lift, with what it can do
+    /// A world of another kind: a lift, with its actions
     World,
-    /// A table of words that mean the same
+    /// A table of synonyms
     Synonyms,
 }
 

@@ -35,8 +35,8 @@ const MOST_TRANSLATIONS: usize = 1 << 24;
 
 const EXAMPLES: &str = "\
 Words and machine tokens are matched by their text. Sessions that both models have, to the last bit of their \
-weights, come from a common past and are kept once. What is believed of the trainers is that of A. Models \
-whose words or machine commands are formed differently (--model paper and default) are refused.
+weights, come from a common past and are kept once. The belief about trainers is A's. Models whose words or \
+machine commands are formed differently (--learner paper and default) are refused.
 
 Example:
   goodbot merge kitchen.model garden.model --out both.model";

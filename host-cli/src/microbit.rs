@@ -29,8 +29,8 @@ const HOW_TO_GET_IT: &str = "cargo xtask microbit, in the folder of goodbot's so
 /// The options of `goodbot microbit`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-The file has the program of goodbot.hex, the model, and a home in place of the robot's own where one is named. The micro:bit (first version) \
-goes on learning from there. It has room for about 14 words and 7 lessons and for a home of 41 cells; what has no room is named.
+The file has the program of goodbot.hex, the model, and the home if one is named. The micro:bit (first version) goes on learning from there. It \
+has room for about 14 words and 7 lessons and for a home of 41 cells; an error names the part that has no room.
 
 Example:
   cargo xtask microbit
@@ -39,19 +39,19 @@ pub struct MicrobitOptions {
     /// The program, which `cargo xtask microbit` makes
     #[arg(long, value_name = "FILE.hex", value_hint = ValueHint::FilePath)]
     hex: PathBuf,
-    /// What the robot knows: a model that goodbot learn or goodbot teach wrote
+    /// A model that goodbot learn or goodbot teach wrote
     #[arg(long, short = 'm', value_name = "MODEL", value_hint = ValueHint::FilePath)]
     model: PathBuf,
     /// A home in place of the robot's own, as JSON or drawn as text; - is standard input
     #[arg(long, value_name = "HOME", value_hint = ValueHint::FilePath)]
     home: Option<String>,
-    /// A command that a long press is to choose, of a list of your own; may be given several times
+    /// A command for the list of the long press; may be given several times
     #[arg(long, short = 'c', value_name = "WORDS")]
     command: Vec<String>,
     /// Where the file goes; - is standard output
     #[arg(long, short = 'o', value_name = "FILE.hex", value_hint = ValueHint::FilePath)]
     out: PathBuf,
-    /// Replace a file that is no micro:bit's file of goodbot's
+    /// Replace a file that goodbot did not write
     #[arg(long)]
     force: bool,
 }

@@ -12,11 +12,11 @@ use goodbot_formats::session::SessionReader;
 use goodbot_lesson::Fault;
 use std::path::{Path, PathBuf};
 
-/// Take one session out of what a robot learned
+/// Take one session out of a model
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
-The words that no other session has go with it. What the session showed of the trainer stays, and so does what later sessions owe to it: \
-they were understood with its help. A log still has the session; goodbot learn --without ID leaves it out.
+The words that no other session has go with it. Two traces stay: its evidence about the trainer, and its influence on later sessions, which were \
+understood with its help. A log still has the session; goodbot learn --without ID leaves it out.
 
 Examples:
   goodbot inspect robot.goodbot --sessions
@@ -26,7 +26,7 @@ pub struct UnlearnArgs {
     /// The model
     #[arg(value_name = "MODEL", value_hint = ValueHint::FilePath)]
     model: PathBuf,
-    /// The session: its number, as goodbot inspect --sessions has it; with --log, its id
+    /// The session: its number, as in goodbot inspect --sessions; with --log, its id
     #[arg(value_name = "SESSION")]
     session: String,
     /// The log of all sessions that the model learned from, which has their ids

@@ -10,7 +10,7 @@ use goodbot_lesson::Fault;
 /// Where the table is.
 #[derive(Debug, Args)]
 pub struct SynonymOptions {
-    /// A table of words that mean the same: what was not learned is heard as a word of its line that was (goodbot example synonyms prints one)
+    /// A table of synonyms: an unknown word is heard as a known word of its line (goodbot example synonyms prints one)
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     synonyms: Option<String>,
 }

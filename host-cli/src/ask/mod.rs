@@ -61,19 +61,19 @@ pub struct AskOptions {
     /// The command, in as many words as you like; - asks each line of standard input
     #[arg(value_name = "COMMAND", required_unless_present = "log")]
     command: Vec<String>,
-    /// Ask the commands of a session log, each in its own home, and compare with what was meant there
+    /// Ask the commands of a session log, each in its own home, and compare with the intended tasks
     #[arg(long, short = 'l', value_name = "LOG", value_hint = ValueHint::FilePath, conflicts_with_all = ["environment", "command", "pull"])]
     log: Option<String>,
     /// Ask the session of this id alone
     #[arg(long, value_name = "ID", requires = "log")]
     session: Option<String>,
-    /// Tell word by word what speaks for the answer
+    /// Show word by word what supports the answer
     #[arg(long)]
     why: bool,
-    /// What was meant, such as "agentInRoom(agent0,room1)": tells word by word what speaks for it and what for the answer
+    /// What was meant, such as "agentInRoom(agent0,room1)": shows word by word what supports it, and what supports the answer
     #[arg(long, value_name = "TASK", value_parser = expected)]
     expected: Option<GroundTaskText>,
-    /// Below this probability the answer is "unsure"; by default 0.5, and after 20 lessons a number that the lessons give
+    /// Below this probability the answer is "unsure"; by default 0.5, and after 20 lessons by the number of lessons
     #[arg(long, value_name = "P", value_parser = probability, allow_negative_numbers = true)]
     threshold: Option<f32>,
     #[command(flatten)]
@@ -83,7 +83,7 @@ pub struct AskOptions {
     /// The robot can pull blocks too
     #[arg(long)]
     pull: bool,
-    /// Each command goes on where the one before leads to, and may speak of what was done: "put it back", "go there", "again"
+    /// Each command begins where the one before ends, and may refer to it: "put it back", "go there", "again"
     #[arg(long, conflicts_with = "log")]
     conversation: bool,
     /// Print a line of JSON for each command
@@ -92,11 +92,11 @@ pub struct AskOptions {
 }
 
 const EXAMPLES: &str = "\
-Tasks that are done already count among what may be meant; the plan is for the most likely one that is not. After 20 lessons the robot also \
-says what it takes the words for: a command, nothing that it can do, a thing that is not here, several commands, what shall not be, talk. With \
-fewer lessons, each word that was never heard makes the answer less sure.
+Tasks that are done already are possible meanings too; the plan is for the most likely task that is not done. After 20 lessons the robot also \
+tells the kind of sentence: a command, nothing that it can do, a thing that is not here, several commands, a prohibition, talk. With fewer \
+lessons, each unknown word makes the answer less sure.
 
-With --json, \"tasks\" are the robot's own beliefs, of what is still to do; \"meanings\" are what is shown without --json.
+With --json, \"tasks\" are the robot's beliefs about the tasks that are still to do; \"meanings\" are the table that is shown without --json.
 
 Examples:
   goodbot ask --with words.goodbot --environment home.json go to the orange room

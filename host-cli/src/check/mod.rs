@@ -31,13 +31,13 @@ use std::process::ExitCode;
 /// The most faults that are told of one file.
 const MOST_FAULTS: usize = 100;
 
-/// Check homes, session logs and beliefs: name every fault, and what is doubtful
+/// Check homes, session logs and beliefs: name every fault and every doubtful entry
 ///
-/// The file type is detected from its contents. A home must make sense. In a session log, each step
-/// must be one that can be done where it is done, and the tasks it names must be possible there.
+/// The file type is detected from its contents. In a session log, each step must be possible where
+/// it is taken, and so must each task that the log names.
 #[derive(Debug, Args)]
-#[command(after_help = "Warned of, and no fault: rooms that overlap or that no way leads to, doors that lead nowhere, colours and shapes \
-that are empty, ids that stand twice, probabilities that do not sum to 1, steps of a demonstration that move nothing.
+#[command(after_help = "Warnings, not faults: rooms that overlap or cannot be reached, doors that lead nowhere, empty colours and shapes, \
+ids that occur twice, probabilities that do not sum to 1, steps of a demonstration that move nothing.
 
 Exit codes: 0 no fault, 2 at least one.
 

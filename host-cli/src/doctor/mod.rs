@@ -16,7 +16,7 @@ use std::io::{IsTerminal, Write, stdin, stdout};
 /// The least columns and rows that `goodbot teach` draws on.
 const LEAST_SCREEN: (u16, u16) = (24, 8);
 
-/// Tell what is there, what is wrong with it, and what to do
+/// Find what is missing or wrong, and how to mend it
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
 It looks at the terminal, at the robots that goodbot teach keeps by name, at the files that are named, and for the programs that \

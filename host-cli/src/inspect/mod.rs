@@ -25,7 +25,7 @@ pub struct InspectOptions {
     /// A model that `goodbot learn` wrote
     #[arg(value_name = "MODEL", value_hint = ValueHint::FilePath)]
     model: PathBuf,
-    /// How many words of each token, and tokens of each word: 1 to 1000
+    /// Number of words of each token, and of tokens of each word: 1 to 1000
     #[arg(long, short = 'n', value_name = "N", default_value = "8", value_parser = most, allow_negative_numbers = true)]
     most: usize,
     /// Write a heat map of the most telling words; - is standard output

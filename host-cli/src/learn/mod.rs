@@ -18,8 +18,8 @@ use std::path::PathBuf;
 /// The options of `goodbot learn`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-All sessions are learned from at once, in no order: each by what its steps show of the task that was meant, without any word.
-Sessions that say that they are not to be learned from are walked through and left out.
+All sessions are learned from at once, in no order. The evidence of a session about its task is its steps, not its words.
+Sessions that are marked not to be learned from are checked and left out.
 
 Example:
   goodbot learn turk-simplified.jsonl --out words.goodbot
@@ -38,9 +38,8 @@ pub struct LearnOptions {
     learner: Learner,
     #[command(flatten)]
     starter: StarterOptions,
-    /// What is expected of trainers who judge the robot, in place of what the sessions say: population (the strategies of real people, and that
-    /// they end a session when it suits them, as teach has it), logged, paper, or probabilities. A session that names no strategies is otherwise
-    /// one of the paper's trainer
+    /// The trainers to expect, in place of those that the sessions name: population (real people, whose ends of sessions are evidence, as in teach),
+    /// logged, paper, or probabilities. By default a session without strategies has the paper's trainer
     #[arg(long, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON[,LAGS]", allow_hyphen_values = true)]
     believes: Option<Believes>,
     /// Replace a file that is no model
@@ -49,10 +48,10 @@ pub struct LearnOptions {
     /// Leave out the session of this id; may be given several times
     #[arg(long, value_name = "ID")]
     without: Vec<String>,
-    /// Pass over sessions that are at fault, and count them
+    /// Skip sessions with faults, and count them
     #[arg(long)]
     keep_going: bool,
-    /// Print what was learned from as a line of JSON
+    /// Print a summary of the training data as a line of JSON
     #[arg(long)]
     json: bool,
 }

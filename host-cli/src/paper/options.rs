@@ -35,13 +35,13 @@ Examples:
 /// The options of the experiment.
 #[derive(Clone, Debug, Args)]
 pub struct PaperOptions {
-    /// What the trainer does: balanced, punish-only, reward-only, or three probabilities
+    /// How the trainer judges: balanced, punish-only, reward-only, or three probabilities
     #[arg(long, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON", default_value = "balanced", allow_hyphen_values = true)]
     pub trainer: TrainerChoice,
-    /// What the agent thinks that its trainer does [default: the paper's numbers for this trainer]
+    /// How the agent expects to be judged [default: the paper's numbers for this trainer]
     #[arg(long, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON", allow_hyphen_values = true)]
     pub believes: Option<BelievedChoice>,
-    /// How many agents to train, 1 to 100000, each with a seed of its own, counted up from --seed
+    /// Number of agents to train, 1 to 100000; their seeds count up from --seed
     #[arg(long, short = 'n', value_name = "N", default_value = "1", value_parser = runs, allow_negative_numbers = true)]
     pub runs: u32,
     /// Seed of the first run: the same seed gives the same run everywhere
@@ -53,10 +53,10 @@ pub struct PaperOptions {
     /// How machine commands are weighted when the agent learns
     #[arg(long, value_enum, default_value_t = WeightsChoice::Paper)]
     pub weights: WeightsChoice,
-    /// What learns: the default, or as in the paper
+    /// The learner: the default, or the paper's
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
     pub learner: Learner,
-    /// Take a number of the trainer through a range, such as mu-plus=0.1..0.9:0.2; several times for all combinations
+    /// Sweep a number of the trainer through a range, such as mu-plus=0.1..0.9:0.2; repeat it for all combinations
     #[arg(long, value_name = "NUMBER=FROM..TO:STEP", conflicts_with = "plot")]
     pub sweep: Vec<Sweep>,
     /// Print JSON lines: one for each run, and a summary at the end

@@ -27,14 +27,13 @@ use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Go through recorded sessions and tell what the robot believes after each step
+/// Replay recorded sessions, and print the robot's belief after each step
 ///
-/// The robot begins knowing no word. Each session gives it the command, the steps as they were
-/// taken and the trainer's feedback; where the session says so, it then learns. Several files are
-/// one history, in the order in which they are named. After each session all words are learned
-/// anew from all sessions so far, as in the paper; from the hundredth session on, each time that a
-/// fiftieth more sessions have come, so that the time grows with their number and not with its
-/// square (`goodbot learn` learns once, from all of them).
+/// The robot begins without words. Each session gives it the command, the recorded steps and the
+/// trainer's feedback; then it learns, unless the session is marked otherwise. Several files are
+/// one history, in the given order. As in the paper, all words are learned anew after each session;
+/// from the hundredth session on, only when the number of sessions has grown by a fiftieth (`goodbot
+/// learn` learns once, from all sessions).
 #[derive(Debug, Args)]
 #[command(
     after_help = "Exit codes: 0 all sessions were replayed, 2 a file is at fault (nothing after the fault is replayed, unless --keep-going is given).
@@ -51,7 +50,7 @@ pub struct ReplayArgs {
     /// Print each belief as a line of JSON: before the first step, and after each
     #[arg(long)]
     json: bool,
-    /// What learns: the default, or as in the paper
+    /// The learner: the default, or the paper's
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
     learner: Learner,
     /// How machine commands are weighted when a session is learned from
@@ -59,21 +58,21 @@ pub struct ReplayArgs {
     weights: WeightsChoice,
     #[command(flatten)]
     kinds: TaskKinds,
-    /// What the robot expects of its trainers, in place of what the sessions say: population (the strategies of real people, and that a
-    /// session ends more often at the goal), logged, paper, or probabilities. It then meets each trainer (the session's id up to its first
-    /// dot) once; with --json a last line says how right it was where something was said
+    /// The trainers to expect, in place of those that the sessions name: population (real people, whose ends of sessions are evidence),
+    /// logged, paper, or probabilities. The robot then meets each trainer (the session's id up to its first dot) once; with --json a last
+    /// line tells how right it was in sessions with feedback
     #[arg(long, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON[,LAGS]", allow_hyphen_values = true)]
     believes: Option<Believes>,
-    /// Write a reliability diagram: how often a task was meant, against how probable it was at the end; - is standard output
+    /// Write a reliability diagram: how often a task was intended, against its probability at the end; - is standard output
     #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
     plot: Option<PathBuf>,
     /// Replace a file that is no picture of goodbot's
     #[arg(long, requires = "plot")]
     force: bool,
-    /// Learn all words anew after every session, however many they are: the time grows with the square of their number
+    /// Learn all words anew after every session: the time grows with the square of their number
     #[arg(long)]
     every_session: bool,
-    /// Pass over sessions that are at fault, and count them
+    /// Skip sessions with faults, and count them
     #[arg(long)]
     keep_going: bool,
 }

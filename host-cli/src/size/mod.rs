@@ -19,23 +19,23 @@ use std::io::Write;
 /// The options of `goodbot size`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-With these capacities nothing is refused and no lesson gives way, in any of the homes, from any state. The homes of a log count too. Where a \
-log is named, a robot is trained on it in that memory, and says how many sessions it kept.
+With these capacities nothing is refused and no lesson gives way, in any of the homes, from any state. The homes of a log count too. With a log, \
+a robot is trained on it in that memory, and tells how many sessions it kept.
 
-Without a log, commands are taken to have as many different words as they have words, of 12 letters each: a log of yours shows that fewer will do.
+Without a log, every word of every command counts as a new word of 12 letters. A log of your own needs less.
 
 Examples:
   goodbot size home.json --log log.jsonl
   goodbot size home.json --sessions 20 --words 6
   goodbot size --log log.jsonl --sessions 100 --json")]
 pub struct SizeOptions {
-    /// Homes that the robot is to live in, as JSON or drawn as text; - is standard input
+    /// The robot's homes, as JSON or drawn as text; - is standard input
     #[arg(value_name = "HOME", value_hint = ValueHint::FilePath, required_unless_present = "log")]
     homes: Vec<String>,
     /// Sessions that it is to keep, with their homes; may be given several times
     #[arg(long, short = 'l', value_name = "LOG", value_hint = ValueHint::FilePath)]
     log: Vec<String>,
-    /// How many sessions it is to keep before older ones may give way, 1 to 65535 [default: those of the log, or 16]
+    /// The number of sessions that it must keep, 1 to 65535 [default: those of the log, or 16]
     #[arg(long, value_name = "N", value_parser = sessions, allow_negative_numbers = true)]
     sessions: Option<usize>,
     /// The most words of one command, 1 to 64 [default: those of the log, or 8]
@@ -43,7 +43,7 @@ pub struct SizeOptions {
     words: Option<usize>,
     #[command(flatten)]
     kinds: TaskKinds,
-    /// What learns: the default, or as in the paper
+    /// The learner: the default, or the paper's
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
     learner: Learner,
     /// Print a line of JSON

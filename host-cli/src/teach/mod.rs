@@ -50,11 +50,11 @@ const TOUR_ROBOT: &str = "tour";
 /// The options of `goodbot teach`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-What is learned is kept as soon as a session is over, by the robot's name in the platform's folder for data, or in the files of
---model and --log. In lines, nothing is kept unless --model or --robot is given, so that a script does the same everywhere.
+The robot is saved after each session, by its name in the platform's folder for data, or in the files of --model and --log. With --lines, nothing \
+is saved unless --model or --robot is given.
 
-Without a terminal, or with --lines, each line of standard input is a request, such as command go to the red room, step, good,
-bad, silence, finish; the answers are lines of JSON. Send help for all requests. docs/teach.md describes them.
+Without a terminal, or with --lines, each line of standard input is a request, such as command go to the red room, step, good, bad, silence, \
+finish; the answers are lines of JSON. Send help for all requests. docs/teach.md describes them.
 
 Examples:
   goodbot teach                        teach your robot in a home of four rooms
@@ -67,7 +67,7 @@ pub struct TeachOptions {
     /// A home: an environment (JSON), or a drawing [default: four rooms, a chair and a bag]
     #[arg(value_name = "HOME", value_hint = ValueHint::FilePath)]
     home: Option<String>,
-    /// The paper's lessons and tests, one after the other; with --seed in homes at random
+    /// The paper's lessons and tests, one after the other; with --seed in random homes
     #[arg(long, conflicts_with_all = ["home", "random"])]
     tour: bool,
     /// A home at random
@@ -79,23 +79,23 @@ pub struct TeachOptions {
     /// Consider ways too: commands may mean to go through a room, through one of two, or to avoid one
     #[arg(long, conflicts_with_all = ["tour", "picture"])]
     routes: bool,
-    /// What the robot expects of you: population (what real people do), paper, or probabilities as replay has them
-    /// [default: population, or what a kept robot has found out]
+    /// The trainer that the robot expects: population (real people), paper, or probabilities as in replay [default: population, or a saved robot's
+    /// own belief]
     #[arg(long, value_parser = of_trainer, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON[,LAGS]", allow_hyphen_values = true, conflicts_with = "picture")]
     believes: Option<Believes>,
     /// How fast the robot goes
     #[arg(long, value_enum, default_value_t, conflicts_with = "lines")]
     speed: Pace,
-    /// Which of your robots: it is kept by this name [default: robot, or tour for the tour]
+    /// The robot's name, by which it is saved [default: robot, or tour for the tour]
     #[arg(long, value_name = "NAME", conflicts_with = "model")]
     robot: Option<String>,
-    /// The model file in which the robot is kept
+    /// The robot's model file
     #[arg(long, short = 'm', value_name = "MODEL", value_hint = ValueHint::FilePath)]
     model: Option<PathBuf>,
     /// The log to which its sessions are added [default: beside the model, ending in .jsonl]
     #[arg(long, value_name = "FILE", requires = "model", value_hint = ValueHint::FilePath)]
     log: Option<PathBuf>,
-    /// What it is to understand in the end, a command on each line: decides what to teach next [default: what was said so far]
+    /// The commands that it should understand in the end, one on each line: they decide what to teach next [default: the commands so far]
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     wanted: Option<PathBuf>,
     /// Read requests as lines, also in a terminal

@@ -65,7 +65,7 @@ pub struct EvaluateOptions {
     /// Train on all but one of K parts, in turn; K is 2 or more (10 is the default for more than 500 sessions)
     #[arg(long, short = 'k', value_name = "K", value_parser = parts, allow_negative_numbers = true)]
     k_fold: Option<usize>,
-    /// Keep sessions together that have this in common: each group is left out in turn, or each of K parts of groups
+    /// Leave out whole groups of sessions with this in common: each group in turn, or each of K parts of groups
     #[arg(long, short = 'g', value_enum, value_name = "WHAT", conflicts_with_all = ["leave_environment_out", "leave_task_out"])]
     group: Option<Group>,
     /// For every environment, train on the sessions in all the others
@@ -78,7 +78,7 @@ pub struct EvaluateOptions {
     kinds: TaskKinds,
     #[command(flatten)]
     synonyms: SynonymOptions,
-    /// Ask each command in N random layouts of its home instead of the one it was given in; N is 1 to 100
+    /// Ask each command in N random layouts of its home; N is 1 to 100
     #[arg(long, value_name = "N", value_parser = layouts, allow_negative_numbers = true)]
     novel_environments: Option<usize>,
     /// What learns
@@ -104,7 +104,7 @@ pub struct EvaluateOptions {
     /// Replace files that goodbot did not write
     #[arg(long)]
     force: bool,
-    /// Pass over sessions that are at fault, and count them
+    /// Skip sessions with faults, and count them
     #[arg(long)]
     keep_going: bool,
     /// Print JSON lines: one for each command asked, and a summary at the end
@@ -125,18 +125,18 @@ fn orders(text: &str) -> Result<usize, String> {
 }
 
 const EXAMPLES: &str = "\
-A session is trained on by what its steps show of the task: the posterior over tasks without any word. \
-What was intended is used to count right answers, never to learn, but for labelled sessions, whose lesson it is. \
-A demonstration that ends at its goal speaks for that goal as much as one more step of doing nothing would.
+A session teaches the posterior over tasks that its steps give, without any word. The intended task only counts \
+right answers; in labelled sessions it is the lesson. A demonstration that ends at its goal counts as if the robot \
+had rested there for one more step.
 
-What stands beside the accuracy:
+Beside the accuracy:
   interval           95 % (Wilson)
-  log loss           the mean of -ln of the probability of what was meant
-  without words      a learner that sees where things stand, what was meant there, and no word
-  by chance          the mean probability of what was meant before anything is learned
-  without copies     the same for commands that are no copy of a session trained on
-  steps alone        sessions trained on whose steps, without any word, point at what was meant
-  calibration error  how far apart certainty and accuracy are, on average
+  log loss           the mean of -ln of the probability of the intended task
+  without words      a learner that sees the scene and the intended task, but no word
+  by chance          the mean probability of the intended task before any learning
+  without copies     the accuracy for commands that are no copy of a training session
+  steps alone        training sessions whose steps, without any word, point at the intended task
+  calibration error  the mean difference between certainty and accuracy
 
 Examples:
   goodbot evaluate turk-simplified.jsonl
