@@ -27,7 +27,7 @@ pub fn read_model(path: &Path) -> Result<Vec<u8>, Failure> {
     let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
     read.map_err(|error| refused(format!("cannot be read ({error}); check its name")))?;
     if bytes.len() as u64 > MOST_BYTES {
-        return Err(refused(format!("has more than {} MiB, and no model has; check its name", MOST_BYTES >> 20)));
+        return Err(refused(format!("has more than {} MiB, too much for a model; check its name", MOST_BYTES >> 20)));
     }
     let content = Content::of(&bytes);
     if !matches!(content, Content::Model | Content::Environment)

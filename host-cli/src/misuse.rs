@@ -50,7 +50,8 @@ fn in_words(error: &clap::Error) -> Option<String> {
         }
         ErrorKind::UnknownArgument => match typed(ContextKind::InvalidArg)? {
             "--model" => Some(
-                "--model is the file of a robot that is taught; what learns is said with --learner, a model to ask with --with".to_owned(),
+                "--model names the robot's file in goodbot teach; choose the learner with --learner, and a model to ask with --with"
+                    .to_owned(),
             ),
             typed => meant(typed).map(|command| no_command(typed, command)),
         },

@@ -364,7 +364,7 @@ fn ground_with_done(
 /// Whether a proposition is about what is here; what is wrong with it otherwise.
 pub fn known_atom(home: &Home<impl HomeMemory>, atom: &GroundAtomText) -> Result<goodbot::oomdp::GroundProposition, String> {
     if atom.is_negated() {
-        return Err(format!("{atom} is what shall not be, which no session is about; name what shall be"));
+        return Err(format!("{atom} is a prohibition, and no session is about one; name a goal"));
     }
     let Some(proposition) = SCHEMA.proposition(atom.function()) else {
         let known: Vec<&str> = SCHEMA.propositions.iter().map(|known| known.name).collect();

@@ -165,8 +165,8 @@ impl Witness {
 pub fn remark(evidence: Evidence) -> Option<&'static str> {
     match evidence {
         Evidence::Used => None,
-        Evidence::SaysNothing => Some("says nothing: no task's optimal actions are known exactly here"),
-        Evidence::Impossible => Some("this is impossible whatever the task and the strategy, and was ignored"),
+        Evidence::SaysNothing => Some("is no evidence: no exact plan is known here"),
+        Evidence::Impossible => Some("this is impossible under every task and strategy, and was ignored"),
     }
 }
 

@@ -129,7 +129,7 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
         let name = input::name(file);
         let is_of_homes = Content::of(opened.buffer()) != Content::Worlds;
         if *homes.get_or_insert(is_of_homes) != is_of_homes {
-            let message = "is of homes where another log is of worlds, or the other way round; learn from each by itself";
+            let message = "does not mix with the log before it: one has homes, the other has worlds; learn from each by itself";
             return Err(Failure::Input(Fault::new(name, message).to_string()));
         }
         if !is_of_homes {
@@ -181,13 +181,13 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
     }
     summed(&remarks).iter().for_each(|remark| say!("{remark}"));
     if skipped > 0 {
-        say!("{} at fault passed over", counted(skipped, "session"));
+        say!("{} with faults skipped", counted(skipped, "session"));
     }
     if with_way > 0 {
         say!("{} with a way (through, avoiding) left out: consider ways with --routes", counted(with_way, "session"));
     }
     if no_task > 0 {
-        say!("{} left out: what they mean is none of the kinds of task of their world, or holds already", counted(no_task, "command"));
+        say!("{} left out: their task is of no kind of their world, or holds already", counted(no_task, "command"));
     }
     if lessons.is_empty() {
         return Err(Failure::Input("there is no session to learn from; name a file that has one".to_owned()));

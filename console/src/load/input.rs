@@ -73,7 +73,7 @@ pub fn rest(file: &str, opened: impl Read) -> Result<Vec<u8>, Fault> {
     let mut bytes = Vec::new();
     opened.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable(file))?;
     if bytes.len() as u64 > MOST_BYTES {
-        let message = format!("has more than {} MiB, and nothing that is read whole has; check its name", MOST_BYTES >> 20);
+        let message = format!("has more than {} MiB, too much for a file that is read whole; check its name", MOST_BYTES >> 20);
         return Err(Fault::new(name(file), message));
     }
     Ok(bytes)

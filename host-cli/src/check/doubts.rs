@@ -80,7 +80,7 @@ fn ways(environment: &EnvironmentFile, home: &Home<impl HomeMemory>, start: &Hom
             ObjectRecord::Room { left, bottom, right, top, .. } => {
                 let inside = |&&(x, y): &&(i32, i32)| (left + 1..*right).contains(&x) && (bottom + 1..*top).contains(&y);
                 if !reached.iter().any(|cell| inside(&cell)) {
-                    doubts.push((Some(position), "no way leads there from where the agent stands; add a door".to_owned()));
+                    doubts.push((Some(position), "the agent cannot get there; add a door".to_owned()));
                 }
             }
             ObjectRecord::Door { left, bottom, right, top, .. } => {

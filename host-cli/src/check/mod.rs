@@ -36,12 +36,14 @@ const MOST_FAULTS: usize = 100;
 /// The file type is detected from its contents. In a session log, each step must be possible where
 /// it is taken, and so must each task that the log names.
 #[derive(Debug, Args)]
-#[command(after_help = "Warnings, not faults: rooms that overlap or cannot be reached, doors that lead nowhere, empty colours and shapes, \
+#[command(
+    after_help = "Warnings, not faults: rooms that overlap or cannot be reached, doors that lead nowhere, empty colours and shapes, \
 ids that occur twice, probabilities that do not sum to 1, steps of a demonstration that move nothing.
 
 Exit codes: 0 no fault, 2 at least one.
 
-Example: goodbot check home.json lessons.jsonl")]
+Example: goodbot check home.json lessons.jsonl"
+)]
 pub struct CheckArgs {
     /// Homes (JSON or drawn as text), session logs and beliefs (JSON Lines); - is standard input
     #[arg(required = true, value_name = "FILE")]
@@ -111,7 +113,7 @@ fn tell(file: &str, found: &Findings) -> std::io::Result<()> {
         writeln!(messages, "{}", printable(doubt))?;
     }
     if let Some(more) = doubts.len().checked_sub(MOST_FAULTS).filter(|&more| more > 0) {
-        writeln!(messages, "{}: {} of other kinds not told; mend these first", printable(file), counted(more, "warning"))?;
+        writeln!(messages, "{}: {} of other kinds left out; mend these first", printable(file), counted(more, "warning"))?;
     }
     if !found.faults.is_empty() {
         return Ok(());
@@ -235,7 +237,7 @@ fn check_log(file: &str, log: impl BufRead, lifted: &[LiftedTask]) -> Findings {
             found.faults.truncate(MOST_FAULTS);
             found
                 .faults
-                .push(Fault::new(file, format!("has {MOST_FAULTS} faults or more, and the rest was not looked at; mend these first")));
+                .push(Fault::new(file, format!("has {MOST_FAULTS} faults or more, and the rest was not checked; mend these first")));
             break;
         }
     }
@@ -296,12 +298,12 @@ fn check_worlds(file: &str, mut opened: impl BufRead) -> Result<Findings, Fault>
         if found.faults.len() < MOST_FAULTS { Ok(()) } else { Err(()) }
     });
     if read.is_err() {
-        let message = format!("has {MOST_FAULTS} faults or more, and the rest was not looked at; mend these first");
+        let message = format!("has {MOST_FAULTS} faults or more, and the rest was not checked; mend these first");
         found.faults.push(Fault::new(file, message));
     }
     if no_task > 0 {
         let message = format!(
-            "the meaning of {} is none of the kinds of task, or holds already; nothing is learned from it",
+            "the task of {} is of no kind of this world, or holds already; nothing is learned from it",
             counted(no_task, "command")
         );
         found.warnings.push(Fault::new(file, message));
@@ -320,7 +322,7 @@ fn check_session(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask], 
         for step in session.walk.steps.iter().filter(|step| step.bump) {
             let cell = session.walk.home.agent_cell(&step.before);
             let message = format!(
-                "the demonstration goes against a wall or a block that is held: the agent stays at {}, {}; remove the step, or correct the \
+                "the demonstration walks into a wall or a held block: the agent stays at {}, {}; remove the step, or correct the \
                  steps before it",
                 cell.x, cell.y
             );
@@ -338,7 +340,7 @@ fn doubtful(file: &str, recorded: &RecordedSession, ids: &mut HashMap<String, us
     let mut warnings: Vec<Fault> = doubts::of_header(header).into_iter().map(|(field, message)| at(field, message)).collect();
     if let Some(id) = header.id.as_ref().filter(|_| !header.continues) {
         if let Some(line) = ids.get(id) {
-            warnings.push(at("id", format!("stands on line {line} already; give each session an id of its own")));
+            warnings.push(at("id", format!("is on line {line} already; give each session an id of its own")));
         } else {
             ids.insert(id.clone(), recorded.header_line);
         }

@@ -127,7 +127,7 @@ impl<W: Write> Observer for Story<'_, W> {
         let first = !std::mem::replace(&mut self.shown, true);
         self.write(|out| {
             if first {
-                writeln!(out, "\nTests: new commands, no feedback, nothing learned in between\n")?;
+                writeln!(out, "\nTests: a new home, no feedback, no learning; two of the commands are new\n")?;
                 home(out, scene)?;
             }
             writeln!(out, "\n  \"{}\": {}", scene.exercise.command, if report.right { "right" } else { "wrong" })?;

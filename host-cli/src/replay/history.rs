@@ -208,10 +208,10 @@ impl History {
         }
         let plan = self.agent.planned();
         if !plan.unknown().union(plan.approximate()).is_empty() {
-            remark("the search was bounded: for some tasks the optimal actions are not known exactly, and the step says nothing of these");
+            remark("the search reached its limit: for some tasks no exact plan is known, and the step is no evidence about these");
         }
         if step.bump && kind == Kind::Demonstration {
-            remark("the demonstration goes against a wall or a block that is held, and nothing moves");
+            remark("the demonstration walks into a wall or a held block, and nothing moves");
         }
     }
 

@@ -183,7 +183,7 @@ impl Replay {
             }
         }
         if self.totals.sessions == 0 && self.totals.skipped == 0 {
-            eprintln!("error: there is no session in what was given; give a session log, one JSON text a line");
+            eprintln!("error: the files have no session; name a session log, with one JSON object on each line");
             return Ok(ExitCode::from(2));
         }
         if let Some(plot) = &self.plot {
@@ -200,10 +200,10 @@ impl Replay {
                 writeln!(self.output, "{line}")?;
             }
             if self.totals.skipped > 0 {
-                say!("{} at fault passed over", counted(self.totals.skipped, "session"));
+                say!("{} with faults skipped", counted(self.totals.skipped, "session"));
             }
             if self.totals.learned_later() {
-                say!("from the hundredth session on, words were learned anew each time that a fiftieth more had come; see --every-session");
+                say!("from the hundredth session on, words were learned anew only after a fiftieth more sessions; see --every-session");
             }
         } else {
             write!(self.output, "{}", self.totals)?;

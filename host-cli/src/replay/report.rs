@@ -118,11 +118,11 @@ impl fmt::Display for Totals {
         let [reward, punish, neutral] = self.feedback;
         writeln!(f, "\nsessions             {}, {} learned from", self.sessions, self.learned)?;
         if self.skipped > 0 {
-            writeln!(f, "passed over          {} at fault", self.skipped)?;
+            writeln!(f, "skipped              {} with faults", self.skipped)?;
         }
         if self.learned_later() {
             let times = counted(self.trained, "time");
-            writeln!(f, "words learned anew   {times}, from the hundredth session on when a fiftieth more had come")?;
+            writeln!(f, "words learned anew   {times}, from the hundredth session on after a fiftieth more")?;
         }
         writeln!(f, "steps                {}", self.steps)?;
         if reward + punish + neutral > 0 {

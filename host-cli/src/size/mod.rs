@@ -98,13 +98,13 @@ fn print(out: &mut impl Write, needs: &Needs) -> Result<(), Failure> {
     writeln!(out)?;
     writeln!(
         out,
-        "  RAM    {:>7} bytes on a 32-bit controller, and a stack of {} bytes as it is measured in docs/footprint.md",
+        "  RAM    {:>7} bytes on a 32-bit controller, and a stack of {} bytes as measured in docs/footprint.md",
         needs.ram(),
         needs::STACK
     )?;
     writeln!(
         out,
-        "  flash  {:>7} bytes at most for what it learns; two slots of {} outlive power cuts",
+        "  flash  {:>7} bytes at most for the model; two slots of {} outlive power cuts",
         needs.model_bytes(),
         needs.slot_bytes()
     )?;
@@ -116,7 +116,7 @@ fn print(out: &mut impl Write, needs: &Needs) -> Result<(), Failure> {
         let exact = needs.exact_states.map_or("more than can be counted".to_owned(), |states| states.to_string());
         writeln!(
             out,
-            "\nThe states are cut to {}: for exact plans it would be {exact}. Plans for far goals are approximate.",
+            "\nThe states are limited to {}; exact plans need {exact}. Plans for far goals are approximate.",
             needs.capacities.states
         )?;
     }

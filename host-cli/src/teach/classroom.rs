@@ -102,7 +102,7 @@ impl Classroom {
     /// nothing is learned from it.
     pub fn mean(&mut self, task: Option<&str>) -> Result<Meaning, Refusal> {
         if self.tour.as_ref().and_then(Tour::stop).is_some() {
-            return Err(Refusal("in the tour what is meant is known".to_owned()));
+            return Err(Refusal("in the tour the intended task is known".to_owned()));
         }
         let named = |meaning: &Meaning| task.is_none_or(|task| meaning.name == task || meaning.words == task);
         let meanings = self.trainer.meanings();

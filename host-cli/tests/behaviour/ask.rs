@@ -218,7 +218,7 @@ fn errors_are_in_plain_words_and_near_misses_are_suggested() {
         (&["train"][..], "did you mean goodbot learn, or goodbot teach?"),
         (&["teech"], "there is no command \"teech\"; did you mean goodbot teach?"),
         (&["home.json"], "there is no command \"home.json\"; goodbot --help names all"),
-        (&["learn", "log.jsonl", "--model", "paper"], "what learns is said with --learner"),
+        (&["learn", "log.jsonl", "--model", "paper"], "choose the learner with --learner"),
         (&["test"], "did you mean goodbot evaluate?"),
         (&["evalute"], "evaluate"),
         (&["paper", "--rusn", "3"], "--runs"),

@@ -179,13 +179,13 @@ fn a_pull_of_nothing_is_refused_on_its_line() {
 #[test]
 fn a_demonstration_through_a_wall_is_warned_of_and_replayed_with_a_remark() {
     let input = log([&session(AGENT, "demonstration", "go", ""), &shown("east"), &shown("north"), END]);
-    let message = r#"3: field "action": warning: the demonstration goes against a wall or a block that is held: the agent stays at 3, 3; remove the step, or correct the steps before it"#;
+    let message = r#"3: field "action": warning: the demonstration walks into a wall or a held block: the agent stays at 3, 3; remove the step, or correct the steps before it"#;
     let run = check(&input);
     assert_eq!((run.code, run.messages.trim_end().strip_prefix("standard input:")), (0, Some(message)));
     assert_eq!(run.output, "standard input: 1 session of 2 steps, no fault, 1 warning\n");
     let run = goodbot(&["replay", "-"], &input);
     assert_eq!(run.code, 0);
-    assert!(run.messages.starts_with("standard input:3: the demonstration goes against a wall"), "{}", run.messages);
+    assert!(run.messages.starts_with("standard input:3: the demonstration walks into a wall"), "{}", run.messages);
 }
 
 #[test]
@@ -272,13 +272,13 @@ fn what_is_allowed_and_hardly_meant_is_warned_of() {
     let overlapping = r#"{"class":"room","name":"room2","left":6,"bottom":6,"right":12,"top":10,"color":"tan"}"#;
     assert!(warnings(&environment(&[AGENT, overlapping]))[0].starts_with("room2: it overlaps room1"));
     let apart = r#"{"class":"room","name":"room2","left":20,"bottom":0,"right":24,"top":4,"color":"tan"}"#;
-    assert_eq!(warnings(&environment(&[AGENT, apart])), ["room2: no way leads there from where the agent stands; add a door"]);
+    assert_eq!(warnings(&environment(&[AGENT, apart])), ["room2: the agent cannot get there; add a door"]);
     let nowhere = r#"{"class":"door","name":"door1","left":8,"bottom":2,"right":8,"top":2}"#;
     assert_eq!(warnings(&environment(&[AGENT, nowhere])), ["door1: the door leads nowhere; put it into a wall between two rooms"]);
     let colourless = block("block0", 2, 2).replace("tan", "");
     assert_eq!(warnings(&environment(&[AGENT, &colourless])), ["block0: its color is empty, so no word can name it; give it one"]);
     let twice = log([&session(AGENT, "feedback", "go", ""), END, &session(AGENT, "feedback", "walk", ""), END]);
-    assert_eq!(warnings(&twice), ["stands on line 1 already; give each session an id of its own"]);
+    assert_eq!(warnings(&twice), ["is on line 1 already; give each session an id of its own"]);
     let half = session(AGENT, "feedback", "go", r#","prior":{"agentInRoom(agent0,room1)":0.5}"#);
     assert_eq!(warnings(&log([&half, END])), ["the probabilities sum to 0.500000 and not to 1; they are divided by their sum"]);
 }

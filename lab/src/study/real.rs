@@ -50,7 +50,7 @@ pub fn read(files: &[String]) -> Result<People, Failure> {
         }
     }
     match people.is_empty() {
-        true => Err(Failure::Input("there is no session with feedback of which it is known what was meant; name other logs".to_owned())),
+        true => Err(Failure::Input("no session with feedback has an intended task; name other logs".to_owned())),
         false => Ok(people),
     }
 }

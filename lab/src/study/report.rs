@@ -21,7 +21,7 @@ const DRAWN: [Column; 3] = [Column::Tests, Column::Steps, Column::Words];
 pub fn write(page: &Path, options: &StudyOptions) -> Result<(), Failure> {
     let text = Output::page(page, options.inputs(), options.force)?;
     if text.is_standard() {
-        return Err(Failure::Input("pictures stand beside the page; name a file for it".to_owned()));
+        return Err(Failure::Input("the pictures go beside the page; name a file for it".to_owned()));
     }
     let beside = |column: Column| page.with_extension(format!("{}.svg", column.name()));
     let pictures = DRAWN.map(|column| Output::picture(&beside(column), options.inputs(), options.force));

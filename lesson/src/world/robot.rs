@@ -63,10 +63,7 @@ const MOST_CASES: usize = 1 << 20;
 /// A [`Flaw`] where the world is too large for the core, or has nothing to do.
 pub fn with<R>(file: &WorldFile, use_it: impl FnOnce(&Robot<'_>, u64) -> R) -> Result<R, Flaw> {
     if file.actions.is_empty() {
-        return flaw(
-            "actions",
-            "is not there: commands in this world can be learned and asked, and there is nothing to do in it; add actions",
-        );
+        return flaw("actions", "is missing: commands can be learned and asked in this world, but no robot can act in it; add actions");
     }
     let limits = [
         ("objects", file.objects.len(), MOST_OBJECTS),

@@ -50,11 +50,8 @@ const REQUESTS: &[(&str, &str)] = &[
     ("good [WORDS]", "reward the last step; words said along with it are praise from then on"),
     ("bad [WORDS]", "punish the last step; words said along with it are blame from then on"),
     ("silence", "say nothing to the last step"),
-    ("ask", "tell what the robot asks here, where a question teaches it more than its next steps do"),
-    (
-        "answer yes|no|NUMBER",
-        "answer the question that it asked last; where there is something to choose, by number, or no for none of these",
-    ),
+    ("ask", "tell the robot's question, if one teaches it more than its next steps"),
+    ("answer yes|no|NUMBER", "answer its last question; among several choices by number, or no for none of these"),
     ("intended TASK", "note in the log what the command means, as its task or in words; nothing is learned from it"),
     ("auto", "let a simulated trainer judge the last step; in lessons of the tour"),
     ("back", "take back the last step and what was said to it"),
@@ -64,7 +61,7 @@ const REQUESTS: &[(&str, &str)] = &[
     ("next", "tell what to teach next, and why"),
     ("home JSON", "move to another home, one environment on one line; or: home random SEED"),
     ("reset", "put everything back to where it was"),
-    ("state", "tell where everything is and what the robot believes"),
+    ("state", "tell the places of everything, and the robot's beliefs"),
     ("words", "tell what the robot calls things"),
     ("help", "tell these requests"),
     ("quit", "leave"),
@@ -148,11 +145,7 @@ impl Speaker<'_> {
             "answer" => self.reply(rest),
             "intended" => self.intended(rest),
             _ if !rest.is_empty() => Err(Misunderstood {
-                message: if is_request(request) {
-                    format!("{request:?} stands alone on its line")
-                } else {
-                    format!("{request:?} is no request")
-                },
+                message: if is_request(request) { format!("{request:?} takes no words") } else { format!("{request:?} is no request") },
                 instead: "send command before the words of a command, such as: command go to the red room",
             }),
             "step" => self.step(),
@@ -407,8 +400,7 @@ impl Speaker<'_> {
 
     fn auto(&mut self) -> Answers {
         let feedback = self.classroom.trainer.simulated_word().ok_or(Misunderstood {
-            message: "a simulated trainer judges only steps where it knows what is meant: in lessons of the tour, or after intended"
-                .to_owned(),
+            message: "a simulated trainer judges only if it knows the intended task: in lessons of the tour, or after intended".to_owned(),
             instead: "send good, bad or silence; or send intended and the task first",
         })?;
         self.judge(feedback)

@@ -120,7 +120,7 @@ pub fn draw_words(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Pal
         return;
     }
     let untrained = visit.support.iter().all(|word| !word.known);
-    let block = framed("Which word spoke for what: of 100 points a word, so many for each guess", palette);
+    let block = framed("Which word spoke for what: each word shares 100 points among the guesses", palette);
     let inner = block.inner(area);
     frame.render_widget(block, area);
     if untrained {

@@ -259,7 +259,7 @@ impl Visit {
                 self.idle("Finished without learning: it knows what it knew before.".to_owned());
             }
             Intent::Auto if self.stop().is_none_or(|stop| stop.test) => {
-                self.message = "A simulated trainer judges only in lessons of the tour, where it knows what is meant.".to_owned();
+                self.message = "A simulated trainer judges only in lessons of the tour, where it knows the intended task.".to_owned();
             }
             Intent::Auto => {
                 self.auto = !self.auto;
@@ -341,7 +341,9 @@ impl Visit {
         };
         let waits = self.wait(acted).is_none();
         match self.classroom.trainer.judge(feedback)? {
-            Judged::As(Evidence::Impossible) => self.message = "Whatever was meant, this cannot be; it was not counted.".to_owned(),
+            Judged::As(Evidence::Impossible) => {
+                self.message = "Your word is impossible under every task, so it was not counted.".to_owned()
+            }
             Judged::As(Evidence::SaysNothing) => self.message = "Its plan here is not exact, so your word tells it nothing.".to_owned(),
             Judged::As(Evidence::Used) | Judged::AsBefore => self.message.clear(),
         }
