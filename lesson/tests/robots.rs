@@ -130,7 +130,7 @@ fn what_is_too_large_for_a_robot_is_refused_by_its_field_at_once() {
     assert!(lamps(16, light).is_err_and(|it| it.contains("field \"actions\": give the robot 16 actions")));
     assert!(lamps(64, r#"{"name":"all","effects":["on(l0)"]}"#).is_err_and(|it| it.contains("more states than can be numbered")));
     assert!(lamps(10_000, light).is_err_and(|it| it.contains("field \"objects\": are 10000, and 255 are the most")));
-    assert!(lamps(2, "").is_err_and(|it| it.contains("nothing to do in it")));
+    assert!(lamps(2, "").is_err_and(|it| it.contains("no robot can act in it")));
     for (action, told) in [
         (r#"{"name":"a","effects":[]}"#, "actions[0].effects\": are none"),
         (r#"{"name":"a","effects":["on(l0)"],"cost":0}"#, "actions[0].cost\": 0 is no cost"),
