@@ -30,6 +30,24 @@ fn train(world: &mut World, command: &str, intended: &str) -> String {
     log
 }
 
+/// What `goodbot learn` makes of the log that `goodbot example log` prints: the default learner, with its layer.
+const OF_A_HOST: &[u8] = include_bytes!("../../tests/tests/behaviour/format_3.model");
+
+#[test]
+fn a_robot_takes_back_what_a_host_taught_and_keeps_it_as_a_role_model() {
+    let mut world = world("A");
+    world.restore(OF_A_HOST).unwrap();
+    while !world.learn(1_000) {}
+    let saved = world.save().unwrap();
+    assert_eq!(saved[8..10], [2, 0]);
+    assert!(!world.for_microbit().unwrap().is_empty());
+    world.restore(&saved).unwrap();
+    while !world.learn(1_000) {}
+    assert_eq!(world.save().unwrap(), saved);
+    let damaged = [&OF_A_HOST[..OF_A_HOST.len() - 9], &[0; 9]].concat();
+    assert!(world.restore(&damaged).unwrap_err().to_string().contains("damaged"));
+}
+
 #[test]
 fn a_robot_that_does_not_know_the_words_does_not_say_that_all_is_done() {
     let mut world = world("A");

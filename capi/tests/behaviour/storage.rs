@@ -4,6 +4,7 @@ use crate::robots;
 
 use goodbot_capi::capacities::{GoodbotLessons, goodbot_least_capacities, goodbot_session_count};
 use goodbot_capi::home::goodbot_home_place;
+use goodbot_capi::model::{goodbot_restore, goodbot_save};
 use goodbot_capi::robot::Goodbot;
 use goodbot_capi::status::GoodbotStatus;
 use goodbot_capi::storage::*;
@@ -140,6 +141,27 @@ fn a_robot_in_the_least_capacities_loads_its_own_model() {
             assert_eq!(goodbot_session_count(robot, &raw mut count), GoodbotStatus::Ok);
             assert_eq!(count, 4);
         }
+    }
+}
+
+/// What `goodbot learn` makes of the log that `goodbot example log` prints: the default learner, with its layer.
+const OF_A_HOST: &[u8] = include_bytes!("../../../tests/tests/behaviour/format_3.model");
+
+#[test]
+fn a_robot_takes_back_what_a_host_taught_and_keeps_it_as_a_role_model() {
+    let (owned, mut count, mut file, mut written) = (at_home(), 0, vec![0; SLOT], 0);
+    let robot = owned.robot;
+    unsafe {
+        assert_eq!(goodbot_restore(robot, OF_A_HOST.as_ptr(), OF_A_HOST.len()), GoodbotStatus::Ok);
+        while goodbot_learn(robot, 1_000) == GoodbotStatus::Working {}
+        assert_eq!(goodbot_session_count(robot, &raw mut count), GoodbotStatus::Ok);
+        assert_eq!(count, 4);
+        assert_eq!(goodbot_save(robot, file.as_mut_ptr(), file.len(), &raw mut written), GoodbotStatus::Ok);
+        assert_eq!(file[8..10], [2, 0]);
+        assert_eq!(goodbot_restore(robot, file.as_ptr(), written), GoodbotStatus::Ok);
+        // What was cut off is missed.
+        let cut = OF_A_HOST.len() - 9;
+        assert_eq!(goodbot_restore(robot, OF_A_HOST.as_ptr(), cut), GoodbotStatus::BadModel);
     }
 }
 

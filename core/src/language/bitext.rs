@@ -81,9 +81,9 @@ pub struct Bitext<'t> {
     used: &'t mut Extent,
 }
 
-/// A training can leave out every fourth session.
+/// A training can leave out every second session.
 #[cfg(feature = "layer")]
-pub(super) const FOLDS: usize = 4;
+pub(super) const FOLDS: usize = 2;
 
 /// The sessions that a training leaves out. Without the feature `layer`, there are none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -136,11 +136,6 @@ pub struct BitextRef<'t> {
 }
 
 impl<'t> BitextRef<'t> {
-    /// No data.
-    #[cfg(all(feature = "layer", feature = "snapshot"))]
-    pub(crate) const NONE: Self =
-        Self::new(BitextTablesRef { commands: &[], command_tokens: &[], sessions: &[], sentence_words: &[], pairs: &[] }, Extent::NONE);
-
     /// The data that `used` says are there.
     pub(crate) const fn new(memory: BitextTablesRef<'t>, used: Extent) -> Self {
         Self { memory, used, left_out: LeftOut::NONE }
@@ -154,6 +149,11 @@ impl<'t> BitextRef<'t> {
     /// Whether training passes over a session.
     pub(super) fn leaves_out(self, session: u16) -> bool {
         self.left_out.has(session)
+    }
+
+    /// Whether training passes over some sessions.
+    pub(super) fn leaves_out_any(self) -> bool {
+        self.left_out != LeftOut::NONE
     }
 
     /// How many sessions training does not pass over.

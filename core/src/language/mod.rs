@@ -10,7 +10,7 @@
 //! - `settings`: which model it is, and how it is trained;
 //! - [`ibm2`]: IBM Model 2, the paper's;
 //! - [`roles`]: the role model, which is the default;
-//! - [`layer`]: a discriminative layer above the role model, an option of hosts;
+//! - [`layer`]: a discriminative layer above the role model, for hosts;
 //! - `training`: training, in steps as large as the caller allows;
 //! - [`forgetting`]: what gives way when memory is full;
 //! - `model`: all of it together.

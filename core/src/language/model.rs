@@ -352,7 +352,7 @@ impl<'t> LanguageMut<'t> {
     /// once. Without this the layer learns nothing from the session. Nothing where the layer is not wanted, or has no memory at all.
     ///
     /// # Errors
-    /// A [`CapacityError`] where the layer's tables are full; it then learns nothing from the session.
+    /// A [`CapacityError`] where the layer's tables are full, or those of machine tokens; it then learns nothing from the session.
     #[cfg(feature = "layer")]
     pub fn add_possible<'a>(&mut self, tasks: impl Iterator<Item = (&'a [Symbol], f32)>) -> Result<(), CapacityError> {
         let is_on = self.settings.layer && self.model() == Model::Roles;
@@ -361,13 +361,16 @@ impl<'t> LanguageMut<'t> {
             layer.possible.add_session(&[])?;
         }
         let extent = layer.possible.extent();
+        let mut added = self.tables.fits_rows(self.tokens.len(), self.words.len());
         for (description, prior) in tasks {
-            if let Err(error) = layer.possible.add_pair(description, if is_weight(prior) { prior } else { 0.0 }) {
-                layer.possible.rewind(extent);
-                return Err(error);
-            }
+            added = added.and_then(|()| layer.possible.add_pair(description, if is_weight(prior) { prior } else { 0.0 }));
         }
-        Ok(())
+        match added {
+            // A task that was not meant may speak of what no pair does.
+            Ok(()) => *self.learned_tokens = self.tokens.len(),
+            Err(_) => layer.possible.rewind(extent),
+        }
+        added
     }
 
     /// Forgets the tasks of all sessions: the layer's state is in memory that another model may have had before.

@@ -83,10 +83,10 @@ impl Settings {
         layer: false,
     };
 
-    /// What understands people best: the role model, 8 to 12 rounds, words that begin with the same four letters are one.
+    /// What understands people best without a heap: the role model, 8 to 12 rounds, words that begin with the same four letters are one.
     pub const DEFAULT: Self = Self { model: Model::Roles, ..Self::SMOOTHED };
 
-    /// The default, with the [`layer`](super::layer) above it.
+    /// The default, with the [`layer`](super::layer) above it: what hosts learn with.
     #[cfg(feature = "layer")]
     pub const LAYERED: Self = Self { layer: true, ..Self::DEFAULT };
 }

@@ -59,7 +59,7 @@ impl Training {
         (tables.trained.words, tables.trained.tokens) = (words, tokens);
         let is_nothing = words == 0 || (settings.rounds == 0 && settings.model.in_use() == Model::Model2);
         #[cfg(feature = "layer")]
-        layer.begin(settings, bitext.sessions());
+        layer.begin(settings);
         #[cfg(not(feature = "layer"))]
         let _ = layer;
         Self { phase: if is_nothing { start(tables, bitext, settings) } else { Phase::Start }, round: 0 }
@@ -103,7 +103,9 @@ impl Training {
                     let (t, a) = tables.parts();
                     let mut work = Work { layout: &layout, tokens, bitext, t, a };
                     let (cells, next) = work.advance(part, &mut self.round, settings.rounds, left);
-                    (cells, if next == roles::training::Part::Done { after_roles(layer, bitext, settings) } else { Phase::Roles(next) })
+                    let words = layout.words();
+                    let is_done = next == roles::training::Part::Done;
+                    (cells, if is_done { after_roles(layer, words, bitext, settings) } else { Phase::Roles(next) })
                 }
                 #[cfg(feature = "layer")]
                 Phase::Understand(session) if usize::from(session) < bitext.sessions() => {
@@ -136,18 +138,21 @@ impl Training {
 
 /// What follows a trained role model.
 #[cfg(feature = "layer")]
-fn after_roles(layer: &Layer<'_>, bitext: BitextRef<'_>, settings: &Settings) -> Phase {
+fn after_roles(layer: &mut Layer<'_>, words: usize, bitext: BitextRef<'_>, settings: &Settings) -> Phase {
     match layer.left_out().first() {
-        Some(first) => Phase::Understand(first),
-        None if layer.room.as_ref().is_some_and(|room| room.is_wanted(settings, bitext.sessions())) => {
-            Phase::Layer(layer::training::Part::Clear)
+        Some(first) => {
+            if let Some(room) = &mut layer.room {
+                room.hear(words, bitext);
+            }
+            Phase::Understand(first)
         }
+        None if layer.room.as_ref().is_some_and(|room| room.is_wanted(settings)) => Phase::Layer(layer::training::Part::Clear),
         None => Phase::Done,
     }
 }
 
 #[cfg(not(feature = "layer"))]
-const fn after_roles(_layer: &Layer<'_>, _bitext: BitextRef<'_>, _settings: &Settings) -> Phase {
+const fn after_roles(_layer: &Layer<'_>, _words: usize, _bitext: BitextRef<'_>, _settings: &Settings) -> Phase {
     Phase::Done
 }
 

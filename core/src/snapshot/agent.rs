@@ -88,6 +88,8 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Replaces everything learned here by a model file, and begins training on it: call
     /// [`learn`](Self::learn) until it is done. Everything is checked before anything is changed. A session under way ends unlearned.
+    /// A model with the [layer](crate::language::layer) is a role model in memory without room for it, and with a core without the layer:
+    /// saved again, it is one.
     ///
     /// # Errors
     /// [`RestoreError`]; the agent is then as before.
@@ -106,6 +108,11 @@ impl<M: AgentMemory> Agent<M> {
         self.belief_mut().take_over(contents.believed());
         self.workspace_to_training();
         self.language_mut().take_over(&contents);
+        #[cfg(feature = "layer")]
+        {
+            // Memory without room for the layer makes it a role model.
+            self.options.language.layer = self.language().settings().layer;
+        }
         Ok(())
     }
 

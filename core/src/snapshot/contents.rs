@@ -2,8 +2,8 @@
 
 use super::error::{Part, RestoreError};
 use super::record::{
-    CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OLDEST_VERSION, OPTIONS_BYTES, OptionsRecord, PairRecord, RestsRecord,
-    SessionRecord, Sizes, StrategyRecord, TrainerRecord,
+    CHECK_BYTES, CommandRecord, HEADER_BYTES, LAYERED_VERSION, LEAST_BYTES, MAGIC, OLDEST_VERSION, OPTIONS_BYTES, OptionsRecord,
+    PairRecord, RestsRecord, SessionRecord, Sizes, StrategyRecord, TrainerRecord,
 };
 use crate::capacity::{Capacities, NAME_BYTES, TOKENS_PER_COMMAND};
 use crate::checksum::CHECK;
@@ -175,12 +175,17 @@ impl<'a> Contents<'a> {
     /// # Errors
     /// [`RestoreError`] where it is not one, or is damaged.
     pub fn read(bytes: &'a [u8]) -> Result<Self, RestoreError> {
-        let mut rest = payload(bytes)?;
-        let rest = &mut rest;
+        let (version, mut rest) = payload(bytes)?;
+        let (is_layered, rest) = (version == LAYERED_VERSION, &mut rest);
         let head = RestoreError::Inconsistent(Part::Head);
         let vocabulary: u32 = take(rest).ok_or(head)?;
         let sizes = take::<Sizes>(rest).ok_or(head)?.capacities();
-        let options = options(rest).ok_or(RestoreError::Inconsistent(Part::Options))?;
+        #[cfg_attr(not(feature = "layer"), expect(unused_mut, reason = "as with the feature"))]
+        let mut options = options(rest).ok_or(RestoreError::Inconsistent(Part::Options))?;
+        #[cfg(feature = "layer")]
+        {
+            options.language.layer = is_layered;
+        }
         let strategies: Section<'a, StrategyRecord> =
             section(rest, Part::Strategies, |record: &StrategyRecord| record.strategy().is_some())?;
         let sum: f32 = strategies.iter().map(|record| record.probability).sum();
@@ -220,30 +225,17 @@ impl<'a> Contents<'a> {
         }
         let sound = |&rests: &RestsRecord| Strategy::UNUSED.with_rests(rests).is_ok();
         let rests = if rest.is_empty() { Section::NONE } else { section(rest, Part::Rests, sound)? };
+        if !(rests.is_empty() || rests.len() == strategies.len()) {
+            return Err(RestoreError::Inconsistent(Part::Rests));
+        }
         #[cfg(feature = "layer")]
-        let (possible_commands, possible_counts, possible) = {
-            let none = rest.is_empty();
-            let sound = |command: &CommandRecord| {
-                command.iter().all(|&token| usize::from(token) < token_count || (by_roles && is_marker(Symbol(token))))
-            };
-            let commands = if none { Section::NONE } else { section(rest, Part::Possible, sound)? };
-            let mut wanted = 0_u64;
-            let counts = if none {
-                Section::NONE
-            } else {
-                section(rest, Part::Possible, |&count: &u32| {
-                    wanted = wanted.saturating_add(u64::from(count));
-                    true
-                })?
-            };
-            let sound = |pair: &PairRecord| usize::from(pair.command) < commands.len() && is_weight(pair.weight);
-            let pairs = if none { Section::NONE } else { section(rest, Part::Possible, sound)? };
-            if pairs.len() as u64 != wanted || counts.len() > session_count {
-                return Err(RestoreError::Inconsistent(Part::Possible));
-            }
-            (commands, counts, pairs)
+        let (possible_commands, possible_counts, possible) = match is_layered {
+            true => tasks(rest, session_count, token_count)?,
+            false => (Section::NONE, Section::NONE, Section::NONE),
         };
-        if !rest.is_empty() || !(rests.is_empty() || rests.len() == strategies.len()) {
+        // Without the layer, what a model has for it is not looked at.
+        let is_left_over = cfg!(feature = "layer") || !is_layered;
+        if is_left_over && !rest.is_empty() {
             return Err(RestoreError::Inconsistent(Part::Rests));
         }
         Ok(Self {
@@ -344,18 +336,31 @@ pub(super) fn symbols(record: &CommandRecord) -> heapless::Vec<Symbol, TOKENS_PE
     symbols
 }
 
-/// The latest format that can be read.
+/// The tasks of all sessions: their descriptions, how many each session has, and the tasks with their priors.
 #[cfg(feature = "layer")]
-pub(super) const NEWEST_VERSION: u16 = super::record::LAYERED_VERSION;
-#[cfg(not(feature = "layer"))]
-pub(super) const NEWEST_VERSION: u16 = super::record::VERSION;
+type Tasks<'a> = (Section<'a, CommandRecord>, Section<'a, u32>, Section<'a, PairRecord>);
 
-/// The bytes between the header and the check, if both are right.
-fn payload(bytes: &[u8]) -> Result<&[u8], RestoreError> {
+/// Reads the tasks that so many sessions could have meant, in so many machine tokens.
+#[cfg(feature = "layer")]
+fn tasks<'a>(rest: &mut &'a [u8], sessions: usize, tokens: usize) -> Result<Tasks<'a>, RestoreError> {
+    let is_sound = |&token: &u16| usize::from(token) < tokens || is_marker(Symbol(token));
+    let commands = section(rest, Part::Possible, |command: &CommandRecord| command.iter().all(is_sound))?;
+    let mut wanted = 0_u64;
+    let counts = section(rest, Part::Possible, |&count: &u32| {
+        wanted = wanted.saturating_add(u64::from(count));
+        true
+    })?;
+    let pairs = section(rest, Part::Possible, |pair: &PairRecord| usize::from(pair.command) < commands.len() && is_weight(pair.weight))?;
+    let is_whole = rest.is_empty() && pairs.len() as u64 == wanted && counts.len() <= sessions;
+    if is_whole { Ok((commands, counts, pairs)) } else { Err(RestoreError::Inconsistent(Part::Possible)) }
+}
+
+/// The format, and the bytes between the header and the check, if both are right.
+fn payload(bytes: &[u8]) -> Result<(u16, &[u8]), RestoreError> {
     let mut rest = bytes.strip_prefix(&MAGIC).ok_or(RestoreError::NotAModel)?;
     let truncated = RestoreError::Length { stated: LEAST_BYTES as u32, given: bytes.len() };
     let found = u16::from_le_bytes(*split_array(&mut rest).ok_or(truncated)?);
-    if !(OLDEST_VERSION..=NEWEST_VERSION).contains(&found) {
+    if !(OLDEST_VERSION..=LAYERED_VERSION).contains(&found) {
         return Err(RestoreError::Version { found });
     }
     let stated = u32::from_le_bytes(*split_array(&mut rest).ok_or(truncated)?);
@@ -366,7 +371,7 @@ fn payload(bytes: &[u8]) -> Result<&[u8], RestoreError> {
     if CHECK.checksum(checked) != u32::from_le_bytes(*check) {
         return Err(RestoreError::Damaged);
     }
-    checked.get(HEADER_BYTES..).ok_or(truncated)
+    Ok((found, checked.get(HEADER_BYTES..).ok_or(truncated)?))
 }
 
 fn split_array<'a, const N: usize>(rest: &mut &'a [u8]) -> Option<&'a [u8; N]> {

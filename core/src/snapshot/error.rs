@@ -89,7 +89,6 @@ pub enum Part {
     /// Which commands were heard more than once.
     HeardAgain,
     /// The tasks that sessions could have meant.
-    #[cfg(feature = "layer")]
     Possible,
     /// How late the trainer strategies' words come, and how probable the strategies were before the trainer was met.
     Trainers,
@@ -110,7 +109,6 @@ impl Part {
             Self::Sessions => "sessions",
             Self::Pairs => "pairs",
             Self::HeardAgain => "marks of commands heard again",
-            #[cfg(feature = "layer")]
             Self::Possible => "possible tasks",
             Self::Trainers => "trainers' lags",
             Self::Rests => "what trainers say to rests",
@@ -132,7 +130,7 @@ impl fmt::Display for RestoreError {
                 f,
                 "the model has format {found}, and this version reads formats {} to {}",
                 super::record::OLDEST_VERSION,
-                super::contents::NEWEST_VERSION
+                super::record::LAYERED_VERSION
             ),
             Self::Length { stated, given } => write!(f, "the model says that it has {stated} bytes, and {given} are here"),
             Self::Damaged => f.write_str("the model is damaged: its check does not match; take another copy"),

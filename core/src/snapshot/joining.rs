@@ -159,6 +159,9 @@ impl LanguageMut<'_> {
         commands: &Index<'_, CommandRecord>,
         texts: &Texts<'_>,
     ) -> Result<(), CapacityError> {
+        if !self.read().settings().layer {
+            return Ok(());
+        }
         self.add_possible(core::iter::empty())?;
         for pair in pairs {
             let command = self.symbols_here(&commands.get(usize::from(pair.command)).unwrap_or_default(), texts)?;

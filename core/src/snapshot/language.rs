@@ -5,6 +5,8 @@ use super::error::{Part, RestoreError, SaveError};
 use super::record::Sizes;
 use super::writing::Writing;
 use crate::capacity::{Capacities, WORDS_PER_COMMAND};
+#[cfg(feature = "layer")]
+use crate::language::Settings;
 use crate::language::{LanguageModel, LanguageMut, LanguageRef};
 use crate::memory::AgentMemory;
 use crate::session::Options;
@@ -129,7 +131,10 @@ impl LanguageMut<'_> {
 
     /// Takes the training data over, which were found to fit, and begins training.
     pub(super) fn take_over(&mut self, contents: &Contents<'_>) {
-        self.clear(contents.options.language);
+        let settings = contents.options.language;
+        #[cfg(feature = "layer")]
+        let settings = Settings { layer: settings.layer && self.possible_mut().is_some(), ..settings };
+        self.clear(settings);
         // Nothing here fails: `check_room` counted the entries of each table, and the parameters by the model that has them.
         for word in contents.words.iter() {
             let _ = self.words_mut().intern(word);

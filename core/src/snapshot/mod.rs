@@ -20,6 +20,6 @@ mod writing;
 pub use contents::{Contents, Section};
 pub use error::{Part, RestoreError, SaveError};
 pub use record::{
-    CHECK_BYTES, CommandRecord, HEADER_BYTES, LEAST_BYTES, MAGIC, OLDEST_VERSION, PairRecord, RestsRecord, SAVED, SessionRecord,
-    StrategyRecord, TrainerRecord, VERSION, most_bytes,
+    CHECK_BYTES, CommandRecord, HEADER_BYTES, LAYERED_VERSION, LEAST_BYTES, MAGIC, OLDEST_VERSION, PairRecord, RestsRecord, SAVED,
+    SessionRecord, StrategyRecord, TrainerRecord, VERSION, most_bytes,
 };

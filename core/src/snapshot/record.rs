@@ -14,10 +14,10 @@ use serde::{Deserialize, Serialize};
 
 /// What every model file begins with.
 pub const MAGIC: [u8; 8] = *b"goodbot\0";
-/// The format that this version writes.
+/// The format of a model without the [layer](crate::language::layer).
 pub const VERSION: u16 = 2;
-/// The format of a model with the [layer](crate::language::layer), which programs without it refuse.
-#[cfg(feature = "layer")]
+/// The format of a model with the [layer](crate::language::layer): the other, and the tasks that each session could have meant behind it.
+/// Programs without the layer read it as the other.
 pub const LAYERED_VERSION: u16 = 3;
 /// The oldest format that this version reads.
 pub const OLDEST_VERSION: u16 = 1;
@@ -87,8 +87,6 @@ pub(crate) struct OptionsRecord {
     pub at_goal: [f32; 4],
     /// The same elsewhere.
     pub elsewhere: [f32; 4],
-    #[cfg(feature = "layer")]
-    pub layer: bool,
 }
 
 impl OptionsRecord {
@@ -115,11 +113,10 @@ impl OptionsRecord {
             telling,
             at_goal: numbers(at_goal),
             elsewhere: numbers(elsewhere),
-            #[cfg(feature = "layer")]
-            layer: options.language.layer,
         }
     }
 
+    /// The options of a model without the layer.
     pub(crate) fn options(&self) -> Options {
         let Self { smoothing, alignment_prior, rounds, length, word_letters, least_weight, drift, telling, .. } = *self;
         let model = if self.by_roles { Model::Roles } else { Model::Model2 };
@@ -138,7 +135,7 @@ impl OptionsRecord {
             word_letters,
             order,
             #[cfg(feature = "layer")]
-            layer: self.layer,
+            layer: false,
         };
         let ending = Ending { at_goal: hazard(self.ends_at_goal, self.at_goal), elsewhere: hazard(self.ends_elsewhere, self.elsewhere) };
         Options { language, weights, least_weight, drift, ending, telling }

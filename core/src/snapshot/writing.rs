@@ -59,12 +59,6 @@ impl Serialize for Writing<'_> {
         let (language, bitext) = (self.language, self.language.bitext());
         let mut bytes = [0; OPTIONS_BYTES];
         let options = postcard::to_slice(&OptionsRecord::new(&self.options), &mut bytes).map_err(serde::ser::Error::custom)?;
-        // A model without the layer has the bytes that it had before there was one: its last option is the layer.
-        #[cfg(feature = "layer")]
-        let options = match options.split_last() {
-            Some((_, rest)) if !self.options.language.layer => rest,
-            _ => options,
-        };
         let mut payload = serializer.serialize_struct("Payload", 12)?;
         payload.serialize_field("vocabulary", &self.vocabulary)?;
         payload.serialize_field("sizes", &self.sizes)?;
@@ -102,8 +96,7 @@ impl Serialize for Writing<'_> {
         let rests = || self.strategies.map_or(&[][..], BeliefRef::strategies).iter().map(|(strategy, _)| strategy.rests());
         payload.serialize_field("rests", &Sequence(rests))?;
         #[cfg(feature = "layer")]
-        if self.options.language.layer {
-            let possible = language.possible().unwrap_or(BitextRef::NONE);
+        if let Some(possible) = self.possible() {
             let commands = || (0..possible.commands()).map(|command| positions(possible.command(command as u16)));
             payload.serialize_field("possible_commands", &Sequence(commands))?;
             let counts = || (0..possible.sessions()).map(|session| possible.pairs_of(session as u16).len() as u32);
@@ -131,9 +124,15 @@ impl Writing<'_> {
         Ok(payload.saturating_add(LEAST_BYTES))
     }
 
+    /// The tasks of all sessions, where the model has the layer and memory for it. Without that memory it is a role model.
     #[cfg(feature = "layer")]
-    const fn version(&self) -> u16 {
-        if self.options.language.layer { LAYERED_VERSION } else { VERSION }
+    fn possible(&self) -> Option<BitextRef<'_>> {
+        self.language.possible().filter(|_| self.options.language.layer)
+    }
+
+    #[cfg(feature = "layer")]
+    fn version(&self) -> u16 {
+        if self.possible().is_some() { LAYERED_VERSION } else { VERSION }
     }
 
     #[cfg(not(feature = "layer"))]

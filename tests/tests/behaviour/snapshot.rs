@@ -3,6 +3,7 @@
 use goodbot::capacity::Capacity;
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
+use goodbot::language::Settings;
 use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::oomdp::Schema;
 use goodbot::planning::Progress;
@@ -178,6 +179,30 @@ fn a_file_of_format_1_is_understood_for_ever() {
     assert_eq!(*agent.options(), Options::PAPER);
     assert_eq!(agent.belief().strategies().len(), 3);
     assert_eq!(school::tests_passed(&mut agent), 5);
+}
+
+/// The model that `goodbot learn` makes of the log that `goodbot example log` prints, with its layer, saved in format 3. The file stays as it
+/// is for ever.
+const FORMAT_3: &[u8] = include_bytes!("format_3.model");
+
+#[test]
+fn a_file_of_format_3_is_understood_for_ever_with_its_layer_and_without() {
+    let contents = Contents::read(FORMAT_3).unwrap();
+    assert!(contents.options.language.layer && contents.possible_counts.len() == 4);
+    let capacities = Capacities::STANDARD.at_least(contents.sizes);
+    let restored = |memory: AgentHeap| {
+        let mut agent = Agent::new(memory, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+        agent.restore(FORMAT_3).unwrap();
+        agent.learn_fully();
+        agent
+    };
+    let layered = restored(AgentHeap::new(&capacities).with_layer(contents.possible.len()));
+    assert_eq!(layered.saved().unwrap(), FORMAT_3);
+    let alone = restored(AgentHeap::new(&capacities));
+    assert_eq!((alone.language().bitext().sessions(), alone.options().language), (4, Settings::DEFAULT));
+    let saved = alone.saved().unwrap();
+    assert_eq!(&saved[8..10], [2, 0]);
+    assert!(FORMAT_3.starts_with(&saved[..8]) && FORMAT_3.windows(saved.len() - 18).any(|part| part == &saved[14..saved.len() - 4]));
 }
 
 #[test]

@@ -20,6 +20,19 @@ impl LayerRef<'_> {
 }
 
 impl Room<'_> {
+    /// Finds out which of so many words the role model in training hears: `bitext` leaves out the others' sessions.
+    pub fn hear(&mut self, words: usize, bitext: BitextRef<'_>) {
+        self.heard.clear();
+        self.heard.resize(words, false);
+        for session in (0..bitext.sessions() as u16).filter(|&session| !bitext.leaves_out(session)) {
+            for word in bitext.sentence(session) {
+                if let Some(slot) = self.heard.get_mut(word.index()) {
+                    *slot = true;
+                }
+            }
+        }
+    }
+
     /// Keeps the posterior over a session's tasks, by a role model that was trained without the session and those left out with it, and the
     /// shares that the session showed of them. `bitext` leaves out the session. Returns about how many table cells that was.
     #[inline(never)]
@@ -29,10 +42,10 @@ impl Room<'_> {
         if self.read().tasks(session) == 0 {
             return 1;
         }
+        let is_heard = |word: Symbol| self.heard.get(word.index()).copied().unwrap_or(false);
         let mut sentence: Vec<Option<Symbol>, WORDS_PER_COMMAND> = Vec::new();
         for &word in bitext.sentence(session) {
-            let known = |other: u16| !bitext.leaves_out(other) && bitext.sentence(other).contains(&word);
-            let _ = sentence.push((0..bitext.sessions() as u16).any(known).then_some(word));
+            let _ = sentence.push(Some(word).filter(|&word| is_heard(word)));
         }
         let description = |task: usize| pairs.get(task).map_or(&[][..], |pair| possible.command(pair.command));
         let prior = |task: usize| pairs.get(task).map_or(0.0, |pair| pair.weight);

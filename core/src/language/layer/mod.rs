@@ -16,8 +16,11 @@
 //! was learned, and they keep the probability that the role model gives them together.
 //!
 //! It is trained to give each session's tasks the shares that the session has shown (`training`), with
-//! - p from a model that has not seen the session: four models are trained, each without a quarter of the sessions;
+//! - p from a model that has not seen the session: two models are trained, each without half of the sessions, and with 30
+//!   batches for the kind of task;
 //! - weights pulled towards 0, and a towards 1, by pulls that do not grow with the sessions, so that few sessions leave p as it is.
+//!
+//! From eight sessions on, there is a layer: with fewer it understood less than the role model alone.
 //!
 //! It needs the tasks of each session that were not meant, too, in memory of its own ([`LayerMemory`]). Where there is none of it, or it is
 //! full, the layer is silent, and all is as without it.
@@ -32,6 +35,8 @@ pub(crate) mod fold;
 mod parts;
 #[cfg(feature = "layer")]
 mod posterior;
+#[cfg(feature = "layer")]
+mod speaking;
 #[cfg(feature = "layer")]
 pub(crate) mod training;
 #[cfg(feature = "layer")]

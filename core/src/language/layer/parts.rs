@@ -19,6 +19,7 @@ pub(super) fn of_description(description: &[Symbol]) -> impl Iterator<Item = Par
 }
 
 /// The different parts of a session's tasks, and a number for each.
+#[derive(Clone, Debug)]
 pub(super) struct Parts {
     all: Vec<Part>,
     numbers: Vec<f32>,

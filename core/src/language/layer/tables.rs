@@ -1,6 +1,8 @@
 //! The memory of the layer. Without the feature `layer`, and where a caller has none for it, it has no bytes.
 
 #[cfg(feature = "layer")]
+use super::speaking::Found;
+#[cfg(feature = "layer")]
 use super::weights::CELLS;
 #[cfg(feature = "layer")]
 use crate::capacity::LIFTED_TASKS;
@@ -44,6 +46,9 @@ pub struct LayerMemory {
     weights: Vec<f32>,
     learned: Learned,
     left_out: LeftOut,
+    /// One entry a word, while a role model is asked for the sessions that it has not seen: whether it was heard in those that it has.
+    heard: Vec<bool>,
+    found: Found,
 }
 
 #[cfg(feature = "layer")]
@@ -60,6 +65,8 @@ impl LayerMemory {
         weights: Vec::new(),
         learned: Learned::NOTHING,
         left_out: LeftOut::NONE,
+        heard: Vec::new(),
+        found: Found::NONE,
     };
 
     /// Symbols that a task's description has on average, at most.
@@ -90,6 +97,10 @@ impl LayerMemory {
     /// No room.
     pub const NONE: Self = Self;
 }
+
+/// From so many sessions on, there is a layer: with fewer it understands less than the role model alone.
+#[cfg(feature = "layer")]
+const LEAST_SESSIONS: usize = 8;
 
 /// A kind of task was meant if the sessions show it so often, all together.
 #[cfg(feature = "layer")]
@@ -174,9 +185,9 @@ impl Layer<'_> {
     }
 
     /// A training begins: what was learned says nothing any more.
-    pub fn begin(&mut self, settings: &Settings, sessions: usize) {
+    pub fn begin(&mut self, settings: &Settings) {
         if let Some(room) = &mut self.room {
-            let left_out = if room.is_wanted(settings, sessions) { LeftOut::FIRST } else { LeftOut::NONE };
+            let left_out = if room.is_wanted(settings) { LeftOut::FIRST } else { LeftOut::NONE };
             (room.learned.done, *room.left_out) = (false, left_out);
         }
     }
@@ -200,6 +211,8 @@ pub(in crate::language) struct Room<'t> {
     pub(super) understood: &'t mut [f32],
     pub(super) weights: &'t mut [f32],
     pub(super) learned: &'t mut Learned,
+    pub(super) heard: &'t mut Vec<bool>,
+    pub(super) found: &'t mut Found,
 }
 
 /// The layer in its memory, to be read.
@@ -245,6 +258,8 @@ impl<'t> Room<'t> {
             understood: &mut memory.understood,
             weights: &mut memory.weights,
             learned: &mut memory.learned,
+            heard: &mut memory.heard,
+            found: &mut memory.found,
         })
     }
 
@@ -253,10 +268,12 @@ impl<'t> Room<'t> {
         LayerRef { possible: self.possible.read(), weights: self.weights, learned: *self.learned }
     }
 
-    /// Whether there is something to train it on. A single session leaves none for the model that has not seen it.
-    pub fn is_wanted(&self, settings: &Settings, sessions: usize) -> bool {
-        let is_on = settings.layer && settings.model.in_use() == Model::Roles;
-        is_on && sessions > 1 && self.weights.len() >= LAYER_WEIGHTS && !self.possible.read().pairs().is_empty()
+    /// Whether there is enough to train it on.
+    pub fn is_wanted(&self, settings: &Settings) -> bool {
+        let is_on = settings.layer && settings.model.in_use() == Model::Roles && self.weights.len() >= LAYER_WEIGHTS;
+        let layer = self.read();
+        let teaches = |&session: &u16| layer.tasks(session) > 0;
+        is_on && (0..layer.possible.sessions() as u16).filter(teaches).nth(LEAST_SESSIONS.saturating_sub(1)).is_some()
     }
 
     /// A machine token is forgotten, and those after it move up by one. Where a session's task has it, the layer forgets all sessions: it

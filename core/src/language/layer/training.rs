@@ -10,17 +10,14 @@
 //! Words may say what the trainer's acts leave open, and one session of some shows another task than was meant: what no act speaks for keeps
 //! a tenth of its prior. After each pass one step pulls every weight towards 0, and a towards 1.
 
-use super::contexts::Command;
-use super::parts::Parts;
 use super::posterior::{Weighed, weigh};
+use super::speaking::{Found, Speaking};
 use super::tables::Room;
 use super::weights::{PULLS, TRUST, Weights};
-use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::bitext::BitextRef;
 use crate::language::tables::TablesRef;
-use crate::symbols::Symbol;
 use alloc::vec;
-use heapless::Vec;
+use alloc::vec::Vec;
 
 const PASSES: u8 = 30;
 /// What of a task's prior the acts of a session cannot refute.
@@ -47,6 +44,7 @@ impl Room<'_> {
                 let mut weights = Weights::of(self.weights);
                 weights.clear();
                 self.learned.begin(bitext);
+                *self.found = Found::NONE;
                 (weights.values.len(), Part::Pass(0, 0))
             }
             Part::Pass(pass, session) if usize::from(session) < bitext.sessions() => {
@@ -56,6 +54,9 @@ impl Room<'_> {
                 let cells = self.pull();
                 let pass = pass.saturating_add(1);
                 self.learned.done = pass >= PASSES;
+                if self.learned.done {
+                    *self.found = Found::NONE;
+                }
                 (cells, if self.learned.done { Part::Done } else { Part::Pass(pass, 0) })
             }
             Part::Done => (0, Part::Done),
@@ -71,25 +72,22 @@ impl Room<'_> {
         }
         let possible = self.possible.read();
         let (pairs, first) = (possible.pairs_of(session), possible.pairs().partition_point(|pair| pair.session < session));
-        let mut sentence: Vec<Option<Symbol>, WORDS_PER_COMMAND> = Vec::new();
-        for &word in bitext.sentence(session) {
-            let _ = sentence.push(Some(word));
-        }
-        let command = Command::new(tables, self.learned.said, &sentence);
         let of_session = first..first.saturating_add(count);
         let (understood, shown) = (self.understood.get(of_session.clone()), self.shares.get(of_session));
         let (understood, shown) = (understood.unwrap_or(&[]), shown.unwrap_or(&[]));
         let mut weights = Weights::of(self.weights);
-        let mut cells = 1_usize;
+        let descriptions = || pairs.iter().map(|pair| possible.command(pair.command));
+        let found = self.found.take(session);
+        let mut speaking = found.unwrap_or_else(|| Speaking::of(tables, self.learned.said, bitext.sentence(session), descriptions()));
 
-        let mut parts = Parts::of(pairs.iter().map(|pair| possible.command(pair.command)));
-        for (part, number) in parts.each() {
-            command.each_weight(part, |cell, times| {
-                *number += times * weights.values.get(cell).copied().unwrap_or(0.0);
-                cells = cells.saturating_add(3);
-            });
+        for (speaks, number) in speaking.each() {
+            *number = 0.0;
+            for &(cell, times) in speaks {
+                *number += times * weights.values.get(cell as usize).copied().unwrap_or(0.0);
+            }
         }
-        let mut tasks: alloc::vec::Vec<Weighed> = alloc::vec::Vec::new();
+        let parts = &mut speaking.parts;
+        let mut tasks: Vec<Weighed> = Vec::new();
         for (position, (&understood, pair)) in understood.iter().zip(pairs).enumerate() {
             let (met, parts) = (self.learned.has_met(possible.command(pair.command)), parts.sum(position));
             tasks.push(Weighed { met, understood, parts, ..Weighed::default() });
@@ -111,13 +109,15 @@ impl Room<'_> {
             parts.add(position, slope);
             of_trust += slope * task.logarithm;
         }
-        for (part, number) in parts.each() {
-            command.each_weight(part, |cell, times| weights.lean(cell, times * *number));
+        for (speaks, number) in speaking.each() {
+            speaks.iter().for_each(|&(cell, times)| weights.lean(cell as usize, times * *number));
         }
-        for (part, _) in parts.each() {
-            command.each_weight(part, |cell, _| weights.settle(cell));
+        for (speaks, _) in speaking.each() {
+            speaks.iter().for_each(|&(cell, _)| weights.settle(cell as usize));
         }
         weights.step(TRUST, of_trust);
+        let cells = speaking.len().saturating_mul(3).saturating_add(1);
+        self.found.keep(session, speaking);
         cells
     }
 

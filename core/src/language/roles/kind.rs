@@ -20,6 +20,8 @@ use heapless::Vec;
 
 /// Batches: so many that more change little. After 30 the weights of rare words are still on their way.
 pub(super) const BATCHES: u32 = 100;
+/// The same in a model that leaves out sessions: the [layer](crate::language::layer) understands as much with it.
+pub(super) const BATCHES_OF_A_FOLD: u32 = 30;
 const RATE: f32 = 0.3;
 /// A weight is a priori normal around 0 with the variance 1 / PULL. With more, the kinds that seven lessons teach are too unsure.
 const PULL: f32 = 0.5;
@@ -34,13 +36,13 @@ pub(super) const BEHIND_WORDS: usize = 2;
 type Forms = [f32; LIFTED_TASKS];
 
 /// q_l(e) for each lifted task that training has seen.
-fn shares(layout: &Layout, alignments: &[f32], words: impl Iterator<Item = usize> + Clone, length: f32) -> Forms {
+fn shares(layout: &Layout, alignments: &[f32], words: &[Symbol], length: f32) -> Forms {
     let mut shares: Forms = [0.0; LIFTED_TASKS];
     let (count, constant) = (layout.forms().len(), layout.words());
     for (form, slot) in shares.iter_mut().enumerate().take(count) {
         let row = get(alignments, layout.kind_of_task(form));
         let of_length = length * cell(row, constant.saturating_add(1));
-        *slot = cell(row, constant) + of_length + words.clone().map(|word| cell(row, word)).sum::<f32>();
+        *slot = cell(row, constant) + of_length + words.iter().map(|word| cell(row, word.index())).sum::<f32>();
     }
     let most = shares.iter().take(count).fold(f32::MIN, |most, &score| most.max(score));
     let mut whole = 0.0;
@@ -53,9 +55,15 @@ fn shares(layout: &Layout, alignments: &[f32], words: impl Iterator<Item = usize
 }
 
 /// The different words of a command.
-fn different(sentence: &[Symbol]) -> impl Iterator<Item = usize> + Clone + '_ {
-    let first = |position: usize, word: &Symbol| !sentence.iter().take(position).any(|other| other == word);
-    sentence.iter().enumerate().filter(move |&(position, word)| first(position, word)).map(|(_, word)| word.index())
+fn different(sentence: &[Symbol]) -> Vec<Symbol, WORDS_PER_COMMAND> {
+    let mut different: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
+    for &word in sentence {
+        if !different.contains(&word) {
+            // As many as the command has, so they fit.
+            let _ = different.push(word);
+        }
+    }
+    different
 }
 
 fn length(words: usize) -> f32 {
@@ -75,7 +83,7 @@ impl Kinds {
     pub fn of(layout: &Layout, alignments: &[f32], sentence: &[Symbol], new: usize) -> Self {
         let shares = match layout.forms().len() {
             0 | 1 => [1.0; LIFTED_TASKS],
-            _ => shares(layout, alignments, different(sentence), length(sentence.len().saturating_add(new))),
+            _ => shares(layout, alignments, &different(sentence), length(sentence.len().saturating_add(new))),
         };
         Self { shares, new: new as f32 }
     }
@@ -137,14 +145,15 @@ pub(crate) fn dilute(tables: TablesRef<'_>, sentence: &[Option<Symbol>], prior: 
 pub(super) fn count(layout: &Layout, bitext: BitextRef<'_>, session: u16, t: &mut Cells<'_>, a: &mut Cells<'_>) {
     let sentence = bitext.sentence(session);
     let length = length(sentence.len());
-    let shares = shares(layout, a.values, different(sentence), length);
+    let words = different(sentence);
+    let shares = shares(layout, a.values, &words, length);
     for (position, &token) in layout.forms().iter().enumerate() {
         let meant = |command: u16| form(bitext.command(command)) == Some(token);
         let wanted: f32 = bitext.pairs_of(session).iter().filter(|pair| meant(pair.command)).map(|pair| pair.weight).sum();
         let error = cell(&shares, position) - wanted;
         let counts = get_mut(t.counts, layout.row(Some(token)));
-        for word in different(sentence) {
-            if let Some(slot) = counts.get_mut(word) {
+        for word in &words {
+            if let Some(slot) = counts.get_mut(word.index()) {
                 *slot += error;
             }
         }

@@ -261,7 +261,7 @@ impl Work<'_, '_> {
                     if *round < self.rounds(rounds) { Part::Expect(0, Pass::START) } else { Part::Kinds(0, 0) },
                 )
             }
-            Part::Kinds(batch, _) if batch >= kind::BATCHES || layout.forms().len() < 2 => (0, Part::Done),
+            Part::Kinds(batch, _) if batch >= self.batches() || layout.forms().len() < 2 => (0, Part::Done),
             Part::Kinds(batch, session) if session < self.bitext.sessions() && self.bitext.leaves_out(session as u16) => {
                 (1, Part::Kinds(batch, session.saturating_add(1)))
             }
@@ -285,6 +285,11 @@ impl Work<'_, '_> {
     fn rounds(&self, rounds: u32) -> u32 {
         let of_each = if self.layout.has_ways() { ROUNDS_WITH_WAYS } else { 1.0 + 0.5 * self.layout.many() };
         (rounds as f32 * of_each) as u32
+    }
+
+    /// How many batches the kind of task takes: fewer in a model that is asked once, for the sessions that it leaves out.
+    fn batches(&self) -> u32 {
+        if self.bitext.leaves_out_any() { kind::BATCHES_OF_A_FOLD } else { kind::BATCHES }
     }
 
     fn cells(&self, pair: &Pair) -> usize {
