@@ -8,11 +8,11 @@ use goodbot::{Capacities, Options};
 /// What learns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Learner {
-    /// What understands people best
+    /// What understands people best: the role model, and a layer above it that learns more from many sessions
     #[default]
     Default,
-    /// The default, with a layer above it that learns more from many sessions
-    Layered,
+    /// The role model alone, as boards, C and the page have it
+    Roles,
     /// The paper's settings
     #[value(alias = "ibm2")]
     Paper,
@@ -23,7 +23,7 @@ impl Learner {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Default => "default",
-            Self::Layered => "layered",
+            Self::Roles => "roles",
             Self::Paper => "paper",
         }
     }
@@ -31,8 +31,8 @@ impl Learner {
     /// The settings.
     pub const fn options(self) -> Options {
         match self {
-            Self::Default => Options::DEFAULT,
-            Self::Layered => Options { language: Settings::LAYERED, ..Options::DEFAULT },
+            Self::Default => Options { language: Settings::LAYERED, ..Options::DEFAULT },
+            Self::Roles => Options::DEFAULT,
             Self::Paper => Options::PAPER,
         }
     }

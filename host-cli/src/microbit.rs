@@ -109,17 +109,21 @@ fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
     let mut model = read_model(path)?;
     let contents = Contents::read(&model).map_err(|error| refused(path, &error))?;
     if contents.options.language.model != Model::Roles {
-        return Err(refused(path, &"was learned as in the paper, and the micro:bit has the default learner alone"));
+        return Err(refused(path, &"was learned as in the paper, and the micro:bit has the role model alone"));
     }
     let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
     let mut agent = Agent::new(AgentHeap::new(&CAPACITIES), &tasks, Options::DEFAULT).map_err(|error| Failure::Input(error.to_string()))?;
     let small = |error: &dyn std::fmt::Display| refused(path, &format!("on a micro:bit: {error}; teach it fewer lessons and words"));
-    if contents.strategies.len() > 1 {
-        // The board's robot expects the paper's trainer.
+    let is_layered = contents.options.language.layer;
+    if contents.strategies.len() > 1 || is_layered {
         let room = CAPACITIES.at_least(contents.sizes);
         let mut learned = Agent::new(AgentHeap::new(&room), &tasks, Options::DEFAULT).map_err(|error| Failure::Input(error.to_string()))?;
         learned.restore(&model).map_err(|error| refused(path, &error))?;
-        learned.set_strategies(&[(Strategy::BALANCED, 1.0)]).map_err(|error| refused(path, &error))?;
+        if contents.strategies.len() > 1 {
+            // The board's robot expects the paper's trainer.
+            learned.set_strategies(&[(Strategy::BALANCED, 1.0)]).map_err(|error| refused(path, &error))?;
+        }
+        // This memory has no room for the layer, nor has the board: the role model is what is saved.
         model = learned.saved().map_err(|error| refused(path, &error))?;
     }
     agent.restore(&model).map_err(|error| small(&error))?;

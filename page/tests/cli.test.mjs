@@ -77,7 +77,7 @@ test('a model trained in the page answers in the command line with the same bits
   await close(page);
 });
 
-for (const settings of ['default', 'paper']) {
+for (const settings of ['roles', 'paper']) {
   test('a model that the command line learned answers in the page with the same bits, settings ' + settings, { skip }, async () => {
     const teacher = await open(browser);
     await watchTour(teacher);
@@ -151,7 +151,7 @@ test('a log with all that logs may say teaches the page what it teaches the comm
   const here = await believed(page, asked);
   const question = { type: 'session', version: 1, id: 'asked', kind: 'feedback', environment: HOME, command: asked, actions: RECORDED[0].actions };
   const log = file('asked.jsonl', lines([...RECORDED, question, { type: 'end', learn: false }]));
-  const beliefs = goodbot('replay', '--json', '--learner', 'default', log).trim().split('\n').map(line => JSON.parse(line));
+  const beliefs = goodbot('replay', '--json', '--learner', 'roles', log).trim().split('\n').map(line => JSON.parse(line));
   const answer = beliefs.find(belief => belief.session === 'asked' && belief.step === 0);
   assert.deepEqual(bits(here), bits(answer.tasks));
   assert.notEqual(here['blockInRoom(block0,room1)'], here['agentInRoom(agent0,room1)']);

@@ -176,8 +176,11 @@ pub struct Mind {
 pub struct Agent(Mutex<Mind>);
 
 impl Mind {
-    fn new(capacities: &Capacities, lifted: &[LiftedTask], options: Options, seed: u64) -> Result<Self, AgentError> {
-        let core = Core::new(AgentHeap::new(capacities), lifted, options)?;
+    /// `tasks` is how many possible tasks it keeps of all sessions together.
+    fn new(capacities: &Capacities, tasks: usize, lifted: &[LiftedTask], options: Options, seed: u64) -> Result<Self, AgentError> {
+        let memory = AgentHeap::new(capacities);
+        let memory = if options.language.layer { memory.with_layer(tasks) } else { memory };
+        let core = Core::new(memory, lifted, options)?;
         let random = goodbot_course::generator(seed);
         Ok(Self { core, random, robot: None, names: Vec::new(), command: String::new(), broken: false })
     }
@@ -385,7 +388,8 @@ impl Agent {
                 most.set(capacity, MOST_OF_A_FIELD);
             }
             let capacities = Capacities::STANDARD.at_least(contents.sizes.at_most(most));
-            let mut mind = Mind::new(&capacities, lifted, Options::DEFAULT, seed).map_err(|refused| error::agent(py, refused))?;
+            let tasks = contents.possible.len().saturating_add(Capacities::STANDARD.pairs);
+            let mut mind = Mind::new(&capacities, tasks, lifted, contents.options, seed).map_err(|refused| error::agent(py, refused))?;
             mind.core.restore(bytes).map_err(|refused| error::restore(py, refused))?;
             mind.learn(py)?;
             Ok(mind)
@@ -444,7 +448,9 @@ impl Agent {
         seed: u64,
     ) -> PyResult<Self> {
         let lifted = tasks_of(py, tasks, domain)?;
-        let made = Mind::new(&capacities_of(capacities)?, &lifted, options(learner, weights)?, seed);
+        let capacities = capacities_of(capacities)?;
+        let tasks = capacities.sessions.saturating_mul(capacities.tasks).min(MOST_OF_A_FIELD);
+        let made = Mind::new(&capacities, tasks, &lifted, options(learner, weights)?, seed);
         let mut mind = made.map_err(|refused| error::agent(py, refused))?;
         if let Some(strategies) = strategies {
             mind.set_strategies(py, &strategies_of(&strategies)?)?;

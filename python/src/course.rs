@@ -83,7 +83,7 @@ fn row<'py>(py: Python<'py>, seed: u64, kind: &str, number: usize, exercise: &Ex
 /// >>> [row["right"] for row in rows if row["kind"] == "test"]
 /// [True, True, True, True, True]
 #[pyfunction]
-#[pyo3(signature = (seed, *, trainer=None, layouts="fixed", learner="default", weights=None))]
+#[pyo3(signature = (seed, *, trainer=None, layouts="fixed", learner="roles", weights=None))]
 pub fn run_course<'py>(
     py: Python<'py>,
     seed: u64,

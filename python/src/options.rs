@@ -2,6 +2,7 @@
 
 use crate::error::value;
 use goodbot::capacity::Capacity;
+use goodbot::language::Settings;
 use goodbot::session::Weights;
 use goodbot::{Capacities, Options};
 use pyo3::prelude::*;
@@ -59,10 +60,11 @@ pub fn capacities<'py>(py: Python<'py>, preset: &str) -> PyResult<Bound<'py, PyD
 /// How an agent understands and learns, by name.
 pub fn options(learner: &str, weights: Option<&str>) -> PyResult<Options> {
     let options = match learner {
-        "default" => Options::DEFAULT,
+        "default" => Options { language: Settings::LAYERED, ..Options::DEFAULT },
+        "roles" => Options::DEFAULT,
         "paper" => Options::PAPER,
         "smoothed" => Options::SMOOTHED,
-        _ => return Err(value(format!("no learner is called {learner:?}; give default, paper or smoothed"))),
+        _ => return Err(value(format!("no learner is called {learner:?}; give default, roles, paper or smoothed"))),
     };
     let weights = match weights {
         None => options.weights,

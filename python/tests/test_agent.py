@@ -63,6 +63,17 @@ def test_beliefs_and_sets_are_arrays_of_the_tasks(home: goodbot.Home) -> None:
         agent.beliefs[0] = 1.0
 
 
+def test_a_model_file_says_whether_the_layer_learned_too(home: goodbot.Home, tmp_path: Path) -> None:
+    for learner, format_ in (("default", 3), ("roles", 2), ("paper", 2)):
+        agent = goodbot.Agent(learner=learner)  # type: ignore[arg-type]
+        file = tmp_path / f"{learner}.goodbot"
+        agent.save(file)
+        assert file.read_bytes()[8] == format_
+        again = goodbot.Agent.load(file)
+        again.save(file, force=True)
+        assert file.read_bytes()[8] == format_
+
+
 def test_a_call_out_of_its_turn_is_told_what_to_do_first(home: goodbot.Home) -> None:
     agent = goodbot.Agent()
     with pytest.raises(goodbot.SessionError, match="give a command first"):
@@ -83,7 +94,7 @@ def test_a_call_out_of_its_turn_is_told_what_to_do_first(home: goodbot.Home) -> 
         (lambda agent, home: agent.hear(home, home.start, "go", prior={"agentInRoom(agent0,attic)": 1.0}), "prior"),
         (lambda agent, home: goodbot.Agent(["lampOn(?l)"]), "no propositional function"),
         (lambda agent, home: goodbot.Agent(learner="best"),  # type: ignore[arg-type]
-         "default, paper or smoothed"),
+         "default, roles, paper or smoothed"),
         (lambda agent, home: goodbot.Agent(capacities="huge"), "tiny, small or standard"),
         (lambda agent, home: goodbot.Agent(capacities={"brains": 3}), "brains"),
     ],

@@ -26,7 +26,7 @@ pub fn agent(file: &Path, lifted: &[LiftedTask]) -> Result<Agent<AgentHeap>, Fai
     let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
     let bytes = read_model(file)?;
     let contents = Contents::read(&bytes).map_err(|error| fault(&error))?;
-    let memory = learner::memory(&room_for(&contents), &contents.options.language, contents.possible.len());
+    let memory = learner::memory(&room_for(&contents), &contents.options.language, room_for_tasks(&contents));
     let mut agent = Agent::new(memory, lifted, Options::DEFAULT).map_err(|error| fault(&error))?;
     agent.restore(&bytes).map_err(|error| fault(&error))?;
     learn_fully(&mut agent);
@@ -64,11 +64,16 @@ pub fn language<'m>(file: &Path, memory: &'m mut AgentHeap) -> Result<LanguageMo
     if contents.vocabulary != 0 {
         return Err(fault(&"was learned in homes, and these commands are in other worlds; name a model of a log of worlds"));
     }
-    *memory = learner::memory(&room_for(&contents), &contents.options.language, contents.possible.len());
+    *memory = learner::memory(&room_for(&contents), &contents.options.language, room_for_tasks(&contents));
     let mut model = LanguageModel::new(memory, contents.options.language).map_err(|error| fault(&error))?;
     model.restore(&bytes).map_err(|error| fault(&error))?;
     while model.train(u32::MAX) == Progress::Working {}
     Ok(model)
+}
+
+/// For how many possible tasks there is to be room: for those of a model file, and for those of as many sessions as a new robot keeps.
+pub fn room_for_tasks(contents: &Contents<'_>) -> usize {
+    contents.possible.len().saturating_add(Capacities::STANDARD.pairs)
 }
 
 /// Room for what a model file holds, and for more.

@@ -53,8 +53,8 @@ pub struct PaperOptions {
     /// How machine commands are weighted when the agent learns
     #[arg(long, value_enum, default_value_t = WeightsChoice::Paper)]
     pub weights: WeightsChoice,
-    /// The learner: the default, or the paper's
-    #[arg(long, value_enum, value_name = "NAME", default_value_t)]
+    /// The learner
+    #[arg(long, value_enum, value_name = "NAME", default_value_t = Learner::Roles)]
     pub learner: Learner,
     /// Sweep a number of the trainer through a range, such as mu-plus=0.1..0.9:0.2; repeat it for all combinations
     #[arg(long, value_name = "NUMBER=FROM..TO:STEP", conflicts_with = "plot")]

@@ -50,7 +50,7 @@ pub struct ReplayArgs {
     /// Print each belief as a line of JSON: before the first step, and after each
     #[arg(long)]
     json: bool,
-    /// The learner: the default, or the paper's
+    /// The learner
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
     learner: Learner,
     /// How machine commands are weighted when a session is learned from

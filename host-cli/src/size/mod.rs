@@ -43,8 +43,8 @@ pub struct SizeOptions {
     words: Option<usize>,
     #[command(flatten)]
     kinds: TaskKinds,
-    /// The learner: the default, or the paper's
-    #[arg(long, value_enum, value_name = "NAME", default_value_t)]
+    /// The learner. A controller has no layer: the default needs as much there as roles
+    #[arg(long, value_enum, value_name = "NAME", default_value_t = Learner::Roles)]
     learner: Learner,
     /// Print a line of JSON
     #[arg(long)]

@@ -72,7 +72,7 @@ fn a_model_file_that_is_none_is_refused_by_name() {
 }
 
 #[test]
-fn a_layered_model_learns_from_as_many_sessions_as_the_default() {
+fn the_default_learns_from_as_many_sessions_as_the_role_model_alone() {
     // Each session has one pair and dozens of tasks: together more tasks than a model has pairs.
     let session = |number: usize| {
         let room = 1 + number % 2;
@@ -84,7 +84,7 @@ fn a_layered_model_learns_from_as_many_sessions_as_the_default() {
         )
     };
     let log: String = (0..2_000).map(session).collect();
-    for learner in ["default", "layered"] {
+    for learner in ["default", "roles"] {
         let model = file(learner, "");
         let model = model.to_str().unwrap();
         let learned = goodbot(&["learn", "-", "--routes", "--learner", learner, "--force", "--out", model], log.as_bytes());

@@ -58,8 +58,6 @@ fn the_file_has_the_program_the_model_the_home_and_the_commands() {
     let text = b"room room0 0 0 4 4 red\nagent agent0 1 1\nsay go there\n\xff";
     assert_eq!(file.bytes(HOME, text.len()), text);
     assert_eq!(file.bytes(SLOTS, 4), b"slot");
-    let model = std::fs::read(folder.path().join("words.goodbot")).unwrap();
-    assert_eq!(file.bytes(SLOTS + 16, model.len()), model);
 }
 
 #[test]
@@ -83,6 +81,25 @@ fn what_a_micro_bit_has_no_room_for_is_named() {
 }
 
 #[test]
+fn a_board_gets_the_role_model_of_what_the_default_learner_learned() {
+    let folder = folder();
+    let on_the_board = |learner: &str| {
+        assert_eq!(run(folder.path(), &["learn", "LOG", "--learner", learner, "--out", "MODEL", "--force"]).code, 0);
+        let made = run(folder.path(), &["microbit", "--hex", "HEX", "-m", "MODEL", "-o", "OUT", "--force"]);
+        assert_eq!(made.code, 0, "{}", made.messages);
+        let model = std::fs::read(folder.path().join("words.goodbot")).unwrap();
+        let file = MicrobitFile::parse(&std::fs::read_to_string(folder.path().join("mine.hex")).unwrap()).unwrap();
+        let slot = file.bytes(SLOTS + 16, model.len());
+        (model, slot)
+    };
+    let (alone, slot) = on_the_board("roles");
+    assert_eq!(slot, alone);
+    let (layered, slot) = on_the_board("default");
+    assert_eq!((layered[8], slot[8]), (3, 2));
+    assert_eq!(slot[..alone.len()], alone);
+}
+
+#[test]
 fn what_is_no_program_for_a_micro_bit_or_no_model_for_it_is_refused() {
     let folder = folder();
     for (arguments, problem) in [
@@ -97,7 +114,7 @@ fn what_is_no_program_for_a_micro_bit_or_no_model_for_it_is_refused() {
     }
     assert_eq!(run(folder.path(), &["learn", "LOG", "--learner", "paper", "--out", "MODEL"]).code, 0);
     let refused = run(folder.path(), &["microbit", "--hex", "HEX", "-m", "MODEL", "-o", "OUT"]);
-    assert!(refused.messages.contains("default learner alone"), "{}", refused.messages);
+    assert!(refused.messages.contains("role model alone"), "{}", refused.messages);
     // What was read is never replaced.
     let refused = run(folder.path(), &["microbit", "--hex", "HEX", "-m", "MODEL", "-o", "HEX"]);
     assert!(refused.messages.contains("would be replaced"), "{}", refused.messages);

@@ -8,12 +8,12 @@ use goodbot_formats::session::{RecordedSession, SessionReader};
 use goodbot_wasm::World;
 
 const LOG: &str = include_str!("../../../tests/fixtures/lesson.jsonl");
-/// What `goodbot replay --json --routes tests/fixtures/lesson.jsonl` prints.
+/// What `goodbot replay --json --routes --learner roles tests/fixtures/lesson.jsonl` prints.
 const BELIEFS: &str = include_str!("../../../tests/fixtures/lesson-beliefs.jsonl");
 
 #[test]
 fn the_command_line_believes_what_was_recorded() {
-    let run = goodbot(&["replay", "--json", "--routes", "-"], LOG.as_bytes());
+    let run = goodbot(&["replay", "--json", "--routes", "--learner", "roles", "-"], LOG.as_bytes());
     assert_eq!((run.code, run.output.as_str()), (0, BELIEFS), "{}", run.messages);
 }
 

@@ -20,11 +20,11 @@ use std::collections::{BTreeMap, BTreeSet};
 /// What learns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Method {
-    /// What understands people best: the role model
+    /// What understands people best: the role model, and a layer above it that learns more from many sessions
     #[default]
     Default,
-    /// The default, with a layer above it that learns more from many sessions
-    Layered,
+    /// The role model alone, as boards, C and the page have it
+    Roles,
     /// Model 2, smoothed
     Smoothed,
     /// Model 2 with the paper's settings
@@ -40,8 +40,8 @@ impl Method {
     /// The settings of its language model.
     pub const fn settings(self) -> Settings {
         match self {
-            Self::Default => Settings::DEFAULT,
-            Self::Layered => Settings::LAYERED,
+            Self::Default => Settings::LAYERED,
+            Self::Roles => Settings::DEFAULT,
             Self::Smoothed => Settings::SMOOTHED,
             Self::Paper | Self::BagOfWords | Self::Action => Settings::PAPER,
         }
@@ -52,7 +52,8 @@ impl Method {
 pub fn ablations() -> Vec<(&'static str, Settings)> {
     let default = Settings::SMOOTHED;
     vec![
-        ("default", Settings::DEFAULT),
+        ("default", Settings::LAYERED),
+        ("roles", Settings::DEFAULT),
         ("Model 2, smoothed", default),
         ("  no alignment prior", Settings { alignment_prior: 0.0, ..default }),
         ("  whole words", Settings { word_letters: 0, ..default }),
@@ -89,7 +90,7 @@ impl<'m> Trained<'m> {
     ) -> Result<Self, goodbot::AgentError> {
         Ok(match method {
             Method::BagOfWords => Self::Bags(Bags::of(lessons, settings.smoothing)?),
-            Method::Default | Method::Layered | Method::Smoothed | Method::Paper | Method::Action => {
+            Method::Default | Method::Roles | Method::Smoothed | Method::Paper | Method::Action => {
                 Self::Model2(Box::new(training::train(memory, lessons, settings)?))
             }
         })

@@ -246,7 +246,7 @@ def run_course(
     *,
     trainer: Kind | None = None,
     layouts: Literal["fixed", "random"] = "fixed",
-    learner: Learner = "default",
+    learner: Learner = "roles",
     weights: Weights | None = None,
 ) -> list[dict[str, Any]]: ...
 def capacities(preset: Literal["tiny", "small", "standard"] = "standard") -> dict[str, int]: ...

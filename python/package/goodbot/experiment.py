@@ -17,7 +17,7 @@ def run_courses(
     *,
     trainer: Kind = "balanced",
     layouts: Literal["fixed", "random"] = "fixed",
-    learner: Learner = "default",
+    learner: Learner = "roles",
     weights: Weights | None = None,
     threads: int | None = None,
     progress: bool = True,

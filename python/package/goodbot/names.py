@@ -9,7 +9,7 @@ from typing import Literal, TypeAlias
 Strategy: TypeAlias = tuple[float, float, float, float]
 # A trainer's name, or its mu+, mu- and epsilon.
 Kind: TypeAlias = "Literal['balanced', 'punish-only', 'reward-only'] | tuple[float, float, float]"
-Learner: TypeAlias = Literal["default", "paper", "smoothed"]
+Learner: TypeAlias = Literal["default", "roles", "paper", "smoothed"]
 Weights: TypeAlias = Literal["paper", "belief", "evidence"]
 Feedback: TypeAlias = Literal["reward", "punish", "neutral"]
 Evidence: TypeAlias = Literal["used", "says nothing", "impossible"]

@@ -6,15 +6,17 @@ use goodbot::home::{self, Home, HomeState, Moves};
 use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::{Agent, Capacities, Options};
 use goodbot_console::believes::Believes;
+use goodbot_console::learner::{self, Learner};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::home as homes;
 
 /// A mind that has learned nothing yet. `ways` says whether commands may mean tasks with a way, and `believes` what it expects of its trainer,
-/// where that is not what real people do.
-pub fn new_mind(capacities: &Capacities, ways: bool, believes: Option<&Believes>) -> Result<Agent<AgentHeap>, Refusal> {
+/// where that is not what real people do. `tasks` is how many possible tasks it keeps of all sessions together.
+pub fn new_mind(capacities: &Capacities, tasks: usize, ways: bool, believes: Option<&Believes>) -> Result<Agent<AgentHeap>, Refusal> {
     let paper = home::paper_tasks().map_err(refused)?;
     let lifted = if ways { home::with_routes(&paper).map_err(refused)?.to_vec() } else { paper.to_vec() };
-    let mut mind = Agent::new(AgentHeap::new(capacities), &lifted, Options::DEFAULT).map_err(refused)?;
+    let options = Learner::Default.options();
+    let mut mind = Agent::new(learner::memory(capacities, &options.language, tasks), &lifted, options).map_err(refused)?;
     expect(&mut mind, believes)?;
     Ok(mind)
 }

@@ -25,7 +25,7 @@ use goodbot::snapshot::Contents;
 use goodbot::talk::{Hypothesis, Listened, Verdict};
 use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot_console::believes::Believes;
-use goodbot_console::lessons::restored::{learn_fully, room_for};
+use goodbot_console::lessons::restored::{learn_fully, room_for, room_for_tasks};
 use goodbot_console::refusal::InWords;
 use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
@@ -89,7 +89,7 @@ impl Trainer {
     /// ways too, and `believes` what it expects of its trainer, where that is not what real people do.
     pub fn new(file: &EnvironmentFile, seed: u64, ways: bool, believes: Option<Believes>) -> Result<Self, Refusal> {
         let (rooms, start) = build(file)?;
-        let lesson = Lesson::new(new_mind(&Capacities::STANDARD, ways, believes.as_ref())?, rooms, start);
+        let lesson = Lesson::new(new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, ways, believes.as_ref())?, rooms, start);
         Ok(Self { lesson, start, id: None, intended: None, random: generator(seed), believes, declined: None })
     }
 
@@ -101,7 +101,7 @@ impl Trainer {
     /// Replaces what the robot has learned by a model file. A session under way ends unlearned.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
         let contents = Contents::read(bytes).map_err(refused)?;
-        let mut mind = new_mind(&room_for(&contents), self.has_ways(), self.believes.as_ref())?;
+        let mut mind = new_mind(&room_for(&contents), room_for_tasks(&contents), self.has_ways(), self.believes.as_ref())?;
         mind.restore(bytes).map_err(refused)?;
         if self.believes.is_some() {
             expect(&mut mind, self.believes.as_ref())?;
@@ -113,7 +113,7 @@ impl Trainer {
 
     /// A new robot, which has learned nothing, in the same home. A session under way ends unlearned.
     pub fn start_anew(&mut self) -> Result<(), Refusal> {
-        self.lesson.replace_agent(new_mind(&Capacities::STANDARD, self.has_ways(), self.believes.as_ref())?);
+        self.lesson.replace_agent(new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, self.has_ways(), self.believes.as_ref())?);
         Ok(())
     }
 
