@@ -6,28 +6,60 @@
 use std::path::PathBuf;
 use std::{env, fs};
 
-/// Where the RAM begins on every board.
-const RAM: u32 = 0x2000_0000;
 const KIB: u32 = 1024;
+const FLASH: u32 = 256 * KIB;
 
-/// Feature, bytes of RAM, and how many of them are the stack's.
-const BOARDS: [(&str, u32, u32); 3] = [("MPS2_AN386", 64 * KIB, 8 * KIB), ("MPS2_AN385", 64 * KIB, 8 * KIB), ("MICROBIT", 16 * KIB, 5_280)];
+struct Board {
+    /// As cargo names its feature.
+    feature: &'static str,
+    /// Where the flash and the RAM begin.
+    flash: u32,
+    ram: u32,
+    /// Bytes of RAM, and those of them that are the stack's.
+    bytes: u32,
+    stack: u32,
+}
+
+const AN386: Board = Board { feature: "MPS2_AN386", flash: 0, ram: 0x2000_0000, bytes: 64 * KIB, stack: 8 * KIB };
+const BOARDS: [Board; 6] = [
+    AN386,
+    Board { feature: "MPS2_AN385", ..AN386 },
+    Board { feature: "MPS2_AN500", ..AN386 },
+    // Its secure side, where it starts.
+    Board { feature: "MPS2_AN505", flash: 0x1000_0000, ram: 0x3800_0000, ..AN386 },
+    Board { feature: "MICROBIT", bytes: 16 * KIB, stack: 5_280, ..AN386 },
+    // All its memory is RAM, from where the stack is; the "flash" is the part after 64 KiB.
+    Board { feature: "VIRT", flash: 0x8001_0000, ram: 0x8000_0000, ..AN386 },
+];
 
 fn main() {
-    let is_chosen = |board: &&(&str, u32, u32)| env::var_os(format!("CARGO_FEATURE_{}", board.0)).is_some();
+    let is_chosen = |board: &&Board| env::var_os(format!("CARGO_FEATURE_{}", board.feature)).is_some();
     let chosen: Vec<_> = BOARDS.iter().filter(is_chosen).collect();
-    let [&(_, ram, stack)] = chosen[..] else {
-        panic!("choose one board by its feature: mps2-an386, mps2-an385 or microbit");
+    let [&Board { flash, ram, bytes, stack, .. }] = chosen[..] else {
+        let names: Vec<_> = BOARDS.iter().map(|board| board.feature.to_lowercase().replace('_', "-")).collect();
+        panic!("choose one board by its feature: {}", names.join(", "));
     };
+    let regions = ["TEXT", "RODATA", "DATA", "BSS", "HEAP", "STACK"].map(|region| {
+        let memory = match region {
+            "TEXT" | "RODATA" => "FLASH",
+            "STACK" => "STACK",
+            _ => "RAM",
+        };
+        format!("REGION_ALIAS(\"REGION_{region}\", {memory});\n")
+    });
     let memory = format!(
-        "MEMORY\n{{\n FLASH : ORIGIN = 0x00000000, LENGTH = 256K\n STACK : ORIGIN = {RAM}, LENGTH = {stack}\n \
-         RAM : ORIGIN = {}, LENGTH = {}\n}}\n_stack_start = ORIGIN(STACK) + LENGTH(STACK);\n_stack_end = ORIGIN(STACK);\n",
-        RAM + stack,
-        ram - stack
+        "MEMORY\n{{\n FLASH : ORIGIN = {flash}, LENGTH = {FLASH}\n STACK : ORIGIN = {ram}, LENGTH = {stack}\n \
+         RAM : ORIGIN = {}, LENGTH = {}\n}}\n_stack_start = ORIGIN(STACK) + LENGTH(STACK);\n_stack_end = ORIGIN(STACK);\n{}",
+        ram + stack,
+        bytes - stack,
+        regions.concat()
     );
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));
     fs::write(out.join("memory.x"), memory).expect("memory.x can be written");
     println!("cargo::rustc-link-search={}", out.display());
+    if env::var("CARGO_CFG_TARGET_ARCH").is_ok_and(|arch| arch == "riscv32") {
+        println!("cargo::rustc-link-arg-bins=-Tmemory.x");
+    }
     println!("cargo::rustc-link-arg-bins=-Tlink.x");
     println!("cargo::rustc-link-arg-bins=--nmagic");
     println!("cargo::rerun-if-changed=build.rs");

@@ -65,7 +65,7 @@
 //!
 //! # What it promises
 //! No allocation, no `unsafe`, no panic on any input. Every capacity is a field of [`Capacities`], and an error names the field to raise.
-//! Only `+ - * /` on f32, and a logarithm made of them: the same input gives the same bits on x86-64, wasm32 and Cortex-M. Long work goes in parts, with a budget that
+//! Only `+ - * /` on f32, and a logarithm made of them: the same input gives the same bits on x86-64, wasm32, Cortex-M and RISC-V. Long work goes in parts, with a budget that
 //! the caller sets.
 
 #![no_std]

@@ -67,7 +67,7 @@ fn course(agent: &mut Agent<impl AgentMemory>, arm: &Arm<'_>) -> Result<bool, Co
     Ok(intended(agent, meaning).is_some_and(|task| agent.most_likely() == Some(task)))
 }
 
-#[cortex_m_rt::entry]
+#[board::entry]
 fn main() -> ! {
     board::start_counter(board::MOST_PERIOD);
     // SAFETY: this function runs once, and nothing else touches the static.

@@ -71,7 +71,7 @@ impl Watch for Counter {
     }
 }
 
-#[cortex_m_rt::entry]
+#[board::entry]
 fn main() -> ! {
     board::start_counter(board::MOST_PERIOD);
     // SAFETY: this function runs once, and nothing else touches the static.

@@ -5,6 +5,7 @@ use crate::board;
 /// The exit code of a fault.
 const FAULT: u8 = 102;
 
+#[cfg(target_arch = "arm")]
 core::arch::global_asm!(
     ".section .text.HardFault, \"ax\", %progbits",
     ".global HardFault",
@@ -16,6 +17,17 @@ core::arch::global_asm!(
     "mov sp, r0",
     "bl {fault}",
     ".ltorg",
+    fault = sym fault,
+);
+
+#[cfg(target_arch = "riscv32")]
+core::arch::global_asm!(
+    ".section .trap.start, \"ax\", @progbits",
+    ".balign 4",
+    ".global _start_trap",
+    "_start_trap:",
+    "la sp, _stack_start",
+    "call {fault}",
     fault = sym fault,
 );
 

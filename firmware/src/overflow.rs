@@ -22,7 +22,7 @@ fn descend(level: usize) -> usize {
     if level == 0 { taken.len() } else { descend(level.wrapping_sub(1)).wrapping_add(black_box(&taken).len()) }
 }
 
-#[cortex_m_rt::entry]
+#[board::entry]
 fn main() -> ! {
     board::print("descending\n");
     // A little more than the stack, and by far less than the RAM: with other memory below it, it would come back.

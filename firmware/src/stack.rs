@@ -1,5 +1,8 @@
 //! The deepest stack, by the paint that it has worn off.
 
+#[cfg(target_arch = "riscv32")]
+use crate::board::STACK_PAINT_VALUE;
+#[cfg(target_arch = "arm")]
 use cortex_m_rt::STACK_PAINT_VALUE;
 
 unsafe extern "C" {

@@ -49,7 +49,7 @@ impl Watch for Loop {
     }
 }
 
-#[cortex_m_rt::entry]
+#[board::entry]
 fn main() -> ! {
     // SAFETY: this function runs once, and nothing else touches the static.
     let memory = unsafe { &mut *(&raw mut MEMORY) };

@@ -73,7 +73,7 @@ fn first_plan(memory: &mut RobotMemory) -> Option<(u32, u32)> {
     Some((tasks as u32, planned as u32))
 }
 
-#[cortex_m_rt::entry]
+#[board::entry]
 fn main() -> ! {
     board::start_counter(board::MOST_PERIOD);
     // SAFETY: this function runs once, and nothing else touches the static.

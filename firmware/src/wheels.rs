@@ -22,7 +22,7 @@ static mut MEMORY: memory::RobotMemory = memory::RobotMemory::new();
 /// At least one action in this many fails: otherwise failures are not tried.
 const FAIL: u32 = 30;
 
-#[cortex_m_rt::entry]
+#[board::entry]
 fn main() -> ! {
     // SAFETY: this function runs once, and nothing else touches the static.
     let memory = unsafe { &mut *(&raw mut MEMORY) };

@@ -12,8 +12,8 @@ use object::{Endianness, Object, ObjectSection, ObjectSymbol};
 use xshell::cmd;
 
 use crate::process::{once, root, shell, within};
-use crate::programs::QEMU;
-use crate::toolchain::{self, CORTEX_M0, CORTEX_M3, CORTEX_M4F};
+use crate::programs::{QEMU, QEMU_RISCV};
+use crate::toolchain::{self, CORTEX_M0, CORTEX_M3, CORTEX_M4F, CORTEX_M33F, RISCV};
 
 /// No run should come near this; a binary for another processor would hang.
 const LIMIT: Duration = Duration::from_secs(180);
@@ -24,7 +24,7 @@ const FAULT: i32 = 102;
 const PANIC: [&str; 8] = ["panic", "unwind", "unwrap_failed", "expect_failed", "slice_index", "_fail", "const_div", "begin_unwind"];
 
 /// The linker's sections in the flash, and in the RAM.
-pub const FLASH: [&str; 5] = [".vector_table", ".text", ".rodata", ".ARM.exidx", ".data"];
+pub const FLASH: [&str; 7] = [".vector_table", ".text", ".init.rust", ".rodata", ".ARM.exidx", ".eh_frame", ".data"];
 pub const STATICS: [&str; 2] = [".data", ".bss"];
 
 /// A board that the emulator knows, which is also a feature of the firmware, and a preset of the library's capacities.
@@ -43,12 +43,18 @@ const AN386: Board =
     Board { name: "mps2-an386", processor: "Cortex-M4F", target: CORTEX_M4F, preset: "small", most: [32 * 1024, 100 * 1024, 1_000_000] };
 const UNBOUND: [u64; 3] = [u64::MAX; 3];
 
+/// The emulator's board for RISC-V. Other processors have an emulator of their own.
+const RISCV_BOARD: &str = "virt";
+
 /// The boards that are built for, run and measured. The micro:bit's floats are made of whole numbers, which takes flash and instructions.
-const BOARDS: [Board; 4] = [
+const BOARDS: [Board; 7] = [
     AN386,
     Board { preset: "tiny", most: UNBOUND, ..AN386 },
     Board { name: "mps2-an385", processor: "Cortex-M3", target: CORTEX_M3, most: UNBOUND, ..AN386 },
     Board { name: "microbit", processor: "Cortex-M0", target: CORTEX_M0, preset: "tiny", most: [16 * 1024, 104 * 1024, 2_000_000] },
+    Board { name: "mps2-an505", processor: "Cortex-M33F", target: CORTEX_M33F, most: UNBOUND, ..AN386 },
+    Board { name: "mps2-an500", processor: "Cortex-M7F", most: UNBOUND, ..AN386 },
+    Board { name: RISCV_BOARD, processor: "RISC-V, rv32imac", target: RISCV, most: UNBOUND, ..AN386 },
 ];
 
 /// The binaries of each firmware.
@@ -77,9 +83,17 @@ impl Report {
 
 /// Runs a binary in the emulator, each instruction 64 ns of the board's time. It is an error if it ends with another code.
 fn emulate(board: &str, binary: &Path, code: i32) -> Result<Report> {
-    let (sh, qemu) = (shell()?, QEMU.path()?);
+    let (sh, is_riscv) = (shell()?, board == RISCV_BOARD);
+    let qemu = if is_riscv { &QEMU_RISCV } else { &QEMU }.path()?;
     let machine = cmd!(sh, "{qemu} -M {board} -display none -monitor none -serial none -icount shift=6,sleep=off -chardev stdio,id=out");
-    let (ended, said) = within(LIMIT, machine.args(["-semihosting-config", "enable=on,target=native,chardev=out", "-kernel"]).arg(binary))?;
+    let machine = machine.args(["-semihosting-config", "enable=on,target=native,chardev=out"]);
+    // As a kernel it would be started at the beginning of the RAM, which is the stack's.
+    let loaded = if is_riscv {
+        machine.args(["-bios", "none", "-device"]).arg(format!("loader,cpu-num=0,file={}", binary.display()))
+    } else {
+        machine.arg("-kernel").arg(binary)
+    };
+    let (ended, said) = within(LIMIT, loaded)?;
     ensure!(ended == code, "{} ended with {ended} on {board}, not with {code}; it said:\n{said}", binary.display());
     Ok(Report(said))
 }
@@ -160,6 +174,7 @@ pub fn trials() -> Result<&'static [Trial]> {
     static DONE: OnceLock<Vec<Trial>> = OnceLock::new();
     let run_all = || {
         QEMU.path()?;
+        QEMU_RISCV.path()?;
         let mut trials = Vec::new();
         for pair in images()?.chunks(2) {
             let threads: Vec<_> = pair.iter().map(|image| std::thread::spawn(|| image.run())).collect();

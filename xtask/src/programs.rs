@@ -27,6 +27,8 @@ pub struct Program {
 }
 
 pub const QEMU: Program = Program { packages: &["qemu-system-arm"], ..installed("qemu-system-arm", "to run the firmware") };
+pub const QEMU_RISCV: Program =
+    Program { packages: &["qemu-system-misc"], ..installed("qemu-system-riscv32", "to run the firmware on RISC-V") };
 
 /// Chromium without windows: the whole browser takes more than twice the work for the same tests.
 pub const CHROMIUM: Program = Program {
@@ -135,7 +137,7 @@ pub fn version(path: &Path) -> Result<String> {
 
 /// Finds or fetches everything, and prints where it is.
 pub fn list() -> Result<()> {
-    for program in [&QEMU, &ARM_GCC, &CHROMIUM, &FIREFOX, &NODE, &NPM, &GCC] {
+    for program in [&QEMU, &QEMU_RISCV, &ARM_GCC, &CHROMIUM, &FIREFOX, &NODE, &NPM, &GCC] {
         let path = program.path()?;
         println!("{}: {}", path.display(), version(&path)?);
     }

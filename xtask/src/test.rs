@@ -38,7 +38,7 @@ pub enum Step {
     CBoard,
     /// the programs of docs/robot.md, built in an empty folder, print what it promises
     Guide,
-    /// the paper's course passes on emulated Cortex-M4F, M3 and M0, in its bounds
+    /// the paper's course passes on six emulated boards, Cortex-M0 to M33 and RISC-V, in its bounds
     Firmware,
     /// a control loop with a fixed tick misses none while the robot learns
     Tick,

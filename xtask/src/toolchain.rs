@@ -22,10 +22,14 @@ pub const CORTEX_M0: &str = "thumbv6m-none-eabi";
 pub const CORTEX_M3: &str = "thumbv7m-none-eabi";
 /// Cortex-M4F and M7F: floats in registers of the floating-point unit.
 pub const CORTEX_M4F: &str = "thumbv7em-none-eabihf";
+/// Cortex-M33 with a floating-point unit.
+pub const CORTEX_M33F: &str = "thumbv8m.main-none-eabihf";
+/// RISC-V without a floating-point unit, such as an ESP32-C3's relatives.
+pub const RISCV: &str = "riscv32imac-unknown-none-elf";
 /// The other systems on which the command line runs. It is checked for them, and not linked: a linker for them is not to be had everywhere.
 pub const DESKTOPS: [&str; 2] = ["x86_64-pc-windows-msvc", "aarch64-apple-darwin"];
 /// The targets that goodbot is built for besides the host.
-pub const TARGETS: [&str; 4] = [WASM, CORTEX_M0, CORTEX_M3, CORTEX_M4F];
+pub const TARGETS: [&str; 6] = [WASM, CORTEX_M0, CORTEX_M3, CORTEX_M4F, CORTEX_M33F, RISCV];
 
 /// How long rustup may take.
 const RUSTUP_LIMIT: Duration = Duration::from_secs(90);
@@ -130,7 +134,7 @@ pub fn cargo<'sh>(sh: &'sh Shell, target: &str, subcommand: &str) -> Result<Cmd<
             let has_std = target == WASM || DESKTOPS.contains(&target);
             let crates = if has_std { "std,panic_abort" } else { "core,alloc" };
             let linker = if target == WASM { "wasm-ld" } else { "ld.lld" };
-            let variable = format!("CARGO_TARGET_{}_LINKER", target.replace('-', "_").to_uppercase());
+            let variable = format!("CARGO_TARGET_{}_LINKER", target.replace(['-', '.'], "_").to_uppercase());
             // Without the first variable, cargo takes -Z options only if it is a nightly one.
             let cargo = own(cmd!(sh, "{cargo} -Zbuild-std={crates}")).env("RUSTC_BOOTSTRAP", "1").env("RUSTC", rustc);
             cargo.env(variable, linkers.join(linker))
