@@ -1,11 +1,11 @@
 //! The robot's world: a home, or a world of the caller's own. Both are one domain here, so code for a domain is linked once.
 
-#[cfg(feature = "home")]
 #[cfg(feature = "table")]
 use crate::table::TableDomain;
 use goodbot::Capacities;
 #[cfg(feature = "home")]
 use goodbot::home::{Home, HomeBuilder, HomeState};
+#[cfg(feature = "home")]
 use goodbot::memory::HomeTables;
 use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition};
 #[cfg(feature = "home")]

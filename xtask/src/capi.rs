@@ -122,7 +122,7 @@ impl Example {
 
 /// Builds the examples for the Cortex-M4F and runs them in the emulator.
 pub fn on_board() -> Result<()> {
-    for example in [HOME, LIFT, EVERY_FUNCTION] {
+    for example in [HOME, LIFT, LIFT_ALONE, EVERY_FUNCTION] {
         let binary = example.build()?;
         print!("{}", run_alone(&binary)?.0);
         nothing_panics(&[binary])?;

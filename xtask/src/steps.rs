@@ -48,12 +48,16 @@ pub fn style() -> Result<()> {
     Ok(())
 }
 
-/// Of everything; and of the core as a controller has it, and without its optional parts.
+/// Of everything; of the core as a controller has it, and without its optional parts; and of the C library with each of its kinds of robot alone.
 pub fn clippy() -> Result<()> {
     let sh = shell()?;
     cmd!(sh, "cargo clippy {WORKSPACE...} --all-targets -- -D warnings").run()?;
     cmd!(sh, "cargo clippy --package goodbot --features defmt -- -D warnings").run()?;
-    Ok(cmd!(sh, "cargo clippy --package goodbot --no-default-features -- -D warnings").run()?)
+    cmd!(sh, "cargo clippy --package goodbot --no-default-features -- -D warnings").run()?;
+    for kind in ["home", "table"] {
+        cmd!(sh, "cargo clippy --package goodbot-capi --no-default-features --features alone,{kind} -- -D warnings").run()?;
+    }
+    Ok(())
 }
 
 pub fn docs() -> Result<()> {

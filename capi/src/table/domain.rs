@@ -6,8 +6,10 @@ use crate::status::GoodbotStatus;
 use core::ffi::c_void;
 use goodbot::Capacities;
 use goodbot::memory::HomeTables;
+#[cfg(feature = "derived")]
+use goodbot::oomdp::ObjectId;
 use goodbot::oomdp::{
-    Action, ActionKind, Attribute, Class, Domain, GroundProposition, ObjectCount, ObjectId, Objects, OneByOne, Proposition, Schema, World,
+    Action, ActionKind, Attribute, Class, Domain, GroundProposition, ObjectCount, Objects, OneByOne, Proposition, Schema, World,
 };
 
 /// What an action leads to.
