@@ -163,7 +163,7 @@ pub enum Problem {
     NotWithContinues,
     /// A field that a session with `utterance` cannot have.
     NotWithUtterance,
-    /// The command before, without what was said.
+    /// A field that only a session with `utterance` can have.
     OnlyWithUtterance,
     /// A session with `continues` and another command or environment than the one before.
     ContinuesAnother,
@@ -346,7 +346,7 @@ impl fmt::Display for Problem {
                 f.write_str("does not belong in a session that continues the one before; remove it, or remove \"continues\"")
             }
             Problem::NotWithUtterance => f.write_str("does not belong where the robot listened; remove it, or remove \"utterance\""),
-            Problem::OnlyWithUtterance => f.write_str("is the task of the command before; write \"utterance\" too, or remove it"),
+            Problem::OnlyWithUtterance => f.write_str("belongs where the robot listened; write \"utterance\" too, or remove it"),
             Problem::ContinuesAnother => f.write_str("the session before has another command or environment; remove \"continues\""),
             Problem::ContinuesUnread => {
                 f.write_str("the session before could not be read, so nothing can be continued; mend that one first")

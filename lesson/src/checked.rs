@@ -1,5 +1,7 @@
 //! A recorded session, checked against its home and walked through before anything is believed of it.
 
+#[cfg(feature = "talk")]
+use crate::conversing::Conversing;
 use crate::fault::{Fault, quoted};
 use crate::home;
 use crate::name::task_name;
@@ -158,7 +160,27 @@ impl Checker<'_> {
             }
             same.map(|(task, _)| task.lifted)
         });
-        Some(Listening { utterance, after })
+        let conversation = self.conversation(home, start, lifted);
+        Some(Listening { utterance, after, conversation })
+    }
+
+    /// The conversation that the session is part of.
+    #[cfg(feature = "talk")]
+    fn conversation(&mut self, home: &Home<impl HomeMemory>, start: &HomeState, lifted: &[LiftedTask]) -> Conversing {
+        let Some(record) = &self.recorded.header.conversation else { return Conversing::default() };
+        let named = self.tasks(home, start, lifted);
+        let task = |text: &GroundTaskText| {
+            let same = named.iter().find(|(_, task)| task.is_same(text)).map(|(task, _)| *task);
+            let opposite = || {
+                let (task, _) = named.iter().find(|(_, task)| task.is_same(&text.opposite()))?;
+                task.negated(lifted.get(usize::from(task.lifted))?)
+            };
+            same.or_else(opposite)
+        };
+        Conversing::read(home, record, task).unwrap_or_else(|(field, message)| {
+            self.fault(format!("conversation.{field}"), message);
+            Conversing::default()
+        })
     }
 
     fn intended(&mut self, home: &Home<impl HomeMemory>) {

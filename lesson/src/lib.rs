@@ -8,6 +8,7 @@
 //! - [`replay`]: a recorded session, gone through once more;
 //! - [`live`]: a session as it happens;
 //! - `listening`, with the feature `talk`: what a person says to the robot, and how a session begins with it;
+//! - `conversing`, with the feature `talk`: what "it", "there" and "back" stand for, from one session to the next;
 //! - `voice`, with the feature `talk`: praise, blame, answers and corrections in words;
 //! - `asking`, with the feature `talk`: when the robot asks in it;
 //! - [`recording`]: a live session as a log has it;
@@ -18,6 +19,8 @@
 #[cfg(feature = "talk")]
 pub mod asking;
 pub mod checked;
+#[cfg(feature = "talk")]
+pub mod conversing;
 pub mod fault;
 pub mod home;
 #[cfg(feature = "talk")]

@@ -40,6 +40,7 @@ pub fn listen<M: HomeMemory>(
     start: &HomeState,
     listening: &Listening,
 ) -> Result<Listened, AgentError> {
+    agent.resume(listening.conversation.facts);
     let listened = match listening.after {
         None => agent.listen(home, start, &listening.utterance, CLOSED_WORDS)?,
         kind => agent.listen_after(home, start, &listening.utterance, CLOSED_WORDS, kind)?,
@@ -74,6 +75,7 @@ fn is_followed(listened: &Listened, is_negated: bool, insists: bool) -> bool {
         // A thing that nobody has named is perhaps to be learned.
         Hypothesis::Command | Hypothesis::Absent | Hypothesis::About => true,
         Hypothesis::Several => is_sure || insists,
+        Hypothesis::Again => is_sure,
         Hypothesis::All => is_sure || insists && !listened.tasks.is_empty(),
         _ => false,
     }
@@ -100,13 +102,18 @@ impl Lesson {
     /// What [`Agent::listen`] refuses.
     pub fn listen(&mut self, utterance: &str, environment: EnvironmentFile, insists: bool) -> Result<Listened, LiveError> {
         self.forget();
-        let listening = Listening { utterance: utterance.trim().to_owned(), after: None };
+        let listening = self.listening_to(utterance.trim(), None);
         self.begin_part(Ahead { listening, after: None, left: None, insists }, environment)
     }
 
     /// Whether something is still to come of what was said.
     pub const fn is_more(&self) -> bool {
         self.ahead.is_some()
+    }
+
+    /// Whether there is something to learn from the session under way. What shall not be, and "again", have no words for their tasks.
+    pub fn teaches(&self) -> bool {
+        self.is_under_way() && !self.agent.sentence().is_empty() && !self.agent.tasks().iter().any(GroundedTask::is_negated)
     }
 
     /// What is still to come of what was said.
@@ -119,8 +126,9 @@ impl Lesson {
     /// # Errors
     /// What [`Agent::listen_after`] refuses.
     pub fn listen_on(&mut self, environment: EnvironmentFile) -> Result<Option<Listened>, LiveError> {
-        let Some(ahead) = self.ahead.take() else { return Ok(None) };
+        let Some(mut ahead) = self.ahead.take() else { return Ok(None) };
         let left = ahead.left;
+        ahead.listening.conversation = self.conversation().clone();
         let listened = self.begin_part(ahead, environment)?;
         // Who could not bring one thing does not try it for ever.
         if left.is_some_and(|left| listened.tasks.iter().count() >= left) {
@@ -137,8 +145,12 @@ impl Lesson {
             let (agent, home, state) = self.parts();
             let listened = listen(agent, home, state, &ahead.listening)?;
             let rest = listened.rest.and_then(|rest| ahead.listening.utterance.get(rest..)).filter(|_| listened.verdict == Verdict::Done);
+            if listened.verdict == Verdict::Done {
+                let state = *state;
+                listened.tasks.iter().for_each(|task| self.remember(task, &state));
+            }
             let Some(rest) = rest else { break listened };
-            let listening = Listening { utterance: rest.to_owned(), after: self.kind_followed() };
+            let listening = self.listening_to(rest, self.kind_followed());
             (ahead.listening, ahead.after, ahead.left) = (listening, self.name_followed(), None);
         };
         let is_negated = self.agent.tasks().get(listened.task).is_some_and(GroundedTask::is_negated);
@@ -155,12 +167,16 @@ impl Lesson {
         self.ahead = match (listened.tasks.iter().count(), rest) {
             (left, _) if left > 1 => Some(Ahead { left: Some(left), ..ahead }),
             (_, Some(rest)) => {
-                let listening = Listening { utterance: rest.to_owned(), after: None };
+                let listening = self.listening_to(rest, None);
                 Some(Ahead { listening, after: None, left: None, insists: ahead.insists })
             }
             _ => None,
         };
         Ok(listened)
+    }
+
+    fn listening_to(&self, utterance: &str, after: Option<u8>) -> Listening {
+        Listening { utterance: utterance.to_owned(), after, conversation: self.conversation().clone() }
     }
 
     /// A part is over: the next one comes after it.

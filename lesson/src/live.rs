@@ -35,6 +35,14 @@ pub enum LiveError {
     StepNotOver,
     /// No step waits for a word.
     NoStep,
+    /// No conversation has this name.
+    #[cfg(feature = "talk")]
+    NoConversation {
+        /// The name.
+        id: String,
+        /// The names that there are.
+        known: Vec<String>,
+    },
     /// The home has no action of this name.
     NoAction(String),
     /// The agent refuses it.
@@ -59,6 +67,14 @@ impl fmt::Display for LiveError {
             Self::NoSession => f.write_str("no session is under way; give a command first"),
             Self::StepNotOver => f.write_str("the last step waits for a word, or for silence"),
             Self::NoStep => f.write_str("there is no step to judge yet; let the robot go first"),
+            #[cfg(feature = "talk")]
+            Self::NoConversation { id, known } if known.is_empty() => {
+                write!(f, "no conversation is called {id:?}: none has begun in this home; give a command first")
+            }
+            #[cfg(feature = "talk")]
+            Self::NoConversation { id, known } => {
+                write!(f, "no conversation in this home is called {id:?}; known are {}", known.join(", "))
+            }
             Self::NoAction(name) => write!(f, "{name} is no action here"),
             Self::Agent(error) => error.fmt(f),
         }
@@ -184,6 +200,8 @@ pub struct Lesson {
     pub(crate) trust: u8,
     #[cfg(feature = "talk")]
     pub(crate) ahead: Option<crate::listening::Ahead>,
+    #[cfg(feature = "talk")]
+    pub(crate) conversations: crate::conversing::Conversations,
     /// What was said along with the buttons.
     #[cfg(feature = "talk")]
     pub voice: crate::voice::Voice,
@@ -203,6 +221,8 @@ impl Lesson {
             trust: 0,
             #[cfg(feature = "talk")]
             ahead: None,
+            #[cfg(feature = "talk")]
+            conversations: crate::conversing::Conversations::default(),
             #[cfg(feature = "talk")]
             voice: crate::voice::Voice::default(),
         }
@@ -227,6 +247,8 @@ impl Lesson {
     pub fn put(&mut self, state: HomeState) {
         self.forget();
         self.state = state;
+        #[cfg(feature = "talk")]
+        self.end_conversations();
     }
 
     /// Goes into another home. The session under way is forgotten.
@@ -234,6 +256,8 @@ impl Lesson {
         self.forget();
         self.walk = Walk::new(home, start, Kind::Feedback);
         self.state = start;
+        #[cfg(feature = "talk")]
+        self.end_conversations();
     }
 
     /// Takes another robot's mind. The session under way is forgotten.
@@ -292,6 +316,9 @@ impl Lesson {
     pub fn hear(&mut self, command: &str, environment: EnvironmentFile) -> Result<(), LiveError> {
         self.forget();
         expect_ends(&mut self.agent)?;
+        // Who does not listen knows no conversation.
+        #[cfg(feature = "talk")]
+        self.agent.resume(goodbot::talk::Conversation::NEW);
         self.agent.hear(&self.walk.home, &self.state, command)?;
         let strategies = self.agent.belief().strategies().to_vec();
         #[cfg(feature = "talk")]
@@ -521,7 +548,10 @@ impl Lesson {
             self.take_end()?;
         }
         #[cfg(feature = "talk")]
-        self.end_asking();
+        {
+            self.end_asking();
+            self.remember_session();
+        }
         self.session.take().ok_or(LiveError::NoSession)?;
         self.acted = None;
         #[cfg(feature = "talk")]
@@ -534,6 +564,7 @@ impl Lesson {
         self.acted = None;
         #[cfg(feature = "talk")]
         {
+            self.remember_if_done();
             self.ahead = None;
         }
         if self.session.take().is_some() {

@@ -26,6 +26,9 @@ impl Lesson {
             let answer = AnswerRecord { tasks, yes: given.yes, eta, others: given.others, words, said_ms: None };
             RecordedAnswer { line: 1, after: given.after, answer }
         };
+        // "Again" has no words for its task.
+        #[cfg(feature = "talk")]
+        let learn = learn && !self.agent.sentence().is_empty();
         let steps = &walk.steps;
         Some(RecordedSession {
             header: SessionHeader {
@@ -48,6 +51,10 @@ impl Lesson {
                 after: session.after.clone(),
                 #[cfg(not(feature = "talk"))]
                 after: None,
+                #[cfg(feature = "talk")]
+                conversation: walk.listening.as_ref().and_then(|listening| listening.conversation.recorded(home, self.agent.lifted())),
+                #[cfg(not(feature = "talk"))]
+                conversation: None,
                 strategies: session.named_strategies().map(|all| all.iter().enumerate().map(strategy).collect()),
             },
             header_line: 1,

@@ -199,6 +199,8 @@ impl Replay {
         if let Some(listening) = &walk.listening {
             return crate::listening::listen(agent, home, start, listening).map(|_| ());
         }
+        #[cfg(feature = "talk")]
+        agent.resume(goodbot::talk::Conversation::NEW);
         if walk.continues && self.rules.context {
             agent.hear_again(home, start)
         } else if let Some(prior) = walk.prior.as_ref().filter(|_| self.rules.context) {

@@ -1,5 +1,7 @@
 //! What happens in a session: a command in a home, steps, what was said to them, and answers.
 
+#[cfg(feature = "talk")]
+use crate::conversing::Conversing;
 use goodbot::feedback::{Feedback, Strategy, StrategyError};
 use goodbot::home::{Home, HomeState};
 use goodbot::memory::HomeMemory;
@@ -91,6 +93,8 @@ pub struct Listening {
     pub utterance: String,
     /// Where other commands were before this one: the lifted task of the last of them, by its position.
     pub after: Option<u8>,
+    /// What was said and done before.
+    pub conversation: Conversing,
 }
 
 /// A trainer strategy that a session names.

@@ -207,3 +207,91 @@ fn tables_of_closed_words_may_be_empty_long_or_have_a_word_in_two_classes() {
     let wrong = format!("{lines}polite word");
     assert_eq!(ClosedWords::new(&wrong).expect_err("no table").to_string(), "line 10001: write a class and a colon before \"polite\"");
 }
+
+#[test]
+fn words_that_point_back_are_followed_from_session_to_session_and_replayed_to_the_bit() {
+    let (mut lesson, mut other, mut random) = (taught(), taught(), Pcg32::new(1, 1));
+    lesson.name_conversation("said-1");
+    let mut followed = Vec::new();
+    for words in ["take the yellow chair to the blue room", "bring it to the green room", "go to the red room", "go back"] {
+        let now = lesson.environment();
+        let listened = lesson.listen(words, now, false).expect("heard");
+        assert!(lesson.is_under_way(), "{words}: {listened:?}");
+        let task = lesson.agent.most_likely().expect("a task");
+        followed.push(lesson.name_of(task).expect("a name").to_string());
+        walk(&mut lesson, &mut random);
+        end(&mut lesson, &mut other);
+    }
+    let meant = ["blockInRoom(block0,room1)", "blockInRoom(block0,room2)", "agentInRoom(agent0,room0)", "agentInRoom(agent0,room2)"];
+    assert_eq!(followed, meant);
+    let facts = lesson.conversation().recorded(lesson.home(), lesson.agent.lifted()).expect("facts");
+    let fact = |name: &str| facts.iter().find(|(known, _)| known == name).map(|(_, object)| object.as_str());
+    assert_eq!((fact("id"), fact("last")), (Some("said-1"), Some("agentInRoom(agent0,room2)")));
+    assert_eq!((fact("movedLast"), fact("wasThereBefore"), fact("robotWasThereBefore")), (Some("block0"), Some("room1"), Some("room0")));
+}
+
+#[test]
+fn what_is_done_already_is_spoken_of_too() {
+    let (mut lesson, mut random) = (taught(), Pcg32::new(1, 1));
+    let listened = lesson.listen("take the yellow chair to the red room", rooms(), false).expect("heard");
+    assert_eq!((listened.verdict, lesson.is_under_way()), (Verdict::Done, false));
+    lesson.listen("bring it to the blue room", rooms(), false).expect("heard");
+    let task = lesson.agent.most_likely().expect("a task");
+    assert_eq!(lesson.name_of(task).expect("a name").to_string(), "blockInRoom(block0,room1)");
+    // What the robot has done is remembered although it is not learned from.
+    walk(&mut lesson, &mut random);
+    lesson.forget();
+    let now = lesson.environment();
+    assert_eq!(lesson.listen("bring it to the blue room", now, false).expect("heard").verdict, Verdict::Done);
+}
+
+#[test]
+fn a_conversation_begins_anew_where_things_are_put_elsewhere_and_can_be_gone_on_with() {
+    let mut lesson = taught();
+    assert_eq!(
+        lesson.converse("said-7").expect_err("none").to_string(),
+        "no conversation is called \"said-7\": none has begun in this home; give a command first"
+    );
+    lesson.name_conversation("said-1");
+    lesson.listen("go to the red room", rooms(), false).expect("heard");
+    let facts = lesson.conversation().clone();
+    assert!(!facts.facts.is_empty());
+    lesson.converse_anew();
+    assert!(lesson.conversation().facts.is_empty());
+    lesson.name_conversation("said-2");
+    assert_eq!(
+        lesson.converse("said-7").expect_err("none").to_string(),
+        "no conversation in this home is called \"said-7\"; known are said-1, said-2"
+    );
+    lesson.converse("said-1").expect("the first");
+    assert_eq!(lesson.conversation(), &facts);
+    lesson.converse("said-1").expect("the same");
+    assert_eq!(lesson.conversation(), &facts);
+    let state = *lesson.state();
+    lesson.put(state);
+    assert!(lesson.conversation().facts.is_empty() && lesson.conversations().count() == 0);
+}
+
+#[test]
+fn a_log_with_a_conversation_that_cannot_be_is_refused_with_the_place() {
+    let (mut lesson, lifted) = (taught(), paper_tasks().expect("tasks"));
+    lesson.listen("go to the blue room", rooms(), false).expect("heard");
+    let mut recorded = lesson.recorded(true).expect("a session");
+    let mut faults = |facts: &[(&str, &str)]| {
+        recorded.header.conversation = Some(facts.iter().map(|&(name, text)| (name.to_owned(), text.to_owned())).collect());
+        let faults = checked::check("log", &recorded, &lifted, home::memory()).err().unwrap_or_default();
+        faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
+    };
+    assert_eq!(faults(&[("id", "said-1"), ("last", "agentInRoom(agent0,room0)"), ("namedLast", "room0")]), "");
+    let last = ("last", "agentInRoom(agent0,room0)");
+    assert_eq!(
+        faults(&[last, ("movedLast", "block9")]),
+        "log:1: field \"conversation.movedLast\": there is no object \"block9\"; name one of the environment"
+    );
+    assert!(
+        faults(&[("last", "agentInRoom(agent0,room9)")]).contains("field \"conversation.last\": \"agentInRoom(agent0,room9)\" is no task")
+    );
+    assert!(faults(&[("last", "go")]).contains("field \"conversation.last\": \"go\" is no task"));
+    assert!(faults(&[last, ("saidLast", "room0")]).contains("field \"conversation.saidLast\": is nothing that a conversation remembers"));
+    assert!(faults(&[("namedLast", "room0")]).contains("needs the task that was followed last; write \"last\" too"));
+}

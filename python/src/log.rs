@@ -66,6 +66,7 @@ pub fn header(rooms: &Rooms, state: &HomeState, command: &str) -> SessionHeader 
         strategies: None,
         utterance: None,
         after: None,
+        conversation: None,
     }
 }
 

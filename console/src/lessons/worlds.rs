@@ -143,6 +143,7 @@ fn header(command: &CommandRecord) -> SessionHeader {
         strategies: None,
         utterance: None,
         after: None,
+        conversation: None,
     }
 }
 

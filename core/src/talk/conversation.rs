@@ -72,6 +72,31 @@ impl Conversation {
         if self.is_empty() || self.domain == digest(domain) { self } else { Self::NEW }
     }
 
+    /// A conversation from a record: the task that was followed last, and the object that each fact holds of. What is most like the thing
+    /// follows from the thing.
+    #[must_use]
+    pub fn recorded<D: Domain + ?Sized>(domain: &D, last: Option<GroundedTask>, object: impl Fn(Fact) -> Option<ObjectId>) -> Self {
+        Self {
+            domain: digest(domain),
+            last,
+            thing: object(Fact::MovedLast),
+            place: object(Fact::NamedLast),
+            thing_was: object(Fact::WasThereBefore),
+            robot_was: object(Fact::RobotWasThereBefore),
+        }
+    }
+
+    /// The object that a fact is kept for, as [`recorded`](Self::recorded) takes it.
+    pub const fn object(&self, fact: Fact) -> Option<ObjectId> {
+        match fact {
+            Fact::MovedLast => self.thing,
+            Fact::NamedLast => self.place,
+            Fact::WasThereBefore => self.thing_was,
+            Fact::RobotWasThereBefore => self.robot_was,
+            Fact::OtherOfItsKind => None,
+        }
+    }
+
     /// Whether nothing is remembered.
     pub const fn is_empty(&self) -> bool {
         self.last.is_none()
@@ -100,7 +125,10 @@ impl Conversation {
             after.thing = Some(subject);
         }
         if !task.is_reached(kind, |part| domain.holds(part, before)) {
-            after.robot_was = robots(domain, lifted).find_map(|(proposition, robot)| where_was(domain, proposition, robot, before));
+            let was = robots(domain, lifted).find_map(|(proposition, robot)| where_was(domain, proposition, robot, before));
+            // Who has pushed a thing through a door stands in it, in no place: where the thing was to be is near.
+            let near = || self.here(domain).place.filter(|&place| after.place != Some(place));
+            after.robot_was = was.or_else(near);
         }
         after
     }

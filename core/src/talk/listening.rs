@@ -410,6 +410,8 @@ pub(super) struct Explained {
     whole: TaskSet,
     /// Whether a word is a sign of a kind of task.
     pub acts: bool,
+    /// Whether other words point back.
+    pub points_back: bool,
     /// The share of the tasks that hold already.
     done: f32,
 }
@@ -691,7 +693,8 @@ impl<M: AgentMemory> Agent<M> {
                     let explained = self.explain_all(domain, &rest.words, wording, place.view(rest.view))?;
                     let (tasks, of_place) = self.all_that_fit(domain, &explained);
                     let task = tasks.iter().next().unwrap_or(explained.best().0);
-                    let (words, is_clear, probability) = (rest.words, rest.is_clear && !tasks.is_empty(), share * of_place);
+                    let (words, is_clear, probability) =
+                        (explained.naming(rest.words), rest.is_clear && !tasks.is_empty(), share * of_place);
                     return Ok(Judged { hypothesis, explained, words, task, tasks, probability, command: share, is_clear, rest: None });
                 }
             }
@@ -712,6 +715,7 @@ impl<M: AgentMemory> Agent<M> {
         let is_named = explained.own.contains(task) && (explained.whole.contains(task) || !has_new_name(&words));
         let is_told = is_named && !is_choice && !is_question(&words);
         let is_clear = is_told && !has_more(&words) && !self.has_rival(domain, &explained, task);
+        let words = explained.naming(words);
         Ok(Judged { hypothesis: best.0, explained, words, task, tasks, probability, command, is_clear, rest: None })
     }
 
@@ -807,6 +811,7 @@ impl<M: AgentMemory> Agent<M> {
             own: TaskSet::EMPTY,
             whole: TaskSet::EMPTY,
             acts,
+            points_back: false,
             done: view.done,
         };
         let mut forms: Vec<Symbol, { TaskSet::MOST }> = Vec::new();

@@ -177,6 +177,7 @@ impl<M: AgentMemory> Agent<M> {
             let missing = missing.into_iter().filter(|&is_missing| is_missing).fold(1.0, |product, _| product * MISSING);
             let prior = prior * share * missing;
             (other.here, other.absent) = (other.here.scaled_by(prior), other.absent.scaled_by(prior));
+            other.points_back = true;
             if other.here.exceeds(explained.here) {
                 explained = other;
             }
@@ -195,6 +196,11 @@ impl<M: AgentMemory> Agent<M> {
 }
 
 impl Explained {
+    /// The words that name what is meant. Those that point back stand for something else each time: nothing is learned of them.
+    pub(super) fn naming(&self, words: Words) -> Words {
+        if self.points_back { without(&words).map_or(words, |(rest, _)| rest) } else { words }
+    }
+
     /// One task alone.
     pub(super) fn only(mut self, task: usize) -> Self {
         for (position, weight) in self.weights.iter_mut().enumerate() {

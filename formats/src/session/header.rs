@@ -56,6 +56,10 @@ pub struct SessionHeader {
     /// Where this is not the first command of what was said: the task of the command before.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub after: Option<GroundTaskText>,
+    /// Where the robot listened: the conversation, as texts by name. Its `id`, and what was said and done in it before.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(serialize_with = "write_conversation")]
+    pub conversation: Option<Vec<(String, String)>>,
 }
 
 /// A way in which a trainer may use reward and punishment.
@@ -98,6 +102,7 @@ const FIELDS: &[&str] = &[
     "strategies",
     "utterance",
     "after",
+    "conversation",
 ];
 const KINDS: &[&str] = &["feedback", "demonstration", "labelled"];
 const MOVES: [&str; 4] = ["north", "south", "east", "west"];
@@ -141,6 +146,7 @@ impl SessionHeader {
             strategies: fields.optional("strategies").map(strategies).transpose()?,
             utterance: fields.optional("utterance").map(|utterance| utterance.filled_text()).transpose()?,
             after: fields.optional("after").map(task).transpose()?,
+            conversation: fields.optional("conversation").map(texts).transpose()?,
         };
         if header.utterance.is_some() {
             for name in ["prior", "continues"] {
@@ -148,8 +154,8 @@ impl SessionHeader {
                     return Err(fields.error(name, Problem::NotWithUtterance));
                 }
             }
-        } else if header.after.is_some() {
-            return Err(fields.error("after", Problem::OnlyWithUtterance));
+        } else if let Some(name) = ["after", "conversation"].into_iter().find(|name| fields.optional(name).is_some()) {
+            return Err(fields.error(name, Problem::OnlyWithUtterance));
         }
         if header.continues {
             for name in ["prior", "strategies"] {
@@ -223,6 +229,14 @@ impl SessionHeader {
 
 fn write_prior<S: serde::Serializer>(prior: &Option<Vec<(GroundTaskText, f64)>>, serializer: S) -> Result<S::Ok, S::Error> {
     weights::in_order(prior.as_deref().unwrap_or_default(), serializer)
+}
+
+fn write_conversation<S: serde::Serializer>(facts: &Option<Vec<(String, String)>>, serializer: S) -> Result<S::Ok, S::Error> {
+    weights::in_order(facts.as_deref().unwrap_or_default(), serializer)
+}
+
+fn texts(node: Node<'_>) -> Result<Vec<(String, String)>, FormatError> {
+    node.object()?.entries().map(|(name, value)| Ok((name.to_owned(), value.filled_text()?))).collect()
 }
 
 fn lists(node: Node<'_>) -> Result<Vec<Vec<GroundAtomText>>, FormatError> {

@@ -174,3 +174,15 @@ fn a_labelled_session_tells_its_meaning_and_may_tell_a_way() {
     let torn = line.replace("room3", "room0");
     assert!(told(&torn).starts_with(r#"line 1: field "avoiding": avoids agentInRoom(agent0,room0), which it asks for as well"#));
 }
+
+#[test]
+fn a_conversation_is_texts_by_name_of_a_session_that_listened() {
+    let text = r#"{"type":"session","version":1,"kind":"feedback","environment":{"version":1,"objects":[]},"command":"go","utterance":"go","conversation":{"id":"said-1","last":"agentInRoom(agent0,room0)"}}"#;
+    assert_eq!(Record::parse(text, 1).unwrap().to_json_line().unwrap(), text);
+    let alone = Record::parse(&text.replace(r#""utterance":"go","#, ""), 1).unwrap_err();
+    assert_eq!(alone.field.as_deref(), Some("conversation"));
+    assert_eq!(alone.problem.to_string(), "belongs where the robot listened; write \"utterance\" too, or remove it");
+    let number = Record::parse(&text.replace(r#""said-1""#, "1"), 1).unwrap_err();
+    assert_eq!(number.field.as_deref(), Some("conversation.id"));
+    assert!(Record::parse(&text.replace("said-1", ""), 1).is_err());
+}

@@ -233,6 +233,12 @@ impl Classroom {
         Ok(true)
     }
 
+    /// Begins another conversation, or goes on with one, by its name. A session under way ends unlearned.
+    pub fn converse(&mut self, id: Option<&str>) -> Result<(), Refusal> {
+        self.forget()?;
+        self.trainer.converse(id)
+    }
+
     /// Moves the robot to another home. A session under way ends unlearned.
     pub fn enter(&mut self, home: &EnvironmentFile) -> Result<(), Refusal> {
         self.forget()?;

@@ -429,3 +429,102 @@ fn what_is_said_too_often_or_too_long_is_refused_and_nothing_is_lost() {
     robot.walk(silence);
     assert_eq!(robot.tell("finish").len(), 1);
 }
+
+/// Three rooms, with a bag where a robot that only pushes can move it.
+fn rooms_with_things() -> Value {
+    let mut home = Home { rooms: vec!["red", "blue", "green"], blocks: vec![("yellow", "bag", 0), ("red", "chair", 1)], robot: 0 }.json();
+    for object in home["objects"].as_array_mut().expect("objects") {
+        if object["name"] == "block0" {
+            (object["x"], object["y"]) = (json!(2), json!(3));
+        } else if object["class"] == "agent" {
+            object["x"] = json!(1);
+        }
+    }
+    home
+}
+
+#[test]
+fn what_was_done_before_is_known_from_session_to_session_and_in_the_log() {
+    let (folder, model) = taught(60, &ENGLISH);
+    let log = folder.path().join("lessons.jsonl").to_str().expect("a name").to_owned();
+    {
+        let mut robot = Robot::new(&["--model", &model, "--log", &log]);
+        robot.tell(&format!("home {}", rooms_with_things()));
+        for (words, meant) in [
+            ("say take the yellow bag to the blue room", take(0, 1)),
+            ("say go to the red room", go(0)),
+            ("say go there", String::new()),
+            ("say bring it to the green room", take(0, 2)),
+            // A command that comes when the robot has done the last one needs no button.
+            ("say go to the blue room", go(1)),
+            ("say go back", go(2)),
+        ] {
+            let heard = robot.one(words);
+            if meant.is_empty() {
+                assert_eq!(heard["verdict"], "done", "{words}: {heard}");
+                continue;
+            }
+            assert_eq!((heard["verdict"].as_str(), heard["tasks"][0]["task"].as_str()), (Some("try"), Some(&*meant)), "{words}: {heard}");
+            assert_eq!(heard["conversation"], "said-1", "{heard}");
+            assert_eq!(robot.walk(silence), meant, "{words}");
+            if meant != take(0, 2) {
+                robot.tell("finish");
+            }
+        }
+        // Another conversation knows nothing of it, and the first can be gone on with.
+        let told = robot.one("conversation said-99");
+        assert_eq!(told["message"], "no conversation in this home is called \"said-99\"; known are said-1");
+        assert_eq!(robot.one("conversation"), json!({"type": "conversation", "id": null, "known": ["said-1"]}));
+        let heard = robot.one("command bring it to the red room");
+        assert_ne!(heard["tasks"][0]["probability"].as_f64().map(|most| most > 0.6), Some(true), "nothing was said before: {heard}");
+        robot.tell("forget");
+        assert_eq!(robot.one("conversation said-1")["id"], "said-1");
+        assert_eq!(robot.one("command bring it to the red room")["tasks"][0]["task"], take(0, 0));
+        robot.tell("forget");
+        robot.tell("reset");
+        assert_eq!(robot.one("conversation said-1")["type"], "error", "everything is elsewhere");
+    }
+    let written = std::fs::read_to_string(&log).expect("a log");
+    let facts = r#""conversation":{"id":"said-1","last":"agentInRoom(agent0,room0)","movedLast":"block0","namedLast":"room0""#;
+    assert!(written.contains(facts), "{written}");
+    for command in ["check", "replay"] {
+        let run = goodbot(&[command, &log], b"");
+        assert_eq!(run.code, 0, "{command}: {}{}", run.output, run.messages);
+    }
+    std::fs::write(&log, written.replace(r#""movedLast":"block0""#, r#""movedLast":"block7""#)).expect("a file");
+    let checked = goodbot(&["check", &log], b"");
+    assert!(
+        checked.code != 0 && format!("{}{}", checked.output, checked.messages).contains("there is no object \"block7\""),
+        "{}",
+        checked.output
+    );
+}
+
+#[test]
+fn again_does_the_same_once_more_and_teaches_nothing() {
+    let (_folder, model) = taught(60, &ENGLISH);
+    let mut robot = Robot::new(&["--model", &model]);
+    robot.tell(&format!("home {}", rooms_with_things()));
+    robot.tell("command go to the blue room");
+    assert_eq!(robot.walk(silence), go(1));
+    robot.tell("finish");
+    robot.tell("command go to the red room");
+    assert_eq!(robot.walk(silence), go(0));
+    robot.tell("finish");
+    assert_eq!(robot.one("command do it again")["verdict"], "done");
+    robot.tell("command go to the green room");
+    (0..3).for_each(|_| drop(robot.tell("step")));
+    robot.tell("say stop");
+    let sessions = robot.one("state")["sessions"].clone();
+    let heard = robot.one("command do it again");
+    assert_eq!((heard["verdict"].as_str(), heard["tasks"][0]["task"].as_str()), (Some("try"), Some(&*go(0))), "{heard}");
+    assert_eq!(robot.walk(silence), go(0));
+    let finished = robot.one("finish");
+    assert_eq!((&finished["learned"], &finished["sessions"]), (&json!(false), &sessions), "it has no words for its task");
+    // What is done already is tried where it is said twice.
+    for turn in 0..1_000 {
+        assert_eq!(robot.one("say again")["verdict"], ["done", "try"][turn % 2], "{turn}");
+        robot.tell("forget");
+    }
+    assert_eq!(robot.one("state")["sessions"], sessions);
+}

@@ -68,6 +68,7 @@ fn elsewhere(witness: &mut Witness, lesson: &Lesson, random: &mut impl Rng) -> R
             strategies: None,
             utterance: None,
             after: None,
+            conversation: None,
             continues: false,
             ..lesson.header.clone()
         };

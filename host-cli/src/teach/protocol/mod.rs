@@ -58,6 +58,7 @@ const REQUESTS: &[(&str, &str)] = &[
     ("finish", "end the session and learn from it; the next part of what was said begins, if there is one"),
     ("forget", "end the session and do not learn from it"),
     ("undo", "take back what the last session taught"),
+    ("conversation [ID]", "go on with another conversation in this home; without an id, a new one"),
     ("next", "tell what to teach next, and why"),
     ("home JSON", "move to another home, one environment on one line; or: home random SEED"),
     ("reset", "put everything back to where it was"),
@@ -142,6 +143,7 @@ impl Speaker<'_> {
             "good" => self.judge_saying(Feedback::Reward, rest),
             "bad" => self.judge_saying(Feedback::Punish, rest),
             "home" => self.home(rest),
+            "conversation" => self.conversation(rest),
             "answer" => self.reply(rest),
             "intended" => self.intended(rest),
             _ if !rest.is_empty() => Err(Misunderstood {
@@ -233,7 +235,8 @@ impl Speaker<'_> {
         }
         let words: Vec<Value> = self.support()?;
         let command = self.classroom.lesson().command().unwrap_or(said);
-        let mut heard = json!({"type": "heard", "command": command, "verdict": "try", "words": words});
+        let conversation = &self.classroom.lesson().conversation().id;
+        let mut heard = json!({"type": "heard", "command": command, "verdict": "try", "words": words, "conversation": conversation});
         if let (Some(rest), Value::Object(fields)) = (self.classroom.lesson().rest(), &mut heard) {
             fields.insert("rest".to_owned(), json!(rest));
         }
@@ -420,7 +423,7 @@ impl Speaker<'_> {
 
     fn finish(&mut self) -> Answers {
         let steps = self.classroom.lesson().steps();
-        let learned = !self.classroom.trainer.is_about_what_shall_not_be();
+        let learned = self.classroom.lesson().teaches();
         let gave_way = self.classroom.finish()?;
         while !self.classroom.learn(u32::MAX)? {}
         let mut answers = self.over(learned, steps, gave_way);
@@ -468,6 +471,15 @@ impl Speaker<'_> {
         };
         self.classroom.enter(&home).map_err(|refusal| refuse(refusal.0))?;
         Ok(vec![self.place("home")])
+    }
+
+    fn conversation(&mut self, id: &str) -> Answers {
+        let instead = "send conversation and an id that heard gave, or conversation alone for a new one";
+        let id = Some(id).filter(|id| !id.is_empty());
+        self.classroom.converse(id).map_err(|refusal| Misunderstood { message: refusal.0, instead })?;
+        let lesson = self.classroom.lesson();
+        let known: Vec<&str> = lesson.conversations().collect();
+        Ok(vec![json!({"type": "conversation", "id": lesson.conversation().id, "known": known})])
     }
 
     fn state(&self) -> Value {

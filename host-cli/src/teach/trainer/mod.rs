@@ -176,6 +176,10 @@ impl Trainer {
         (self.id, self.intended) = (id, None);
         let environment = self.scene().environment;
         if intention.is_none() && tells_talk(&self.lesson.agent) {
+            // A conversation has the name of its first session.
+            if let Some(id) = &self.id {
+                self.lesson.name_conversation(id);
+            }
             let listened = self.lesson.listen(command, environment.clone(), is_again).map_err(refused)?;
             let heard = self.heard(&listened);
             if heard == Heard::Command || !is_again || self.is_about_what_shall_not_be() {
@@ -226,6 +230,16 @@ impl Trainer {
     /// Learns what is said along with a button.
     pub fn learn_word(&mut self, words: &str, feedback: Feedback) -> Result<(), Refusal> {
         self.lesson.voice.learn(words, feedback).map_err(refused)
+    }
+
+    /// Begins another conversation, or goes on with one, by its name.
+    pub fn converse(&mut self, id: Option<&str>) -> Result<(), Refusal> {
+        self.declined = None;
+        match id {
+            None => self.lesson.converse_anew(),
+            Some(id) => self.lesson.converse(id).map_err(refused)?,
+        }
+        Ok(())
     }
 
     /// Goes on planning for where everything is now, with at most about `budget` looks. Gives whether the robot can act.
