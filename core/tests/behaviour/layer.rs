@@ -124,6 +124,54 @@ fn a_kind_of_task_that_was_never_meant_is_as_probable_as_without_the_layer() {
     }
 }
 
+/// The tasks to go to the room of each of these colors, and to do so but avoid another's.
+fn tasks_that_avoid(model: &mut LanguageModel<AgentHeap>, colors: &[&str]) -> Vec<Vec<Symbol>> {
+    let role = |kind| Marker { role: Role::of_argument(kind, AGENT_IN_ROOM, 1), sort: 0 }.symbol();
+    let forms = ["agentInRoom", "agentInRoom01!agentInRoom02"].map(|form| model.tokens_mut().intern(form).unwrap());
+    let colors: Vec<Symbol> = colors.iter().map(|color| model.tokens_mut().intern(color).unwrap()).collect();
+    let goes = colors.iter().map(|&goal| vec![forms[0], role(RoleKind::Goal), goal]);
+    let pairs = colors.iter().flat_map(|&goal| colors.iter().filter(move |&&other| other != goal).map(move |&other| (goal, other)));
+    goes.chain(pairs.map(|(goal, other)| vec![forms[1], role(RoleKind::Goal), goal, role(RoleKind::Avoiding), other])).collect()
+}
+
+/// How probable it is that a command in a home of rooms of these colors says no way, after lessons that all said what to avoid.
+fn believed_to_say_no_way(settings: Settings, colors: &[&str], command: &str) -> f32 {
+    let mut model = LanguageModel::new(memory(), settings).unwrap();
+    let names = ["red", "green", "blue"];
+    for (goal, other) in [(0, 1), (1, 2), (2, 0), (1, 0), (0, 2), (2, 1)].into_iter().cycle().take(18) {
+        let words = model.hear(&format!("go to the {} room but avoid the {} room", names[goal], names[other])).unwrap();
+        let tasks = tasks_that_avoid(&mut model, &COLORS[..3]);
+        let meant = tasks.iter().position(|task| task.len() == 5 && task[2] == tasks[goal][2] && task[4] == tasks[other][2]).unwrap();
+        model.add_session(&words, [(&tasks[meant][..], 1.0)].into_iter()).unwrap();
+        model.add_possible(tasks.iter().map(|task| (&task[..], 1.0 / 9.0))).unwrap();
+    }
+    train(&mut model, u32::MAX);
+    let words = model.hear(command).unwrap();
+    let tasks = tasks_that_avoid(&mut model, colors);
+    let prior = 1.0 / tasks.len() as f32;
+    let mut scores: Vec<Scaled> = tasks.iter().map(|task| model.likelihood(&words, task).scaled_by(prior)).collect();
+    model.read().weigh_kinds(&words, |task| tasks[task][0], |_| prior, &mut scores);
+    model.read().weigh_parts(&words, |task| task, |task| &tasks[task], &mut scores);
+    total(scores[..colors.len()].iter().copied()).over(total(scores.iter().copied()))
+}
+
+#[test]
+fn a_command_that_names_no_way_means_none_in_a_home_where_none_was_heard() {
+    let elsewhere = ["colorRed", "colorGreen", "colorYellow"];
+    let [layered, alone] =
+        [Settings::LAYERED, Settings::DEFAULT].map(|settings| believed_to_say_no_way(settings, &elsewhere, "go to the red room"));
+    assert!(layered > 0.5 && alone < 0.5, "{layered} {alone}");
+    let with_a_way = believed_to_say_no_way(Settings::LAYERED, &elsewhere, "go to the red room but avoid the green room");
+    assert!(with_a_way < 0.5, "{with_a_way}");
+}
+
+#[test]
+fn where_all_lessons_told_a_way_the_role_model_says_whether_the_next_does() {
+    let [layered, alone] =
+        [Settings::LAYERED, Settings::DEFAULT].map(|settings| believed_to_say_no_way(settings, &COLORS[..3], "go to the red room"));
+    assert!((layered - alone).abs() < 1e-4, "{layered} {alone}");
+}
+
 #[test]
 fn memory_without_room_for_the_layer_is_that_of_the_role_model() {
     let alone = bits(&mut taught(memory(), Settings::DEFAULT, &LESSONS));

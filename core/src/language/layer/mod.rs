@@ -13,7 +13,8 @@
 //! role share those. So the layer learns "avoid" from one color and knows it with another.
 //!
 //! So it weighs the tasks of kinds that were meant before. The tasks of all other kinds are weighed among themselves: of those kinds nothing
-//! was learned, and they keep the probability that the role model gives them together.
+//! was learned, and they keep the probability that the role model gives them together. Where tasks have ways, a new scene is an exception
+//! (`unmet`): a command that names no way means none.
 //!
 //! It is trained to give each session's tasks the shares that the session has shown (`training`), with
 //! - p from a model that has not seen the session: two models are trained, each without half of the sessions, and with 30
@@ -39,6 +40,8 @@ mod posterior;
 mod speaking;
 #[cfg(feature = "layer")]
 pub(crate) mod training;
+#[cfg(feature = "layer")]
+mod unmet;
 #[cfg(feature = "layer")]
 mod weights;
 

@@ -3,6 +3,7 @@
 use super::contexts::Command;
 use super::parts::Parts;
 use super::tables::LayerRef;
+use super::unmet;
 use super::weights::TRUST;
 use crate::language::tables::TablesRef;
 use crate::probability::{Scaled, exp, total};
@@ -87,6 +88,9 @@ impl LayerRef<'_> {
             let (met, understood) = (self.learned.has_met(description(first)), before(weights, group).over(whole));
             tasks.push(Weighed { met, understood, parts: parts.sum(position), ..Weighed::default() });
         }
+        let firsts: Vec<usize> = groups().map(|(first, _)| first).collect();
+        let of_position = |position| firsts.get(position).map_or(&[][..], |&first| description(first));
+        unmet::weigh(tables, self.possible, sentence, of_position, &mut tasks);
         weigh(&mut tasks, 1.0 + self.weight(TRUST));
         for (task, (_, group)) in tasks.iter().zip(groups()) {
             let (before, after) = (before(weights, group), Scaled::new(task.believed));

@@ -351,6 +351,29 @@ impl<'t, 'd> Reader<'t, 'd> {
         product
     }
 
+    /// The same, where a kind of task that was never meant names as the others do, on average.
+    #[cfg(feature = "layer")]
+    fn naming_of_any(&self, words: impl Iterator<Item = usize>) -> f32 {
+        if self.form.is_some() || !self.layout.has_ways() {
+            return self.naming_of(words);
+        }
+        let mut product = 1.0;
+        self.naming(words, |at| {
+            let (first, forms) = (at.saturating_sub(at.checked_rem(SHARES_NAMED).unwrap_or(0)), self.layout.forms().len());
+            let (mut sum, mut count) = (0.0, 0.0);
+            for form in 0..forms {
+                let row = get(self.alignments, self.layout.naming(form));
+                let shares = get(row, first..first.saturating_add(SHARES_NAMED));
+                // A kind of task without the role has seen none of its shares, so all are equal.
+                if shares.windows(2).any(|pair| cell(pair, 0) != cell(pair, 1)) {
+                    (sum, count) = (sum + cell(row, at), count + 1.0);
+                }
+            }
+            product *= if count > 0.0 { sum / count } else { 1.0 / SHARES_NAMED as f32 };
+        });
+        product
+    }
+
     /// Fills in what p0 is multiplied by after these words, for background, a word of the task, and each role present.
     #[inline(always)]
     pub fn lifts(&self, before: &Before, lifts: &mut Moves) {
@@ -564,6 +587,19 @@ pub(crate) fn likelihood(
     let mut reading = Reading::START;
     let _ = reading.go_on(&reader, sentence, &mut [], usize::MAX, tell);
     reading.probability
+}
+
+/// How probable it is that of each role of a task so much is named as these words do. Without ways, 1.
+#[cfg(feature = "layer")]
+pub(crate) fn named(
+    layout: &Layout,
+    (translations, alignments): (&[f32], &[f32]),
+    sentence: &[Option<Symbol>],
+    description: &[Symbol],
+) -> f32 {
+    let mut reader = Reader::new(layout, translations, alignments, description);
+    reader.take_groups();
+    reader.naming_of_any(heard(layout, sentence))
 }
 
 /// Goes on with Pr(e|t) of a trained model, `most` words at most, as [`Reading::go_on`]. `masses` is behind the parameters.
