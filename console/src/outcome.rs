@@ -3,7 +3,6 @@
 use crate::messages::printable;
 use std::fmt;
 use std::io;
-use std::process::ExitCode;
 
 /// Why a command failed.
 #[derive(Debug)]
@@ -32,13 +31,13 @@ impl fmt::Display for Failure {
 }
 
 /// The exit code of a command, its failure told on standard error.
-pub fn exit_code(done: Result<(), Failure>) -> ExitCode {
-    let Err(failure) = done else { return ExitCode::SUCCESS };
+pub fn exit_code(done: Result<(), Failure>) -> u8 {
+    let Err(failure) = done else { return 0 };
     let code = match &failure {
-        Failure::Output(error) if error.kind() == io::ErrorKind::BrokenPipe => return ExitCode::SUCCESS,
+        Failure::Output(error) if error.kind() == io::ErrorKind::BrokenPipe => return 0,
         Failure::Result(_) | Failure::Output(_) => 1,
         Failure::Input(_) => 2,
     };
     eprintln!("error: {}", printable(&failure.to_string()));
-    ExitCode::from(code)
+    code
 }

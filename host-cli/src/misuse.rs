@@ -2,7 +2,7 @@
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use goodbot_console::messages::printable;
-use std::process::ExitCode;
+use std::ffi::OsString;
 
 /// What people type for a command that has another name.
 const OTHER_NAMES: [(&[&str], &str); 6] = [
@@ -15,17 +15,17 @@ const OTHER_NAMES: [(&[&str], &str); 6] = [
 ];
 
 /// Tells what is wrong, and gives the exit code.
-pub fn tell(error: &clap::Error) -> ExitCode {
+pub fn tell(error: &clap::Error, typed: &[OsString]) -> u8 {
     match in_words(error) {
         Some(message) => eprintln!("error: {message}\n\nFor more information, try 'goodbot --help'."),
         // What was typed may have control characters; then it is told without colours.
-        None if std::env::args_os().any(|typed| typed.to_string_lossy().contains(char::is_control)) => {
+        None if typed.iter().any(|typed| typed.to_string_lossy().contains(char::is_control)) => {
             eprint!("{}", printable(&error.render().to_string()));
         }
         // A reader who leaves is no fault, and help is none either.
         None => drop(error.print()),
     }
-    ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
+    u8::try_from(error.exit_code()).unwrap_or(2)
 }
 
 /// What is wrong, where it can be told better than by the one who reads the arguments.

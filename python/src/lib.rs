@@ -8,6 +8,7 @@
 //! - `course`: the paper's lessons and tests;
 //! - `log`: recorded sessions;
 //! - `worlds`: many homes at once, for reinforcement learning;
+//! - `command`: the command line;
 //! - `options`, `arrays`, `error`: settings by name, numpy arrays, and exceptions.
 //!
 //! What Python may call is listed with its types in `python/package/goodbot/_native.pyi`.
@@ -16,6 +17,7 @@
 
 mod agent;
 mod arrays;
+mod command;
 mod course;
 mod error;
 mod home;
@@ -34,6 +36,8 @@ use pyo3::prelude::*;
 mod native {
     #[pymodule_export]
     use crate::agent::{Agent, Decision};
+    #[pymodule_export]
+    use crate::command::run_command;
     #[pymodule_export]
     use crate::course::{exercises, run_course};
     #[pymodule_export]

@@ -26,7 +26,6 @@ use goodbot_lesson::{Fault, checked, home};
 use serde_json::json;
 use std::collections::HashMap;
 use std::io::{BufRead, Write};
-use std::process::ExitCode;
 
 /// The most faults that are told of one file.
 const MOST_FAULTS: usize = 100;
@@ -65,12 +64,12 @@ struct Findings {
 }
 
 /// Runs the command.
-pub fn run(args: &CheckArgs) -> ExitCode {
+pub fn run(args: &CheckArgs) -> u8 {
     let lifted = match args.kinds.lifted() {
         Ok(lifted) => lifted,
         Err(error) => {
             eprintln!("error: {}", printable(&error.to_string()));
-            return ExitCode::from(2);
+            return 2;
         }
     };
     let mut sound = true;
@@ -85,7 +84,7 @@ pub fn run(args: &CheckArgs) -> ExitCode {
             return outcome::exit_code(Err(error.into()));
         }
     }
-    ExitCode::from(if sound { 0 } else { 2 })
+    if sound { 0 } else { 2 }
 }
 
 /// What a file is, where nothing is wrong with it.

@@ -25,7 +25,6 @@ use indicatif::{ProgressBar, ProgressStyle};
 use report::Totals;
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 /// Replay recorded sessions, and print the robot's belief after each step
 ///
@@ -88,7 +87,7 @@ impl ReplayArgs {
 }
 
 /// Runs the command.
-pub fn run(args: &ReplayArgs) -> ExitCode {
+pub fn run(args: &ReplayArgs) -> u8 {
     let replayed = Replay::new(args).and_then(|mut replay| {
         let code = replay.files(args);
         replay.progress.finish_and_clear();
@@ -98,13 +97,13 @@ pub fn run(args: &ReplayArgs) -> ExitCode {
         Ok(code) => code,
         Err(error) => {
             let code = match error.downcast_ref::<io::Error>() {
-                Some(error) if error.kind() == io::ErrorKind::BrokenPipe => return ExitCode::SUCCESS,
+                Some(error) if error.kind() == io::ErrorKind::BrokenPipe => return 0,
                 Some(_) => 1,
                 None => 2,
             };
             let what = if code == 1 { "cannot write to standard output: " } else { "" };
             eprintln!("error: {}", printable(&format!("{what}{error}")));
-            ExitCode::from(code)
+            code
         }
     }
 }
@@ -147,13 +146,13 @@ impl Replay {
         })
     }
 
-    fn files(&mut self, args: &ReplayArgs) -> Result<ExitCode, Failure> {
+    fn files(&mut self, args: &ReplayArgs) -> Result<u8, Failure> {
         for file in &args.files {
             let opened = match input::log(file) {
                 Ok(opened) => opened,
                 Err(fault) => {
                     self.tell(&[fault]);
-                    return Ok(ExitCode::from(2));
+                    return Ok(2);
                 }
             };
             let name = input::name(file);
@@ -175,7 +174,7 @@ impl Replay {
                             if args.keep_going {
                                 eprintln!("error: more than {MOST_FAULTS} sessions are at fault; check that this is a session log");
                             }
-                            return Ok(ExitCode::from(2));
+                            return Ok(2);
                         }
                     }
                 }
@@ -184,7 +183,7 @@ impl Replay {
         }
         if self.totals.sessions == 0 && self.totals.skipped == 0 {
             eprintln!("error: the files have no session; name a session log, with one JSON object on each line");
-            return Ok(ExitCode::from(2));
+            return Ok(2);
         }
         if let Some(plot) = &self.plot {
             let rightness = self.totals.rightness();
@@ -209,7 +208,7 @@ impl Replay {
             write!(self.output, "{}", self.totals)?;
         }
         self.output.flush()?;
-        Ok(ExitCode::from(if self.totals.sessions == 0 { 2 } else { 0 }))
+        Ok(if self.totals.sessions == 0 { 2 } else { 0 })
     }
 
     fn take(&mut self, args: &ReplayArgs, outcome: &Outcome) -> Result<(), Failure> {

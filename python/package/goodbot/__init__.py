@@ -22,6 +22,7 @@ You tell it in your own words what to do, say "good bot" or "bad bot" while it t
 - `Agent`, `Decision`: the robot's mind;
 - `Trainer`, `Lesson`: a simulated trainer;
 - `Session`, `read_log`, `write_log`: recorded sessions;
+- `evaluate`, `Evaluation`: how well commands are understood that were not trained on;
 - `exercises`, `run_course`, `run_courses`: the paper's experiment;
 - `goodbot.gym`: the homes as Gymnasium environments.
 """
@@ -47,6 +48,7 @@ from ._native import (
     run_course,
 )
 from .domain import Domain
+from .evaluation import Evaluation, evaluate
 from .experiment import run_courses
 from .logs import read_log, write_log
 from .registration import register
@@ -58,6 +60,7 @@ __all__ = [
     "CapacityError",
     "Decision",
     "Domain",
+    "Evaluation",
     "FormatError",
     "Home",
     "InUseError",
@@ -71,6 +74,7 @@ __all__ = [
     "Worlds",
     "__version__",
     "capacities",
+    "evaluate",
     "exercises",
     "read_log",
     "run_course",

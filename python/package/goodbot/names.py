@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import os
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Literal, TypeAlias
+
+from ._native import Session
 
 # mu+, mu-, epsilon, and how probable the strategy is.
 Strategy: TypeAlias = tuple[float, float, float, float]
@@ -16,3 +19,7 @@ Evidence: TypeAlias = Literal["used", "says nothing", "impossible"]
 Plan: TypeAlias = Literal["goal", "toward", "dead end", "approximate", "unknown"]
 # A preset of capacities, or what is to differ from `standard`.
 Sizes: TypeAlias = "str | Mapping[str, int]"
+# A log: its file, or its sessions.
+Log: TypeAlias = "str | os.PathLike[str] | Iterable[Session]"
+# The value of an option of the command line.
+Option: TypeAlias = "bool | int | float | str | os.PathLike[str] | Sequence[str]"

@@ -1,0 +1,103 @@
+//! The goodbot command line, as the program `goodbot` and as Python's `python -m goodbot`.
+//!
+//! Exit codes: 0 all well, 1 a result that failed, 2 bad use or bad input. Data goes to standard output, progress and messages to
+//! standard error.
+
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+mod ask;
+mod check;
+mod cli;
+mod diff;
+mod doctor;
+mod example;
+mod help;
+mod inspect;
+mod learn;
+mod merge;
+mod microbit;
+mod misuse;
+mod paper;
+mod replay;
+mod size;
+mod teach;
+mod unlearn;
+
+use clap::{CommandFactory, FromArgMatches};
+use cli::{Cli, Color, Command};
+use goodbot_console::outcome::Failure;
+use goodbot_console::{messages, outcome};
+use goodbot_lab::{evaluate, fit_trainers, questions, study, ways};
+use std::ffi::OsString;
+use std::io::{IsTerminal, Write};
+
+/// Does what was typed, the program's name first, and gives the exit code.
+///
+/// ```
+/// assert_eq!(goodbot_cli::run(&["goodbot".into(), "--version".into()]), 0);
+/// assert_eq!(goodbot_cli::run(&["goodbot".into(), "no-such-command".into()]), 2);
+/// ```
+pub fn run(typed: &[OsString]) -> u8 {
+    let matches = help::arguments().try_get_matches_from(typed);
+    let cli = match matches.and_then(|matches| Cli::from_arg_matches(&matches)) {
+        Ok(cli) => cli,
+        Err(error) => return misuse::tell(&error, typed),
+    };
+    if cli.quiet {
+        messages::be_quiet();
+    }
+    messages::set_colored(match cli.color {
+        Color::Always => true,
+        Color::Never => false,
+        Color::Auto => std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|set| set.is_empty()),
+    });
+    let done = match cli.command.unwrap_or(Command::Paper(cli.paper)) {
+        Command::Paper(options) => paper::run(&options),
+        Command::Teach(options) => teach::run(&options),
+        Command::Learn(options) => learn::run(&options),
+        Command::Ask(options) => ask::run(&options),
+        Command::Inspect(options) => inspect::run(&options),
+        Command::Questions(options) => questions::run(&options),
+        Command::Ways(options) => ways::run(&options),
+        Command::FitTrainers(options) => fit_trainers::run(&options),
+        Command::Replay(args) => return replay::run(&args),
+        Command::Check(args) => return check::run(&args),
+        Command::Size(options) => size::run(&options),
+        Command::Microbit(options) => microbit::run(&options),
+        Command::Merge(options) => merge::run(&options),
+        Command::Diff(args) => diff::run(&args),
+        Command::Unlearn(args) => unlearn::run(&args),
+        Command::Doctor(args) => doctor::run(&args),
+        Command::Evaluate(options) => evaluate::run(&options),
+        Command::Study(options) => study::run(&options),
+        Command::Example { what } => example::run(what),
+        Command::Completions { shell } => completions(shell),
+        Command::Man => manual(),
+    };
+    outcome::exit_code(done)
+}
+
+fn completions(shell: clap_complete::Shell) -> Result<(), Failure> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Cli::command(), "goodbot", &mut script);
+    Ok(std::io::stdout().lock().write_all(&script)?)
+}
+
+/// One page with all commands: each is a page of clap_mangen's, one after the other.
+fn manual() -> Result<(), Failure> {
+    let mut page = Vec::new();
+    let mut cli = Cli::command();
+    cli.build();
+    clap_mangen::Man::new(cli.clone()).render(&mut page)?;
+    for command in cli.get_subcommands().filter(|command| command.get_name() != "help") {
+        let man = clap_mangen::Man::new(command.clone());
+        let mut part = Vec::new();
+        man.render_description_section(&mut part)?;
+        man.render_options_section(&mut part)?;
+        man.render_extra_section(&mut part)?;
+        writeln!(page, ".SH \"GOODBOT {}\"", command.get_name().to_uppercase())?;
+        page.extend_from_slice(String::from_utf8_lossy(&part).replace(".SH ", ".SS ").as_bytes());
+    }
+    Ok(std::io::stdout().lock().write_all(&page)?)
+}

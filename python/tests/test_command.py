@@ -1,0 +1,48 @@
+"""The command line that the package has, and evaluation by it."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import goodbot
+
+
+def typed(*arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([sys.executable, "-m", "goodbot", *arguments], capture_output=True, text=True, check=False)
+
+
+def test_the_package_is_the_command_line_too() -> None:
+    said = typed("--version")
+    assert (said.returncode, said.stdout) == (0, f"goodbot {goodbot.__version__}\n")
+    assert typed("no-such-command").returncode == 2
+    script = Path(sys.executable).with_name("goodbot")
+    assert subprocess.run([script, "example", "home"], capture_output=True, check=True).stdout
+
+
+def test_an_evaluation_is_the_command_lines_to_the_digit(root: Path) -> None:
+    log = root / "docs/examples/sessions.jsonl"
+    found = goodbot.evaluate(log, leave_one_out=True, learner="roles")
+    printed = subprocess.run(
+        [os.environ["GOODBOT_CLI"], "evaluate", "--json", "--leave-one-out", "--learner", "roles", log],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert [*found.answers, found.summary] == [json.loads(line) for line in printed.stdout.splitlines()]
+    assert goodbot.evaluate(goodbot.read_log(log), leave_one_out=True, learner="roles") == found
+
+
+def test_what_is_wrong_with_an_evaluation_is_told_in_the_command_lines_words(root: Path, tmp_path: Path) -> None:
+    log = root / "docs/examples/sessions.jsonl"
+    with pytest.raises(ValueError, match="from 2 to 65535"):
+        goodbot.evaluate(log, k_fold=1)
+    with pytest.raises(ValueError, match="missing.jsonl"):
+        goodbot.evaluate(tmp_path / "missing.jsonl")
+    with pytest.raises(ValueError, match="no-such-option"):
+        goodbot.evaluate(log, no_such_option=1)
