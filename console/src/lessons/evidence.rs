@@ -130,10 +130,12 @@ impl Witness {
         let mut readings = Vec::new();
         for (position, (task, name)) in session.tasks.iter().enumerate() {
             let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
+            // The robot expects that a command asks for a change, and what it will be asked with must expect the same.
+            let prior = self.agent.tasks().get(position).map_or(task.prior, |it| it.prior);
             readings.push(Reading {
                 name: name.clone(),
                 label: label(&session.walk.home, lifted, &task.bindings),
-                prior: task.prior,
+                prior,
                 commands: commands(&session.walk.home, &self.lifted, task, &session.walk.start, self.agent.options())?,
                 plan: if self.plans { self.plan(session, position)? } else { vec![] },
             });

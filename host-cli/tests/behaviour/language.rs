@@ -95,5 +95,39 @@ fn the_default_learns_from_as_many_sessions_as_the_role_model_alone() {
     }
 }
 
+#[test]
+fn a_model_that_was_learned_answers_to_the_bit_what_evaluate_answers_that_learns_from_the_same_sessions() {
+    // In two of four commands the robot stays in its room.
+    let session = |number: usize| {
+        let rooms = ["red", "green", "blue"];
+        let (goes, takes) = [(0, 1), (1, 2), (0, 2), (2, 1)][number % 4];
+        let (to, into) = (rooms[goes], rooms[takes]);
+        format!(
+            r#"{{"type":"session","version":1,"id":"s{number}","kind":"labelled","environment":{HOME},"command":"go to the {to} room and take the bag to the {into} one","intended":["agentInRoom(agent0,room{goes})","blockInRoom(block0,room{takes})"]}}
+{{"type":"end","learn":true}}
+"#
+        )
+    };
+    let [taught, asked]: [String; 2] = [0..10, 10..14].map(|numbers| numbers.map(session).collect());
+    let (taught, asked, model) = (file("taught", &taught), file("asked", &asked), file("agreed", ""));
+    let [taught, asked, model] = [&taught, &asked, &model].map(|path| path.to_str().unwrap());
+    let kinds = ["--task", "agentInRoom(?a,?r1) & blockInRoom(?o,?r2)"];
+    let run = |arguments: &[&str]| {
+        let run = goodbot(&[arguments, &kinds].concat(), b"");
+        assert_eq!(run.code, 0, "{}", run.messages);
+        run.output
+    };
+    for learner in ["default", "roles"] {
+        run(&["learn", taught, "--learner", learner, "--out", model, "--force"]);
+        let answers = |output: String| -> Vec<serde_json::Value> {
+            let lines = output.lines().map(|line| serde_json::from_str::<serde_json::Value>(line).unwrap());
+            lines.filter(|line| line["type"] == "answer").map(|line| line["probability_expected"].clone()).collect()
+        };
+        let learned = answers(run(&["evaluate", asked, "--with", model, "--json"]));
+        assert_eq!(learned.len(), 4);
+        assert_eq!(answers(run(&["evaluate", taught, "--test", asked, "--learner", learner, "--json"])), learned, "{learner}");
+    }
+}
+
 /// Three rooms in a row, and two things.
 const HOME: &str = r#"{"version":1,"objects":[{"class":"room","name":"room0","left":0,"bottom":0,"right":4,"top":4,"color":"red"},{"class":"room","name":"room1","left":4,"bottom":0,"right":8,"top":4,"color":"green"},{"class":"room","name":"room2","left":8,"bottom":0,"right":12,"top":4,"color":"blue"},{"class":"door","name":"door0","left":4,"bottom":2,"right":4,"top":2},{"class":"door","name":"door1","left":8,"bottom":2,"right":8,"top":2},{"class":"block","name":"block0","x":2,"y":2,"color":"yellow","shape":"bag"},{"class":"block","name":"block1","x":6,"y":1,"color":"pink","shape":"chair"},{"class":"agent","name":"agent0","x":1,"y":1}]}"#;
