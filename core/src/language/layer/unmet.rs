@@ -90,7 +90,8 @@ pub(super) fn weigh<'d>(
         let count = of_same_goals().count();
         if !kind.met && !has_way(kind.example) && count > 0 {
             let of_one = of_same_goals().sum::<f32>() / count as f32;
-            kind.factor *= (of_one / share(form)).max(1.0);
+            // A share may be too small for an f32.
+            kind.factor *= (of_one / share(form).max(f32::MIN_POSITIVE)).max(1.0);
             kind.is_without_its_way = true;
         }
     }
