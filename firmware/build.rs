@@ -57,6 +57,7 @@ fn main() {
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));
     fs::write(out.join("memory.x"), memory).expect("memory.x can be written");
     println!("cargo::rustc-link-search={}", out.display());
+    // The linker script for Cortex-M includes it by itself.
     if env::var("CARGO_CFG_TARGET_ARCH").is_ok_and(|arch| arch == "riscv32") {
         println!("cargo::rustc-link-arg-bins=-Tmemory.x");
     }

@@ -23,6 +23,11 @@ pub struct Conversing {
 const ID: &str = "id";
 const LAST: &str = "last";
 
+/// The facts of a record. What is most like the thing follows from the thing.
+fn kept() -> impl Iterator<Item = Fact> {
+    Fact::ALL.into_iter().filter(|fact| *fact != Fact::OtherOfItsKind)
+}
+
 impl Conversing {
     /// The conversation as a log has it; `None` where there is nothing to tell.
     pub fn recorded<D: Domain + ?Sized>(&self, domain: &D, lifted: &[LiftedTask]) -> Option<Vec<(String, String)>> {
@@ -33,7 +38,7 @@ impl Conversing {
             record.push((LAST.to_owned(), name.to_string()));
         }
         let name = |object: ObjectId| domain.world().objects.name(object).to_owned();
-        record.extend(Fact::ALL.into_iter().filter_map(|fact| Some((fact.name().to_owned(), name(self.facts.object(fact)?)))));
+        record.extend(kept().filter_map(|fact| Some((fact.name().to_owned(), name(self.facts.object(fact)?)))));
         Some(record).filter(|record| !record.is_empty())
     }
 
@@ -54,11 +59,11 @@ impl Conversing {
             } else if name == LAST {
                 let known = text.parse().ok().and_then(|text| task(&text));
                 last = Some(known.ok_or_else(|| wrong(format!("{text:?} is no task of the kinds that commands may mean; correct it")))?);
-            } else if let Some(fact) = Fact::ALL.into_iter().find(|fact| fact.name() == name && *fact != Fact::OtherOfItsKind) {
+            } else if let Some(fact) = kept().find(|fact| fact.name() == name) {
                 let found = domain.world().objects.find(text);
                 objects.push((fact, found.ok_or_else(|| wrong(format!("there is no object {text:?}; name one of the environment")))?));
             } else {
-                let known: Vec<&str> = Fact::ALL.into_iter().filter(|fact| *fact != Fact::OtherOfItsKind).map(Fact::name).collect();
+                let known: Vec<&str> = kept().map(Fact::name).collect();
                 return Err(wrong(format!("is nothing that a conversation remembers; known are id, last, {}", known.join(", "))));
             }
         }

@@ -12,8 +12,6 @@ const ALARM: *mut u32 = 0x0200_4000 as *mut u32;
 /// Instructions for each step of the timer, times 16. The emulator is told that an instruction takes 64 ns.
 const PER_STEP: u64 = 25; // 100 / 64
 
-/// The timer when the counter was started.
-static START: [AtomicU32; 2] = [AtomicU32::new(0), AtomicU32::new(0)];
 /// Steps of the timer in a period.
 static PERIOD: AtomicU32 = AtomicU32::new(1);
 
@@ -34,7 +32,7 @@ core::arch::global_asm!(
     paint = const STACK_PAINT_VALUE,
 );
 
-/// The timer since it was started.
+/// Steps of the timer since the counter was started.
 fn steps() -> u64 {
     loop {
         // SAFETY: the board has this timer, and reading it has no effect.
@@ -45,31 +43,26 @@ fn steps() -> u64 {
     }
 }
 
-fn since_start() -> u64 {
-    let [low, high] = [0, 1].map(|half: usize| START.get(half).map_or(0, |half| half.load(Ordering::Relaxed)));
-    steps().wrapping_sub(u64::from(high) << 32 | u64::from(low))
-}
-
 /// Starts the counter. `period` is in instructions, at most [`super::MOST_PERIOD`].
 pub fn start_counter(period: u32) {
     PERIOD.store(((u64::from(period.min(super::MOST_PERIOD)) << 4) / PER_STEP) as u32, Ordering::Relaxed);
-    let now = steps();
-    for (half, bits) in START.iter().zip([now as u32, (now >> 32) as u32]) {
-        half.store(bits, Ordering::Relaxed);
+    // SAFETY: the timer can be set, and nothing else uses it.
+    unsafe {
+        TIME.write_volatile(0);
+        TIME.add(1).write_volatile(0);
     }
 }
 
 /// Periods since the counter was started.
 #[allow(dead_code, reason = "only the fixed tick asks for it")]
 pub fn periods() -> u32 {
-    since_start().checked_div(u64::from(PERIOD.load(Ordering::Relaxed))).unwrap_or(0) as u32
+    steps().checked_div(u64::from(PERIOD.load(Ordering::Relaxed))).unwrap_or(0) as u32
 }
 
 /// Sleeps until the period that comes after `period` begins.
 #[allow(dead_code, reason = "only the fixed tick sleeps")]
 pub fn sleep_through(period: u32) {
-    let next = u64::from(PERIOD.load(Ordering::Relaxed)).wrapping_mul(u64::from(period).wrapping_add(1));
-    let alarm = steps().wrapping_sub(since_start()).wrapping_add(next);
+    let alarm = u64::from(PERIOD.load(Ordering::Relaxed)).wrapping_mul(u64::from(period).wrapping_add(1));
     // SAFETY: nothing else uses the alarm. No interrupt is taken: the processor only wakes. The high half is out of reach in between.
     unsafe {
         ALARM.add(1).write_volatile(u32::MAX);
@@ -85,5 +78,5 @@ pub fn sleep_through(period: u32) {
 
 /// Instructions since the counter was started.
 pub fn instructions() -> u64 {
-    since_start().wrapping_mul(PER_STEP) >> 4
+    steps().wrapping_mul(PER_STEP) >> 4
 }
