@@ -9,9 +9,9 @@ static unsigned char model[4096];
 
 #define TRY(call)                                                                                                                          \
     do {                                                                                                                                   \
-        goodbot_status status = (call);                                                                                                    \
-        if (status != GOODBOT_STATUS_OK) {                                                                                                 \
-            printf("%s: %s\n", #call, goodbot_status_text(status));                                                                        \
+        goodbot_status tried = (call);                                                                                                     \
+        if (tried != GOODBOT_STATUS_OK) {                                                                                                  \
+            printf("%s: %s\n", #call, goodbot_status_text(tried));                                                                         \
             return 1;                                                                                                                      \
         }                                                                                                                                  \
     } while (0)

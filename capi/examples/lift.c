@@ -10,9 +10,9 @@ static _Alignas(8) unsigned char memory[GOODBOT_TINY_TABLE_BYTES];
 
 #define TRY(call)                                                                                                                          \
     do {                                                                                                                                   \
-        goodbot_status status = (call);                                                                                                    \
-        if (status != GOODBOT_STATUS_OK) {                                                                                                 \
-            printf("%s: %s\n", #call, goodbot_status_text(status));                                                                        \
+        goodbot_status tried = (call);                                                                                                     \
+        if (tried != GOODBOT_STATUS_OK) {                                                                                                  \
+            printf("%s: %s\n", #call, goodbot_status_text(tried));                                                                         \
             return 1;                                                                                                                      \
         }                                                                                                                                  \
     } while (0)

@@ -12,6 +12,8 @@ use crate::programs::{ARM_GCC, GCC};
 use crate::toolchain::{self, CORTEX_M4F, TARGETS};
 
 const HEADER: &str = "capi/include/goodbot.h";
+/// That of C, and that of C++ above it.
+pub const HEADERS: [&str; 2] = [HEADER, "capi/include/goodbot.hpp"];
 
 /// The features that are chosen from, as `capi/Cargo.toml` has them.
 pub const FEATURES: [&str; 6] = ["asking", "derived", "home", "table", "unicode", "ways"];

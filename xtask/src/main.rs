@@ -11,6 +11,7 @@ mod guide;
 mod page;
 mod process;
 mod programs;
+mod release;
 mod steps;
 mod test;
 mod toolchain;
@@ -50,6 +51,8 @@ enum Task {
     Microbit,
     /// Builds the C library, and puts it with its header into dist/c.
     Library(capi::Library),
+    /// Makes the packages of a release, with their checksums, in `dist/release`.
+    Release(release::Options),
 }
 
 fn main() {
@@ -73,5 +76,6 @@ fn run(task: Task) -> Result<()> {
         Task::Capi => capi::header(false),
         Task::Microbit => firmware::deliver().map(drop),
         Task::Library(options) => capi::deliver(&options),
+        Task::Release(options) => release::run(&options),
     }
 }

@@ -63,6 +63,7 @@ const fn installed(name: &'static str, why: &'static str) -> Program {
 pub const NODE: Program = installed("node", "to make the page and to run WebAssembly (version 20 or newer)");
 pub const NPM: Program = installed("npm", "to get what the page's tests are made with");
 pub const GCC: Program = installed("gcc", "to build C for this machine");
+pub const GXX: Program = installed("g++", "to build C++ for this machine");
 const PYTHON: Program = installed("python3", "to try the Python package (version 3.10 or newer, with venv)");
 pub const VALGRIND: Program = installed("valgrind", "to count instructions");
 
@@ -137,7 +138,7 @@ pub fn version(path: &Path) -> Result<String> {
 
 /// Finds or fetches everything, and prints where it is.
 pub fn list() -> Result<()> {
-    for program in [&QEMU, &QEMU_RISCV, &ARM_GCC, &CHROMIUM, &FIREFOX, &NODE, &NPM, &GCC] {
+    for program in [&QEMU, &QEMU_RISCV, &ARM_GCC, &CHROMIUM, &FIREFOX, &NODE, &NPM, &GCC, &GXX] {
         let path = program.path()?;
         println!("{}: {}", path.display(), version(&path)?);
     }

@@ -9,7 +9,7 @@ use clap::{Args, ValueEnum};
 use xshell::Cmd;
 
 use crate::programs::Missing;
-use crate::{capi, footprint, guide, steps};
+use crate::{capi, footprint, guide, release, steps};
 
 /// One thing that is checked, in the order they run: what fails soonest comes first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -36,6 +36,8 @@ pub enum Step {
     CHost,
     /// the C examples run on an emulated Cortex-M4F and contain no panic
     CBoard,
+    /// CMake, pkg-config, PlatformIO and Arduino find the C library in its packages, and C++ takes it
+    Packages,
     /// the programs of docs/robot.md, built in an empty folder, print what it promises
     Guide,
     /// the paper's course passes on six emulated boards, Cortex-M0 to M33 and RISC-V, in its bounds
@@ -81,6 +83,10 @@ impl Step {
             Self::CHeader => (|_| capi::header(true), "where a program that was compiled before would go wrong, raise GOODBOT_API_VERSION"),
             Self::CHost => (|_| capi::on_host(), "the examples are in capi/examples; the sanitizer says where"),
             Self::CBoard => (|_| capi::on_board(), "the examples are in capi/examples, what the board needs in capi/examples/board"),
+            Self::Packages => (
+                |_| release::check(),
+                "the packages are made by xtask/src/release, from capi/packages; their users are in capi/tests/packages",
+            ),
             Self::Guide => (|_| guide::follow(), "mend docs/robot.md, or the code that it describes"),
             Self::Firmware => (|_| steps::course(), "`cargo xtask footprint` shows what each binary costs; the firmware is in firmware/"),
             Self::Tick => (|_| steps::tick(), "`cargo xtask footprint` shows what each call costs; the firmware is in firmware/"),

@@ -22,14 +22,18 @@ pub const CORTEX_M0: &str = "thumbv6m-none-eabi";
 pub const CORTEX_M3: &str = "thumbv7m-none-eabi";
 /// Cortex-M4F and M7F: floats in registers of the floating-point unit.
 pub const CORTEX_M4F: &str = "thumbv7em-none-eabihf";
+/// The same processors, where the calls of the board's C pass floats in whole registers.
+pub const CORTEX_M4: &str = "thumbv7em-none-eabi";
 /// Cortex-M33 with a floating-point unit.
 pub const CORTEX_M33F: &str = "thumbv8m.main-none-eabihf";
-/// RISC-V without a floating-point unit, such as an ESP32-C3's relatives.
+/// RISC-V without a floating-point unit, such as an ESP32-C6.
 pub const RISCV: &str = "riscv32imac-unknown-none-elf";
+/// The same without atomic instructions, such as an ESP32-C3.
+pub const RISCV_C3: &str = "riscv32imc-unknown-none-elf";
 /// The other systems on which the command line runs. It is checked for them, and not linked: a linker for them is not to be had everywhere.
 pub const DESKTOPS: [&str; 2] = ["x86_64-pc-windows-msvc", "aarch64-apple-darwin"];
 /// The targets that goodbot is built for besides the host.
-pub const TARGETS: [&str; 6] = [WASM, CORTEX_M0, CORTEX_M3, CORTEX_M4F, CORTEX_M33F, RISCV];
+pub const TARGETS: [&str; 8] = [WASM, CORTEX_M0, CORTEX_M3, CORTEX_M4, CORTEX_M4F, CORTEX_M33F, RISCV, RISCV_C3];
 
 /// How long rustup may take.
 const RUSTUP_LIMIT: Duration = Duration::from_secs(90);

@@ -1,0 +1,37 @@
+//! A folder as one zip file, with the same bytes on every day and machine.
+
+use std::fs::File;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use xshell::Shell;
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, DateTime, ZipWriter};
+
+/// All files of a folder and of those below it, in order.
+pub fn files(sh: &Shell, folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for path in sh.read_dir(folder)? {
+        if path.is_dir() {
+            found.extend(files(sh, &path)?);
+        } else {
+            found.push(path);
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+/// Packs a folder, its own name included. Files in a folder `bin` can be run where they are unpacked.
+pub fn pack(sh: &Shell, folder: &Path, to: &Path) -> Result<()> {
+    let above = folder.parent().context("a folder to pack is in another")?;
+    let mut archive = ZipWriter::new(File::create(to).with_context(|| format!("{} cannot be written", to.display()))?);
+    for path in files(sh, folder)? {
+        let is_program = path.parent().is_some_and(|parent| parent.ends_with("bin"));
+        let options = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated).last_modified_time(DateTime::default());
+        archive.start_file_from_path(path.strip_prefix(above)?, options.unix_permissions(if is_program { 0o755 } else { 0o644 }))?;
+        std::io::copy(&mut File::open(&path)?, &mut archive)?;
+    }
+    archive.finish()?;
+    Ok(())
+}

@@ -1,0 +1,60 @@
+//! The packages of the C library, used as their users do: by CMake, pkg-config, PlatformIO's script and Arduino's sketch.
+
+use std::path::Path;
+
+use anyhow::{Result, ensure};
+use xshell::cmd;
+
+use super::texts::Texts;
+use super::{boards, c_archive};
+use crate::process::{root, shell};
+use crate::programs::{GCC, GXX, python_with};
+
+const TESTS: &str = "capi/tests/packages";
+/// A lesson to the lift, and a question.
+const LESSON: &str = "up to the roof\n+\n+\n!\nup to the roof\n?\n+\n";
+
+pub fn check() -> Result<()> {
+    let (sh, gcc, gxx, programs) =
+        (shell()?, GCC.path()?, GXX.path()?, python_with(&format!("--requirement={TESTS}/requirements.txt"), "python-packages")?);
+    let texts = Texts::new(&sh)?;
+    let (above, package) = c_archive(&sh, &texts, None)?;
+    let examples = root().join("capi/examples");
+
+    // As if it were anywhere else.
+    let place = above.path().join("elsewhere");
+    sh.create_dir(&place)?;
+    let package = {
+        let moved = place.join("goodbot");
+        cmd!(sh, "mv {package} {moved}").run()?;
+        moved
+    };
+    let (project, built) = (sh.create_dir(above.path().join("project"))?, above.path().join("built"));
+    texts.copy(&sh, &Path::new(TESTS).join("CMakeLists.txt"), &project.join("CMakeLists.txt"))?;
+    let compilers = [format!("-DCMAKE_C_COMPILER={}", gcc.display()), format!("-DCMAKE_CXX_COMPILER={}", gxx.display())];
+    cmd!(sh, "{programs}/cmake -S {project} -B {built} -DCMAKE_PREFIX_PATH={package} -DEXAMPLES={examples} {compilers...}").run()?;
+    cmd!(sh, "{programs}/cmake --build {built}").run()?;
+    for program in ["in_c", "in_cpp"] {
+        let program = built.join(program);
+        cmd!(sh, "{program}").run()?;
+    }
+
+    let found = cmd!(sh, "{programs}/pkgconf --cflags --libs goodbot").env("PKG_CONFIG_PATH", package.join("lib/pkgconfig")).read()?;
+    let (found, program) = (found.split_whitespace(), built.join("by_pkg_config"));
+    cmd!(sh, "{gcc} -std=c11 -Wall -Werror {examples}/lift.c -o {program}").args(found).run()?;
+    cmd!(sh, "{program}").run()?;
+
+    let boards = boards::without_archives(&sh, above.path())?;
+    cmd!(sh, "{programs}/python {TESTS}/platformio.py {boards}").run()?;
+    let (sketch, library) = (built.join("sketch"), package.join("lib/libgoodbot.a"));
+    let warnings = ["-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsanitize=address,undefined"];
+    let compile = cmd!(sh, "{gxx} {warnings...} -I {TESTS} -I {boards}/src -include Arduino.h -x c++ {boards}/examples/Lift/Lift.ino");
+    compile.args(["-x", "none"]).arg(library).arg("-o").arg(&sketch).run()?;
+    let said = cmd!(sh, "{sketch}").stdin(LESSON).read()?;
+    println!("{said}");
+    ensure!(
+        said.contains("learned") && said.lines().filter(|line| line.ends_with('%')).count() == 3,
+        "the lift did not learn by its serial line"
+    );
+    Ok(())
+}

@@ -1,0 +1,222 @@
+//! The packages of a release, as their users get them, in `dist/release`. Nothing is uploaded.
+
+mod archive;
+mod boards;
+mod check;
+mod texts;
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use clap::{Args, ValueEnum};
+use serde_json::Value;
+use xshell::{Shell, TempDir, cmd};
+
+use crate::capi::{FEATURES, HEADERS, library};
+use crate::process::{root, shell, target_dir};
+use crate::programs::{on_path, python_with};
+use crate::toolchain::{TARGETS, WASM};
+use archive::{files, pack};
+use texts::Texts;
+
+pub use check::check;
+
+/// Where the packages go.
+const FOLDER: &str = "dist/release";
+const CHECKSUMS: &str = "SHA256SUMS";
+
+/// One kind of package.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Package {
+    /// the crates, each built from its packed file
+    Crates,
+    /// the command line for this machine, with its manual and its completions
+    Program,
+    /// the C library for this machine and for each processor, for CMake and pkg-config
+    C,
+    /// the C library for Arduino, PlatformIO, ESP-IDF and Zephyr
+    Boards,
+    /// a wheel for this machine, and the sources, for Python
+    Python,
+    /// the trainer page
+    Page,
+    /// the file for a micro:bit
+    Microbit,
+    /// the list of all that the command line is made of, in CycloneDX's form
+    Materials,
+}
+
+/// Which packages to make.
+#[derive(Args)]
+pub struct Options {
+    /// Makes this package only; can be given more than once
+    #[arg(long, value_name = "PACKAGE")]
+    only: Vec<Package>,
+}
+
+/// Makes the packages, and the list of their checksums.
+pub fn run(options: &Options) -> Result<()> {
+    let (sh, to) = (shell()?, root().join(FOLDER));
+    sh.create_dir(&to)?;
+    let texts = Texts::new(&sh)?;
+    if texts.text("@REPOSITORY@").is_empty() {
+        eprintln!("remark: `[workspace.package]` names no `repository`; registries ask for its address, so set it before you upload");
+    }
+    // The day of what was released, not of the build.
+    sh.set_var("SOURCE_DATE_EPOCH", cmd!(sh, "git log -1 --format=%ct").quiet().read()?);
+    for &package in Package::value_variants() {
+        if options.only.is_empty() || options.only.contains(&package) {
+            let value = package.to_possible_value();
+            let about = value.as_ref().and_then(|value| Some(format!("{}: {}", value.get_name(), value.get_help()?)));
+            println!("\n== {}", about.unwrap_or_default());
+            package.make(&sh, &texts, &to)?;
+        }
+    }
+    checksums(&sh, &to)
+}
+
+impl Package {
+    fn make(self, sh: &Shell, texts: &Texts, to: &Path) -> Result<()> {
+        match self {
+            Self::Crates => crates(sh, texts, to),
+            Self::Program => program(sh, texts, to),
+            Self::C => c(sh, texts, to),
+            Self::Boards => {
+                let above = sh.create_temp_dir()?;
+                let folder = boards::make(sh, above.path())?;
+                pack(sh, &folder, &to.join(format!("goodbot-boards-{}.zip", texts.text("@VERSION@"))))
+            }
+            Self::Python => python(sh, to),
+            Self::Page => {
+                crate::page::build()?;
+                Ok(sh.copy_file("dist/goodbot.html", to)?)
+            }
+            Self::Microbit => Ok(sh.copy_file(crate::firmware::deliver()?, to)?),
+            Self::Materials => materials(sh, to),
+        }
+    }
+}
+
+/// Those that are public. Cargo packs what is committed, and builds each from its packed file.
+fn crates(sh: &Shell, texts: &Texts, to: &Path) -> Result<()> {
+    let metadata = cmd!(sh, "cargo metadata --offline --no-deps --format-version 1").quiet().read()?;
+    let metadata: Value = serde_json::from_str(&metadata)?;
+    let packages = metadata["packages"].as_array().context("cargo tells packages")?;
+    let public: Vec<&str> =
+        packages.iter().filter(|package| package["publish"].is_null()).filter_map(|package| package["name"].as_str()).collect();
+    let named = public.iter().flat_map(|name| ["--package", name]);
+    cmd!(sh, "cargo package --quiet --locked").args(named).run()?;
+    for name in public {
+        sh.copy_file(target_dir().join("package").join(format!("{name}-{}.crate", texts.text("@VERSION@"))), to)?;
+    }
+    Ok(())
+}
+
+fn program(sh: &Shell, texts: &Texts, to: &Path) -> Result<()> {
+    cmd!(sh, "cargo build --quiet --locked --profile dist --package goodbot-cli").run()?;
+    let built = target_dir().join("dist").join(format!("goodbot{}", std::env::consts::EXE_SUFFIX));
+    let above = sh.create_temp_dir()?;
+    let folder = above.path().join(format!("goodbot-{}-{}", texts.text("@VERSION@"), this_machine(sh)?));
+    let bin = sh.create_dir(folder.join("bin"))?;
+    sh.copy_file(&built, bin)?;
+    sh.write_file(folder.join("share/man/man1/goodbot.1"), cmd!(sh, "{built} man").quiet().read()?)?;
+    let places = [
+        ("bash", "bash-completion/completions/goodbot"),
+        ("zsh", "zsh/site-functions/_goodbot"),
+        ("fish", "fish/vendor_completions.d/goodbot.fish"),
+    ];
+    for (name, place) in places {
+        sh.write_file(folder.join("share").join(place), cmd!(sh, "{built} completions {name}").quiet().read()?)?;
+    }
+    sh.copy_file("README.md", &folder)?;
+    licences(sh, &folder)?;
+    pack(sh, &folder, &to.join(name_of(&folder)?))
+}
+
+fn c(sh: &Shell, texts: &Texts, to: &Path) -> Result<()> {
+    for target in std::iter::once(None).chain(TARGETS.into_iter().filter(|target| *target != WASM).map(Some)) {
+        let (_above, folder) = c_archive(sh, texts, target)?;
+        pack(sh, &folder, &to.join(name_of(&folder)?))?;
+    }
+    Ok(())
+}
+
+/// The C library for one target as a folder, which CMake and pkg-config find. The temporary folder that it is in comes with it.
+fn c_archive(sh: &Shell, texts: &Texts, target: Option<&str>) -> Result<(TempDir, PathBuf)> {
+    let above = sh.create_temp_dir()?;
+    let machine = target.map_or_else(|| this_machine(sh), |target| Ok(target.to_owned()))?;
+    let folder = above.path().join(format!("goodbot-c-{}-{machine}", texts.text("@VERSION@")));
+    let (include, lib) = (sh.create_dir(folder.join("include"))?, sh.create_dir(folder.join("lib"))?);
+    for file in HEADERS {
+        sh.copy_file(file, &include)?;
+    }
+    sh.copy_file(library(target, &FEATURES)?, lib.join("libgoodbot.a"))?;
+    let sources = Path::new("capi/packages/archive");
+    for file in ["goodbotConfig.cmake", "goodbotConfigVersion.cmake"] {
+        texts.copy(sh, &sources.join(file), &lib.join("cmake/goodbot").join(file))?;
+    }
+    texts.copy(sh, &sources.join("goodbot.pc"), &lib.join("pkgconfig/goodbot.pc"))?;
+    licences(sh, &folder)?;
+    Ok((above, folder))
+}
+
+fn python(sh: &Shell, to: &Path) -> Result<()> {
+    let programs = python_with("--requirement=python/release.txt", "python-release")?;
+    let built = target_dir().join("python-release/built");
+    sh.remove_path(&built)?;
+    {
+        let _folder = sh.push_dir("python");
+        let target = target_dir();
+        let build = cmd!(sh, "{programs}/maturin build --quiet --release --locked --sdist --out {built} --interpreter {programs}/python");
+        build.env("CARGO_TARGET_DIR", target).run()?;
+    }
+    let packages = sh.read_dir(&built)?;
+    cmd!(sh, "{programs}/twine check --strict").args(&packages).run()?;
+    packages.iter().try_for_each(|package| Ok(sh.copy_file(package, to)?))
+}
+
+/// In a copy, because the list is written beside the manifests.
+fn materials(sh: &Shell, to: &Path) -> Result<()> {
+    let program = "cargo-cyclonedx";
+    let place = target_dir().join("programs").join(program);
+    let path = on_path(program).unwrap_or_else(|| place.join("bin").join(program));
+    if !path.is_file() {
+        cmd!(sh, "cargo install --quiet --locked --root {place} {program}").run()?;
+    }
+    let copy = sh.create_temp_dir()?;
+    let sources = copy.path().join("goodbot.tar");
+    cmd!(sh, "git archive --output {sources} HEAD").run()?;
+    let _folder = sh.push_dir(copy.path());
+    cmd!(sh, "tar --extract --file goodbot.tar").run()?;
+    let list = cmd!(sh, "{path} cyclonedx --quiet --format json --override-filename goodbot.cdx --manifest-path host-cli/Cargo.toml");
+    list.env("CARGO_TARGET_DIR", target_dir()).run()?;
+    Ok(sh.copy_file("host-cli/goodbot.cdx.json", to)?)
+}
+
+/// Lists every package's SHA-256, as `sha256sum --check` reads it.
+fn checksums(sh: &Shell, to: &Path) -> Result<()> {
+    let _folder = sh.push_dir(to);
+    let names: Vec<String> =
+        files(sh, to)?.iter().map(|file| file.file_name().unwrap_or_default().to_string_lossy().into_owned()).collect();
+    let packages = names.iter().filter(|name| *name != CHECKSUMS);
+    let sums = cmd!(sh, "sha256sum").args(packages).quiet().read()? + "\n";
+    println!("\n{sums}");
+    sh.write_file(CHECKSUMS, sums)?;
+    println!("written: {FOLDER}");
+    Ok(())
+}
+
+/// The target that programs for this machine are built for.
+fn this_machine(sh: &Shell) -> Result<String> {
+    let about = cmd!(sh, "rustc -vV").quiet().read()?;
+    Ok(about.lines().find_map(|line| line.strip_prefix("host: ")).context("`rustc -vV` names no host")?.to_owned())
+}
+
+fn licences(sh: &Shell, folder: &Path) -> Result<()> {
+    ["LICENSE-APACHE", "LICENSE-MIT"].into_iter().try_for_each(|file| Ok(sh.copy_file(file, folder)?))
+}
+
+/// The name of the packed folder.
+fn name_of(folder: &Path) -> Result<String> {
+    Ok(format!("{}.zip", folder.file_name().context("a folder has a name")?.to_string_lossy()))
+}

@@ -1,0 +1,51 @@
+//! The texts of packages, which are filled with the version and other facts.
+
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use serde_json::Value;
+use xshell::{Shell, cmd};
+
+use super::archive::files;
+
+/// Places such as `@VERSION@`, and what is put there.
+pub struct Texts(Vec<(&'static str, String)>);
+
+impl Texts {
+    /// The facts of the workspace.
+    pub fn new(sh: &Shell) -> Result<Self> {
+        let metadata = cmd!(sh, "cargo metadata --offline --no-deps --format-version 1").quiet().read()?;
+        let metadata: Value = serde_json::from_str(&metadata)?;
+        let core = metadata["packages"].as_array().and_then(|packages| packages.iter().find(|package| package["name"] == "goodbot"));
+        let core = core.context("there is no crate goodbot")?;
+        let version = core["version"].as_str().unwrap_or_default();
+        let minor = version.rsplit_once('.').map_or(version, |(minor, _)| minor);
+        let repository = core["repository"].as_str().unwrap_or_default();
+        Ok(Self(vec![("@VERSION@", version.into()), ("@MINOR@", minor.into()), ("@REPOSITORY@", repository.into())]))
+    }
+
+    pub fn with(mut self, place: &'static str, text: String) -> Self {
+        self.0.push((place, text));
+        self
+    }
+
+    /// What is put at a place.
+    pub fn text(&self, place: &str) -> &str {
+        self.0.iter().find(|(name, _)| *name == place).map_or("", |(_, text)| text)
+    }
+
+    /// Copies a file.
+    pub fn copy(&self, sh: &Shell, from: &Path, to: &Path) -> Result<()> {
+        let text = sh.read_file(from)?;
+        Ok(sh.write_file(to, self.0.iter().fold(text, |text, (place, filled)| text.replace(place, filled)))?)
+    }
+
+    /// Copies all files of a folder.
+    pub fn copy_all(&self, sh: &Shell, from: &Path, to: &Path) -> Result<()> {
+        let from = sh.current_dir().join(from);
+        for file in files(sh, &from)? {
+            self.copy(sh, &file, &to.join(file.strip_prefix(&from)?))?;
+        }
+        Ok(())
+    }
+}
