@@ -52,6 +52,9 @@ pub struct Options {
     /// Makes this package only; can be given more than once
     #[arg(long, value_name = "PACKAGE")]
     only: Vec<Package>,
+    /// Builds the command line for this target, such as x86_64-unknown-linux-musl, after `rustup target add`
+    #[arg(long)]
+    target: Option<String>,
 }
 
 /// Makes the packages, and the list of their checksums.
@@ -69,17 +72,17 @@ pub fn run(options: &Options) -> Result<()> {
             let value = package.to_possible_value();
             let about = value.as_ref().and_then(|value| Some(format!("{}: {}", value.get_name(), value.get_help()?)));
             println!("\n== {}", about.unwrap_or_default());
-            package.make(&sh, &texts, &to)?;
+            package.make(&sh, &texts, &to, options.target.as_deref())?;
         }
     }
     checksums(&sh, &to)
 }
 
 impl Package {
-    fn make(self, sh: &Shell, texts: &Texts, to: &Path) -> Result<()> {
+    fn make(self, sh: &Shell, texts: &Texts, to: &Path, target: Option<&str>) -> Result<()> {
         match self {
             Self::Crates => crates(sh, texts, to),
-            Self::Program => program(sh, texts, to),
+            Self::Program => program(sh, texts, to, target),
             Self::C => c(sh, texts, to),
             Self::Boards => {
                 let above = sh.create_temp_dir()?;
@@ -112,11 +115,15 @@ fn crates(sh: &Shell, texts: &Texts, to: &Path) -> Result<()> {
     Ok(())
 }
 
-fn program(sh: &Shell, texts: &Texts, to: &Path) -> Result<()> {
-    cmd!(sh, "cargo build --quiet --locked --profile dist --package goodbot-cli").run()?;
-    let built = target_dir().join("dist").join(format!("goodbot{}", std::env::consts::EXE_SUFFIX));
+/// With its manual page and completions, which the program of this machine prints.
+fn program(sh: &Shell, texts: &Texts, to: &Path, target: Option<&str>) -> Result<()> {
+    let name = format!("goodbot{}", std::env::consts::EXE_SUFFIX);
+    let build = cmd!(sh, "cargo build --quiet --locked --profile dist --package goodbot-cli");
+    build.args(target.iter().flat_map(|target| ["--target", target])).run()?;
+    let built = target_dir().join(target.unwrap_or_default()).join("dist").join(name);
     let above = sh.create_temp_dir()?;
-    let folder = above.path().join(format!("goodbot-{}-{}", texts.text("@VERSION@"), this_machine(sh)?));
+    let machine = target.map_or_else(|| this_machine(sh), |target| Ok(target.to_owned()))?;
+    let folder = above.path().join(format!("goodbot-{}-{machine}", texts.text("@VERSION@")));
     let bin = sh.create_dir(folder.join("bin"))?;
     sh.copy_file(&built, bin)?;
     sh.write_file(folder.join("share/man/man1/goodbot.1"), cmd!(sh, "{built} man").quiet().read()?)?;
