@@ -4,7 +4,7 @@ use crate::learner;
 use crate::messages::{counted, working};
 use crate::outcome::Failure;
 use crate::whole_file::read_model;
-use goodbot::language::{LanguageModel, Settings};
+use goodbot::language::LanguageModel;
 use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::planning::Progress;
 use goodbot::snapshot::{Contents, SAVED};
@@ -43,14 +43,14 @@ pub fn learn_fully(agent: &mut Agent<impl AgentMemory>) {
     }
 }
 
-/// How a model file's language model understands and learns.
+/// How a model file's robot understands and learns.
 ///
 /// # Errors
 /// As [`agent`].
-pub fn settings(file: &Path) -> Result<Settings, Failure> {
+pub fn options(file: &Path) -> Result<Options, Failure> {
     let bytes = read_model(file)?;
     let contents = Contents::read(&bytes).map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
-    Ok(contents.options.language)
+    Ok(contents.options)
 }
 
 /// The language model of a file that was learned in worlds from files. Its memory is made in place of `memory`.

@@ -154,7 +154,8 @@ pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -
     let sentence = model.hear(&lesson.command)?;
     let (mut scores, mut forms, mut interned) = (Vec::new(), Vec::new(), Interned::default());
     for reading in &*lesson.readings {
-        let share = reading.prior / reading.commands.len().max(1) as f32;
+        // In the same order as a robot that hears: so both give the same bits.
+        let share = 1.0 / reading.commands.len().max(1) as f32;
         let mut sum = Scaled::ZERO;
         for command in &reading.commands {
             let command = interned.symbols(model, command)?;
@@ -163,7 +164,7 @@ pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -
             }
             sum = sum.plus(model.likelihood(&sentence, &command).scaled_by(share));
         }
-        scores.push(sum);
+        scores.push(sum.scaled_by(reading.prior));
     }
     let form = |task: usize| forms.get(task).copied().unwrap_or(Symbol::new(0));
     let prior = |task: usize| lesson.readings.get(task).map_or(0.0, |reading| reading.prior);

@@ -44,7 +44,7 @@ pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
     if options.why || options.expected.is_some() || options.pull {
         return Err(Failure::Input("--why, --expected and --pull are for homes; leave them out in a world from a file".to_owned()));
     }
-    let model = restored::settings(&options.with)?.model;
+    let model = restored::options(&options.with)?.language.model;
     if options.log.is_some() {
         let mut lessons = Vec::new();
         worlds::read(name, opened, model, |lesson| {

@@ -117,7 +117,7 @@ fn a_model_that_was_learned_answers_to_the_bit_what_evaluate_answers_that_learns
         assert_eq!(run.code, 0, "{}", run.messages);
         run.output
     };
-    for learner in ["default", "roles"] {
+    for learner in ["default", "roles", "paper"] {
         run(&["learn", taught, "--learner", learner, "--out", model, "--force"]);
         let answers = |output: String| -> Vec<serde_json::Value> {
             let lines = output.lines().map(|line| serde_json::from_str::<serde_json::Value>(line).unwrap());

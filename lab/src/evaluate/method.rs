@@ -2,13 +2,14 @@
 
 use super::folds::no_room;
 use clap::ValueEnum;
-use goodbot::Agent;
 use goodbot::capacity::CapacityError;
 use goodbot::home::Moves;
 use goodbot::language::for_each_word;
 use goodbot::language::{LanguageModel, Settings, Synonyms};
 use goodbot::memory::AgentHeap;
 use goodbot::task::TokenOrder;
+use goodbot::{Agent, Options};
+use goodbot_console::learner::Learner;
 use goodbot_console::lessons::training;
 use goodbot_console::lessons::{Lesson, MachineCommand};
 use goodbot_console::load::synonyms::in_known_words;
@@ -37,23 +38,21 @@ pub enum Method {
 }
 
 impl Method {
-    /// The settings of its language model.
-    pub const fn settings(self) -> Settings {
+    /// How it learns: the same as where `goodbot learn` has a learner of that name.
+    pub const fn options(self) -> Options {
         match self {
-            Self::Default => Settings::LAYERED,
-            Self::Roles => Settings::DEFAULT,
-            Self::Smoothed => Settings::SMOOTHED,
-            Self::Paper | Self::BagOfWords | Self::Action => Settings::PAPER,
+            Self::Default => Learner::Default.options(),
+            Self::Roles => Learner::Roles.options(),
+            Self::Smoothed => Options::SMOOTHED,
+            Self::Paper | Self::BagOfWords | Self::Action => Learner::Paper.options(),
         }
     }
 }
 
 /// The default without one choice at a time, and the paper's.
-pub fn ablations() -> Vec<(&'static str, Settings)> {
+pub fn ablations() -> Vec<(&'static str, Options)> {
     let default = Settings::SMOOTHED;
-    vec![
-        ("default", Settings::LAYERED),
-        ("roles", Settings::DEFAULT),
+    let model_2 = [
         ("Model 2, smoothed", default),
         ("  no alignment prior", Settings { alignment_prior: 0.0, ..default }),
         ("  whole words", Settings { word_letters: 0, ..default }),
@@ -64,7 +63,9 @@ pub fn ablations() -> Vec<(&'static str, Settings)> {
         ("  and alignment prior 4", Settings { alignment_prior: 4.0, ..Settings::PAPER }),
         ("  and four letters", Settings { word_letters: 4, ..Settings::PAPER }),
         ("  and facts by proposition", Settings { order: TokenOrder::Propositions, ..Settings::PAPER }),
-    ]
+    ];
+    let role_models = [("default", Method::Default.options()), ("roles", Method::Roles.options())];
+    role_models.into_iter().chain(model_2.map(|(name, language)| (name, Options { language, ..Options::PAPER }))).collect()
 }
 
 /// A trained model.

@@ -21,11 +21,9 @@ mod wordless;
 use crate::calibration;
 use clap::{Args, ValueHint};
 use folds::Experiment;
-use goodbot::language::Settings;
 use goodbot::memory::AgentHeap;
 use goodbot::task::LiftedTask;
 use goodbot::{Capacities, Options};
-use goodbot_console::learner::Learner;
 use goodbot_console::lessons::{self, Lesson, Lessons, Told, restored};
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::synonyms::SynonymOptions;
@@ -175,16 +173,16 @@ pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
     if let Some(model) = &options.with {
         return with_model(options, model, &lifted, plot.as_ref(), &mut out);
     }
-    let settings = options.learner.settings();
-    let sessions = Sessions::read(options, &lifted, settings)?;
-    let (answers, summary) = sessions.answers(options, &lifted, options.learner, settings)?;
+    let agent = options.learner.options();
+    let sessions = Sessions::read(options, &lifted, agent)?;
+    let (answers, summary) = sessions.answers(options, &lifted, options.learner, agent)?;
     sessions.tell_copies(&answers);
     // Pictures come first: a reader who leaves must not cost them.
     reliability(plot.as_ref(), &summary)?;
     report::print(&mut out, &answers, &summary, options.json).or_else(unheard)?;
     if let Some(curve) = &curve {
         let runs = options.runs.unwrap_or(10);
-        let points = curve::points(&sessions.taught.lessons, &sessions.starter, options.learner, settings, runs, options.seed())?;
+        let points = curve::points(&sessions.taught.lessons, &sessions.starter, options.learner, agent.language, runs, options.seed())?;
         let svg = curve::draw(&points, runs).map_err(|error| Failure::Result(error.to_string()))?;
         curve.write(svg.as_bytes())?;
         if !options.json {
@@ -212,9 +210,9 @@ fn reliability(plot: Option<&Output>, summary: &Summary) -> Result<(), Failure> 
 
 fn ablation(options: &EvaluateOptions, lifted: &[LiftedTask], out: &mut impl Write) -> Result<(), Failure> {
     let mut rows = Vec::new();
-    for (name, settings) in method::ablations() {
-        let sessions = Sessions::read(options, lifted, settings)?;
-        let (_, summary) = sessions.answers(options, lifted, Method::Default, settings)?;
+    for (name, agent) in method::ablations() {
+        let sessions = Sessions::read(options, lifted, agent)?;
+        let (_, summary) = sessions.answers(options, lifted, Method::Default, agent)?;
         rows.push((name, summary));
     }
     report::ablation(out, &rows, options.json)?;
@@ -234,9 +232,9 @@ fn with_model(
     if files.is_empty() {
         return Err(Failure::Input("there is nothing to ask the model; name a session log with --test".to_owned()));
     }
-    let settings = restored::settings(file)?;
+    let agent = restored::options(file)?;
     let told = Told { keep_going: options.keep_going, ..Told::default() };
-    let asked = lessons::read(&files, lifted, Options { language: settings, ..Learner::Default.options() }, false, &told)?;
+    let asked = lessons::read(&files, lifted, agent, false, &told)?;
     let sessions = Sessions { taught: Lessons::default(), asked: Some(asked), starter: Starter::default() };
     let synonyms = options.synonyms.read()?;
     let about = sessions.about()?;
@@ -247,7 +245,7 @@ fn with_model(
         copies: vec![None; sessions.asked().len()],
         synonyms: synonyms.table()?,
         starter: &Starter::default(),
-        novel: options.novel(lifted, settings)?,
+        novel: options.novel(lifted, agent)?,
     };
     let mut memory = AgentHeap::new(&Capacities::NONE);
     let mut trained = match sessions.are_of_worlds() {
@@ -269,8 +267,7 @@ struct Sessions {
 }
 
 impl Sessions {
-    fn read(options: &EvaluateOptions, lifted: &[LiftedTask], settings: Settings) -> Result<Self, Failure> {
-        let agent = Options { language: settings, ..Learner::Default.options() };
+    fn read(options: &EvaluateOptions, lifted: &[LiftedTask], agent: Options) -> Result<Self, Failure> {
         let plans = options.learner == Method::Action;
         let told = Told { keep_going: options.keep_going, ..Told::default() };
         let taught = lessons::read(&options.files, lifted, agent, plans, &told)?;
@@ -321,7 +318,7 @@ impl Sessions {
         options: &EvaluateOptions,
         lifted: &[LiftedTask],
         method: Method,
-        settings: Settings,
+        agent: Options,
     ) -> Result<(Vec<folds::Answer>, Summary), Failure> {
         let about = self.about()?;
         let rounds: Vec<(Vec<usize>, Vec<usize>)> = match &self.asked {
@@ -342,7 +339,7 @@ impl Sessions {
             None => copies::find(&self.taught.lessons, self.asked(), &rounds, self.asked.is_none()),
         };
         let synonyms = options.synonyms.read()?;
-        let novel = options.novel(lifted, settings)?;
+        let novel = options.novel(lifted, agent)?;
         let experiment = Experiment {
             taught: &self.taught.lessons,
             asked: self.asked(),
@@ -352,7 +349,7 @@ impl Sessions {
             starter: &self.starter,
             novel,
         };
-        let answers = experiment.run(method, settings)?;
+        let answers = experiment.run(method, agent.language)?;
         let summary = Summary::of(&answers, about);
         Ok((answers, summary))
     }
@@ -403,8 +400,7 @@ impl EvaluateOptions {
         Ok(())
     }
 
-    fn novel<'l>(&self, lifted: &'l [LiftedTask], settings: Settings) -> Result<Option<Novel<'l>>, Failure> {
-        let options = Options { language: settings, ..Options::DEFAULT };
-        Ok(self.novel_environments.map(|count| Novel::new(lifted, options, count, self.seed())))
+    fn novel<'l>(&self, lifted: &'l [LiftedTask], agent: Options) -> Result<Option<Novel<'l>>, Failure> {
+        Ok(self.novel_environments.map(|count| Novel::new(lifted, agent, count, self.seed())))
     }
 }
