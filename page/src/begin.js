@@ -5,16 +5,13 @@ import { noRobot as es } from '../languages/es.json';
 import { noRobot as fr } from '../languages/fr.json';
 import { noRobot as zh } from '../languages/zh.json';
 import { fromBase64 } from './base64.js';
-import { expandedLzma } from './lzma.js';
+import { expanded } from './deflate.js';
 
 async function begin() {
   const packed = /** @type {HTMLElement} */ (document.getElementById('packed'));
-  const sizes = String(packed.dataset.sizes).split(' ').map(Number);
-  // Links need it: a browser without it is too old.
-  void new DecompressionStream('deflate-raw');
-  const whole = expandedLzma(fromBase64(String(packed.textContent).trim()), sizes.reduce((sum, size) => sum + size));
+  const whole = await expanded(fromBase64(String(packed.textContent).trim()));
   let at = 0;
-  const [style, body, script, languages, module] = sizes.map(size => whole.slice(at, at += size));
+  const [style, body, script, languages, module] = String(packed.dataset.sizes).split(' ').map(size => whole.slice(at, at += Number(size)));
   const text = part => new TextDecoder().decode(part);
   const add = (tag, part) => { document.head.append(Object.assign(document.createElement(tag), { textContent: text(part) })); };
   document.body.insertAdjacentHTML('afterbegin', text(body));

@@ -1,12 +1,11 @@
 //! One HTML file out of its parts.
 
-use std::io::Write;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use lzma_rust2::{EncodeMode, LzmaOptions, LzmaWriter, MfType};
+use zopfli::{Format, Options, compress};
 
 /// The page, and the parts that stand in it.
 pub struct Page {
@@ -68,22 +67,11 @@ fn escaped(script: &str) -> String {
     script.replace("</script", "<\\/script").replace("<!--", "<\\!--")
 }
 
-/// What `page/src/lzma.js` expands, which expects these numbers of literal context and position bits.
+/// What `page/src/begin.js` has the browser expand.
 fn packed(bytes: &[u8]) -> Result<Vec<u8>> {
-    let options = LzmaOptions {
-        dict_size: 1 << 20,
-        lc: 3,
-        lp: 0,
-        pb: 0,
-        mode: EncodeMode::Normal,
-        nice_len: 273,
-        mf: MfType::Bt4,
-        depth_limit: 2000,
-        preset_dict: None,
-    };
-    let mut writer = LzmaWriter::new_no_header(Vec::new(), &options, false)?;
-    writer.write_all(bytes)?;
-    Ok(writer.finish()?)
+    let mut packed = Vec::new();
+    compress(Options { maximum_block_splits: u16::MAX, ..Options::default() }, Format::Deflate, bytes, &mut packed)?;
+    Ok(packed)
 }
 
 #[cfg(test)]
