@@ -28,6 +28,24 @@ fn the_robot_believes_what_the_readme_draws_after_three_steps() {
     }
 }
 
+/// The rows of docs/how-it-works.md: after each word, how likely four tasks are.
+#[test]
+fn the_first_lesson_is_as_the_document_tells_it() {
+    let document = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/how-it-works.md")).expect("the document");
+    let rows: Vec<Vec<&str>> = document
+        .lines()
+        .filter(|line| line.contains("| 0."))
+        .map(|line| line.trim_matches('|').split('|').skip(2).map(str::trim).collect())
+        .collect();
+    assert_eq!(rows.len(), 4);
+    let run = goodbot(&["replay", "--json", &example("sessions.jsonl")], b"");
+    let tasks = ["blockInRoom(block0,room1)", "agentInRoom(agent0,room1)", "blockInRoom(block0,room2)", "agentInRoom(agent0,room2)"];
+    for (line, row) in run.output.lines().zip(rows) {
+        let belief: serde_json::Value = serde_json::from_str(line).expect("a line of JSON");
+        assert_eq!(tasks.map(|task| format!("{:.3}", belief["tasks"][task].as_f64().expect("a number"))).as_slice(), row);
+    }
+}
+
 #[test]
 fn four_sessions_are_enough_to_understand_a_new_command_in_a_new_home() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -2,6 +2,7 @@
 
 mod archive;
 mod boards;
+mod book;
 mod check;
 mod texts;
 
@@ -42,6 +43,8 @@ enum Package {
     Page,
     /// the file for a micro:bit
     Microbit,
+    /// the documents as web pages
+    Guide,
     /// the list of all that the command line is made of, in CycloneDX's form
     Materials,
 }
@@ -95,6 +98,7 @@ impl Package {
                 Ok(sh.copy_file("dist/goodbot.html", to)?)
             }
             Self::Microbit => Ok(sh.copy_file(crate::firmware::deliver()?, to)?),
+            Self::Guide => book::make(sh, texts, to),
             Self::Materials => materials(sh, to),
         }
     }
@@ -182,14 +186,19 @@ fn python(sh: &Shell, to: &Path) -> Result<()> {
     packages.iter().try_for_each(|package| Ok(sh.copy_file(package, to)?))
 }
 
-/// In a copy, because the list is written beside the manifests.
-fn materials(sh: &Shell, to: &Path) -> Result<()> {
-    let program = "cargo-cyclonedx";
+/// A program that cargo installs, on the `PATH` or below the build folder.
+fn installed_by_cargo(sh: &Shell, program: &str) -> Result<PathBuf> {
     let place = target_dir().join("programs").join(program);
     let path = on_path(program).unwrap_or_else(|| place.join("bin").join(program));
     if !path.is_file() {
         cmd!(sh, "cargo install --quiet --locked --root {place} {program}").run()?;
     }
+    Ok(path)
+}
+
+/// In a copy, because the list is written beside the manifests.
+fn materials(sh: &Shell, to: &Path) -> Result<()> {
+    let path = installed_by_cargo(sh, "cargo-cyclonedx")?;
     let copy = sh.create_temp_dir()?;
     let sources = copy.path().join("goodbot.tar");
     cmd!(sh, "git archive --output {sources} HEAD").run()?;
