@@ -3,6 +3,7 @@ import { download } from './files.js';
 import { t } from './language.js';
 import { $, draw, make, percent, state, tell } from './state.js';
 import { logOf } from './store.js';
+import { isShown } from './tabs.js';
 import { ranked } from './words.js';
 
 const [WIDTH, HEIGHT, LEFT, EDGE] = [320, 132, 34, 8];
@@ -37,7 +38,7 @@ const beliefs = task => [state.evidence[0]?.before[task] ?? null, ...state.evide
 const scores = () => Array.from({ length: state.sessions }, (_, at) => state.robot.scores?.[at] ?? null);
 
 export function renderCharts() {
-  if (!$('chart-score').closest('details').open) return;
+  if (!isShown('steps')) return;
   const tasks = state.evidence.length ? ranked().slice(0, SHOWN) : [];
   $('chart-belief').toggleAttribute('hidden', !tasks.length);
   $('charts-none').hidden = Boolean(tasks.length);

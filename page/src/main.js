@@ -1,6 +1,6 @@
 // The page is set up.
 import { drawnElsewhere, setUpBuild } from './build.js';
-import { renderCharts, saveTable } from './charts.js';
+import { saveTable } from './charts.js';
 import { startCore, world } from './core.js';
 import { speakLanguage, t, takeLanguages, writePage } from './language.js';
 import { readLink } from './link.js';
@@ -17,6 +17,7 @@ import * as shelf from './shelf.js';
 import { setUpSpeech } from './speech.js';
 import { $, all, attempt, make, state } from './state.js';
 import { openLast, othersTaught, wouldBeLost } from './store.js';
+import { setUpTabs } from './tabs.js';
 import { renderHeat } from './thoughts.js';
 import { beginAppendix, beginStop, enterStop, restartTour, watchTour } from './tour.js';
 import { isThere } from './words.js';
@@ -30,6 +31,7 @@ function setUp() {
   setUpBuild();
   setUpNext();
   setUpOwnTests();
+  setUpTabs();
   watchSize();
   for (const button of all('button[data-mode]')) button.addEventListener('click', () => setMode(button.dataset.mode));
   for (const [id, action] of Object.entries({
@@ -39,8 +41,6 @@ function setUp() {
   })) $(id).addEventListener('click', action);
   $('pick').addEventListener('change', () => pick($('pick').value));
   $('heat-before').addEventListener('change', renderHeat);
-  $('heat').closest('details').addEventListener('toggle', renderHeat);
-  $('chart-score').closest('details').addEventListener('toggle', renderCharts);
   $('save-table').addEventListener('click', saveTable);
   window.addEventListener('hashchange', async () => {
     if (!await leaveSession()) return;

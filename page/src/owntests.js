@@ -7,6 +7,7 @@ import { spaced } from './learned.js';
 import { render } from './render.js';
 import { $, attempt, inParts, make, percent, state, tell } from './state.js';
 import { patch } from './store.js';
+import { isShown } from './tabs.js';
 import { askedIn, likeliest, sceneOf, taskWords, understands } from './words.js';
 
 /** @typedef {{ home: object, command: string, meant: string }} OwnTest */
@@ -57,10 +58,8 @@ function offer() {
 }
 
 export function renderOwnTests() {
-  const card = $('own-tests');
-  card.hidden = state.mode !== 'play' || state.secret === 'open';
   $('test-it').disabled = $('run-tests').disabled = !idle();
-  if (!card.open || card.hidden) return;
+  if (!isShown('challenges')) return;
   if (idle()) offer();
   const all = tests();
   const known = results.of === knowledge();
@@ -121,7 +120,6 @@ async function load(input) {
 }
 
 export function setUpOwnTests() {
-  $('own-tests').addEventListener('toggle', render);
   $('add-test').addEventListener('submit', async event => {
     event.preventDefault();
     const [home, command, meant] = [parsed(world.environment()), spaced($('test-command').value.trim()), $('test-meant').value];

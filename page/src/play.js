@@ -24,6 +24,7 @@ export function renderIdeas() {
 export async function setMode(mode) {
   if (mode === state.mode || state.tour.watching || !await leaveSession()) return;
   state.mode = mode;
+  state.tab = mode === 'build' ? 'editor' : mode === 'play' && state.sessions ? 'challenges' : 'thoughts';
   if (mode === 'build') enterBuild();
   else if (mode === 'tour') enterStop(state.tour.at);
   else {

@@ -12,6 +12,7 @@ import { renderSecret } from './secret.js';
 import { hasWords } from './session.js';
 import { renderSettings } from './settings.js';
 import { $, all, make, state } from './state.js';
+import { renderTabs } from './tabs.js';
 import { renderThoughts } from './thoughts.js';
 import { renderTour } from './tour.js';
 import { renderTrick } from './trick.js';
@@ -26,6 +27,7 @@ export function render() {
   document.documentElement.toggleAttribute('data-presenter', state.settings.presenter && state.mode !== 'build');
   document.body.toggleAttribute('data-session', Boolean(session));
   for (const button of all('button[data-mode]')) button.setAttribute('aria-pressed', button.dataset.mode === state.mode);
+  renderTabs();
   renderPlan();
   renderTour();
   renderBuild();

@@ -66,6 +66,8 @@ export const state = {
   visitor: false,
   // The game of a secret language: `open` while it is played, `told` when it is over.
   secret: '',
+  // The tab of the panel that is shown.
+  tab: /** @type {import('./tabs.js').Tab} */ ('thoughts'),
   // What the robot says while nothing is asked of it.
   said: /** @type {string[] | null} */ (null),
   // The command that the robot takes for done already.

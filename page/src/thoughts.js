@@ -4,6 +4,7 @@ import { world } from './core.js';
 import { t } from './language.js';
 import { asWritten, ideaWords } from './learned.js';
 import { $, all, make, percent, state } from './state.js';
+import { isShown } from './tabs.js';
 import { acted, ranked, wordShown } from './words.js';
 
 const SHOWN_TASKS = 8;
@@ -93,7 +94,7 @@ function renderSupport() {
 
 export function renderHeat() {
   // The table may be large: it is drawn when it is seen.
-  if (!$('heat').closest('details').open) return;
+  if (!isShown('words')) return;
   const older = state.heat.before;
   $('heat-before').disabled = !older || older.words.length === 0;
   const before = $('heat-before').checked && !$('heat-before').disabled;

@@ -152,6 +152,7 @@ async function teach({ home, intended, command }) {
 
 const told = (says, choices) => {
   if (game) Object.assign(game, { says, choices });
+  state.tab = 'challenges';
   render();
   announce(says.join(' '));
   $('trick-choices').querySelector('button')?.focus({ preventScroll: true });
@@ -213,7 +214,7 @@ async function repair(chosen) {
 
 export function renderTrick() {
   if (game && game.robot !== state.robot) game = null;
-  $('trick').hidden = state.mode !== 'play' || Boolean(state.secret);
+  $('trick').hidden = Boolean(state.secret);
   const says = game ? game.says : [t('trick.about')];
   const choices = game ? game.choices : /** @type {[string, () => any][]} */ ([[t('trick.play'), beginGame]]);
   const key = JSON.stringify([says, choices.map(([words]) => words)]);

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { close, launch, learned, open, still } from './browser.mjs';
+import { close, eachTab, launch, learned, open, still } from './browser.mjs';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 let browser;
@@ -12,8 +12,8 @@ after(() => browser.close());
 for (const [code, width] of [['de', 360], ['es', 360], ['fr', 360], ['zh', 360], ['de', 1280], ['fr', 1280]]) {
   test('axe finds nothing to object to in ' + code + ', ' + width + ' pixels wide', async () => {
     const page = await open(browser, { locale: code, viewport: { width, height: 800 }, bypassCSP: true });
-    const check = async where => {
-      await page.evaluate(() => { for (const details of document.querySelectorAll('.mind > details, .stage > details')) details.open = true; });
+    const check = where => eachTab(page, tab => checkTab(where + ', ' + tab));
+    const checkTab = async where => {
       await still(page);
       const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
       assert.deepEqual(violations.flatMap(violation => violation.nodes.map(node => where + ': ' + violation.id + ' at ' + node.target)), []);

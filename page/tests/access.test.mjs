@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { address, close, launch, open, openIn, pass, play, reload, still, stopTime } from './browser.mjs';
+import { address, close, eachTab, launch, open, opened, openIn, pass, play, reload, still, stopTime } from './browser.mjs';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 let browser;
@@ -12,8 +12,9 @@ after(() => browser.close());
 const TARGETS = 'button:not(#dots button), select, summary, .check, .button, textarea, input:not([type=checkbox], [type=file])';
 
 // What is there now, light and dark, wide and narrow.
-async function check(page, where) {
-  await page.evaluate(() => { for (const details of document.querySelectorAll('.mind > details, .stage > details')) details.open = true; });
+const check = (page, where) => eachTab(page, tab => checkTab(page, where + ', ' + tab));
+
+async function checkTab(page, where) {
   for (const width of [1280, 360]) {
     await page.setViewportSize({ width, height: 800 });
     for (const colorScheme of ['light', 'dark']) {
@@ -58,6 +59,7 @@ test('axe finds nothing to object to, light and dark, wide and narrow', async ()
 
 test('the floor plan is there in words, and what happens is told', async () => {
   const page = await open(browser, { reducedMotion: 'reduce' });
+  await opened(page, 'Settings, keeping, sharing');
   await page.getByText('The floor plan in words').click();
   assert.match(await page.textContent('#twin'), /The robot is at column 5, row 7, in the blue room/);
   assert.match(await page.textContent('#textmap'), /#########/);
@@ -82,7 +84,6 @@ test('light and dark can be chosen', async () => {
   const page = await open(browser, { colorScheme: 'light' });
   const ground = () => page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor);
   const light = await ground();
-  await page.evaluate(() => { for (const details of document.querySelectorAll('details')) details.open = true; });
   await page.selectOption('#theme', 'dark');
   assert.notEqual(await ground(), light);
   await reload(page);

@@ -50,6 +50,18 @@ export async function openIn(context, hash = '', prepare = null) {
   page.on('console', message => { if (message.type() === 'error' || message.type() === 'warning') page.complaints.push(message.text()); });
   page.on('pageerror', error => page.complaints.push(String(error)));
   page.on('request', request => { if (!/^(file|data|blob):/.test(request.url())) page.complaints.push('asked for ' + request.url()); });
+  // Who looks for something that stands in a tab chooses the tab first.
+  for (const name of ['click', 'tap', 'check', 'uncheck', 'fill', 'selectOption']) {
+    const plain = page[name].bind(page);
+    page[name] = async (selector, ...others) => {
+      const tab = await page.evaluate(wanted => {
+        const panel = /^[#[.\w]/.test(wanted) && !/[>=]{2}|:has-text|:visible/.test(wanted) && document.querySelector(wanted)?.closest('[role=tabpanel][hidden]');
+        return panel ? panel.getAttribute('aria-labelledby') : '';
+      }, selector);
+      if (tab) await page.locator('#' + tab).click();
+      return plain(selector, ...others);
+    };
+  }
   await page.goto(address + hash);
   await page.waitForSelector('body.ready');
   return page;
@@ -110,9 +122,21 @@ export async function play(page, home) {
   await page.selectOption('#home', home);
 }
 
+// Looks at each tab that is offered now.
+export async function eachTab(page, look) {
+  await page.evaluate(() => { for (const details of document.querySelectorAll('#in-words, #objects details')) details.open = true; });
+  const tabs = await page.locator('#tabs button:visible').evaluateAll(buttons => buttons.map(button => button.id));
+  for (const tab of tabs) {
+    await page.locator('#' + tab).click();
+    await look(tab);
+  }
+  if (!tabs.length) await look('no tab');
+}
+
 export const opened = async (page, title) => {
-  const details = page.locator('details', { has: page.getByRole('heading', { name: title }) });
-  if (!(await details.evaluate(element => element.open))) await details.locator('summary').click();
+  // The tab whose panel has that title.
+  const panel = page.locator('[role=tabpanel]', { has: page.getByRole('heading', { name: title, includeHidden: true }) });
+  await page.click('#' + await panel.getAttribute('aria-labelledby'));
   await page.evaluate(() => new Promise(done => { requestAnimationFrame(() => setTimeout(done)); }));
 };
 

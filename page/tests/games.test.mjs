@@ -33,6 +33,7 @@ test('a badly taught robot is tricked, one lesson repairs that, and another does
   const own = await sessions(page);
   for (const code of ['en', 'fr']) {
     await page.selectOption('#language', code);
+    await page.click('#tab-challenges');
     await choices(page).click();
     for (const level of [1, 2, 3]) {
       await page.locator('#trick-say', { hasText: new RegExp('^\\D*' + level + '\\D+3') }).waitFor();

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, launch, learned, open, opened, play, reload } from './browser.mjs';
+import { close, eachTab, launch, learned, open, opened, play, reload } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -50,8 +50,8 @@ const said = page => page.evaluate(() => {
 
 test('in Chinese, no English is left anywhere', async () => {
   const page = await open(browser, { locale: 'zh-CN' });
-  const look = async where => {
-    await page.evaluate(() => { for (const details of document.querySelectorAll('details')) details.open = true; });
+  const look = where => eachTab(page, tab => lookAt(where + ', ' + tab));
+  const lookAt = async where => {
     await settled(page);
     const english = (await said(page)).filter(text => /[A-Za-z]{3,}/.test(text.replace(/goodbot(\.hex)?|micro:bit|MICROBIT|WebAssembly|JSON|CSV|MacGlashan|session|step|answer|end|feedback|demonstration/g, '')));
     assert.deepEqual(english, [], where);
@@ -78,7 +78,7 @@ test('in Chinese, no English is left anywhere', async () => {
   await look('a question');
   await page.click('#drop');
   await page.click('#share');
-  await look('a link');
+  await lookAt('a link');
   await page.click('#close-link');
   await page.click('#new-robot');
   await settled(page);
@@ -135,7 +135,7 @@ test('German nouns keep the capital that they were written with', async () => {
   await page.click('#auto');
   await page.locator('#verdict:visible').waitFor();
   assert.match(await page.textContent('#say'), /Neue Wörter: geh, in, den, grünen, Raum\./);
-  await page.evaluate(() => { document.getElementById('heat').closest('details').open = true; });
+  await page.click('#tab-words');
   await settled(page);
   const words = await page.locator('#heat thead th span').allTextContents();
   assert.ok(words.includes('Raum') && words.includes('geh') && !words.includes('raum'), String(words));

@@ -76,6 +76,7 @@ test('commands of one’s own show at any time what the robot understands, and t
   await opened(page, 'Your robots');
   await page.click('#new-robot');
   await page.getByText('A new robot, ').first().waitFor();
+  await opened(page, 'Tests of your own');
   assert.equal(await page.locator('#tests li').count(), 0, 'they belong to their robot');
   await close(page);
 });
@@ -108,6 +109,7 @@ test('tests go to a file and come from one, and what is none is refused with its
   await page.getByText('line 3 of this log cannot be used: blockUnderRoom').first().waitFor();
   await load(Buffer.from('{"type":"end","learn":true}\n'));
   await page.getByText('there is no session in this log').first().waitFor();
+  await opened(page, 'Tests of your own');
   assert.equal(await page.locator('#tests li').count(), 0);
   await load(file);
   await page.waitForFunction(() => document.querySelectorAll('#tests li').length === 2);

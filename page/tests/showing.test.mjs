@@ -137,6 +137,7 @@ test('colours are named, not only shown, and names on things can be switched off
   await play(page, 'D');
   assert.deepEqual((await page.locator('#plan .roomname').allTextContents()).sort(), ['green room', 'red room', 'yellow room']);
   assert.deepEqual(await page.locator('#plan .blockname').allTextContents(), ['blue chair']);
+  await opened(page, 'Settings, keeping, sharing');
   await page.getByText('The floor plan in words').click();
   assert.match(await page.textContent('#twin'), /At column \d+, row \d+, in the \w+ room: the blue chair/);
   await opened(page, 'Settings, keeping, sharing');

@@ -1,0 +1,58 @@
+// One panel beside the stage, with a tab for each kind of thing to look at. Which tabs there are depends on what is done, and on what the robot knows.
+import { render } from './render.js';
+import { $, all, state } from './state.js';
+
+/** @typedef {'thoughts' | 'words' | 'steps' | 'challenges' | 'robots' | 'editor' | 'settings'} Tab */
+
+// A robot that knows nothing has no words and no steps to show.
+/** @type {() => Tab[]} */
+function offered() {
+  if (state.mode === 'build') return ['editor', 'settings'];
+  const nothing = state.sessions === 0 && !state.session;
+  return [...(/** @type {Tab[]} */ (nothing ? ['thoughts'] : ['thoughts', 'words', 'steps'])), ...(/** @type {Tab[]} */ (state.mode === 'play' ? ['challenges'] : [])), 'robots', 'settings'];
+}
+
+/** Whether a tab's panel is seen: what is large is drawn only then.
+ * @param {Tab} tab */
+export const isShown = tab => !$('panel').hidden && !$('panel-' + tab).hidden;
+
+/** @param {Tab} tab */
+export function showTab(tab) {
+  state.tab = tab;
+  render();
+}
+
+let taught = false;
+
+export function renderTabs() {
+  // In free play, what to teach next gives way to what the robot thinks, and comes back after it.
+  const teaching = Boolean(state.session && !state.session.looking);
+  if (state.mode === 'play' && taught !== teaching && state.tab === (teaching ? 'challenges' : 'thoughts')) state.tab = teaching ? 'thoughts' : 'challenges';
+  taught = teaching;
+  // The game of a secret language tells no thoughts.
+  $('panel').hidden = state.secret === 'open';
+  const tabs = offered();
+  if (!tabs.includes(state.tab)) state.tab = tabs[0];
+  for (const button of all('#tabs button')) {
+    const tab = button.id.slice(4);
+    const chosen = tab === state.tab;
+    button.hidden = !tabs.includes(tab);
+    button.setAttribute('aria-selected', chosen);
+    button.tabIndex = chosen ? 0 : -1;
+    $('panel-' + tab).hidden = !chosen;
+  }
+}
+
+export function setUpTabs() {
+  for (const button of all('#tabs button')) button.addEventListener('click', () => showTab(button.id.slice(4)));
+  $('tabs').addEventListener('keydown', event => {
+    const tabs = offered();
+    const at = tabs.indexOf(state.tab);
+    const to = { ArrowLeft: at - 1, ArrowRight: at + 1, Home: 0, End: tabs.length - 1 }[event.key];
+    if (to === undefined) return;
+    // In a session these keys are Bad and Good elsewhere.
+    event.preventDefault();
+    showTab(tabs[(to + tabs.length) % tabs.length]);
+    $('tab-' + state.tab).focus();
+  });
+}
