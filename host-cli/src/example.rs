@@ -1,7 +1,8 @@
-//! `goodbot example`: a home, a session log, a world and a table of synonyms to begin with.
+//! `goodbot example`: a home, a session log, a world and tables of words to begin with.
 
 use clap::ValueEnum;
 use goodbot_console::outcome::Failure;
+use goodbot_lesson::listening::CLOSED_WORDS;
 use std::io::Write;
 
 /// What can be printed.
@@ -17,6 +18,8 @@ pub enum Example {
     World,
     /// A table of synonyms
     Synonyms,
+    /// The words of five languages that speak about commands: "not", "and", "please"
+    ClosedWords,
 }
 
 /// Three rooms with a legend.
@@ -47,6 +50,7 @@ pub fn run(what: Example) -> Result<(), Failure> {
         Example::Log => include_str!("example/sessions.jsonl"),
         Example::World => include_str!("example/world.json"),
         Example::Synonyms => include_str!("example/synonyms.txt"),
+        Example::ClosedWords => return Ok(write!(std::io::stdout().lock(), "{CLOSED_WORDS}")?),
     };
     Ok(std::io::stdout().lock().write_all(text.as_bytes())?)
 }

@@ -1,10 +1,12 @@
 //! Files that the commands read.
 //!
 //! - [`input`]: files and standard input;
+//! - [`closed_words`]: tables of words that speak about commands;
 //! - [`content`]: what a file is;
 //! - [`kinds`]: the kinds of tasks that commands may mean;
 //! - [`synonyms`]: tables of words that mean the same.
 
+pub mod closed_words;
 pub mod content;
 pub mod input;
 pub mod kinds;

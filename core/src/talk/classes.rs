@@ -295,6 +295,13 @@ impl<'t> ClosedWords<'t> {
     }
 }
 
+/// The table as its file has it.
+impl fmt::Display for ClosedWords<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.text)
+    }
+}
+
 fn without_comment(line: &str) -> &str {
     line.split('#').next().unwrap_or("")
 }

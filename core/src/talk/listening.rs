@@ -1,7 +1,7 @@
 //! The hypotheses of what an utterance is, and the verdict.
 
 use super::classes::{Class, Classes, ClosedWords};
-use super::readings::{Parting, all, has_more, negated};
+use super::readings::{Parting, all, has_more, may_turn, negated};
 use super::recalled::{Before, Recalled};
 use crate::capacity::{CapacityError, LIFTED_TASKS, WORDS_PER_COMMAND};
 use crate::language::bitext::BitextRef;
@@ -33,6 +33,8 @@ pub(super) const NEGATED: f32 = 0.1;
 pub(super) const SEVERAL: f32 = 0.05;
 pub(super) const ALL: f32 = 0.03;
 const TALK: f32 = 0.02;
+/// How probable the opposite of a command is where a new word may turn it round: as probable as the command.
+const REVERSED: f32 = 1.0 - NOTHING - ABSENT - ABOUT - SEVERAL;
 /// The weight of "again" where something was done before, in no unit.
 const AGAIN: f32 = 1.0;
 /// The share of each kind of task that is for tasks that are done already.
@@ -78,6 +80,8 @@ pub enum Hypothesis {
     About,
     /// A command the other way round: what shall not be.
     Negated,
+    /// Perhaps the opposite of a command: a word was never heard, and no table says that it does not turn the command round.
+    Reversed,
     /// Several commands.
     Several,
     /// A command for all things of a class.
@@ -96,6 +100,7 @@ impl fmt::Display for Hypothesis {
             Self::Absent => "a thing that is not here",
             Self::About => "a thing, but not what to do with it",
             Self::Negated => "what shall not be",
+            Self::Reversed => "perhaps the opposite of a command",
             Self::Several => "several commands",
             Self::All => "all things of a kind",
             Self::Again => "the same again",
@@ -308,6 +313,11 @@ impl Heard {
         self.is_new || self.is_mended
     }
 
+    /// Whether it is more probable as a slip for a known word than as a new word.
+    pub fn is_slip(&self) -> bool {
+        self.is_mended && self.factor > 1.0
+    }
+
     /// Whether it says nothing of a task, nor names a value.
     pub const fn is_plain(&self) -> bool {
         !(self.is_new || self.is_of_task || self.is_name)
@@ -410,6 +420,8 @@ pub(super) struct Explained {
     whole: TaskSet,
     /// Whether a word is a sign of a kind of task.
     pub acts: bool,
+    /// Whether a new word stands where commands have the word of their task.
+    pub has_new_verb: bool,
     /// Whether other words point back.
     pub points_back: bool,
     /// The share of the tasks that hold already.
@@ -784,13 +796,16 @@ impl<M: AgentMemory> Agent<M> {
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
+        let mut has_new_verb = false;
         let mut named = {
             let language = language.read();
             let is_plain = |word| is_plain(language, wording.closed, word);
             let mut senses = Senses::new(language.tables(), language.bitext(), &is_plain, wording.facts);
             let mut named = Named::of(&mut senses, &said);
             if let Some(behind) = new_verb(words) {
-                named.may_act(senses.acts_before(behind));
+                let kinds = senses.acts_before(behind);
+                has_new_verb = kinds != 0;
+                named.may_act(kinds);
             }
             named
         };
@@ -811,6 +826,7 @@ impl<M: AgentMemory> Agent<M> {
             own: TaskSet::EMPTY,
             whole: TaskSet::EMPTY,
             acts,
+            has_new_verb,
             points_back: false,
             done: view.done,
         };
@@ -893,6 +909,10 @@ impl<M: AgentMemory> Agent<M> {
             Some((_, sum)) => *sum = sum.plus(weight),
             None => drop(hypotheses.push((hypothesis, weight))),
         };
+        // As probable as the command, and before it: who waits does no harm.
+        if wording.closed.count(Class::Negation) == 0 && may_turn(words, explained.has_new_verb) {
+            add(Hypothesis::Reversed, explained.here.scaled_by(REVERSED));
+        }
         add(Hypothesis::Command, explained.here.scaled_by(1.0 - NOTHING - ABSENT - ABOUT - SEVERAL));
         let no_task = |of: &dyn Fn(usize, &Heard) -> f32| {
             let words = words.iter().enumerate();

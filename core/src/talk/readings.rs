@@ -97,6 +97,12 @@ pub(super) fn all(words: &[Heard]) -> Option<Rest> {
     Some(Rest { words: rest, prior: ALL * UNNAMED * probability, view, is_clear, is_act: false, is_act_for_things: false })
 }
 
+/// Whether a new word may turn a command round: "never", "out of". A slip for a known word does not, nor does the one new verb that a command
+/// may have.
+pub(super) fn may_turn(words: &[Heard], has_new_verb: bool) -> bool {
+    words.iter().filter(|word| word.is_strange() && !word.is_slip()).count() > usize::from(has_new_verb)
+}
+
 /// Whether a connective stands before words that may be a command of their own: who does a half of what is said does something else.
 pub(super) fn has_more(words: &[Heard]) -> bool {
     let is_connective = |word: &Heard| word.classes.contains(Class::Connective);

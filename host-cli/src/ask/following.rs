@@ -3,10 +3,9 @@
 use super::plan::{Plan, plan};
 use goodbot::home::{Home, HomeState};
 use goodbot::memory::{AgentMemory, HomeMemory};
-use goodbot::talk::{Hypothesis, Listened, Verdict};
+use goodbot::talk::{ClosedWords, Hypothesis, Listened, Verdict};
 use goodbot::task::GroundedTask;
 use goodbot::{Agent, AgentError};
-use goodbot_lesson::listening::CLOSED_WORDS;
 use goodbot_lesson::name::{in_words, task_name};
 
 /// The tasks of an utterance, one after another.
@@ -45,6 +44,7 @@ pub fn follow(
     home: &Home<impl HomeMemory>,
     start: &HomeState,
     utterance: &str,
+    closed: ClosedWords<'_>,
     first: Listened,
 ) -> Result<Followed, AgentError> {
     let (mut state, mut part, mut rest) = (*start, first, utterance);
@@ -68,7 +68,7 @@ pub fn follow(
         }
         let Some(behind) = part.rest.and_then(|at| rest.get(at..)) else { break };
         rest = behind;
-        part = agent.listen_on(home, &state, rest, CLOSED_WORDS)?;
+        part = agent.listen_on(home, &state, rest, closed)?;
     }
     let verdict = if verdicts.iter().all(|verdict| *verdict == Verdict::Done) {
         Verdict::Done

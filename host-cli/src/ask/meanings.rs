@@ -10,10 +10,10 @@ use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Domain;
 use goodbot::probability::{Scaled, total};
-use goodbot::talk::{Listened, Verdict};
+use goodbot::talk::{ClosedWords, Listened, Verdict};
 use goodbot::task::{GroundedTask, LiftedTask, ground};
 use goodbot::{Agent, AgentError, Capacities};
-use goodbot_lesson::listening::{CLOSED_WORDS, tells_talk};
+use goodbot_lesson::listening::tells_talk;
 use goodbot_lesson::name::{in_words, task_name};
 
 /// What a command may mean.
@@ -51,6 +51,7 @@ pub fn meanings(
     home: &Home<impl HomeMemory>,
     start: &HomeState,
     utterance: &str,
+    closed: ClosedWords<'_>,
 ) -> Result<Heard, AgentError> {
     if !tells_talk(agent) {
         let meanings = of_command(agent, home, start, first_words(utterance))?;
@@ -58,9 +59,9 @@ pub fn meanings(
         let steps = likeliest.map(|task| (*task, *start)).into_iter().collect();
         return Ok(Heard { listened: None, followed: None, steps, meanings });
     }
-    let listened = agent.listen(home, start, utterance, CLOSED_WORDS)?;
+    let listened = agent.listen(home, start, utterance, closed)?;
     let followed = match following::is_followed(listened.hypothesis) {
-        true => Some(following::follow(agent, home, start, utterance, listened)?),
+        true => Some(following::follow(agent, home, start, utterance, closed, listened)?),
         false => None,
     };
     let steps = match &followed {

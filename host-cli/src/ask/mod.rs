@@ -22,9 +22,10 @@ use goodbot::home::{Home, HomeState, Moves};
 use goodbot::language::{Synonyms, first_words};
 use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
-use goodbot::talk::{Hypothesis, Listened, Verdict};
+use goodbot::talk::{ClosedWords, Hypothesis, Listened, Verdict};
 use goodbot::{Agent, AgentError};
 use goodbot_console::lessons::restored;
+use goodbot_console::load::closed_words::ClosedWordOptions;
 use goodbot_console::load::input;
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::synonyms::{SynonymOptions, in_known_words};
@@ -78,6 +79,8 @@ pub struct AskOptions {
     threshold: Option<f32>,
     #[command(flatten)]
     synonyms: SynonymOptions,
+    #[command(flatten)]
+    closed_words: ClosedWordOptions,
     #[command(flatten)]
     kinds: TaskKinds,
     /// The robot can pull blocks too
@@ -163,6 +166,8 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
     let mut agent = restored::agent(&options.with, &lifted)?;
     let synonyms = options.synonyms.read()?;
     let synonyms = synonyms.table()?;
+    let closed = options.closed_words.read()?;
+    let closed = closed.table()?;
     let mut out = BufWriter::new(std::io::stdout().lock());
     let mut state = None;
     for (number, question) in questions(options)?.iter().enumerate() {
@@ -171,7 +176,7 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
             Failure::Input(format!("{}: field \"{}\": {}", question.source, flaw.field(), flaw.message(&question.environment)))
         })?;
         let start = state.unwrap_or(start);
-        let answer = answer(&mut agent, &home, &start, question, synonyms)?;
+        let answer = answer(&mut agent, &home, &start, question, synonyms, closed)?;
         if options.conversation && ["sure", "done"].contains(&answer.verdict(options.threshold)) {
             answer.steps.iter().for_each(|(task, before)| agent.remember(&home, before, task));
             state = Some(answer.end);
@@ -269,6 +274,7 @@ fn answer(
     start: &HomeState,
     question: &Question,
     synonyms: Synonyms<'_>,
+    closed: ClosedWords<'_>,
 ) -> Result<Answer, Failure> {
     let fault = |error: AgentError| Failure::Input(refusal::in_words(&error));
     let first = first_words(&question.command);
@@ -278,7 +284,7 @@ fn answer(
     let heard = in_known_words(synonyms, agent.language(), first)? + unheard;
     let read = first_words(&heard);
     let unread = heard.get(read.len()..).map_or(0, |rest| rest.split_whitespace().count());
-    let Heard { listened, followed, steps, meanings } = meanings::meanings(agent, home, start, &heard).map_err(fault)?;
+    let Heard { listened, followed, steps, meanings } = meanings::meanings(agent, home, start, &heard, closed).map_err(fault)?;
     let mut tasks = Vec::new();
     for (position, task) in agent.tasks().iter().enumerate() {
         let Some(kind) = agent.lifted().get(usize::from(task.lifted)) else { continue };

@@ -139,11 +139,16 @@ pub fn taught(lessons: usize, wording: &Wording) -> (tempfile::TempDir, String) 
 
 /// The answers to sentences said in a home.
 fn asked(model: &str, home: &Home, sentences: &[String]) -> Vec<Value> {
+    asked_with(&[], model, home, sentences)
+}
+
+/// The answers to sentences said in a home, with some options.
+fn asked_with(options: &[&str], model: &str, home: &Home, sentences: &[String]) -> Vec<Value> {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("home.json");
     std::fs::write(&file, home.json().to_string()).expect("a file");
-    let run =
-        goodbot(&["ask", "--with", model, "--environment", file.to_str().expect("a name"), "--json", "-"], sentences.join("\n").as_bytes());
+    let ask = ["ask", "--with", model, "--environment", file.to_str().expect("a name"), "--json", "-"];
+    let run = goodbot(&[&ask[..], options].concat(), sentences.join("\n").as_bytes());
     assert_eq!(run.code, 0, "{}", run.messages);
     run.output.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect()
 }
@@ -517,4 +522,48 @@ fn words_that_point_back_are_not_followed_where_nothing_was_done_before() {
     for (words, answer) in unsure.iter().zip(asked(&model, &three_rooms(), &unsure.map(str::to_owned))) {
         assert!(answer["verdict"] == "unsure" || answer["verdict"] == "none", "{words}: {answer}");
     }
+}
+
+#[test]
+fn a_new_word_may_turn_a_command_round_where_a_robot_knows_no_closed_words() {
+    let (folder, model) = taught(120, &ENGLISH);
+    let empty = folder.path().join("empty.txt").to_str().expect("a name").to_owned();
+    std::fs::write(&empty, "# No words.\n").expect("a file");
+    let cases = [
+        ("go to the blue room", "sure"),
+        // A slip, and a new verb where commands have theirs, turn nothing round.
+        ("go to the blue roomm", "sure"),
+        ("stroll to the blue room", "sure"),
+        ("never go to the blue room", "unsure"),
+        ("please go to the blue room", "unsure"),
+    ];
+    let sentences: Vec<String> = cases.iter().map(|(words, _)| (*words).to_owned()).collect();
+    let answers = asked_with(&["--closed-words", &empty], &model, &three_rooms(), &sentences);
+    for ((words, verdict), answer) in cases.iter().zip(answers) {
+        assert_eq!(answer["verdict"], *verdict, "{words}: {answer}");
+        let taken_for = if *verdict == "sure" { "a command" } else { "perhaps the opposite of a command" };
+        assert_eq!(answer["taken_for"], taken_for, "{words}");
+    }
+}
+
+#[test]
+fn the_table_of_closed_words_can_be_printed_and_replaced() {
+    let (folder, model) = taught(120, &ENGLISH);
+    let printed = goodbot(&["example", "closed-words"], b"");
+    assert_eq!(printed.code, 0, "{}", printed.messages);
+    let file = folder.path().join("words.txt").to_str().expect("a name").to_owned();
+    let sentences = ["zounds go to the blue room".to_owned()];
+    let verdict = |text: &str| {
+        std::fs::write(&file, text).expect("a file");
+        let [answer] = &asked_with(&["--closed-words", &file], &model, &three_rooms(), &sentences)[..] else { panic!("one answer") };
+        (answer["verdict"].clone(), answer["task"].clone())
+    };
+    assert_eq!(verdict(&printed.output), (json!("sure"), json!("agentInRoom(agent0,room1)")));
+    assert_eq!(verdict(&format!("{}\nnegation: zounds\n", printed.output)), (json!("done"), json!("!agentInRoom(agent0,room1)")));
+
+    std::fs::write(&file, "negation: not\ncolour: red\n").expect("a file");
+    let home = folder.path().join("home.json").to_str().expect("a name").to_owned();
+    std::fs::write(&home, three_rooms().json().to_string()).expect("a file");
+    let wrong = goodbot(&["ask", "--with", &model, "--environment", &home, "--closed-words", &file, "go"], b"");
+    assert!(wrong.code != 0 && wrong.messages.contains("line 2: \"colour\" is no class of words"), "{}", wrong.messages);
 }

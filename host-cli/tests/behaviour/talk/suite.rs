@@ -2,7 +2,7 @@
 //! settings: the homes with even numbers, and in each kind of sentence the first, the third and so on. The other half is kept aside: homes with
 //! odd numbers, and the sentences between.
 
-use super::{COLORS, Home, SHAPES, asked, go, not, take, then};
+use super::{COLORS, Home, SHAPES, asked_with, go, not, take, then};
 use crate::program::goodbot;
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -23,6 +23,15 @@ enum Half {
     Tuning,
     /// Looked at when all is chosen.
     KeptAside,
+}
+
+/// Which closed classes of words the robot knows.
+#[derive(Clone, Copy, PartialEq)]
+enum Table {
+    /// Those that are built in.
+    Of5Languages,
+    /// None.
+    Empty,
 }
 
 /// Numbers that look random, and are the same each time (SplitMix64).
@@ -271,19 +280,22 @@ fn is_right(answer: &str, kind: &str, meant: &[String]) -> bool {
 }
 
 /// Asks half the suite of a robot with some lessons, and prints what came of it.
-fn judge(language: &str, text: &'static str, lessons: usize, half: Half) -> Tally {
+fn judge(language: &str, text: &'static str, lessons: usize, half: Half, table: Table) -> Tally {
     let wording = Wording::of(text);
     let folder = tempfile::tempdir().expect("a folder");
     let model = folder.path().join("words.goodbot").to_str().expect("a name").to_owned();
     let run = goodbot(&["learn", "-", "--quiet", "--out", &model], wording.lessons(lessons).as_bytes());
     assert_eq!(run.code, 0, "{}", run.messages);
+    let empty = folder.path().join("empty.txt").to_str().expect("a name").to_owned();
+    std::fs::write(&empty, "").expect("a file");
+    let options: &[&str] = if table == Table::Empty { &["--closed-words", &empty] } else { &[] };
     let (mut kinds, mut whole): (BTreeMap<&str, Tally>, Tally) = (BTreeMap::new(), Tally::default());
     for number in 0..HOMES {
         let mut numbers = Numbers(1_000 + 2 * number + u64::from(half == Half::KeptAside));
         let home = home(&mut numbers);
         let said = said(&wording, &home, half, &mut numbers);
         let sentences: Vec<String> = said.iter().map(|said| said.text.clone()).collect();
-        for (said, answer) in said.iter().zip(asked(&model, &home, &sentences)) {
+        for (said, answer) in said.iter().zip(asked_with(options, &model, &home, &sentences)) {
             let is_sure = answer["verdict"] == "sure" || answer["verdict"] == "done";
             let is_right =
                 is_sure && said.meant.as_ref().is_some_and(|meant| is_right(answer["task"].as_str().unwrap_or(""), said.kind, meant));
@@ -323,19 +335,31 @@ fn judge(language: &str, text: &'static str, lessons: usize, half: Half) -> Tall
     whole
 }
 
-/// Asks half the suite in all languages. At most 1 of 40 answers may be sure of what was not meant, and at least so many of 100 sentences must
-/// be followed after 120 and after 24 lessons.
-fn check(half: Half, least: [usize; 2]) {
+/// Asks half the suite in all languages, of robots with so many lessons each.
+fn judge_all(half: Half, table: Table, lessons: &[usize]) -> Vec<(&'static str, usize, Tally)> {
     let languages = [("en", ENGLISH), ("de", GERMAN), ("fr", FRENCH), ("es", SPANISH), ("zh", CHINESE)];
-    let judged =
-        |(name, text)| [(120, least[0]), (24, least[1])].map(|(lessons, least)| (name, lessons, least, judge(name, text, lessons, half)));
-    let all: Vec<_> = std::thread::scope(|scope| {
+    let judged = |(name, text)| lessons.iter().map(|&lessons| (name, lessons, judge(name, text, lessons, half, table))).collect::<Vec<_>>();
+    std::thread::scope(|scope| {
         let threads: Vec<_> = languages.into_iter().map(|language| scope.spawn(move || judged(language))).collect();
         threads.into_iter().flat_map(|thread| thread.join().expect("the suite is asked")).collect()
-    });
-    for (name, lessons, least, tally) in all {
+    })
+}
+
+/// At most 1 of 40 answers may be sure of what was not meant, and at least so many of 100 sentences must be followed after 120 and after 24
+/// lessons.
+fn check(half: Half, least: [usize; 2]) {
+    for (name, lessons, tally) in judge_all(half, Table::Of5Languages, &[120, 24]) {
+        let least = least[usize::from(lessons == 24)];
         assert!(tally.helpful * 100 >= tally.follow * least, "{name}, {lessons} lessons: {} of {}", tally.helpful, tally.follow);
         assert!(tally.harmful * 40 <= tally.all, "{name}, {lessons} lessons: harmful {} of {}", tally.harmful, tally.all);
+    }
+}
+
+/// A robot that knows no closed words is sure of what was not meant in at most 2 of 25 answers. At least so many of 100 sentences must be followed.
+fn check_without_words(half: Half, least: usize) {
+    for (name, lessons, tally) in judge_all(half, Table::Empty, &[120]) {
+        assert!(tally.helpful * 100 >= tally.follow * least, "{name}, {lessons} lessons: {} of {}", tally.helpful, tally.follow);
+        assert!(tally.harmful * 25 <= tally.all * 2, "{name}, {lessons} lessons: harmful {} of {}", tally.harmful, tally.all);
     }
 }
 
@@ -347,4 +371,14 @@ fn the_tuning_half_of_the_suite_is_followed_in_five_languages() {
 #[test]
 fn the_half_that_was_kept_aside_is_followed_in_five_languages() {
     check(Half::KeptAside, [80, 74]);
+}
+
+#[test]
+fn without_closed_words_the_tuning_half_does_little_harm() {
+    check_without_words(Half::Tuning, 15);
+}
+
+#[test]
+fn without_closed_words_the_half_that_was_kept_aside_does_little_harm() {
+    check_without_words(Half::KeptAside, 10);
 }
