@@ -124,6 +124,7 @@ pub fn page(run: &mut Run) -> Result<()> {
     let (sh, node) = (shell()?, NODE.path()?);
     crate::page::build()?;
     npm_packages()?;
+    crate::release::try_out(run)?;
     sh.set_var("GOODBOT_CHROMIUM", CHROMIUM.path().or_else(|missing| on_path("chromium").ok_or(missing))?);
     match FIREFOX.path() {
         Ok(second) => sh.set_var("GOODBOT_FIREFOX", second),

@@ -4,6 +4,7 @@ mod archive;
 mod boards;
 mod book;
 mod check;
+mod npm;
 mod texts;
 
 use std::path::{Path, PathBuf};
@@ -21,6 +22,7 @@ use archive::{files, pack};
 use texts::Texts;
 
 pub use check::check;
+pub use npm::try_out;
 
 /// Where the packages go.
 const FOLDER: &str = "dist/release";
@@ -41,6 +43,8 @@ enum Package {
     Python,
     /// the trainer page
     Page,
+    /// the robot for JavaScript, with types, and the page by `npx goodbot`
+    Npm,
     /// the file for a micro:bit
     Microbit,
     /// the documents as web pages
@@ -96,6 +100,10 @@ impl Package {
             Self::Page => {
                 crate::page::build()?;
                 Ok(sh.copy_file("dist/goodbot.html", to)?)
+            }
+            Self::Npm => {
+                crate::page::build()?;
+                npm::make(sh, texts, to).map(drop)
             }
             Self::Microbit => Ok(sh.copy_file(crate::firmware::deliver()?, to)?),
             Self::Guide => book::make(sh, texts, to),

@@ -1,0 +1,52 @@
+// The npm package as its users have it: installed into an empty folder, which GOODBOT_INSTALLED names.
+import assert from 'node:assert/strict';
+import { spawn, spawnSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+
+const folder = String(process.env.GOODBOT_INSTALLED);
+const installed = join(folder, 'node_modules/goodbot');
+
+test('the example of its README runs', () => {
+  const [, example] = readFileSync(join(installed, 'README.md'), 'utf8').split(/```js\n|```\n/);
+  writeFileSync(join(folder, 'example.mjs'), example);
+  const run = spawnSync(process.execPath, ['example.mjs'], { cwd: folder, encoding: 'utf8' });
+  assert.equal(run.status, 0, run.stderr);
+  assert.equal(run.stdout.match(/^(north|south|east|west|noop)$/gm)?.length, 12);
+  assert.match(run.stdout, /tasks/);
+});
+
+test('what is learned comes back, and a wrong file is refused with a reason', async () => {
+  const { Goodbot } = await import(join(installed, 'index.js'));
+  const taught = new Goodbot(1);
+  taught.setEnvironment(JSON.stringify(JSON.parse(Goodbot.course(0)).homes[0][1]));
+  taught.hear('go to the red room');
+  taught.finish();
+  while (!taught.learn(1000));
+  const other = new Goodbot(1);
+  other.restore(taught.save());
+  while (!other.learn(1000));
+  assert.equal(other.sessions(), 1);
+  assert.deepEqual(other.save(), taught.save());
+  assert.throws(() => other.restore(new Uint8Array(9)), /model/);
+});
+
+test('its command shows the page to this machine', async () => {
+  const server = spawn(process.execPath, [join(installed, 'bin/goodbot.mjs'), '--no-open'], { stdio: ['ignore', 'pipe', 'inherit'] });
+  try {
+    const [said] = await server.stdout.setEncoding('utf8').take(1).toArray();
+    const address = String(said.match(/http:\S+/));
+    const page = await fetch(address);
+    assert.match(await page.text(), /<title>/);
+    assert.equal((await fetch(`${address}other`)).status, 404);
+  } finally {
+    server.kill();
+  }
+});
+
+test('its command says how it is used', () => {
+  const run = spawnSync(process.execPath, [join(installed, 'bin/goodbot.mjs'), '--colour'], { encoding: 'utf8' });
+  assert.equal(run.status, 2);
+  assert.match(run.stderr, /usage: goodbot/);
+});

@@ -1,0 +1,1 @@
+export * from './goodbot_wasm.js';
