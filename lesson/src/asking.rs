@@ -6,6 +6,7 @@
 //! Where the robot listened and two tasks fit nearly as well that differ in one object, such as two chairs, it asks at once which is meant.
 
 use crate::live::{Lesson, LiveError};
+use crate::place::Place;
 use goodbot::asking::{Answer, Asking, Question};
 use goodbot::task::TaskSet;
 
@@ -60,7 +61,7 @@ fn sets(question: &Question) -> impl Iterator<Item = TaskSet> {
     std::iter::once(question.yes).chain(question.choices.into_iter().take(count)).filter(|set| !set.is_empty())
 }
 
-impl Lesson {
+impl<D: Place> Lesson<D> {
     /// What the robot asks here, if a question teaches it more than its next steps do. The plan must be done.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! A recorded session, checked against its home and walked through before anything is believed of it.
+//! A recorded session, checked against its home or its world, and walked through before anything is believed of it.
 
 #[cfg(feature = "talk")]
 use crate::conversing::Conversing;
@@ -10,7 +10,7 @@ use crate::walk::Listening;
 use crate::walk::{Expected, SessionAnswer, Step, Walk};
 use goodbot::capacity::{Capacity, CapacityError, PROPOSITIONS_PER_TASK};
 use goodbot::feedback::Feedback;
-use goodbot::home::{Home, HomeState, Moves, SCHEMA};
+use goodbot::home::{Home, Moves};
 use goodbot::language::for_each_piece;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Domain;
@@ -18,16 +18,23 @@ use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
 use goodbot::{AgentError, Capacities};
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedAnswer, RecordedSession, StepRecord, StrategyRecord};
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
+use std::fmt;
 
 /// A session that can be gone through.
-#[derive(Debug)]
-pub struct CheckedSession<M> {
+pub struct CheckedSession<D: Domain> {
     /// What happens in it.
-    pub walk: Walk<M>,
+    pub walk: Walk<D>,
     /// The tasks that there are here, with their names.
     pub tasks: Vec<(GroundedTask, GroundTaskText)>,
     /// The task that was meant, by its position, where the record names one of the tasks.
     pub intended: Option<usize>,
+}
+
+impl<D: Domain<State: fmt::Debug> + fmt::Debug> fmt::Debug for CheckedSession<D> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { walk, tasks, intended } = self;
+        f.debug_struct("CheckedSession").field("walk", walk).field("tasks", tasks).field("intended", intended).finish()
+    }
 }
 
 /// The moves that a session's actions are.
@@ -42,14 +49,20 @@ pub fn moves<'a>(names: impl Iterator<Item = &'a str>) -> Option<Moves> {
 }
 
 /// Collects what is wrong with one session.
-struct Checker<'a> {
+pub(crate) struct Checker<'a> {
     file: &'a str,
     recorded: &'a RecordedSession,
+    /// The field that tells where it takes place, and what there can be too much of.
+    place: (&'static str, &'static str),
     faults: Vec<Fault>,
 }
 
-impl Checker<'_> {
-    fn fault(&mut self, field: impl Into<String>, message: impl std::fmt::Display) {
+impl<'a> Checker<'a> {
+    pub(crate) const fn new(file: &'a str, recorded: &'a RecordedSession, place: (&'static str, &'static str)) -> Self {
+        Self { file, recorded, place, faults: Vec::new() }
+    }
+
+    pub(crate) fn fault(&mut self, field: impl Into<String>, message: impl std::fmt::Display) {
         self.faults.push(Fault::on_line(self.file, self.recorded.header_line, message).in_field(field));
     }
 }
@@ -63,8 +76,8 @@ pub fn check<M: HomeMemory>(
     recorded: &RecordedSession,
     lifted: &[LiftedTask],
     memory: M,
-) -> Result<CheckedSession<M>, Vec<Fault>> {
-    let mut checker = Checker { file, recorded, faults: Vec::new() };
+) -> Result<CheckedSession<Home<M>>, Vec<Fault>> {
+    let mut checker = Checker::new(file, recorded, ("environment", "rooms or blocks"));
     let header = &recorded.header;
     let moves = moves(header.action_names());
     if moves.is_none() {
@@ -83,30 +96,10 @@ pub fn check<M: HomeMemory>(
         _ => Err(()),
     };
     let Ok((home, start)) = built else { return Err(checker.faults) };
-    checker.intended(&home);
-    let tasks = checker.tasks(&home, &start, lifted);
-    checker.intended_task(&home, &start, &tasks, lifted.iter().any(LiftedTask::has_way));
-    let meant = header.meant().and_then(Result::ok);
-    let walk = Walk {
-        command: header.command.clone(),
-        #[cfg(feature = "talk")]
-        listening: checker.listening(&home, &start, lifted),
-        kind: header.kind,
-        continues: header.continues,
-        header_line: recorded.header_line,
-        end_line: recorded.end_line,
-        prior: header.prior.as_ref().map(|prior| checker.prior(prior, &tasks)),
-        strategies: header.strategies.as_ref().map(|strategies| checker.strategies(strategies)),
-        steps: checker.walk(&home, &start),
-        answers: checker.answers(&tasks),
-        home,
-        start,
-    };
-    if !checker.faults.is_empty() {
-        return Err(checker.faults);
-    }
-    let intended = meant.and_then(|meant| tasks.iter().position(|(_, name)| name.is_same(&meant)));
-    Ok(CheckedSession { walk, tasks, intended })
+    checker.session(home, start, lifted, |home, state, record| {
+        let cell = home.agent_cell(state);
+        impossible(record, cell.x, cell.y)
+    })
 }
 
 /// As [`check`], for a session that is gone through: one that was labelled has no steps.
@@ -118,16 +111,62 @@ pub fn check_steps<M: HomeMemory>(
     recorded: &RecordedSession,
     lifted: &[LiftedTask],
     memory: M,
-) -> Result<CheckedSession<M>, Vec<Fault>> {
+) -> Result<CheckedSession<Home<M>>, Vec<Fault>> {
+    has_steps(file, recorded)?;
+    check(file, recorded, lifted, memory)
+}
+
+/// Whether a session is one that is gone through.
+pub(crate) fn has_steps(file: &str, recorded: &RecordedSession) -> Result<(), Vec<Fault>> {
     if recorded.header.kind == Kind::Labelled {
         let message = "a labelled session has no steps to go through; learn from it with goodbot learn";
         return Err(vec![Fault::on_line(file, recorded.header_line, message).in_field("kind")]);
     }
-    check(file, recorded, lifted, memory)
+    Ok(())
 }
 
 impl Checker<'_> {
-    fn command(&mut self) {
+    /// Walks through a session in its home or its world. `impossible` says why a step cannot be taken in a state.
+    pub(crate) fn session<D: Domain>(
+        mut self,
+        home: D,
+        start: D::State,
+        lifted: &[LiftedTask],
+        impossible: impl Fn(&D, &D::State, &StepRecord) -> String,
+    ) -> Result<CheckedSession<D>, Vec<Fault>> {
+        let header = &self.recorded.header;
+        self.intended(&home);
+        let tasks = self.tasks(&home, &start, lifted);
+        self.intended_task(&home, &start, &tasks, lifted.iter().any(LiftedTask::has_way));
+        let meant = header.meant().and_then(Result::ok);
+        let walk = Walk {
+            command: header.command.clone(),
+            #[cfg(feature = "talk")]
+            listening: self.listening(&home, &start, lifted),
+            kind: header.kind,
+            continues: header.continues,
+            header_line: self.recorded.header_line,
+            end_line: self.recorded.end_line,
+            prior: header.prior.as_ref().map(|prior| self.prior(prior, &tasks)),
+            strategies: header.strategies.as_ref().map(|strategies| self.strategies(strategies)),
+            steps: self.walk(&home, &start, impossible),
+            answers: self.answers(&tasks),
+            home,
+            start,
+        };
+        if !self.faults.is_empty() {
+            return Err(self.faults);
+        }
+        let intended = meant.and_then(|meant| tasks.iter().position(|(_, name)| name.is_same(&meant)));
+        Ok(CheckedSession { walk, tasks, intended })
+    }
+
+    /// What is wrong with it so far.
+    pub(crate) fn into_faults(self) -> Vec<Fault> {
+        self.faults
+    }
+
+    pub(crate) fn command(&mut self) {
         let header = &self.recorded.header;
         let said = header.utterance.iter().map(|utterance| ("utterance", utterance));
         for (field, text) in std::iter::once(("command", &header.command)).chain(said) {
@@ -149,7 +188,7 @@ impl Checker<'_> {
 
     /// How the session began where the robot listened.
     #[cfg(feature = "talk")]
-    fn listening(&mut self, home: &Home<impl HomeMemory>, start: &HomeState, lifted: &[LiftedTask]) -> Option<Listening> {
+    fn listening<D: Domain>(&mut self, home: &D, start: &D::State, lifted: &[LiftedTask]) -> Option<Listening> {
         let header = &self.recorded.header;
         let utterance = header.utterance.clone()?;
         let after = header.after.as_ref().and_then(|after| {
@@ -166,7 +205,7 @@ impl Checker<'_> {
 
     /// The conversation that the session is part of.
     #[cfg(feature = "talk")]
-    fn conversation(&mut self, home: &Home<impl HomeMemory>, start: &HomeState, lifted: &[LiftedTask]) -> Conversing {
+    fn conversation<D: Domain>(&mut self, home: &D, start: &D::State, lifted: &[LiftedTask]) -> Conversing {
         let Some(record) = &self.recorded.header.conversation else { return Conversing::default() };
         let named = self.tasks(home, start, lifted);
         let task = |text: &GroundTaskText| {
@@ -183,7 +222,7 @@ impl Checker<'_> {
         })
     }
 
-    fn intended(&mut self, home: &Home<impl HomeMemory>) {
+    fn intended(&mut self, home: &impl Domain) {
         let header = &self.recorded.header;
         let list = |name: &str, atoms: &[GroundAtomText]| -> Vec<(String, GroundAtomText)> {
             atoms.iter().enumerate().map(|(position, atom)| (format!("{name}[{position}]"), atom.clone())).collect()
@@ -203,10 +242,10 @@ impl Checker<'_> {
     }
 
     /// Whether what was meant is a task here.
-    fn intended_task(
+    fn intended_task<D: Domain>(
         &mut self,
-        home: &Home<impl HomeMemory>,
-        start: &HomeState,
+        home: &D,
+        start: &D::State,
         tasks: &[(GroundedTask, GroundTaskText)],
         considers_ways: bool,
     ) {
@@ -245,20 +284,21 @@ impl Checker<'_> {
         }
     }
 
-    fn tasks(&mut self, home: &Home<impl HomeMemory>, start: &HomeState, lifted: &[LiftedTask]) -> Vec<(GroundedTask, GroundTaskText)> {
+    fn tasks<D: Domain>(&mut self, home: &D, start: &D::State, lifted: &[LiftedTask]) -> Vec<(GroundedTask, GroundTaskText)> {
         let mut tasks = vec![GroundedTask::UNUSED; Capacities::STANDARD.tasks];
+        let (field, things) = self.place;
         let grounded = match self.recorded.header.utterance {
             Some(_) => ground_with_done(home, lifted, start, &mut tasks),
             None => ground(home, lifted, start, &mut tasks),
         };
         let count = match grounded {
             Ok(0) => {
-                self.fault("environment", AgentError::NoTask);
+                self.fault(field, AgentError::NoTask);
                 0
             }
             Ok(count) => count,
             Err(CapacityError { limit, .. }) => {
-                self.fault("environment", format!("gives more than {limit} tasks; leave out rooms or blocks"));
+                self.fault(field, format!("gives more than {limit} tasks; leave out {things}"));
                 0
             }
         };
@@ -267,7 +307,7 @@ impl Checker<'_> {
             let Some(lifted) = lifted.get(usize::from(task.lifted)) else { continue };
             match task_name(home, lifted, &task) {
                 Ok(name) => named.push((task, name)),
-                Err(error) => self.fault("environment", error),
+                Err(error) => self.fault(field, error),
             }
         }
         named
@@ -341,7 +381,12 @@ impl Checker<'_> {
         answers
     }
 
-    fn walk(&mut self, home: &Home<impl HomeMemory>, start: &HomeState) -> Vec<Step> {
+    fn walk<D: Domain>(
+        &mut self,
+        home: &D,
+        start: &D::State,
+        impossible: impl Fn(&D, &D::State, &StepRecord) -> String,
+    ) -> Vec<Step<D::State>> {
         let mut state = *start;
         let mut steps = Vec::new();
         for (line, record) in &self.recorded.steps {
@@ -351,7 +396,7 @@ impl Checker<'_> {
                 Some(FeedbackWord::Neutral) | None => Feedback::Neutral,
             };
             let Some((step, next)) = Step::from(home, state, &record.action, feedback, *line) else {
-                let message = impossible(record, home.agent_cell(&state).x, home.agent_cell(&state).y);
+                let message = impossible(home, &state, record);
                 self.faults.push(Fault::on_line(self.file, *line, message).in_field("action"));
                 break;
             };
@@ -371,10 +416,10 @@ fn impossible(record: &StepRecord, x: i32, y: i32) -> String {
 }
 
 /// The tasks of a robot that listens: those that are done already are among them.
-fn ground_with_done(
-    home: &Home<impl HomeMemory>,
+fn ground_with_done<D: Domain>(
+    home: &D,
     lifted: &[LiftedTask],
-    start: &HomeState,
+    start: &D::State,
     tasks: &mut [GroundedTask],
 ) -> Result<usize, CapacityError> {
     #[cfg(feature = "talk")]
@@ -384,22 +429,23 @@ fn ground_with_done(
 }
 
 /// Whether a proposition is about what is here; what is wrong with it otherwise.
-pub fn known_atom(home: &Home<impl HomeMemory>, atom: &GroundAtomText) -> Result<goodbot::oomdp::GroundProposition, String> {
+pub fn known_atom(home: &impl Domain, atom: &GroundAtomText) -> Result<goodbot::oomdp::GroundProposition, String> {
     if atom.is_negated() {
         return Err(format!("{atom} is a prohibition, and no session is about one; name a goal"));
     }
-    let Some(proposition) = SCHEMA.proposition(atom.function()) else {
-        let known: Vec<&str> = SCHEMA.propositions.iter().map(|known| known.name).collect();
+    let schema = home.world().schema;
+    let Some(proposition) = schema.proposition(atom.function()) else {
+        let known: Vec<&str> = schema.propositions.iter().map(|known| known.name).collect();
         return Err(format!("{} is no propositional function; known are {}", quoted(atom.function()), known.join(", ")));
     };
-    let parameters = SCHEMA.parameters(proposition);
+    let parameters = schema.parameters(proposition);
     if parameters.len() != atom.arguments().len() {
         let (given, wanted) = (atom.arguments().len(), parameters.len());
         return Err(format!("{} takes {wanted} objects, and {given} are given; name {wanted}", atom.function()));
     }
     let mut arguments = goodbot::oomdp::GroundProposition { proposition, arguments: Default::default() };
     for ((name, &class), slot) in atom.arguments().iter().zip(parameters).zip(&mut arguments.arguments) {
-        let class_name = SCHEMA.class_name(class);
+        let class_name = schema.class_name(class);
         let objects = home.world().objects;
         match objects.find(name) {
             None => return Err(format!("there is no object {}; name a {class_name} of the environment", quoted(name))),

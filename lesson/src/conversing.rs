@@ -5,6 +5,7 @@
 
 use crate::live::{Lesson, LiveError};
 use crate::name::task_name;
+use crate::place::Place;
 use goodbot::oomdp::{Domain, ObjectId};
 use goodbot::talk::{Conversation, Fact};
 use goodbot::task::{GroundedTask, LiftedTask};
@@ -91,7 +92,7 @@ impl Conversations {
     }
 }
 
-impl Lesson {
+impl<D: Place> Lesson<D> {
     /// The conversation under way.
     pub const fn conversation(&self) -> &Conversing {
         &self.conversations.now
@@ -140,7 +141,7 @@ impl Lesson {
     }
 
     /// Remembers a task that was followed, or spoken of, where a session began.
-    pub(crate) fn remember(&mut self, task: usize, start: &goodbot::home::HomeState) {
+    pub(crate) fn remember(&mut self, task: usize, start: &D::State) {
         let Some(task) = self.agent.tasks().get(task).copied() else { return };
         let facts = self.conversations.now.facts;
         self.conversations.now.facts = facts.after(self.home(), self.agent.lifted(), start, &task);

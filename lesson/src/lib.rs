@@ -11,6 +11,7 @@
 //! - `conversing`, with the feature `talk`: what "it", "there" and "back" stand for, from one session to the next;
 //! - `voice`, with the feature `talk`: praise, blame, answers and corrections in words;
 //! - `asking`, with the feature `talk`: when the robot asks in it;
+//! - [`place`]: where a session takes place;
 //! - [`recording`]: a live session as a log has it;
 //! - [`world`]: a world from a file, and what commands may mean in it.
 
@@ -27,6 +28,7 @@ pub mod home;
 pub mod listening;
 pub mod live;
 pub mod name;
+pub mod place;
 pub mod recording;
 pub mod replay;
 #[cfg(feature = "talk")]

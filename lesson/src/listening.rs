@@ -5,15 +5,15 @@
 //! that there is one. Each part is a session of its own, with feedback of its own. To stop between parts, [`Lesson::forget`].
 
 use crate::live::{Lesson, LiveError, Session};
+use crate::place::Place;
 use crate::replay::expect_ends;
 use crate::walk::Listening;
-use goodbot::home::{Home, HomeState};
 use goodbot::language::Model;
-use goodbot::memory::{AgentMemory, HomeMemory};
+use goodbot::memory::AgentMemory;
+use goodbot::oomdp::Domain;
 use goodbot::talk::{Class, ClosedWords, Hypothesis, Listened, Verdict};
 use goodbot::task::GroundedTask;
 use goodbot::{Agent, AgentError};
-use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::task_text::GroundTaskText;
 
 /// The words that speak about commands.
@@ -34,10 +34,10 @@ pub fn tells_talk(agent: &Agent<impl AgentMemory>) -> bool {
 ///
 /// # Errors
 /// What [`Agent::listen`] refuses.
-pub fn listen<M: HomeMemory>(
+pub fn listen<D: Domain>(
     agent: &mut Agent<impl AgentMemory>,
-    home: &Home<M>,
-    start: &HomeState,
+    home: &D,
+    start: &D::State,
     listening: &Listening,
 ) -> Result<Listened, AgentError> {
     agent.resume(listening.conversation.facts);
@@ -94,13 +94,13 @@ fn part(utterance: &str, rest: Option<usize>) -> &str {
     }
 }
 
-impl Lesson {
+impl<D: Place> Lesson<D> {
     /// Listens to what a person says, and begins a session where there is something to do. `insists` tries what is not sure: the same was said
-    /// before. `environment` is the home as it is now, for the record. A session under way is forgotten, and what was still to come with it.
+    /// before. `environment` is the place as it is now, for the record. A session under way is forgotten, and what was still to come with it.
     ///
     /// # Errors
     /// What [`Agent::listen`] refuses.
-    pub fn listen(&mut self, utterance: &str, environment: EnvironmentFile, insists: bool) -> Result<Listened, LiveError> {
+    pub fn listen(&mut self, utterance: &str, environment: D::Record, insists: bool) -> Result<Listened, LiveError> {
         self.forget();
         let listening = self.listening_to(utterance.trim(), None);
         self.begin_part(Ahead { listening, after: None, left: None, insists }, environment)
@@ -125,7 +125,7 @@ impl Lesson {
     ///
     /// # Errors
     /// What [`Agent::listen_after`] refuses.
-    pub fn listen_on(&mut self, environment: EnvironmentFile) -> Result<Option<Listened>, LiveError> {
+    pub fn listen_on(&mut self, environment: D::Record) -> Result<Option<Listened>, LiveError> {
         let Some(mut ahead) = self.ahead.take() else { return Ok(None) };
         let left = ahead.left;
         ahead.listening.conversation = self.conversation().clone();
@@ -139,7 +139,7 @@ impl Lesson {
     }
 
     /// Begins with the first part that is not done already.
-    fn begin_part(&mut self, mut ahead: Ahead, environment: EnvironmentFile) -> Result<Listened, LiveError> {
+    fn begin_part(&mut self, mut ahead: Ahead, environment: D::Record) -> Result<Listened, LiveError> {
         expect_ends(&mut self.agent)?;
         let listened = loop {
             let (agent, home, state) = self.parts();

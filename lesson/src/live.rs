@@ -9,11 +9,12 @@
 #[cfg(feature = "talk")]
 use crate::asking::Asked;
 use crate::name::task_name;
+use crate::place::Place;
 use crate::replay::{Event, Replay, ReplayError, Rules, expect_ends};
 use crate::walk::{SessionAnswer, Step, Walk};
 use goodbot::asking::Answer;
 use goodbot::feedback::{Feedback, Strategy};
-use goodbot::home::{Home, HomeState};
+use goodbot::home::Home;
 use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::oomdp::{Action, Domain, action_name, action_named};
 use goodbot::planning::{Judgement, OptimalSet, Progress};
@@ -98,7 +99,6 @@ pub struct Acted {
     pub judgements: Vec<Judgement>,
     /// What was said to it; nothing yet.
     pub judged: Option<Feedback>,
-    step: Step,
 }
 
 impl Acted {
@@ -123,9 +123,9 @@ pub enum Judged {
 
 /// What is known of a session besides its walk.
 #[derive(Clone, Debug)]
-pub struct Session {
-    /// The home when the command was heard.
-    pub environment: EnvironmentFile,
+pub struct Session<R = EnvironmentFile> {
+    /// The home, or the facts of another world, when the command was heard.
+    pub environment: R,
     /// The trainer strategies that were expected then, each with its probability.
     pub strategies: Vec<(Strategy, f32)>,
     /// Where this is not the first command of what was said: the task of the command before.
@@ -139,8 +139,8 @@ pub struct Session {
     pub(crate) asked: Asked,
 }
 
-impl Session {
-    pub(crate) const fn new(environment: EnvironmentFile, strategies: Vec<(Strategy, f32)>) -> Self {
+impl<R> Session<R> {
+    pub(crate) const fn new(environment: R, strategies: Vec<(Strategy, f32)>) -> Self {
         Self {
             environment,
             strategies,
@@ -160,10 +160,7 @@ impl Session {
     }
 }
 
-/// How many actions a robot has that only moves.
-const MOVES: usize = 4;
-
-/// A robot in a home, and the session under way.
+/// A robot in a home, or in another [place](Place), and the session under way.
 ///
 /// ```
 /// use goodbot::feedback::Feedback;
@@ -188,13 +185,14 @@ const MOVES: usize = 4;
 /// # Ok::<(), goodbot_lesson::live::LiveError>(())
 /// ```
 #[derive(Debug)]
-pub struct Lesson {
+pub struct Lesson<D: Place = Home<HomeHeap>> {
     /// The robot.
     pub agent: Agent<AgentHeap>,
-    pub(crate) walk: Walk<HomeHeap>,
-    state: HomeState,
-    session: Option<Session>,
-    acted: Option<Acted>,
+    pub(crate) walk: Walk<D>,
+    state: D::State,
+    session: Option<Session<D::Record>>,
+    /// The last step, and from where it was taken.
+    acted: Option<(Acted, Step<D::State>)>,
     /// In how many sessions, one after another, all answers were as expected.
     #[cfg(feature = "talk")]
     pub(crate) trust: u8,
@@ -208,8 +206,15 @@ pub struct Lesson {
 }
 
 impl Lesson {
-    /// A robot in a home. No session is under way.
-    pub fn new(agent: Agent<AgentHeap>, home: Home<HomeHeap>, start: HomeState) -> Self {
+    /// The names of the robot's actions, where a log must name them: those of one that does more than move.
+    pub fn named_actions(&self) -> Option<impl Iterator<Item = &str>> {
+        crate::place::named_actions(self.home())
+    }
+}
+
+impl<D: Place> Lesson<D> {
+    /// A robot in a home, or in another world. No session is under way.
+    pub fn new(agent: Agent<AgentHeap>, home: D, start: D::State) -> Self {
         let walk = Walk::new(home, start, Kind::Feedback);
         Self {
             agent,
@@ -229,22 +234,22 @@ impl Lesson {
     }
 
     /// The home.
-    pub const fn home(&self) -> &Home<HomeHeap> {
+    pub const fn home(&self) -> &D {
         &self.walk.home
     }
 
     /// Where everything is now.
-    pub const fn state(&self) -> &HomeState {
+    pub const fn state(&self) -> &D::State {
         &self.state
     }
 
     /// The robot, the home and where everything is now, for calls of the robot that need all three.
-    pub const fn parts(&mut self) -> (&mut Agent<AgentHeap>, &Home<HomeHeap>, &HomeState) {
+    pub const fn parts(&mut self) -> (&mut Agent<AgentHeap>, &D, &D::State) {
         (&mut self.agent, &self.walk.home, &self.state)
     }
 
     /// Puts everything where a state has it. The session under way is forgotten.
-    pub fn put(&mut self, state: HomeState) {
+    pub fn put(&mut self, state: D::State) {
         self.forget();
         self.state = state;
         #[cfg(feature = "talk")]
@@ -252,7 +257,7 @@ impl Lesson {
     }
 
     /// Goes into another home. The session under way is forgotten.
-    pub fn enter(&mut self, home: Home<HomeHeap>, start: HomeState) {
+    pub fn enter(&mut self, home: D, start: D::State) {
         self.forget();
         self.walk = Walk::new(home, start, Kind::Feedback);
         self.state = start;
@@ -272,7 +277,7 @@ impl Lesson {
     }
 
     /// The session under way: its walk so far, and what else is known of it.
-    pub fn session(&self) -> Option<(&Walk<HomeHeap>, &Session)> {
+    pub fn session(&self) -> Option<(&Walk<D>, &Session<D::Record>)> {
         self.session.as_ref().map(|session| (&self.walk, session))
     }
 
@@ -283,7 +288,10 @@ impl Lesson {
 
     /// The last step, until the robot goes on.
     pub const fn acted(&self) -> Option<&Acted> {
-        self.acted.as_ref()
+        match &self.acted {
+            Some((acted, _)) => Some(acted),
+            None => None,
+        }
     }
 
     /// How many steps the session has, those included that are still to be walked again.
@@ -303,17 +311,12 @@ impl Lesson {
         task_name(self.home(), self.agent.lifted().get(usize::from(task.lifted))?, task).ok()
     }
 
-    /// The names of the robot's actions, where a log must name them: those of one that does more than move.
-    pub fn named_actions(&self) -> Option<impl Iterator<Item = &str>> {
-        let actions = self.home().actions();
-        (actions.len() > MOVES).then(|| actions.iter().map(|kind| kind.name))
-    }
-
-    /// Begins a session: the robot hears a command. `environment` is the home as it is now, for the record. A session under way is forgotten.
+    /// Begins a session: the robot hears a command. `environment` is the [place](Place) as it is now, for the record. A session under way is
+    /// forgotten.
     ///
     /// # Errors
     /// What [`Agent::hear`] refuses.
-    pub fn hear(&mut self, command: &str, environment: EnvironmentFile) -> Result<(), LiveError> {
+    pub fn hear(&mut self, command: &str, environment: D::Record) -> Result<(), LiveError> {
         self.forget();
         expect_ends(&mut self.agent)?;
         // Who does not listen knows no conversation.
@@ -330,7 +333,7 @@ impl Lesson {
     }
 
     /// Begins a session whose command the agent has heard.
-    pub(crate) fn begin(&mut self, command: String, session: Session) {
+    pub(crate) fn begin(&mut self, command: String, session: Session<D::Record>) {
         (self.walk.command, self.walk.start) = (command, self.state);
         self.walk.steps.clear();
         self.walk.answers.clear();
@@ -348,9 +351,9 @@ impl Lesson {
             return Ok(self.agent.plan(&self.walk.home, &self.state, budget)? == Progress::Done);
         };
         match again.advance(&mut self.agent, &self.walk, budget)? {
-            Event::Planned(Some(&step)) => self.acted = Some(acted(&self.agent, &self.walk.home, step)?),
+            Event::Planned(Some(&step)) => self.acted = Some((acted(&self.agent, &self.walk.home, step.action)?, step)),
             Event::Took(step, _) => {
-                if let Some(acted) = &mut self.acted {
+                if let Some((acted, _)) = &mut self.acted {
                     acted.judged = Some(step.feedback);
                     session.judgements.push(acted.judgements.clone());
                 }
@@ -413,12 +416,12 @@ impl Lesson {
         let home = &self.walk.home;
         let after = self.agent.acted(home, &self.state, action)?;
         let step = Step::new(self.state, action, after);
-        let mut acted = acted(&self.agent, home, step)?;
+        let mut acted = acted(&self.agent, home, action)?;
         if let Some(task) = task {
             (acted.task, acted.plan) = (task, self.agent.planned().optimal(task));
         }
         self.state = after;
-        Ok(self.acted.insert(acted))
+        Ok(&self.acted.insert((acted, step)).0)
     }
 
     /// The trainer says a word to the last step, or stays silent. The last word to a step counts.
@@ -426,13 +429,13 @@ impl Lesson {
     /// # Errors
     /// [`LiveError::NoStep`], or what [`Agent::feedback`] refuses.
     pub fn judge(&mut self, feedback: Feedback) -> Result<Judged, LiveError> {
-        let (Some(acted), Some(session)) = (&mut self.acted, &mut self.session) else { return Err(LiveError::NoStep) };
+        let (Some((acted, step)), Some(session)) = (&mut self.acted, &mut self.session) else { return Err(LiveError::NoStep) };
         if acted.judged == Some(feedback) {
             return Ok(Judged::AsBefore);
         }
         let evidence = self.agent.feedback(feedback)?;
         if acted.judged.replace(feedback).is_none() {
-            self.walk.steps.push(acted.step);
+            self.walk.steps.push(*step);
             session.judgements.push(acted.judgements.clone());
         }
         if let Some(last) = self.walk.steps.last_mut() {
@@ -446,7 +449,7 @@ impl Lesson {
     /// # Errors
     /// As [`judge`](Self::judge).
     pub fn go_on(&mut self) -> Result<(), LiveError> {
-        if self.acted.as_ref().is_some_and(|acted| acted.judged.is_none()) {
+        if self.acted().is_some_and(|acted| acted.judged.is_none()) {
             self.judge(Feedback::Neutral)?;
         }
         self.acted = None;
@@ -504,7 +507,7 @@ impl Lesson {
     /// [`LiveError::NoSession`], or what [`Agent::hear`] refuses.
     pub fn take_back(&mut self) -> Result<bool, LiveError> {
         let session = self.session.as_mut().ok_or(LiveError::NoSession)?;
-        if let Some(Acted { judged: None, step, .. }) = &self.acted {
+        if let Some((Acted { judged: None, .. }, step)) = &self.acted {
             self.state = step.before;
             self.acted = None;
             return Ok(true);
@@ -526,7 +529,7 @@ impl Lesson {
     /// Takes in that the trainer ends the session here, where the end is evidence. A step to which nothing was said is not part of the session,
     /// nor is the end after that.
     fn take_end(&mut self) -> Result<(), LiveError> {
-        if !self.agent.options().ending.is_evidence() || self.acted.as_ref().is_some_and(|acted| acted.judged.is_none()) {
+        if !self.agent.options().ending.is_evidence() || self.acted().is_some_and(|acted| acted.judged.is_none()) {
             return Ok(());
         }
         self.agent.plan_fully(&self.walk.home, &self.state)?;
@@ -574,22 +577,21 @@ impl Lesson {
 }
 
 /// What an agent whose plan is done thinks of a step.
-fn acted(agent: &Agent<AgentHeap>, home: &Home<HomeHeap>, step: Step) -> Result<Acted, LiveError> {
+fn acted<D: Domain>(agent: &Agent<AgentHeap>, home: &D, action: Action) -> Result<Acted, LiveError> {
     let (plan, belief) = (agent.planned(), agent.belief());
     let task = agent.most_likely().ok_or(LiveError::NoSession)?;
     let tasks = 0..agent.tasks().len();
     let agrees = |&task: &usize| {
         let plan = plan.optimal(task);
-        plan.exact().or(plan.onward()).is_some_and(|actions| actions.contains(step.action))
+        plan.exact().or(plan.onward()).is_some_and(|actions| actions.contains(action))
     };
     let confidence: f32 = tasks.clone().filter(agrees).map(|task| belief.probability(task)).sum();
     Ok(Acted {
-        action: action_name(home, step.action).to_owned(),
+        action: action_name(home, action).to_owned(),
         task,
         confidence: confidence.clamp(0.0, 1.0),
         plan: plan.optimal(task),
-        judgements: tasks.map(|task| plan.judge(task, step.action)).collect(),
+        judgements: tasks.map(|task| plan.judge(task, action)).collect(),
         judged: None,
-        step,
     })
 }

@@ -1,6 +1,7 @@
 //! A live session as a log has it.
 
 use crate::live::Lesson;
+use crate::place::Place;
 use crate::walk::{SessionAnswer, Step};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::oomdp::action_name;
@@ -9,13 +10,13 @@ use goodbot_formats::session::{
     AnswerRecord, FeedbackWord, Kind, RecordedAnswer, RecordedSession, SessionHeader, StepRecord, StrategyRecord,
 };
 
-impl Lesson {
+impl<D: Place> Lesson<D> {
     /// The session under way as a log has it: what was heard, done, judged and answered. `learn` says whether it is learned from.
     /// Nothing where no session is under way.
-    pub fn recorded(&self, learn: bool) -> Option<RecordedSession> {
+    pub fn recorded(&self, learn: bool) -> Option<D::Recorded> {
         let (walk, session) = self.session()?;
         let home = self.home();
-        let step = |step: &Step| StepRecord::new(action_name(home, step.action).to_owned(), Some(word(step.feedback)));
+        let step = |step: &Step<D::State>| StepRecord::new(action_name(home, step.action).to_owned(), Some(word(step.feedback)));
         let answer = |given: &SessionAnswer| {
             let tasks = given.tasks.iter().filter_map(|task| self.name_of(task)).collect();
             #[cfg(feature = "talk")]
@@ -30,17 +31,17 @@ impl Lesson {
         #[cfg(feature = "talk")]
         let learn = learn && !self.agent.sentence().is_empty();
         let steps = &walk.steps;
-        Some(RecordedSession {
+        let recorded = RecordedSession {
             header: SessionHeader {
                 id: None,
                 kind: Kind::Feedback,
-                environment: session.environment.clone(),
+                environment: EnvironmentFile::new(vec![]),
                 command: walk.command.clone(),
                 intended: None,
                 before: None,
                 through: None,
                 avoiding: None,
-                actions: self.named_actions().map(|names| names.map(str::to_owned).collect()),
+                actions: None,
                 continues: false,
                 prior: None,
                 #[cfg(feature = "talk")]
@@ -62,12 +63,13 @@ impl Lesson {
             answers: walk.answers.iter().map(answer).collect(),
             learn,
             end_line: steps.len() + 2,
-        })
+        };
+        Some(home.recorded(&session.environment, recorded))
     }
 
-    /// The home as it is now, as a file has it.
-    pub fn environment(&self) -> EnvironmentFile {
-        crate::home::environment(self.home(), self.state())
+    /// The place as it is now, as a log tells of it.
+    pub fn environment(&self) -> D::Record {
+        self.home().record(self.state())
     }
 }
 

@@ -1,9 +1,10 @@
-//! A recorded session, gone through once more by an agent: the same command in the same home, the same actions, words and answers.
+//! A recorded session, gone through once more by an agent: the same command in the same home or world, the same actions, words and answers.
 
 use crate::walk::{Expected, SessionAnswer, Step, Walk};
 use goodbot::feedback::{Ending, Strategy, population};
-use goodbot::memory::{AgentMemory, HomeMemory};
-use goodbot::oomdp::Action;
+use goodbot::home::HomeState;
+use goodbot::memory::AgentMemory;
+use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::Progress;
 use goodbot::session::Evidence;
 use goodbot::task::GroundedTask;
@@ -39,7 +40,7 @@ impl Rules {
 
 /// What has just happened.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Event<'s> {
+pub enum Event<'s, S = HomeState> {
     /// The budget was used up; go on.
     Working,
     /// The command was heard.
@@ -47,9 +48,9 @@ pub enum Event<'s> {
     /// The trainer answered a question.
     Answered(&'s SessionAnswer),
     /// The plan for a step is done, and the step is still to be taken; without a step, the plan for the end.
-    Planned(Option<&'s Step>),
+    Planned(Option<&'s Step<S>>),
     /// A step was taken, and what was said to it taken in.
-    Took(&'s Step, Evidence),
+    Took(&'s Step<S>, Evidence),
     /// The end was taken in as evidence.
     Closed(Evidence),
     /// Nothing is left.
@@ -126,12 +127,12 @@ impl Replay {
     ///
     /// # Errors
     /// What the agent refuses, with the line.
-    pub fn advance<'s, M: HomeMemory>(
+    pub fn advance<'s, D: Domain>(
         &mut self,
         agent: &mut Agent<impl AgentMemory>,
-        walk: &'s Walk<M>,
+        walk: &'s Walk<D>,
         budget: u32,
-    ) -> Result<Event<'s>, ReplayError> {
+    ) -> Result<Event<'s, D::State>, ReplayError> {
         let line = match self.next {
             Next::Hear => walk.header_line,
             Next::Plan(position) | Next::Take(position) => walk.steps.get(position).map_or(walk.end_line, |step| step.line),
@@ -187,7 +188,7 @@ impl Replay {
         }
     }
 
-    fn hear<M: HomeMemory>(self, agent: &mut Agent<impl AgentMemory>, walk: &Walk<M>) -> Result<(), AgentError> {
+    fn hear<D: Domain>(self, agent: &mut Agent<impl AgentMemory>, walk: &Walk<D>) -> Result<(), AgentError> {
         if let Some(strategies) = walk.strategies.as_ref().filter(|_| self.rules.strategies) {
             expect(agent, strategies)?;
         }
@@ -211,11 +212,11 @@ impl Replay {
         }
     }
 
-    fn answer_before<M>(self, walk: &Walk<M>, position: usize) -> Option<&SessionAnswer> {
+    fn answer_before<D: Domain>(self, walk: &Walk<D>, position: usize) -> Option<&SessionAnswer> {
         walk.answers.get(self.answered).filter(|answer| self.rules.evidence && answer.after <= position)
     }
 
-    fn plans_end<M>(self, agent: &Agent<impl AgentMemory>, walk: &Walk<M>) -> bool {
+    fn plans_end<D: Domain>(self, agent: &Agent<impl AgentMemory>, walk: &Walk<D>) -> bool {
         let ends = walk.kind == Kind::Feedback && agent.options().ending.is_evidence() && !walk.steps.is_empty();
         match walk.kind {
             _ if !self.rules.over => false,
@@ -258,7 +259,7 @@ pub fn expect(agent: &mut Agent<impl AgentMemory>, strategies: &[Expected]) -> R
     agent.set_strategies(&scaled)
 }
 
-fn answered<M: HomeMemory>(agent: &mut Agent<impl AgentMemory>, walk: &Walk<M>, answer: &SessionAnswer) -> Result<(), AgentError> {
+fn answered<D: Domain>(agent: &mut Agent<impl AgentMemory>, walk: &Walk<D>, answer: &SessionAnswer) -> Result<(), AgentError> {
     let _ = agent.answered(answer.tasks, answer.yes, answer.eta, answer.others)?;
     #[cfg(feature = "talk")]
     if let Some(words) = &answer.words {
@@ -268,7 +269,7 @@ fn answered<M: HomeMemory>(agent: &mut Agent<impl AgentMemory>, walk: &Walk<M>, 
     Ok(())
 }
 
-fn take<M: HomeMemory>(agent: &mut Agent<impl AgentMemory>, walk: &Walk<M>, step: &Step) -> Result<Evidence, AgentError> {
+fn take<D: Domain>(agent: &mut Agent<impl AgentMemory>, walk: &Walk<D>, step: &Step<D::State>) -> Result<Evidence, AgentError> {
     if walk.kind == Kind::Demonstration {
         return agent.demonstrated(&walk.home, &step.before, step.action);
     }

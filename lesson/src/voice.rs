@@ -6,6 +6,7 @@
 
 use crate::listening::CLOSED_WORDS;
 use crate::live::{Lesson, LiveError};
+use crate::place::Place;
 use crate::walk::SessionAnswer;
 use goodbot::AgentError;
 use goodbot::asking::{Answer, Asking};
@@ -137,7 +138,7 @@ fn class_of(pieces: &[(String, Classes)]) -> Option<Class> {
     })
 }
 
-impl Lesson {
+impl<D: Place> Lesson<D> {
     /// What a person's words ask for, given where the conversation stands. Nothing is done yet.
     ///
     /// # Errors

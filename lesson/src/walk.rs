@@ -1,21 +1,20 @@
-//! What happens in a session: a command in a home, steps, what was said to them, and answers.
+//! What happens in a session: a command in a home or another world, steps, what was said to them, and answers.
 
 #[cfg(feature = "talk")]
 use crate::conversing::Conversing;
 use goodbot::feedback::{Feedback, Strategy, StrategyError};
-use goodbot::home::{Home, HomeState};
-use goodbot::memory::HomeMemory;
-use goodbot::oomdp::{Action, action_named, apply};
+use goodbot::home::HomeState;
+use goodbot::oomdp::{Action, Domain, action_named, apply};
 use goodbot::task::{GroundedTask, TaskSet};
 use goodbot_formats::session::{Kind, StrategyRecord};
 
 /// One step of a session.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Step {
+pub struct Step<S = HomeState> {
     /// Its line.
     pub line: usize,
     /// Where everything was before it.
-    pub before: HomeState,
+    pub before: S,
     /// What was done.
     pub action: Action,
     /// What the trainer said; silence in a demonstration.
@@ -24,28 +23,22 @@ pub struct Step {
     pub bump: bool,
 }
 
-impl Step {
+impl<S: Copy + PartialEq> Step<S> {
     /// A step from a state, with where everything is after it; `None` where there is no such action, or it cannot be done there.
-    pub fn from(
-        home: &Home<impl HomeMemory>,
-        before: HomeState,
-        action: &str,
-        feedback: Feedback,
-        line: usize,
-    ) -> Option<(Self, HomeState)> {
-        let action = action_named(home, action)?;
-        let next = apply(home, &before, action)?;
+    pub fn from<D: Domain<State = S>>(domain: &D, before: S, action: &str, feedback: Feedback, line: usize) -> Option<(Self, S)> {
+        let action = action_named(domain, action)?;
+        let next = apply(domain, &before, action)?;
         Some((Self { line, feedback, ..Self::new(before, action, next) }, next))
     }
 
     /// A live step, to which nothing was said yet.
-    pub fn new(before: HomeState, action: Action, after: HomeState) -> Self {
+    pub fn new(before: S, action: Action, after: S) -> Self {
         Self { line: 0, before, action, feedback: Feedback::Neutral, bump: action != Action::NOOP && after == before }
     }
 
     /// Where everything is after it.
-    pub fn after(&self, home: &Home<impl HomeMemory>) -> HomeState {
-        apply(home, &self.before, self.action).unwrap_or(self.before)
+    pub fn after<D: Domain<State = S>>(&self, domain: &D) -> S {
+        apply(domain, &self.before, self.action).unwrap_or(self.before)
     }
 }
 
@@ -126,7 +119,7 @@ impl Expected {
 
 /// A session from its command to its end.
 #[derive(Debug)]
-pub struct Walk<M> {
+pub struct Walk<D: Domain> {
     /// What was said.
     pub command: String,
     /// Where the robot listened: the utterance that the command is of.
@@ -140,23 +133,23 @@ pub struct Walk<M> {
     pub header_line: usize,
     /// The line of its end.
     pub end_line: usize,
-    /// The home.
-    pub home: Home<M>,
+    /// The home, or the robot of another world.
+    pub home: D,
     /// Where everything is at the beginning.
-    pub start: HomeState,
+    pub start: D::State,
     /// The recorded prior of the tasks that it names; it is 0 for others.
     pub prior: Option<Vec<(GroundedTask, f32)>>,
     /// The recorded strategies.
     pub strategies: Option<Vec<Expected>>,
     /// The steps.
-    pub steps: Vec<Step>,
+    pub steps: Vec<Step<D::State>>,
     /// The answers, in the order of the steps that they follow.
     pub answers: Vec<SessionAnswer>,
 }
 
-impl<M: HomeMemory> Walk<M> {
+impl<D: Domain> Walk<D> {
     /// A session in which nothing has happened yet, not even a command.
-    pub const fn new(home: Home<M>, start: HomeState, kind: Kind) -> Self {
+    pub const fn new(home: D, start: D::State, kind: Kind) -> Self {
         Self {
             command: String::new(),
             #[cfg(feature = "talk")]
@@ -175,7 +168,7 @@ impl<M: HomeMemory> Walk<M> {
     }
 
     /// Where everything is at the end.
-    pub fn end(&self) -> HomeState {
+    pub fn end(&self) -> D::State {
         self.steps.last().map_or(self.start, |last| last.after(&self.home))
     }
 }

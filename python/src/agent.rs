@@ -275,7 +275,7 @@ impl Mind {
     }
 
     /// Takes note of a recorded session that was heard.
-    pub fn heard<M>(&mut self, py: Python<'_>, session: &CheckedSession<M>) {
+    pub fn heard<D: Domain>(&mut self, py: Python<'_>, session: &CheckedSession<D>) {
         session.walk.command.clone_into(&mut self.command);
         self.names = session.tasks.iter().map(|(_, name)| PyString::new(py, &name.to_string()).unbind()).collect();
     }

@@ -3,7 +3,7 @@
 //! The strict reader of logs is large: the page reads their lines itself, and tells what they say.
 
 use goodbot::feedback::Feedback;
-use goodbot::home::HomeState;
+use goodbot::home::{Home, HomeState};
 use goodbot::memory::HomeHeap;
 use goodbot::task::{GroundedTask, TaskSet, ground};
 use goodbot_formats::environment::EnvironmentFile;
@@ -19,7 +19,7 @@ use crate::world::{Refusal, World, build};
 #[derive(Debug)]
 pub struct Replaying {
     replay: Replay,
-    walk: Walk<HomeHeap>,
+    walk: Walk<Home<HomeHeap>>,
     /// Where the last step led.
     end: HomeState,
     environment: EnvironmentFile,

@@ -6,7 +6,6 @@ use goodbot::capacity::TOKENS_PER_COMMAND;
 use goodbot::feedback::{Ending, Strategy};
 use goodbot::language::{LanguageRef, Model};
 use goodbot::memory::AgentHeap;
-use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Domain, ObjectId, apply};
 use goodbot::probability::total;
 use goodbot::session::Evidence;
@@ -16,9 +15,12 @@ use goodbot::task::description::{Scene, describe};
 use goodbot::task::{Expression, LiftedTask, Marker, Part};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, StepRecord};
+use goodbot_formats::task_text::GroundAtomText;
+use goodbot_formats::world::SessionInWorld;
 use goodbot_lesson::checked::{CheckedSession, check};
 use goodbot_lesson::fault::quoted;
 use goodbot_lesson::replay::{Event, Replay, Rules};
+use goodbot_lesson::world::{self, robot::Robot};
 use goodbot_lesson::{Fault, home};
 
 /// Sees what a session shows.
@@ -41,11 +43,67 @@ impl Witness {
     /// # Errors
     /// What is wrong with it.
     pub fn lesson(&mut self, file: &str, recorded: &RecordedSession) -> Result<Lesson, Vec<Fault>> {
+        let session = check(file, recorded, &self.lifted, home::memory())?;
+        self.seen(file, recorded, &session, |home, state| {
+            let cell = home.agent_cell(state);
+            format!("walks into a wall or a held block at {}, {}; nothing moves, and the step still counts", cell.x, cell.y)
+        })
+    }
+
+    /// Walks through a session in another world, as [`lesson`](Self::lesson) does in a home.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn lesson_in(&mut self, file: &str, recorded: &SessionInWorld, robot: Robot<'_>) -> Result<Lesson, Vec<Fault>> {
+        let session = world::checked::check(file, recorded, robot, &self.lifted)?;
+        self.seen_in(file, recorded, &session)
+    }
+
+    /// What a command in another world means: all of `intended`, where that is told. Nothing where it is none of the tasks there.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn told_in(
+        &mut self,
+        file: &str,
+        recorded: &SessionInWorld,
+        robot: Robot<'_>,
+        intended: Option<&[GroundAtomText]>,
+    ) -> Result<Option<Lesson>, Vec<Fault>> {
+        let mut session = world::checked::check(file, recorded, robot, &self.lifted)?;
+        if let Some(intended) = intended {
+            let sorted = |atoms: &[GroundAtomText]| {
+                let mut atoms = atoms.to_vec();
+                atoms.sort();
+                atoms
+            };
+            let wanted = sorted(intended);
+            session.intended = session.tasks.iter().position(|(_, name)| sorted(name.atoms()) == wanted);
+            if session.intended.is_none() {
+                return Ok(None);
+            }
+        }
+        self.seen_in(file, recorded, &session).map(Some)
+    }
+
+    fn seen_in(&mut self, file: &str, recorded: &SessionInWorld, session: &CheckedSession<Robot<'_>>) -> Result<Lesson, Vec<Fault>> {
+        let bump = |_: &Robot<'_>, _: &u64| "changes nothing, and the step still counts".to_owned();
+        let lesson = self.seen(file, &recorded.session, session, bump)?;
+        Ok(Lesson { world: Some(super::worlds::place(&recorded.world, &recorded.facts)), ..lesson })
+    }
+
+    /// What a session shows. `bump` says what a step that changes nothing does in a demonstration.
+    fn seen<D: Domain>(
+        &mut self,
+        file: &str,
+        recorded: &RecordedSession,
+        session: &CheckedSession<D>,
+        bump: impl Fn(&D, &D::State) -> String,
+    ) -> Result<Lesson, Vec<Fault>> {
         let header = &recorded.header;
         let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
-        let session = check(file, recorded, &self.lifted, home::memory())?;
         self.expect(header.kind).map_err(at(recorded.header_line))?;
-        let remarks = self.watch(file, &session)?;
+        let remarks = self.watch(file, session, bump)?;
         let intended = session.intended;
         let beliefs: Vec<f32> = match (header.kind, intended) {
             (Kind::Labelled, Some(told)) => (0..session.tasks.len()).map(|task| f32::from(u8::from(task == told))).collect(),
@@ -57,7 +115,7 @@ impl Witness {
             Kind::Feedback | Kind::Labelled => vec![],
         };
         let pairs = self.pairs();
-        let readings = self.readings(&session).map_err(at(recorded.header_line))?;
+        let readings = self.readings(session).map_err(at(recorded.header_line))?;
         let lesson = Lesson {
             id: header.id.clone().unwrap_or_else(|| format!("{file}:{}", recorded.header_line)),
             command: header.command.clone(),
@@ -67,6 +125,7 @@ impl Witness {
             readings: readings.into(),
             beliefs,
             world: None,
+            acts: true,
             group: None,
             shown,
             walk: walked(recorded),
@@ -86,7 +145,12 @@ impl Witness {
         self.agent.set_strategies(told.and_then(Believes::strategies).unwrap_or(&[(Strategy::BALANCED, 1.0)]))
     }
 
-    fn watch(&mut self, file: &str, session: &CheckedSession<impl HomeMemory>) -> Result<Vec<Fault>, Vec<Fault>> {
+    fn watch<D: Domain>(
+        &mut self,
+        file: &str,
+        session: &CheckedSession<D>,
+        bump: impl Fn(&D, &D::State) -> String,
+    ) -> Result<Vec<Fault>, Vec<Fault>> {
         let mut remarks = vec![];
         let mut replay =
             Replay::new(Rules { strategies: self.believes.as_ref().and_then(Believes::strategies).is_none(), ..Rules::BY_ITSELF });
@@ -96,11 +160,7 @@ impl Witness {
                 Event::Ended => return Ok(remarks),
                 Event::Took(step, evidence) => {
                     if step.bump && session.walk.kind == Kind::Demonstration {
-                        let cell = session.walk.home.agent_cell(&step.before);
-                        let message = format!(
-                            "walks into a wall or a held block at {}, {}; nothing moves, and the step still counts",
-                            cell.x, cell.y
-                        );
+                        let message = bump(&session.walk.home, &step.before);
                         remarks.push(Fault::on_line(file, step.line, message).in_field("action"));
                     }
                     remarks.extend(remark(evidence).map(|message| Fault::on_line(file, step.line, message)));
@@ -126,7 +186,7 @@ impl Witness {
         pairs
     }
 
-    fn readings(&mut self, session: &CheckedSession<impl HomeMemory>) -> Result<Vec<Reading>, AgentError> {
+    fn readings<D: Domain>(&mut self, session: &CheckedSession<D>) -> Result<Vec<Reading>, AgentError> {
         let mut readings = Vec::new();
         for (position, (task, name)) in session.tasks.iter().enumerate() {
             let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
@@ -144,7 +204,7 @@ impl Witness {
     }
 
     /// The first in order of a task's shortest plans.
-    fn plan(&mut self, session: &CheckedSession<impl HomeMemory>, task: usize) -> Result<MachineCommand, AgentError> {
+    fn plan<D: Domain>(&mut self, session: &CheckedSession<D>, task: usize) -> Result<MachineCommand, AgentError> {
         let (mut state, mut plan) = (session.walk.start, vec![]);
         self.agent.hear_again(&session.walk.home, &session.walk.start)?;
         while plan.len() < TOKENS_PER_COMMAND {

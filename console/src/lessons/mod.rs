@@ -3,7 +3,7 @@
 //! - [`evidence`]: one session, walked by an agent that knows no word;
 //! - [`training`]: a language model trained on many at once;
 //! - [`restored`]: an agent from a model file;
-//! - [`worlds`]: commands in worlds from files.
+//! - [`worlds`]: commands and sessions in worlds from files.
 //!
 //! The order of the sessions plays no part: the posterior over a session's tasks comes from its prior without any word, Pr(l|s) Pr(t|s,l),
 //! and what the trainer said or showed.
@@ -56,6 +56,8 @@ pub struct Lesson {
     pub header: SessionHeader,
     /// The world from a file, and what held there, where it is no home.
     pub world: Option<String>,
+    /// Whether a robot acts where it was said: in homes, and in worlds with actions.
+    pub acts: bool,
     /// What it must stay together with when lessons are parted, where the log says so.
     pub group: Option<String>,
     /// The task that was meant, by position, where the record says so.
@@ -122,7 +124,7 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
     let keep_going = told.keep_going;
     let mut sessions: Vec<(String, RecordedSession)> = Vec::new();
     let (mut skipped, mut with_way, mut no_task) = (0, 0, 0);
-    let (mut lessons, mut homes) = (Vec::new(), None);
+    let (mut lessons, mut homes, mut remarks) = (Vec::new(), None, Vec::new());
     let ways = lifted.iter().any(LiftedTask::has_way);
     for file in files {
         let opened = input::log(file).map_err(|fault| Failure::Input(fault.to_string()))?;
@@ -133,10 +135,13 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
             return Err(Failure::Input(Fault::new(name, message).to_string()));
         }
         if !is_of_homes {
-            worlds::read(name, opened, options.language.model, |lesson| {
+            worlds::read(name, opened, options, told.believes.as_ref(), plans, |lesson| {
                 match lesson {
                     Ok(Some(_)) if lessons.len() >= MOST_SESSIONS => return Err(too_many(name)),
-                    Ok(Some(lesson)) => lessons.push(lesson),
+                    Ok(Some(lesson)) => {
+                        remarks.extend_from_slice(&lesson.remarks);
+                        lessons.push(lesson);
+                    }
                     Ok(None) => no_task += 1,
                     Err(fault) => refuse(&[fault], keep_going, &mut skipped)?,
                 }
@@ -169,7 +174,6 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
         )
         .collect();
     progress.finish_and_clear();
-    let mut remarks = Vec::new();
     for lesson in walked {
         match lesson {
             Ok(lesson) => {

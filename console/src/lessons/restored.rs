@@ -7,7 +7,7 @@ use crate::whole_file::read_model;
 use goodbot::language::LanguageModel;
 use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::planning::Progress;
-use goodbot::snapshot::{Contents, SAVED};
+use goodbot::snapshot::{Contents, RestoreError, SAVED};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use std::path::Path;
@@ -53,22 +53,36 @@ pub fn options(file: &Path) -> Result<Options, Failure> {
     Ok(contents.options)
 }
 
-/// The language model of a file that was learned in worlds from files. Its memory is made in place of `memory`.
+/// The language model of a file. `acts` says whether a robot acts where it is asked. Its memory is made in place of `memory`.
 ///
 /// # Errors
-/// As [`agent`], and where the file was learned in homes.
-pub fn language<'m>(file: &Path, memory: &'m mut AgentHeap) -> Result<LanguageModel<&'m mut AgentHeap>, Failure> {
+/// As [`agent`], and where the file was learned by a robot that acts, and no robot acts where it is asked.
+pub fn language<'m>(file: &Path, memory: &'m mut AgentHeap, acts: bool) -> Result<LanguageModel<&'m mut AgentHeap>, Failure> {
     let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
     let bytes = read_model(file)?;
     let contents = Contents::read(&bytes).map_err(|error| fault(&error))?;
-    if contents.vocabulary != 0 {
-        return Err(fault(&"was learned in homes, and these commands are in other worlds; name a model of a log of worlds"));
+    // What a robot that acts has learned in one world is understood in another.
+    if contents.vocabulary != 0 && !acts {
+        return Err(fault(&"was learned by a robot that acts, in a home or another world, and no robot acts in this world; name a model of a log of commands"));
     }
     *memory = learner::memory(&room_for(&contents), &contents.options.language, room_for_tasks(&contents));
     let mut model = LanguageModel::new(memory, contents.options.language).map_err(|error| fault(&error))?;
     model.restore(&bytes).map_err(|error| fault(&error))?;
     while model.train(u32::MAX) == Progress::Working {}
     Ok(model)
+}
+
+/// The words of a model file, for a robot of other tasks: all but the tasks that they were learned for, and what is believed of trainers.
+///
+/// # Errors
+/// Where this is no model.
+pub fn words(bytes: &[u8]) -> Result<Vec<u8>, RestoreError> {
+    let contents = Contents::read(bytes)?;
+    let mut memory = learner::memory(&room_for(&contents), &contents.options.language, room_for_tasks(&contents));
+    // Here is room for all that the file holds, and its settings were found sound.
+    let mut model = LanguageModel::new(&mut memory, contents.options.language).map_err(|_| RestoreError::NotAModel)?;
+    model.restore(bytes)?;
+    model.saved().map_err(|_| RestoreError::NotAModel)
 }
 
 /// For how many possible tasks there is to be room: for those of a model file, and for those of as many sessions as a new robot keeps.

@@ -1,49 +1,73 @@
-//! Commands in worlds from files, as training data: what they mean is told.
+//! Commands and sessions in worlds from files, as training data.
 
+use super::evidence::Witness;
 use super::{Lesson, Reading, told_pairs};
+use crate::believes::Believes;
+use goodbot::Options;
 use goodbot::language::{Model, for_each_word};
 use goodbot::task::Marker;
 use goodbot_formats::environment::EnvironmentFile;
-use goodbot_formats::session::{Kind, SessionHeader};
+use goodbot_formats::session::{Kind, RecordedSession, SessionHeader};
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
-use goodbot_formats::world::{CommandRecord, Line, WorldFile, WorldReader};
+use goodbot_formats::world::{CommandRecord, Line, SessionInWorld, WorldFile, WorldReader};
 use goodbot_lesson::Fault;
+use goodbot_lesson::fault::quoted;
+use goodbot_lesson::world::robot::{self, Flaw, Robot, Tables};
 use goodbot_lesson::world::{TooMany, meanings};
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::io::BufRead;
 use std::sync::Arc;
 
-/// A state of a world: the tasks there, and where each stands among them.
+/// A state of a world without a robot: the tasks there, and where each stands among them.
 struct Scene {
     readings: Arc<[Reading]>,
     positions: HashMap<Vec<GroundAtomText>, usize>,
 }
 
-/// The worlds of a log, and the states that its commands were given in.
-#[derive(Default)]
-struct Worlds {
-    worlds: HashMap<String, Arc<WorldFile>>,
-    scenes: HashMap<String, Scene>,
+/// A world of a log.
+enum Known {
+    /// Its commands are told, and no robot acts: the states that they were given in, by their [`place`].
+    Told(Arc<WorldFile>, HashMap<String, Scene>),
+    /// A robot acts in it.
+    Acted(Arc<WorldFile>, Robot<'static>, Box<Witness>),
+}
+
+/// The worlds of a log.
+struct Worlds<'b> {
+    options: Options,
+    believes: Option<&'b Believes>,
+    plans: bool,
+    worlds: HashMap<String, Known>,
 }
 
 /// Reads a log of worlds, and hands over each lesson, or what is wrong with it: `None` for a command whose meaning is none of the tasks.
+/// `believes` is what is expected of trainers, in place of what the sessions say, and `plans` says whether each task's plan is wanted.
 ///
 /// # Errors
 /// What `take` says.
 pub fn read<E>(
     file: &str,
     log: impl BufRead,
-    model: Model,
+    options: Options,
+    believes: Option<&Believes>,
+    plans: bool,
     mut take: impl FnMut(Result<Option<Lesson>, Fault>) -> Result<(), E>,
 ) -> Result<(), E> {
-    let mut known = Worlds::default();
+    let mut known = Worlds { options, believes, plans, worlds: HashMap::new() };
     for line in WorldReader::new(log) {
         match line {
             Err(error) => take(Err(Fault::from_format(file, error)))?,
             Ok(Line::World(world)) => {
-                known.worlds.insert(world.name.clone(), world);
+                if let Err(fault) = known.meet(file, &world) {
+                    take(Err(fault))?;
+                }
             }
-            Ok(Line::Command(command)) => take(known.lesson(file, &command, model))?,
+            Ok(Line::Command(command)) => take(known.command(file, &command))?,
+            Ok(Line::Session(session)) => match known.session(file, &session) {
+                Ok(lesson) => take(Ok(Some(lesson)))?,
+                Err(faults) => faults.into_iter().try_for_each(|fault| take(Err(fault)))?,
+            },
         }
     }
     Ok(())
@@ -52,15 +76,23 @@ pub fn read<E>(
 /// A command that is asked in a world: a lesson of which nobody told what was meant.
 ///
 /// # Errors
-/// [`TooMany`].
-pub fn question(world: &WorldFile, command: &str, model: Model) -> Result<Lesson, TooMany> {
+/// What is wrong with the world, or with the command.
+pub fn question(file: &str, world: &WorldFile, command: &str, options: Options) -> Result<Lesson, Fault> {
     let asked = CommandRecord { line: 1, world: world.name.clone(), command: command.to_owned(), ..CommandRecord::default() };
-    let readings: Arc<[Reading]> = readings(world, &world.facts, model)?.into();
+    if !world.actions.is_empty() {
+        let mut worlds = Worlds { options, believes: None, plans: false, worlds: HashMap::new() };
+        worlds.meet(file, &Arc::new(world.clone()))?;
+        let lesson = worlds.told(file, &asked, None)?.ok_or_else(|| Fault::new(file, goodbot::AgentError::NoTask))?;
+        return Ok(Lesson { id: String::new(), learn: false, ..lesson });
+    }
+    let readings = readings(world, &world.facts, options.language.model);
+    let readings: Arc<[Reading]> = readings.map_err(|error| Fault::new(file, error).in_field("task_kinds"))?.into();
     Ok(Lesson {
         id: String::new(),
         command: command.to_owned(),
         header: header(&asked),
-        world: Some(place(world, None)),
+        world: Some(place(world, &world.facts)),
+        acts: false,
         group: None,
         intended: None,
         pairs: vec![],
@@ -73,8 +105,44 @@ pub fn question(world: &WorldFile, command: &str, model: Model) -> Result<Lesson
     })
 }
 
-impl Worlds {
-    fn lesson(&mut self, file: &str, command: &CommandRecord, model: Model) -> Result<Option<Lesson>, Fault> {
+impl Worlds<'_> {
+    /// Takes in a world. The same once more changes nothing; another of the same name takes its place.
+    fn meet(&mut self, file: &str, world: &Arc<WorldFile>) -> Result<(), Fault> {
+        let (Known::Told(same, _) | Known::Acted(same, ..)) = match self.worlds.get(&world.name) {
+            Some(known) => known,
+            None => return self.meet_anew(file, world),
+        };
+        if same == world { Ok(()) } else { self.meet_anew(file, world) }
+    }
+
+    fn meet_anew(&mut self, file: &str, world: &Arc<WorldFile>) -> Result<(), Fault> {
+        // Where the new one is at fault, nothing is said of what is in it.
+        self.worlds.remove(&world.name);
+        let known = if world.actions.is_empty() {
+            Known::Told(Arc::clone(world), HashMap::new())
+        } else {
+            let fault = |flaw: Flaw| Fault::new(file, format!("world {}: {}", quoted(&world.name), flaw.message)).in_field(flaw.field);
+            let robot = Tables::of(Arc::clone(world)).map_err(fault)?.keep();
+            let lifted = robot::tasks(world, &robot).map_err(fault)?;
+            let witness = Witness::new(&lifted, self.options, self.believes.cloned(), self.plans);
+            Known::Acted(Arc::clone(world), robot, Box::new(witness.map_err(|error| Fault::new(file, error))?))
+        };
+        self.worlds.insert(world.name.clone(), known);
+        Ok(())
+    }
+
+    fn session(&mut self, file: &str, recorded: &SessionInWorld) -> Result<Lesson, Vec<Fault>> {
+        match self.worlds.get_mut(&recorded.world.name) {
+            Some(Known::Acted(_, robot, witness)) => witness.lesson_in(file, recorded, *robot),
+            None => Err(vec![]),
+            Some(Known::Told(..)) => {
+                let message = "has no actions, so nothing can be done in it; add actions, or write a command with what was meant";
+                Err(vec![Fault::on_line(file, recorded.session.header_line, message).in_field("world")])
+            }
+        }
+    }
+
+    fn command(&mut self, file: &str, command: &CommandRecord) -> Result<Option<Lesson>, Fault> {
         let at = |field: &str, message: &dyn std::fmt::Display| Fault::on_line(file, command.line, message).in_field(field);
         let mut words = 0_usize;
         let counted = for_each_word(&command.command, |_| {
@@ -85,27 +153,52 @@ impl Worlds {
         if words == 0 {
             return Err(at("command", &goodbot::AgentError::EmptyCommand));
         }
-        let Some(world) = self.worlds.get(&command.world) else { return Ok(None) };
-        let place = place(world, command.facts.as_deref());
-        let scene = match self.scenes.entry(place.clone()) {
-            std::collections::hash_map::Entry::Occupied(known) => known.into_mut(),
-            std::collections::hash_map::Entry::Vacant(new) => {
-                let facts = command.facts.as_deref().unwrap_or(&world.facts);
-                new.insert(Scene::of(world, facts, model).map_err(|error| at("world", &error))?)
+        // What is to end besides is no task.
+        if command.ended.is_empty() { self.told(file, command, Some(&command.intended)) } else { Ok(None) }
+    }
+
+    /// A command whose meaning is told, or asked for.
+    fn told(&mut self, file: &str, command: &CommandRecord, intended: Option<&[GroundAtomText]>) -> Result<Option<Lesson>, Fault> {
+        let at = |field: &str, message: &dyn std::fmt::Display| Fault::on_line(file, command.line, message).in_field(field);
+        let id = command.id.clone().unwrap_or_else(|| format!("{file}:{}", command.line));
+        let model = self.options.language.model;
+        let (world, scenes) = match self.worlds.get_mut(&command.world) {
+            None => return Ok(None),
+            Some(Known::Told(world, scenes)) => (world, scenes),
+            Some(Known::Acted(world, robot, witness)) => {
+                let facts = command.facts.as_ref().unwrap_or(&world.facts).clone();
+                let session = RecordedSession {
+                    header: SessionHeader { intended: None, ..header(command) },
+                    header_line: command.line,
+                    steps: vec![],
+                    answers: vec![],
+                    learn: true,
+                    end_line: command.line,
+                };
+                let recorded = SessionInWorld { world: Arc::clone(world), facts, session };
+                let told = witness.told_in(file, &recorded, *robot, intended);
+                let told = told.map_err(|faults| faults.into_iter().next().unwrap_or_else(|| Fault::new(file, "cannot be used")))?;
+                return Ok(told.map(|lesson| Lesson { id, header: header(command), group: command.group.clone(), ..lesson }));
             }
+        };
+        let facts = command.facts.as_ref().unwrap_or(&world.facts);
+        let place = place(world, facts);
+        let scene = match scenes.entry(place.clone()) {
+            Entry::Occupied(known) => known.into_mut(),
+            Entry::Vacant(new) => new.insert(Scene::of(world, facts, model).map_err(|error| at("world", &error))?),
         };
         let mut wanted = command.intended.clone();
         wanted.sort();
-        // What is to end besides is no task.
-        let Some(&intended) = scene.positions.get(&wanted).filter(|_| command.ended.is_empty()) else { return Ok(None) };
+        let Some(&intended) = scene.positions.get(&wanted) else { return Ok(None) };
         let readings = Arc::clone(&scene.readings);
         let mut beliefs = vec![0.0; readings.len()];
         beliefs.iter_mut().skip(intended).take(1).for_each(|belief| *belief = 1.0);
         Ok(Some(Lesson {
-            id: command.id.clone().unwrap_or_else(|| format!("{file}:{}", command.line)),
+            id,
             command: command.command.clone(),
             header: header(command),
             world: Some(place),
+            acts: false,
             group: command.group.clone(),
             intended: Some(intended),
             pairs: readings.get(intended).map(told_pairs).unwrap_or_default(),
@@ -120,8 +213,8 @@ impl Worlds {
 }
 
 /// A state of a world, as a text.
-fn place(world: &WorldFile, facts: Option<&[GroundAtomText]>) -> String {
-    let mut facts: Vec<String> = facts.unwrap_or(&world.facts).iter().map(ToString::to_string).collect();
+pub(super) fn place(world: &WorldFile, facts: &[GroundAtomText]) -> String {
+    let mut facts: Vec<String> = facts.iter().map(ToString::to_string).collect();
     facts.sort();
     format!("{} {}", world.name, facts.join(" "))
 }
@@ -147,11 +240,11 @@ fn header(command: &CommandRecord) -> SessionHeader {
     }
 }
 
-/// The tasks of a world in which `facts` hold. Model 2 knows no roles: it reads the values alone.
+/// The tasks of a world without a robot in which `facts` hold. Model 2 knows no roles: it reads the values alone.
 ///
 /// # Errors
 /// [`TooMany`].
-pub fn readings(world: &WorldFile, facts: &[GroundAtomText], model: Model) -> Result<Vec<Reading>, TooMany> {
+fn readings(world: &WorldFile, facts: &[GroundAtomText], model: Model) -> Result<Vec<Reading>, TooMany> {
     let is_read = |token: &String| model == Model::Roles || token.parse::<Marker>().is_err();
     let reading = |meaning: goodbot_lesson::world::Meaning| Reading {
         name: meaning.name,

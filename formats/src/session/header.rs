@@ -124,6 +124,11 @@ impl SessionHeader {
     pub(super) fn read(fields: &Object<'_>) -> Result<Self, FormatError> {
         fields.version()?;
         fields.only(FIELDS)?;
+        Self::read_in(EnvironmentFile::read(fields.required("environment")?)?, fields)
+    }
+
+    /// Reads what is told of a session besides where it takes place.
+    pub(crate) fn read_in(environment: EnvironmentFile, fields: &Object<'_>) -> Result<Self, FormatError> {
         let header = SessionHeader {
             id: fields.optional("id").map(|id| id.text()).transpose()?,
             kind: match fields.required("kind")?.word(KINDS)? {
@@ -131,7 +136,7 @@ impl SessionHeader {
                 1 => Kind::Demonstration,
                 _ => Kind::Labelled,
             },
-            environment: EnvironmentFile::read(fields.required("environment")?)?,
+            environment,
             command: fields.required("command")?.text()?,
             intended: fields.optional("intended").map(propositions).transpose()?,
             before: fields.optional("before").map(lists).transpose()?,
@@ -206,18 +211,23 @@ impl SessionHeader {
     }
 
     /// Whether there can be answers in this session.
-    pub(super) fn check_answer(&self, line: usize) -> Result<(), FormatError> {
+    pub(crate) fn check_answer(&self, line: usize) -> Result<(), FormatError> {
         if self.kind == Kind::Feedback { Ok(()) } else { Err(FormatError::new(line, Problem::AnswerWithoutFeedback)) }
     }
 
     /// Whether a step can be one of this session's.
     pub(super) fn check(&self, step: &StepRecord, line: usize) -> Result<(), FormatError> {
-        let wrong = |field, problem| Err(FormatError::new(line, problem).with_field(field));
         if step.action != "noop" && !self.action_names().any(|name| name == step.action) {
             let found = step.action.clone();
             let known = self.action_names().map(str::to_string).collect();
-            return wrong("action", Problem::UnknownAction { found, known });
+            return Err(FormatError::new(line, Problem::UnknownAction { found, known }).with_field("action"));
         }
+        self.check_feedback(step, line)
+    }
+
+    /// Whether a step of a session of this kind can have this feedback.
+    pub(crate) fn check_feedback(&self, step: &StepRecord, line: usize) -> Result<(), FormatError> {
+        let wrong = |field, problem| Err(FormatError::new(line, problem).with_field(field));
         match (self.kind, step.feedback) {
             (Kind::Labelled, _) => Err(FormatError::new(line, Problem::StepInLabelled)),
             (Kind::Feedback, None) => wrong("feedback", Problem::FeedbackMissing),
@@ -231,7 +241,7 @@ fn write_prior<S: serde::Serializer>(prior: &Option<Vec<(GroundTaskText, f64)>>,
     weights::in_order(prior.as_deref().unwrap_or_default(), serializer)
 }
 
-fn write_conversation<S: serde::Serializer>(facts: &Option<Vec<(String, String)>>, serializer: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn write_conversation<S: serde::Serializer>(facts: &Option<Vec<(String, String)>>, serializer: S) -> Result<S::Ok, S::Error> {
     weights::in_order(facts.as_deref().unwrap_or_default(), serializer)
 }
 

@@ -55,6 +55,7 @@ mod reader;
 mod record;
 
 pub use crate::lines::MAX_LINE_BYTES;
+pub(crate) use header::write_conversation;
 pub use header::{SessionHeader, StrategyRecord};
 pub use reader::SessionReader;
 pub use record::{AnswerRecord, EndRecord, FeedbackWord, Kind, Record, StepRecord};
@@ -100,15 +101,24 @@ impl RecordedSession {
     /// What could not be read again is not written: the error is the reader's, and its line counts
     /// from the session line, which is 1.
     pub fn to_lines(&self) -> Result<Vec<String>, FormatError> {
+        self.to_lines_with(self.header.to_json_line()?, |step, line| self.header.check(step, line))
+    }
+
+    /// The session as lines behind its first. `check` tells whether a step can be one of this session's, given its line.
+    pub(crate) fn to_lines_with(
+        &self,
+        first: String,
+        check: impl Fn(&StepRecord, usize) -> Result<(), FormatError>,
+    ) -> Result<Vec<String>, FormatError> {
         let mut lines = Vec::with_capacity(self.steps.len() + self.answers.len() + 2);
-        lines.push(self.header.to_json_line()?);
+        lines.push(first);
         for index in 0..=self.steps.len() {
             for recorded in self.answers_after(index) {
                 self.header.check_answer(lines.len() + 1)?;
                 lines.push(recorded.answer.to_json_line()?);
             }
             if let Some((_, step)) = self.steps.get(index) {
-                self.header.check(step, lines.len() + 1)?;
+                check(step, lines.len() + 1)?;
                 lines.push(step.to_json_line()?);
             }
         }

@@ -20,7 +20,9 @@
 //! variables or objects, `!` before one that is not to hold, or holds no more) and a `cost` of 1 to 16; all but `name` and `effects` may be absent. A
 //! variable of its conditions that is no parameter takes the value with which they hold.
 //!
-//! A log of worlds has one record on each line: a world, or a command in a world that was named before:
+//! A log of worlds has worlds, and commands and sessions in worlds that were named before. A world holds for what follows, up to another of the
+//! same name. A session is as in a log of homes, but has `world`, the world's name, and `facts`, what holds when the command is said, in place
+//! of `environment`; its `kind`, `id`, `command`, `intended`, `strategies`, `utterance`, `after` and `conversation` are as there. A command:
 //!
 //! | field of a command | what |
 //! |---|---|
@@ -51,8 +53,11 @@ mod action;
 mod command;
 mod file;
 mod reader;
+mod session;
+mod writing;
 
 pub use action::{ActionOfWorld, Literal, Term};
 pub use command::CommandRecord;
 pub use file::{ObjectOfWorld, WorldFile, field_line};
 pub use reader::{Line, WorldReader};
+pub use session::SessionInWorld;

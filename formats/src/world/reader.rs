@@ -4,49 +4,119 @@ use std::collections::HashMap;
 use std::io::BufRead;
 use std::sync::Arc;
 
-use super::{CommandRecord, WorldFile};
+use super::{CommandRecord, SessionInWorld, WorldFile};
 use crate::error::{FormatError, Problem};
-use crate::json::Source;
-use crate::lines::Lines;
+use crate::json::{Object, Source};
+use crate::lines::{Line as RawLine, Lines};
+use crate::session::{EndRecord, RecordedAnswer, RecordedSession, Record};
 
-/// A line of a log of worlds.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// What a log of worlds holds.
+#[derive(Debug, Clone, PartialEq)]
 pub enum Line {
-    /// A world.
+    /// A world. It holds for what follows, up to another of the same name.
     World(Arc<WorldFile>),
     /// A command in a world before it.
     Command(CommandRecord),
+    /// A session in a world before it.
+    Session(Box<SessionInWorld>),
 }
 
-/// Reads a log of worlds. An iterator: each item is a line that is not blank, or what is wrong with it. After an error one may go on: the
-/// commands in a world that could not be read are errors too.
+const TYPES: &[&str] = &["world", "command", "session", "step", "answer", "end"];
+
+/// Reads a log of worlds. An iterator: each item is a world, a command or a whole session, or what is wrong with it. After an error one may go
+/// on: the commands and sessions in a world that could not be read are errors too, and what is left of a broken session is passed over.
 pub struct WorldReader<R> {
     lines: Lines<R>,
     worlds: HashMap<String, Arc<WorldFile>>,
+    /// A line that was met while a session was not ended.
+    pending: Option<RawLine>,
+    /// Whether the last session could not be read.
+    is_broken: bool,
 }
 
 impl<R: BufRead> WorldReader<R> {
     /// A reader of this log.
     pub fn new(input: R) -> Self {
-        Self { lines: Lines::new(input), worlds: HashMap::new() }
+        Self { lines: Lines::new(input), worlds: HashMap::new(), pending: None, is_broken: false }
     }
 
-    fn read(&mut self, text: &str, number: usize) -> Result<Line, FormatError> {
+    /// The next line that is not blank.
+    fn line(&mut self) -> Option<RawLine> {
+        loop {
+            let line = self.pending.take().or_else(|| self.lines.next())?;
+            if line.error.is_some() || !line.text.trim().is_empty() {
+                return Some(line);
+            }
+        }
+    }
+
+    /// What begins on a line; nothing where it is left of a session that could not be read.
+    fn read(&mut self, text: &str, number: usize) -> Result<Option<Line>, FormatError> {
         let source = Source::new(text, number);
         let fields = source.root()?.object()?;
-        if fields.required("type")?.word(&["world", "command"])? == 0 {
-            let world = Arc::new(WorldFile::read(&fields)?);
-            if self.worlds.insert(world.name.clone(), Arc::clone(&world)).is_some() {
-                let name = world.name.clone();
-                return Err(fields.error("name", Problem::DuplicateName { name }));
+        let kind = fields.required("type")?.word(TYPES)?;
+        let was_broken = self.is_broken;
+        self.is_broken &= kind > 2;
+        let problem = match kind {
+            0 => {
+                let world = Arc::new(WorldFile::read(&fields)?);
+                self.worlds.insert(world.name.clone(), Arc::clone(&world));
+                return Ok(Some(Line::World(world)));
             }
-            return Ok(Line::World(world));
-        }
+            1 => return Ok(Some(Line::Command(CommandRecord::read(&fields, number, &*self.world(&fields)?)?))),
+            2 => {
+                let session = self.session(&fields, number);
+                self.is_broken = session.is_err();
+                return session.map(|session| Some(Line::Session(Box::new(session))));
+            }
+            _ if was_broken => return Ok(None),
+            3 => Problem::StepBeforeSession,
+            4 => Problem::AnswerOutsideSession,
+            _ => Problem::EndOutsideSession,
+        };
+        Err(FormatError::new(number, problem))
+    }
+
+    /// The world that a command or a session names.
+    fn world(&self, fields: &Object<'_>) -> Result<Arc<WorldFile>, FormatError> {
         let node = fields.required("world")?;
         let name = node.text()?;
-        match self.worlds.get(&name) {
-            None => Err(node.error(Problem::NoSuchWorld { name })),
-            Some(world) => Ok(Line::Command(CommandRecord::read(&fields, number, world)?)),
+        self.worlds.get(&name).cloned().ok_or_else(|| node.error(Problem::NoSuchWorld { name }))
+    }
+
+    /// A session, up to its end.
+    fn session(&mut self, fields: &Object<'_>, begin: usize) -> Result<SessionInWorld, FormatError> {
+        let (world, facts, header) = SessionInWorld::header(fields, self.world(fields)?)?;
+        let (mut steps, mut answers) = (Vec::new(), Vec::new());
+        loop {
+            let Some(line) = self.line() else {
+                return Err(FormatError::new(begin, Problem::NoEnd { next_session: None }));
+            };
+            let number = line.number;
+            if let Some(error) = line.error {
+                return Err(error);
+            }
+            let source = Source::new(&line.text, number);
+            if source.root()?.object()?.required("type")?.word(TYPES)? <= 2 {
+                // What begins before the end is read next.
+                self.pending = Some(line);
+                return Err(FormatError::new(begin, Problem::NoEnd { next_session: Some(number) }));
+            }
+            match Record::parse(&line.text, number)? {
+                Record::Step(step) => {
+                    header.check_feedback(&step, number)?;
+                    steps.push((number, step));
+                }
+                Record::Answer(answer) => {
+                    header.check_answer(number)?;
+                    answers.push(RecordedAnswer { line: number, after: steps.len(), answer });
+                }
+                Record::End(EndRecord { learn }) => {
+                    let session = RecordedSession { header, header_line: begin, steps, answers, learn, end_line: number };
+                    return Ok(SessionInWorld { world, facts, session });
+                }
+                Record::Session(_) => {}
+            }
         }
     }
 }
@@ -56,12 +126,12 @@ impl<R: BufRead> Iterator for WorldReader<R> {
 
     fn next(&mut self) -> Option<Self::Item> {
         loop {
-            let line = self.lines.next()?;
+            let line = self.line()?;
             if let Some(error) = line.error {
                 return Some(Err(error));
             }
-            if !line.text.trim().is_empty() {
-                return Some(self.read(&line.text, line.number));
+            if let Some(read) = self.read(&line.text, line.number).transpose() {
+                return Some(read);
             }
         }
     }

@@ -25,6 +25,8 @@ const TOLD: usize = 10;
 pub struct Questions {
     lessons: Vec<Lesson>,
     world: Option<WorldFile>,
+    /// Whether a robot acts in each of the worlds.
+    act: bool,
 }
 
 /// The commands, where the options name a world or a log of worlds; nothing where they name something else.
@@ -44,10 +46,10 @@ pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
     if options.why || options.expected.is_some() || options.pull {
         return Err(Failure::Input("--why, --expected and --pull are for homes; leave them out in a world from a file".to_owned()));
     }
-    let model = restored::options(&options.with)?.language.model;
+    let agent = restored::options(&options.with)?;
     if options.log.is_some() {
         let mut lessons = Vec::new();
-        worlds::read(name, opened, model, |lesson| {
+        worlds::read(name, opened, agent, None, false, |lesson| {
             lessons.extend(lesson.map_err(fault)?);
             Ok::<(), Failure>(())
         })?;
@@ -55,7 +57,7 @@ pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
         if lessons.is_empty() {
             return Err(Failure::Input(format!("{name}: has no such command; check its id")));
         }
-        return Ok(Some(Questions { lessons, world: None }));
+        return Ok(Some(Questions { act: lessons.iter().all(|lesson| lesson.acts), lessons, world: None }));
     }
     let bytes = input::rest(name, opened).map_err(fault)?;
     let text = String::from_utf8(bytes).map_err(|_| fault(Fault::new(name, Problem::NotUtf8)))?;
@@ -64,10 +66,9 @@ pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
         [only] if only == "-" => lines()?,
         words => vec![words.join(" ")],
     };
-    let question =
-        |command: &String| worlds::question(&world, command, model).map_err(|error| fault(Fault::new(name, error).in_field("task_kinds")));
+    let question = |command: &String| worlds::question(name, &world, command, agent).map_err(fault);
     let lessons = commands.iter().map(question).collect::<Result<_, _>>()?;
-    Ok(Some(Questions { lessons, world: Some(world).filter(|world| !world.actions.is_empty()) }))
+    Ok(Some(Questions { lessons, act: !world.actions.is_empty(), world: Some(world).filter(|world| !world.actions.is_empty()) }))
 }
 
 /// Asks them.
@@ -76,7 +77,7 @@ pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
 /// [`Failure`].
 pub fn ask(options: &AskOptions, questions: &Questions) -> Result<(), Failure> {
     let mut memory = AgentHeap::new(&Capacities::NONE);
-    let mut model = restored::language(&options.with, &mut memory)?;
+    let mut model = restored::language(&options.with, &mut memory, questions.act)?;
     let synonyms = options.synonyms.read()?;
     let synonyms = synonyms.table()?;
     let mut out = BufWriter::new(std::io::stdout().lock());

@@ -6,7 +6,7 @@ mod doubts;
 
 use clap::Args;
 use goodbot::home::paper_tasks;
-use goodbot::language::Model;
+use goodbot::Options;
 use goodbot::oomdp::{Domain, check as soundness};
 use goodbot::task::LiftedTask;
 use goodbot_console::lessons::worlds;
@@ -288,9 +288,13 @@ fn check_worlds(file: &str, mut opened: impl BufRead) -> Result<Findings, Fault>
         }
         return Ok(found);
     }
-    let (mut commands, mut no_task) = (0_usize, 0_usize);
-    let read = worlds::read(file, opened, Model::Roles, |lesson| {
+    let (mut sessions, mut commands, mut no_task) = (0_usize, 0_usize, 0_usize);
+    let read = worlds::read(file, opened, Options::DEFAULT, None, false, |lesson| {
         match lesson {
+            Ok(Some(lesson)) if lesson.header.kind != Kind::Labelled => {
+                sessions += 1;
+                found.warnings.extend(lesson.remarks);
+            }
             Ok(lesson) => (commands, no_task) = (commands + 1, no_task + usize::from(lesson.is_none())),
             Err(fault) => found.faults.push(fault),
         }
@@ -307,7 +311,9 @@ fn check_worlds(file: &str, mut opened: impl BufRead) -> Result<Findings, Fault>
         );
         found.warnings.push(Fault::new(file, message));
     }
-    found.what = format!("a log of worlds with {}", counted(commands, "command"));
+    let told = [(sessions, "session"), (commands, "command")].into_iter().filter(|&(count, what)| count > 0 || what == "command" && sessions == 0);
+    let told: Vec<String> = told.map(|(count, what)| counted(count, what)).collect();
+    found.what = format!("a log of worlds with {}", told.join(" and "));
     Ok(found)
 }
 

@@ -1,22 +1,25 @@
 //! The agent that goes through recorded sessions, one after the other.
 
 use goodbot::feedback::Feedback;
-use goodbot::home::Home;
-use goodbot::memory::{AgentHeap, HomeMemory};
+use goodbot::memory::AgentHeap;
+use goodbot::oomdp::Domain;
 use goodbot::session::{Evidence, Options};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, AgentError, Capacities};
 use goodbot_console::believes::Believes;
-use goodbot_console::lessons::evidence;
+use goodbot_console::lessons::{evidence, restored};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession};
 use goodbot_formats::task_text::GroundTaskText;
+use goodbot_formats::world::{SessionInWorld, WorldFile};
 use goodbot_lab::fit_trainers::walk::trainer_of;
 use goodbot_lesson::checked::{CheckedSession, check_steps};
 use goodbot_lesson::replay::{Event, Replay, Rules};
 use goodbot_lesson::walk::Step;
-use goodbot_lesson::{Fault, home};
+use goodbot_lesson::world::robot::{self, Robot, Tables};
+use goodbot_lesson::{Fault, home, world};
+use std::sync::Arc;
 
 /// The name of the paper's trainer strategy, which is considered where no session names others.
 const BALANCED: &str = "balanced";
@@ -51,7 +54,10 @@ pub struct History {
     /// How many sessions were learned from, and how many are to be.
     learned: usize,
     kept: usize,
+    /// What commands may mean in homes.
     lifted: Vec<LiftedTask>,
+    /// The worlds of the logs so far, each with its robot and what commands may mean there.
+    worlds: Vec<(Arc<WorldFile>, Robot<'static>, Vec<LiftedTask>)>,
     strategies: Vec<String>,
     /// What is expected of trainers, where that is not what the sessions say.
     believes: Option<Believes>,
@@ -109,6 +115,7 @@ impl History {
             learned: 0,
             kept: 0,
             lifted: lifted.to_vec(),
+            worlds: vec![],
             strategies: vec![BALANCED.to_owned()],
             believes,
             trainer: None,
@@ -134,11 +141,67 @@ impl History {
         replayed
     }
 
+    /// Replays a session in a world.
+    ///
+    /// # Errors
+    /// What is wrong with it, or with its world. Nothing is then learned from it.
+    pub fn replay_in(&mut self, file: &str, recorded: &SessionInWorld) -> Result<Outcome, Vec<Fault>> {
+        // No session in a home goes on from one in another world.
+        self.last = Last::Nothing;
+        let at = |message: &dyn std::fmt::Display| vec![Fault::on_line(file, recorded.session.header_line, message).in_field("world")];
+        let known = self.worlds.iter().position(|(known, ..)| *known == recorded.world);
+        let known = match known {
+            Some(known) => known,
+            None => {
+                let robot = Tables::of(Arc::clone(&recorded.world)).map_err(|flaw| at(&flaw))?.keep();
+                let lifted = robot::tasks(&recorded.world, &robot).map_err(|flaw| at(&flaw))?;
+                self.worlds.push((Arc::clone(&recorded.world), robot, lifted));
+                self.worlds.len() - 1
+            }
+        };
+        let Some((_, robot, lifted)) = self.worlds.get(known) else { return Err(vec![]) };
+        let session = world::checked::check_steps(file, recorded, *robot, lifted)?;
+        let lifted = lifted.clone();
+        self.expect_tasks(&lifted).map_err(|message| at(&message))?;
+        self.go_through(file, &recorded.session, &session)
+    }
+
+    /// Makes the agent one whose commands may mean these tasks. What the words mean is taken along.
+    fn expect_tasks(&mut self, lifted: &[LiftedTask]) -> Result<(), String> {
+        if self.agent.lifted() == lifted {
+            return Ok(());
+        }
+        let options = *self.agent.options();
+        let memory = goodbot_console::learner::memory(&CAPACITIES, &options.language, CAPACITIES.pairs);
+        let mut agent = Agent::new(memory, lifted, options).map_err(|error| error.to_string())?;
+        if self.learned + self.kept > 0 {
+            let model = self.agent.saved().map_err(|error| error.to_string())?;
+            let words = restored::words(&model).map_err(|error| error.to_string())?;
+            agent.join(&words).map_err(|error| error.to_string())?;
+            agent.learn_fully();
+        }
+        self.agent = agent;
+        // The trainer is met anew.
+        self.trainer = None;
+        Ok(())
+    }
+
     fn try_replay(&mut self, file: &str, recorded: &RecordedSession) -> Result<Outcome, Vec<Fault>> {
-        let header = &recorded.header;
-        let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
         self.check_continues(file, recorded)?;
         let session = check_steps(file, recorded, &self.lifted, home::memory())?;
+        let lifted = self.lifted.clone();
+        self.expect_tasks(&lifted).map_err(|message| vec![Fault::on_line(file, recorded.header_line, message)])?;
+        self.go_through(file, recorded, &session)
+    }
+
+    fn go_through<D: Domain>(
+        &mut self,
+        file: &str,
+        recorded: &RecordedSession,
+        session: &CheckedSession<D>,
+    ) -> Result<Outcome, Vec<Fault>> {
+        let header = &recorded.header;
+        let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
         self.meet(file, recorded).map_err(at(recorded.header_line))?;
         if let (Some(records), false) = (&header.strategies, self.expects()) {
             self.strategies = records.iter().map(|record| record.name.clone()).collect();
@@ -156,7 +219,7 @@ impl History {
             trained: false,
             remarks: vec![],
         };
-        self.walk(file, &session, &mut outcome)?;
+        self.walk(file, session, &mut outcome)?;
         if recorded.learn {
             outcome.trained = self.learn(&session.walk.home).map_err(at(recorded.end_line))?;
         } else {
@@ -165,7 +228,7 @@ impl History {
         Ok(outcome)
     }
 
-    fn walk(&mut self, file: &str, session: &CheckedSession<impl HomeMemory>, outcome: &mut Outcome) -> Result<(), Vec<Fault>> {
+    fn walk<D: Domain>(&mut self, file: &str, session: &CheckedSession<D>, outcome: &mut Outcome) -> Result<(), Vec<Fault>> {
         let mut replay = Replay::new(Rules { strategies: !self.expects(), ..Rules::AS_IT_WAS });
         let mut taken = 0;
         loop {
@@ -201,7 +264,7 @@ impl History {
     }
 
     /// Remarks on a step that was just taken.
-    fn remark(&self, file: &str, kind: Kind, step: &Step, evidence: Evidence, remarks: &mut Vec<Fault>) {
+    fn remark<S: Copy + PartialEq>(&self, file: &str, kind: Kind, step: &Step<S>, evidence: Evidence, remarks: &mut Vec<Fault>) {
         let mut remark = |message: &str| remarks.push(Fault::on_line(file, step.line, message));
         if let Some(message) = evidence::remark(evidence) {
             remark(message);
@@ -211,7 +274,7 @@ impl History {
             remark("the search reached its limit: for some tasks no exact plan is known, and the step is no evidence about these");
         }
         if step.bump && kind == Kind::Demonstration {
-            remark("the demonstration walks into a wall or a held block, and nothing moves");
+            remark("the demonstration does what changes nothing, as where it walks into a wall or a held block");
         }
     }
 
@@ -221,7 +284,7 @@ impl History {
     }
 
     /// Ends a session that is learned from. Gives whether the words were learned anew.
-    fn learn(&mut self, home: &Home<impl HomeMemory>) -> Result<bool, AgentError> {
+    fn learn<D: Domain>(&mut self, home: &D) -> Result<bool, AgentError> {
         self.kept += 1;
         let enough = ((self.learned + self.kept) / PART).max(1);
         // What has no room beside the others makes room for itself, and all is learned anew.
@@ -258,7 +321,7 @@ impl History {
         Ok(())
     }
 
-    fn belief(&self, id: &str, step: u64, session: &CheckedSession<impl HomeMemory>) -> PosteriorLine<f32> {
+    fn belief<D: Domain>(&self, id: &str, step: u64, session: &CheckedSession<D>) -> PosteriorLine<f32> {
         let belief = self.agent.belief();
         let tasks = session.tasks.iter().enumerate().map(|(position, (_, name))| (name.clone(), belief.probability(position)));
         let strategies = self.strategies.iter().enumerate().map(|(position, name)| (name.clone(), belief.strategy_probability(position)));

@@ -13,11 +13,13 @@ use goodbot_console::believes::Believes;
 use goodbot_console::learner::Learner;
 use goodbot_console::lessons::MOST_FAULTS;
 use goodbot_console::load::input;
+use goodbot_console::load::content::Content;
 use goodbot_console::load::input::tell;
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::messages::{counted, is_quiet, printable, say};
 use goodbot_console::output::Output;
 use goodbot_formats::session::SessionReader;
+use goodbot_formats::world::{Line, WorldReader};
 use goodbot_lab::calibration;
 use goodbot_lesson::Fault;
 use history::{History, Learning, Outcome};
@@ -147,6 +149,7 @@ impl Replay {
     }
 
     fn files(&mut self, args: &ReplayArgs) -> Result<u8, Failure> {
+        let mut commands = 0;
         for file in &args.files {
             let opened = match input::log(file) {
                 Ok(opened) => opened,
@@ -156,6 +159,23 @@ impl Replay {
                 }
             };
             let name = input::name(file);
+            if Content::of(opened.buffer()) == Content::Worlds {
+                for line in WorldReader::new(opened) {
+                    let replayed = match line {
+                        Ok(Line::Session(session)) => self.history.replay_in(name, &session),
+                        Ok(Line::World(_)) => continue,
+                        Ok(Line::Command(_)) => {
+                            commands += 1;
+                            continue;
+                        }
+                        Err(error) => Err(vec![Fault::from_format(name, error)]),
+                    };
+                    if !self.take_or_tell(args, replayed)? {
+                        return Ok(2);
+                    }
+                }
+                continue;
+            }
             for session in SessionReader::new(opened) {
                 let replayed = match session {
                     Ok(session) => self.history.replay(name, &session),
@@ -164,22 +184,13 @@ impl Replay {
                         Err(vec![Fault::from_format(name, error)])
                     }
                 };
-                match replayed {
-                    Ok(outcome) => self.take(args, &outcome)?,
-                    Err(faults) => {
-                        self.tell(&faults);
-                        self.totals.skipped += 1;
-                        if !args.keep_going || self.totals.skipped > MOST_FAULTS {
-                            self.output.flush()?;
-                            if args.keep_going {
-                                eprintln!("error: more than {MOST_FAULTS} sessions are at fault; check that this is a session log");
-                            }
-                            return Ok(2);
-                        }
-                    }
+                if !self.take_or_tell(args, replayed)? {
+                    return Ok(2);
                 }
-                self.progress.inc(1);
             }
+        }
+        if commands > 0 {
+            say!("{} left out: nothing was done, so there is nothing to replay; learn from them with goodbot learn", counted(commands, "command"));
         }
         if self.totals.sessions == 0 && self.totals.skipped == 0 {
             eprintln!("error: the files have no session; name a session log, with one JSON object on each line");
@@ -209,6 +220,26 @@ impl Replay {
         }
         self.output.flush()?;
         Ok(if self.totals.sessions == 0 { 2 } else { 0 })
+    }
+
+    /// Takes in what became of a session. Gives whether to go on.
+    fn take_or_tell(&mut self, args: &ReplayArgs, replayed: Result<Outcome, Vec<Fault>>) -> Result<bool, Failure> {
+        self.progress.inc(1);
+        match replayed {
+            Ok(outcome) => self.take(args, &outcome)?,
+            Err(faults) => {
+                self.tell(&faults);
+                self.totals.skipped += 1;
+                if !args.keep_going || self.totals.skipped > MOST_FAULTS {
+                    self.output.flush()?;
+                    if args.keep_going {
+                        eprintln!("error: more than {MOST_FAULTS} sessions are at fault; check that this is a session log");
+                    }
+                    return Ok(false);
+                }
+            }
+        }
+        Ok(true)
     }
 
     fn take(&mut self, args: &ReplayArgs, outcome: &Outcome) -> Result<(), Failure> {

@@ -249,7 +249,7 @@ fn with_model(
     };
     let mut memory = AgentHeap::new(&Capacities::NONE);
     let mut trained = match sessions.are_of_worlds() {
-        true => Trained::Model2(Box::new(restored::language(file, &mut memory)?)),
+        true => Trained::Model2(Box::new(restored::language(file, &mut memory, sessions.act())?)),
         false => Trained::Robot(Box::new(restored::agent(file, lifted)?)),
     };
     let answers = experiment.ask(&mut trained)?;
@@ -286,6 +286,11 @@ impl Sessions {
     /// Whether the commands that are asked are in worlds from files.
     fn are_of_worlds(&self) -> bool {
         self.asked().iter().any(|lesson| lesson.world.is_some())
+    }
+
+    /// Whether a robot acts wherever they are asked.
+    fn act(&self) -> bool {
+        self.asked().iter().all(|lesson| lesson.acts)
     }
 
     /// What can be said of what was read.

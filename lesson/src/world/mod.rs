@@ -8,8 +8,10 @@
 //!
 //! So what was learned of an object in one kind of task serves in all.
 //!
-//! A world with actions is a robot's: see [`robot`].
+//! A world with actions is a robot's: see [`robot`]. Its tasks are told to the role model as those of a home are, so that what was learned in
+//! one is understood in the other; [`checked`] walks through sessions in it.
 
+pub mod checked;
 pub mod robot;
 
 use goodbot::capacity::NAME_BYTES;

@@ -5,6 +5,7 @@
 //! are the values.
 
 use crate::name::task_name;
+use crate::place::Place;
 use goodbot::capacity::{ARGUMENTS, ATTRIBUTES};
 use goodbot::memory::AgentHeap;
 use goodbot::oomdp::{
@@ -14,9 +15,11 @@ use goodbot::oomdp::{
 use goodbot::planning::OptimalSet;
 use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, AgentError, Capacities, Options};
+use goodbot_formats::session::RecordedSession;
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
-use goodbot_formats::world::{ActionOfWorld, Literal, Term, WorldFile};
+use goodbot_formats::world::{ActionOfWorld, Literal, SessionInWorld, Term, WorldFile};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::sync::Arc;
 
 /// Why a world file is no robot's.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,8 +44,136 @@ fn flaw<T>(field: impl Into<String>, message: impl Into<String>) -> Result<T, Fl
 
 /// The most objects that a robot's world may have.
 pub const MOST_OBJECTS: usize = 255;
+/// The bytes of all names and values.
+const NAME_BYTES_TOGETHER: usize = 60_000;
 /// The most ways to apply an action's conditions and effects to objects, of all actions together.
 const MOST_CASES: usize = 1 << 20;
+
+/// What a robot from a world file is made of.
+#[derive(Debug)]
+pub struct Tables {
+    file: Arc<WorldFile>,
+    /// How the attribute of each class is called.
+    prefixes: Vec<Vec<String>>,
+    parameters: Vec<Vec<ClassId>>,
+    rows: Vec<Object>,
+    name_bytes: Vec<u8>,
+    name_ends: Vec<u16>,
+    count: ObjectCount,
+    mechanism: Mechanism,
+    start: u64,
+}
+
+/// The names of the tables, as a schema has them.
+struct Names<'t> {
+    classes: Vec<Class<'t>>,
+    carriers: Vec<Vec<Carrier<'t>>>,
+    propositions: Vec<Proposition<'t>>,
+    kinds: Vec<ActionKind<'t>>,
+}
+
+impl<'t> Names<'t> {
+    fn of(tables: &'t Tables) -> Self {
+        let Tables { file, prefixes, parameters, mechanism, .. } = tables;
+        let carriers = |((_, classes), prefixes): (&'t (String, Vec<String>), &'t Vec<String>)| {
+            classes.iter().zip(prefixes).map(|(name, prefix)| Carrier::new(class_of(file, name), prefix)).collect()
+        };
+        Self {
+            classes: file.classes.iter().map(|name| Class::new(name)).collect(),
+            carriers: file.attributes.iter().zip(prefixes).map(carriers).collect(),
+            propositions: file.propositions.iter().zip(parameters).map(|((name, _), of)| Proposition::new(name, of)).collect(),
+            kinds: mechanism.actions.iter().map(|action| ActionKind::new(&action.name, action.cost)).collect(),
+        }
+    }
+
+    fn attributes(&self, file: &'t WorldFile) -> Vec<Attribute<'_>> {
+        file.attributes.iter().zip(&self.carriers).map(|((name, _), carriers)| Attribute::new(name, carriers)).collect()
+    }
+}
+
+fn class_of(file: &WorldFile, name: &String) -> ClassId {
+    ClassId::new(file.classes.iter().position(|known| known == name).unwrap_or(0) as u8)
+}
+
+impl Tables {
+    /// The tables of a world file.
+    ///
+    /// # Errors
+    /// A [`Flaw`] where the world is too large for the core, or has nothing to do.
+    pub fn of(file: Arc<WorldFile>) -> Result<Self, Flaw> {
+        if file.actions.is_empty() {
+            return flaw("actions", "is missing: commands can be learned and asked in this world, but no robot can act in it; add actions");
+        }
+        let limits = [
+            ("objects", file.objects.len(), MOST_OBJECTS),
+            ("attributes", file.attributes.len(), ATTRIBUTES),
+            ("classes", file.classes.len(), 255),
+            ("propositions", file.propositions.len(), 255),
+        ];
+        if let Some((field, given, most)) = limits.into_iter().find(|(_, given, most)| given > most) {
+            return flaw(field, format!("are {given}, and {most} are the most for a robot that acts; leave out some"));
+        }
+        if let Some((name, _)) = file.propositions.iter().find(|(_, classes)| classes.len() > ARGUMENTS) {
+            return flaw(format!("propositions.{name}"), format!("has more than {ARGUMENTS} arguments; give it fewer"));
+        }
+        let prefix = |(name, classes): &(String, Vec<String>)| -> Vec<String> {
+            classes.iter().map(|class| format!("{class}{}", capitalised(name))).collect()
+        };
+        let mut tables = Self {
+            prefixes: file.attributes.iter().map(prefix).collect(),
+            parameters: file.propositions.iter().map(|(_, classes)| classes.iter().map(|name| class_of(&file, name)).collect()).collect(),
+            rows: vec![Object::UNUSED; file.objects.len()],
+            name_bytes: vec![0; NAME_BYTES_TOGETHER],
+            name_ends: vec![0; file.objects.len() * (1 + ATTRIBUTES)],
+            count: ObjectCount::NONE,
+            mechanism: Mechanism::default(),
+            start: 0,
+            file,
+        };
+        tables.count = tables.add_objects()?;
+        tables.mechanism = tables.lend(|robot| Mechanism::of(&tables.file, &robot.schema, robot.objects))?;
+        tables.start = tables.lend(|robot| robot.state_of(&tables.file.facts))?;
+        Ok(tables)
+    }
+
+    fn add_objects(&mut self) -> Result<ObjectCount, Flaw> {
+        let Self { file, rows, name_bytes, name_ends, .. } = self;
+        let mut set = ObjectSet::new(ObjectTables { objects: rows, name_bytes, name_ends });
+        for (position, object) in file.objects.iter().enumerate() {
+            let value = |(attribute, _): &(String, Vec<String>)| {
+                object.attributes.iter().find(|(known, _)| known == attribute).map_or("", |(_, value)| value.as_str())
+            };
+            let values: Vec<&str> = file.attributes.iter().map(value).collect();
+            set.add(class_of(file, &object.class), &object.name, &values)
+                .map_err(|error| Flaw { field: format!("objects[{position}]"), message: error.to_string() })?;
+        }
+        Ok(set.count())
+    }
+
+    /// The state that the file describes.
+    pub const fn start(&self) -> u64 {
+        self.start
+    }
+
+    /// The file.
+    pub const fn file(&self) -> &Arc<WorldFile> {
+        &self.file
+    }
+
+    /// Lends the robot.
+    pub fn lend<R>(&self, use_it: impl FnOnce(&Robot<'_>) -> R) -> R {
+        let names = Names::of(self);
+        let attributes = names.attributes(&self.file);
+        use_it(&Robot::of(self, &names, &attributes))
+    }
+
+    /// The robot, for as long as the program runs: its tables are never freed. For programs that meet few worlds.
+    pub fn keep(self) -> Robot<'static> {
+        let tables: &'static Self = Box::leak(Box::new(self));
+        let names: &'static Names<'static> = Box::leak(Box::new(Names::of(tables)));
+        Robot::of(tables, names, Vec::leak(names.attributes(&tables.file)))
+    }
+}
 
 /// Makes the robot of a world file, and hands it over with the state that it starts in.
 ///
@@ -60,64 +191,15 @@ const MOST_CASES: usize = 1 << 20;
 /// ```
 ///
 /// # Errors
-/// A [`Flaw`] where the world is too large for the core, or has nothing to do.
+/// As [`Tables::of`].
 pub fn with<R>(file: &WorldFile, use_it: impl FnOnce(&Robot<'_>, u64) -> R) -> Result<R, Flaw> {
-    if file.actions.is_empty() {
-        return flaw("actions", "is missing: commands can be learned and asked in this world, but no robot can act in it; add actions");
-    }
-    let limits = [
-        ("objects", file.objects.len(), MOST_OBJECTS),
-        ("attributes", file.attributes.len(), ATTRIBUTES),
-        ("classes", file.classes.len(), 255),
-    ];
-    if let Some((field, given, most)) = limits.into_iter().find(|(_, given, most)| given > most) {
-        return flaw(field, format!("are {given}, and {most} are the most for a robot that acts; leave out some"));
-    }
-    let class = |name: &String| ClassId::new(file.classes.iter().position(|known| known == name).unwrap_or(0) as u8);
-    let prefixes: Vec<Vec<String>> = file
-        .attributes
-        .iter()
-        .map(|(name, classes)| classes.iter().map(|class| format!("{class}{}", capitalised(name))).collect())
-        .collect();
-    let carriers: Vec<Vec<Carrier<'_>>> = (file.attributes.iter().zip(&prefixes))
-        .map(|((_, classes), prefixes)| classes.iter().zip(prefixes).map(|(name, prefix)| Carrier::new(class(name), prefix)).collect())
-        .collect();
-    let parameters: Vec<Vec<ClassId>> = file.propositions.iter().map(|(_, classes)| classes.iter().map(class).collect()).collect();
-    if let Some((name, _)) = file.propositions.iter().find(|(_, classes)| classes.len() > ARGUMENTS) {
-        return flaw(format!("propositions.{name}"), format!("has more than {ARGUMENTS} arguments; give it fewer"));
-    }
-    let classes: Vec<Class<'_>> = file.classes.iter().map(|name| Class::new(name)).collect();
-    let attributes: Vec<Attribute<'_>> =
-        file.attributes.iter().zip(&carriers).map(|((name, _), carriers)| Attribute::new(name, carriers)).collect();
-    let propositions: Vec<Proposition<'_>> =
-        file.propositions.iter().zip(&parameters).map(|((name, _), parameters)| Proposition::new(name, parameters)).collect();
-    let schema = Schema { classes: &classes, attributes: &attributes, propositions: &propositions };
-    let (mut rows, mut bytes, mut ends) =
-        (vec![Object::UNUSED; file.objects.len()], vec![0; 60_000], vec![0; file.objects.len() * (1 + ATTRIBUTES)]);
-    let count = add_objects(file, &class, ObjectTables { objects: &mut rows, name_bytes: &mut bytes, name_ends: &mut ends })?;
-    let objects = Objects::new(ObjectTablesRef { objects: &rows, name_bytes: &bytes, name_ends: &ends }, count);
-    let mechanism = Mechanism::of(file, &schema, objects)?;
-    let kinds: Vec<ActionKind<'_>> = mechanism.actions.iter().map(|action| ActionKind::new(&action.name, action.cost)).collect();
-    let start = mechanism.start(file, &schema, objects)?;
-    Ok(use_it(&Robot { schema, objects, kinds: &kinds, mechanism: &mechanism }, start))
+    let tables = Tables::of(Arc::new(file.clone()))?;
+    Ok(tables.lend(|robot| use_it(robot, tables.start)))
 }
 
 fn capitalised(name: &str) -> String {
     let mut letters = name.chars();
     letters.next().map(|first| first.to_ascii_uppercase()).into_iter().chain(letters).collect()
-}
-
-fn add_objects(file: &WorldFile, class: &impl Fn(&String) -> ClassId, tables: ObjectTables<'_>) -> Result<ObjectCount, Flaw> {
-    let mut set = ObjectSet::new(tables);
-    for (position, object) in file.objects.iter().enumerate() {
-        let value = |(attribute, _): &(String, Vec<String>)| {
-            object.attributes.iter().find(|(known, _)| known == attribute).map_or("", |(_, value)| value.as_str())
-        };
-        let values: Vec<&str> = file.attributes.iter().map(value).collect();
-        set.add(class(&object.class), &object.name, &values)
-            .map_err(|error| Flaw { field: format!("objects[{position}]"), message: error.to_string() })?;
-    }
-    Ok(set.count())
 }
 
 /// The kinds of task of a robot's world.
@@ -133,12 +215,65 @@ pub fn tasks(file: &WorldFile, robot: &Robot<'_>) -> Result<Vec<LiftedTask>, Fla
 }
 
 /// A robot from a world file.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Robot<'w> {
     schema: Schema<'w>,
     objects: Objects<'w>,
     kinds: &'w [ActionKind<'w>],
     mechanism: &'w Mechanism,
+    file: &'w Arc<WorldFile>,
+}
+
+impl<'w> Robot<'w> {
+    fn of<'n: 'w>(tables: &'w Tables, names: &'w Names<'n>, attributes: &'w [Attribute<'w>]) -> Self {
+        let Tables { rows, name_bytes, name_ends, count, mechanism, file, .. } = tables;
+        let schema = Schema { classes: &names.classes, attributes, propositions: &names.propositions };
+        let objects = Objects::new(ObjectTablesRef { objects: rows, name_bytes, name_ends }, *count);
+        Self { schema, objects, kinds: &names.kinds, mechanism, file }
+    }
+
+    /// The file that describes it.
+    pub const fn file(&self) -> &'w Arc<WorldFile> {
+        self.file
+    }
+
+    /// The state in which these propositions hold, and no others.
+    ///
+    /// # Errors
+    /// A [`Flaw`] where a variable has no value or two, or where what no action changes is not as the file says.
+    pub fn state_of(&self, facts: &[GroundAtomText]) -> Result<u64, Flaw> {
+        self.mechanism.state_of(facts, &self.file.variables, &self.schema, self.objects)
+    }
+
+    /// What holds in a state, in the order of the propositions and their objects.
+    pub fn facts(&self, state: u64) -> Vec<GroundAtomText> {
+        let changing = self.mechanism.places.iter().filter(|&(_, &(digit, value))| self.mechanism.has(state, digit, value));
+        let all: BTreeSet<&Key> = changing.map(|(key, _)| key).chain(&self.mechanism.fixed).collect();
+        let text = |(proposition, arguments): &&Key| {
+            let count = self.schema.parameters(*proposition).len();
+            let names = arguments.iter().take(count).map(|&object| self.objects.name(object));
+            GroundAtomText::new(self.schema.proposition_name(*proposition), names).ok()
+        };
+        all.iter().filter_map(text).collect()
+    }
+
+    /// Whether an action changes whether a proposition holds.
+    pub fn changes(&self, proposition: &GroundAtomText) -> bool {
+        self.mechanism.places.contains_key(&key(&self.schema, self.objects, proposition))
+    }
+}
+
+impl Place for Robot<'_> {
+    type Record = Vec<GroundAtomText>;
+    type Recorded = SessionInWorld;
+
+    fn record(&self, state: &u64) -> Vec<GroundAtomText> {
+        self.facts(*state)
+    }
+
+    fn recorded(&self, record: &Vec<GroundAtomText>, session: RecordedSession) -> SessionInWorld {
+        SessionInWorld { world: Arc::clone(self.file), facts: record.clone(), session }
+    }
 }
 
 /// What can hold of objects, by name and arguments.
@@ -163,7 +298,7 @@ impl Digit {
     }
 }
 
-#[derive(Debug)]
+#[derive(Debug, Default)]
 struct Mechanism {
     digits: Vec<Digit>,
     states: u64,
@@ -193,7 +328,7 @@ impl Mechanism {
     fn of(file: &WorldFile, schema: &Schema<'_>, objects: Objects<'_>) -> Result<Self, Flaw> {
         let changed: BTreeSet<&str> =
             file.actions.iter().flat_map(|action| &action.effects).map(|effect| effect.proposition.as_str()).collect();
-        let mut mechanism = Self { digits: vec![], states: 1, places: HashMap::new(), fixed: BTreeSet::new(), actions: vec![] };
+        let mut mechanism = Self { states: 1, ..Self::default() };
         for (position, (name, _)) in file.propositions.iter().enumerate() {
             let id = PropositionId::new(position as u8);
             let classes = schema.parameters(id);
@@ -248,19 +383,37 @@ impl Mechanism {
         Ok(self.digits.len() - 1)
     }
 
-    /// The state that the facts describe.
-    fn start(&self, file: &WorldFile, schema: &Schema<'_>, objects: Objects<'_>) -> Result<u64, Flaw> {
-        let (mut start, mut told) = (0, BTreeSet::new());
-        for (position, fact) in file.facts.iter().enumerate() {
-            let Some(&(digit, value)) = self.places.get(&key(schema, objects, fact)) else { continue };
-            if !told.insert(digit) && file.variables.iter().any(|name| name == fact.function()) {
+    /// The state that facts describe.
+    fn state_of(
+        &self,
+        facts: &[GroundAtomText],
+        variables: &[String],
+        schema: &Schema<'_>,
+        objects: Objects<'_>,
+    ) -> Result<u64, Flaw> {
+        let (mut start, mut told, mut fixed) = (0, BTreeSet::new(), BTreeSet::new());
+        for (position, fact) in facts.iter().enumerate() {
+            let key = key(schema, objects, fact);
+            let Some(&(digit, value)) = self.places.get(&key) else {
+                if !self.fixed.contains(&key) {
+                    return flaw(format!("facts[{position}]"), "holds here and not in the world, and no action changes it; leave it out");
+                }
+                fixed.insert(key);
+                continue;
+            };
+            if !told.insert(digit) && variables.iter().any(|name| name == fact.function()) {
                 return flaw(format!("facts[{position}]"), "gives a variable a second value; leave one of the two");
             }
             start = self.digits.get(digit).map_or(start, |digit| digit.set(start, value));
         }
-        for (&(proposition, arguments), &(digit, _)) in &self.places {
+        if fixed.len() < self.fixed.len() {
+            return flaw("facts", "leave out what holds in the world and no action changes; add it");
+        }
+        let mut places: Vec<(&Key, &(usize, u64))> = self.places.iter().collect();
+        places.sort();
+        for (&(proposition, arguments), &(digit, _)) in places {
             let name = schema.proposition_name(proposition);
-            if file.variables.iter().any(|variable| variable == name) && !told.contains(&digit) {
+            if variables.iter().any(|variable| variable == name) && !told.contains(&digit) {
                 let count = schema.parameters(proposition).len() - 1;
                 let of: Vec<&str> = arguments.iter().take(count).map(|&object| objects.name(object)).collect();
                 return flaw("facts", format!("say no value of the variable {name} of {}; add it", of.join(", ")));

@@ -1,0 +1,126 @@
+//! A session in a world: a command, what was done, and how it was judged.
+
+use std::sync::Arc;
+
+use serde::Serialize;
+
+use super::WorldFile;
+use super::file::Known;
+use crate::environment::EnvironmentFile;
+use crate::error::{FormatError, KNOWN_VERSIONS, Problem};
+use crate::json::{Object, Source};
+use crate::session::{Kind, RecordedSession, SessionHeader, StrategyRecord, write_conversation};
+use crate::task_text::{GroundAtomText, GroundTaskText};
+
+/// A session in a world.
+///
+/// ```
+/// use goodbot_formats::world::{Line, WorldReader};
+///
+/// let log = r#"{"type":"world","name":"hall","classes":["lamp"],"attributes":{},"propositions":{"on":["lamp"]},"objects":[{"name":"a","class":"lamp"}],"actions":[{"name":"light","effects":["on(a)"]}],"task_kinds":["on(?l)"]}
+/// {"type":"session","version":1,"kind":"feedback","world":"hall","facts":[],"command":"light please"}
+/// {"type":"step","action":"light","feedback":"reward"}
+/// {"type":"end","learn":true}"#;
+/// let lines: Vec<Line> = WorldReader::new(log.as_bytes()).collect::<Result<_, _>>()?;
+/// let [Line::World(world), Line::Session(session)] = lines.as_slice() else { panic!("a world and a session") };
+/// assert_eq!(session.session.steps[0].1.action, "light");
+/// let written = [vec![world.to_json_line()?], session.to_lines()?].concat();
+/// assert_eq!(written.join("\n"), log);
+/// # Ok::<(), goodbot_formats::FormatError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct SessionInWorld {
+    /// The world.
+    pub world: Arc<WorldFile>,
+    /// What held when the command was said.
+    pub facts: Vec<GroundAtomText>,
+    /// The session. It is in no home: its environment has no objects.
+    pub session: RecordedSession,
+}
+
+const FIELDS: &[&str] = &[
+    "type",
+    "version",
+    "id",
+    "kind",
+    "world",
+    "facts",
+    "command",
+    "intended",
+    "strategies",
+    "utterance",
+    "after",
+    "conversation",
+];
+
+/// The first line, in the order in which it is written.
+#[derive(Serialize)]
+struct Header<'a> {
+    #[serde(rename = "type")]
+    line: &'static str,
+    version: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    id: Option<&'a str>,
+    kind: Kind,
+    world: &'a str,
+    facts: &'a [GroundAtomText],
+    command: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    intended: Option<&'a [GroundAtomText]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    strategies: Option<&'a [StrategyRecord]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    utterance: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    after: Option<&'a GroundTaskText>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(serialize_with = "write_conversation")]
+    conversation: Option<Vec<(String, String)>>,
+}
+
+impl SessionInWorld {
+    /// Reads the line with which a session in a world begins.
+    pub(super) fn header(
+        fields: &Object<'_>,
+        world: Arc<WorldFile>,
+    ) -> Result<(Arc<WorldFile>, Vec<GroundAtomText>, SessionHeader), FormatError> {
+        fields.version()?;
+        fields.only(FIELDS)?;
+        let known = Known::of(&world);
+        let facts = match fields.optional("facts") {
+            Some(facts) => known.atoms(&facts)?,
+            None => world.facts.clone(),
+        };
+        if let Some(intended) = fields.optional("intended") {
+            known.atoms(&intended)?;
+        }
+        let header = SessionHeader::read_in(EnvironmentFile::new(vec![]), fields)?;
+        drop(known);
+        Ok((world, facts, header))
+    }
+
+    /// The session as lines without line ends. The line of its world comes before it, and the line numbers play no part.
+    ///
+    /// # Errors
+    /// What could not be read again; the line counts from the session line, which is 1.
+    pub fn to_lines(&self) -> Result<Vec<String>, FormatError> {
+        let header = &self.session.header;
+        let first = Header {
+            line: "session",
+            version: KNOWN_VERSIONS.last().copied(),
+            id: header.id.as_deref(),
+            kind: header.kind,
+            world: &self.world.name,
+            facts: &self.facts,
+            command: &header.command,
+            intended: header.intended.as_deref(),
+            strategies: header.strategies.as_deref(),
+            utterance: header.utterance.as_deref(),
+            after: header.after.as_ref(),
+            conversation: header.conversation.clone(),
+        };
+        let first = serde_json::to_string(&first).map_err(|error| FormatError::new(1, Problem::Syntax(error.to_string())))?;
+        Self::header(&Source::new(&first, 1).root()?.object()?, Arc::clone(&self.world))?;
+        self.session.to_lines_with(first, |step, line| header.check_feedback(step, line))
+    }
+}
