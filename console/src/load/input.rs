@@ -5,6 +5,7 @@ use crate::messages::printable;
 use crate::whole_file::MOST_BYTES;
 use goodbot_formats::Problem;
 use goodbot_formats::environment::EnvironmentFile;
+use goodbot_formats::world::WorldFile;
 use goodbot_lesson::{Fault, home};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -53,6 +54,19 @@ pub fn home(file: &str) -> Result<EnvironmentFile, Fault> {
     }
     let text = String::from_utf8(bytes).map_err(|_| Fault::new(name, Problem::NotUtf8))?;
     home::parse(name, &text)
+}
+
+/// A world from a file; `None` where the file is something else.
+///
+/// # Errors
+/// What is wrong with the file.
+pub fn world(file: &str) -> Result<Option<WorldFile>, Fault> {
+    let (name, mut opened) = (name(file), open(file)?);
+    if Content::of(opened.fill_buf().map_err(unreadable(file))?) != Content::Worlds {
+        return Ok(None);
+    }
+    let text = String::from_utf8(rest(file, opened)?).map_err(|_| Fault::new(name, Problem::NotUtf8))?;
+    WorldFile::parse(&text).map(Some).map_err(|error| Fault::from_format(name, error))
 }
 
 /// Writes faults to standard error, where anyone still reads it.

@@ -163,7 +163,7 @@ impl History {
         let session = world::checked::check_steps(file, recorded, *robot, lifted)?;
         let lifted = lifted.clone();
         self.expect_tasks(&lifted).map_err(|message| at(&message))?;
-        self.go_through(file, &recorded.session, &session)
+        self.go_through(file, &recorded.session, &session, "this step of the demonstration changes nothing")
     }
 
     /// Makes the agent one whose commands may mean these tasks. What the words mean is taken along.
@@ -191,14 +191,16 @@ impl History {
         let session = check_steps(file, recorded, &self.lifted, home::memory())?;
         let lifted = self.lifted.clone();
         self.expect_tasks(&lifted).map_err(|message| vec![Fault::on_line(file, recorded.header_line, message)])?;
-        self.go_through(file, recorded, &session)
+        self.go_through(file, recorded, &session, "the demonstration walks into a wall or a held block, and nothing moves")
     }
 
+    /// Goes through a session. `bump` says of a demonstration's step that it changes nothing.
     fn go_through<D: Domain>(
         &mut self,
         file: &str,
         recorded: &RecordedSession,
         session: &CheckedSession<D>,
+        bump: &str,
     ) -> Result<Outcome, Vec<Fault>> {
         let header = &recorded.header;
         let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
@@ -219,7 +221,7 @@ impl History {
             trained: false,
             remarks: vec![],
         };
-        self.walk(file, session, &mut outcome)?;
+        self.walk(file, session, bump, &mut outcome)?;
         if recorded.learn {
             outcome.trained = self.learn(&session.walk.home).map_err(at(recorded.end_line))?;
         } else {
@@ -228,7 +230,7 @@ impl History {
         Ok(outcome)
     }
 
-    fn walk<D: Domain>(&mut self, file: &str, session: &CheckedSession<D>, outcome: &mut Outcome) -> Result<(), Vec<Fault>> {
+    fn walk<D: Domain>(&mut self, file: &str, session: &CheckedSession<D>, bump: &str, outcome: &mut Outcome) -> Result<(), Vec<Fault>> {
         let mut replay = Replay::new(Rules { strategies: !self.expects(), ..Rules::AS_IT_WAS });
         let mut taken = 0;
         loop {
@@ -255,7 +257,7 @@ impl History {
                             Feedback::Neutral => neutral,
                         } += 1;
                     }
-                    self.remark(file, session.walk.kind, step, evidence, &mut outcome.remarks);
+                    self.remark(file, session.walk.kind, (step, bump), evidence, &mut outcome.remarks);
                 }
             }
             outcome.beliefs.push(self.belief(&outcome.id, taken, session));
@@ -264,7 +266,7 @@ impl History {
     }
 
     /// Remarks on a step that was just taken.
-    fn remark<S: Copy + PartialEq>(&self, file: &str, kind: Kind, step: &Step<S>, evidence: Evidence, remarks: &mut Vec<Fault>) {
+    fn remark<S>(&self, file: &str, kind: Kind, (step, bump): (&Step<S>, &str), evidence: Evidence, remarks: &mut Vec<Fault>) {
         let mut remark = |message: &str| remarks.push(Fault::on_line(file, step.line, message));
         if let Some(message) = evidence::remark(evidence) {
             remark(message);
@@ -274,7 +276,7 @@ impl History {
             remark("the search reached its limit: for some tasks no exact plan is known, and the step is no evidence about these");
         }
         if step.bump && kind == Kind::Demonstration {
-            remark("the demonstration does what changes nothing, as where it walks into a wall or a held block");
+            remark(bump);
         }
     }
 

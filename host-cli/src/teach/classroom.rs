@@ -4,9 +4,9 @@ use super::full_words::FullWords;
 use super::kept::{Kept, Past};
 use super::lessons::{Tour, is_lesson};
 use super::next_lesson::{Next, propose};
+use super::site::{Recorded, Site};
 use super::trainer::{Heard, Meaning, Refusal, Trainer};
 use goodbot_formats::environment::EnvironmentFile;
-use goodbot_formats::session::RecordedSession;
 use goodbot_lesson::live::Lesson;
 
 /// A robot, what is kept of it, and the tour.
@@ -26,7 +26,7 @@ pub struct Classroom {
     kept: Option<Kept>,
     /// What the robot knew before each session of a visit of which nothing is kept.
     before: Vec<Vec<u8>>,
-    learning: Option<(RecordedSession, Vec<u8>)>,
+    learning: Option<(Recorded, Vec<u8>)>,
     /// The names of the sessions that were learned from in this visit.
     learned: Vec<Option<String>>,
     sessions: usize,
@@ -164,7 +164,8 @@ impl Classroom {
         }
         let Some((record, before)) = self.learning.take() else { return Ok(true) };
         self.sessions += 1;
-        self.learned.push(record.header.id.clone());
+        let id = record.session().header.id.clone();
+        self.learned.push(id.clone());
         let kept = match &mut self.kept {
             Some(kept) => {
                 let model = self.trainer.save()?;
@@ -175,7 +176,7 @@ impl Classroom {
                 Ok(())
             }
         };
-        if let Some(tour) = self.tour.as_mut().filter(|tour| tour.stop().is_some_and(|stop| stop.id() == record.header.id)) {
+        if let Some(tour) = self.tour.as_mut().filter(|tour| tour.stop().is_some_and(|stop| stop.id() == id)) {
             tour.pass(true);
         }
         self.enter_tour()?;
@@ -246,7 +247,7 @@ impl Classroom {
     }
 
     /// The robot, its home and the session under way.
-    pub const fn lesson(&self) -> &Lesson {
+    pub const fn lesson(&self) -> &Lesson<Site> {
         self.trainer.lesson()
     }
 }

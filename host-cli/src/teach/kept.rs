@@ -3,17 +3,21 @@
 //! Both are written as soon as a session is over, so that nothing is left to lose. The log is appended to, the model replaced as a whole. A
 //! file that is something else is never written to. While a robot is being taught its log is locked, so that two do not teach it at once.
 
+use super::site::Recorded;
 use etcetera::BaseStrategy;
 use goodbot::snapshot::Contents;
 use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::are_one;
 use goodbot_console::whole_file::{read_model, remove_torn, write_whole};
+use goodbot_formats::FormatError;
 use goodbot_formats::session::{RecordedSession, SessionReader};
+use goodbot_formats::world::{Line, WorldFile, WorldReader};
 use goodbot_lesson::Fault;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Duration;
 
 /// Where a robot's files are.
@@ -72,11 +76,22 @@ pub struct Past {
     pub taught: usize,
 }
 
+impl Past {
+    fn add(&mut self, session: RecordedSession) {
+        self.sessions += 1;
+        self.taught += usize::from(session.learn);
+        self.learned.extend(session.header.id.filter(|_| session.learn));
+        self.commands.push(session.header.command);
+    }
+}
+
 /// A session that was written, and can be taken out again.
 #[derive(Debug)]
 struct Written {
     start: u64,
     text: String,
+    /// The line of the world, where the text begins with it.
+    introduction: Option<String>,
     /// The model of before.
     model: Option<Vec<u8>>,
 }
@@ -92,6 +107,8 @@ pub struct Kept {
     /// Sessions that the log had no room for, and the model that its file had none for.
     unwritten: String,
     newest: Option<Vec<u8>>,
+    /// The line of the world, where the log does not have it yet.
+    introduction: Option<String>,
 }
 
 /// A log in which nothing was written is not left behind.
@@ -121,11 +138,11 @@ fn open_log(path: &Path) -> Result<File, Failure> {
 }
 
 impl Kept {
-    /// Opens a robot's files; the log is made where it is missing.
+    /// Opens a robot's files; the log is made where it is missing. `world` is the world from a file in which it is taught, where that is no home.
     ///
     /// # Errors
     /// A [`Failure`] where one of them is something else, or cannot be written to.
-    pub fn open(places: Places) -> Result<(Self, Past), Failure> {
+    pub fn open(places: Places, world: Option<&Arc<WorldFile>>) -> Result<(Self, Past), Failure> {
         let mut past = Past::default();
         if places.model.exists() {
             past.model = Some(read_model(&places.model)?);
@@ -136,23 +153,31 @@ impl Kept {
         if torn > 0 {
             say!("{}: the program was stopped while it wrote; {} removed", places.model.display(), counted(torn, "unfinished file"));
         }
-        let kept = Self { places, log, model: past.model.clone(), written: Vec::new(), unwritten: String::new(), newest: None };
+        let mut kept = Self { places, log, model: past.model.clone(), written: Vec::new(), unwritten: String::new(), newest: None, introduction: None };
         let name = kept.places.log.display().to_string();
         // Both are there now, whatever they are called.
         if are_one(&kept.places.model, &kept.places.log) {
             return Err(Failure::Input(format!("{name}: is both the model and the log; name two files")));
         }
-        for session in SessionReader::new(BufReader::new(&kept.log)) {
-            let session = session.map_err(|error| {
-                Failure::Input(format!(
-                    "{}\nthis log is not written to; mend it, or name another with --log",
-                    Fault::from_format(&name, error)
-                ))
-            })?;
-            past.sessions += 1;
-            past.taught += usize::from(session.learn);
-            past.learned.extend(session.header.id.filter(|_| session.learn));
-            past.commands.push(session.header.command);
+        let refused = |error: FormatError| {
+            Failure::Input(format!("{}\nthis log is not written to; mend it, or name another with --log", Fault::from_format(&name, error)))
+        };
+        let Some(world) = world else {
+            for session in SessionReader::new(BufReader::new(&kept.log)) {
+                past.add(session.map_err(refused)?);
+            }
+            return Ok((kept, past));
+        };
+        let mut known = None;
+        for line in WorldReader::new(BufReader::new(&kept.log)) {
+            match line.map_err(refused)? {
+                Line::World(named) if named.name == world.name => known = Some(named),
+                Line::World(_) | Line::Command(_) => {}
+                Line::Session(session) => past.add(session.session),
+            }
+        }
+        if known.as_ref() != Some(world) {
+            kept.introduction = Some(world.to_json_line().map_err(refused)? + "\n");
         }
         Ok((kept, past))
     }
@@ -172,9 +197,10 @@ impl Kept {
     /// # Errors
     /// A [`Failure`] that names the file. What was not written is tried again with the next session, and by
     /// [`write_what_is_left`](Self::write_what_is_left).
-    pub fn keep(&mut self, session: &RecordedSession, model: Option<Vec<u8>>) -> Result<(), Failure> {
-        let mut text = session.to_lines().map_err(|error| cannot(&self.places.log, "written to", error))?.join("\n");
-        text.push('\n');
+    pub fn keep(&mut self, session: &Recorded, model: Option<Vec<u8>>) -> Result<(), Failure> {
+        let lines = session.to_lines().map_err(|error| cannot(&self.places.log, "written to", error))?;
+        let introduction = self.introduction.take();
+        let text = format!("{}{}\n", introduction.as_deref().unwrap_or_default(), lines.join("\n"));
         let was_behind = self.is_behind();
         if was_behind {
             // What is written now is more than one session: it cannot be taken back one by one.
@@ -186,7 +212,7 @@ impl Kept {
         let before = self.model.clone();
         let end = self.write_what_is_left()?;
         if has_taught && !was_behind {
-            self.written.push(Written { start: end.saturating_sub(text.len() as u64), text, model: before });
+            self.written.push(Written { start: end.saturating_sub(text.len() as u64), text, introduction, model: before });
         }
         Ok(())
     }
@@ -244,7 +270,10 @@ impl Kept {
         }
         write_whole(log_path, &log).map_err(|error| cannot(log_path, "written to", error))?;
         self.log = open_log(log_path)?;
-        let before = self.written.pop().and_then(|written| written.model);
+        let before = self.written.pop().and_then(|written| {
+            self.introduction = written.introduction.or(self.introduction.take());
+            written.model
+        });
         self.model.clone_from(&before);
         Ok(Some(before))
     }
@@ -263,8 +292,8 @@ mod tests {
         "\n"
     );
 
-    fn session() -> RecordedSession {
-        SessionReader::new(SESSION.as_bytes()).next().unwrap().unwrap()
+    fn session() -> Recorded {
+        Recorded::Home(SessionReader::new(SESSION.as_bytes()).next().unwrap().unwrap())
     }
 
     fn places(folder: &tempfile::TempDir) -> Places {
@@ -274,11 +303,11 @@ mod tests {
     #[test]
     fn what_is_kept_is_there_again() {
         let folder = tempfile::tempdir().unwrap();
-        let (mut kept, past) = Kept::open(places(&folder)).unwrap();
+        let (mut kept, past) = Kept::open(places(&folder), None).unwrap();
         assert_eq!((past.sessions, past.model), (0, None));
         kept.keep(&session(), Some(b"model".to_vec())).unwrap();
         drop(kept);
-        let (_, past) = Kept::open(places(&folder)).unwrap();
+        let (_, past) = Kept::open(places(&folder), None).unwrap();
         assert_eq!((past.sessions, past.model.as_deref()), (1, Some(&b"model"[..])));
         assert_eq!((past.commands, past.learned), (vec!["go".to_owned()], vec!["said-1".to_owned()]));
     }
@@ -286,8 +315,9 @@ mod tests {
     #[test]
     fn the_last_session_that_was_learned_from_is_taken_out_and_no_other() {
         let folder = tempfile::tempdir().unwrap();
-        let (mut kept, _) = Kept::open(places(&folder)).unwrap();
-        let unlearned = RecordedSession { learn: false, ..session() };
+        let (mut kept, _) = Kept::open(places(&folder), None).unwrap();
+        let mut unlearned = session();
+        unlearned.session_mut().learn = false;
         kept.keep(&session(), Some(b"first".to_vec())).unwrap();
         kept.keep(&session(), Some(b"second".to_vec())).unwrap();
         kept.keep(&unlearned, None).unwrap();
@@ -302,7 +332,7 @@ mod tests {
     #[test]
     fn what_had_no_room_on_the_disk_is_written_when_there_is_room_again() {
         let folder = tempfile::tempdir().unwrap();
-        let (mut kept, _) = Kept::open(places(&folder)).unwrap();
+        let (mut kept, _) = Kept::open(places(&folder), None).unwrap();
         kept.keep(&session(), Some(b"first".to_vec())).unwrap();
         // A folder in the place of the model cannot be written over.
         std::fs::remove_file(&kept.places.model).unwrap();
@@ -322,7 +352,7 @@ mod tests {
         for name in [".robot.goodbot.Ab3dEf.part", ".robot.jsonl.x.part", ".other.goodbot.x.part", "robot.goodbot.part"] {
             std::fs::write(folder.path().join(name), b"half").unwrap();
         }
-        drop(Kept::open(places(&folder)).unwrap());
+        drop(Kept::open(places(&folder), None).unwrap());
         let mut left: Vec<String> = names().collect();
         left.sort();
         assert_eq!(left, [".other.goodbot.x.part", "robot.goodbot.part"]);
@@ -339,7 +369,7 @@ mod tests {
             names.push(("one", path("link")));
         }
         for (log, model) in names {
-            let refused = Kept::open(Places::beside(&model, Some(&path(log)))).unwrap_err();
+            let refused = Kept::open(Places::beside(&model, Some(&path(log))), None).unwrap_err();
             assert!(refused.to_string().contains("is both the model and the log"), "{refused}");
             assert!(!path("one").exists());
         }
@@ -348,11 +378,11 @@ mod tests {
     #[test]
     fn a_robot_is_taught_in_one_place_at_a_time_and_no_foreign_file_is_written_to() {
         let folder = tempfile::tempdir().unwrap();
-        let (kept, _) = Kept::open(places(&folder)).unwrap();
-        assert!(Kept::open(places(&folder)).unwrap_err().to_string().contains("in another window"));
+        let (kept, _) = Kept::open(places(&folder), None).unwrap();
+        assert!(Kept::open(places(&folder), None).unwrap_err().to_string().contains("in another window"));
         drop(kept);
         std::fs::write(folder.path().join("robot.jsonl"), "my diary\n").unwrap();
-        assert!(Kept::open(places(&folder)).unwrap_err().to_string().contains("this log is not written to"));
+        assert!(Kept::open(places(&folder), None).unwrap_err().to_string().contains("this log is not written to"));
         assert_eq!(std::fs::read_to_string(folder.path().join("robot.jsonl")).unwrap(), "my diary\n");
         assert!(Places::of_robot("../up").unwrap_err().to_string().contains("is no name"));
     }

@@ -1,6 +1,6 @@
 //! `goodbot teach`: train the robot, on a screen or in lines.
 //!
-//! - [`trainer`]: one robot, its home and the session under way; all that is asked of the core, in its [`scene`];
+//! - [`trainer`]: one robot, its home and the session under way; all that is asked of the core, in its [`site`], seen as a [`scene`] or a [`table`];
 //! - [`kept`]: what is kept where; [`lessons`]: the tour; [`next_lesson`]: what to teach next; [`classroom`]: these together;
 //! - [`protocol`]: lines in, JSON out;
 //! - [`visit`]: what keys do and what happens by itself; [`keys`], [`prompt`], [`pace`]; drawn by [`screen`] in the colours of [`palette`],
@@ -20,6 +20,8 @@ mod prompt;
 mod protocol;
 mod scene;
 mod screen;
+pub mod site;
+mod table;
 mod terminal;
 mod trainer;
 mod visit;
@@ -35,10 +37,13 @@ use goodbot_formats::environment::EnvironmentFile;
 use kept::{Kept, Places};
 use keys::Intent;
 use lessons::Tour;
+use site::Setting;
 use pace::Pace;
 use palette::Palette;
 use std::io::{IsTerminal, Write, stdin, stdout};
+use goodbot_lesson::Fault;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Duration;
 use trainer::Trainer;
 use visit::{Phase, Visit};
@@ -60,11 +65,12 @@ Examples:
   goodbot teach                        teach your robot in a home of four rooms
   goodbot teach --tour                 the paper's seven lessons and five tests
   goodbot teach home.json              a home of your own; a drawing does too
+  goodbot teach lift.json              any robot, in a world from a file (goodbot example world prints one)
   goodbot teach --random --seed 7      a home at random
   goodbot teach --wanted commands.txt  what it is to understand in the end; tab proposes the next lesson
   printf 'command go to the red room\\nstep\\ngood\\nfinish\\n' | goodbot teach --seed 1")]
 pub struct TeachOptions {
-    /// A home: an environment (JSON), or a drawing [default: four rooms, a chair and a bag]
+    /// A home: an environment (JSON), or a drawing; or a world with a robot (JSON) [default: four rooms, a chair and a bag]
     #[arg(value_name = "HOME", value_hint = ValueHint::FilePath)]
     home: Option<String>,
     /// The paper's lessons and tests, one after the other; with --seed in random homes
@@ -156,7 +162,7 @@ fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Fail
     const LESSON: usize = 5;
     const STEPS: usize = 3;
     let refuse = |refusal: trainer::Refusal| Failure::Input(refusal.0);
-    let trainer = Trainer::new(&home(options)?, seed, false, None).map_err(refuse)?;
+    let trainer = Trainer::new(&Setting::Home(first_home()?), seed, false, None).map_err(refuse)?;
     let tour = Tour::new(options.seed.filter(|_| options.tour), std::iter::empty());
     let mut visit = Visit::new(Classroom::new(trainer, None, Some(tour)).map_err(refuse)?, Pace::Normal, seed);
     let mut now = Duration::ZERO;
@@ -178,7 +184,8 @@ fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Fail
 /// The robot with its files, in its home.
 fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let refuse = |refusal: trainer::Refusal| Failure::Input(refusal.0);
-    let home = home(options)?;
+    let home = setting(options)?;
+    let world = if let Setting::World(world) = &home { Some(world) } else { None };
     let name = options.home.as_deref().map(input::name);
     let trainer = Trainer::new(&home, options.seed.unwrap_or(1), options.routes, options.believes.clone())
         .map_err(|refusal| name.map_or_else(|| Failure::Input(refusal.to_string()), |name| Failure::Input(format!("{name}: {refusal}"))))?;
@@ -186,9 +193,16 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
         (Some(model), _) => Some(Places::beside(model, options.log.as_deref())),
         (None, Some(robot)) => Some(Places::of_robot(robot)?),
         (None, None) if lines => None,
-        (None, None) => Some(Places::of_robot(if options.tour { TOUR_ROBOT } else { ROBOT })?),
+        (None, None) => Some(match world {
+            // A robot knows the tasks of one world.
+            Some(world) => Places::of_robot(&format!("{ROBOT}-{}", world.name)).map_err(|_| {
+                let message = format!("the world {:?} has a name that is none for a file; name the robot with --robot", world.name);
+                Failure::Input(message)
+            })?,
+            None => Places::of_robot(if options.tour { TOUR_ROBOT } else { ROBOT })?,
+        }),
     };
-    let kept = places.map(Kept::open).transpose()?;
+    let kept = places.map(|places| Kept::open(places, world)).transpose()?;
     let learned = kept.iter().flat_map(|(_, past)| past.learned.iter().map(String::as_str));
     let tour = options.tour.then(|| Tour::new(options.seed, learned));
     let in_log = kept.as_ref().map_or(0, |(_, past)| past.taught);
@@ -226,13 +240,26 @@ fn wanted(path: &Path) -> Result<Vec<String>, Failure> {
     Ok(commands)
 }
 
-fn home(options: &TeachOptions) -> Result<EnvironmentFile, Failure> {
-    let none = || Failure::Input("no home could be drawn; name a file with one".to_owned());
+fn no_home() -> Failure {
+    Failure::Input("no home could be drawn; name a file with one".to_owned())
+}
+
+fn first_home() -> Result<EnvironmentFile, Failure> {
+    lessons::first_home().ok_or_else(no_home)
+}
+
+/// The home, or the other world.
+fn setting(options: &TeachOptions) -> Result<Setting, Failure> {
     let Some(file) = &options.home else {
-        return if options.random { lessons::random_home(options.seed.unwrap_or(1)) } else { lessons::first_home() }.ok_or_else(none);
+        let home = if options.random { lessons::random_home(options.seed.unwrap_or(1)).ok_or_else(no_home) } else { first_home() };
+        return home.map(Setting::Home);
     };
     if file == "-" {
         return Err(Failure::Input("standard input is where requests come from; name a file for the home".to_owned()));
     }
-    input::home(file).map_err(|fault| Failure::Input(fault.to_string()))
+    let refused = |fault: Fault| Failure::Input(fault.to_string());
+    match input::world(file).map_err(refused)? {
+        Some(world) => Ok(Setting::World(Arc::new(world))),
+        None => input::home(file).map(Setting::Home).map_err(refused),
+    }
 }

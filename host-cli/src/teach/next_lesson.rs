@@ -49,7 +49,9 @@ pub fn propose(trainer: &Trainer, wanted: &[String]) -> Result<Next, Refusal> {
     if wanted.is_empty() {
         return Ok(Next::NothingWanted);
     }
-    let mut lessons: Vec<_> = course_lessons().map(|(home, command)| (Some(home), command)).collect();
+    // The course's lessons are of homes.
+    let is_home = trainer.lesson().home().home().is_some();
+    let mut lessons: Vec<_> = course_lessons().map(|(home, command)| (Some(home), command)).filter(|_| is_home).collect();
     let own: Vec<_> = wanted.iter().filter(|command| lessons.iter().all(|(_, other)| other != *command)).cloned().collect();
     lessons.extend(own.into_iter().map(|command| (None, command)));
     let [commands, wanted]: [Vec<&str>; 2] =

@@ -22,6 +22,7 @@ mod replay;
 mod size;
 mod study;
 mod talk;
+mod taught_worlds;
 mod teach;
 #[cfg(unix)]
 mod teach_screen;

@@ -6,6 +6,7 @@ use crate::teach::classroom::Classroom;
 use crate::teach::kept::Kept;
 use crate::teach::lessons::random_home;
 use crate::teach::next_lesson::Next;
+use crate::teach::table::Table;
 use crate::teach::trainer::Judged;
 use crate::teach::trainer::{Heard, Meaning, Refusal};
 use goodbot::asking::{Answer, Asking};
@@ -161,7 +162,7 @@ impl Speaker<'_> {
             "reset" => {
                 self.classroom.forget()?;
                 self.classroom.trainer.put_back();
-                Ok(vec![self.place("home")])
+                Ok(vec![self.place(if self.classroom.trainer.table().is_some() { "world" } else { "home" })])
             }
             "state" => Ok(vec![self.state()]),
             "words" => Ok(vec![self.words()]),
@@ -527,17 +528,24 @@ impl Speaker<'_> {
     }
 
     fn add_place(&self, answer: &mut Value) {
-        let scene = self.classroom.trainer.scene();
-        if let Value::Object(fields) = answer {
+        let Value::Object(fields) = answer else { return };
+        if let Some(table) = self.classroom.trainer.table() {
+            fields.insert("world".to_owned(), json!(table.name));
+            fields.insert("facts".to_owned(), facts(&table));
+        }
+        if let Some(scene) = self.classroom.trainer.scene() {
             let home = serde_json::from_str::<Value>(&scene.environment.to_json_line()).unwrap_or(Value::Null);
             fields.insert("home".to_owned(), home);
             fields.insert("map".to_owned(), json!(scene.map.lines().collect::<Vec<_>>()));
         }
     }
 
-    /// Where the robot and the blocks are.
+    /// Where the robot and the blocks are; in a world from a file, what holds there.
     fn add_cells(&self, answer: &mut Value) {
-        let scene = self.classroom.trainer.scene();
+        if let (Some(table), Value::Object(fields)) = (self.classroom.trainer.table(), &mut *answer) {
+            fields.insert("facts".to_owned(), facts(&table));
+        }
+        let Some(scene) = self.classroom.trainer.scene() else { return };
         let cell = |object: &ObjectRecord| match object {
             ObjectRecord::Agent { name, x, y } | ObjectRecord::Block { name, x, y, .. } => Some((name.clone(), json!([x, y]))),
             ObjectRecord::Room { .. } | ObjectRecord::Door { .. } => None,
@@ -556,6 +564,11 @@ impl Speaker<'_> {
             fields.insert("tasks".to_owned(), Value::Array(tasks));
         }
     }
+}
+
+/// What holds in a world, and its robot can change.
+fn facts(table: &Table) -> Value {
+    table.facts.iter().map(ToString::to_string).collect()
 }
 
 /// The shortest number that is read as the same probability again.

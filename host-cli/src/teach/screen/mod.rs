@@ -1,13 +1,16 @@
 //! The screen: the home, what the robot thinks, which word spoke for what, and the keys.
 //!
-//! - [`plan`]: the home; [`thoughts`]: beliefs, words; [`page`]: pages that lie over everything.
+//! - [`plan`]: the home; [`table`](mod@table): another world; [`thoughts`]: beliefs, words; [`page`]: pages that lie over everything.
 
 mod page;
 mod plan;
+mod table;
 mod thoughts;
 
 use super::keys::Focus;
 use super::palette::Palette;
+use super::scene::Scene;
+use super::table::Table;
 use super::visit::{Phase, Visit};
 use goodbot_console::messages::counted;
 use ratatui::Frame;
@@ -71,12 +74,19 @@ fn draw_title(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette
 }
 
 fn draw_middle(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
-    let scene = visit.classroom.trainer.scene();
-    let (columns, rows) = plan::wanted(&scene);
+    let place = match (visit.classroom.trainer.scene(), visit.classroom.trainer.table()) {
+        (Some(scene), _) => Shown::Home(scene),
+        (None, Some(table)) => Shown::World(table),
+        (None, None) => return,
+    };
+    let (columns, rows) = match &place {
+        Shown::Home(scene) => plan::wanted(scene),
+        Shown::World(table) => table::wanted(table),
+    };
     if area.width < BESIDE {
         let for_guesses = GUESSES.min(area.height / 2);
         let [home, rest] = Layout::vertical([Constraint::Max(rows + 1), Constraint::Min(for_guesses)]).areas(area);
-        draw_home(frame, home, &scene, visit, palette);
+        draw_place(frame, home, &place, visit, palette);
         thoughts::draw_beliefs(frame, rest, visit, palette);
         return;
     }
@@ -84,17 +94,31 @@ fn draw_middle(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palett
     let [above, below] = Layout::vertical([Constraint::Fill(1), Constraint::Length(words.min(area.height.saturating_sub(8)))]).areas(area);
     let most = area.width / 2;
     let [home, rest] = Layout::horizontal([Constraint::Length(columns.min(most)), Constraint::Fill(1)]).spacing(2).areas(above);
-    draw_home(frame, home, &scene, visit, palette);
+    draw_place(frame, home, &place, visit, palette);
     thoughts::draw_beliefs(frame, rest, visit, palette);
     thoughts::draw_words(frame, below, visit, palette);
 }
 
-fn draw_home(frame: &mut Frame<'_>, area: Rect, scene: &super::scene::Scene, visit: &Visit, palette: Palette) {
-    let block = framed("Home", palette);
+/// Where the robot is.
+enum Shown {
+    Home(Scene),
+    World(Table),
+}
+
+fn draw_place(frame: &mut Frame<'_>, area: Rect, place: &Shown, visit: &Visit, palette: Palette) {
+    let block = match place {
+        Shown::Home(_) => framed("Home", palette),
+        Shown::World(table) => framed(&table.name, palette),
+    };
     let inner = block.inner(area);
     frame.render_widget(block, area);
-    let moved = visit.acted().map_or("", |acted| acted.action.as_str());
-    plan::draw(frame, inner, scene, moved, palette);
+    match place {
+        Shown::Home(scene) => {
+            let moved = visit.acted().map_or("", |acted| acted.action.as_str());
+            plan::draw(frame, inner, scene, moved, palette);
+        }
+        Shown::World(table) => table::draw(frame, inner, table, palette),
+    }
 }
 
 /// A line with a heading above what belongs together.

@@ -6,6 +6,7 @@ use crate::teach::keys::Intent;
 use crate::teach::lessons::{Tour, first_home};
 use crate::teach::pace::Pace;
 use crate::teach::trainer::Trainer;
+use crate::teach::site::Setting;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::home;
 use ratatui::Terminal;
@@ -14,7 +15,7 @@ use ratatui::style::Color;
 use std::time::Duration;
 
 fn visit(home: &EnvironmentFile, tour: bool) -> Visit {
-    let trainer = Trainer::new(home, 1, false, None).unwrap();
+    let trainer = Trainer::new(&Setting::Home(home.clone()), 1, false, None).unwrap();
     let tour = tour.then(|| Tour::new(None, std::iter::empty()));
     Visit::new(Classroom::new(trainer, None, tour).unwrap(), Pace::Normal, 1)
 }

@@ -1,9 +1,11 @@
 //! What the robot asks, and what it is answered.
 
 use super::{Refusal, Trainer, no_session, refused};
-use crate::teach::plain_names::{object_words, task_words};
+use crate::teach::plain_names::{in_plain_words, object_words, task_words};
+use crate::teach::site::Site;
 use goodbot::asking::{Answer, Asking, Question, Subject};
 use goodbot::home::BLOCK_IN_ROOM;
+use goodbot::oomdp::Domain;
 use goodbot::session::Evidence;
 use goodbot::task::{LiftedTask, Part};
 
@@ -42,7 +44,14 @@ impl Trainer {
         let which = "Which of these do you mean?".to_owned();
         let (text, choices) = match question.subject {
             Subject::Object(object) => (format!("Do you mean the {}?", object_words(rooms, object)), vec![]),
-            Subject::Kind(kind) => (kind_question(agent.lifted(), agent.lifted().get(usize::from(kind))?), vec![]),
+            Subject::Kind(kind) => {
+                let kind = agent.lifted().get(usize::from(kind))?;
+                let text = match rooms {
+                    Site::Home(_) => kind_question(agent.lifted(), kind),
+                    Site::World(robot) => kind_in_world(robot, kind),
+                };
+                (text, vec![])
+            }
             Subject::Task(position) => (format!("Do you mean: {}?", task(position)?), vec![]),
             Subject::WhichObject(objects, count) => {
                 let named = objects.iter().take(usize::from(count)).map(|&object| format!("the {}", object_words(rooms, object)));
@@ -57,6 +66,13 @@ impl Trainer {
     pub fn answer(&mut self, answer: Answer) -> Result<Evidence, Refusal> {
         self.lesson.answer(answer).map_err(refused)
     }
+}
+
+/// Asks for a kind of task of a world from a file: `Is it about lamp on?`.
+fn kind_in_world<D: Domain>(domain: &D, kind: &LiftedTask) -> String {
+    let schema = domain.world().schema;
+    let names: Vec<String> = kind.propositions().iter().map(|part| in_plain_words(schema.proposition_name(part.proposition))).collect();
+    format!("Is it about \"{}\"?", names.join("\" and \""))
 }
 
 /// Asks for a kind of task, one of those that the command may mean: `Shall I go somewhere myself, and not through a certain room?`.

@@ -16,26 +16,27 @@ pub use goodbot_lesson::live::{Acted, Judged};
 pub use thoughts::{Idea, Meaning, WordSupport};
 
 use crate::teach::scene::{Scene, scene};
+use crate::teach::site::{Recorded, Setting, Site, SiteState};
+use crate::teach::table::{Table, table};
 use goodbot::Capacities;
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
-use goodbot::home::HomeState;
 use goodbot::planning::{OptimalSet, Progress};
 use goodbot::session::{Evidence, Finished};
 use goodbot::snapshot::Contents;
 use goodbot::talk::{Hypothesis, Listened, Verdict};
-use goodbot::task::{GroundedTask, LiftedTask};
+use goodbot::task::GroundedTask;
 use goodbot_console::believes::Believes;
-use goodbot_console::lessons::restored::{learn_fully, room_for, room_for_tasks};
+use goodbot_console::lessons::restored::{self, learn_fully, room_for, room_for_tasks};
+use goodbot_console::messages::say;
 use goodbot_console::refusal::InWords;
 use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
 use goodbot_course::next_lesson::times_heard;
 use goodbot_formats::environment::EnvironmentFile;
-use goodbot_formats::session::RecordedSession;
 use goodbot_lesson::listening::tells_talk;
 use goodbot_lesson::live::Lesson;
 use goodbot_lesson::voice::Said;
-use mind::{build, expect, new_mind};
+use mind::{build, expect, kinds_of_task, new_mind};
 use rand_pcg::Pcg32;
 use std::fmt;
 
@@ -69,11 +70,11 @@ pub enum Heard {
     Nothing(Hypothesis),
 }
 
-/// One robot, one home, and the session under way.
+/// One robot, one home or other world, and the session under way.
 pub struct Trainer {
-    lesson: Lesson,
+    lesson: Lesson<Site>,
     /// Where everything is at first.
-    start: HomeState,
+    start: SiteState,
     /// The name of the session under way, and the task that its trainer means, where they are known.
     id: Option<String>,
     intended: Option<usize>,
@@ -85,24 +86,27 @@ pub struct Trainer {
 }
 
 impl Trainer {
-    /// A robot that has learned nothing yet, in a home. `seed` decides its draws among what is equally good, `ways` whether commands may mean
+    /// A robot that has learned nothing yet, in a home or another world. `seed` decides its draws among what is equally good, `ways` whether commands may mean
     /// ways too, and `believes` what it expects of its trainer, where that is not what real people do.
-    pub fn new(file: &EnvironmentFile, seed: u64, ways: bool, believes: Option<Believes>) -> Result<Self, Refusal> {
+    pub fn new(file: &Setting, seed: u64, ways: bool, believes: Option<Believes>) -> Result<Self, Refusal> {
         let (rooms, start) = build(file)?;
-        let lesson = Lesson::new(new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, ways, believes.as_ref())?, rooms, start);
+        let lifted = kinds_of_task(&rooms, ways)?;
+        let mind = new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, &lifted, believes.as_ref())?;
+        let lesson = Lesson::new(mind, rooms, start);
         Ok(Self { lesson, start, id: None, intended: None, random: generator(seed), believes, declined: None })
-    }
-
-    /// Whether commands may mean ways too.
-    fn has_ways(&self) -> bool {
-        self.lesson.agent.lifted().iter().any(LiftedTask::has_way)
     }
 
     /// Replaces what the robot has learned by a model file. A session under way ends unlearned.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
         let contents = Contents::read(bytes).map_err(refused)?;
-        let mut mind = new_mind(&room_for(&contents), room_for_tasks(&contents), self.has_ways(), self.believes.as_ref())?;
-        mind.restore(bytes).map_err(refused)?;
+        let lifted = self.lesson.agent.lifted();
+        let mut mind = new_mind(&room_for(&contents), room_for_tasks(&contents), lifted, self.believes.as_ref())?;
+        if contents.vocabulary == 0 || contents.vocabulary == mind.vocabulary() {
+            mind.restore(bytes).map_err(refused)?;
+        } else {
+            say!("this model was learned elsewhere: what it knows of words is taken along, and what it believes of its trainer is not");
+            let _ = mind.join(&restored::words(bytes).map_err(refused)?).map_err(refused)?;
+        }
         if self.believes.is_some() {
             expect(&mut mind, self.believes.as_ref())?;
         }
@@ -113,7 +117,9 @@ impl Trainer {
 
     /// A new robot, which has learned nothing, in the same home. A session under way ends unlearned.
     pub fn start_anew(&mut self) -> Result<(), Refusal> {
-        self.lesson.replace_agent(new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, self.has_ways(), self.believes.as_ref())?);
+        let lifted = self.lesson.agent.lifted();
+        let mind = new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, lifted, self.believes.as_ref())?;
+        self.lesson.replace_agent(mind);
         Ok(())
     }
 
@@ -124,7 +130,11 @@ impl Trainer {
 
     /// Moves the robot to another home. A session under way ends unlearned.
     pub fn enter(&mut self, file: &EnvironmentFile) -> Result<(), Refusal> {
-        let (rooms, start) = build(file)?;
+        if self.lesson.home().robot().is_some() {
+            let message = "this robot is in a world from a file, and its commands mean nothing in a home; teach another one there";
+            return Err(Refusal(message.to_owned()));
+        }
+        let (rooms, start) = build(&Setting::Home(file.clone()))?;
         self.start = start;
         self.lesson.enter(rooms, start);
         Ok(())
@@ -135,13 +145,24 @@ impl Trainer {
         self.lesson.put(self.start);
     }
 
-    /// The home as it is now.
-    pub fn scene(&self) -> Scene {
-        scene(self.lesson.home(), self.lesson.state())
+    /// The home as it is now; `None` in another world.
+    pub fn scene(&self) -> Option<Scene> {
+        match (self.lesson.home(), self.lesson.state()) {
+            (Site::Home(home), SiteState::Home(state)) => Some(scene(home, state)),
+            _ => None,
+        }
+    }
+
+    /// The world from a file as it is now; `None` in a home.
+    pub fn table(&self) -> Option<Table> {
+        match (self.lesson.home(), self.lesson.state()) {
+            (Site::World(robot), SiteState::World(state)) => Some(table(robot, *state)),
+            _ => None,
+        }
     }
 
     /// The robot, its home and the session under way.
-    pub const fn lesson(&self) -> &Lesson {
+    pub const fn lesson(&self) -> &Lesson<Site> {
         &self.lesson
     }
 
@@ -174,7 +195,7 @@ impl Trainer {
         self.forget();
         let is_again = self.declined.take().is_some_and(|declined| declined == command);
         (self.id, self.intended) = (id, None);
-        let environment = self.scene().environment;
+        let environment = self.lesson.environment();
         if intention.is_none() && tells_talk(&self.lesson.agent) {
             // A conversation has the name of its first session.
             if let Some(id) = &self.id {
@@ -194,7 +215,7 @@ impl Trainer {
 
     /// Hears what is still to come of what was said, where the robot is now; `None` where nothing is.
     pub fn hear_rest(&mut self, id: Option<String>) -> Result<Option<Heard>, Refusal> {
-        let environment = self.scene().environment;
+        let environment = self.lesson.environment();
         (self.id, self.intended) = (id, None);
         let listened = self.lesson.listen_on(environment).map_err(refused)?;
         Ok(listened.map(|listened| self.heard(&listened)))
@@ -291,7 +312,7 @@ impl Trainer {
 
     /// Ends the session and begins to learn from it. Gives its record, and which older sessions gave way because memory was full. A step
     /// to which nothing was said is left out.
-    pub fn finish(&mut self) -> Result<(RecordedSession, Finished), Refusal> {
+    pub fn finish(&mut self) -> Result<(Recorded, Finished), Refusal> {
         self.plan_again()?;
         let record = self.record(true).ok_or_else(no_session)?;
         Ok((record, self.lesson.finish().map_err(refused)?))
@@ -303,20 +324,20 @@ impl Trainer {
     }
 
     /// Ends the session, if one is under way, without learning from it. Gives its record where anything was judged.
-    pub fn forget(&mut self) -> Option<RecordedSession> {
-        let record = self.record(false).filter(|record| !record.steps.is_empty() || !record.answers.is_empty());
+    pub fn forget(&mut self) -> Option<Recorded> {
+        let record = self.record(false).filter(|record| !record.session().steps.is_empty() || !record.session().answers.is_empty());
         self.lesson.forget();
         record
     }
 
-    fn record(&self, learn: bool) -> Option<RecordedSession> {
+    fn record(&self, learn: bool) -> Option<Recorded> {
         let mut record = self.lesson.recorded(learn)?;
-        record.header.id = self.id.clone();
+        record.session_mut().header.id = self.id.clone();
         // A log tells what was meant where it is a task of the paper's kind that is to be done.
         let is_to_do =
             |position: &usize| !self.is_about_what_shall_not_be() && !self.lesson.agent.done(self.lesson.home()).contains(*position);
         let meant = self.intended.filter(is_to_do).and_then(|position| self.lesson.name_of(position));
-        record.header.set_meant(meant.as_ref());
+        record.session_mut().header.set_meant(meant.as_ref());
         Some(record)
     }
 }

@@ -218,6 +218,9 @@ impl Visit {
             Intent::NextLesson if self.stop().is_some() => self.message = "In the tour the lessons are given.".to_owned(),
             Intent::NextLesson => self.propose()?,
             Intent::AnotherHome if self.stop().is_some() => self.message = "In the tour the homes are given.".to_owned(),
+            Intent::AnotherHome if self.classroom.trainer.table().is_some() => {
+                self.message = "This robot is in a world from a file. Leave, and start it with another file.".to_owned();
+            }
             Intent::AnotherHome => {
                 self.homes = self.homes.wrapping_add(1);
                 let home = random_home(self.homes).ok_or_else(|| Refusal("no home could be drawn".to_owned()))?;

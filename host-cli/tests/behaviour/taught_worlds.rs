@@ -1,0 +1,213 @@
+//! Robots in worlds from files, taught line by line; and what came of it.
+
+use crate::program::goodbot;
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// What is said, what is meant, and so many steps.
+type Lesson = (&'static str, &'static str);
+
+/// A world, what its robot is taught, and a command that it then understands.
+struct Course {
+    world: &'static str,
+    lessons: &'static [Lesson],
+    asked: Lesson,
+}
+
+const STEPS: usize = 14;
+
+const COURSES: [Course; 4] = [
+    Course {
+        world: "lift",
+        lessons: &[
+            ("to the roof please", "liftAtFloor(lift0,floor3)"),
+            ("to the garage please", "liftAtFloor(lift0,floor0)"),
+            ("to the office", "liftAtFloor(lift0,floor2)"),
+        ],
+        asked: ("to the roof", "liftAtFloor(lift0,floor3)"),
+    },
+    Course {
+        world: "lamps",
+        lessons: &[
+            ("the red one in the kitchen on", "lampOn(lamp0)"),
+            ("the blue one in the kitchen on", "lampOn(lamp1)"),
+            ("the red one in the bedroom on", "lampOn(lamp2)"),
+            ("the green one off", "lampOff(lamp3)"),
+        ],
+        asked: ("bedroom on", "lampOn(lamp2)"),
+    },
+    Course {
+        world: "arm",
+        lessons: &[
+            ("red cup to the black tray", "cupIn(cup0,tray1)"),
+            ("blue cup to the white tray", "cupIn(cup1,tray0)"),
+            ("red cup to the yellow tray", "cupIn(cup0,tray2)"),
+        ],
+        asked: ("blue cup to the yellow tray", "cupIn(cup1,tray2)"),
+    },
+    Course {
+        world: "vacuum",
+        lessons: &[
+            ("go to the kitchen", "vacuumIn(vacuum0,room1)"),
+            ("go to the bedroom", "vacuumIn(vacuum0,room2)"),
+            ("clean the kitchen", "roomClean(room1)"),
+            ("clean the hall", "roomClean(room0)"),
+            ("clean the kitchen now", "roomClean(room1)"),
+        ],
+        asked: ("clean the bedroom", "roomClean(room2)"),
+    },
+];
+
+fn world_file(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/examples/worlds").join(name).with_extension("json");
+    path.to_str().expect("UTF-8").to_owned()
+}
+
+/// The lines of a trainer who means a task, and judges by it.
+fn script(lessons: &[Lesson]) -> String {
+    let lesson = |(command, meant): &Lesson| {
+        format!("command {command}\nintended {meant}\n{}finish\nreset\n", "step\nauto\n".repeat(STEPS))
+    };
+    lessons.iter().map(lesson).collect()
+}
+
+/// Teaches a robot that is kept in a folder. Gives the answers.
+fn taught(folder: &Path, course: &Course) -> (PathBuf, Vec<Value>) {
+    let model = folder.join(course.world).with_extension("goodbot");
+    let arguments = ["teach", &world_file(course.world), "--lines", "--seed", "5", "--model", model.to_str().expect("UTF-8")];
+    let run = goodbot(&arguments, script(course.lessons).as_bytes());
+    assert_eq!(run.code, 0, "{}: {}{}", course.world, run.output, run.messages);
+    (model, run.output.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect())
+}
+
+fn json(run: &crate::program::Run) -> Vec<Value> {
+    assert_eq!(run.code, 0, "{}", run.messages);
+    run.output.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect()
+}
+
+#[test]
+fn the_example_worlds_are_taught_line_by_line_and_every_command_reads_what_came_of_it() {
+    for course in &COURSES {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (model, _) = taught(folder.path(), course);
+        let (log, world) = (model.with_extension("jsonl"), world_file(course.world));
+        let [model, log] = [&model, &log].map(|path| path.to_str().expect("UTF-8"));
+        let (command, meant) = course.asked;
+        let asked = json(&goodbot(&["ask", "--with", model, "--environment", &world, "--json", command], b""));
+        assert_eq!(asked[0]["task"].as_str(), Some(meant), "{}: {}", course.world, asked[0]);
+        let checked = goodbot(&["check", log], b"");
+        let count = course.lessons.len();
+        assert!(checked.output.contains(&format!("a log of worlds with {count} sessions, no fault")), "{}{}", checked.output, checked.messages);
+        // What is learned anew from the log understands as well.
+        let anew = folder.path().join("anew.goodbot");
+        let anew = anew.to_str().expect("UTF-8");
+        assert_eq!(goodbot(&["learn", log, "--out", anew], b"").code, 0);
+        let asked = json(&goodbot(&["ask", "--with", anew, "--environment", &world, "--json", command], b""));
+        assert_eq!(asked[0]["task"].as_str(), Some(meant), "{}: {}", course.world, asked[0]);
+        let evaluated = json(&goodbot(&["evaluate", "--with", anew, "--test", log, "--json"], b""));
+        assert_eq!(evaluated.last().expect("a summary")["right"].as_u64(), Some(count as u64), "{}", course.world);
+    }
+}
+
+/// The probabilities of the tasks of an answer, or of a belief, to the bit.
+fn beliefs(tasks: impl Iterator<Item = (String, f64)>) -> BTreeMap<String, u32> {
+    tasks.map(|(task, probability)| (task, (probability as f32).to_bits())).collect()
+}
+
+#[test]
+fn a_replay_believes_to_the_bit_what_the_live_session_believed() {
+    for course in &COURSES {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (model, answers) = taught(folder.path(), course);
+        let log = model.with_extension("jsonl");
+        let replayed = json(&goodbot(&["replay", "--json", "--every-session", log.to_str().expect("UTF-8")], b""));
+        let told = |answer: &&Value| matches!(answer["type"].as_str(), Some("heard" | "judged"));
+        let live = answers.iter().filter(told).map(|answer| {
+            let tasks = answer["tasks"].as_array().expect("tasks").iter();
+            beliefs(tasks.map(|task| (task["task"].as_str().expect("a task").to_owned(), task["probability"].as_f64().expect("a number"))))
+        });
+        let live: Vec<_> = live.collect();
+        let again: Vec<_> = replayed
+            .iter()
+            .map(|line| beliefs(line["tasks"].as_object().expect("tasks").iter().map(|(task, it)| (task.clone(), it.as_f64().expect("a number")))))
+            .collect();
+        assert_eq!(live.len(), course.lessons.len() * (STEPS + 1));
+        // Where the end of a session is evidence, a replay tells the belief after it too.
+        let mut again = again.iter().peekable();
+        for (position, belief) in live.iter().enumerate() {
+            assert_eq!(again.next(), Some(belief), "{}: {position}", course.world);
+            if (position + 1) % (STEPS + 1) == 0 && again.peek() != live.get(position + 1).as_ref() {
+                again.next();
+            }
+        }
+        assert_eq!(again.next(), None);
+    }
+}
+
+#[test]
+fn a_robot_of_a_world_tells_what_holds_there_and_is_led_into_no_home() {
+    let run = goodbot(&["teach", &world_file("lamps"), "--lines"], b"state\nhome random 3\nnext\ncommand all red\nstep\ngood\nback\nforget\nundo\n");
+    assert_eq!(run.code, 2);
+    let answers: Vec<Value> = run.output.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
+    assert_eq!((&answers[0]["type"], &answers[0]["world"]), (&Value::from("ready"), &Value::from("lamps")));
+    assert_eq!(answers[0]["facts"], serde_json::json!(["lampOn(lamp3)", "lampOff(lamp0)", "lampOff(lamp1)", "lampOff(lamp2)"]));
+    let refused: Vec<&str> = answers.iter().filter_map(|answer| answer["message"].as_str()).collect();
+    assert!(matches!(refused.as_slice(), [home, undo] if home.contains("a world from a file") && undo.contains("nothing was learned")), "{refused:?}");
+    let heard = answers.iter().find(|answer| answer["type"] == "heard").expect("heard");
+    assert!(heard["tasks"].as_array().expect("tasks").iter().any(|task| task["words"] == "lamp on: red kitchen lamp"), "{heard}");
+    let acted = answers.iter().find(|answer| answer["type"] == "acted").expect("acted");
+    assert!(acted["facts"].is_array() && acted["plan"] == "toward", "{acted}");
+}
+
+#[test]
+fn a_world_that_was_changed_is_told_anew_in_the_same_log() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("lamps.json");
+    let model = folder.path().join("lamps.goodbot");
+    let world = std::fs::read_to_string(world_file("lamps")).expect("a world");
+    let lesson = |lamp: &str| format!("command {lamp} on\nintended lampOn({lamp})\n{}finish\n", "step\nauto\n".repeat(6));
+    let teach = |text: &str, lesson: &str| {
+        std::fs::write(&file, text).expect("a file");
+        let run = goodbot(&["teach", file.to_str().expect("UTF-8"), "--lines", "--model", model.to_str().expect("UTF-8")], lesson.as_bytes());
+        assert_eq!(run.code, 0, "{}{}", run.output, run.messages);
+    };
+    teach(&world, &lesson("lamp0"));
+    teach(&world, &lesson("lamp1"));
+    let more = r#""objects":[{"name":"lamp4","class":"lamp","attributes":{"color":"pink"}},"#;
+    teach(&world.replace("\"objects\":[", more).replace("\"lampOff(lamp0)\",", "\"lampOff(lamp0)\",\"lampOff(lamp4)\","), &lesson("lamp4"));
+    let log = model.with_extension("jsonl");
+    let text = std::fs::read_to_string(&log).expect("a log");
+    assert_eq!(text.lines().filter(|line| line.starts_with(r#"{"type":"world""#)).count(), 2);
+    let checked = goodbot(&["check", log.to_str().expect("UTF-8")], b"");
+    assert!(checked.output.contains("a log of worlds with 3 sessions, no fault"), "{}{}", checked.output, checked.messages);
+    assert_eq!(goodbot(&["replay", log.to_str().expect("UTF-8")], b"").code, 0);
+}
+
+#[test]
+fn what_was_learned_in_a_home_is_understood_in_another_world_with_the_same_words_and_attributes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let model = folder.path().join("home.goodbot");
+    let model = model.to_str().expect("UTF-8");
+    let home = "#############\n#rrr#ggg#bbb#\n#r@r+ggg+bbb#\n#rrr#ggg#bbb#\n#############\n";
+    let file = folder.path().join("home.txt");
+    std::fs::write(&file, home).expect("a file");
+    let lessons = [
+        ("go to the green one", "agentInRoom(agent0,room1)"),
+        ("go to the blue one", "agentInRoom(agent0,room2)"),
+        ("the green one please", "agentInRoom(agent0,room1)"),
+    ];
+    let run = goodbot(&["teach", file.to_str().expect("UTF-8"), "--lines", "--model", model], script(&lessons).as_bytes());
+    assert_eq!(run.code, 0, "{}{}", run.output, run.messages);
+    let asked = json(&goodbot(&["ask", "--with", model, "--environment", &world_file("lamps"), "--json", "the blue one"], b""));
+    assert_eq!(asked[0]["task"].as_str(), Some("lampOn(lamp1)"), "{}", asked[0]);
+    // It goes on learning there, with what it knows of words.
+    let log = folder.path().join("lamps.jsonl");
+    let run = goodbot(
+        &["teach", &world_file("lamps"), "--lines", "--model", model, "--log", log.to_str().expect("UTF-8")],
+        b"command the blue one\n",
+    );
+    let heard: Value = serde_json::from_str(run.output.lines().nth(1).expect("an answer")).expect("JSON");
+    assert_eq!(heard["tasks"][0]["task"].as_str(), Some("lampOn(lamp1)"), "{heard}");
+    assert!(run.messages.contains("taken along"), "{}", run.messages);
+}
