@@ -242,13 +242,7 @@ impl Checker<'_> {
     }
 
     /// Whether what was meant is a task here.
-    fn intended_task<D: Domain>(
-        &mut self,
-        home: &D,
-        start: &D::State,
-        tasks: &[(GroundedTask, GroundTaskText)],
-        considers_ways: bool,
-    ) {
+    fn intended_task<D: Domain>(&mut self, home: &D, start: &D::State, tasks: &[(GroundedTask, GroundTaskText)], considers_ways: bool) {
         // What cannot be a task was refused when it was read.
         let Some(Ok(meant)) = self.recorded.header.meant() else { return };
         let way = meant.way();

@@ -91,7 +91,11 @@ unsafe fn beliefs(robot: *mut Goodbot) -> Vec<u32> {
 }
 
 /// Each belief of a session as the C interface comes to it: on hearing the command, and after each step.
-unsafe fn taught(robot: *mut Goodbot, session: &RecordedSession, walk: &Walk<goodbot::home::Home<impl goodbot::memory::HomeMemory>>) -> Vec<Vec<u32>> {
+unsafe fn taught(
+    robot: *mut Goodbot,
+    session: &RecordedSession,
+    walk: &Walk<goodbot::home::Home<impl goodbot::memory::HomeMemory>>,
+) -> Vec<Vec<u32>> {
     let ok = |status| assert_eq!(status, GoodbotStatus::Ok);
     let mut all = Vec::new();
     unsafe {

@@ -63,7 +63,9 @@ pub fn language<'m>(file: &Path, memory: &'m mut AgentHeap, acts: bool) -> Resul
     let contents = Contents::read(&bytes).map_err(|error| fault(&error))?;
     // What a robot that acts has learned in one world is understood in another.
     if contents.vocabulary != 0 && !acts {
-        return Err(fault(&"was learned by a robot that acts, in a home or another world, and no robot acts in this world; name a model of a log of commands"));
+        return Err(fault(
+            &"was learned in homes, or in a world where a robot acts, and none acts here; name a model of a log of commands",
+        ));
     }
     *memory = learner::memory(&room_for(&contents), &contents.options.language, room_for_tasks(&contents));
     let mut model = LanguageModel::new(memory, contents.options.language).map_err(|error| fault(&error))?;

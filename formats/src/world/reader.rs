@@ -8,7 +8,7 @@ use super::{CommandRecord, SessionInWorld, WorldFile};
 use crate::error::{FormatError, Problem};
 use crate::json::{Object, Source};
 use crate::lines::{Line as RawLine, Lines};
-use crate::session::{EndRecord, RecordedAnswer, RecordedSession, Record};
+use crate::session::{EndRecord, Record, RecordedAnswer, RecordedSession};
 
 /// What a log of worlds holds.
 #[derive(Debug, Clone, PartialEq)]

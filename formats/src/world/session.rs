@@ -38,20 +38,8 @@ pub struct SessionInWorld {
     pub session: RecordedSession,
 }
 
-const FIELDS: &[&str] = &[
-    "type",
-    "version",
-    "id",
-    "kind",
-    "world",
-    "facts",
-    "command",
-    "intended",
-    "strategies",
-    "utterance",
-    "after",
-    "conversation",
-];
+const FIELDS: &[&str] =
+    &["type", "version", "id", "kind", "world", "facts", "command", "intended", "strategies", "utterance", "after", "conversation"];
 
 /// The first line, in the order in which it is written.
 #[derive(Serialize)]

@@ -5,8 +5,8 @@
 mod doubts;
 
 use clap::Args;
-use goodbot::home::paper_tasks;
 use goodbot::Options;
+use goodbot::home::paper_tasks;
 use goodbot::oomdp::{Domain, check as soundness};
 use goodbot::task::LiftedTask;
 use goodbot_console::lessons::worlds;
@@ -311,7 +311,8 @@ fn check_worlds(file: &str, mut opened: impl BufRead) -> Result<Findings, Fault>
         );
         found.warnings.push(Fault::new(file, message));
     }
-    let told = [(sessions, "session"), (commands, "command")].into_iter().filter(|&(count, what)| count > 0 || what == "command" && sessions == 0);
+    let told =
+        [(sessions, "session"), (commands, "command")].into_iter().filter(|&(count, what)| count > 0 || what == "command" && sessions == 0);
     let told: Vec<String> = told.map(|(count, what)| counted(count, what)).collect();
     found.what = format!("a log of worlds with {}", told.join(" and "));
     Ok(found)

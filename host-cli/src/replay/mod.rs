@@ -12,8 +12,8 @@ use goodbot::session::{Options, Weights};
 use goodbot_console::believes::Believes;
 use goodbot_console::learner::Learner;
 use goodbot_console::lessons::MOST_FAULTS;
-use goodbot_console::load::input;
 use goodbot_console::load::content::Content;
+use goodbot_console::load::input;
 use goodbot_console::load::input::tell;
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::messages::{counted, is_quiet, printable, say};
@@ -190,7 +190,10 @@ impl Replay {
             }
         }
         if commands > 0 {
-            say!("{} left out: nothing was done, so there is nothing to replay; learn from them with goodbot learn", counted(commands, "command"));
+            say!(
+                "{} left out: nothing was done, so there is nothing to replay; learn from them with goodbot learn",
+                counted(commands, "command")
+            );
         }
         if self.totals.sessions == 0 && self.totals.skipped == 0 {
             eprintln!("error: the files have no session; name a session log, with one JSON object on each line");

@@ -153,7 +153,15 @@ impl Kept {
         if torn > 0 {
             say!("{}: the program was stopped while it wrote; {} removed", places.model.display(), counted(torn, "unfinished file"));
         }
-        let mut kept = Self { places, log, model: past.model.clone(), written: Vec::new(), unwritten: String::new(), newest: None, introduction: None };
+        let mut kept = Self {
+            places,
+            log,
+            model: past.model.clone(),
+            written: Vec::new(),
+            unwritten: String::new(),
+            newest: None,
+            introduction: None,
+        };
         let name = kept.places.log.display().to_string();
         // Both are there now, whatever they are called.
         if are_one(&kept.places.model, &kept.places.log) {

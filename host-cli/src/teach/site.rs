@@ -2,9 +2,7 @@
 
 use goodbot::home::{Home, HomeState};
 use goodbot::memory::HomeHeap;
-use goodbot::oomdp::{
-    Action, ActionKind, BitRows, CellId, Domain, Floor, GroundProposition, ObjectId, Piece, PushGrid, World,
-};
+use goodbot::oomdp::{Action, ActionKind, BitRows, CellId, Domain, Floor, GroundProposition, ObjectId, Piece, PushGrid, World};
 use goodbot_formats::FormatError;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::RecordedSession;

@@ -39,7 +39,11 @@ pub fn table(robot: &Robot<'_>, state: u64) -> Table {
             let what = in_plain_words(fact.function());
             if others.is_empty() { what } else { format!("{what}: {}", others.join(", ")) }
         };
-        Row { name: name.to_owned(), looks: if looks == name { String::new() } else { looks }, holds: facts.iter().filter(of_it).map(told).collect() }
+        Row {
+            name: name.to_owned(),
+            looks: if looks == name { String::new() } else { looks },
+            holds: facts.iter().filter(of_it).map(told).collect(),
+        }
     };
     let mut rows: Vec<Row> = objects.iter().map(|(object, _)| row(objects.name(object), looks(robot, object))).collect();
     rows.sort_by_key(|row| row.holds.is_empty());

@@ -19,6 +19,7 @@ mod nothing_lost;
 mod one_lesson;
 mod paper;
 mod replay;
+mod robot;
 mod size;
 mod study;
 mod talk;

@@ -49,5 +49,7 @@ fn impossible(robot: &Robot<'_>, record: &StepRecord) -> String {
         let known: Vec<&str> = robot.actions().iter().map(|kind| kind.name).collect();
         return format!("{action} is no action of this world; it has {} and noop", known.join(", "));
     }
-    format!("{action} cannot be done here: its conditions do not hold after the steps before it; correct the steps, or leave out the session")
+    format!(
+        "{action} cannot be done here: its conditions do not hold after the steps before it; correct the steps, or leave out the session"
+    )
 }

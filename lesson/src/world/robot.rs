@@ -384,13 +384,7 @@ impl Mechanism {
     }
 
     /// The state that facts describe.
-    fn state_of(
-        &self,
-        facts: &[GroundAtomText],
-        variables: &[String],
-        schema: &Schema<'_>,
-        objects: Objects<'_>,
-    ) -> Result<u64, Flaw> {
+    fn state_of(&self, facts: &[GroundAtomText], variables: &[String], schema: &Schema<'_>, objects: Objects<'_>) -> Result<u64, Flaw> {
         let (mut start, mut told, mut fixed) = (0, BTreeSet::new(), BTreeSet::new());
         for (position, fact) in facts.iter().enumerate() {
             let key = key(schema, objects, fact);

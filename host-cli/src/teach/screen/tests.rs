@@ -5,8 +5,8 @@ use crate::teach::classroom::Classroom;
 use crate::teach::keys::Intent;
 use crate::teach::lessons::{Tour, first_home};
 use crate::teach::pace::Pace;
-use crate::teach::trainer::Trainer;
 use crate::teach::site::Setting;
+use crate::teach::trainer::Trainer;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::home;
 use ratatui::Terminal;
@@ -18,6 +18,12 @@ fn visit(home: &EnvironmentFile, tour: bool) -> Visit {
     let trainer = Trainer::new(&Setting::Home(home.clone()), 1, false, None).unwrap();
     let tour = tour.then(|| Tour::new(None, std::iter::empty()));
     Visit::new(Classroom::new(trainer, None, tour).unwrap(), Pace::Normal, 1)
+}
+
+/// A visit in a world from a file, as it begins.
+fn in_world(text: &str) -> Visit {
+    let world = std::sync::Arc::new(goodbot_formats::world::WorldFile::parse(text).unwrap());
+    Visit::new(Classroom::new(Trainer::new(&Setting::World(world), 1, false, None).unwrap(), None, None).unwrap(), Pace::Normal, 1)
 }
 
 fn drawn(visit: &Visit, columns: u16, rows: u16, palette: Palette) -> TestBackend {
@@ -150,4 +156,22 @@ fn words_that_spoke_for_a_guess_are_marked() {
     visit.take(Intent::Say, now);
     let screen = text(&drawn(&visit, 80, 24, Palette::None));
     assert!(screen.contains('*'), "{screen}");
+}
+
+#[test]
+fn a_world_from_a_file_is_a_table_of_its_objects_and_what_holds_of_them() {
+    let mut visit = in_world(include_str!("../../../../docs/examples/worlds/vacuum.json"));
+    let screen = text(&drawn(&visit, 80, 24, Palette::None));
+    assert!(screen.contains("vacuum0  vacuum in: hall room; charged: low"), "{screen}");
+    "clean the hall".chars().for_each(|letter| visit.take(Intent::Write(letter), Duration::ZERO));
+    visit.take(Intent::Say, Duration::ZERO);
+    while visit.acted().is_none() {
+        visit.tick(Duration::ZERO);
+    }
+    let screen = text(&drawn(&visit, 80, 24, Palette::None));
+    assert!(screen.contains("room clean: hall room") && screen.contains("Command: clean the hall"), "{screen}");
+    visit.take(Intent::Drop, Duration::ZERO);
+    visit.take(Intent::ToKeys, Duration::ZERO);
+    visit.take(Intent::AnotherHome, Duration::ZERO);
+    assert!(visit.message.contains("a world from a file"), "{}", visit.message);
 }
