@@ -3,7 +3,6 @@
 use super::{AskOptions, SURE, lines};
 use goodbot::Capacities;
 use goodbot::memory::AgentHeap;
-use goodbot::{Capacities, Options};
 use goodbot_console::lessons::{Lesson, restored, training, worlds};
 use goodbot_console::load::content::Content;
 use goodbot_console::load::input;

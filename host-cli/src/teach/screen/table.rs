@@ -1,11 +1,11 @@
-//! A world from a file: a line for each object, with what holds of it.
+//! A world from a file: its objects, and below each what holds of it.
 
 use super::super::palette::Palette;
 use super::super::table::{Row, Table};
 use ratatui::Frame;
 use ratatui::layout::Rect;
-use ratatui::text::{Line, Span};
-use ratatui::widgets::{Paragraph, Wrap};
+use ratatui::text::Line;
+use ratatui::widgets::Paragraph;
 
 /// The columns that a table takes at least.
 const LEAST_COLUMNS: u16 = 24;
@@ -15,23 +15,24 @@ fn called(row: &Row) -> &str {
     if row.looks.is_empty() { &row.name } else { &row.looks }
 }
 
-fn text(row: &Row) -> String {
-    if row.holds.is_empty() { String::new() } else { format!("  {}", row.holds.join("; ")) }
-}
+/// How what holds of an object stands below it.
+const INDENT: &str = "  ";
 
 /// The columns and rows that the table takes at its best.
 pub fn wanted(table: &Table) -> (u16, u16) {
-    let columns = table.rows.iter().map(|row| called(row).chars().count() + text(row).chars().count()).max().unwrap_or(0);
-    let [columns, rows] = [columns, table.rows.len()].map(|count| u16::try_from(count).unwrap_or(u16::MAX));
+    let told = |row: &Row| row.holds.iter().map(|fact| INDENT.len() + fact.chars().count()).chain([called(row).chars().count()]).max();
+    let columns = table.rows.iter().filter_map(told).max().unwrap_or(0);
+    let rows: usize = table.rows.iter().map(|row| 1 + row.holds.len()).sum();
+    let [columns, rows] = [columns, rows].map(|count| u16::try_from(count).unwrap_or(u16::MAX));
     (columns.max(LEAST_COLUMNS), rows)
 }
 
 /// Draws the table. Objects of which nothing holds that can change come last, and are left out first.
 pub fn draw(frame: &mut Frame<'_>, area: Rect, table: &Table, palette: Palette) {
-    let line = |row: &Row| {
-        let name = Span::styled(called(row).to_owned(), if row.holds.is_empty() { palette.quiet() } else { palette.strong() });
-        Line::from(vec![name, Span::raw(text(row))])
+    let lines = |row: &Row| {
+        let style = if row.holds.is_empty() { palette.quiet() } else { palette.strong() };
+        let facts = row.holds.iter().map(|fact| Line::raw(format!("{INDENT}{fact}")));
+        std::iter::once(Line::styled(called(row).to_owned(), style)).chain(facts).collect::<Vec<_>>()
     };
-    let lines: Vec<Line<'_>> = table.rows.iter().map(line).collect();
-    frame.render_widget(Paragraph::new(lines).wrap(Wrap { trim: true }), area);
+    frame.render_widget(Paragraph::new(table.rows.iter().flat_map(lines).collect::<Vec<_>>()), area);
 }

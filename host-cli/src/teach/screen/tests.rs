@@ -162,14 +162,14 @@ fn words_that_spoke_for_a_guess_are_marked() {
 fn a_world_from_a_file_is_a_table_of_its_objects_and_what_holds_of_them() {
     let mut visit = in_world(include_str!("../../../../docs/examples/worlds/vacuum.json"));
     let screen = text(&drawn(&visit, 80, 24, Palette::None));
-    assert!(screen.contains("vacuum0  vacuum in: hall room; charged: low"), "{screen}");
+    assert!(["vacuum0 ", "  vacuum in: hall room ", "  charged: low "].iter().all(|line| screen.contains(line)), "{screen}");
     "clean the hall".chars().for_each(|letter| visit.take(Intent::Write(letter), Duration::ZERO));
     visit.take(Intent::Say, Duration::ZERO);
     while visit.acted().is_none() {
         visit.tick(Duration::ZERO);
     }
     let screen = text(&drawn(&visit, 80, 24, Palette::None));
-    assert!(screen.contains("room clean: hall room") && screen.contains("Command: clean the hall"), "{screen}");
+    assert!(screen.contains("room clean: hall") && screen.contains("Command: clean the hall"), "{screen}");
     visit.take(Intent::Drop, Duration::ZERO);
     visit.take(Intent::ToKeys, Duration::ZERO);
     visit.take(Intent::AnotherHome, Duration::ZERO);
