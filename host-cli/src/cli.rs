@@ -12,6 +12,7 @@ use crate::microbit::MicrobitOptions;
 use crate::paper::options::PaperOptions;
 use crate::replay::ReplayArgs;
 use crate::size::SizeOptions;
+use crate::table::TableOptions;
 use crate::teach::TeachOptions;
 use crate::unlearn::UnlearnArgs;
 use clap::{Parser, Subcommand, ValueEnum};
@@ -101,6 +102,7 @@ pub enum Command {
     Check(CheckArgs),
     /// Print the memory that a robot needs for homes and lessons, as source for a controller
     Size(SizeOptions),
+    Table(TableOptions),
     /// Write a file for a BBC micro:bit with a model
     Microbit(MicrobitOptions),
     Merge(MergeArgs),

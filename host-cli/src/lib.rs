@@ -21,6 +21,7 @@ mod misuse;
 mod paper;
 mod replay;
 mod size;
+mod table;
 mod teach;
 mod unlearn;
 
@@ -64,6 +65,7 @@ pub fn run(typed: &[OsString]) -> u8 {
         Command::Replay(args) => return replay::run(&args),
         Command::Check(args) => return check::run(&args),
         Command::Size(options) => size::run(&options),
+        Command::Table(options) => table::run(&options),
         Command::Microbit(options) => microbit::run(&options),
         Command::Merge(options) => merge::run(&options),
         Command::Diff(args) => diff::run(&args),

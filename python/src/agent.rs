@@ -6,6 +6,7 @@ use crate::home as home_of;
 use crate::options::{as_dict, capacities_of, options};
 use crate::place::{Place, in_place, task_name};
 use crate::robot::{self, Robot};
+use crate::world::World;
 use goodbot::asking::{Answer, Asking, Subject};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{self, Home, SCHEMA};
@@ -20,6 +21,7 @@ use goodbot::talk::{ClosedWords, Verdict};
 use goodbot::task::{LiftedTask, TaskSet};
 use goodbot::{Agent as Core, AgentError, Capacities, Options};
 use goodbot_lesson::checked::CheckedSession;
+use goodbot_lesson::world::robot as world;
 use pyo3::exceptions::PyFileExistsError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyString};
@@ -194,6 +196,9 @@ impl Mind {
         if let Ok(home) = domain.cast::<home_of::Home>() {
             return Ok(Place::Home(home.clone().unbind(), home.get().start));
         }
+        if let Ok(world) = domain.cast::<World>() {
+            return Ok(Place::World(world.get().0.clone(), world.get().0.start()));
+        }
         match self.robot.as_ref().filter(|robot| robot.is_of(domain)) {
             Some(robot) => Ok(Place::Robot(robot.clone(), 0)),
             None => Err(SessionError::new_err(AgentError::OtherDomain.to_string())),
@@ -345,6 +350,10 @@ impl Mind {
                 let next = robot.lend(|domain| self.core.acted(domain, state, action));
                 Ok(Place::Robot(robot.clone(), self.settled(py, place, next)?))
             }
+            Place::World(tables, state) => {
+                let next = tables.lend(|domain| self.core.acted(domain, state, action));
+                Ok(Place::World(tables.clone(), self.settled(py, place, next)?))
+            }
         }
     }
 
@@ -401,6 +410,13 @@ impl Agent {
 
 /// The kinds of tasks of an agent, in the vocabulary of a robot, or of homes where none is given.
 fn tasks_of(py: Python<'_>, tasks: Option<Vec<String>>, domain: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<LiftedTask>> {
+    if let Some(world) = domain.and_then(|domain| domain.cast::<World>().ok()) {
+        let tables = &world.get().0;
+        return tables.lend(|robot| match tasks {
+            None => world::tasks(tables.file(), robot).map_err(value),
+            tasks => kinds_of_tasks(py, tasks, &robot.world().schema),
+        });
+    }
     match domain {
         Some(domain) if domain.cast::<home_of::Home>().is_err() => {
             let of_own = |schema: Schema<'_>| match tasks.is_none() && schema != SCHEMA {

@@ -1,8 +1,8 @@
 //! goodbot for Python: the module `goodbot._native`, one more shell around the core. `python/package/goodbot` has what is written in Python.
 //!
 //! - `home`: homes and their states;
-//! - `robot`, `vocabulary`: a robot that a Python class describes;
-//! - `place`: the one or the other, where a session takes place;
+//! - `robot`, `vocabulary`: a robot that a Python class describes; `world`: one that a file describes;
+//! - `place`: one of these, where a session takes place;
 //! - `agent`: the robot's mind;
 //! - `trainer`: a simulated trainer, who teaches;
 //! - `course`: the paper's lessons and tests;
@@ -27,6 +27,7 @@ mod place;
 mod robot;
 mod trainer;
 mod vocabulary;
+mod world;
 mod worlds;
 
 use pyo3::prelude::*;
@@ -50,6 +51,8 @@ mod native {
     use crate::options::capacities;
     #[pymodule_export]
     use crate::trainer::{Lesson, Trainer};
+    #[pymodule_export]
+    use crate::world::World;
     #[pymodule_export]
     use crate::worlds::Worlds;
 

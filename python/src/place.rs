@@ -1,11 +1,13 @@
-//! Where a session takes place: a home, or a robot of one's own, with the state that things are in.
+//! Where a session takes place: a home, a world from a file, or a robot of one's own, with the state that things are in.
 
 use crate::error::value;
 use crate::home::Home;
 use crate::robot::Robot;
+use crate::world::World;
 use goodbot::home::HomeState;
 use goodbot::oomdp::{Action, Domain, action_name, action_named};
 use goodbot::task::{GroundedTask, LiftedTask, TaskText};
+use goodbot_lesson::world::robot::Tables;
 use pyo3::prelude::*;
 use std::sync::Arc;
 
@@ -13,6 +15,7 @@ use std::sync::Arc;
 pub enum Place {
     Home(Py<Home>, HomeState),
     Robot(Arc<Robot>, u64),
+    World(Arc<Tables>, u64),
 }
 
 /// Runs an expression in a place, whichever it is, with the domain and the state by reference.
@@ -24,6 +27,7 @@ macro_rules! in_place {
                 $run
             }
             $crate::place::Place::Robot(robot, $state) => robot.lend(|$domain| $run),
+            $crate::place::Place::World(tables, $state) => tables.lend(|$domain| $run),
         }
     };
 }
@@ -34,6 +38,10 @@ impl Place {
     pub fn of(domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>, last: &mut Option<Arc<Robot>>) -> PyResult<Self> {
         if let Ok(home) = domain.cast::<Home>() {
             return Ok(Self::Home(home.clone().unbind(), home.get().check(state)?));
+        }
+        if let Ok(world) = domain.cast::<World>() {
+            let world = world.get();
+            return Ok(Self::World(world.0.clone(), world.check(state)?));
         }
         let robot = match last.as_ref().filter(|robot| robot.is_of(domain)) {
             Some(robot) => robot.clone(),
@@ -48,13 +56,14 @@ impl Place {
         match self {
             Self::Home(home, state) => Ok(home.get().state(*state).into_pyobject(py)?.into_any().unbind()),
             Self::Robot(robot, number) => robot.state(py, *number).ok_or_else(|| value("this state was never seen")),
+            Self::World(_, number) => Ok(number.into_pyobject(py)?.into_any().unbind()),
         }
     }
 
     /// The exception of the robot's class, if one was raised.
     pub fn failure(&self) -> Option<PyErr> {
         match self {
-            Self::Home(..) => None,
+            Self::Home(..) | Self::World(..) => None,
             Self::Robot(robot, _) => robot.failure(),
         }
     }

@@ -168,6 +168,10 @@ impl Trainer {
                 let here = |state| Place::Robot(robot.clone(), state);
                 (robot.lend(|domain| self.walk(py, mind, domain, Course::meaning(start, task), &mut random, here))?, None)
             }
+            Place::World(tables, start) => {
+                let here = |state| Place::World(tables.clone(), state);
+                (tables.lend(|domain| self.walk(py, mind, domain, Course::meaning(start, task), &mut random, here))?, None)
+            }
         };
         let steps = steps.iter().map(|step| recorded(place, step)).collect();
         let session = header.map(|header| RecordedSession { header, header_line: 1, steps, answers: vec![], learn, end_line: 1 });

@@ -80,7 +80,7 @@ pub fn deliver(options: &Library) -> Result<()> {
 /// Builds every example with the host's compiler, with both sanitizers, and runs it.
 pub fn on_host() -> Result<()> {
     let (sh, gcc, library) = (shell()?, GCC.path()?, library(None, &FEATURES)?);
-    for example in ["home", "lift"] {
+    for example in ["home", "lift", "world"] {
         let binary = library.with_file_name(example);
         let sanitizers = ["-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
         cmd!(sh, "{gcc} {WARNINGS...} {sanitizers...} -I capi/include capi/examples/{example}.c {library} -o {binary}").run()?;

@@ -4,7 +4,7 @@
 //! - [`source`]: the same as Rust and as C.
 
 mod needs;
-mod source;
+pub mod source;
 
 use clap::{Args, ValueHint};
 use goodbot::capacity::{Capacity, WORDS_PER_COMMAND};
@@ -51,11 +51,13 @@ pub struct SizeOptions {
     json: bool,
 }
 
-fn sessions(text: &str) -> Result<usize, String> {
+/// A number of sessions that a robot can keep.
+pub fn sessions(text: &str) -> Result<usize, String> {
     goodbot_console::numbers::between(text, 1, usize::from(u16::MAX))
 }
 
-fn words(text: &str) -> Result<usize, String> {
+/// A number of words that a command can have.
+pub fn words(text: &str) -> Result<usize, String> {
     goodbot_console::numbers::between(text, 1, WORDS_PER_COMMAND)
 }
 

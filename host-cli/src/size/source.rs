@@ -5,20 +5,28 @@ use goodbot::capacity::Capacity;
 
 /// As Rust.
 pub fn rust(capacities: &Capacities) -> String {
-    let fields: String =
-        Capacity::ALL.iter().map(|&capacity| format!("        {}: {},\n", capacity.name(), capacities.get(capacity))).collect();
+    let fields = rust_fields(capacities);
     format!("goodbot::memory! {{\n    struct RobotMemory = goodbot::Capacities {{\n{fields}    }};\n}}\n")
 }
 
 /// As C, with `bytes` bytes for a robot in homes.
 pub fn c(capacities: &Capacities, bytes: usize) -> String {
-    let entries: String =
-        Capacity::ALL.iter().map(|&capacity| format!("    [{}] = {},\n", c_name(capacity), capacities.get(capacity))).collect();
+    let entries = c_entries(capacities);
     format!(
         "static const goodbot_capacities capacities = {{ {{\n{entries}}} }};\n\
          /* For a robot in homes where a pointer has four bytes; goodbot_size(&capacities) says how many are needed. */\n\
          static _Alignas(8) unsigned char memory[{bytes}];\n"
     )
+}
+
+/// A line for each field of capacities in Rust.
+pub fn rust_fields(capacities: &Capacities) -> String {
+    Capacity::ALL.iter().map(|&capacity| format!("        {}: {},\n", capacity.name(), capacities.get(capacity))).collect()
+}
+
+/// A line for each entry of capacities in C.
+pub fn c_entries(capacities: &Capacities) -> String {
+    Capacity::ALL.iter().map(|&capacity| format!("    [{}] = {},\n", c_name(capacity), capacities.get(capacity))).collect()
 }
 
 /// The constant of C for a capacity.

@@ -22,6 +22,7 @@ mod replay;
 mod robot;
 mod size;
 mod study;
+mod table;
 mod talk;
 mod taught_worlds;
 mod teach;

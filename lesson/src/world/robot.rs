@@ -257,6 +257,30 @@ impl<'w> Robot<'w> {
         all.iter().filter_map(text).collect()
     }
 
+    /// What can hold, and where: all that is not listed never does. In the order of the propositions and their objects.
+    pub fn where_facts_hold(&self) -> Vec<FactAt> {
+        let Mechanism { places, fixed, digits, .. } = self.mechanism;
+        let mut facts: Vec<FactAt> = Vec::new();
+        for (&(proposition, arguments), &(digit, value)) in places {
+            facts.extend(digits.get(digit).map(|&digit| FactAt { proposition, arguments, at: DigitAt { digit, value } }));
+        }
+        // What no action changes is the only value of a digit.
+        let always = DigitAt { digit: Digit { unit: 1, values: 1 }, value: 0 };
+        facts.extend(fixed.iter().map(|&(proposition, arguments)| FactAt { proposition, arguments, at: always }));
+        facts.sort_by_key(|fact| (fact.proposition, fact.arguments));
+        facts
+    }
+
+    /// What each action needs and does: of its rules, the first whose conditions hold is what happens.
+    pub fn rules(&self) -> Vec<Vec<Rule>> {
+        let at = |digit: usize, value| self.mechanism.digits.get(digit).map(|&digit| DigitAt { digit, value });
+        let rule = |case: &Case| Rule {
+            conditions: case.conditions.iter().filter_map(|&(digit, value, wanted)| Some((at(digit, value)?, wanted))).collect(),
+            effects: case.effects.iter().filter_map(|&(digit, value)| at(digit, value)).collect(),
+        };
+        self.mechanism.actions.iter().map(|action| action.cases.iter().map(rule).collect()).collect()
+    }
+
     /// Whether an action changes whether a proposition holds.
     pub fn changes(&self, proposition: &GroundAtomText) -> bool {
         self.mechanism.places.contains_key(&key(&self.schema, self.objects, proposition))
@@ -279,13 +303,42 @@ impl Place for Robot<'_> {
 /// What can hold of objects, by name and arguments.
 type Key = (PropositionId, [ObjectId; ARGUMENTS]);
 
-/// A digit of the state's number.
+/// A digit of the state's number: `state / unit % values`.
 #[derive(Clone, Copy, Debug)]
-struct Digit {
+pub struct Digit {
     /// What the digits before it count together.
-    unit: u64,
+    pub unit: u64,
     /// How many values it has.
-    values: u64,
+    pub values: u64,
+}
+
+/// A value of a digit.
+#[derive(Clone, Copy, Debug)]
+pub struct DigitAt {
+    /// The digit.
+    pub digit: Digit,
+    /// The value.
+    pub value: u64,
+}
+
+/// A proposition, and the value of a digit with which it holds.
+#[derive(Clone, Copy, Debug)]
+pub struct FactAt {
+    /// The proposition.
+    pub proposition: PropositionId,
+    /// Its objects; those beyond its parameters are 0.
+    pub arguments: [ObjectId; ARGUMENTS],
+    /// When it holds.
+    pub at: DigitAt,
+}
+
+/// What an action needs, and what it does then.
+#[derive(Clone, Debug)]
+pub struct Rule {
+    /// Values that digits must have, or must not have where that is false.
+    pub conditions: Vec<(DigitAt, bool)>,
+    /// Values that digits take, one after the other.
+    pub effects: Vec<DigitAt>,
 }
 
 impl Digit {

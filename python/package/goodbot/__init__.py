@@ -19,6 +19,7 @@ You tell it in your own words what to do, say "good bot" or "bad bot" while it t
 'agentInRoom(agent0,room2)'
 
 - `Home`, `State`: the paper's homes, and where things are in them; `Domain`: a robot of your own, as a class;
+- `World`: a robot of any kind, from a file or a dict;
 - `Agent`, `Decision`: the robot's mind;
 - `Trainer`, `Lesson`: a simulated trainer;
 - `Session`, `read_log`, `write_log`: recorded sessions;
@@ -41,6 +42,7 @@ from ._native import (
     SessionError,
     State,
     Trainer,
+    World,
     Worlds,
     __version__,
     capacities,
@@ -71,6 +73,7 @@ __all__ = [
     "SessionError",
     "State",
     "Trainer",
+    "World",
     "Worlds",
     "__version__",
     "capacities",

@@ -1,0 +1,152 @@
+/* The world "lift", written by `goodbot table --c`. Its description was checked. */
+#ifndef GOODBOT_WORLD_LIFT_H
+#define GOODBOT_WORLD_LIFT_H
+
+#include <goodbot.h>
+
+/* A state is a number, from 0 to 7. It says what holds:
+   liftAtFloor(lift0,floor0): state / 1 % 4 == 0
+   liftAtFloor(lift0,floor1): state / 1 % 4 == 1
+   liftAtFloor(lift0,floor2): state / 1 % 4 == 2
+   liftAtFloor(lift0,floor3): state / 1 % 4 == 3
+   doorOpen(lift0): state / 4 % 2 == 1
+*/
+
+static const char *const lift_classes[] = {"lift", "floor"};
+static const goodbot_carrier lift_carriers0[] = {{1, "floorName"}};
+static const goodbot_attribute lift_attributes[] = {{"name", lift_carriers0, 1}};
+static const goodbot_proposition lift_propositions[] = {
+    {"liftAtFloor", {0, 1}, 2},
+    {"doorOpen", {0}, 1},
+    {"above", {1, 1}, 2},
+};
+static const goodbot_object lift_objects[] = {
+    {0, "lift0", {NULL}},
+    {1, "floor0", {"garage"}},
+    {1, "floor1", {"shop"}},
+    {1, "floor2", {"office"}},
+    {1, "floor3", {"roof"}},
+};
+static const goodbot_action lift_actions[] = {{"up", 1}, {"down", 1}, {"open", 1}, {"close", 1}};
+static const char *const lift_tasks[] = {"liftAtFloor(\077l,\077f)"};
+
+/* What can hold: a proposition of objects, where state / unit % values == value. */
+static const struct {
+    uint8_t proposition, arguments[GOODBOT_MOST_ARGUMENTS];
+    uint32_t unit, values, value;
+} lift_facts[] = {
+    {0, {0, 1, 0}, 1, 4, 0},
+    {0, {0, 2, 0}, 1, 4, 1},
+    {0, {0, 3, 0}, 1, 4, 2},
+    {0, {0, 4, 0}, 1, 4, 3},
+    {1, {0, 0, 0}, 4, 2, 1},
+    {2, {2, 1, 0}, 1, 1, 0},
+    {2, {3, 2, 0}, 1, 1, 0},
+    {2, {4, 3, 0}, 1, 1, 0},
+};
+
+/* What actions need and do: 0 begins a rule; 1 is a value that a digit must have, 2 one that it must not have, 3 one that it takes. */
+static const struct {
+    uint8_t action, kind;
+    uint32_t unit, values, value;
+} lift_parts[] = {
+    {0, 0, 1, 1, 0},
+    {0, 1, 1, 4, 0},
+    {0, 2, 4, 2, 1},
+    {0, 3, 1, 4, 1},
+    {0, 0, 1, 1, 0},
+    {0, 1, 1, 4, 1},
+    {0, 2, 4, 2, 1},
+    {0, 3, 1, 4, 2},
+    {0, 0, 1, 1, 0},
+    {0, 1, 1, 4, 2},
+    {0, 2, 4, 2, 1},
+    {0, 3, 1, 4, 3},
+    {1, 0, 1, 1, 0},
+    {1, 1, 1, 4, 1},
+    {1, 2, 4, 2, 1},
+    {1, 3, 1, 4, 0},
+    {1, 0, 1, 1, 0},
+    {1, 1, 1, 4, 2},
+    {1, 2, 4, 2, 1},
+    {1, 3, 1, 4, 1},
+    {1, 0, 1, 1, 0},
+    {1, 1, 1, 4, 3},
+    {1, 2, 4, 2, 1},
+    {1, 3, 1, 4, 2},
+    {2, 0, 1, 1, 0},
+    {2, 2, 4, 2, 1},
+    {2, 3, 4, 2, 1},
+    {3, 0, 1, 1, 0},
+    {3, 1, 4, 2, 1},
+    {3, 3, 4, 2, 0},
+};
+
+static bool lift_holds(void *context, uint32_t state, uint8_t proposition, const uint8_t *arguments) {
+    uint32_t count = lift_propositions[proposition].parameter_count;
+    (void)context;
+    for (size_t at = 0; at < sizeof lift_facts / sizeof *lift_facts; at++) {
+        bool same = lift_facts[at].proposition == proposition && state / lift_facts[at].unit % lift_facts[at].values == lift_facts[at].value;
+        for (uint32_t argument = 0; argument < count; argument++) same = same && lift_facts[at].arguments[argument] == arguments[argument];
+        if (same) return true;
+    }
+    return false;
+}
+
+static bool lift_step(void *context, uint32_t state, uint8_t action, uint32_t *next) {
+    bool fits = false;
+    uint32_t after = state;
+    (void)context;
+    for (size_t at = 0; at < sizeof lift_parts / sizeof *lift_parts; at++) {
+        uint32_t unit = lift_parts[at].unit, values = lift_parts[at].values, value = lift_parts[at].value;
+        if (lift_parts[at].action != action) continue;
+        if (lift_parts[at].kind == 0) {
+            if (fits) break; /* the first rule that fits is what happens */
+            fits = true;
+            after = state;
+        } else if (lift_parts[at].kind == 3) after = after - after / unit % values * unit + value * unit;
+        else if ((state / unit % values == value) != (lift_parts[at].kind == 1)) fits = false;
+    }
+    *next = after;
+    return fits;
+}
+
+static const goodbot_table lift_table = {
+    .classes = lift_classes, .class_count = 2, .attributes = lift_attributes, .attribute_count = 1,
+    .propositions = lift_propositions, .proposition_count = 3, .objects = lift_objects, .object_count = 5,
+    .actions = lift_actions, .action_count = 4, .tasks = lift_tasks, .task_count = 1,
+    .state_count = 8, .start = 1, .step = lift_step, .holds = lift_holds,
+};
+
+/* With these, every lesson is kept and every plan is exact. Where a pointer has four bytes, the robot takes LIFT_BYTES_32 bytes;
+   goodbot_table_size(&lift_capacities) says how many it takes. */
+#define LIFT_BYTES_32 12888
+static const goodbot_capacities lift_capacities = { {
+    [GOODBOT_CAPACITY_OBJECTS] = 5,
+    [GOODBOT_CAPACITY_NAMES] = 9,
+    [GOODBOT_CAPACITY_NAME_BYTES] = 49,
+    [GOODBOT_CAPACITY_CELLS] = 0,
+    [GOODBOT_CAPACITY_TASKS] = 4,
+    [GOODBOT_CAPACITY_STRATEGIES] = 1,
+    [GOODBOT_CAPACITY_BELIEFS] = 4,
+    [GOODBOT_CAPACITY_CANDIDATES] = 4,
+    [GOODBOT_CAPACITY_CANDIDATE_TOKENS] = 48,
+    [GOODBOT_CAPACITY_GROUND_PROPOSITIONS] = 4,
+    [GOODBOT_CAPACITY_GOAL_ENTRIES] = 0,
+    [GOODBOT_CAPACITY_STATES] = 8,
+    [GOODBOT_CAPACITY_HASHED_STATES] = 0,
+    [GOODBOT_CAPACITY_WORDS] = 54,
+    [GOODBOT_CAPACITY_WORD_BYTES] = 658,
+    [GOODBOT_CAPACITY_TOKENS] = 5,
+    [GOODBOT_CAPACITY_TOKEN_BYTES] = 53,
+    [GOODBOT_CAPACITY_COMMANDS] = 24,
+    [GOODBOT_CAPACITY_COMMAND_TOKENS] = 288,
+    [GOODBOT_CAPACITY_SESSIONS] = 6,
+    [GOODBOT_CAPACITY_SENTENCE_WORDS] = 48,
+    [GOODBOT_CAPACITY_PAIRS] = 24,
+    [GOODBOT_CAPACITY_TRANSLATIONS] = 288,
+    [GOODBOT_CAPACITY_ALIGNMENTS] = 545,
+    [GOODBOT_CAPACITY_LENGTH_PAIRS] = 0,
+} };
+
+#endif

@@ -1,0 +1,171 @@
+//! A robot as C.
+
+use super::source::{Part, Source};
+use crate::size::source::c_entries;
+use goodbot_capi::capacities::bytes_32;
+use goodbot_lesson::world::robot::{DigitAt, Flaw};
+use std::fmt::Write;
+
+/// The most of each that the library's tables hold.
+const MOST: [(&str, usize); 3] = [("classes", 8), ("propositions", 8), ("task_kinds", 8)];
+const MOST_CARRIERS: usize = 16;
+
+/// A text as C writes it: all but plain letters as octal numbers, of three digits so that nothing runs into what follows.
+fn quoted(text: &str) -> String {
+    let plain = |byte: &u8| byte.is_ascii_graphic() && !matches!(byte, b'"' | b'\\' | b'?') || *byte == b' ';
+    let letter = |byte: u8| if plain(&byte) { char::from(byte).to_string() } else { format!("\\{byte:03o}") };
+    format!("\"{}\"", text.bytes().map(letter).collect::<String>())
+}
+
+fn list(items: impl Iterator<Item = String>) -> String {
+    items.collect::<Vec<_>>().join(", ")
+}
+
+fn digit(DigitAt { digit, value }: DigitAt) -> String {
+    format!("{}, {}, {value}", digit.unit, digit.values)
+}
+
+/// The header.
+///
+/// # Errors
+/// What the library's tables have no room for.
+pub fn text(source: &Source<'_>) -> Result<String, Flaw> {
+    let schema = &source.schema;
+    let carriers: usize = schema.attributes.iter().map(|attribute| attribute.carriers.len()).sum();
+    let given = [schema.classes.len(), schema.propositions.len(), source.tasks.len()];
+    let limits = MOST.into_iter().zip(given).chain([(("attributes", MOST_CARRIERS), carriers)]);
+    for ((field, most), given) in limits {
+        if given > most {
+            let message =
+                format!("are {given} with their classes, and {most} are the most of a table in C; leave out some, or print --rust");
+            return Err(Flaw { field: field.to_owned(), message });
+        }
+    }
+    Ok(written(source).unwrap_or_default())
+}
+
+/// Writing to a text does not fail.
+fn written(source: &Source<'_>) -> Result<String, std::fmt::Error> {
+    let (schema, word, name) = (&source.schema, source.word(), source.name);
+    let (mut out, guard) = (String::new(), source.word().to_uppercase());
+    writeln!(out, "/* The world {}, written by `goodbot table --c`. Its description was checked. */", quoted(name))?;
+    writeln!(out, "#ifndef GOODBOT_WORLD_{guard}_H\n#define GOODBOT_WORLD_{guard}_H\n\n#include <goodbot.h>\n")?;
+    writeln!(out, "/* A state is a number, from 0 to {}. It says what holds:", source.states - 1)?;
+    source.legend().iter().try_for_each(|line| writeln!(out, "   {line}"))?;
+    writeln!(out, "*/\n")?;
+    writeln!(out, "static const char *const {word}_classes[] = {{{}}};", list(schema.classes.iter().map(|class| quoted(class.name))))?;
+    for (position, attribute) in schema.attributes.iter().enumerate() {
+        let carriers = list(attribute.carriers.iter().map(|it| format!("{{{}, {}}}", it.class.index(), quoted(it.prefix))));
+        writeln!(out, "static const goodbot_carrier {word}_carriers{position}[] = {{{carriers}}};")?;
+    }
+    if !schema.attributes.is_empty() {
+        let attribute = |(position, it): (usize, &goodbot::oomdp::Attribute<'_>)| {
+            format!("{{{}, {word}_carriers{position}, {}}}", quoted(it.name), it.carriers.len())
+        };
+        writeln!(
+            out,
+            "static const goodbot_attribute {word}_attributes[] = {{{}}};",
+            list(schema.attributes.iter().enumerate().map(attribute))
+        )?;
+    }
+    writeln!(out, "static const goodbot_proposition {word}_propositions[] = {{")?;
+    for proposition in schema.propositions {
+        let classes = list(proposition.parameters.iter().map(|class| class.index().to_string()));
+        writeln!(out, "    {{{}, {{{classes}}}, {}}},", quoted(proposition.name), proposition.parameters.len())?;
+    }
+    writeln!(out, "}};\nstatic const goodbot_object {word}_objects[] = {{")?;
+    for (class, name, values) in source.rows() {
+        let value = |value: &&str| if value.is_empty() { "NULL".to_owned() } else { quoted(value) };
+        let values = if values.is_empty() { "NULL".to_owned() } else { list(values.iter().map(value)) };
+        writeln!(out, "    {{{class}, {}, {{{values}}}}},", quoted(name))?;
+    }
+    let actions = list(source.actions.iter().map(|action| format!("{{{}, {}}}", quoted(action.name), action.cost)));
+    writeln!(out, "}};\nstatic const goodbot_action {word}_actions[] = {{{actions}}};")?;
+    writeln!(out, "static const char *const {word}_tasks[] = {{{}}};\n", list(source.tasks.iter().map(|task| quoted(task))))?;
+
+    writeln!(out, "/* What can hold: a proposition of objects, where state / unit % values == value. */")?;
+    writeln!(
+        out,
+        "static const struct {{\n    uint8_t proposition, arguments[GOODBOT_MOST_ARGUMENTS];\n    uint32_t unit, values, value;\n}} {word}_facts[] = {{"
+    )?;
+    for fact in &source.facts {
+        let arguments = list(fact.arguments.iter().map(|object| object.index().to_string()));
+        writeln!(out, "    {{{}, {{{arguments}}}, {}}},", fact.proposition.index(), digit(fact.at))?;
+    }
+    writeln!(
+        out,
+        "}};\n\n/* What actions need and do: 0 begins a rule; 1 is a value that a digit must have, 2 one that it must not have, 3 one that it takes. */"
+    )?;
+    writeln!(out, "static const struct {{\n    uint8_t action, kind;\n    uint32_t unit, values, value;\n}} {word}_parts[] = {{")?;
+    for (action, part) in source.parts() {
+        let (kind, at) = match part {
+            Part::Begin => (0, "1, 1, 0".to_owned()),
+            Part::Has(at) => (1, digit(at)),
+            Part::HasNot(at) => (2, digit(at)),
+            Part::Takes(at) => (3, digit(at)),
+        };
+        writeln!(out, "    {{{action}, {kind}, {at}}},")?;
+    }
+    let counts = [schema.classes.len(), schema.attributes.len(), schema.propositions.len(), source.objects.len()];
+    let attributes = if schema.attributes.is_empty() { "NULL".to_owned() } else { format!("{word}_attributes") };
+    writeln!(
+        out,
+        "}};
+
+static bool {word}_holds(void *context, uint32_t state, uint8_t proposition, const uint8_t *arguments) {{
+    uint32_t count = {word}_propositions[proposition].parameter_count;
+    (void)context;
+    for (size_t at = 0; at < sizeof {word}_facts / sizeof *{word}_facts; at++) {{
+        bool same = {word}_facts[at].proposition == proposition && state / {word}_facts[at].unit % {word}_facts[at].values == {word}_facts[at].value;
+        for (uint32_t argument = 0; argument < count; argument++) same = same && {word}_facts[at].arguments[argument] == arguments[argument];
+        if (same) return true;
+    }}
+    return false;
+}}
+
+static bool {word}_step(void *context, uint32_t state, uint8_t action, uint32_t *next) {{
+    bool fits = false;
+    uint32_t after = state;
+    (void)context;
+    for (size_t at = 0; at < sizeof {word}_parts / sizeof *{word}_parts; at++) {{
+        uint32_t unit = {word}_parts[at].unit, values = {word}_parts[at].values, value = {word}_parts[at].value;
+        if ({word}_parts[at].action != action) continue;
+        if ({word}_parts[at].kind == 0) {{
+            if (fits) break; /* the first rule that fits is what happens */
+            fits = true;
+            after = state;
+        }} else if ({word}_parts[at].kind == 3) after = after - after / unit % values * unit + value * unit;
+        else if ((state / unit % values == value) != ({word}_parts[at].kind == 1)) fits = false;
+    }}
+    *next = after;
+    return fits;
+}}
+
+static const goodbot_table {word}_table = {{
+    .classes = {word}_classes, .class_count = {}, .attributes = {attributes}, .attribute_count = {},
+    .propositions = {word}_propositions, .proposition_count = {}, .objects = {word}_objects, .object_count = {},
+    .actions = {word}_actions, .action_count = {}, .tasks = {word}_tasks, .task_count = {},
+    .state_count = {}, .start = {}, .step = {word}_step, .holds = {word}_holds,
+}};
+
+/* With these, every lesson is kept and every plan is exact. Where a pointer has four bytes, the robot takes {word_bytes};
+   goodbot_table_size(&{word}_capacities) says how many it takes. */
+#define {guard}_BYTES_32 {bytes}
+static const goodbot_capacities {word}_capacities = {{ {{
+{entries}}} }};
+
+#endif",
+        counts[0],
+        counts[1],
+        counts[2],
+        counts[3],
+        source.actions.len(),
+        source.tasks.len(),
+        source.states,
+        source.start,
+        word_bytes = format_args!("{guard}_BYTES_32 bytes"),
+        bytes = bytes_32(&source.capacities, true),
+        entries = c_entries(&source.capacities),
+    )?;
+    Ok(out)
+}

@@ -1,0 +1,84 @@
+//! `goodbot table`: the robot of a world from a file as source for a controller.
+//!
+//! - [`source`]: what both languages have; [`c`], [`rust`]: the text.
+
+mod c;
+mod rust;
+mod source;
+
+use clap::{Args, ValueHint};
+use goodbot::memory::AgentHeap;
+use goodbot::oomdp::{Domain, check};
+use goodbot::session::Lessons;
+use goodbot::{Agent, Capacities};
+use goodbot_console::learner::Learner;
+use goodbot_console::load::input;
+use goodbot_console::outcome::Failure;
+use goodbot_console::refusal::InWords;
+use goodbot_lesson::world::robot::{self, Flaw, Robot};
+use source::Source;
+use std::io::Write;
+
+/// So many states are tried: with more, no plan on a controller is exact.
+const MOST_STATES: usize = 1_000_000;
+
+/// Print the robot of a world as source for a controller
+///
+/// The description is checked here, in every state that the robot can come to; the capacities are the least with which every lesson is kept and every
+/// plan is exact.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+In C it is a goodbot_table for the library's feature table, which has at most 8 classes, 8 propositions and 8 kinds of task. In Rust it is a module with \
+a robot for Agent and memory for both. A state is a number: a comment says which digit tells what.
+
+Examples:
+  goodbot table lift.json --c > lift.h
+  goodbot table lift.json --rust --sessions 40 > lift.rs")]
+pub struct TableOptions {
+    /// The world, as JSON
+    #[arg(value_name = "WORLD", value_hint = ValueHint::FilePath)]
+    world: String,
+    /// Print C
+    #[arg(long, required_unless_present = "rust", conflicts_with = "rust")]
+    c: bool,
+    /// Print Rust
+    #[arg(long)]
+    rust: bool,
+    /// The number of sessions that it must keep, 1 to 65535
+    #[arg(long, value_name = "N", default_value_t = 16, value_parser = crate::size::sessions, allow_negative_numbers = true)]
+    sessions: usize,
+    /// The most words of one command, 1 to 64
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = crate::size::words, allow_negative_numbers = true)]
+    words: usize,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// [`Failure`]: what is wrong with the file, or with the output.
+pub fn run(options: &TableOptions) -> Result<(), Failure> {
+    let name = input::name(&options.world);
+    let file = input::world(&options.world).map_err(|fault| Failure::Input(fault.to_string()))?;
+    let file = file.ok_or_else(|| Failure::Input(format!("{name}: is no world; goodbot example world prints one")))?;
+    let refused = |flaw: Flaw| Failure::Input(format!("{name}: {flaw}"));
+    let text = robot::with(&file, |robot, start| text(options, robot, start)).map_err(refused)?.map_err(refused)?;
+    let mut out = std::io::stdout().lock();
+    out.write_all(text.as_bytes())?;
+    Ok(out.flush()?)
+}
+
+fn text(options: &TableOptions, robot: &Robot<'_>, start: u64) -> Result<String, Flaw> {
+    let flaw = |field: &str, message: String| Flaw { field: field.to_owned(), message };
+    let lifted = robot::tasks(robot.file(), robot)?;
+    let checked = check(robot, start, MOST_STATES).map_err(|error| flaw("actions", error.to_string()))?;
+    if !checked.all || robot.state_count() > u64::from(u32::MAX) {
+        let message = format!("give more than {MOST_STATES} states, too many for a controller; leave out objects or what changes");
+        return Err(flaw("propositions", message));
+    }
+    let lessons = Lessons::new(options.sessions, options.words);
+    let least = Agent::new(AgentHeap::new(&Capacities::STANDARD), &lifted, Learner::Roles.options());
+    let capacities = least.and_then(|mut agent| agent.least_capacities(robot, &lessons));
+    let capacities = capacities.map_err(|error| flaw("objects", error.in_words()))?;
+    let source = Source::of(robot, start, capacities);
+    if options.c { c::text(&source) } else { Ok(rust::text(&source)) }
+}

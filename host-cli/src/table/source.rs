@@ -1,0 +1,102 @@
+//! What the source of a robot has in any language.
+
+use goodbot::Capacities;
+use goodbot::oomdp::{ActionKind, Domain, Objects, Schema, World};
+use goodbot_lesson::world::robot::{DigitAt, FactAt, Robot, Rule};
+
+/// A robot, as it is written down.
+pub struct Source<'w> {
+    /// The world's name in its file.
+    pub name: &'w str,
+    /// The vocabulary.
+    pub schema: Schema<'w>,
+    /// The objects.
+    pub objects: Objects<'w>,
+    /// The actions.
+    pub actions: &'w [ActionKind<'w>],
+    /// The kinds of task.
+    pub tasks: Vec<String>,
+    /// How many states there are, and the first.
+    pub states: u64,
+    /// The state that it starts in.
+    pub start: u64,
+    /// What holds where.
+    pub facts: Vec<FactAt>,
+    /// What each action needs and does.
+    pub rules: Vec<Vec<Rule>>,
+    /// How large its tables must be.
+    pub capacities: Capacities,
+}
+
+/// A part of a rule.
+#[derive(Clone, Copy, Debug)]
+pub enum Part {
+    /// A rule begins.
+    Begin,
+    /// A digit must have this value.
+    Has(DigitAt),
+    /// A digit must have another value.
+    HasNot(DigitAt),
+    /// A digit takes this value.
+    Takes(DigitAt),
+}
+
+impl<'w> Source<'w> {
+    /// The source of a robot.
+    pub fn of(robot: &'w Robot<'w>, start: u64, capacities: Capacities) -> Self {
+        let World { schema, objects } = robot.world();
+        Self {
+            name: &robot.file().name,
+            schema,
+            objects,
+            actions: robot.actions(),
+            tasks: robot.file().task_kinds.iter().map(ToString::to_string).collect(),
+            states: robot.state_count(),
+            start,
+            facts: robot.where_facts_hold(),
+            rules: robot.rules(),
+            capacities,
+        }
+    }
+
+    /// The world's name as a word of a program: letters, digits and `_`, small.
+    pub fn word(&self) -> String {
+        let letter = |letter: char| if letter.is_ascii_alphanumeric() { letter.to_ascii_lowercase() } else { '_' };
+        let word: String = self.name.chars().map(letter).collect();
+        if word.starts_with(|first: char| first.is_ascii_digit()) { format!("world_{word}") } else { word }
+    }
+
+    /// The parts of all rules, in order, each with its action.
+    pub fn parts(&self) -> Vec<(usize, Part)> {
+        let mut parts = Vec::new();
+        for (action, rules) in self.rules.iter().enumerate() {
+            for Rule { conditions, effects } in rules {
+                parts.push((action, Part::Begin));
+                parts.extend(conditions.iter().map(|&(at, has)| (action, if has { Part::Has(at) } else { Part::HasNot(at) })));
+                parts.extend(effects.iter().map(|&at| (action, Part::Takes(at))));
+            }
+        }
+        parts
+    }
+
+    /// For each fact that can change, a line: what it says, and when it holds.
+    pub fn legend(&self) -> Vec<String> {
+        let told = |fact: &FactAt| {
+            let count = self.schema.parameters(fact.proposition).len();
+            let names: Vec<&str> = fact.arguments.iter().take(count).map(|&object| self.objects.name(object)).collect();
+            let DigitAt { digit, value } = fact.at;
+            let name = self.schema.proposition_name(fact.proposition);
+            format!("{name}({}): state / {} % {} == {value}", names.join(","), digit.unit, digit.values)
+        };
+        self.facts.iter().filter(|fact| fact.at.digit.values > 1).map(told).collect()
+    }
+
+    /// For each object its class, its name, and the value of each attribute.
+    pub fn rows(&self) -> Vec<(usize, &str, Vec<&str>)> {
+        let row = |(id, object): (goodbot::oomdp::ObjectId, &goodbot::oomdp::Object)| {
+            let values = (0..self.schema.attributes.len()).map(|attribute| self.objects.value(id, attribute)).collect();
+            (object.class.index(), self.objects.name(id), values)
+        };
+        self.objects.iter().map(row).collect()
+    }
+}

@@ -1,0 +1,160 @@
+//! A world with a robot of any kind, from a file or a dict.
+
+use crate::error::{format as misformed, value};
+use crate::place::{action_of, task_name};
+use goodbot::Capacities;
+use goodbot::oomdp::{Domain, apply};
+use goodbot::task::{GroundedTask, ground};
+use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
+use goodbot_formats::world::WorldFile;
+use goodbot_lesson::world::robot::{self, Tables};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// A world with a robot of any kind: classes, attributes, propositions, objects and actions, as a dict or from a file (`goodbot example world`
+/// prints one). A state is a number.
+///
+/// >>> world = goodbot.World({"type": "world", "name": "hall", "classes": ["lamp"], "attributes": {}, "propositions": {"on": ["lamp"]},
+/// ...     "objects": [{"name": "a", "class": "lamp"}, {"name": "b", "class": "lamp"}], "task_kinds": ["on(?l)"],
+/// ...     "actions": [{"name": "light", "parameters": {"?l": "lamp"}, "effects": ["on(?l)"]}]})
+/// >>> world.tasks(), world.actions
+/// (['on(a)', 'on(b)'], ('light(a)', 'light(b)'))
+/// >>> agent, trainer = goodbot.Agent(domain=world), goodbot.Trainer(seed=1)
+/// >>> trainer.teach(agent, world, world.start, "the left one", "on(a)").ending
+/// 'goal'
+/// >>> agent.hear(world, world.start, "left")
+/// >>> agent.most_likely, world.plan("on(a)")
+/// ('on(a)', ['light(a)'])
+#[pyclass(frozen, module = "goodbot")]
+#[derive(Debug)]
+pub struct World(pub Arc<Tables>);
+
+impl World {
+    fn parsed(py: Python<'_>, text: &str) -> PyResult<Self> {
+        let file = WorldFile::parse(text).map_err(|error| misformed(py, &error))?;
+        Tables::of(Arc::new(file)).map(|tables| Self(Arc::new(tables))).map_err(value)
+    }
+
+    /// A state that Python names.
+    pub fn check(&self, state: &Bound<'_, PyAny>) -> PyResult<u64> {
+        let number: u64 = state.extract().map_err(|_| value("a state of a world is a number, such as world.start"))?;
+        let count = self.0.lend(|robot| robot.state_count());
+        if number < count { Ok(number) } else { Err(value(format!("there is no state {number}; they count from 0 to {}", count - 1))) }
+    }
+
+    fn checked(&self, state: Option<&Bound<'_, PyAny>>) -> PyResult<u64> {
+        state.map_or(Ok(self.0.start()), |state| self.check(state))
+    }
+}
+
+fn parsed<T: std::str::FromStr<Err: std::fmt::Display>>(text: &str) -> PyResult<T> {
+    text.parse().map_err(|error| value(format!("{text:?}: {error}")))
+}
+
+#[pymethods]
+impl World {
+    #[new]
+    fn new(description: &Bound<'_, PyDict>) -> PyResult<Self> {
+        let py = description.py();
+        let text: String = py.import("json")?.getattr("dumps")?.call1((description,))?.extract()?;
+        Self::parsed(py, &text)
+    }
+
+    /// A world from a text: JSON on one line or on many.
+    #[staticmethod]
+    fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
+        Self::parsed(py, text)
+    }
+
+    /// A world from a file.
+    ///
+    /// Raises `FormatError`, `ValueError` and `OSError`.
+    #[staticmethod]
+    fn load(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        Self::parsed(py, &std::fs::read_to_string(path)?)
+    }
+
+    /// Its name.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.0.file().name
+    }
+
+    /// The state that it begins in.
+    #[getter]
+    fn start(&self) -> u64 {
+        self.0.start()
+    }
+
+    /// How many states there are at most: each is below that.
+    #[getter]
+    fn state_count(&self) -> u64 {
+        self.0.lend(|robot| robot.state_count())
+    }
+
+    /// The names of the robot's actions, without `noop`.
+    #[getter]
+    fn actions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, pyo3::types::PyTuple>> {
+        let names: Vec<String> = self.0.lend(|robot| robot.actions().iter().map(|kind| kind.name.to_owned()).collect());
+        pyo3::types::PyTuple::new(py, names)
+    }
+
+    /// What holds in a state, by default at the start.
+    #[pyo3(signature = (state=None))]
+    fn facts(&self, state: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<String>> {
+        let state = self.checked(state)?;
+        Ok(self.0.lend(|robot| robot.facts(state)).iter().map(ToString::to_string).collect())
+    }
+
+    /// The state in which these facts hold, and no others. For a robot that senses what holds.
+    ///
+    /// Raises `ValueError` where they are no state.
+    fn state(&self, facts: Vec<String>) -> PyResult<u64> {
+        let facts = facts.iter().map(|fact| parsed(fact)).collect::<PyResult<Vec<GroundAtomText>>>()?;
+        if let Some(strange) = facts.iter().find(|fact| self.0.lend(|robot| goodbot_lesson::checked::known_atom(robot, fact)).is_err()) {
+            return Err(value(format!("{strange} is no proposition of this world's objects")));
+        }
+        self.0.lend(|robot| robot.state_of(&facts)).map_err(value)
+    }
+
+    /// The state that an action leads to, or None where it cannot be done.
+    fn step(&self, state: &Bound<'_, PyAny>, action: &str) -> PyResult<Option<u64>> {
+        let state = self.check(state)?;
+        self.0.lend(|robot| Ok(apply(robot, &state, action_of(robot, action)?)))
+    }
+
+    /// Whether a proposition such as `lampOn(lamp0)` holds in a state.
+    fn holds(&self, proposition: &str, state: &Bound<'_, PyAny>) -> PyResult<bool> {
+        let (atom, state) = (parsed::<GroundAtomText>(proposition)?, self.check(state)?);
+        self.0.lend(|robot| Ok(robot.holds(&goodbot_lesson::checked::known_atom(robot, &atom).map_err(value)?, &state)))
+    }
+
+    /// The tasks that a command may mean in a state, by default at the start.
+    #[pyo3(signature = (state=None))]
+    fn tasks(&self, py: Python<'_>, state: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<String>> {
+        let state = self.checked(state)?;
+        self.0.lend(|robot| {
+            let lifted = robot::tasks(self.0.file(), robot).map_err(value)?;
+            let mut tasks = vec![GroundedTask::UNUSED; Capacities::STANDARD.tasks];
+            let count = ground(robot, &lifted, &state, &mut tasks).map_err(|error| crate::error::full(py, error))?;
+            let name = |task: &GroundedTask| Some(task_name(robot, lifted.get(usize::from(task.lifted))?, task));
+            Ok(tasks.iter().take(count).filter_map(name).collect())
+        })
+    }
+
+    /// The actions of one of the cheapest plans for a task from the start; None where there is none.
+    fn plan(&self, task: &str) -> PyResult<Option<Vec<String>>> {
+        robot::plan(self.0.file(), &parsed::<GroundTaskText>(task)?).map_err(value)
+    }
+
+    /// The world as JSON, on one line.
+    fn to_json(&self, py: Python<'_>) -> PyResult<String> {
+        self.0.file().to_json_line().map_err(|error| misformed(py, &error))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("World({:?}, {} objects)", self.0.file().name, self.0.file().objects.len())
+    }
+}
