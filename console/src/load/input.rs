@@ -5,7 +5,7 @@ use crate::messages::printable;
 use crate::whole_file::MOST_BYTES;
 use goodbot_formats::Problem;
 use goodbot_formats::environment::EnvironmentFile;
-use goodbot_formats::world::WorldFile;
+use goodbot_formats::world::{WorldFile, field_line};
 use goodbot_lesson::{Fault, home};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -56,17 +56,42 @@ pub fn home(file: &str) -> Result<EnvironmentFile, Fault> {
     home::parse(name, &text)
 }
 
+/// A world from a file.
+#[derive(Debug)]
+pub struct WorldInFile {
+    /// The world.
+    pub world: WorldFile,
+    name: String,
+    text: String,
+}
+
+impl WorldInFile {
+    /// A world from the text of a file.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn parse(name: &str, bytes: Vec<u8>) -> Result<Self, Fault> {
+        let text = String::from_utf8(bytes).map_err(|_| Fault::new(name, Problem::NotUtf8))?;
+        let world = WorldFile::parse(&text).map_err(|error| Fault::from_format(name, error))?;
+        Ok(Self { world, name: name.to_owned(), text })
+    }
+
+    /// What is wrong with a field of it, in its place.
+    pub fn fault(&self, field: &str, message: &str) -> Fault {
+        Fault { line: field_line(&self.text, field), ..Fault::new(&self.name, message) }.in_field(field)
+    }
+}
+
 /// A world from a file; `None` where the file is something else.
 ///
 /// # Errors
 /// What is wrong with the file.
-pub fn world(file: &str) -> Result<Option<WorldFile>, Fault> {
-    let (name, mut opened) = (name(file), open(file)?);
+pub fn world(file: &str) -> Result<Option<WorldInFile>, Fault> {
+    let mut opened = open(file)?;
     if Content::of(opened.fill_buf().map_err(unreadable(file))?) != Content::Worlds {
         return Ok(None);
     }
-    let text = String::from_utf8(rest(file, opened)?).map_err(|_| Fault::new(name, Problem::NotUtf8))?;
-    WorldFile::parse(&text).map(Some).map_err(|error| Fault::from_format(name, error))
+    WorldInFile::parse(name(file), rest(file, opened)?).map(Some)
 }
 
 /// Writes faults to standard error, where anyone still reads it.

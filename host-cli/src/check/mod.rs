@@ -5,10 +5,10 @@
 mod doubts;
 
 use clap::Args;
-use goodbot::Options;
 use goodbot::home::paper_tasks;
 use goodbot::oomdp::{Domain, check as soundness};
 use goodbot::task::LiftedTask;
+use goodbot::{Capacities, Options};
 use goodbot_console::lessons::worlds;
 use goodbot_console::load::content::Content;
 use goodbot_console::load::input;
@@ -20,7 +20,7 @@ use goodbot_formats::environment::{self, EnvironmentFile};
 use goodbot_formats::map;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession, SessionReader};
-use goodbot_formats::world::{WorldFile, field_line};
+use goodbot_formats::world::WorldFile;
 use goodbot_lesson::world::robot::{self, Flaw};
 use goodbot_lesson::{Fault, checked, home};
 use serde_json::json;
@@ -277,14 +277,19 @@ fn check_worlds(file: &str, mut opened: impl BufRead) -> Result<Findings, Fault>
     let is_log = first.trim_ascii_end().ends_with(b"}") || first.len() > 1_000;
     let mut found = Findings::default();
     if !is_log {
-        let text = String::from_utf8(input::rest(file, opened)?).map_err(|_| Fault::new(file, Problem::NotUtf8))?;
-        let world = WorldFile::parse(&text).map_err(|error| Fault::from_format(file, error))?;
-        let tasks =
-            goodbot_lesson::world::meanings(&world, &world.facts).map_err(|error| Fault::new(file, error).in_field("task_kinds"))?;
+        let read = input::WorldInFile::parse(file, input::rest(file, opened)?)?;
+        let world = &read.world;
+        let tasks = goodbot_lesson::world::meanings(world, &world.facts);
+        let tasks = tasks.map_err(|error| read.fault("task_kinds", &error.to_string()))?;
         found.what = format!("a world of {} and {}", counted(world.objects.len(), "object"), counted(tasks.len(), "task"));
         if !world.actions.is_empty() {
-            let at = |flaw: Flaw| Fault { line: field_line(&text, &flaw.field), ..Fault::new(file, &flaw.message) }.in_field(flaw.field);
-            check_robot(file, &world, &mut found).map_err(at)?;
+            check_robot(file, world, &mut found).map_err(|flaw| read.fault(&flaw.field, &flaw.message))?;
+            let most = Capacities::STANDARD.tasks;
+            if tasks.len() > most {
+                let message =
+                    format!("give {} tasks, and {most} are the most for a robot that acts; leave out kinds or objects", tasks.len());
+                found.faults.push(read.fault("task_kinds", &message));
+            }
         }
         return Ok(found);
     }

@@ -60,8 +60,8 @@ pub fn run(options: &TableOptions) -> Result<(), Failure> {
     let name = input::name(&options.world);
     let file = input::world(&options.world).map_err(|fault| Failure::Input(fault.to_string()))?;
     let file = file.ok_or_else(|| Failure::Input(format!("{name}: is no world; goodbot example world prints one")))?;
-    let refused = |flaw: Flaw| Failure::Input(format!("{name}: {flaw}"));
-    let text = robot::with(&file, |robot, start| text(options, robot, start)).map_err(refused)?.map_err(refused)?;
+    let refused = |flaw: Flaw| Failure::Input(file.fault(&flaw.field, &flaw.message).to_string());
+    let text = robot::with(&file.world, |robot, start| text(options, robot, start)).map_err(refused)?.map_err(refused)?;
     let mut out = std::io::stdout().lock();
     out.write_all(text.as_bytes())?;
     Ok(out.flush()?)
@@ -71,8 +71,10 @@ fn text(options: &TableOptions, robot: &Robot<'_>, start: u64) -> Result<String,
     let flaw = |field: &str, message: String| Flaw { field: field.to_owned(), message };
     let lifted = robot::tasks(robot.file(), robot)?;
     let checked = check(robot, start, MOST_STATES).map_err(|error| flaw("actions", error.to_string()))?;
-    if !checked.all || robot.state_count() > u64::from(u32::MAX) {
-        let message = format!("give more than {MOST_STATES} states, too many for a controller; leave out objects or what changes");
+    if !checked.all || robot.state_count() > MOST_STATES as u64 {
+        let count = robot.state_count();
+        let message =
+            format!("give {count} states together, and {MOST_STATES} are the most for a controller; leave out objects or what changes");
         return Err(flaw("propositions", message));
     }
     let lessons = Lessons::new(options.sessions, options.words);

@@ -35,6 +35,7 @@ use goodbot_console::outcome::Failure;
 use goodbot_console::output::Output;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::Fault;
+use goodbot_lesson::world::robot::{self, Tables};
 use kept::{Kept, Places};
 use keys::Intent;
 use lessons::Tour;
@@ -259,7 +260,12 @@ fn setting(options: &TeachOptions) -> Result<Setting, Failure> {
     }
     let refused = |fault: Fault| Failure::Input(fault.to_string());
     match input::world(file).map_err(refused)? {
-        Some(world) => Ok(Setting::World(Arc::new(world))),
+        Some(read) => {
+            // What is wrong with the robot is told in its place.
+            let robot = Tables::of(Arc::new(read.world.clone())).and_then(|tables| tables.lend(|robot| robot::tasks(&read.world, robot)));
+            robot.map_err(|flaw| refused(read.fault(&flaw.field, &flaw.message)))?;
+            Ok(Setting::World(Arc::new(read.world)))
+        }
         None => input::home(file).map(Setting::Home).map_err(refused),
     }
 }

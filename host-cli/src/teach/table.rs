@@ -1,7 +1,7 @@
 //! A world from a file as it is now, for those who look on: its objects, and what holds of them.
 
 use super::plain_names::{in_plain_words, looks};
-use goodbot::oomdp::Domain;
+use goodbot::oomdp::{Domain, ObjectId, World};
 use goodbot_formats::task_text::GroundAtomText;
 use goodbot_lesson::world::robot::Robot;
 
@@ -16,6 +16,39 @@ pub struct Row {
     pub holds: Vec<String>,
 }
 
+/// A place that has coordinates.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Spot {
+    /// How far to the east, and to the north.
+    pub at: (i32, i32),
+    /// What it is called, without its coordinates.
+    pub looks: String,
+    /// The names of what is there: of all of which a proposition holds whose last object is this place.
+    pub here: Vec<String>,
+}
+
+/// The attributes that are coordinates.
+const COORDINATES: [&str; 2] = ["x", "y"];
+
+/// The places of a world, where it has such.
+fn places(robot: &Robot<'_>, facts: &[GroundAtomText]) -> Vec<Spot> {
+    let World { schema, objects } = robot.world();
+    let [x, y] = COORDINATES.map(|name| schema.attributes.iter().position(|attribute| attribute.name == name));
+    let (Some(x), Some(y)) = (x, y) else { return vec![] };
+    let place = |id: ObjectId| {
+        let at = (objects.value(id, x).parse().ok()?, objects.value(id, y).parse().ok()?);
+        let values = (0..schema.attributes.len())
+            .filter(|&attribute| attribute != x && attribute != y)
+            .map(|attribute| objects.value(id, attribute));
+        let values: Vec<&str> = values.filter(|value| !value.is_empty()).collect();
+        let looks = if values.is_empty() { objects.name(id).to_owned() } else { values.join(" ") };
+        let is_here = |fact: &&GroundAtomText| matches!(fact.arguments(), [_, .., last] if last == objects.name(id));
+        let here = facts.iter().filter(is_here).filter_map(|fact| fact.arguments().first().cloned()).collect();
+        Some(Spot { at, looks, here })
+    };
+    objects.iter().filter_map(|(id, _)| place(id)).collect()
+}
+
 /// A world as it is now.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {
@@ -23,6 +56,8 @@ pub struct Table {
     pub name: String,
     /// What holds, as a log has it, and the actions can change.
     pub facts: Vec<GroundAtomText>,
+    /// Its places, where objects have coordinates: each with the values of its attributes `x` and `y`.
+    pub places: Vec<Spot>,
     /// Its objects, those first of which something holds that can change.
     pub rows: Vec<Row>,
 }
@@ -47,5 +82,5 @@ pub fn table(robot: &Robot<'_>, state: u64) -> Table {
     };
     let mut rows: Vec<Row> = objects.iter().map(|(object, _)| row(objects.name(object), looks(robot, object))).collect();
     rows.sort_by_key(|row| row.holds.is_empty());
-    Table { name: robot.file().name.clone(), facts, rows }
+    Table { name: robot.file().name.clone(), places: places(robot, &facts), facts, rows }
 }

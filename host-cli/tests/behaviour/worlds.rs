@@ -142,3 +142,51 @@ fn a_robot_from_a_file_is_checked_and_its_commands_are_planned_for() {
         "{answer}"
     );
 }
+
+#[test]
+fn hostile_worlds_are_refused_by_line_at_once() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lamps =
+        |count: usize| (0..count).map(|lamp| format!("\n{{\"name\":\"l{lamp}\",\"class\":\"lamp\"}}")).collect::<Vec<_>>().join(",");
+    let world = |attributes: &str, propositions: &str, objects: &str, actions: &str, kinds: &str| {
+        format!(
+            "{{\"type\":\"world\",\n\"name\":\"w\",\n\"classes\":[\"lamp\"],\n\"attributes\":{{{attributes}}},\n\"propositions\":{{\"on\":[\"lamp\"]{propositions}}},\n\
+             \"objects\":[{objects}],\n\"actions\":[{actions}],\n\"task_kinds\":[{kinds}]}}"
+        )
+    };
+    let (light, on) = (r#"{"name":"light","parameters":{"?l":"lamp"},"effects":["on(?l)"]}"#, "\"on(?l)\"");
+    let attributes: Vec<String> = (0..300).map(|number| format!("\"a{number}\":[\"lamp\"]")).collect();
+    let kinds: Vec<String> = (0..20).map(|number| format!("\"p{number}(?l)\"")).collect();
+    let more: String = (0..20).map(|number| format!(",\"p{number}\":[\"lamp\"]")).collect();
+    let any = r#"{"name":"x","conditions":["r(?a,?b,?c)","r(?d,?e,?f)"],"effects":["on(?a)"]}"#;
+    let relation = ",\"r\":[\"lamp\",\"lamp\",\"lamp\"]";
+    for (text, told) in [
+        (world("", "", &lamps(10_000), light, on), "6: field \"objects\": are 10000, and 255 are the most"),
+        (world(&attributes.join(","), "", &lamps(2), light, on), "4: field \"attributes\": are 300, and 4 are the most"),
+        (world("", "", &lamps(2), r#"{"name":"x","effects":[]}"#, on), "9: field \"actions[0].effects\": are none"),
+        (world("", "", &lamps(2), r#"{"name":"x","effects":["on(l0)"],"cost":0}"#, on), "9: field \"actions[0].cost\": 0 is no cost"),
+        (
+            world("", "", &lamps(2), r#"{"name":"x","effects":["on(zz)"]}"#, on),
+            "9: field \"actions[0].effects[0]\": the world has no object",
+        ),
+        (world("", relation, &lamps(60), any, on), "67: field \"actions[0]\": can be done with more objects than can be tried"),
+        (world("", &more, &lamps(2), light, &kinds.join(",")), "10: field \"task_kinds\": are 20, and 8 are the most"),
+        (
+            world("", "", &format!("{{\"name\":\"{}\",\"class\":\"lamp\"}}", "x".repeat(5_000)), light, on),
+            "6: field \"objects[0]\": too many bytes in a word",
+        ),
+        (
+            world("", "", &lamps(64), r#"{"name":"x","effects":["on(l0)"]}"#, on),
+            "5: field \"propositions.on\": gives more states than can be numbered",
+        ),
+    ] {
+        let path = file(folder.path(), "world.json", &text);
+        let path = path.to_str().expect("UTF-8");
+        for command in [&["check", path][..], &["teach", path, "--lines"], &["table", path, "--c"]] {
+            let began = std::time::Instant::now();
+            let run = goodbot(command, b"");
+            assert!(run.code == 2 && run.messages.contains(&format!("world.json:{told}")), "{told}: {command:?} {}", run.messages);
+            assert!(began.elapsed() < std::time::Duration::from_secs(5), "{told}: {command:?}");
+        }
+    }
+}

@@ -4,13 +4,14 @@
 //! arguments, the object in its last; any other proposition that an effect names holds or does not. A state is the number whose digits
 //! are the values.
 
+use crate::home::full;
 use crate::name::task_name;
 use crate::place::Place;
-use goodbot::capacity::{ARGUMENTS, ATTRIBUTES};
+use goodbot::capacity::{ARGUMENTS, ATTRIBUTES, LIFTED_TASKS};
 use goodbot::memory::AgentHeap;
 use goodbot::oomdp::{
-    Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, Object, ObjectCount, ObjectId, ObjectSet,
-    ObjectTables, ObjectTablesRef, Objects, OneByOne, Proposition, PropositionId, Schema, World, action_name,
+    Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, Object, ObjectCount, ObjectError, ObjectId,
+    ObjectSet, ObjectTables, ObjectTablesRef, Objects, OneByOne, Proposition, PropositionId, Schema, World, action_name,
 };
 use goodbot::planning::OptimalSet;
 use goodbot::task::{GroundedTask, LiftedTask};
@@ -145,7 +146,7 @@ impl Tables {
             };
             let values: Vec<&str> = file.attributes.iter().map(value).collect();
             set.add(class_of(file, &object.class), &object.name, &values)
-                .map_err(|error| Flaw { field: format!("objects[{position}]"), message: error.to_string() })?;
+                .map_err(|error| Flaw { field: format!("objects[{position}]"), message: refused(&error) })?;
         }
         Ok(set.count())
     }
@@ -202,11 +203,23 @@ fn capitalised(name: &str) -> String {
     letters.next().map(|first| first.to_ascii_uppercase()).into_iter().chain(letters).collect()
 }
 
+/// Why an object was refused, without a name of the library's.
+fn refused(error: &ObjectError) -> String {
+    match error {
+        ObjectError::Capacity(error) => full(error).unwrap_or_else(|| error.to_string()),
+        error => error.to_string(),
+    }
+}
+
 /// The kinds of task of a robot's world.
 ///
 /// # Errors
 /// A [`Flaw`] that names the kind.
 pub fn tasks(file: &WorldFile, robot: &Robot<'_>) -> Result<Vec<LiftedTask>, Flaw> {
+    if file.task_kinds.len() > LIFTED_TASKS {
+        let message = format!("are {}, and {LIFTED_TASKS} are the most for a robot that acts; leave out some", file.task_kinds.len());
+        return flaw("task_kinds", message);
+    }
     let parse = |(position, kind): (usize, &goodbot_formats::task_text::LiftedTaskText)| {
         LiftedTask::parse(&kind.to_string(), &robot.schema)
             .map_err(|error| Flaw { field: format!("task_kinds[{position}]"), message: error.to_string() })

@@ -1,7 +1,7 @@
-//! A world from a file: its objects, and below each what holds of it.
+//! A world from a file: its places as a plan, where they have coordinates; and its objects, below each what holds of it.
 
 use super::super::palette::Palette;
-use super::super::table::{Row, Table};
+use super::super::table::{Row, Spot, Table};
 use ratatui::Frame;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
@@ -18,21 +18,54 @@ fn called(row: &Row) -> &str {
 /// How what holds of an object stands below it.
 const INDENT: &str = "  ";
 
+/// The columns that a place takes, with the gap to the next.
+const PLACE: usize = 12;
+/// The rows that a place takes: what it is called, and what is there.
+const PLACE_ROWS: usize = 2;
+/// A plan that is larger than this is none to look at.
+const MOST_PLACES: i32 = 16;
+
+/// The places, row by row, the northernmost first; nothing where they have no coordinates, or are too far apart.
+fn plan(table: &Table) -> Vec<Vec<Option<&Spot>>> {
+    let [xs, ys]: [Vec<i32>; 2] = [table.places.iter().map(|it| it.at.0).collect(), table.places.iter().map(|it| it.at.1).collect()];
+    let bounds = |of: &[i32]| Some((*of.iter().min()?, *of.iter().max()?));
+    let (Some((west, east)), Some((south, north))) = (bounds(&xs), bounds(&ys)) else { return vec![] };
+    if east.saturating_sub(west) >= MOST_PLACES || north.saturating_sub(south) >= MOST_PLACES {
+        return vec![];
+    }
+    let spot = |at: (i32, i32)| table.places.iter().find(|spot| spot.at == at);
+    (south..=north).rev().map(|y| (west..=east).map(|x| spot((x, y))).collect()).collect()
+}
+
+/// A text of a place, cut to its columns.
+fn cell(text: &str) -> String {
+    let shown: String = text.chars().take(PLACE - 1).collect();
+    format!("{shown:PLACE$}")
+}
+
 /// The columns and rows that the table takes at its best.
 pub fn wanted(table: &Table) -> (u16, u16) {
+    let plan = plan(table);
     let told = |row: &Row| row.holds.iter().map(|fact| INDENT.len() + fact.chars().count()).chain([called(row).chars().count()]).max();
-    let columns = table.rows.iter().filter_map(told).max().unwrap_or(0);
-    let rows: usize = table.rows.iter().map(|row| 1 + row.holds.len()).sum();
+    let columns = table.rows.iter().filter_map(told).max().unwrap_or(0).max(plan.first().map_or(0, |row| row.len() * PLACE));
+    let rows = table.rows.iter().map(|row| 1 + row.holds.len()).sum::<usize>() + plan.len() * PLACE_ROWS;
     let [columns, rows] = [columns, rows].map(|count| u16::try_from(count).unwrap_or(u16::MAX));
     (columns.max(LEAST_COLUMNS), rows)
 }
 
-/// Draws the table. Objects of which nothing holds that can change come last, and are left out first.
+/// Draws the plan and the table. Objects of which nothing holds that can change come last, and are left out first.
 pub fn draw(frame: &mut Frame<'_>, area: Rect, table: &Table, palette: Palette) {
     let lines = |row: &Row| {
         let style = if row.holds.is_empty() { palette.quiet() } else { palette.strong() };
         let facts = row.holds.iter().map(|fact| Line::raw(format!("{INDENT}{fact}")));
         std::iter::once(Line::styled(called(row).to_owned(), style)).chain(facts).collect::<Vec<_>>()
     };
-    frame.render_widget(Paragraph::new(table.rows.iter().flat_map(lines).collect::<Vec<_>>()), area);
+    let row = |places: &Vec<Option<&Spot>>| {
+        let text = |tell: fn(&Spot) -> String| places.iter().map(|spot| cell(&spot.map_or_else(String::new, tell))).collect::<String>();
+        let here = |spot: &Spot| if spot.here.is_empty() { String::new() } else { format!("@{}", spot.here.join(" ")) };
+        [Line::styled(text(|spot| format!("[{}]", spot.looks)), palette.quiet()), Line::styled(text(here), palette.strong())]
+    };
+    let plan = plan(table);
+    let all: Vec<Line<'_>> = plan.iter().flat_map(row).chain(table.rows.iter().flat_map(lines)).collect();
+    frame.render_widget(Paragraph::new(all), area);
 }

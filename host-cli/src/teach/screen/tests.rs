@@ -175,3 +175,15 @@ fn a_world_from_a_file_is_a_table_of_its_objects_and_what_holds_of_them() {
     visit.take(Intent::AnotherHome, Duration::ZERO);
     assert!(visit.message.contains("a world from a file"), "{}", visit.message);
 }
+
+#[test]
+fn places_with_coordinates_are_a_plan_with_what_is_there() {
+    let world = include_str!("../../../../docs/examples/worlds/vacuum.json")
+        .replace("\"name\":[\"room\"]", "\"name\":[\"room\"],\"x\":[\"room\"],\"y\":[\"room\"]")
+        .replace("\"name\":\"hall\"", "\"name\":\"hall\",\"x\":\"0\",\"y\":\"0\"")
+        .replace("\"name\":\"kitchen\"", "\"name\":\"kitchen\",\"x\":\"1\",\"y\":\"0\"")
+        .replace("\"name\":\"bedroom\"", "\"name\":\"bedroom\",\"x\":\"0\",\"y\":\"1\"");
+    let screen = text(&drawn(&in_world(&world), 80, 24, Palette::None));
+    let lines: Vec<&str> = screen.lines().skip(2).map(|line| line.get(..24).unwrap_or(line).trim_end()).collect();
+    assert_eq!(lines[..4], ["[bedroom]", "", "[hall]      [kitchen]", "@vacuum0"], "{screen}");
+}
