@@ -15,7 +15,7 @@ use serde_json::Value;
 use xshell::{Shell, TempDir, cmd};
 
 use crate::capi::{FEATURES, HEADERS, library};
-use crate::process::{root, shell, target_dir};
+use crate::process::{folder_named_by, root, shell, target_dir};
 use crate::programs::{on_path, python_with};
 use crate::toolchain::{TARGETS, WASM};
 use archive::{files, pack};
@@ -130,7 +130,7 @@ fn crates(sh: &Shell, texts: &Texts, to: &Path) -> Result<()> {
 /// With its manual page and completions, which the program of this machine prints.
 fn program(sh: &Shell, texts: &Texts, to: &Path, target: Option<&str>) -> Result<()> {
     let name = format!("goodbot{}", std::env::consts::EXE_SUFFIX);
-    let build = cmd!(sh, "cargo build --quiet --locked --profile dist --package goodbot-cli");
+    let build = cmd!(sh, "cargo build --quiet --locked --profile dist --package goodbot-cli").env("RUSTFLAGS", without_places()?);
     build.args(target.iter().flat_map(|target| ["--target", target])).run()?;
     let built = target_dir().join(target.unwrap_or_default()).join("dist").join(name);
     let above = sh.create_temp_dir()?;
@@ -189,7 +189,7 @@ fn python(sh: &Shell, to: &Path) -> Result<()> {
         // Apart: the sources have fewer crates than the lock file names.
         cmd!(sh, "{programs}/maturin sdist --out {built}").run()?;
         let build = cmd!(sh, "{programs}/maturin build --quiet --release --locked --out {built} --interpreter {programs}/python");
-        build.env("CARGO_TARGET_DIR", target).run()?;
+        build.env("CARGO_TARGET_DIR", target).env("RUSTFLAGS", without_places()?).run()?;
     }
     let packages = sh.read_dir(&built)?;
     cmd!(sh, "{programs}/twine check --strict").args(&packages).run()?;
@@ -230,6 +230,17 @@ fn checksums(sh: &Shell, to: &Path) -> Result<()> {
     sh.write_file(CHECKSUMS, sums)?;
     println!("written: {FOLDER}");
     Ok(())
+}
+
+/// Flags by which what is built does not name folders of this machine: then it has the same bytes on another.
+fn without_places() -> Result<String> {
+    let home = std::env::var_os("HOME").map_or_else(PathBuf::new, PathBuf::from).join(".cargo");
+    let home = folder_named_by("CARGO_HOME").unwrap_or(home);
+    let registry = home.join("registry/src");
+    // Below it each registry has a folder, whose name is a number of its address.
+    let folders = shell()?.read_dir(&registry).unwrap_or_default();
+    let places = folders.iter().map(|folder| (folder.as_path(), "/crates")).chain([(root(), "/goodbot")]);
+    Ok(places.map(|(place, name)| format!("--remap-path-prefix={}={name}", place.display())).collect::<Vec<_>>().join(" "))
 }
 
 /// The target that programs for this machine are built for.
