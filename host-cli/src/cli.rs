@@ -2,6 +2,7 @@
 
 use crate::ask::AskOptions;
 use crate::check::CheckArgs;
+use crate::convert::ConvertArgs;
 use crate::diff::DiffArgs;
 use crate::doctor::DoctorArgs;
 use crate::example::Example;
@@ -103,6 +104,7 @@ pub enum Command {
     /// Print the memory that a robot needs for homes and lessons, as source for a controller
     Size(SizeOptions),
     Table(TableOptions),
+    Convert(ConvertArgs),
     /// Write a file for a BBC micro:bit with a model
     Microbit(MicrobitOptions),
     Merge(MergeArgs),

@@ -9,6 +9,7 @@
 mod ask;
 mod check;
 mod cli;
+mod convert;
 mod diff;
 mod doctor;
 mod example;
@@ -66,6 +67,7 @@ pub fn run(typed: &[OsString]) -> u8 {
         Command::Check(args) => return check::run(&args),
         Command::Size(options) => size::run(&options),
         Command::Table(options) => table::run(&options),
+        Command::Convert(args) => convert::run(&args),
         Command::Microbit(options) => microbit::run(&options),
         Command::Merge(options) => merge::run(&options),
         Command::Diff(args) => diff::run(&args),

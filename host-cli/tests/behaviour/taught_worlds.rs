@@ -239,3 +239,44 @@ fn what_was_learned_in_a_home_is_understood_in_another_world_with_the_same_words
     assert_eq!(heard["tasks"][0]["task"].as_str(), Some("lampOn(lamp1)"), "{heard}");
     assert!(run.messages.contains("taken along"), "{}", run.messages);
 }
+
+#[test]
+fn a_robot_of_a_world_listens_after_twenty_lessons_and_its_log_says_so() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let model = folder.path().join("lamps.goodbot");
+    let arguments = [&world_file("lamps"), "--model", model.to_str().expect("UTF-8")];
+    let lessons = [
+        ("switch the red one in the kitchen on", "lampOn(lamp0)"),
+        ("switch the blue one in the kitchen on", "lampOn(lamp1)"),
+        ("switch the red one in the bedroom on", "lampOn(lamp2)"),
+        ("switch the green one off", "lampOff(lamp3)"),
+        ("turn the green one in the hall off", "lampOff(lamp3)"),
+        ("turn the blue one on", "lampOn(lamp1)"),
+    ];
+    teach(&arguments.map(|it| it), &lessons.repeat(4));
+    let mut robot = Robot::new(&arguments.map(|it| it));
+    let heard = robot.one("command switch the red one in the kitchen on and then switch the green one off");
+    assert_eq!((&heard["verdict"], &heard["rest"]), (&Value::from("try"), &Value::from("switch the green one off")), "{heard}");
+    assert_eq!(robot.walk(|_| "good".to_owned()), "lampOn(lamp0)");
+    assert_eq!(robot.tell("finish")[1]["command"], "switch the green one off");
+    assert_eq!(robot.walk(|_| "good".to_owned()), "lampOff(lamp3)");
+    robot.tell("finish");
+    assert_eq!(robot.one("command hello robot")["verdict"], "none");
+    drop(robot);
+    let log = model.with_extension("jsonl");
+    let log = log.to_str().expect("UTF-8");
+    assert!(
+        std::fs::read_to_string(log)
+            .expect("a log")
+            .contains("\"utterance\":\"switch the red one in the kitchen on and then switch the green one off\"")
+    );
+    for command in ["check", "replay"] {
+        let run = goodbot(&[command, log], b"");
+        assert!(
+            run.code == 0 && run.output.contains("26 sessions") | run.output.contains("sessions             26"),
+            "{}{}",
+            run.output,
+            run.messages
+        );
+    }
+}

@@ -190,3 +190,25 @@ fn hostile_worlds_are_refused_by_line_at_once() {
         }
     }
 }
+
+#[test]
+fn a_problem_of_the_planning_field_is_a_world_that_is_checked_and_taught() {
+    let pddl =
+        |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("../lesson/tests/pddl").join(name).to_str().expect("UTF-8").to_owned();
+    let folder = tempfile::tempdir().expect("a folder");
+    let converted = goodbot(&["convert", &pddl("blocks.pddl"), &pddl("blocks-3.pddl")], b"");
+    assert_eq!(converted.code, 0, "{}", converted.messages);
+    let world = file(folder.path(), "blocks.json", &converted.output);
+    let world = world.to_str().expect("UTF-8");
+    let checked = goodbot(&["check", world], b"");
+    assert!(
+        checked.output.contains("a world of 4 objects and 11 tasks, with a robot of 10 actions and 22 states, no fault"),
+        "{}{}",
+        checked.output,
+        checked.messages
+    );
+    let told = goodbot(&["teach", world, "--lines"], b"command put b on c\nintended on(b,c)\nstep\nauto\nstep\nauto\nfinish\n");
+    assert!(told.code == 0 && told.output.contains("\"learned\":true"), "{}{}", told.output, told.messages);
+    let refused = goodbot(&["convert", &pddl("blocks-3.pddl"), &pddl("blocks.pddl")], b"");
+    assert!(refused.code == 2 && refused.messages.contains("blocks-3.pddl:2: is no definition of a domain"), "{}", refused.messages);
+}

@@ -12,6 +12,7 @@
 //! one is understood in the other; [`checked`] walks through sessions in it.
 
 pub mod checked;
+pub mod pddl;
 pub mod robot;
 
 use goodbot::capacity::NAME_BYTES;

@@ -39,12 +39,14 @@ impl std::fmt::Display for Flaw {
 
 impl std::error::Error for Flaw {}
 
-fn flaw<T>(field: impl Into<String>, message: impl Into<String>) -> Result<T, Flaw> {
+pub(super) fn flaw<T>(field: impl Into<String>, message: impl Into<String>) -> Result<T, Flaw> {
     Err(Flaw { field: field.into(), message: message.into() })
 }
 
 /// The most objects that a robot's world may have.
 pub const MOST_OBJECTS: usize = 255;
+/// The most tasks that a robot that acts may have.
+pub const MOST_TASKS_OF_A_ROBOT: usize = Capacities::STANDARD.tasks;
 /// The bytes of all names and values.
 const NAME_BYTES_TOGETHER: usize = 60_000;
 /// The most ways to apply an action's conditions and effects to objects, of all actions together.

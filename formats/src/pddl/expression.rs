@@ -1,0 +1,89 @@
+//! Words, and lists of them in brackets.
+
+use super::PddlError;
+
+/// Lists in lists, at most so deep.
+const DEEPEST: usize = 64;
+
+/// A word or a list, with its line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Expression {
+    /// A word, in small letters.
+    Word(String, usize),
+    /// A list.
+    List(Vec<Expression>, usize),
+}
+
+pub fn error<T>(line: usize, message: impl Into<String>) -> Result<T, PddlError> {
+    Err(PddlError { line, message: message.into() })
+}
+
+impl Expression {
+    /// The only list of a text.
+    pub fn parse(text: &str) -> Result<Self, PddlError> {
+        // The lists that are open, the outermost first.
+        let mut open: Vec<(Vec<Self>, usize)> = Vec::new();
+        let mut whole = None;
+        for (line, number) in text.lines().zip(1..) {
+            let line = line.split(';').next().unwrap_or("");
+            let spaced = line.replace('(', " ( ").replace(')', " ) ");
+            for token in spaced.split_whitespace() {
+                if whole.is_some() {
+                    return error(number, "is behind the end: write one definition in each file");
+                }
+                match token {
+                    "(" if open.len() >= DEEPEST => return error(number, format!("has more than {DEEPEST} open brackets; close some")),
+                    "(" => open.push((vec![], number)),
+                    ")" => {
+                        let Some((items, begin)) = open.pop() else {
+                            return error(number, "closes a bracket that is not open; leave it out");
+                        };
+                        let list = Self::List(items, begin);
+                        match open.last_mut() {
+                            Some((around, _)) => around.push(list),
+                            None => whole = Some(list),
+                        }
+                    }
+                    word => match open.last_mut() {
+                        Some((around, _)) => around.push(Self::Word(word.to_lowercase(), number)),
+                        None => return error(number, format!("{word:?} is in no brackets; begin with (define")),
+                    },
+                }
+            }
+        }
+        match (whole, open.last()) {
+            (Some(whole), _) => Ok(whole),
+            (None, Some((_, begin))) => error(*begin, "opens a bracket that is not closed; close it"),
+            (None, None) => error(1, "has no text; begin with (define"),
+        }
+    }
+
+    pub fn line(&self) -> usize {
+        let (Self::Word(_, line) | Self::List(_, line)) = self;
+        *line
+    }
+
+    /// The word.
+    pub fn word(&self) -> Result<&str, PddlError> {
+        match self {
+            Self::Word(word, _) => Ok(word),
+            Self::List(_, line) => error(*line, "is a list where a word belongs"),
+        }
+    }
+
+    /// The items of the list.
+    pub fn list(&self) -> Result<&[Self], PddlError> {
+        match self {
+            Self::List(items, _) => Ok(items),
+            Self::Word(word, line) => error(*line, format!("{word:?} is a word where a list belongs; write it in brackets")),
+        }
+    }
+
+    /// The first word of a list, and what follows.
+    pub fn headed(&self) -> Result<(&str, &[Self]), PddlError> {
+        match self.list()?.split_first() {
+            Some((head, rest)) => Ok((head.word()?, rest)),
+            None => error(self.line(), "is an empty list; leave it out"),
+        }
+    }
+}

@@ -1,0 +1,56 @@
+//! `goodbot convert`: a world from PDDL.
+
+use clap::{Args, ValueHint};
+use goodbot_console::load::input;
+use goodbot_console::outcome::Failure;
+use goodbot_formats::pddl::{Domain, PddlError, Problem};
+use goodbot_lesson::Fault;
+use goodbot_lesson::world::pddl;
+use goodbot_lesson::world::robot::{self, Flaw, Tables};
+use std::io::Write;
+use std::sync::Arc;
+
+/// Print the world of a PDDL domain and problem
+///
+/// Typing, STRIPS, negative preconditions, equality and action costs of 1 to 16 are understood. The problem must be a small one: a robot has at most 15
+/// actions with their objects, those left out that the others settle, and 64 tasks.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Each object's name is an attribute that words can mean; add others, such as a colour, to the file.
+
+Example:
+  goodbot convert domain.pddl problem.pddl > world.json && goodbot teach world.json")]
+pub struct ConvertArgs {
+    /// The domain
+    #[arg(value_name = "DOMAIN", value_hint = ValueHint::FilePath)]
+    domain: String,
+    /// The problem
+    #[arg(value_name = "PROBLEM", value_hint = ValueHint::FilePath)]
+    problem: String,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// [`Failure`]: what is wrong with the files, or cannot be said in a world.
+pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
+    let domain = read(&args.domain, Domain::parse)?;
+    let problem = read(&args.problem, Problem::parse)?;
+    let refused = |flaw: Flaw| Failure::Input(format!("{}: field \"{}\": {}", input::name(&args.problem), flaw.field, flaw.message));
+    let world = pddl::world(&domain, &problem).map_err(refused)?;
+    // What no robot can act in is refused here, and not where it is used.
+    let tables = Tables::of(Arc::new(world)).map_err(refused)?;
+    tables.lend(|robot| robot::tasks(tables.file(), robot)).map_err(refused)?;
+    let mut out = std::io::stdout().lock();
+    serde_json::to_writer_pretty(&mut out, tables.file().as_ref()).map_err(std::io::Error::from)?;
+    writeln!(out)?;
+    Ok(out.flush()?)
+}
+
+fn read<T>(file: &str, parse: fn(&str) -> Result<T, PddlError>) -> Result<T, Failure> {
+    let name = input::name(file);
+    let refused = |fault: Fault| Failure::Input(fault.to_string());
+    let bytes = input::bytes(file).map_err(refused)?;
+    let text = String::from_utf8(bytes).map_err(|_| refused(Fault::new(name, "is no text in UTF-8")))?;
+    parse(&text).map_err(|error| refused(Fault::on_line(name, error.line, error.message)))
+}

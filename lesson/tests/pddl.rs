@@ -1,0 +1,90 @@
+//! Problems of the planning field, as worlds: the robot's plans cost what the best plans cost.
+
+use goodbot_formats::pddl::{Domain, PddlError, Problem};
+use goodbot_formats::task_text::GroundTaskText;
+use goodbot_formats::world::WorldFile;
+use goodbot_lesson::world::pddl;
+use goodbot_lesson::world::robot::{self, Flaw};
+
+const GRIPPER: &str = include_str!("pddl/gripper.pddl");
+const GRIPPER_4: &str = include_str!("pddl/gripper-4.pddl");
+const DELIVERY: &str = include_str!("pddl/delivery.pddl");
+const DELIVERY_4: &str = include_str!("pddl/delivery-4.pddl");
+
+/// Problems, with the cost of the best plan for the goal: the length of pyperplan's, found breadth first, where all actions cost 1.
+const PROBLEMS: [(&str, &str, u32); 6] = [
+    (GRIPPER, GRIPPER_4, 9),
+    (include_str!("pddl/blocks.pddl"), include_str!("pddl/blocks-3.pddl"), 6),
+    (include_str!("pddl/ferry.pddl"), include_str!("pddl/ferry-3.pddl"), 8),
+    (include_str!("pddl/visitall.pddl"), include_str!("pddl/visitall-6.pddl"), 3),
+    (include_str!("pddl/logistics.pddl"), include_str!("pddl/logistics-1.pddl"), 11),
+    // Take 2, go 4 + 5, give 3.
+    (DELIVERY, DELIVERY_4, 14),
+];
+
+fn converted(domain: &str, problem: &str) -> Result<WorldFile, Flaw> {
+    pddl::world(&Domain::parse(domain).expect("a domain"), &Problem::parse(problem).expect("a problem"))
+}
+
+/// The goal as a task.
+fn goal(problem: &str) -> GroundTaskText {
+    let atom = |atom: &goodbot_formats::pddl::Atom| format!("{}({})", atom.predicate, atom.terms.join(","));
+    let goal: Vec<String> = Problem::parse(problem).expect("a problem").goal.iter().map(atom).collect();
+    goal.join(" & ").parse().expect("a task")
+}
+
+fn cost(world: &WorldFile, plan: &[String]) -> u32 {
+    let of = |name: &String| {
+        let name = name.split('(').next().unwrap_or(name);
+        world.actions.iter().find(|action| action.name == name).map_or(0, |action| u32::from(action.cost))
+    };
+    plan.iter().map(of).sum()
+}
+
+#[test]
+fn plans_cost_what_the_best_plans_cost() {
+    for (domain, problem, best) in PROBLEMS {
+        let world = converted(domain, problem).expect("a world");
+        let plan = robot::plan(&world, &goal(problem)).expect("a robot").expect("a plan");
+        assert_eq!(cost(&world, &plan), best, "{}: {plan:?}", world.name);
+        // Written and read, it is the same.
+        assert_eq!(WorldFile::parse(&world.to_json_line().expect("a line")).expect("a world"), world);
+    }
+}
+
+#[test]
+fn what_other_parameters_settle_is_no_parameter() {
+    let world = converted(GRIPPER, GRIPPER_4).expect("a world");
+    let parameters = |name: &str| {
+        let action = world.actions.iter().find(|action| action.name == name).expect("an action");
+        action.parameters.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!([parameters("move"), parameters("pick"), parameters("drop")], [vec!["to"], vec!["b", "g"], vec!["g"]]);
+    assert_eq!(world.variables, ["at-robby"]);
+}
+
+#[test]
+fn what_is_not_understood_is_refused_by_line() {
+    let domain = |text: &str| Domain::parse(text).map(drop).map_err(|error: PddlError| error.to_string());
+    for (from, to, told) in [
+        ("(at-robby ?from)\n    :effect", "(or (at-robby ?from))\n    :effect", "line 7: \"or\" is not understood"),
+        ("(:types room ball gripper)", "(:types room ball gripper", "opens a bracket that is not closed"),
+        ("(:types room ball gripper)", "(:derived (x) (y))", "line 4: \":derived\" is not understood: derived predicates"),
+        ("- gripper) (carry", "- (either gripper ball)) (carry", "line 5: one of several types is not understood"),
+    ] {
+        let refused = domain(&GRIPPER.replacen(from, to, 1)).expect_err(told);
+        assert!(refused.contains(told), "{told}: {refused}");
+    }
+    assert!(domain(&"(".repeat(100_000)).is_err_and(|it| it.contains("more than 64 open brackets")));
+    let refused = |domain: &str, problem: &str| converted(domain, problem).expect_err("a flaw").to_string();
+    assert!(refused(GRIPPER, &GRIPPER_4.replace("(free left)", "(full left)")).contains("predicate that the domain does not have"));
+    assert!(
+        refused(GRIPPER, &GRIPPER_4.replace("(at ball1 rooma)", "(at ball9 rooma)")).contains("ball9 in (at ball9 rooma) is no object")
+    );
+    assert!(
+        refused(DELIVERY, &DELIVERY_4.replace("home park) 4", "home park) 40")).contains("go costs 40, and a world's action costs 1 to 16")
+    );
+    let swap = "(define (domain d) (:predicates (p ?x) (q ?x)) (:action a :parameters (?x ?y) :precondition (p ?x) :effect (q ?y)))";
+    let two = "(define (problem two) (:domain d) (:objects a b) (:init (p a)) (:goal (q a)))";
+    assert!(refused(swap, two).contains("add (not (= ?x ?y))"));
+}
