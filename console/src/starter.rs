@@ -6,16 +6,21 @@
 
 use crate::lessons::Lesson;
 use crate::lessons::evidence::Witness;
+use crate::lessons::{restored, training};
 use crate::outcome::Failure;
 use clap::{Args, ValueEnum};
-use goodbot::Options;
+use goodbot::capacity::Capacity;
 use goodbot::home::{AGENT_IN_ROOM, BLOCK_IN_ROOM};
 use goodbot::language::Model;
+use goodbot::memory::AgentHeap;
 use goodbot::oomdp::PropositionId;
+use goodbot::snapshot::SAVED;
 use goodbot::task::LiftedTask;
+use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::session::SessionReader;
 use goodbot_lesson::Fault;
 use serde_json::{Value, json};
+use std::path::Path;
 
 /// The languages that there is a starter in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -53,6 +58,19 @@ pub struct StarterOptions {
 }
 
 impl StarterOptions {
+    /// Whether one is asked for.
+    pub const fn is_given(&self) -> bool {
+        self.starter.is_some()
+    }
+
+    /// The starter that is asked for beside what a model file knows.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read), and where the file is no model.
+    pub fn of_model(&self, file: &Path, lifted: &[LiftedTask]) -> Result<Starter, Failure> {
+        if self.is_given() { self.read(lifted, restored::options(file)?) } else { Ok(Starter::default()) }
+    }
+
     /// The starter that is asked for; without any, it has no lessons.
     ///
     /// # Errors
@@ -116,6 +134,37 @@ impl Starter {
         let all = self.lessons.len();
         let left = (all * HALF).div_ceil(HALF + own).min(all);
         (0..left).filter_map(move |position| self.lessons.get(position * all / left.max(1)))
+    }
+
+    /// Room for so much, and for all its lessons beside it.
+    pub fn room(&self, own: Capacities) -> Capacities {
+        if self.lessons.is_empty() {
+            return own;
+        }
+        let (needed, mut both) = (training::capacities(&self.lessons, Capacities::NONE), own);
+        for capacity in SAVED {
+            both.set(capacity, own.get(capacity).saturating_add(needed.get(capacity)));
+        }
+        both.translations = both.translations.max((both.tokens + 1).saturating_mul(both.words));
+        both.set(Capacity::Alignments, both.alignments.max(needed.alignments));
+        both
+    }
+
+    /// Adds the lessons to learn from beside so many own ones to what an agent has learned, and begins training. Gives how many were added:
+    /// those that it has already are not.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] where the agent has no room, or understands words by another model.
+    pub fn join(&self, agent: &mut Agent<AgentHeap>, own: usize) -> Result<usize, Failure> {
+        if self.lessons.is_empty() {
+            return Ok(0);
+        }
+        let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("the starter: {error}"));
+        let settings = agent.options().language;
+        let mut memory = training::memory(&self.lessons, &settings);
+        let data = training::data(&mut memory, self.beside(own), settings).map_err(|error| fault(&error))?;
+        let file = data.saved().map_err(|error| fault(&error))?;
+        agent.join(&file).map_err(|error| fault(&error))
     }
 }
 

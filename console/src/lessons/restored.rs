@@ -1,8 +1,10 @@
 //! A model file as an agent that can be asked, or as a language model where it was learned in worlds from files.
 
 use crate::learner;
+use crate::lessons::training;
 use crate::messages::{counted, working};
 use crate::outcome::Failure;
+use crate::starter::Starter;
 use crate::whole_file::read_model;
 use goodbot::language::LanguageModel;
 use goodbot::memory::{AgentHeap, AgentMemory};
@@ -23,12 +25,23 @@ const MANY: usize = 500;
 /// # Errors
 /// A [`Failure`] that names the file and what is wrong with it.
 pub fn agent(file: &Path, lifted: &[LiftedTask]) -> Result<Agent<AgentHeap>, Failure> {
+    agent_beside(file, lifted, &Starter::default())
+}
+
+/// The same, which also knows what a starter says. An empty starter says nothing.
+///
+/// # Errors
+/// As [`agent`].
+pub fn agent_beside(file: &Path, lifted: &[LiftedTask], starter: &Starter) -> Result<Agent<AgentHeap>, Failure> {
     let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
     let bytes = read_model(file)?;
     let contents = Contents::read(&bytes).map_err(|error| fault(&error))?;
-    let memory = learner::memory(&room_for(&contents), &contents.options.language, room_for_tasks(&contents));
+    let tasks = room_for_tasks(&contents) + training::tasks(starter.lessons());
+    let memory = learner::memory(&starter.room(room_for(&contents)), &contents.options.language, tasks);
     let mut agent = Agent::new(memory, lifted, Options::DEFAULT).map_err(|error| fault(&error))?;
     agent.restore(&bytes).map_err(|error| fault(&error))?;
+    let own = agent.language().bitext().sessions();
+    let _ = starter.join(&mut agent, own)?;
     learn_fully(&mut agent);
     Ok(agent)
 }

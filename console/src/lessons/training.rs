@@ -80,6 +80,21 @@ pub fn train<'m, 'l>(
     lessons: impl Iterator<Item = &'l Lesson>,
     settings: Settings,
 ) -> Result<LanguageModel<&'m mut AgentHeap>, AgentError> {
+    let mut model = data(memory, lessons, settings)?;
+    model.begin_training();
+    while model.train(u32::MAX) == Progress::Working {}
+    Ok(model)
+}
+
+/// A model that has these lessons, and is still to be trained on them.
+///
+/// # Errors
+/// As [`train`].
+pub fn data<'m, 'l>(
+    memory: &'m mut AgentHeap,
+    lessons: impl Iterator<Item = &'l Lesson>,
+    settings: Settings,
+) -> Result<LanguageModel<&'m mut AgentHeap>, AgentError> {
     let mut model = LanguageModel::new(memory, settings)?;
     for lesson in lessons.filter(|lesson| lesson.learn) {
         let sentence = model.hear(&lesson.command)?;
@@ -94,8 +109,6 @@ pub fn train<'m, 'l>(
             model.add_possible(possible.iter().map(|(description, prior)| (&description[..], *prior)))?;
         }
     }
-    model.begin_training();
-    while model.train(u32::MAX) == Progress::Working {}
     Ok(model)
 }
 

@@ -43,8 +43,10 @@ pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
     if opened.fill_buf().map(Content::of).ok() != Some(Content::Worlds) {
         return Ok(None);
     }
-    if options.why || options.expected.is_some() || options.pull {
-        return Err(Failure::Input("--why, --expected and --pull are for homes; leave them out in a world from a file".to_owned()));
+    if options.why || options.expected.is_some() || options.pull || options.starter.is_given() {
+        return Err(Failure::Input(
+            "--why, --expected, --pull and --starter are for homes; leave them out in a world from a file".to_owned(),
+        ));
     }
     let agent = restored::options(&options.with)?;
     if options.log.is_some() {

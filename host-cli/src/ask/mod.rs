@@ -31,6 +31,7 @@ use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::synonyms::{SynonymOptions, in_known_words};
 use goodbot_console::outcome::Failure;
 use goodbot_console::refusal;
+use goodbot_console::starter::StarterOptions;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::SessionReader;
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
@@ -83,6 +84,8 @@ pub struct AskOptions {
     closed_words: ClosedWordOptions,
     #[command(flatten)]
     kinds: TaskKinds,
+    #[command(flatten)]
+    starter: StarterOptions,
     /// The robot can pull blocks too
     #[arg(long)]
     pull: bool,
@@ -163,7 +166,8 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
         return in_world::ask(options, &questions);
     }
     let lifted = options.kinds.lifted()?;
-    let mut agent = restored::agent(&options.with, &lifted)?;
+    let starter = options.starter.of_model(&options.with, &lifted)?;
+    let mut agent = restored::agent_beside(&options.with, &lifted, &starter)?;
     let synonyms = options.synonyms.read()?;
     let synonyms = synonyms.table()?;
     let closed = options.closed_words.read()?;

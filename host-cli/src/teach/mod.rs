@@ -29,10 +29,12 @@ mod visit;
 use clap::{Args, ValueHint};
 use classroom::Classroom;
 use goodbot_console::believes::Believes;
+use goodbot_console::learner::Learner;
 use goodbot_console::load::input;
 use goodbot_console::messages::{counted, is_colored, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::Output;
+use goodbot_console::starter::StarterOptions;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::Fault;
 use goodbot_lesson::world::robot::{self, Tables};
@@ -68,6 +70,7 @@ Examples:
   goodbot teach home.json              a home of your own; a drawing does too
   goodbot teach lift.json              any robot, in a world from a file (goodbot example world prints one)
   goodbot teach --random --seed 7      a home at random
+  goodbot teach --starter en           a robot that knows everyday English
   goodbot teach --wanted commands.txt  what it is to understand in the end; tab proposes the next lesson
   printf 'command go to the red room\\nstep\\ngood\\nfinish\\n' | goodbot teach --seed 1")]
 pub struct TeachOptions {
@@ -75,7 +78,7 @@ pub struct TeachOptions {
     #[arg(value_name = "HOME", value_hint = ValueHint::FilePath)]
     home: Option<String>,
     /// The paper's lessons and tests, one after the other; with --seed in random homes
-    #[arg(long, conflicts_with_all = ["home", "random"])]
+    #[arg(long, conflicts_with_all = ["home", "random", "starter"])]
     tour: bool,
     /// A home at random
     #[arg(long, conflicts_with = "home")]
@@ -90,6 +93,8 @@ pub struct TeachOptions {
     /// own belief]
     #[arg(long, value_parser = of_trainer, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON[,LAGS]", allow_hyphen_values = true, conflicts_with = "picture")]
     believes: Option<Believes>,
+    #[command(flatten)]
+    starter: StarterOptions,
     /// How fast the robot goes
     #[arg(long, value_enum, default_value_t, conflicts_with = "lines")]
     speed: Pace,
@@ -109,7 +114,7 @@ pub struct TeachOptions {
     #[arg(long)]
     lines: bool,
     /// Write a picture of the tour's fifth lesson under way, taught by a simulated trainer, and leave
-    #[arg(long, value_name = "FILE.svg", conflicts_with_all = ["home", "random", "lines", "robot", "model", "speed"], value_hint = ValueHint::FilePath)]
+    #[arg(long, value_name = "FILE.svg", conflicts_with_all = ["home", "random", "lines", "robot", "model", "speed", "starter"], value_hint = ValueHint::FilePath)]
     picture: Option<PathBuf>,
     /// Replace a file that is no picture of goodbot's
     #[arg(long, requires = "picture")]
@@ -190,6 +195,11 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let name = options.home.as_deref().map(input::name);
     let trainer = Trainer::new(&home, options.seed.unwrap_or(1), options.routes, options.believes.clone())
         .map_err(|refusal| name.map_or_else(|| Failure::Input(refusal.to_string()), |name| Failure::Input(format!("{name}: {refusal}"))))?;
+    if options.starter.is_given() && world.is_some() {
+        return Err(Failure::Input("--starter is for homes; leave it out in a world from a file".to_owned()));
+    }
+    let starter = options.starter.read(trainer.lesson().agent.lifted(), Learner::Default.options())?;
+    let trainer = trainer.with_starter(starter).map_err(refuse)?;
     let places = match (&options.model, &options.robot) {
         (Some(model), _) => Some(Places::beside(model, options.log.as_deref())),
         (None, Some(robot)) => Some(Places::of_robot(robot)?),

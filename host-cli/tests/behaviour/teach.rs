@@ -39,6 +39,65 @@ fn a_session_is_heard_walked_judged_and_learned_from() {
     assert!(answers[7]["ideas"].as_array().unwrap().iter().any(|idea| idea["words"] == "color red"));
 }
 
+/// The likeliest task of a command, and its probability.
+fn understood(answers: &[Value]) -> (String, f64) {
+    let heard = answers.iter().find(|answer| answer["type"] == "heard").unwrap_or_else(|| panic!("{answers:?}"));
+    let best = &heard["tasks"][0];
+    (best["task"].as_str().unwrap().to_owned(), best["probability"].as_f64().unwrap())
+}
+
+#[test]
+fn a_robot_with_a_starter_understands_everyday_sentences_before_its_first_lesson() {
+    let request = "command please bring the chair to the green room\n";
+    let (_, alone) = teach(&[], request);
+    let (_, half_taught) = teach(&["--starter", "en"], request);
+    assert_eq!(half_taught[0]["sessions"], 0, "the sentences are no sessions of its own");
+    let (task, probability) = understood(&half_taught);
+    assert!(task.starts_with("blockInRoom(") && probability > 0.5, "{task} {probability}");
+    assert!(understood(&alone).1 < 0.2);
+}
+
+#[test]
+fn a_starter_is_not_saved_with_the_robot_and_comes_again_where_it_is_asked_for() {
+    let folder = TempDir::new().unwrap();
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (alone, half_taught, home) = (file("alone.goodbot"), file("half.goodbot"), file("home.json"));
+    let lesson = "command go to the red room\nstep\ngood\nfinish\n";
+    let sessions = |options: &[&str]| {
+        let (run, answers) = teach(options, lesson);
+        assert_eq!(run.code, 0, "{}", run.messages);
+        std::fs::write(&home, answers[0]["home"].to_string()).unwrap();
+        answers.iter().find(|answer| answer["type"] == "finished").unwrap()["sessions"].clone()
+    };
+    assert_eq!((sessions(&["--model", &alone]), sessions(&["--model", &half_taught, "--starter", "en"])), (json!(1), json!(1)));
+    let inspected = |model: &str| goodbot(&["inspect", model, "--sessions"], b"").output;
+    assert_eq!(inspected(&half_taught).lines().count(), inspected(&alone).lines().count());
+
+    let ask = |options: &[&str]| {
+        let command = ["ask", "--with", &half_taught, "--environment", &home, "--json"];
+        let run = goodbot(&[&command, options, &["bring the chair to the green room"]].concat(), b"");
+        assert_eq!(run.code, 0, "{}", run.messages);
+        let answer: Value = serde_json::from_str(run.output.lines().next().unwrap()).unwrap();
+        answer["tasks"].as_object().unwrap().values().map(|share| share.as_f64().unwrap()).fold(0.0, f64::max)
+    };
+    let (without, with) = (ask(&[]), ask(&["--starter", "en"]));
+    assert!(with > 0.5 && with > without + 0.2, "{without} {with}");
+}
+
+#[test]
+fn a_starter_is_refused_in_the_tour_and_for_the_papers_robot() {
+    let run = goodbot(&["teach", "--tour", "--starter", "en"], b"");
+    assert!(run.code == 2 && run.messages.contains("--starter"), "{}", run.messages);
+    let folder = TempDir::new().unwrap();
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (model, log, home) = (file("a.goodbot"), file("a.jsonl"), file("home.json"));
+    let (_, answers) = teach(&["--model", &model], "command go to the red room\nstep\ngood\nfinish\n");
+    std::fs::write(&home, answers[0]["home"].to_string()).unwrap();
+    assert_eq!(goodbot(&["learn", &log, "--learner", "paper", "--out", &model, "--force"], b"").code, 0);
+    let asked = goodbot(&["ask", "--with", &model, "--environment", &home, "--starter", "en", "go to the red room"], b"");
+    assert!(asked.code == 2 && asked.messages.contains("--starter is not for the paper's settings"), "{}", asked.messages);
+}
+
 #[test]
 fn words_are_shown_in_full() {
     let (_, answers) = teach(&[], "command take the yellow chair\nstep\ngood\nfinish\nwords\n");

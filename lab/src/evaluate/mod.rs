@@ -247,10 +247,14 @@ fn with_model(
         starter: &Starter::default(),
         novel: options.novel(lifted, agent)?,
     };
+    let starter = options.starter.of_model(file, lifted)?;
     let mut memory = AgentHeap::new(&Capacities::NONE);
     let mut trained = match sessions.are_of_worlds() {
+        true if options.starter.is_given() => {
+            return Err(Failure::Input("--starter is for homes; leave it out in a world from a file".to_owned()));
+        }
         true => Trained::Model2(Box::new(restored::language(file, &mut memory, sessions.act())?)),
-        false => Trained::Robot(Box::new(restored::agent(file, lifted)?)),
+        false => Trained::Robot(Box::new(restored::agent_beside(file, lifted, &starter)?)),
     };
     let answers = experiment.ask(&mut trained)?;
     let summary = Summary::of(&answers, about);

@@ -6,9 +6,10 @@
 //! What the trainer says counts at once, and of several words to one step the last one counts. To take a step back, the session is walked
 //! again up to there: the same actions and the same feedback give the same belief.
 //!
-//! - [`asking`]: what the robot asks; [`mind`]: the robot's mind and its home in memory; [`thoughts`]: what the robot thinks.
+//! - [`asking`]: what the robot asks; [`half_taught`]: a starter in its mind; [`mind`]: the robot's mind and its home in memory; [`thoughts`]: what the robot thinks.
 
 mod asking;
+mod half_taught;
 mod mind;
 mod thoughts;
 
@@ -18,17 +19,19 @@ pub use thoughts::{Idea, Meaning, WordSupport};
 use crate::teach::scene::{Scene, scene};
 use crate::teach::site::{Recorded, Setting, Site, SiteState};
 use crate::teach::table::{Table, table};
-use goodbot::Capacities;
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
+use goodbot::memory::AgentHeap;
 use goodbot::planning::{OptimalSet, Progress};
 use goodbot::session::{Evidence, Finished};
 use goodbot::snapshot::Contents;
 use goodbot::talk::{Hypothesis, Listened, Verdict};
 use goodbot::task::GroundedTask;
+use goodbot::{Agent, Capacities};
 use goodbot_console::believes::Believes;
 use goodbot_console::lessons::restored::{self, learn_fully, room_for, room_for_tasks};
 use goodbot_console::messages::say;
 use goodbot_console::refusal::InWords;
+use goodbot_console::starter::Starter;
 use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
 use goodbot_course::next_lesson::times_heard;
@@ -36,6 +39,7 @@ use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::listening::tells_talk;
 use goodbot_lesson::live::Lesson;
 use goodbot_lesson::voice::Said;
+use half_taught::HalfTaught;
 use mind::{build, expect, kinds_of_task, new_mind};
 use rand_pcg::Pcg32;
 use std::fmt;
@@ -81,6 +85,8 @@ pub struct Trainer {
     random: Pcg32,
     /// What it expects of its trainer, where that was told.
     believes: Option<Believes>,
+    /// What it knew before its first session.
+    half_taught: HalfTaught,
     /// The words for which there was nothing to do, if they were the last.
     declined: Option<String>,
 }
@@ -93,14 +99,35 @@ impl Trainer {
         let lifted = kinds_of_task(&rooms, ways)?;
         let mind = new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, &lifted, believes.as_ref())?;
         let lesson = Lesson::new(mind, rooms, start);
-        Ok(Self { lesson, start, id: None, intended: None, random: generator(seed), believes, declined: None })
+        let half_taught = HalfTaught::default();
+        Ok(Self { lesson, start, id: None, intended: None, random: generator(seed), believes, half_taught, declined: None })
+    }
+
+    /// The same robot, half taught from the start: it begins anew, with the sentences of a starter.
+    pub fn with_starter(mut self, starter: Starter) -> Result<Self, Refusal> {
+        self.half_taught = HalfTaught::new(starter);
+        self.start_anew()?;
+        Ok(self)
+    }
+
+    /// A mind that has learned nothing yet, with so much room and room for a starter.
+    fn new_mind(&self, capacities: &Capacities, tasks: usize) -> Result<Agent<AgentHeap>, Refusal> {
+        let (capacities, tasks) = (self.half_taught.room(*capacities), tasks + self.half_taught.tasks());
+        new_mind(&capacities, tasks, self.lesson.agent.lifted(), self.believes.as_ref())
+    }
+
+    /// Gives the robot a mind that has its own sessions alone: a starter's sentences come beside them.
+    fn take_mind(&mut self, mut mind: Agent<AgentHeap>) -> Result<(), Refusal> {
+        self.half_taught.join(&mut mind)?;
+        learn_fully(&mut mind);
+        self.lesson.replace_agent(mind);
+        Ok(())
     }
 
     /// Replaces what the robot has learned by a model file. A session under way ends unlearned.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
         let contents = Contents::read(bytes).map_err(refused)?;
-        let lifted = self.lesson.agent.lifted();
-        let mut mind = new_mind(&room_for(&contents), room_for_tasks(&contents), lifted, self.believes.as_ref())?;
+        let mut mind = self.new_mind(&room_for(&contents), room_for_tasks(&contents))?;
         if contents.vocabulary == 0 || contents.vocabulary == mind.vocabulary() {
             mind.restore(bytes).map_err(refused)?;
         } else {
@@ -110,21 +137,20 @@ impl Trainer {
         if self.believes.is_some() {
             expect(&mut mind, self.believes.as_ref())?;
         }
-        learn_fully(&mut mind);
-        self.lesson.replace_agent(mind);
-        Ok(())
+        self.take_mind(mind)
     }
 
     /// A new robot, which has learned nothing, in the same home. A session under way ends unlearned.
     pub fn start_anew(&mut self) -> Result<(), Refusal> {
-        let lifted = self.lesson.agent.lifted();
-        let mind = new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, lifted, self.believes.as_ref())?;
-        self.lesson.replace_agent(mind);
-        Ok(())
+        let mind = self.new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs)?;
+        self.take_mind(mind)
     }
 
-    /// What the robot has learned, as the bytes of a model file. It must not be learning.
+    /// What the robot has learned, as the bytes of a model file. It must not be learning. A starter's sentences are not in it.
     pub fn save(&self) -> Result<Vec<u8>, Refusal> {
+        if let Some(own) = self.half_taught.own() {
+            return Ok(own.to_vec());
+        }
         self.lesson.agent.saved().map_err(refused)
     }
 
@@ -178,7 +204,7 @@ impl Trainer {
 
     /// How many sessions the robot has learned from.
     pub fn lessons_learned(&self) -> usize {
-        self.lesson.agent.language().bitext().sessions()
+        self.lesson.agent.language().bitext().sessions() - self.half_taught.count()
     }
 
     /// In how many of the sessions that it has learned from the robot heard a word.
@@ -315,7 +341,9 @@ impl Trainer {
     pub fn finish(&mut self) -> Result<(Recorded, Finished), Refusal> {
         self.plan_again()?;
         let record = self.record(true).ok_or_else(no_session)?;
-        Ok((record, self.lesson.finish().map_err(refused)?))
+        let finished = self.lesson.finish().map_err(refused)?;
+        self.half_taught.fade(&mut self.lesson.agent, &finished)?;
+        Ok((record, finished))
     }
 
     /// Goes on learning, with at most about `budget` table cells of work. Gives whether it is done.
