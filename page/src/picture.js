@@ -1,21 +1,81 @@
 // A card with what the robot knows, as a picture that stands by itself.
 import { robotDrawing } from './robot.js';
+import { squares } from './share.js';
 import { draw } from './state.js';
 import { ideaWords } from './learned.js';
 
-const STYLE = 'text{font-family:system-ui,sans-serif;fill:#2c3346}.line,.eye,.mouth{fill:none;stroke:#2a2f40;stroke-width:2;stroke-linecap:round}.eye,.mouth{stroke:#8ff0df}.eye.open{stroke-width:4.6}.body{fill:#f9f3e4;stroke:#2a2f40;stroke-width:2}.wheel{fill:#3c4254}.face{fill:#25445a}.lamp{fill:#ffd75e;stroke:#2a2f40}.shadow{opacity:.17}.smile,.frown,.down,.heart{display:none}';
+const STYLE = 'text{font-family:Quicksand,Nunito,"Segoe UI",Roboto,"Noto Sans",system-ui,sans-serif;fill:#2c3346}.line,.eye,.mouth{fill:none;stroke:#2a2f40;stroke-width:2;stroke-linecap:round}.eye,.mouth{stroke:#8ff0df}.body{fill:#f9f3e4;stroke:#2a2f40;stroke-width:2}.wheel{fill:#3c4254}.face{fill:#25445a}.lamp{fill:#ffd75e;stroke:#2a2f40}.heart{fill:#e0526a;stroke:#2a2f40}.shadow{opacity:.17}.open,.frown,.down{display:none}';
+const [WIDTH, MIDDLE, EDGE] = [1080, 540, 64];
+const CONFETTI = ['#d8504d', '#4c9f6b', '#4a80c4', '#e6b840', '#8f64b3', '#e2863c'];
+// Pixels of each square of the code: a phone reads it from a screen.
+const SQUARE = 4;
+
+// About how wide a text is; a sign of Chinese is as wide as it is high.
+const widthOf = (text, size) => [...text].reduce((sum, sign) => sum + (sign > '\u2e80' ? 1 : 0.57), 0) * size;
+
+const line = (text, y, size, weight = 400) => draw('text', { x: MIDDLE, y, 'text-anchor': 'middle', 'font-size': Math.min(size, size * (WIDTH - 3 * EDGE) / widthOf(text, size)), 'font-weight': weight }, text);
+
+/** Words and their ideas in rows, each in a frame of its own.
+ * @param {[string, string][]} known
+ * @param {number} top */
+function chips(known, top) {
+  const [size, high] = [30, 62];
+  const rows = /** @type {{ width: number, chips: { word: string, idea: string, width: number }[] }[]} */ ([]);
+  for (const [word, token] of known) {
+    const idea = ideaWords(token);
+    const width = Math.min(WIDTH - 2 * EDGE, widthOf(word + ' ' + idea, size) + 40);
+    if (!rows.length || rows[rows.length - 1].width + width > WIDTH - 2 * EDGE) rows.push({ width: 0, chips: [] });
+    const row = rows[rows.length - 1];
+    row.chips.push({ word, idea, width });
+    row.width += width + 14;
+  }
+  return {
+    height: rows.length * (high + 14),
+    drawn: rows.flatMap((row, at) => {
+      let x = MIDDLE - (row.width - 14) / 2;
+      return row.chips.map(({ word, idea, width }) => {
+        const y = top + at * (high + 14);
+        const chip = draw('g', {}, draw('rect', { x, y, width, height: high, rx: 20, fill: '#fffdf7', stroke: '#d9cfba', 'stroke-width': 3 }),
+          draw('text', { x: x + width / 2, y: y + 41, 'text-anchor': 'middle', 'font-size': size }, draw('tspan', { 'font-weight': 700 }, word), ' ' + idea));
+        x += width + 14;
+        return chip;
+      });
+    }),
+  };
+}
 
 /** @param {string} name
  * @param {string} score
- * @param {[string, string][]} known words and their ideas */
-export function picture(name, score, known) {
-  const height = 190 + Math.ceil(known.length / 2) * 30;
-  const root = draw('svg', { xmlns: 'http://www.w3.org/2000/svg', viewBox: '0 0 640 ' + height, width: 640, height },
+ * @param {[string, string][]} known words and their ideas
+ * @param {string} [link] where others meet this robot: a code leads there
+ * @param {string} [meet] what stands above the code
+ * @returns {Promise<Blob>} a PNG file */
+export async function picture(name, score, known, link = '', meet = '') {
+  const words = chips(known, 690);
+  const code = link ? squares(link) : null;
+  // On whole pixels, with a quiet zone of four squares.
+  const side = code ? (code.size + 8) * SQUARE * Math.max(1, Math.floor(360 / ((code.size + 8) * SQUARE))) : 0;
+  const below = 690 + words.height + 40;
+  const height = below + (code ? 60 + side + EDGE : 30);
+  const [left, under] = [Math.round(MIDDLE - side / 2), Math.round(below + 30)];
+  const root = draw('svg', { xmlns: 'http://www.w3.org/2000/svg', viewBox: '0 0 ' + WIDTH + ' ' + height, width: WIDTH, height },
     draw('style', {}, STYLE),
-    draw('rect', { width: 640, height, rx: 24, fill: '#f6f0e2' }),
-    draw('g', { transform: 'translate(90 90) scale(2.4)' }, ...robotDrawing()),
-    draw('text', { x: 190, y: 70, 'font-size': 34, 'font-weight': 700 }, name),
-    draw('text', { x: 190, y: 110, 'font-size': 21 }, score),
-    ...known.map(([word, token], at) => draw('text', { x: at % 2 ? 330 : 36, y: 190 + Math.floor(at / 2) * 30, 'font-size': 18 }, draw('tspan', { 'font-weight': 700 }, word), ': ' + ideaWords(token))));
-  return new XMLSerializer().serializeToString(root);
+    draw('rect', { width: WIDTH, height, fill: '#f6f0e2' }),
+    draw('rect', { x: 24, y: 24, width: WIDTH - 48, height: height - 48, rx: 44, fill: '#fffaf0', stroke: '#2c3346', 'stroke-width': 5 }),
+    ...Array.from({ length: 42 }, (_, at) => draw('rect', {
+      x: 60 + (at * 397) % (WIDTH - 130), y: 58 + (at * 211) % 440, width: 20, height: 11, rx: 4, fill: CONFETTI[at % CONFETTI.length], opacity: 0.75, transform: 'rotate(' + (at * 67) % 180 + ' ' + (60 + (at * 397) % (WIDTH - 130)) + ' ' + (58 + (at * 211) % 440) + ')',
+    })),
+    draw('circle', { cx: MIDDLE, cy: 290, r: 215, fill: '#fffaf0' }),
+    draw('g', { transform: 'translate(' + MIDDLE + ' 315) scale(7.2)' }, ...robotDrawing()),
+    line(name, 585, 84, 700),
+    line(score, 640, 38),
+    ...words.drawn,
+    ...(code ? [line(meet, below, 34, 700), draw('rect', { x: left, y: under, width: side, height: side, fill: '#fff' }),
+      draw('path', { d: code.path, fill: '#000', 'shape-rendering': 'crispEdges', transform: 'translate(' + left + ' ' + under + ') scale(' + side / (code.size + 8) + ') translate(4 4)' })] : []));
+  const image = new Image();
+  image.src = 'data:image/svg+xml,' + encodeURIComponent(new XMLSerializer().serializeToString(root));
+  await image.decode();
+  const canvas = Object.assign(document.createElement('canvas'), { width: WIDTH, height });
+  canvas.getContext('2d')?.drawImage(image, 0, 0);
+  return new Promise((done, failed) => { canvas.toBlob(blob => (blob ? done(blob) : failed(new Error('PNG'))), 'image/png'); });
 }

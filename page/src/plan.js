@@ -2,6 +2,7 @@
 import { t } from './language.js';
 import { blockDrawing, colorOf, robotDrawing } from './robot.js';
 import { $, draw, make, state } from './state.js';
+import { isOver } from './tour.js';
 import { colorWords, describeScene, labelWords } from './words.js';
 
 export const CELL = 48;
@@ -185,8 +186,8 @@ export function renderPlan() {
   $('textmap').textContent = scene.map;
   const robot = plan.things.get(scene.agent.name);
   const session = state.session;
-  const feeling = session && session.feedback ? session.feedback : '';
-  robot.setAttribute('class', 'robot ' + ({ reward: 'happy', punish: 'sad' }[feeling] || '') + (state.phase === 'learning' || state.phase === 'planning' ? ' thinking' : '') +
+  const feeling = session?.feedback || (isOver() ? 'reward' : '');
+  robot.setAttribute('class', 'robot ' + (isOver() ? 'dancing ' : '') + ({ reward: 'happy', punish: 'sad' }[feeling] || '') + (state.phase === 'learning' || state.phase === 'planning' ? ' thinking' : '') +
     (session && session.decided ? ' looks-' + session.decided.action : ''));
   robot.style.setProperty('--sure', session && session.decided ? session.decided.confidence.toFixed(2) : 0);
 }

@@ -61,7 +61,9 @@ export async function switchTo(robot) {
   tell(t('robots.learnsHere', robot));
 }
 
-async function rename(robot, name) {
+/** @param {import('./store.js').Robot} robot
+ * @param {string} name */
+export async function rename(robot, name) {
   const given = name.trim().slice(0, 40) || robot.name;
   await patch(robot, { name: given });
   if (robot.id === state.robot.id) state.robot.name = given;

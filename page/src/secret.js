@@ -58,7 +58,7 @@ export function renderSecret() {
   $('secret-say').textContent = t(told ? 'secret.told' : 'secret.about', { name: state.robot.name, n: all.length });
   if (told) {
     $('secret-words').replaceChildren(...all.map(([word, token]) => make('li', {}, make('b', {}, word), ' ' + ideaWords(token))));
-    $('secret-buttons').replaceChildren(make('button', { type: 'button', class: 'small', onclick: () => download('secret-language.svg', picture(state.robot.name, $('secret-say').textContent, all), 'image/svg+xml') }, t('card.save')));
+    $('secret-buttons').replaceChildren(make('button', { type: 'button', class: 'small', onclick: async () => download('secret-language.png', await picture(state.robot.name, $('secret-say').textContent, all), 'image/png') }, t('card.save')));
     return;
   }
   const ideas = [...new Set((state.heat.now?.tokens || []))].map(token => [token, ideaWords(token)]).sort((a, b) => a[1].localeCompare(b[1]));

@@ -18,14 +18,22 @@ export function share(link, title, about) {
   $('shared').showModal();
 }
 
-function drawCode(link) {
-  $('code').toggleAttribute('hidden', link.length > MOST_LETTERS);
-  if (link.length > MOST_LETTERS) return;
+/** A link as a QR code: how many squares wide, and the black ones as a path. `null` where it is too long for a phone.
+ * @param {string} link */
+export function squares(link) {
+  if (link.length > MOST_LETTERS) return null;
   const code = generate(link);
   let path = '';
   for (let y = 0; y < code.size; y += 1) for (let x = 0; x < code.size; x += 1) if (code.get(x, y)) path += 'M' + x + ' ' + y + 'h1v1h-1z';
+  return { size: code.size, path };
+}
+
+function drawCode(link) {
+  const code = squares(link);
+  $('code').toggleAttribute('hidden', !code);
+  if (!code) return;
   $('code').setAttribute('viewBox', '-4 -4 ' + (code.size + 8) + ' ' + (code.size + 8));
-  $('code').replaceChildren(draw('rect', { x: -4, y: -4, width: code.size + 8, height: code.size + 8, fill: '#fff' }), draw('path', { d: path, fill: '#000', 'shape-rendering': 'crispEdges' }));
+  $('code').replaceChildren(draw('rect', { x: -4, y: -4, width: code.size + 8, height: code.size + 8, fill: '#fff' }), draw('path', { d: code.path, fill: '#000', 'shape-rendering': 'crispEdges' }));
 }
 
 export function setUpShare() {

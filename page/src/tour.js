@@ -1,19 +1,16 @@
 // The guided tour: the paper's seven lessons and five tests, with a score.
-import { download } from './files.js';
 import { course, world } from './core.js';
+import { renderFinale } from './finale.js';
 import { named, t } from './language.js';
-import { clearWords, ideaWords } from './learned.js';
-import { picture } from './picture.js';
 import { heardWords, render } from './render.js';
 import { beginGuest, endGuest, newRobot } from './roster.js';
 import { endWalk, leaveSession, refresh, startSession, stopSession } from './session.js';
-import { sureness } from './silent.js';
 import * as shelf from './shelf.js';
 import { considerWays } from './settings.js';
 import { $, announce, attempt, make, percent, state } from './state.js';
 import { APPENDIX } from './storeys.js';
 import { keepTour, logOf } from './store.js';
-import { quoted, taskWords, understands } from './words.js';
+import { taskWords, understands } from './words.js';
 
 // The course's commands are what the language says for their tasks.
 export const homeNamed = name => JSON.stringify(course.homes.find(([other]) => other === name)?.[1]);
@@ -133,7 +130,7 @@ function passStop(understood, session) {
 const nameOf = at => (at >= lengthOfCourse() ? t('tour.appendix', { n: at - lengthOfCourse() + 1 })
   : at < course.lessons.length ? t('tour.lesson', { n: at + 1 }) : t('tour.test', { n: at - course.lessons.length + 1 }));
 const rightTests = () => course.tests.filter((_, at) => state.tour.done[course.lessons.length + at] === 'right').length;
-const scoreWords = () => t('tour.score', { right: rightTests(), of: course.tests.length });
+export const scoreWords = () => t('tour.score', { right: rightTests(), of: course.tests.length });
 
 /** Shows the whole tour, with a robot that is only shown: one's own waits. */
 export async function watchTour() {
@@ -164,6 +161,9 @@ export async function restartTour() {
   enterStop(0);
 }
 
+/** Whether the tour has come to its end, and nothing else is going on. */
+export const isOver = () => state.mode === 'tour' && !state.session && !stopAt();
+
 export function renderTour() {
   const { at, done, watching } = state.tour;
   const all = stops();
@@ -193,7 +193,7 @@ export function renderTour() {
   const walking = Boolean(state.session?.looking);
   $('verdict').hidden = !state.verdict || (Boolean(state.session) && !walking);
   $('verdict').textContent = state.verdict;
-  renderCard(!stop);
+  renderFinale(!stop, scoreWords(), all.filter(one => !one.appendix));
   $('lesson').hidden = !stop || watching || (Boolean(state.session) && !walking);
   $('lesson').textContent = stop ? walking ? t('tour.skip') : t(stop.test ? 'tour.ask' : 'tour.tell', { command: commandOf(stop) }) : '';
   const taught = state.astray && !state.session && state.robot.past.at(-1);
@@ -205,20 +205,4 @@ export function renderTour() {
   $('watch').hidden = Boolean(state.session) && !watching;
   $('watch').textContent = t(watching ? 'tour.stop' : 'tour.watch');
   $('again').hidden = watching || Boolean(state.session) || (at === 0 && !done.length) || state.robot.log !== undefined;
-}
-
-// The end of the tour: what the robot knows, and a picture of it to keep.
-function renderCard(over) {
-  $('card').hidden = !over;
-  if (!over) return;
-  const all = stops().filter(stop => !stop.appendix);
-  const known = clearWords();
-  $('card').replaceChildren(
-    make('p', {}, t('card.knows', { n: known.length })),
-    make('ul', {}, ...known.map(([word, token]) => make('li', {}, make('b', {}, word), ' ' + ideaWords(token)))),
-    // With ways, there are more tasks in the tests' home than a robot has room for.
-    ...(world.ways() ? [] : [make('p', {}, t('card.silent')), make('table', {},
-      make('thead', {}, make('tr', {}, ...[t('card.sure'), t('card.with'), t('card.without')].map(words => make('th', { scope: 'col' }, words)))),
-      make('tbody', {}, ...sureness(all).map(([command, ...shares]) => make('tr', {}, make('th', { scope: 'row' }, quoted(command)), ...shares.map(share => make('td', {}, percent(share)))))))]),
-    make('button', { type: 'button', class: 'small', onclick: () => download('my-robot.svg', picture(state.robot.name, scoreWords(), known), 'image/svg+xml') }, t('card.save')));
 }

@@ -4,6 +4,7 @@ import { parsed, world } from './core.js';
 import { listed, named, t } from './language.js';
 import { asWritten, unknownWords } from './learned.js';
 import { percent, state } from './state.js';
+import { isOver, scoreWords } from './tour.js';
 
 /** @typedef {import('./language.js').Key} Key */
 
@@ -132,6 +133,7 @@ export function speech() {
   const session = state.session;
   if (state.phase === 'learning') return [t('say.thinking'), state.progress || t('say.learning')];
   if (!session) {
+    if (isOver()) return [t('say.iAm', state.robot), scoreWords()];
     if (state.said) return /** @type {[string, string]} */ (state.said);
     if (state.sessions === 0) return [t('say.hello'), t('say.helloMore')];
     return [t('say.ready'), t('say.learnedFrom', { sessions: sessionsWord() })];

@@ -1,0 +1,86 @@
+// The end of the tour: the robot gets a name and dances, and there is a card of it to keep and to pass on.
+import { world } from './core.js';
+import { download } from './files.js';
+import { t } from './language.js';
+import { clearWords, ideaWords } from './learned.js';
+import { robotLink } from './link.js';
+import { picture } from './picture.js';
+import { rename } from './roster.js';
+import { sureness } from './silent.js';
+import { $, announce, make, percent, state, tell } from './state.js';
+import { quoted } from './words.js';
+
+const FILE = 'my-robot.png';
+let shown = '';
+/** @type {Promise<{ link: string, file: File }> | null} */
+let card = null;
+
+// A link to a file on this machine leads nobody else to the robot.
+async function makeCard(score) {
+  const link = location.protocol === 'file:' ? '' : await robotLink();
+  const blob = await picture(state.robot.name, score, clearWords(), link, t('link.meet', state.robot));
+  return { link, file: new File([blob], FILE, { type: 'image/png' }) };
+}
+
+async function keepCard() {
+  const made = await card;
+  if (made) download(FILE, made.file, 'image/png');
+}
+
+// The system's own sheet.
+async function shareCard() {
+  const made = await card;
+  if (!made) return;
+  try {
+    await navigator.share({ files: [made.file], title: t('link.meet', state.robot), ...(made.link ? { url: made.link } : {}) });
+  } catch (error) {
+    // Who closes the sheet has changed their mind.
+    if (error.name !== 'AbortError') tell(error.message, true);
+  }
+}
+
+const canShare = () => Boolean(navigator.canShare?.({ files: [new File(['.'], FILE, { type: 'image/png' })] }));
+
+/** Lets the robot dance once more. */
+function dance() {
+  const [robot] = /** @type {any} */ ($('plan')).getElementsByClassName('dancing');
+  robot?.classList.remove('dancing');
+  void robot?.getBoundingClientRect();
+  robot?.classList.add('dancing');
+}
+
+async function giveName(name) {
+  await rename(state.robot, name);
+  announce(t('say.iAm', state.robot));
+  dance();
+}
+
+/** What the robot knows, and a picture of it.
+ * @param {boolean} over whether the tour is over
+ * @param {string} score
+ * @param {{ home: string, intended: string, test: boolean }[]} stops the tour's lessons and tests */
+export function renderFinale(over, score, stops) {
+  $('card').hidden = !over;
+  const key = over ? JSON.stringify([state.robot.id, state.robot.name, state.robot.model, score, world.ways(), document.documentElement.lang]) : '';
+  if (key === shown) return;
+  shown = key;
+  card = null;
+  if (!over) return;
+  card = makeCard(score);
+  card.catch(error => tell(error.message, true));
+  const known = clearWords();
+  const guest = state.robot.log !== undefined;
+  const name = make('input', { id: 'robot-name', value: state.robot.name, maxlength: 40, autocomplete: 'off' });
+  name.addEventListener('change', () => giveName(name.value));
+  $('card').replaceChildren(
+    ...(guest ? [] : [make('div', { class: 'field' }, make('label', { for: 'robot-name' }, t('card.name')), name)]),
+    make('div', { class: 'row' },
+      make('button', { type: 'button', class: 'small', id: 'save-card', onclick: keepCard }, t('card.save')),
+      canShare() ? make('button', { type: 'button', class: 'small', id: 'share-card', onclick: shareCard }, t('card.share')) : null),
+    make('p', {}, t('card.knows', { n: known.length })),
+    make('ul', {}, ...known.map(([word, token]) => make('li', {}, make('b', {}, word), ' ' + ideaWords(token)))),
+    // With ways, there are more tasks in the tests' home than a robot has room for.
+    ...(world.ways() ? [] : [make('details', {}, make('summary', {}, t('card.silent')), make('table', {},
+      make('thead', {}, make('tr', {}, ...[t('card.sure'), t('card.with'), t('card.without')].map(words => make('th', { scope: 'col' }, words)))),
+      make('tbody', {}, ...sureness(stops).map(([command, ...shares]) => make('tr', {}, make('th', { scope: 'row' }, quoted(command)), ...shares.map(share => make('td', {}, percent(share))))))))]));
+}
