@@ -62,10 +62,10 @@ export async function picture(name, score, known, link = '', meet = '') {
     draw('style', {}, STYLE),
     draw('rect', { width: WIDTH, height, fill: '#f6f0e2' }),
     draw('rect', { x: 24, y: 24, width: WIDTH - 48, height: height - 48, rx: 44, fill: '#fffaf0', stroke: '#2c3346', 'stroke-width': 5 }),
-    ...Array.from({ length: 42 }, (_, at) => draw('rect', {
-      x: 60 + (at * 397) % (WIDTH - 130), y: 58 + (at * 211) % 440, width: 20, height: 11, rx: 4, fill: CONFETTI[at % CONFETTI.length], opacity: 0.75, transform: 'rotate(' + (at * 67) % 180 + ' ' + (60 + (at * 397) % (WIDTH - 130)) + ' ' + (58 + (at * 211) % 440) + ')',
+    // Confetti around the robot.
+    ...Array.from({ length: 42 }, (_, at) => [70 + (at * 397) % (WIDTH - 140), 70 + (at * 211) % 420]).filter(([x]) => Math.abs(x - MIDDLE) > 185).map(([x, y], at) => draw('rect', {
+      width: 20, height: 11, rx: 4, fill: CONFETTI[at % CONFETTI.length], opacity: 0.75, transform: 'translate(' + x + ' ' + y + ') rotate(' + (at * 67) % 180 + ')',
     })),
-    draw('circle', { cx: MIDDLE, cy: 290, r: 215, fill: '#fffaf0' }),
     draw('g', { transform: 'translate(' + MIDDLE + ' 315) scale(7.2)' }, ...robotDrawing()),
     line(name, 585, 84, 700),
     line(score, 640, 38),

@@ -1,6 +1,7 @@
 // Every lesson ends well.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
+import { createServer } from 'node:http';
 import { after, before, test } from 'node:test';
 import { close, launch, open, pass, sessions, stopTime, toTheGoal } from './browser.mjs';
 
@@ -36,16 +37,91 @@ test('after a lesson the robot says which words became clear', async () => {
   await close(page);
 });
 
-test('the tour ends with a card of what the robot knows, and a picture of it to keep', async () => {
-  const page = await open(browser);
+// A tour of one's own to its end, by the auto-trainer.
+async function finished(page) {
   await page.selectOption('#speed', 'once');
-  await page.click('#watch');
-  await page.getByText('The tour is over').first().waitFor();
+  for (let at = 1; at <= 12; at += 1) {
+    await page.click(at <= 7 ? '#auto' : '#lesson');
+    await page.waitForFunction(done => document.querySelectorAll('#dots :is(.right, .wrong)').length === done && document.body.dataset.phase === 'none', at);
+  }
+  await page.locator('#card:visible').waitFor();
+}
+
+// A PNG file's width and height.
+const sizeOf = png => [png.subarray(1, 4).toString(), png.readUInt32BE(16), png.readUInt32BE(20)];
+
+test('the tour ends with a name, a dance and a card of what the robot knows', async () => {
+  const page = await open(browser, { reducedMotion: 'no-preference' });
+  await finished(page);
   assert.match(await page.textContent('#card'), /green the colour green/);
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#card button')]);
-  const picture = readFileSync(await download.path(), 'utf8');
-  assert.match(picture, /^<svg .*5 of 5 tests understood/s);
+  const dancing = () => page.evaluate(() => document.getAnimations().some(({ animationName }) => animationName === 'dance'));
+  assert.ok(await dancing());
+  await page.fill('#robot-name', 'Rusty');
+  await page.press('#robot-name', 'Enter');
+  await page.getByText('I am Rusty!').first().waitFor();
+  assert.match(await page.textContent('#say'), /I am Rusty! 5 of 5 tests understood/);
+  assert.ok(await dancing());
+  await page.reload();
+  await page.waitForSelector('body.ready');
+  assert.equal(await page.inputValue('#robot-name'), 'Rusty', 'the name stays');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-card')]);
+  assert.equal(download.suggestedFilename(), 'my-robot.png');
+  const [kind, width, height] = sizeOf(readFileSync(await download.path()));
+  assert.deepEqual([kind, width], ['PNG', 1080]);
+  assert.ok(height > 800, String(height));
   await close(page);
+});
+
+test('where motion is not wanted, the robot smiles and does not dance', async () => {
+  const page = await open(browser, { reducedMotion: 'reduce' });
+  await finished(page);
+  assert.equal(await page.locator('#plan .robot.happy').count(), 1);
+  assert.ok(!(await page.evaluate(() => document.getAnimations().length)));
+  await close(page);
+});
+
+test('from a server, the card has a code that a phone can read, and the system’s sheet gets card and link', async () => {
+  const server = createServer((_, answer) => answer.end(readFileSync(new URL('../../dist/goodbot.html', import.meta.url))));
+  await new Promise(done => { server.listen(0, '127.0.0.1', done); });
+  const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
+  const page = await (await browser.newContext()).newPage();
+  await page.addInitScript(() => {
+    navigator.canShare = () => true;
+    navigator.share = async data => { window.shared = data; };
+  });
+  await page.goto('http://127.0.0.1:' + port + '/');
+  await page.waitForSelector('body.ready');
+  await finished(page);
+  await page.click('#share-card');
+  await page.waitForFunction(() => window.shared);
+  const { url, title, widest } = await page.evaluate(async () => {
+    const { files: [file], url: link, title: name } = window.shared;
+    const image = await createImageBitmap(file);
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    const context = canvas.getContext('2d');
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    // The marks in the corners of a code are dark and light as 1 : 1 : 3 : 1 : 1.
+    let square = 0;
+    for (let y = 0; y < image.height; y += 1) {
+      const runs = [0];
+      for (let x = 1; x < image.width; x += 1) {
+        const [now, then] = [x, x - 1].map(at => data[(y * image.width + at) * 4] < 128);
+        if (now === then) runs[runs.length - 1] += 1;
+        else runs.push(1);
+      }
+      for (let at = 0; at + 4 < runs.length; at += 1) {
+        const [a, b, c, d, e] = runs.slice(at, at + 5);
+        if (a > 1 && a === b && a === d && a === e && c === 3 * a) square = Math.max(square, a);
+      }
+    }
+    return { url: link, title: name, widest: square };
+  });
+  assert.match(url, /^http:\/\/127\.0\.0\.1:\d+\/#robot=/);
+  assert.match(title, /^Meet /);
+  assert.ok(widest >= 4, 'a square of the code is ' + widest + ' pixels wide');
+  await page.context().close();
+  server.close();
 });
 
 test('the whole tour is watched in less than a minute', async () => {

@@ -7,6 +7,7 @@
 mod assemble;
 mod budget;
 mod languages;
+mod order;
 mod scripts;
 
 use std::path::{Path, PathBuf};
@@ -33,7 +34,7 @@ fn main() -> Result<()> {
     let texts = languages::read(&source.join("languages"))?.number(&mut scripts.others, &mut body)?;
     let shown =
         [("the style", assemble::style(&source)?), ("the body", body), ("the scripts with the glue", scripts.others), ("the texts", texts)];
-    let module = ("the module", &*std::fs::read(&wasm).with_context(|| format!("{} cannot be read", wasm.display()))?);
+    let module = ("the module", &*order::neighbours(&std::fs::read(&wasm).with_context(|| format!("{} cannot be read", wasm.display()))?)?);
     // In the order in which page/src/begin.js takes them.
     let parts: Vec<(&str, &[u8])> = shown.iter().map(|(name, text)| (*name, text.as_bytes())).chain([module]).collect();
     let page = assemble::assemble(&source, &parts, &scripts.begin)?;
