@@ -159,6 +159,8 @@ fn hostile_worlds_are_refused_by_line_at_once() {
     let kinds: Vec<String> = (0..20).map(|number| format!("\"p{number}(?l)\"")).collect();
     let more: String = (0..20).map(|number| format!(",\"p{number}\":[\"lamp\"]")).collect();
     let any = r#"{"name":"x","conditions":["r(?a,?b,?c)","r(?d,?e,?f)"],"effects":["on(?a)"]}"#;
+    let parameters = r#""?a":"lamp","?b":"lamp","?c":"lamp","?d":"lamp","?e":"none""#;
+    let wide = format!("{{\"name\":\"x\",\"parameters\":{{{parameters}}},\"effects\":[\"of(s0)\"]}}");
     let relation = ",\"r\":[\"lamp\",\"lamp\",\"lamp\"]";
     for (text, told) in [
         (world("", "", &lamps(10_000), light, on), "6: field \"objects\": are 10000, and 255 are the most"),
@@ -174,6 +176,12 @@ fn hostile_worlds_are_refused_by_line_at_once() {
         (
             world("", "", &format!("{{\"name\":\"{}\",\"class\":\"lamp\"}}", "x".repeat(5_000)), light, on),
             "6: field \"objects[0]\": too many bytes in a word",
+        ),
+        // None of the last class is there, but all others are chosen before.
+        (
+            world("", ",\"of\":[\"sole\"]", &format!("{},{{\"name\":\"s0\",\"class\":\"sole\"}}", lamps(200)), &wide, on)
+                .replace("\"classes\":[\"lamp\"]", "\"classes\":[\"lamp\",\"none\",\"sole\"]"),
+            "207: field \"actions[0]\": can be done with more objects than can be tried",
         ),
         (
             world("", "", &lamps(64), r#"{"name":"x","effects":["on(l0)"]}"#, on),

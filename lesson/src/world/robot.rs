@@ -19,6 +19,7 @@ use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::session::RecordedSession;
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
 use goodbot_formats::world::{ActionOfWorld, Literal, SessionInWorld, Term, WorldFile};
+use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
 
@@ -49,6 +50,8 @@ pub const MOST_OBJECTS: usize = 255;
 pub const MOST_TASKS_OF_A_ROBOT: usize = Capacities::STANDARD.tasks;
 /// The bytes of all names and values.
 const NAME_BYTES_TOGETHER: usize = 60_000;
+/// The most variables, each for a choice of objects.
+const MOST_DIGITS: usize = 1 << 16;
 /// The most ways to apply an action's conditions and effects to objects, of all actions together.
 const MOST_CASES: usize = 1 << 20;
 
@@ -441,6 +444,9 @@ impl Mechanism {
     }
 
     fn add_digit(&mut self, name: &str, values: u64) -> Result<usize, Flaw> {
+        if self.digits.len() >= MOST_DIGITS {
+            return flaw(format!("propositions.{name}"), "gives more variables than can be kept; leave out objects or what changes");
+        }
         self.digits.push(Digit { unit: self.states, values });
         match self.states.checked_mul(values).filter(|&states| states < u64::MAX) {
             Some(states) => self.states = states,
@@ -499,17 +505,10 @@ impl Mechanism {
             }
         }
         let bound: Vec<(&str, ClassId)> = action.parameters.iter().map(|(name, of)| (name.as_str(), class(of))).collect();
-        let mut cases_of_all = 0_usize;
+        let tries = Tries::new(format!("actions[{position}]"), "can be done with more objects than can be tried; give it fewer variables");
         let mut one = |binding: &Binding<'_>| -> Result<(), Flaw> {
             let mut cases = Vec::new();
-            each_binding(objects, &free, binding, &mut |binding| {
-                cases_of_all += 1;
-                if cases_of_all > MOST_CASES {
-                    return flaw(
-                        format!("actions[{position}]"),
-                        "can be done with more objects than can be tried; give it fewer variables",
-                    );
-                }
+            each_binding(objects, &free, binding, &tries, &mut |binding| {
                 cases.extend(self.case(action, schema, objects, binding));
                 Ok(())
             })?;
@@ -521,7 +520,7 @@ impl Mechanism {
             }
             Ok(())
         };
-        each_binding(objects, &bound, &BTreeMap::new(), &mut one)
+        each_binding(objects, &bound, &BTreeMap::new(), &tries, &mut one)
     }
 
     /// What happens with these objects, where that can ever be.
@@ -562,13 +561,14 @@ fn choices(objects: Objects<'_>, classes: &[ClassId]) -> Result<Vec<[ObjectId; A
     let names = ["0", "1", "2"];
     let variables: Vec<(&str, ClassId)> = names.iter().copied().zip(classes.iter().copied()).collect();
     let mut all = Vec::new();
-    each_binding(objects, &variables, &BTreeMap::new(), &mut |binding| {
+    let tries = Tries::new("objects".to_owned(), "give more propositions than can be told apart; leave out some");
+    each_binding(objects, &variables, &BTreeMap::new(), &tries, &mut |binding| {
         let mut arguments = [ObjectId::new(0); ARGUMENTS];
         for (slot, (name, _)) in arguments.iter_mut().zip(&variables) {
             *slot = binding.get(name).copied().unwrap_or(ObjectId::new(0));
         }
         all.push(arguments);
-        if all.len() > MOST_CASES { flaw("objects", "give more propositions than can be told apart; leave out some") } else { Ok(()) }
+        Ok(())
     })?;
     Ok(all)
 }
@@ -576,19 +576,44 @@ fn choices(objects: Objects<'_>, classes: &[ClassId]) -> Result<Vec<[ObjectId; A
 /// The object of each variable.
 type Binding<'v> = BTreeMap<&'v str, ObjectId>;
 
+/// How many more choices of an object are tried, and what is at fault where that is not enough.
+struct Tries {
+    left: Cell<usize>,
+    field: String,
+    message: &'static str,
+}
+
+impl Tries {
+    const fn new(field: String, message: &'static str) -> Self {
+        Self { left: Cell::new(MOST_CASES), field, message }
+    }
+
+    fn take(&self) -> Result<(), Flaw> {
+        match self.left.get().checked_sub(1) {
+            Some(left) => {
+                self.left.set(left);
+                Ok(())
+            }
+            None => flaw(self.field.clone(), self.message),
+        }
+    }
+}
+
 /// Each choice of objects for variables beside those that have theirs; different variables have different objects.
 fn each_binding<'v>(
     objects: Objects<'_>,
     variables: &[(&'v str, ClassId)],
     before: &Binding<'v>,
+    tries: &Tries,
     each: &mut dyn FnMut(&Binding<'v>) -> Result<(), Flaw>,
 ) -> Result<(), Flaw> {
     let Some((&(name, class), rest)) = variables.split_first() else { return each(before) };
     for object in objects.of_class(class) {
+        tries.take()?;
         if before.values().all(|&taken| taken != object) {
             let mut binding = before.clone();
             binding.insert(name, object);
-            each_binding(objects, rest, &binding, each)?;
+            each_binding(objects, rest, &binding, tries, each)?;
         }
     }
     Ok(())

@@ -22,6 +22,8 @@ use sweep::{Named, Swept, costs, sweep};
 const WHOLE: &str = "whole";
 /// The attribute that has an object's name, for words to mean.
 const NAME: &str = "name";
+/// The most parameters of an action.
+const MOST_PARAMETERS: usize = 32;
 /// The most propositions that a kind of task has here.
 const MOST_GOALS: usize = 4;
 
@@ -76,6 +78,10 @@ fn check(named: &Named<'_>, problem: &Problem) -> Result<(), Flaw> {
         }
     };
     for schema in &named.domain.actions {
+        if schema.parameters.len() > MOST_PARAMETERS {
+            let message = format!("line {}: {} has more than {MOST_PARAMETERS} parameters; give it fewer", schema.line, schema.name);
+            return flaw("actions", message);
+        }
         let atoms = schema.conditions.iter().map(|(atom, _)| atom).chain(&schema.adds).chain(&schema.deletes);
         atoms.into_iter().try_for_each(|atom| known(atom, &schema.parameters))?;
     }

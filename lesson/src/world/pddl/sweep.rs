@@ -7,6 +7,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 /// So many states are looked at, and so many actions with their objects.
 const MOST_STATES: usize = 200_000;
 const MOST_ACTIONS: usize = 20_000;
+/// So many choices of an object are tried for all actions together.
+const MOST_TRIES: usize = 2_000_000;
 
 /// A proposition of objects, all by their positions.
 type Fact = (usize, Vec<usize>);
@@ -117,10 +119,10 @@ pub fn sweep(named: &Named<'_>, problem: &Problem) -> Result<Option<Swept>, Flaw
     let none = BTreeMap::new();
     let init: BTreeSet<Fact> = problem.init.iter().filter_map(|atom| named.fact(atom, &none)).collect();
     let start: BTreeSet<usize> = init.iter().map(|fact| facts.number(fact.clone())).collect();
-    let mut actions = Vec::new();
+    let (mut actions, mut tries) = (Vec::new(), MOST_TRIES);
     for (position, schema) in named.domain.actions.iter().enumerate() {
-        ground(named, (position, schema), &mut BTreeMap::new(), &changed, &init, &mut facts, &mut actions);
-        if actions.len() > MOST_ACTIONS {
+        ground(named, (position, schema), &mut BTreeMap::new(), &changed, &init, &mut facts, &mut actions, &mut tries);
+        if actions.len() > MOST_ACTIONS || tries == 0 {
             return Ok(None);
         }
     }
@@ -194,6 +196,7 @@ fn look(state: &[usize], facts: &Facts, swept: &mut Swept, is_first: bool) {
 }
 
 /// Each choice of objects for the parameters that can ever be.
+#[expect(clippy::too_many_arguments, reason = "what is chosen, what it is chosen from, and what comes of it")]
 fn ground<'p>(
     named: &Named<'p>,
     (position, schema): (usize, &'p Schema),
@@ -202,6 +205,7 @@ fn ground<'p>(
     init: &BTreeSet<Fact>,
     facts: &mut Facts,
     actions: &mut Vec<Ground>,
+    tries: &mut usize,
 ) {
     // What no action changes must be as at first, as soon as its objects are chosen.
     for (atom, holds) in &schema.conditions {
@@ -220,7 +224,8 @@ fn ground<'p>(
             return;
         }
     }
-    if actions.len() > MOST_ACTIONS {
+    *tries = tries.saturating_sub(1);
+    if actions.len() > MOST_ACTIONS || *tries == 0 {
         return;
     }
     if let Some(next) = schema.parameters.iter().find(|it| !binding.contains_key(it.name.as_str())) {
@@ -228,7 +233,7 @@ fn ground<'p>(
             (0..named.objects.len()).filter(|&object| named.objects.get(object).is_some_and(|it| named.is_a(&it.kind, &next.kind)))
         {
             binding.insert(&next.name, object);
-            ground(named, (position, schema), binding, changed, init, facts, actions);
+            ground(named, (position, schema), binding, changed, init, facts, actions, tries);
         }
         binding.remove(next.name.as_str());
         return;
