@@ -1,0 +1,232 @@
+"""Other learners on the same splits as `goodbot evaluate`: logistic regression over words, and a conditional logit over the possible tasks.
+
+    pip install scikit-learn==1.9.1
+    python benches/peers/understanding.py GOODBOT FILE.jsonl...
+
+GOODBOT is the program. Each FILE is a log of homes or of worlds. goodbot answers in ten parts, and its answers tell which sessions were left
+out together; both peers learn from the same sessions and are asked the same. The strength of their pull to 0 is chosen inside the training
+data, in three parts. Standard output: a table, right (log loss) for each.
+"""
+import collections
+import itertools
+import json
+import re
+import subprocess
+import sys
+
+import numpy as np
+from scipy.optimize import minimize
+from sklearn.feature_extraction.text import CountVectorizer
+from sklearn.linear_model import LogisticRegression
+
+PULLS = (0.1, 0.3, 1.0, 3.0)
+TWO_GOALS = "agentInRoom(?a,?r1) & blockInRoom(?o,?r2)"
+PARTS = 10
+
+
+class Session:
+    """A command, the names of the tasks that it may mean, the parts of each, and the position of what was meant."""
+
+    def __init__(self, record, names, parts, group):
+        self.name, self.command, self.names, self.parts, self.group = record["id"], record["command"], names, parts, group
+        wanted = tuple(sorted(record["intended"]))
+        self.meant = names.index(wanted) if wanted in names else None
+
+    def label(self):
+        return " ".join(map(str, self.parts[self.meant]))
+
+
+def room_of(thing, rooms):
+    inside = (room for room in rooms if room["left"] <= thing["x"] <= room["right"] and room["bottom"] <= thing["y"] <= room["top"])
+    return next(inside, {"color": "none"})
+
+
+def tasks_of_home(home):
+    """Tasks of the paper's kinds, and of two goals, with values of each object by its role."""
+    of = lambda kind: [it for it in home["objects"] if it["class"] == kind]
+    rooms, blocks, agent = of("room"), of("block"), of("agent")[0]
+    tasks = []
+    go = lambda room: f"agentInRoom({agent['name']},{room['name']})"
+    take = lambda block, room: f"blockInRoom({block['name']},{room['name']})"
+    block_parts = lambda block: [("block", block["color"]), ("block", block["shape"]), ("from", room_of(block, rooms)["color"])]
+    there = lambda role, room, but: [(role, it[a]) for it in blocks if it is not but and room_of(it, rooms) is room for a in ("color", "shape")]
+    for room in rooms:
+        tasks.append(((go(room),), [("kind", "go"), ("agent to", room["color"])] + there("there", room, None)))
+        for block in blocks:
+            parts = [("kind", "take"), ("block to", room["color"])] + block_parts(block) + there("there", room, block)
+            tasks.append(((take(block, room),), parts))
+            for other in rooms:
+                if other is not room:
+                    both = [("kind", "both"), ("agent to", other["color"]), ("block to", room["color"])] + block_parts(block)
+                    tasks.append((tuple(sorted((go(other), take(block, room)))), both))
+    return [name for name, _ in tasks], [sorted(set(parts)) for _, parts in tasks]
+
+
+def tasks_of_world(world, facts):
+    """Tasks of a world: the words of the proposition's name, and what holds of each object by its place."""
+    objects, alone = {it["name"]: it for it in world["objects"]}, collections.defaultdict(list)
+    for fact in facts:
+        function, arguments = re.match(r"(\w+)\((.*)\)$", fact).groups()
+        if "," not in arguments:
+            alone[arguments].append(function)
+    names, parts = [], []
+    for kind in world["task_kinds"]:
+        function = re.match(r"\w+", kind)[0]
+        choices = ([it["name"] for it in world["objects"] if it["class"] == wanted] for wanted in world["propositions"][function])
+        for bound in itertools.product(*choices):
+            name = f"{function}({','.join(bound)})"
+            if len(set(bound)) < len(bound) or name in facts:
+                continue
+            said = [("is", word) for word in re.findall(r"[A-Z]?[a-z]+", function)]
+            for place, it in enumerate(bound):
+                for attribute, value in objects[it]["attributes"].items():
+                    said += [(f"{place} {attribute}", value)] + [(f"{place} {attribute} is", fact) for fact in alone[value]]
+                said += [(f"{place} is", fact) for fact in alone[it]]
+            names.append((name,))
+            parts.append(sorted(set(said)))
+    return names, parts
+
+
+def read(path):
+    worlds, known, sessions = {}, {}, []
+    for line in open(path, encoding="utf-8"):
+        record = json.loads(line)
+        if record["type"] == "world":
+            worlds[record["name"]] = record
+        elif record["type"] == "command":
+            world = worlds[record["world"]]
+            facts = record.get("facts", world.get("facts", []))
+            key = (record["world"], tuple(sorted(facts)))
+            if key not in known:
+                known[key] = tasks_of_world(world, set(facts))
+            sessions.append(Session(record, *known[key], record.get("group", record["id"])))
+        elif record["type"] == "session":
+            key = json.dumps(record["environment"])
+            if key not in known:
+                known[key] = tasks_of_home(record["environment"])
+            sessions.append(Session(record, *known[key], record["id"]))
+    return sessions, bool(worlds)
+
+
+def goodbot(program, path, worlds):
+    """The answers, and which sessions were left out together."""
+    options = [] if worlds else ["--k-fold", str(PARTS), "--task", TWO_GOALS]
+    run = subprocess.run([program, "evaluate", path, "--json", "--keep-going", *options], capture_output=True, text=True, check=True)
+    lines = [json.loads(line) for line in run.stdout.splitlines()]
+    return [line for line in lines if line["type"] == "answer"], lines[-1]
+
+
+def parts_of(answers, sessions):
+    """The answers come part by part; the first parts have a session or group more where they cannot be equal."""
+    by_name = {it.name: it for it in sessions}
+    asked = [by_name[answer["session"]] for answer in answers]
+    groups = list(dict.fromkeys(it.group for it in asked))
+    count = min(PARTS, len(groups))
+    sizes = [len(groups) // count + (part < len(groups) % count) for part in range(count)]
+    ends = np.cumsum(sizes)
+    part_of = {group: int(np.searchsorted(ends, position, side="right")) for position, group in enumerate(groups)}
+    return [[it for it in asked if part_of[it.group] == part] for part in range(count)]
+
+
+def logistic(taught, asked, pull):
+    """Logistic regression: the words alone choose among the meanings that were taught."""
+    labels = sorted({it.label() for it in taught})
+    words = CountVectorizer(binary=True, token_pattern=r"(?u)[^\W_]+")
+    matrix = words.fit_transform(it.command for it in taught)
+    model = LogisticRegression(C=1 / pull, max_iter=500).fit(matrix, [it.label() for it in taught])
+    shares = model.predict_proba(words.transform(it.command for it in asked))
+    place = {label: position for position, label in enumerate(model.classes_)}
+    result = []
+    for it, row in zip(asked, shares):
+        # What was never taught has no probability; a thousandth is left for all such meanings together.
+        share = 0.999 * row[place[it.label()]] if it.label() in place else 0.001
+        result.append((labels[int(row.argmax())] == it.label(), share))
+    return result
+
+
+def conditional(taught, asked, pull):
+    """A conditional logit: a weight for each word with each part of a task, over the tasks that are possible in each session."""
+    dims, words = {}, {}
+    tokens = lambda it: {"#"} | set(re.findall(r"[^\W_]+", it.command.lower()))
+    for it in taught + asked:
+        for part in itertools.chain.from_iterable(it.parts):
+            dims.setdefault(part, len(dims))
+    for it in taught:
+        for word in tokens(it):
+            words.setdefault(word, len(words))
+    tables = {}
+    for it in taught + asked:
+        if id(it.parts) not in tables:
+            table = np.zeros((len(it.parts), len(dims)))
+            for task, parts in enumerate(it.parts):
+                table[task, [dims[part] for part in parts]] = 1
+            tables[id(it.parts)] = table
+    heard = np.zeros((len(taught), len(words)))
+    alike = collections.defaultdict(list)
+    for number, it in enumerate(taught):
+        heard[number, [words[word] for word in tokens(it)]] = 1
+        alike[id(it.parts)].append(number)
+
+    def loss(flat):
+        weights = flat.reshape(len(words), len(dims))
+        scores, slopes, whole = heard @ weights, np.zeros((len(taught), len(dims))), 0.0
+        for key, numbers in alike.items():
+            shares = scores[numbers] @ tables[key].T
+            shares = np.exp(shares - shares.max(1, keepdims=True))
+            shares /= shares.sum(1, keepdims=True)
+            rows, meant = np.arange(len(numbers)), [taught[number].meant for number in numbers]
+            whole -= np.log(shares[rows, meant] + 1e-30).sum()
+            shares[rows, meant] -= 1
+            slopes[numbers] = shares @ tables[key]
+        return whole + 0.5 * pull * (weights**2).sum(), (heard.T @ slopes + pull * weights).ravel()
+
+    fitted = minimize(loss, np.zeros(len(words) * len(dims)), jac=True, method="L-BFGS-B", options={"maxiter": 60})
+    weights, result = fitted.x.reshape(len(words), len(dims)), []
+    for it in asked:
+        known = [words[word] for word in tokens(it) if word in words]
+        scores = tables[id(it.parts)] @ weights[known].sum(0)
+        shares = np.exp(scores - scores.max())
+        shares /= shares.sum()
+        result.append((int(shares.argmax()) == it.meant, shares[it.meant]))
+    return result
+
+
+def summed(answers):
+    right, loss = np.mean([right for right, _ in answers]), np.mean([-np.log(max(share, 1e-6)) for _, share in answers])
+    return right, loss
+
+
+def peer(learner, parts):
+    """Asks each part of a learner that was taught the others, with the pull of the least loss inside those."""
+    answers = []
+    for part in parts:
+        others = [it for other in parts if other is not part for it in other]
+        groups = list(dict.fromkeys(it.group for it in others))
+        inner = [[it for it in others if it.group in set(groups[start::3])] for start in range(3)]
+        inside = lambda pull: sum(
+            -np.log(max(share, 1e-6))
+            for left in inner
+            for _, share in learner([it for it in others if it not in left], left, pull)
+        )
+        answers += learner(others, part, min(PULLS, key=inside))
+    return summed(answers)
+
+
+def main():
+    program, *paths = sys.argv[1:]
+    print("| log | commands | logistic regression | conditional logit | goodbot |\n|---|---:|---:|---:|---:|")
+    for path in paths:
+        sessions, worlds = read(path)
+        answers, summary = goodbot(program, path, worlds)
+        parts = parts_of(answers, sessions)
+        cells = [f"{100 * summary['accuracy']:.1f} % ({summary['log_loss']:.3f})"]
+        for learner in (conditional, logistic):
+            # Where no meaning is asked that was taught, words alone cannot be right.
+            told = "-" if worlds and learner is logistic else "{:.1f} % ({:.3f})".format(*(lambda it: (100 * it[0], it[1]))(peer(learner, parts)))
+            cells.insert(0, told)
+        name = path.rsplit("/", 1)[-1].removesuffix(".jsonl")
+        print(f"| {name} | {len(answers)} | {' | '.join(cells)} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
