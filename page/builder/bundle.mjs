@@ -1,9 +1,9 @@
-// Joins the page's scripts into two small ones, the beginning and all others with the module's glue: `node bundle.mjs GLUE BEGIN OTHERS`.
+// Joins the page's scripts into two small ones, the beginning and all others with the module's glue: `node bundle.mjs GLUE BEGIN OTHERS VERSION`.
 import { resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 
-const [glue, begin, others] = process.argv.slice(2);
+const [glue, begin, others, version] = process.argv.slice(2);
 const source = name => [fileURLToPath(new URL('../src/' + name, import.meta.url))];
 const small = { bundle: true, format: 'iife', minify: true, charset: 'utf8', legalComments: 'none', logLevel: 'warning' };
 await build({ ...small, entryPoints: source('begin.js'), outfile: begin });
@@ -11,5 +11,5 @@ await build({
   ...small, entryPoints: source('main.js'), outfile: others, globalName: 'goodbotPage',
   alias: { 'goodbot-wasm': resolve(glue) },
   // The glue's own way to fetch the module from beside itself is never taken.
-  define: { 'import.meta.url': 'undefined' },
+  define: { 'import.meta.url': 'undefined', GOODBOT_VERSION: JSON.stringify(version) },
 });

@@ -49,18 +49,22 @@ export function renderCharts() {
   chart('chart-score', [all], t('charts.score') + ': ' + all.map(p => (p === null ? '–' : percent(p))).join(', '));
 }
 
+// The paper that the robot implements.
+const CITATION = 'MacGlashan et al. (2014): Training an Agent to Ground Commands with Reward and Punishment';
+
 const cell = value => (/[",\n]/.test(String(value)) ? '"' + String(value).replaceAll('"', '""') + '"' : String(value));
 
 /** The sessions that this robot was taught by as a table: a line for each step. */
 export function saveTable() {
-  const rows = [['session', 'command', 'heard', 'step', 'action', 'feedback']];
+  const rows = [['session', 'command', 'heard', 'step', 'action', 'feedback', 'seed', 'version', 'citation']];
+  const about = () => [state.robot.seeds?.[learned] ?? '', 'goodbot ' + GOODBOT_VERSION, CITATION];
   let [session, step, command, learned] = [0, 0, '', 0];
   for (const line of logOf(state.robot).split('\n').filter(Boolean)) {
     const record = JSON.parse(line);
     if (record.type === 'session') [session, step, command] = [session + 1, 0, record.command];
-    if (record.type === 'step') rows.push([session, command, scores()[learned] ?? '', step += 1, record.action, record.feedback ?? ''].map(String));
+    if (record.type === 'step') rows.push([session, command, scores()[learned] ?? '', step += 1, record.action, record.feedback ?? '', ...about()].map(String));
     // A session that was ended before its first step is one, too.
-    if (record.type === 'end' && !step) rows.push([session, command, scores()[learned] ?? '', '', '', ''].map(String));
+    if (record.type === 'end' && !step) rows.push([session, command, scores()[learned] ?? '', '', '', '', ...about()].map(String));
     if (record.type === 'end' && record.learn) learned += 1;
   }
   if (rows.length === 1) tell(t('settings.noLog'));

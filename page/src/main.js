@@ -19,7 +19,7 @@ import { $, all, attempt, make, state } from './state.js';
 import { openLast, othersTaught, wouldBeLost } from './store.js';
 import { setUpTabs } from './tabs.js';
 import { renderHeat } from './thoughts.js';
-import { beginAppendix, beginStop, enterStop, restartTour, watchTour } from './tour.js';
+import { beginAppendix, beginStop, enterStop, restartTour, setUpTour, watchTour } from './tour.js';
 import { isThere } from './words.js';
 
 function setUp() {
@@ -32,6 +32,7 @@ function setUp() {
   setUpNext();
   setUpOwnTests();
   setUpTabs();
+  setUpTour();
   watchSize();
   for (const button of all('button[data-mode]')) button.addEventListener('click', () => setMode(button.dataset.mode));
   for (const [id, action] of Object.entries({

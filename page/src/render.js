@@ -41,7 +41,7 @@ export function render() {
   const [head, rest] = speech();
   $('say').replaceChildren(make('strong', {}, head), ' ', make('span', {}, rest));
   $('else').hidden = !state.already || Boolean(session);
-  $('tell').hidden = state.mode === 'build' || state.mode === 'tour';
+  $('tell').hidden = state.mode !== 'play' || state.secret === 'open';
   $('train').hidden = state.mode === 'build';
   $('plan').parentElement.hidden = state.mode === 'build';
   $('command').hidden = Boolean(session);

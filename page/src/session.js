@@ -449,6 +449,7 @@ export async function finishSession() {
       }
       const { robot } = state;
       robot.scores = Object.assign([...(robot.scores || [])], { [world.sessions() - 1]: sure });
+      robot.seeds = Object.assign([...(robot.seeds || [])], { [world.sessions() - 1]: state.settings.seed });
       return own;
     });
   } catch (error) {

@@ -2,6 +2,7 @@
 import { Goodbot, parsed } from './core.js';
 import { LEARN_BUDGET } from './session.js';
 import { state } from './state.js';
+import { inOwnWords } from './tour.js';
 import { askedIn, sceneOf, taskWords } from './words.js';
 
 /** @typedef {{ home: string, intended: string, test: boolean }} Stop */
@@ -18,7 +19,7 @@ const sureOf = (tasks, { intended }) => tasks.find(task => task.name === intende
 export function sureness(stops) {
   const key = [state.robot.model, document.documentElement.lang].join();
   if (about === key) return known;
-  const commandOf = stop => taskWords(stop.intended, sceneOf(JSON.parse(stop.home)));
+  const commandOf = stop => inOwnWords(taskWords(stop.intended, sceneOf(JSON.parse(stop.home))));
   const silent = new Goodbot(state.settings.seed);
   for (const stop of stops.filter(({ test }) => !test)) {
     silent.setEnvironment(stop.home);

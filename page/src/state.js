@@ -79,7 +79,9 @@ export const state = {
   // What is being learned from, where that takes a while.
   progress: '',
   sessions: 0,
-  tour: { at: 0, done: /** @type {string[]} */ ([]), watching: false },
+  tour: { at: 0, done: /** @type {string[]} */ ([]), said: /** @type {Record<string, string>} */ ({}), watching: false },
+  // Whether the trainer thinks that the next test will be understood: yes, no, or nothing yet.
+  guess: '',
   settings: /** @type {Record<string, any>} */ ({
     speed: 'normal', rule: 'linear', style: 'population', questions: true, voice: false, presenter: false, shortcuts: true, ghost: true, names: true, theme: 'auto', language: 'auto', pull: false, seed: 2014,
   }),

@@ -18,7 +18,7 @@ const DAYS_KEPT = 30;
  * @property {string} what what was done since
  * @property {string} model
  * @property {number} sessions
- * @property {{ at: number, done: string[] }} tour
+ * @property {{ at: number, done: string[], said?: Record<string, string> }} tour
  * @property {boolean} [ways]
  * @property {number} length how long the log is there
  * @property {string} [rest] the log's lines that come again on the way forward
@@ -34,9 +34,10 @@ const DAYS_KEPT = 30;
  * @property {number} deleted when it was deleted, or 0
  * @property {string} model
  * @property {number} sessions
- * @property {{ at: number, done: string[] }} tour
+ * @property {{ at: number, done: string[], said?: Record<string, string> }} tour where the tour stands, and one's own words for its commands
  * @property {boolean} [ways] whether commands to it may say how
  * @property {(number | null)[]} [scores] for each session, how sure it was of what it was taught, when it heard it
+ * @property {(number | null)[]} [seeds] for each session, the seed of the robot's choices
  * @property {import('./owntests.js').OwnTest[]} [tests] commands that it is tested by
  * @property {Point[]} past
  * @property {Point[]} future
@@ -82,7 +83,7 @@ function writeLog(robot, log) {
   else shelf.put('log.' + robot.id, log || null);
 }
 
-const tourNow = () => ({ at: state.tour.at, done: [...state.tour.done] });
+const tourNow = () => ({ at: state.tour.at, done: [...state.tour.done], said: { ...state.tour.said } });
 
 /** @returns {Point} */
 const pointNow = what => ({ what, model: state.robot.model, sessions: state.robot.sessions, tour: tourNow(), ways: world.ways(), length: logOf(state.robot).length });
@@ -185,7 +186,7 @@ export async function open(robot) {
   await takeModel(fromBase64(robot.model), robot.ways === true);
   state.robot = robot;
   state.secret = '';
-  state.tour = { at: robot.tour.at, done: [...robot.tour.done], watching: false };
+  state.tour = { at: robot.tour.at, done: [...robot.tour.done], said: { ...robot.tour.said }, watching: false };
   if (robot.log !== undefined) return;
   shelf.ofTab.put('robot', robot.id);
   shelf.put('last', robot.id);

@@ -7,7 +7,7 @@ import { beginGuest, endGuest, newRobot } from './roster.js';
 import { endWalk, leaveSession, refresh, startSession, stopSession } from './session.js';
 import * as shelf from './shelf.js';
 import { considerWays } from './settings.js';
-import { $, announce, attempt, make, percent, state } from './state.js';
+import { $, all, announce, attempt, make, percent, state } from './state.js';
 import { APPENDIX } from './storeys.js';
 import { keepTour, logOf } from './store.js';
 import { taskWords, understands } from './words.js';
@@ -26,17 +26,22 @@ const stopAt = () => stops()[state.tour.at];
 // The home must be that of the lesson or test.
 const commandOf = stop => taskWords(stop.intended);
 
+/** A command of the tour in one's own words, where they were said.
+ * @param {string} command */
+export const inOwnWords = command => state.tour.said[command] || command;
+
 // What a test says of its command: three of the paper's tests repeat a lesson's, in another home. Only a log that knows all of a robot's sessions
 // tells what it has heard.
 function aboutTest(stop) {
   const log = logOf(state.robot);
   if ((log.match(/"learn":true/g) || []).length < state.sessions) return t('tour.hint.test');
-  return t(log.includes(JSON.stringify({ command: commandOf(stop) }).slice(1, -1)) ? 'tour.hint.testTaught' : 'tour.hint.testNew');
+  return t(log.includes(JSON.stringify({ command: inOwnWords(commandOf(stop)) }).slice(1, -1)) ? 'tour.hint.testTaught' : 'tour.hint.testNew');
 }
 
 export function enterStop(at) {
   stopSession();
-  [state.said, state.verdict, state.astray] = [null, '', false];
+  [state.said, state.verdict, state.astray, state.guess] = [null, '', false, ''];
+  $('own-words').value = '';
   state.tour.at = Math.max(0, Math.min(at, stops().length));
   const stop = stopAt();
   // After the last test the robot stays where the tests were.
@@ -75,8 +80,10 @@ export function beginStop(auto) {
   }
   world.reset();
   refresh();
+  const own = auto || !mayReword() ? '' : $('own-words').value.trim();
+  if (own) state.tour.said[commandOf(stop)] = own;
   // Feedback to steps hardly tells ways apart: who trains by itself picks the meaning.
-  const session = startSession(commandOf(stop), { intended: stop.test ? null : auto ? stop.intended : null, looking: stop.test, picked: stop.appendix && auto && !stop.test ? stop.intended : '' });
+  const session = startSession(inOwnWords(commandOf(stop)), { intended: stop.test ? null : auto ? stop.intended : null, looking: stop.test, picked: stop.appendix && auto && !stop.test ? stop.intended : '' });
   if (!session) return;
   attend(session);
   if (!stop.test) return;
@@ -91,7 +98,8 @@ function verdictOf(stop, session) {
   const [best] = session.heard;
   const [understood, meant] = [understands(best, stop.intended), best.name === stop.intended];
   const verdict = !stop.test ? (understood && hasStar(session) ? 'tour.starLesson' : 'tour.plainLesson') : understood ? 'tour.starTest' : meant ? 'tour.luckyTest' : 'tour.wrongTest';
-  return t(verdict, { name: nameOf(state.tour.at), task: best.words, sure: percent(best.probability) });
+  const guess = stop.test && state.guess ? ' ' + t((state.guess === 'yes') === understood ? 'tour.guessRight' : 'tour.guessWrong') : '';
+  return t(verdict, { name: nameOf(state.tour.at), task: best.words, sure: percent(best.probability) }) + guess;
 }
 
 // Nobody knows whether it was right where nobody said a word.
@@ -161,23 +169,36 @@ export async function restartTour() {
   enterStop(0);
 }
 
+// In the first lesson one tap is enough; from the second on people say it in their own words.
+const mayReword = () => state.tour.at > 0 && Boolean(stopAt());
+
+export function setUpTour() {
+  $('own-words').addEventListener('keydown', event => { if (event.key === 'Enter' && !event.isComposing) beginStop(false); });
+  for (const button of all('#guess button')) {
+    button.addEventListener('click', () => {
+      state.guess = button.dataset.guess;
+      render();
+    });
+  }
+}
+
 /** Whether the tour has come to its end, and nothing else is going on. */
 export const isOver = () => state.mode === 'tour' && !state.session && !stopAt();
 
 export function renderTour() {
   const { at, done, watching } = state.tour;
-  const all = stops();
-  const stop = all[at];
+  const each = stops();
+  const stop = each[at];
   const lessons = course.lessons.length;
   $('tour').hidden = state.mode !== 'tour';
   if (state.mode !== 'tour') return;
   $('dots').dataset.about = t('tour.dotsShort');
-  $('dots').replaceChildren(...all.map((each, index) => {
-    const status = t(done[index] ? (done[index] === 'right' ? 'tour.status.right' : each.test || done[index] === 'astray' ? 'tour.status.wrong' : 'tour.status.learned') : index === at ? 'tour.status.now' : 'tour.status.later');
+  $('dots').replaceChildren(...each.map((one, index) => {
+    const status = t(done[index] ? (done[index] === 'right' ? 'tour.status.right' : one.test || done[index] === 'astray' ? 'tour.status.wrong' : 'tour.status.learned') : index === at ? 'tour.status.now' : 'tour.status.later');
     const name = t('tour.dot', { name: nameOf(index), status });
     return make('li', {}, make('button', {
-      type: 'button', class: [each.test ? 'test' : 'lesson', index === at ? 'now' : '', done[index] || ''].join(' '), 'aria-current': index === at ? 'step' : null, title: name, 'aria-label': name, onclick: () => jumpTo(index),
-    }, done[index] === 'right' ? '★' : done[index] ? (each.test || done[index] === 'astray' ? '✗' : '✓') : each.test ? '?' : index + 1));
+      type: 'button', class: [one.test ? 'test' : 'lesson', index === at ? 'now' : '', done[index] || ''].join(' '), 'aria-current': index === at ? 'step' : null, title: name, 'aria-label': name, onclick: () => jumpTo(index),
+    }, done[index] === 'right' ? '★' : done[index] ? (one.test || done[index] === 'astray' ? '✗' : '✓') : one.test ? '?' : index + 1));
   }));
   $('score').textContent = stop && done.length > lessons ? scoreWords() : '';
   if (!stop) {
@@ -187,15 +208,20 @@ export function renderTour() {
     const name = stop.appendix ? nameOf(at) : stop.test ? t('tour.testOf', { n: at - lessons + 1, of: course.tests.length }) : t('tour.lessonOf', { n: at + 1, of: lessons });
     // The command stands where the language has it, with its words underlined.
     const [before, after] = t('tour.said', { name, command: '\0' }).split('\0');
-    $('tour-title').replaceChildren(...(state.session ? [before, ...heardWords(state.session.command), after] : [name]));
+    $('tour-title').replaceChildren(...(state.session ? [before, ...heardWords(state.session.command), after] : mayReword() ? [before, commandOf(stop), after] : [name]));
     $('tour-hint').textContent = stop.test ? aboutTest(stop) : named('tour.hint.' + (stop.appendix ? 'way' : at + 1)) || '';
   }
   const walking = Boolean(state.session?.looking);
   $('verdict').hidden = !state.verdict || (Boolean(state.session) && !walking);
   $('verdict').textContent = state.verdict;
-  renderFinale(!stop, scoreWords(), all.filter(one => !one.appendix));
+  renderFinale(!stop, scoreWords(), each.filter(one => !one.appendix));
   $('lesson').hidden = !stop || watching || (Boolean(state.session) && !walking);
-  $('lesson').textContent = stop ? walking ? t('tour.skip') : t(stop.test ? 'tour.ask' : 'tour.tell', { command: commandOf(stop) }) : '';
+  $('lesson').textContent = !stop ? '' : walking ? t('tour.skip') : mayReword() ? t(stop.test ? 'tour.askIt' : 'tour.tellIt') : t('tour.tell', { command: commandOf(stop) });
+  const idle = Boolean(stop) && !watching && !state.session;
+  $('own-way').hidden = !idle || !mayReword();
+  $('own-words').placeholder = stop ? inOwnWords(commandOf(stop)) : '';
+  $('guess').hidden = !idle || !stop.test;
+  for (const button of all('#guess button')) button.setAttribute('aria-pressed', String(button.dataset.guess === state.guess));
   const taught = state.astray && !state.session && state.robot.past.at(-1);
   $('amend').hidden = !taught;
   $('amend').textContent = taught ? t('undo', taught) : '';

@@ -147,7 +147,7 @@ test('the table has every session, also those that were ended at their first ste
   await opened(page, 'Charts');
   const lines = String(await saved(page, '#save-table')).trim().split('\r\n');
   assert.equal(lines.length, 8);
-  assert.match(lines[1], /^1,go to the green room,0\.\d+,,,$/);
+  assert.match(lines[1], /^1,go to the green room,0\.\d+,,,,2014,goodbot /);
   await close(page);
 });
 

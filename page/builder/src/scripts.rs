@@ -28,7 +28,11 @@ pub fn bundle(page: &Path, generated: &Path, node: &Path) -> Result<Scripts> {
     run(Command::new(node).arg(packages.join("typescript/bin/tsc")).arg("--project").arg(&config), "the types in page/src are wrong")?;
     let [begin, others] = ["begin.min.js", "others.min.js"].map(|name| generated.join(name));
     let mut bundle = Command::new(node);
-    bundle.arg(page.join("builder/bundle.mjs")).arg(generated.join("goodbot_wasm.js")).args([&begin, &others]);
+    bundle
+        .arg(page.join("builder/bundle.mjs"))
+        .arg(generated.join("goodbot_wasm.js"))
+        .args([&begin, &others])
+        .arg(env!("CARGO_PKG_VERSION"));
     run(&mut bundle, "the scripts in page/src cannot be joined")?;
     let read = |small: &Path| std::fs::read_to_string(small).with_context(|| format!("{} was not written", small.display()));
     Ok(Scripts { begin: read(&begin)?, others: read(&others)? })
