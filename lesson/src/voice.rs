@@ -60,7 +60,7 @@ const SHORT: usize = 6;
 fn pieces(words: &str) -> Result<Vec<(String, Classes)>, AgentError> {
     let mut pieces = Vec::new();
     for_each_piece(words, |piece| {
-        pieces.push((piece.to_owned(), CLOSED_WORDS.of(piece)));
+        pieces.push((piece.to_owned(), CLOSED_WORDS.of(piece).about_commands()));
         Ok(())
     })?;
     Ok(pieces)

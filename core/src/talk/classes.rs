@@ -58,11 +58,17 @@ pub enum Class {
     Speaker,
     /// "if".
     If,
+    /// "to", "into", "towards": a way leads where the words behind it say. Commands have such words themselves.
+    Toward,
+    /// "le" in "apporte-le", "lo" in "llévalo": "it", joined to a verb.
+    Clitic,
+    /// "want": whoever says it tells what shall be, and not what to do.
+    Wish,
 }
 
 impl Class {
     /// All classes, in order.
-    pub const ALL: [Self; 25] = [
+    pub const ALL: [Self; 28] = [
         Self::Negation,
         Self::Out,
         Self::From,
@@ -88,6 +94,9 @@ impl Class {
         Self::Undo,
         Self::Speaker,
         Self::If,
+        Self::Toward,
+        Self::Clitic,
+        Self::Wish,
     ];
 
     /// Its name in a table.
@@ -118,6 +127,9 @@ impl Class {
             Self::Undo => "undo",
             Self::Speaker => "speaker",
             Self::If => "if",
+            Self::Toward => "toward",
+            Self::Clitic => "clitic",
+            Self::Wish => "wish",
         }
     }
 
@@ -150,7 +162,12 @@ impl Classes {
         Self::NONE.with(class)
     }
 
-    const fn with(self, class: Class) -> Self {
+    /// The classes of words that speak about commands, without those of words that commands have themselves.
+    pub const fn about_commands(self) -> Self {
+        Self(self.0 & !(1 << Class::Toward as u32 | 1 << Class::Clitic as u32))
+    }
+
+    pub(super) const fn with(self, class: Class) -> Self {
         Self(self.0 | 1 << class as u32)
     }
 }
@@ -177,9 +194,9 @@ impl<'t> ClosedWords<'t> {
     pub const ENGLISH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/english.txt") };
     /// The words of German: 1.2 KB.
     pub const GERMAN: ClosedWords<'static> = ClosedWords { text: include_str!("classes/german.txt") };
-    /// The words of French: 0.8 KB.
+    /// The words of French: 1 KB.
     pub const FRENCH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/french.txt") };
-    /// The words of Spanish: 0.8 KB.
+    /// The words of Spanish: 1.1 KB.
     pub const SPANISH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/spanish.txt") };
     /// The words of Chinese, 1.3 KB.
     pub const CHINESE: ClosedWords<'static> = ClosedWords { text: include_str!("classes/chinese.txt") };
@@ -282,6 +299,11 @@ impl<'t> ClosedWords<'t> {
             }
         }
         classes
+    }
+
+    /// What is before each word of a class that a word ends with.
+    pub(super) fn ends(self, class: Class, word: &str) -> impl Iterator<Item = &str> {
+        self.lines().filter(move |(other, _)| *other == class).flat_map(|(_, words)| words).filter_map(move |end| word.strip_suffix(end))
     }
 
     /// How many words a class has.

@@ -29,7 +29,7 @@ impl<M: AgentMemory> Agent<M> {
     pub fn is_told_to_act(&self, words: &str, closed: ClosedWords<'_>) -> Result<bool, AgentError> {
         let mut told = false;
         for_each_piece(words, |piece| {
-            told |= closed.of(piece) == Classes::NONE && is_of_task(self.language().tables(), self.known_word(piece));
+            told |= closed.of(piece).about_commands() == Classes::NONE && is_of_task(self.language().tables(), self.known_word(piece));
             Ok(())
         })?;
         Ok(told)
@@ -59,7 +59,7 @@ impl<M: AgentMemory> Agent<M> {
         let (mut meant, mut other): (Words, Words) = (Vec::new(), Vec::new());
         let mut is_other = false;
         for_each_piece(words, |piece| {
-            let classes = closed.of(piece);
+            let classes = closed.of(piece).about_commands();
             // "No" stands for itself; "not" turns round what is behind it.
             if classes.contains_any(&[Class::But, Class::Connective]) {
                 is_other = false;

@@ -7,7 +7,7 @@ use crate::capacity::{CapacityError, LIFTED_TASKS, WORDS_PER_COMMAND};
 use crate::language::bitext::BitextRef;
 use crate::language::roles::kind;
 use crate::language::roles::talk::{Coverage, Named, Said, Senses, background, common, is_name, is_of_task, likelihood};
-use crate::language::spelling::is_slip_of_any_length;
+use crate::language::spelling::{is_slip, is_slip_of_any_length};
 use crate::language::tokenizer::{first_words, start_of_piece};
 use crate::language::{LanguageRef, Model, for_each_piece};
 use crate::memory::{AgentMemory, AgentTables};
@@ -213,6 +213,10 @@ pub(super) struct Heard {
     factor: f32,
     is_new: bool,
     is_mended: bool,
+    /// Whether it tells where a way leads, as "to" does.
+    is_toward: bool,
+    /// The piece of the utterance that it is of, from 0.
+    piece: usize,
     /// Whether it is of some task sooner than of the background.
     is_of_task: bool,
     /// Whether it names a value.
@@ -256,6 +260,8 @@ fn is_plural(piece: &str, known: &str) -> bool {
 
 impl Heard {
     pub(super) fn new(language: LanguageRef<'_>, symbol: Option<Symbol>, classes: Classes) -> Self {
+        let is_toward = classes.contains(Class::Toward);
+        let classes = classes.about_commands();
         let (polite, common) = (classes.contains(Class::Polite), common(language.tables(), symbol));
         let share = |known: Option<f32>, new: f32| known.map_or(new, |share| (1.0 - new) * share);
         let cues = [
@@ -276,7 +282,7 @@ impl Heard {
             false => share(background(language.tables(), symbol), NEW),
         };
         let is_of_task = is_of_task(language.tables(), symbol);
-        let is_new = classes == Classes::NONE && symbol.is_none_or(|symbol| symbol.index() >= language.tables().words());
+        let is_new = classes == Classes::NONE && !is_toward && symbol.is_none_or(|symbol| symbol.index() >= language.tables().words());
         let count = symbol.map_or(0.0, |symbol| count(language.bitext(), symbol) as f32);
         let turns = [Class::Negation, Class::Out, Class::But, Class::All, Class::Connective];
         let factor = if count == 0.0 && classes.contains_any(&turns) { TURNS } else { 1.0 };
@@ -289,9 +295,16 @@ impl Heard {
             factor,
             is_new,
             is_mended: false,
+            is_toward,
+            piece: 0,
             is_of_task,
             is_name: is_name(language.tables(), symbol),
         }
+    }
+
+    /// "It" in a verb that it is joined to.
+    fn joined(language: LanguageRef<'_>) -> Self {
+        Self::new(language, None, Classes::of(Class::It).with(Class::Pronoun))
     }
 
     /// Nothing stands before it.
@@ -361,11 +374,15 @@ fn mend(language: LanguageRef<'_>, utterance: &str, words: &Words) -> Result<Opt
     let (mut slips, mut mended) = (0_usize, words.clone());
     for rate in [SLIP, ANOTHER_SLIP] {
         let mut position = 0_usize;
+        // Nor is the first word a slip for the name of a thing here.
+        let first = words.iter().position(|word| word.classes == Classes::NONE);
         for_each_piece(utterance, |piece| {
-            let word = words.get(position).filter(|word| word.is_new());
-            if let (Some(word), Some(slot)) = (word, mended.get_mut(position))
+            let at = words.iter().position(|word| word.piece == position && word.is_new());
+            let word = at.and_then(|at| words.get(at));
+            if let (Some(word), Some(slot)) = (word, at.and_then(|at| mended.get_mut(at)))
                 && let Some((symbol, slip)) = slip_for(language, piece, rate)
                 && (rate == SLIP || slips > 1)
+                && !(at == first && is_name(language.tables(), Some(symbol)))
             {
                 slips = slips.saturating_add(usize::from(rate == SLIP));
                 *slot = word.mended(language, symbol, slip);
@@ -454,7 +471,7 @@ struct Judged {
     command: f32,
     /// Whether nothing but the probability stands against the tasks.
     is_clear: bool,
-    /// Where the rest begins, in words.
+    /// Where the rest begins, in pieces of the utterance.
     rest: Option<usize>,
 }
 
@@ -603,16 +620,35 @@ impl<M: AgentMemory> Agent<M> {
             let _ = signs.push(sign);
             Ok(())
         })?;
-        let mut of_word = (0, Classes::NONE);
+        let (mut of_word, mut position) = ((0, Classes::NONE), 0_usize);
         for_each_piece(utterance, |piece| {
-            let symbol = sentence.get(words.len()).copied().flatten();
+            // A command begins with the name of no thing: "range le panier" has no slip for "orange".
+            let is_first = words.iter().all(|word: &Heard| word.classes != Classes::NONE);
+            let is_no_name =
+                |symbol: &Symbol| !(is_name(language.tables(), Some(*symbol)) && is_slip(language.words().text(*symbol), piece));
+            let symbol = sentence.get(position).copied().flatten().filter(|symbol| !is_first || is_no_name(symbol));
             if of_word.0 == 0 {
-                of_word = closed.of_signs(signs.get(words.len()..).unwrap_or(&[])).unwrap_or((1, closed.of(piece)));
+                of_word = closed.of_signs(signs.get(position..).unwrap_or(&[])).unwrap_or((1, closed.of(piece)));
             }
             of_word.0 = usize::saturating_sub(of_word.0, 1);
             let heard = Heard::new(language, symbol, of_word.1);
             let is_cue = heard.is_new() && slip_for(language, piece, SLIP).is_none();
-            let _ = words.push(if is_cue { Heard::new(language, symbol, closed.of_slip(piece)) } else { heard });
+            let is_behind_verb = words.last().is_some_and(|word: &Heard| word.is_of_task);
+            let left = signs.len().saturating_sub(position);
+            let has_room = words.len().saturating_add(left) < WORDS_PER_COMMAND;
+            let parted = verb_before_clitic(language, closed, piece).filter(|_| heard.is_new() && has_room);
+            let mut add = |word: Heard| {
+                let _ = words.push(Heard { piece: position, ..word });
+            };
+            if of_word.1.contains(Class::Clitic) && is_behind_verb && is_joined(utterance, position) {
+                add(Heard::joined(language));
+            } else if let Some(verb) = parted {
+                add(Heard::new(language, Some(verb), Classes::NONE));
+                add(Heard::joined(language));
+            } else {
+                add(if is_cue { Heard::new(language, symbol, closed.of_slip(piece)) } else { heard });
+            }
+            position = position.saturating_add(1);
             Ok(())
         })?;
         // "Then go on" has nothing before it.
@@ -686,7 +722,13 @@ impl<M: AgentMemory> Agent<M> {
                 let explained = self.explain_all(domain, &first, wording, place.view(View::PLAIN))?;
                 let part = self.judge(domain, first, explained, wording, Place { may_part: false, ..place })?;
                 let (probability, command) = (share * part.probability, share * part.command);
-                return Ok(Judged { hypothesis: best.0, probability, command, rest: Some(parting.begin), ..part });
+                return Ok(Judged {
+                    hypothesis: best.0,
+                    probability,
+                    command,
+                    rest: words.get(parting.begin).map(|word| word.piece),
+                    ..part
+                });
             }
             (hypothesis @ Hypothesis::Negated, _) => {
                 if let Some(rest) = negated(&words) {
@@ -803,14 +845,19 @@ impl<M: AgentMemory> Agent<M> {
             let mut senses = Senses::new(language.tables(), language.bitext(), &is_plain, wording.facts);
             let mut named = Named::of(&mut senses, &said);
             if let Some(behind) = new_verb(words) {
-                let kinds = senses.acts_before(behind);
+                let toward = |word| wording.closed.of(language.words().text(word)).contains(Class::Toward);
+                let is_behind: Option<&dyn Fn(Symbol) -> bool> =
+                    if behind.is_some_and(|word| word.is_toward) { Some(&toward) } else { None };
+                let kinds = senses.acts_before(behind.and_then(|word| word.said.symbol), is_behind);
                 has_new_verb = kinds != 0;
                 named.may_act(kinds);
             }
             named
         };
         let acts = named.acts();
-        if view.has_act {
+        // "I want the bag in the red room" needs no word of a task.
+        let wishes = words.iter().any(|word| word.classes.contains(Class::Wish)) && !words.iter().any(Heard::is_new);
+        if view.has_act || wishes {
             named.act();
         }
         if let Some(recalled) = &recalled {
@@ -962,13 +1009,37 @@ fn share_among(tasks: &[GroundedTask], task: &GroundedTask, is_meant: impl Fn(&G
 }
 
 /// The word behind a new word that may be a word for what to do: nothing but closed words stand before it, and the last is no "I".
-fn new_verb(words: &[Heard]) -> Option<Option<Symbol>> {
+fn new_verb(words: &[Heard]) -> Option<Option<&Heard>> {
     let first = words.iter().position(|word| word.classes == Classes::NONE)?;
     let is_verb = words.get(first)?.is_new() && words.iter().filter(|word| word.is_new()).count() <= MOST_NEW;
     let is_of_speaker = first.checked_sub(1).and_then(|before| words.get(before)).is_some_and(|word| word.classes.contains(Class::Speaker));
     let asks = words.iter().take(first).any(|word| word.classes.contains(Class::Asking));
     let behind = words.iter().skip(first).find(|word| !word.is_new());
-    (is_verb && !is_of_speaker && !asks).then(|| behind.and_then(|word| word.said.symbol))
+    (is_verb && !is_of_speaker && !asks).then_some(behind)
+}
+
+/// Whether a piece of an utterance is joined to the one before by a hyphen.
+fn is_joined(utterance: &str, piece: usize) -> bool {
+    start_of_piece(utterance, piece)
+        .and_then(|start| utterance.get(..start))
+        .is_some_and(|before| before.ends_with(['-', '\u{2010}', '\u{2011}']))
+}
+
+/// The verb that a word is with "it" behind it: "llévalo" is "lleva" and "lo". The accent is none of the verb.
+fn verb_before_clitic(language: LanguageRef<'_>, closed: ClosedWords<'_>, word: &str) -> Option<Symbol> {
+    let plain = |letter: char| match letter {
+        'á' => 'a',
+        'é' => 'e',
+        'í' => 'i',
+        'ó' => 'o',
+        'ú' => 'u',
+        other => other,
+    };
+    closed.ends(Class::Clitic, word).find_map(|verb| {
+        let is_verb = |known: &str| known.chars().map(plain).eq(verb.chars().map(plain));
+        let (symbol, _) = language.words().iter().take(language.tables().words()).find(|&(_, known)| is_verb(known))?;
+        is_of_task(language.tables(), Some(symbol)).then_some(symbol)
+    })
 }
 
 /// Whether a new word stands between known ones.

@@ -48,7 +48,7 @@ use why::Word;
 /// What a plain command is taken for.
 const COMMAND: &str = "a command";
 /// A robot with few lessons is sure from here on.
-const SURE: f32 = 0.5;
+pub const SURE: f32 = 0.5;
 
 /// The options of `goodbot ask`.
 #[derive(Debug, Args)]

@@ -469,3 +469,26 @@ fn again_does_the_same_once_more_and_teaches_nothing() {
     }
     assert_eq!(robot.one("state")["sessions"], sessions);
 }
+
+#[test]
+fn a_program_is_told_how_sure_the_robot_is_as_ask_tells_it() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let mut robot = Robot::new(&["--model", &model]);
+    robot.tell(&format!("home {}", three_rooms().json()));
+    let cases = [
+        ("go to the blue room", "try", "sure", "a command"),
+        ("go to the red room", "done", "done", "a command"),
+        ("take the chair to the blue room", "try", "unsure", "a command"),
+        ("go to the blue room and then to the green room", "try", "sure", "several commands"),
+        ("hello", "none", "none", "nothing that I can do"),
+    ];
+    for (words, verdict, certainty, taken_for) in cases {
+        let heard = robot.one(&format!("command {words}"));
+        let told = ["verdict", "certainty", "taken_for"].map(|field| heard[field].as_str().unwrap_or_default());
+        assert_eq!(told, [verdict, certainty, taken_for], "{words}: {heard}");
+    }
+    // A robot without lessons knows nothing yet, and tries.
+    let mut robot = Robot::new(&[]);
+    let heard = robot.one("command go to the blue room");
+    assert_eq!((heard["verdict"].as_str(), heard["certainty"].as_str()), (Some("try"), Some("unsure")), "{heard}");
+}

@@ -98,6 +98,37 @@ const GERMAN: Wording = Wording {
     ],
 };
 
+const FRENCH: Wording = Wording {
+    going: ["va dans la salle {}", "va à la salle {}", "entre dans la salle {}", "rends-toi dans la salle {}"],
+    taking: ["apporte la {s} {c} dans la salle {}", "porte la {s} {c} dans la salle {}", "pousse la {s} {c} dans la salle {}"],
+    names: &[
+        ("red", "rouge"),
+        ("blue", "bleue"),
+        ("green", "verte"),
+        ("yellow", "jaune"),
+        ("purple", "violette"),
+        ("bag", "malle"),
+        ("chair", "chaise"),
+        ("basket", "caisse"),
+    ],
+};
+
+const SPANISH: Wording = Wording {
+    going: ["ve a la sala {}", "entra en la sala {}", "anda a la sala {}", "muévete a la sala {}"],
+    taking: ["lleva la {s} {c} a la sala {}", "trae la {s} {c} a la sala {}", "empuja la {s} {c} a la sala {}"],
+    names: &[
+        ("red", "roja"),
+        ("blue", "azul"),
+        ("green", "verde"),
+        ("yellow", "amarilla"),
+        ("purple", "morada"),
+        ("orange", "naranja"),
+        ("bag", "bolsa"),
+        ("chair", "silla"),
+        ("basket", "cesta"),
+    ],
+};
+
 impl Wording {
     fn name(&self, value: &'static str) -> &'static str {
         self.names.iter().find(|(known, _)| *known == value).map_or(value, |(_, name)| name)
@@ -566,4 +597,39 @@ fn the_table_of_closed_words_can_be_printed_and_replaced() {
     std::fs::write(&home, three_rooms().json().to_string()).expect("a file");
     let wrong = goodbot(&["ask", "--with", &model, "--environment", &home, "--closed-words", &file, "go"], b"");
     assert!(wrong.code != 0 && wrong.messages.contains("line 2: \"colour\" is no class of words"), "{}", wrong.messages);
+}
+
+#[test]
+fn a_pronoun_that_is_joined_to_a_verb_stands_for_the_thing_of_before() {
+    let home = Home { rooms: vec!["red", "blue", "green"], blocks: vec![("yellow", "bag", 1)], robot: 0 };
+    let (_folder, model) = taught(120, &FRENCH);
+    let cases = [
+        ("apporte la malle jaune dans la salle verte", "sure", "blockInRoom(block0,room2)"),
+        ("apporte-la dans la salle rouge", "sure", "blockInRoom(block0,room0)"),
+        ("apportez-la dans la salle bleue, s'il vous plaît", "sure", "blockInRoom(block0,room1)"),
+    ];
+    check_conversation(&model, &home, &cases);
+    let (_folder, model) = taught(120, &SPANISH);
+    let cases = [
+        ("lleva la bolsa amarilla a la sala verde", "sure", "blockInRoom(block0,room2)"),
+        ("tráela a la sala roja", "sure", "blockInRoom(block0,room0)"),
+        ("ve a la sala verde y luego llévala a la sala azul", "sure", "agentInRoom(agent0,room2) then blockInRoom(block0,room1)"),
+    ];
+    check_conversation(&model, &home, &cases);
+    // No verb is before these.
+    let said = ["sala".to_owned(), "vela a la sala verde".to_owned()];
+    assert!(asked(&model, &home, &said).iter().all(|answer| answer["task"] != "blockInRoom(block0,room2)"));
+}
+
+#[test]
+fn a_new_verb_with_a_new_preposition_and_a_wish_are_followed() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let cases = [
+        ("stroll towards the blue room", "sure", "agentInRoom(agent0,room1)"),
+        ("i want the yellow bag in the blue room", "sure", "blockInRoom(block0,room1)"),
+    ];
+    check(&model, &three_rooms(), &cases);
+    for answer in asked(&model, &three_rooms(), &["i want a yellow bag", "i want a new blue car"].map(str::to_owned)) {
+        assert!(answer["verdict"] == "unsure" || answer["verdict"] == "none", "{answer}");
+    }
 }

@@ -131,21 +131,27 @@ impl<'t> Senses<'t> {
 const BEHIND: f32 = 0.3;
 
 impl Senses<'_> {
-    /// The kinds of task whose word a new word may be that has this word behind it: one bit each.
-    pub fn acts_before(&mut self, behind: Option<Symbol>) -> u8 {
-        let Some(behind) = behind.filter(|word| word.index() < self.tables.words()) else { return 0 };
+    /// The kinds of task whose word a new word may be that has this word behind it: one bit each. `is_alike` tells words that are as good as that
+    /// one: "towards" for "to".
+    pub fn acts_before(&mut self, behind: Option<Symbol>, is_alike: Option<&dyn Fn(Symbol) -> bool>) -> u8 {
+        let behind = behind.filter(|word| word.index() < self.tables.words());
+        if behind.is_none() && is_alike.is_none() {
+            return 0;
+        }
         let (layout, bitext) = (self.tables.layout(), self.bitext);
-        let names = self.of(behind).value.is_some();
+        let names = behind.is_some_and(|behind| self.of(behind).value.is_some());
         let (mut with, mut all) = ([0.0_f32; LIFTED_TASKS], [0.0_f32; LIFTED_TASKS]);
         for session in 0..bitext.sessions() as u16 {
             let is_plain = self.is_plain;
             let second = bitext.sentence(session).iter().copied().skip_while(|&word| is_plain(word)).nth(1);
-            let is_alike = second.is_some_and(|word| word == behind || names && self.of(word).value.is_some());
+            let is_behind = second.is_some_and(|word| {
+                Some(word) == behind || names && self.of(word).value.is_some() || is_alike.is_some_and(|is_alike| is_alike(word))
+            });
             for pair in bitext.pairs_of(session) {
                 let Some(row) = form(bitext.command(pair.command)).and_then(|token| layout.form(token)) else { continue };
                 if let (Some(with), Some(all)) = (with.get_mut(row), all.get_mut(row)) {
                     *all += pair.weight;
-                    *with += if is_alike { pair.weight } else { 0.0 };
+                    *with += if is_behind { pair.weight } else { 0.0 };
                 }
             }
         }

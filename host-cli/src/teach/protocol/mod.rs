@@ -225,6 +225,8 @@ impl Speaker<'_> {
 
     /// What came of a command.
     fn heard(&self, said: &str, heard: &Heard) -> Result<Value, Misunderstood> {
+        let trainer = &self.classroom.trainer;
+        let (certainty, meant) = (trainer.certainty(), trainer.taken_for().to_string());
         let declined = match heard {
             Heard::Command => None,
             Heard::Done(words) => Some(("done", Hypothesis::Command, Some(words))),
@@ -232,12 +234,14 @@ impl Speaker<'_> {
         };
         if let Some((verdict, taken_for, words)) = declined {
             let taken_for = taken_for.to_string();
-            return Ok(json!({"type": "heard", "command": said, "verdict": verdict, "taken_for": taken_for, "done": words}));
+            return Ok(
+                json!({"type": "heard", "command": said, "verdict": verdict, "certainty": certainty, "taken_for": taken_for, "done": words}),
+            );
         }
         let words: Vec<Value> = self.support()?;
         let command = self.classroom.lesson().command().unwrap_or(said);
         let conversation = &self.classroom.lesson().conversation().id;
-        let mut heard = json!({"type": "heard", "command": command, "verdict": "try", "words": words, "conversation": conversation});
+        let mut heard = json!({"type": "heard", "command": command, "verdict": "try", "certainty": certainty, "taken_for": meant, "words": words, "conversation": conversation});
         if let (Some(rest), Value::Object(fields)) = (self.classroom.lesson().rest(), &mut heard) {
             fields.insert("rest".to_owned(), json!(rest));
         }

@@ -16,6 +16,7 @@ mod thoughts;
 pub use goodbot_lesson::live::{Acted, Judged};
 pub use thoughts::{Idea, Meaning, WordSupport};
 
+use crate::ask::SURE;
 use crate::teach::scene::{Scene, scene};
 use crate::teach::site::{Recorded, Setting, Site, SiteState};
 use crate::teach::table::{Table, table};
@@ -89,6 +90,8 @@ pub struct Trainer {
     half_taught: HalfTaught,
     /// The words for which there was nothing to do, if they were the last.
     declined: Option<String>,
+    /// What the robot took the words of the last command for, where it listens.
+    listened: Option<Listened>,
 }
 
 impl Trainer {
@@ -100,7 +103,7 @@ impl Trainer {
         let mind = new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, &lifted, believes.as_ref())?;
         let lesson = Lesson::new(mind, rooms, start);
         let half_taught = HalfTaught::default();
-        Ok(Self { lesson, start, id: None, intended: None, random: generator(seed), believes, half_taught, declined: None })
+        Ok(Self { lesson, start, id: None, intended: None, random: generator(seed), believes, half_taught, declined: None, listened: None })
     }
 
     /// The same robot, half taught from the start: it begins anew, with the sentences of a starter.
@@ -220,7 +223,7 @@ impl Trainer {
     pub fn hear(&mut self, command: &str, id: Option<String>, intention: Option<&Intention>) -> Result<Heard, Refusal> {
         self.forget();
         let is_again = self.declined.take().is_some_and(|declined| declined == command);
-        (self.id, self.intended) = (id, None);
+        (self.id, self.intended, self.listened) = (id, None, None);
         let environment = self.lesson.environment();
         if intention.is_none() && tells_talk(&self.lesson.agent) {
             // A conversation has the name of its first session.
@@ -228,12 +231,14 @@ impl Trainer {
                 self.lesson.name_conversation(id);
             }
             let listened = self.lesson.listen(command, environment.clone(), is_again).map_err(refused)?;
+            self.listened = Some(listened);
             let heard = self.heard(&listened);
             if heard == Heard::Command || !is_again || self.is_about_what_shall_not_be() {
                 self.declined = (heard != Heard::Command).then(|| command.to_owned());
                 return Ok(heard);
             }
         }
+        self.listened = None;
         self.lesson.hear(command, environment).map_err(refused)?;
         self.intended = intention.and_then(|intention| intention.find(&self.lesson.agent, self.lesson.home()));
         Ok(Heard::Command)
@@ -244,6 +249,7 @@ impl Trainer {
         let environment = self.lesson.environment();
         (self.id, self.intended) = (id, None);
         let listened = self.lesson.listen_on(environment).map_err(refused)?;
+        self.listened = listened;
         Ok(listened.map(|listened| self.heard(&listened)))
     }
 
@@ -257,6 +263,23 @@ impl Trainer {
             _ if self.is_about_what_shall_not_be() => Heard::Nothing(Hypothesis::Negated),
             _ => Heard::Nothing(listened.hypothesis),
         }
+    }
+
+    /// How sure the robot is of the last command: `sure`, `unsure`, `done` or `none`, as `goodbot ask` says it.
+    pub fn certainty(&self) -> &'static str {
+        let is_sure = || self.meanings().first().is_some_and(|meaning| meaning.probability >= SURE);
+        match self.listened.map(|listened| listened.verdict) {
+            Some(Verdict::Done) => "done",
+            Some(Verdict::None) => "none",
+            Some(Verdict::Sure) => "sure",
+            None if is_sure() => "sure",
+            Some(Verdict::Unsure) | None => "unsure",
+        }
+    }
+
+    /// What the robot takes the last command for.
+    pub fn taken_for(&self) -> Hypothesis {
+        self.listened.map_or(Hypothesis::Command, |listened| listened.hypothesis)
     }
 
     /// Whether the session, or the last one, is about what shall not be.
