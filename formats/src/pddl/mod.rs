@@ -1,6 +1,6 @@
 //! PDDL, the planning field's language: a domain and a problem with typing, STRIPS, negative preconditions, equality and action costs.
 //!
-//! - [`expression`]: lists and words in brackets; the rest reads what they say.
+//! - `expression`: lists and words in brackets; the rest reads what they say.
 //!
 //! ```
 //! use goodbot_formats::pddl::{Domain, Problem};
