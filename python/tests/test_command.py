@@ -38,6 +38,13 @@ def test_an_evaluation_is_the_command_lines_to_the_digit(root: Path) -> None:
     assert goodbot.evaluate(goodbot.read_log(log), leave_one_out=True, learner="roles") == found
 
 
+def test_one_log_is_learned_from_and_another_is_asked(root: Path) -> None:
+    log = root / "docs/examples/sessions.jsonl"
+    found = goodbot.evaluate(log, test=log, learner="roles")
+    assert len(found.answers) == 4
+    assert goodbot.evaluate(log, test=goodbot.read_log(log), learner="roles") == found
+
+
 def test_what_is_wrong_with_an_evaluation_is_told_in_the_command_lines_words(root: Path, tmp_path: Path) -> None:
     log = root / "docs/examples/sessions.jsonl"
     with pytest.raises(ValueError, match="from 2 to 65535"):
