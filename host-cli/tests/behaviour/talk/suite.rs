@@ -355,14 +355,6 @@ fn check(half: Half, least: [usize; 2]) {
     }
 }
 
-/// A robot that knows no closed words is sure of what was not meant in at most 2 of 25 answers. At least so many of 100 sentences must be followed.
-fn check_without_words(half: Half, least: usize) {
-    for (name, lessons, tally) in judge_all(half, Table::Empty, &[120]) {
-        assert!(tally.helpful * 100 >= tally.follow * least, "{name}, {lessons} lessons: {} of {}", tally.helpful, tally.follow);
-        assert!(tally.harmful * 25 <= tally.all * 2, "{name}, {lessons} lessons: harmful {} of {}", tally.harmful, tally.all);
-    }
-}
-
 #[test]
 fn the_tuning_half_of_the_suite_is_followed_in_five_languages() {
     check(Half::Tuning, [88, 82]);
@@ -373,12 +365,12 @@ fn the_half_that_was_kept_aside_is_followed_in_five_languages() {
     check(Half::KeptAside, [80, 74]);
 }
 
+/// A robot that knows no closed words is sure of what was not meant in at most 2 of 25 answers, and follows at least a tenth. The tuning half, which is
+/// better, would take as long once more.
 #[test]
-fn without_closed_words_the_tuning_half_does_little_harm() {
-    check_without_words(Half::Tuning, 15);
-}
-
-#[test]
-fn without_closed_words_the_half_that_was_kept_aside_does_little_harm() {
-    check_without_words(Half::KeptAside, 10);
+fn without_closed_words_little_harm_is_done() {
+    for (name, lessons, tally) in judge_all(Half::KeptAside, Table::Empty, &[120]) {
+        assert!(tally.helpful * 10 >= tally.follow, "{name}, {lessons} lessons: {} of {}", tally.helpful, tally.follow);
+        assert!(tally.harmful * 25 <= tally.all * 2, "{name}, {lessons} lessons: harmful {} of {}", tally.harmful, tally.all);
+    }
 }
