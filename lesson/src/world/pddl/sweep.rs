@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 const MOST_STATES: usize = 200_000;
 const MOST_ACTIONS: usize = 20_000;
 /// So many choices of an object are tried for all actions together.
-const MOST_TRIES: usize = 200_000;
+const MOST_TRIES: usize = 100_000;
 
 /// A proposition of objects, all by their positions.
 type Fact = (usize, Vec<usize>);
