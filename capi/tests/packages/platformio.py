@@ -6,15 +6,11 @@ import sys
 from pathlib import Path
 
 
-class Board(dict):
-    """A board's description."""
-
-
 class Environment:
     """What a build is told."""
 
     def __init__(self, board, flags):
-        self.board, self.flags, self.appended = Board(board), flags, {}
+        self.board, self.flags, self.appended = board, flags, {}
 
     def BoardConfig(self):
         return self.board

@@ -11,7 +11,6 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
-use serde_json::Value;
 use xshell::{Shell, TempDir, cmd};
 
 use crate::capi::{FEATURES, HEADERS, library};
@@ -114,9 +113,7 @@ impl Package {
 
 /// Those that are public. Cargo packs what is committed, and builds each from its packed file.
 fn crates(sh: &Shell, texts: &Texts, to: &Path) -> Result<()> {
-    let metadata = cmd!(sh, "cargo metadata --offline --no-deps --format-version 1").quiet().read()?;
-    let metadata: Value = serde_json::from_str(&metadata)?;
-    let packages = metadata["packages"].as_array().context("cargo tells packages")?;
+    let packages = texts::packages(sh)?;
     let public: Vec<&str> =
         packages.iter().filter(|package| package["publish"].is_null()).filter_map(|package| package["name"].as_str()).collect();
     let named = public.iter().flat_map(|name| ["--package", name]);
@@ -225,7 +222,10 @@ fn checksums(sh: &Shell, to: &Path) -> Result<()> {
     let names: Vec<String> =
         files(sh, to)?.iter().map(|file| file.file_name().unwrap_or_default().to_string_lossy().into_owned()).collect();
     let packages = names.iter().filter(|name| *name != CHECKSUMS);
-    let sums = cmd!(sh, "sha256sum").args(packages).quiet().read()? + "\n";
+    // macOS has the one, and Linux and Windows' bash the other.
+    let has_sha256sum = cmd!(sh, "sha256sum --version").ignore_stdout().ignore_stderr().quiet().run().is_ok();
+    let sum = if has_sha256sum { cmd!(sh, "sha256sum") } else { cmd!(sh, "shasum --algorithm 256") };
+    let sums = sum.args(packages).quiet().read()? + "\n";
     println!("\n{sums}");
     sh.write_file(CHECKSUMS, sums)?;
     println!("written: {FOLDER}");

@@ -8,16 +8,21 @@ use xshell::{Shell, cmd};
 
 use super::archive::files;
 
+/// The crates of the workspace, as cargo tells them.
+pub fn packages(sh: &Shell) -> Result<Vec<Value>> {
+    let metadata = cmd!(sh, "cargo metadata --offline --no-deps --format-version 1").quiet().read()?;
+    let metadata: Value = serde_json::from_str(&metadata)?;
+    Ok(metadata["packages"].as_array().context("cargo tells packages")?.clone())
+}
+
 /// Places such as `@VERSION@`, and what is put there.
 pub struct Texts(Vec<(&'static str, String)>);
 
 impl Texts {
     /// The facts of the workspace.
     pub fn new(sh: &Shell) -> Result<Self> {
-        let metadata = cmd!(sh, "cargo metadata --offline --no-deps --format-version 1").quiet().read()?;
-        let metadata: Value = serde_json::from_str(&metadata)?;
-        let core = metadata["packages"].as_array().and_then(|packages| packages.iter().find(|package| package["name"] == "goodbot"));
-        let core = core.context("there is no crate goodbot")?;
+        let packages = packages(sh)?;
+        let core = packages.iter().find(|package| package["name"] == "goodbot").context("there is no crate goodbot")?;
         let version = core["version"].as_str().unwrap_or_default();
         let minor = version.rsplit_once('.').map_or(version, |(minor, _)| minor);
         let repository = core["repository"].as_str().unwrap_or_default();
