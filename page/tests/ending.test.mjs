@@ -87,15 +87,15 @@ test('from a server, the card has a code that a phone can read, and the systemâ€
   const page = await (await browser.newContext()).newPage();
   await page.addInitScript(() => {
     navigator.canShare = () => true;
-    navigator.share = async data => { window.shared = data; };
+    navigator.share = async data => { window.given = data; };
   });
   await page.goto('http://127.0.0.1:' + port + '/');
   await page.waitForSelector('body.ready');
   await finished(page);
   await page.click('#share-card');
-  await page.waitForFunction(() => window.shared);
+  await page.waitForFunction(() => window.given);
   const { url, title, widest } = await page.evaluate(async () => {
-    const { files: [file], url: link, title: name } = window.shared;
+    const { files: [file], url: link, title: name } = window.given;
     const image = await createImageBitmap(file);
     const canvas = new OffscreenCanvas(image.width, image.height);
     const context = canvas.getContext('2d');
