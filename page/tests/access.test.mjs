@@ -17,10 +17,12 @@ const check = (page, where) => eachTab(page, tab => checkTab(page, where + ', ' 
 async function checkTab(page, where) {
   for (const width of [1280, 360]) {
     await page.setViewportSize({ width, height: 800 });
-    for (const colorScheme of ['light', 'dark']) {
+    // What is dark differs in its colours alone, and they are the same at any width.
+    for (const colorScheme of width === 360 ? ['light'] : ['light', 'dark']) {
       await page.emulateMedia({ colorScheme });
       await still(page);
-      const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
+      const rules = colorScheme === 'dark' ? { runOnly: ['color-contrast'] } : {};
+      const { violations } = await page.evaluate(only => window.axe.run(document, { resultTypes: ['violations'], ...only }), rules);
       const said = violations.flatMap(violation => violation.nodes.map(node => [where, colorScheme, width, violation.id, 'at', node.target, node.failureSummary].join(' ')));
       assert.deepEqual(said, []);
     }

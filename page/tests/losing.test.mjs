@@ -23,6 +23,7 @@ test('where nothing is kept, a page that has taught its robot asks before it goe
     asked += 1;
     await dialog.accept();
   });
+  await page.selectOption('#speed', 'once');
   await page.click('#auto');
   await page.getByText('Lesson 2 of 7').waitFor();
   await page.reload();
@@ -38,6 +39,7 @@ test('where nothing is kept, a page that has taught its robot asks before it goe
 test('where all is kept, nobody is asked', async () => {
   const page = await open(browser);
   page.on('dialog', dialog => assert.fail(dialog.type()));
+  await page.selectOption('#speed', 'once');
   await page.click('#auto');
   await page.getByText('Lesson 2 of 7').waitFor();
   await page.reload();
@@ -73,9 +75,11 @@ test('a session whose tab was closed goes on in the next one, if something was s
 test('two tabs stand at the same lesson of the tour', async () => {
   const one = await open(browser);
   const two = await openIn(one.context());
+  await one.selectOption('#speed', 'once');
   await one.click('#auto');
   await one.getByText('Lesson 2 of 7').waitFor();
   await two.getByText('Lesson 2 of 7').waitFor();
+  await two.selectOption('#speed', 'once');
   await two.click('#auto');
   await two.getByText('Lesson 3 of 7').waitFor();
   await one.getByText('Lesson 3 of 7').waitFor();

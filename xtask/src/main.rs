@@ -73,7 +73,7 @@ fn run(task: Task) -> Result<()> {
         Task::Instructions { filter } => benches::instructions(&filter),
         Task::Plot => benches::plot(),
         Task::Footprint(options) => footprint::run(&options),
-        Task::Capi => capi::header(false),
+        Task::Capi => capi::header(),
         Task::Microbit => firmware::deliver().map(drop),
         Task::Library(options) => capi::deliver(&options),
         Task::Release(options) => release::run(&options),

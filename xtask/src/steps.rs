@@ -9,7 +9,7 @@ use crate::firmware::{FLASH, Image, Report, alone, bytes, deliver, for_microbit,
 use crate::process::{shell, target_dir};
 use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, npm_packages, on_path, python_with};
 use crate::test::{Run, Step};
-use crate::toolchain::{self, DESKTOPS, WASM};
+use crate::toolchain::{self, WASM, WINDOWS};
 
 /// The crates that are checked and tested together. The page's builder has none but its own dependencies, which take minutes; making the page
 /// tests it.
@@ -65,13 +65,11 @@ pub fn docs() -> Result<()> {
     Ok(cmd!(sh, "cargo doc {WORKSPACE...} --no-deps").env("RUSTDOCFLAGS", "-D warnings").run()?)
 }
 
-/// Checks other systems' builds, without a linker.
+/// Checks another system's build, without a linker.
 pub fn portable() -> Result<()> {
     let sh = shell()?;
-    toolchain::add_desktops()?;
-    // Together: both have the same crates to wait for.
-    let [first, second] = DESKTOPS;
-    let check = toolchain::cargo(&sh, first, "check")?.args(["--target", second, "--locked"]);
+    toolchain::add_windows()?;
+    let check = toolchain::cargo(&sh, WINDOWS, "check")?.arg("--locked");
     Ok(check.args(["--package", "goodbot-cli", "--package", "goodbot-drive"]).run()?)
 }
 

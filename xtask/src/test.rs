@@ -24,14 +24,12 @@ pub enum Step {
     Tests,
     /// the documentation is built without a warning
     Docs,
-    /// the command line compiles for Windows and macOS
+    /// the command line compiles for Windows
     Portable,
     /// the Python package's tests, types and stubs, of a wheel in an environment of its own
     Python,
     /// the trainer page works in a browser, from a file
     Page,
-    /// the C header matches the C interface
-    CHeader,
     /// the C examples run under AddressSanitizer and UBSan
     CHost,
     /// the C examples run on an emulated Cortex-M4F and contain no panic
@@ -80,7 +78,6 @@ impl Step {
             Self::Portable => (|_| steps::portable(), "mark code for Unix alone with `#[cfg(unix)]`"),
             Self::Python => (steps::python, "the tests are in python/tests; `maturin develop` in python/ builds what `pytest` there tries"),
             Self::Page => (steps::page, "see the test that failed in page/tests; the page is dist/goodbot.html"),
-            Self::CHeader => (|_| capi::header(true), "where a program that was compiled before would go wrong, raise GOODBOT_API_VERSION"),
             Self::CHost => (|_| capi::on_host(), "the examples are in capi/examples; the sanitizer says where"),
             Self::CBoard => (|_| capi::on_board(), "the examples are in capi/examples, what the board needs in capi/examples/board"),
             Self::Packages => (

@@ -30,8 +30,8 @@ pub const CORTEX_M33F: &str = "thumbv8m.main-none-eabihf";
 pub const RISCV: &str = "riscv32imac-unknown-none-elf";
 /// The same without atomic instructions, such as an ESP32-C3.
 pub const RISCV_C3: &str = "riscv32imc-unknown-none-elf";
-/// The other systems on which the command line runs. It is checked for them, and not linked: a linker for them is not to be had everywhere.
-pub const DESKTOPS: [&str; 2] = ["x86_64-pc-windows-msvc", "aarch64-apple-darwin"];
+/// The system on which the command line runs, and which is no Unix. It is checked for it, and not linked: a linker for it is not to be had everywhere.
+pub const WINDOWS: &str = "x86_64-pc-windows-msvc";
 /// The targets that goodbot is built for besides the host.
 pub const TARGETS: [&str; 8] = [WASM, CORTEX_M0, CORTEX_M3, CORTEX_M4, CORTEX_M4F, CORTEX_M33F, RISCV, RISCV_C3];
 
@@ -120,11 +120,10 @@ pub fn compiler() -> Result<String> {
     Ok(format!("{whose}'s {}", version.split(" (").next().unwrap_or_default()))
 }
 
-/// Sets up the targets [`DESKTOPS`] if needed.
-pub fn add_desktops() -> Result<()> {
+/// Sets up the target [`WINDOWS`] if needed.
+pub fn add_windows() -> Result<()> {
     if debian()?.is_none() {
-        add_by_rustup(&DESKTOPS)
-            .map_err(|error| missing("the targets of Windows and macOS", "to check the command line for them", error))?;
+        add_by_rustup(&[WINDOWS]).map_err(|error| missing("the target of Windows", "to check the command line for it", error))?;
     }
     Ok(())
 }
@@ -135,7 +134,7 @@ pub fn cargo<'sh>(sh: &'sh Shell, target: &str, subcommand: &str) -> Result<Cmd<
     let cargo = match debian()? {
         None => cmd!(sh, "cargo"),
         Some(Debian { cargo, rustc, linkers }) => {
-            let has_std = target == WASM || DESKTOPS.contains(&target);
+            let has_std = [WASM, WINDOWS].contains(&target);
             let crates = if has_std { "std,panic_abort" } else { "core,alloc" };
             let linker = if target == WASM { "wasm-ld" } else { "ld.lld" };
             let variable = format!("CARGO_TARGET_{}_LINKER", target.replace(['-', '.'], "_").to_uppercase());

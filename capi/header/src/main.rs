@@ -24,13 +24,33 @@ const SOURCES: [&str; 15] = [
     "storage.rs",
 ];
 
+fn capi() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+}
+
 fn main() -> Result<()> {
-    let capi = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    print!("{}", header()?);
+    Ok(())
+}
+
+fn header() -> Result<String> {
+    let capi = capi();
     let config = Config::from_file(capi.join("cbindgen.toml")).map_err(|error| anyhow!("capi/cbindgen.toml: {error}"))?;
     let builder = SOURCES.iter().fold(Builder::new().with_config(config), |builder, file| builder.with_src(capi.join("src").join(file)));
     let mut bytes = Vec::new();
     builder.generate().context("cbindgen could not read capi/src")?.write(&mut bytes);
     // Rust's heading for what the caller promises.
-    print!("{}", String::from_utf8(bytes).context("the header is no text")?.replace("// # Safety\n", "// The caller sees to it:\n"));
-    Ok(())
+    Ok(String::from_utf8(bytes).context("the header is no text")?.replace("// # Safety\n", "// The caller sees to it:\n"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_header_is_what_the_sources_say() {
+        let kept = std::fs::read_to_string(capi().join("include/goodbot.h")).unwrap();
+        let advice = "write capi/include/goodbot.h again with `cargo xtask capi`; where a program that was compiled before would go wrong, raise GOODBOT_API_VERSION";
+        assert!(kept.trim_end() == header().unwrap().trim_end(), "{advice}");
+    }
 }
