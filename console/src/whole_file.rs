@@ -52,7 +52,6 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
         return std::fs::OpenOptions::new().write(true).open(path)?.write_all(bytes);
     }
     let folder = folder_of(path);
-    #[cfg_attr(not(unix), expect(unused_mut, reason = "Unix alone has permissions to set"))]
     let mut builder = tempfile::Builder::new();
     remove_torn(path, LONGEST_WRITING);
     let prefix = torn_prefix(path);

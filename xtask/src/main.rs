@@ -1,6 +1,7 @@
 //! goodbot's development commands: `cargo xtask --help`.
 
 mod benches;
+mod beside;
 mod capi;
 #[cfg(test)]
 mod dependencies;

@@ -4,6 +4,7 @@
 //! `target/programs` or the folder that `GOODBOT_PROGRAMS` names.
 
 use std::collections::HashMap;
+use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
@@ -114,6 +115,10 @@ impl Program {
         let (sh, tree, &Self { name, why, folder, packages }) = (shell()?, self.tree(), self);
         ensure!(!packages.is_empty(), "not on the PATH, and not fetched; install it");
         let launcher = tree.join("launch").join(name);
+        // Steps that run beside these fetch into the same folders.
+        let lock = sh.create_dir(tree.parent().unwrap_or(&tree))?.join("lock");
+        let lock = File::create(lock)?;
+        lock.lock()?;
         if !self.is_fetched() || !launcher.is_file() {
             let cannot = "only Debian's packages can be fetched, and there is no apt-get here";
             ensure!(on_path("apt-get").is_some(), "install a package that has `{name}`: {cannot}");

@@ -1,6 +1,7 @@
-//! `cargo xtask test`: all checks, one after the other.
+//! `cargo xtask test`: all checks, one after the other; those of other machines run beside those of this one.
 
 use std::io::{BufRead, BufReader};
+use std::path::PathBuf;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
@@ -8,6 +9,7 @@ use anyhow::{Context, Result, ensure};
 use clap::{Args, ValueEnum};
 use xshell::Cmd;
 
+use crate::beside::Beside;
 use crate::programs::Missing;
 use crate::{capi, footprint, guide, release, steps};
 
@@ -53,6 +55,18 @@ pub enum Step {
 }
 
 impl Step {
+    /// Whether it builds for other machines, or the library for other programs. Most of its time one compiler links one program: another processor
+    /// would have nothing to do.
+    const fn is_beside(self) -> bool {
+        use Step::{CBoard, CHost, Firmware, Footprint, Guide, Microbit, NoPanic, Packages, Portable, SameBits, Tick};
+        matches!(self, Portable | CHost | CBoard | Packages | Guide | Firmware | Tick | Microbit | SameBits | NoPanic | Footprint)
+    }
+
+    /// What it is called.
+    pub fn name(self) -> String {
+        self.described().0
+    }
+
     /// What it is called, and what it checks.
     fn described(self) -> (String, String) {
         let value = self.to_possible_value();
@@ -111,6 +125,9 @@ pub struct Options {
     /// Succeeds although a step was left out, because this machine has no program for it and none can be had
     #[arg(long)]
     allow_missing: bool,
+    /// Writes into this file how the steps ended, and gives no verdict
+    #[arg(long, value_name = "FILE", hide = true)]
+    report: Option<PathBuf>,
 }
 
 /// The steps that were chosen, and how many tests they have counted so far.
@@ -122,44 +139,60 @@ pub struct Run {
     pub tally: Tally,
 }
 
-/// How a step ended, and after what time: an error is that it failed, or what is missing for it.
-type End = (Step, Duration, Result<(), Option<Missing>>);
+/// How a step ended.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    Passed,
+    Failed,
+    /// It cannot be done here, because of what is named.
+    LeftOut(String),
+}
 
-fn shown((_, time, result): &End) -> String {
-    let word = match result {
-        Ok(()) => "passed",
-        Err(None) => "FAILED",
-        Err(Some(_)) => "LEFT OUT",
+/// A step that was run, after what time it ended, and how.
+pub type End = (Step, Duration, Outcome);
+
+fn shown((_, time, outcome): &End) -> String {
+    let word = match outcome {
+        Outcome::Passed => "passed",
+        Outcome::Failed => "FAILED",
+        Outcome::LeftOut(_) => "LEFT OUT",
     };
     format!("{word:8} {:>7.1} s", time.as_secs_f64())
 }
 
 /// Runs the steps that were asked for, up to the first that fails. One that cannot be done here is left out.
-pub fn run(options: &Options) -> ! {
-    let mut run = Run { fast: options.fast, chosen: chosen(options), tally: Tally::default() };
-    if run.chosen.is_empty() {
-        eprintln!("no step was chosen: --fast leaves out those that --only names");
-        std::process::exit(2);
-    }
+pub fn run(options: &Options) -> Result<()> {
+    let chosen = chosen(options);
+    ensure!(!chosen.is_empty(), "no step was chosen: --fast leaves out those that --only names");
     let start = Instant::now();
+    let (there, here): (Vec<_>, Vec<_>) = chosen.iter().partition(|step| step.is_beside());
+    let has_both =
+        !there.is_empty() && !here.is_empty() && std::thread::available_parallelism().is_ok_and(|processors| processors.get() > 1);
+    let (mut beside, here) = if has_both { (Some(Beside::start(&there)?), here) } else { (None, chosen.clone()) };
+
+    let mut run = Run { fast: options.fast, chosen: here.clone(), tally: Tally::default() };
     let mut ends: Vec<End> = Vec::new();
-    for step in run.chosen.clone() {
-        let ((name, about), start) = (step.described(), Instant::now());
-        println!("\n== {name}: {about}");
-        let result = (step.work().0)(&mut run).map_err(|error| {
-            let missing = error.downcast::<Missing>();
-            missing.inspect_err(|error| println!("{error:#}")).ok()
-        });
-        let end = (step, start.elapsed(), result);
-        println!("== {name}: {}", shown(&end));
-        ends.push(end);
-        if matches!(ends.last(), Some((_, _, Err(None)))) {
+    let has_failed = |ends: &[End]| ends.iter().any(|(_, _, outcome)| *outcome == Outcome::Failed);
+    for step in here {
+        ends.push(work(step, &mut run));
+        if has_failed(&ends) || beside.as_mut().is_some_and(Beside::has_failed) {
             break;
         }
     }
+    if let Some(report) = &options.report {
+        return crate::beside::report(report, &ends, run.tally);
+    }
+    if let Some(beside) = beside {
+        let (more, tally) = beside.end(has_failed(&ends))?;
+        ends.extend(more);
+        run.tally.add(tally);
+    }
+
     println!("\n== summary, after {:.1} s", start.elapsed().as_secs_f64());
-    for (position, (name, about)) in run.chosen.iter().map(|step| step.described()).enumerate() {
-        println!("{:18}  {name:12} {about}", ends.get(position).map_or("not reached".to_owned(), shown));
+    for step in chosen {
+        let (name, about) = step.described();
+        let end = ends.iter().find(|(ended, ..)| *ended == step);
+        println!("{:18}  {name:12} {about}", end.map_or("not reached".to_owned(), shown));
     }
     let is_success = verdict(&ends, options.allow_missing);
     // Whoever counts tests reads the last line.
@@ -170,6 +203,22 @@ pub fn run(options: &Options) -> ! {
     std::process::exit(i32::from(!is_success));
 }
 
+fn work(step: Step, run: &mut Run) -> End {
+    let ((name, about), start) = (step.described(), Instant::now());
+    println!("\n== {name}: {about}");
+    let outcome = match (step.work().0)(run).map_err(anyhow::Error::downcast::<Missing>) {
+        Ok(()) => Outcome::Passed,
+        Err(Ok(Missing(what))) => Outcome::LeftOut(what.lines().next().unwrap_or_default().to_owned()),
+        Err(Err(error)) => {
+            println!("{error:#}");
+            Outcome::Failed
+        }
+    };
+    let end = (step, start.elapsed(), outcome);
+    println!("== {name}: {}", shown(&end));
+    end
+}
+
 fn chosen(options: &Options) -> Vec<Step> {
     let is_named = |step: &Step| options.only.is_empty() || options.only.contains(step);
     Step::value_variants().iter().copied().filter(|step| is_named(step) && (step.is_fast() || !options.fast)).collect()
@@ -178,16 +227,16 @@ fn chosen(options: &Options) -> Vec<Step> {
 /// Says what to do next, and whether the whole run is a success: also with what was left out, where that is allowed.
 fn verdict(ends: &[End], allow_missing: bool) -> bool {
     let (mut left_out, mut failed) = (0, false);
-    for (step, _, result) in ends {
-        let name = step.described().0;
-        match result {
-            Ok(()) => {}
-            Err(None) => {
+    for (step, _, outcome) in ends {
+        let name = step.name();
+        match outcome {
+            Outcome::Passed => {}
+            Outcome::Failed => {
                 println!("\nFAILED at {name}. Next: {};\nthen `cargo xtask test --only {name}`.", step.work().1);
                 failed = true;
             }
-            Err(Some(Missing(what))) => {
-                println!("left out: {name:12} {}", what.lines().next().unwrap_or_default());
+            Outcome::LeftOut(what) => {
+                println!("left out: {name:12} {what}");
                 left_out += 1;
             }
         }
@@ -203,11 +252,17 @@ fn verdict(ends: &[End], allow_missing: bool) -> bool {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     pub passed: u64,
-    failed: u64,
-    skipped: u64,
+    pub failed: u64,
+    pub skipped: u64,
 }
 
 impl Tally {
+    fn add(&mut self, other: Self) {
+        self.passed += other.passed;
+        self.failed += other.failed;
+        self.skipped += other.skipped;
+    }
+
     /// Adds what a line says, if it is one that sums up: of cargo's, of nextest's, of node's or of pytest's.
     fn read(&mut self, line: &str) {
         let words: Vec<&str> = line.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
@@ -258,7 +313,7 @@ mod tests {
 
     #[test]
     fn steps_are_chosen_by_speed_and_by_name() {
-        let chosen = |fast, only: &[Step]| chosen(&Options { fast, only: only.to_vec(), allow_missing: false });
+        let chosen = |fast, only: &[Step]| chosen(&Options { fast, only: only.to_vec(), allow_missing: false, report: None });
         assert_eq!(chosen(false, &[]), Step::value_variants());
         let fast = chosen(true, &[]);
         assert!(fast.contains(&Step::Clippy) && !fast.contains(&Step::Docs));
@@ -267,13 +322,14 @@ mod tests {
 
     #[test]
     fn what_is_left_out_is_no_success_unless_that_is_allowed() {
-        let verdict =
-            |result, allow_missing| verdict(&[(Step::Format, Duration::ZERO, Ok(())), (Step::Page, Duration::ZERO, result)], allow_missing);
-        let left_out = || Err(Some(Missing("no browser".to_owned())));
-        assert!(verdict(Ok(()), false));
+        let verdict = |outcome, allow_missing| {
+            verdict(&[(Step::Format, Duration::ZERO, Outcome::Passed), (Step::Page, Duration::ZERO, outcome)], allow_missing)
+        };
+        let left_out = || Outcome::LeftOut("no browser".to_owned());
+        assert!(verdict(Outcome::Passed, false));
         assert!(!verdict(left_out(), false));
         assert!(verdict(left_out(), true));
-        assert!(!verdict(Err(None), true));
+        assert!(!verdict(Outcome::Failed, true));
     }
 
     #[test]

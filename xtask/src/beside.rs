@@ -1,0 +1,111 @@
+//! Steps that run beside the others, in a process of their own: what it says is shown line by line, and how its steps ended comes in a file.
+
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+use anyhow::{Context, Result, anyhow};
+use clap::ValueEnum;
+use serde_json::{Value, json};
+
+use crate::process::{shell, target_dir};
+use crate::test::{End, Outcome, Step, Tally};
+
+pub struct Beside {
+    child: Child,
+    report: PathBuf,
+    shown: JoinHandle<()>,
+}
+
+impl Beside {
+    pub fn start(steps: &[Step]) -> Result<Self> {
+        let report = target_dir().join("steps-beside.json");
+        shell()?.remove_path(&report)?;
+        let (reader, writer) = std::io::pipe()?;
+        let mut command = Command::new(std::env::current_exe()?);
+        command.args(["test", "--report"]).arg(&report).args(steps.iter().flat_map(|step| ["--only".to_owned(), step.name()]));
+        let child =
+            command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer).spawn().context("the steps beside the others")?;
+        // Until nobody holds the other end.
+        drop(command);
+        let shown = std::thread::spawn(|| {
+            for line in BufReader::new(reader).split(b'\n').map_while(Result::ok) {
+                println!("| {}", String::from_utf8_lossy(&line));
+            }
+        });
+        Ok(Self { child, report, shown })
+    }
+
+    /// Whether it has ended with a step that failed.
+    pub fn has_failed(&mut self) -> bool {
+        let has_ended = self.child.try_wait().is_ok_and(|status| status.is_some());
+        has_ended && read(&self.report).map_or(true, |(ends, _)| ends.iter().any(|(_, _, outcome)| *outcome == Outcome::Failed))
+    }
+
+    /// Waits for its end, or stops it. Gives how its steps ended, and how many tests they have counted.
+    pub fn end(mut self, at_once: bool) -> Result<(Vec<End>, Tally)> {
+        if at_once && self.child.try_wait()?.is_none() {
+            self.child.kill()?;
+            self.child.wait()?;
+            return Ok((Vec::new(), Tally::default()));
+        }
+        self.child.wait()?;
+        self.shown.join().map_err(|_| anyhow!("the steps beside the others could not be shown"))?;
+        read(&self.report)
+    }
+}
+
+/// Writes how steps ended.
+pub fn report(file: &Path, ends: &[End], tally: Tally) -> Result<()> {
+    let ends = ends.iter().map(|(step, time, outcome)| {
+        let (passed, left_out) = match outcome {
+            Outcome::Passed => (true, None),
+            Outcome::Failed => (false, None),
+            Outcome::LeftOut(what) => (false, Some(what)),
+        };
+        json!({ "step": step.name(), "milliseconds": u64::try_from(time.as_millis()).unwrap_or(u64::MAX), "passed": passed, "left_out": left_out })
+    });
+    let Tally { passed, failed, skipped } = tally;
+    let text = json!({ "steps": ends.collect::<Vec<_>>(), "tests": [passed, failed, skipped] }).to_string();
+    Ok(shell()?.write_file(file, text)?)
+}
+
+fn read(file: &Path) -> Result<(Vec<End>, Tally)> {
+    let text = shell()?.read_file(file).context("the steps beside the others did not come to their end")?;
+    let said: Value = serde_json::from_str(&text)?;
+    let ends = said["steps"].as_array().into_iter().flatten().map(|end| {
+        let step = Step::from_str(end["step"].as_str().unwrap_or_default(), false).map_err(anyhow::Error::msg)?;
+        let outcome = match (end["passed"].as_bool(), end["left_out"].as_str()) {
+            (Some(true), _) => Outcome::Passed,
+            (_, Some(what)) => Outcome::LeftOut(what.to_owned()),
+            _ => Outcome::Failed,
+        };
+        Ok((step, Duration::from_millis(end["milliseconds"].as_u64().unwrap_or_default()), outcome))
+    });
+    let [passed, failed, skipped] = [0, 1, 2].map(|at| said["tests"][at].as_u64().unwrap_or_default());
+    Ok((ends.collect::<Result<_>>()?, Tally { passed, failed, skipped }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_of_steps_is_read_as_it_was() {
+        let sh = shell().unwrap();
+        let folder = sh.create_temp_dir().unwrap();
+        let file = folder.path().join("report.json");
+        let time = Duration::from_millis(1_500);
+        let ends = [
+            (Step::Portable, time, Outcome::Passed),
+            (Step::CHost, time, Outcome::LeftOut("no gcc".to_owned())),
+            (Step::Guide, time, Outcome::Failed),
+        ];
+        let tally = Tally { passed: 7, failed: 1, skipped: 2 };
+        report(&file, &ends, tally).unwrap();
+        assert_eq!(read(&file).unwrap(), (ends.to_vec(), tally));
+        assert!(read(&folder.path().join("none")).unwrap_err().to_string().contains("did not come to their end"));
+    }
+}
