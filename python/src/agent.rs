@@ -365,6 +365,17 @@ impl Mind {
     fn count(&self) -> usize {
         self.core.tasks().len()
     }
+
+    /// How probable each task is.
+    pub fn beliefs(&self) -> Vec<f32> {
+        let belief = self.core.belief();
+        (0..self.count()).map(|task| belief.probability(task)).collect()
+    }
+
+    /// The names of the last session's tasks.
+    pub fn names(&self, py: Python<'_>) -> impl Iterator<Item = Py<PyString>> {
+        self.names.iter().map(move |name| name.clone_ref(py))
+    }
 }
 
 impl Agent {
@@ -745,16 +756,13 @@ impl Agent {
     /// The names of this session's tasks, in the order of `beliefs`, `plans`, `distances` and the rows of `optimal_sets`.
     #[getter]
     fn tasks(&self, py: Python<'_>) -> PyResult<Vec<Py<PyString>>> {
-        self.with(|mind| Ok(mind.names.iter().take(mind.count()).map(|name| name.clone_ref(py)).collect()))
+        self.with(|mind| Ok(mind.names(py).take(mind.count()).collect()))
     }
 
     /// How probable each task is: float32, shape (tasks,), sum 1.
     #[getter]
     fn beliefs<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.with(|mind| {
-            let belief = mind.core.belief();
-            array(py, (0..mind.count()).map(|task| belief.probability(task)), &[mind.count()])
-        })
+        self.with(|mind| array(py, mind.beliefs(), &[mind.count()]))
     }
 
     /// The trainer strategies: for each mu+, mu-, epsilon, and how probable it was when the session began.
@@ -934,6 +942,21 @@ impl Agent {
         });
         told.unwrap_or_else(|_| "<goodbot.Agent in use>".to_owned())
     }
+}
+
+/// The words of a command, as a robot hears them: in lower case, without punctuation, and in scripts without spaces sign by sign.
+///
+/// >>> goodbot.words("Go to the RED room!")
+/// ['go', 'to', 'the', 'red', 'room']
+#[pyfunction]
+pub fn words(py: Python<'_>, command: &str) -> PyResult<Vec<String>> {
+    let mut words = Vec::new();
+    let take = |word: &str| {
+        words.push(word.to_owned());
+        Ok(())
+    };
+    Options::DEFAULT.language.model.for_each_word(command, take).map_err(|refused| error::full(py, refused))?;
+    Ok(words)
 }
 
 const fn kind_name(kind: goodbot::task::RoleKind) -> &'static str {

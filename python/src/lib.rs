@@ -36,7 +36,7 @@ use pyo3::prelude::*;
 #[pymodule(name = "_native")]
 mod native {
     #[pymodule_export]
-    use crate::agent::{Agent, Decision};
+    use crate::agent::{Agent, Decision, words};
     #[pymodule_export]
     use crate::command::run_command;
     #[pymodule_export]

@@ -1,6 +1,7 @@
 //! Recorded sessions: read, written, and gone through once more.
 
 use crate::agent::{Agent, Mind, PART, evidence_name};
+use crate::arrays::array;
 use crate::error::{self, format, value};
 use crate::home::{Home, Rooms, environment};
 use goodbot::Capacities;
@@ -12,7 +13,7 @@ use goodbot_lesson::checked::{check_steps, moves};
 use goodbot_lesson::replay::{Event, Replay, Rules};
 use goodbot_lesson::{Fault, home};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyString};
 
 /// A recorded session: a command in a home, and what was done and said.
 ///
@@ -96,19 +97,29 @@ impl Session {
         Home::of(py, &self.0.header.environment, moves, &Capacities::STANDARD, "")
     }
 
-    fn replay(&self, py: Python<'_>, mind: &mut Mind, learn: bool) -> PyResult<Vec<&'static str>> {
+    fn replay(&self, py: Python<'_>, mind: &mut Mind, learn: bool) -> PyResult<Replayed> {
         let session = check_steps("", &self.0, mind.core.lifted(), home::memory()).map_err(|faults| value(told(&faults)))?;
         let mut replay = Replay::new(Rules::AS_IT_WAS);
-        let mut evidence = Vec::new();
+        let mut replayed = Replayed { evidence: vec![], beliefs: vec![] };
         loop {
             let event = py.detach(|| replay.advance(&mut mind.core, &session.walk, PART));
             match event.map_err(|refused| error::agent(py, refused.error))? {
                 Event::Ended => break,
                 Event::Working => py.check_signals()?,
-                Event::Heard => mind.heard(py, &session),
-                Event::Took(_, came) => evidence.push(evidence_name(came)),
+                Event::Heard => {
+                    mind.heard(py, &session);
+                    replayed.beliefs.push(mind.beliefs());
+                }
+                Event::Took(_, came) => {
+                    replayed.evidence.push(evidence_name(came));
+                    replayed.beliefs.push(mind.beliefs());
+                }
                 Event::Answered(_) | Event::Planned(_) | Event::Closed(_) => {}
             }
+        }
+        // Answers after the last step, and the end of a session, are evidence too.
+        if let Some(last) = replayed.beliefs.last_mut() {
+            *last = mind.beliefs();
         }
         if learn {
             mind.finish_home(py, &session.walk.home)?;
@@ -116,8 +127,16 @@ impl Session {
         } else {
             mind.core.forget();
         }
-        Ok(evidence)
+        Ok(replayed)
     }
+}
+
+/// What came of a session that was gone through.
+struct Replayed {
+    /// For each step what came of it.
+    evidence: Vec<&'static str>,
+    /// How probable each task was: before the first step, and after each.
+    beliefs: Vec<Vec<f32>>,
 }
 
 /// What is wrong with a session, a line each.
@@ -232,7 +251,24 @@ impl Session {
     /// `Agent.feedback` does. `learn` replaces the session's own word on whether to learn from it.
     #[pyo3(signature = (agent, *, learn=None))]
     fn teach(&self, py: Python<'_>, agent: &Bound<'_, Agent>, learn: Option<bool>) -> PyResult<Vec<&'static str>> {
-        agent.get().with(|mind| self.replay(py, mind, learn.unwrap_or(self.0.learn)))
+        agent.get().with(|mind| Ok(self.replay(py, mind, learn.unwrap_or(self.0.learn))?.evidence))
+    }
+
+    /// Goes through the session as `teach` does. Returns the names of its tasks, and how probable each was: float32, shape (steps + 1, tasks),
+    /// each row of sum 1. The first row is of the words alone; the last one has also what came after the last step, such as an answer.
+    #[pyo3(signature = (agent, *, learn=None))]
+    fn posteriors<'py>(
+        &self,
+        py: Python<'py>,
+        agent: &Bound<'_, Agent>,
+        learn: Option<bool>,
+    ) -> PyResult<(Vec<Py<PyString>>, Bound<'py, PyAny>)> {
+        agent.get().with(|mind| {
+            let beliefs = self.replay(py, mind, learn.unwrap_or(self.0.learn))?.beliefs;
+            let shape = [beliefs.len(), beliefs.first().map_or(0, Vec::len)];
+            let names = mind.names(py).take(shape[1]).collect();
+            Ok((names, array(py, beliefs.into_iter().flatten(), &shape)?))
+        })
     }
 
     fn __repr__(&self) -> String {

@@ -221,6 +221,11 @@ impl Trainer {
         self.trainer.feedback(correct, &mut *random).name()
     }
 
+    /// What the trainer says to a step of a lesson, as a trainer of your own does: see `goodbot.Judge`.
+    fn judge(&self, step: &Bound<'_, PyAny>) -> PyResult<&'static str> {
+        Ok(self.feedback(step.getattr("correct")?.extract()?))
+    }
+
     /// Gives a command, judges the agent's actions as one who means the task `intended` (its name or position), ends the lesson after three
     /// times of `noop` at the goal, in a dead end or after 300 steps, and lets the agent learn from it unless `learn=False`.
     #[pyo3(signature = (agent, domain, state, command, intended, *, learn=true))]

@@ -101,6 +101,21 @@ impl World {
         pyo3::types::PyTuple::new(py, names)
     }
 
+    /// The objects by their names: `class`, and the values of their attributes.
+    #[getter]
+    fn objects<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let all = PyDict::new(py);
+        for object in &self.0.file().objects {
+            let one = PyDict::new(py);
+            one.set_item("class", &object.class)?;
+            for (attribute, value) in &object.attributes {
+                one.set_item(attribute, value)?;
+            }
+            all.set_item(&object.name, one)?;
+        }
+        Ok(all)
+    }
+
     /// What holds in a state, by default at the start.
     #[pyo3(signature = (state=None))]
     fn facts(&self, state: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<String>> {

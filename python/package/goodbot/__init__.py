@@ -22,7 +22,9 @@ You tell it in your own words what to do, say "good bot" or "bad bot" while it t
 - `World`: a robot of any kind, from a file or a dict;
 - `Agent`, `Decision`: the robot's mind;
 - `Trainer`, `Lesson`: a simulated trainer;
-- `Session`, `read_log`, `write_log`: recorded sessions;
+- `teach`, `Judge`, `LanguageModel`: a lesson with a trainer or a language model of your own;
+- `Session`, `read_log`, `write_log`: recorded sessions; `posteriors`: what is believed in them; `learn`: an agent that knows them;
+- `goodbot.datasets`: logs that you fetch, with their checksums, and splits;
 - `evaluate`, `Evaluation`: how well commands are understood that were not trained on;
 - `exercises`, `run_course`, `run_courses`: the paper's experiment;
 - `goodbot.gym`: the homes as Gymnasium environments.
@@ -47,12 +49,15 @@ from ._native import (
     __version__,
     capacities,
     exercises,
-    run_course,
+    words,
 )
 from .domain import Domain
 from .evaluation import Evaluation, evaluate
-from .experiment import run_courses
-from .logs import read_log, write_log
+from .experiment import run_course, run_courses
+from .language import LanguageModel, LearningLanguageModel, Task, hear, serve
+from .learning import learn
+from .lesson import Judge, Step, Taught, teach
+from .logs import Posterior, posteriors, read_log, write_log
 from .registration import register
 
 register()
@@ -67,11 +72,18 @@ __all__ = [
     "Home",
     "InUseError",
     "InternalError",
+    "Judge",
+    "LanguageModel",
+    "LearningLanguageModel",
     "Lesson",
     "ModelError",
+    "Posterior",
     "Session",
     "SessionError",
     "State",
+    "Step",
+    "Task",
+    "Taught",
     "Trainer",
     "World",
     "Worlds",
@@ -79,8 +91,14 @@ __all__ = [
     "capacities",
     "evaluate",
     "exercises",
+    "hear",
+    "learn",
+    "posteriors",
     "read_log",
     "run_course",
     "run_courses",
+    "serve",
+    "teach",
+    "words",
     "write_log",
 ]

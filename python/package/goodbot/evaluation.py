@@ -3,20 +3,14 @@
 from __future__ import annotations
 
 import json
-import os
-import subprocess
-import sys
-import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .logs import write_log
+from .command import arguments, file_of, run
 
 if TYPE_CHECKING:
     from .names import Log, Option
+
 
 @dataclass(frozen=True)
 class Evaluation:
@@ -45,38 +39,9 @@ def evaluate(train: Log | None = None, *, test: Log | None = None, **options: Op
     >>> len(found.answers) == len(lessons)
     True
     """
-    with _file(train) as trained, _file(test) as tested:
-        arguments = ["evaluate", "--json", "--quiet", *_arguments(options)]
-        arguments += [] if tested is None else ["--test", tested]
-        arguments += [] if trained is None else ["--", trained]
-        done = subprocess.run(
-            [sys.executable, "-m", "goodbot", *arguments], capture_output=True, text=True, encoding="utf-8", check=False
-        )
-    if done.returncode != 0:
-        message = done.stderr.strip().removeprefix("error: ")
-        raise (ValueError if done.returncode == 2 else RuntimeError)(message)
-    *answers, summary = (json.loads(line) for line in done.stdout.splitlines())
+    with file_of(train) as trained, file_of(test) as tested:
+        given = [] if tested is None else ["--test", tested]
+        given += [] if trained is None else ["--", trained]
+        printed = run("evaluate", "--json", "--quiet", *arguments(options), *given)
+    *answers, summary = (json.loads(line) for line in printed.splitlines())
     return Evaluation(answers, summary)
-
-
-@contextmanager
-def _file(log: Log | None) -> Iterator[str | None]:
-    """The file of a log, which is written where it is not one."""
-    if log is None or isinstance(log, (str, os.PathLike)):
-        yield None if log is None else os.fspath(log)
-        return
-    with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder) / "sessions.jsonl"
-        write_log(file, log)
-        yield str(file)
-
-
-def _arguments(options: dict[str, Option]) -> Iterator[str]:
-    for name, value in options.items():
-        flag = "--" + name.rstrip("_").replace("_", "-")
-        if isinstance(value, bool):
-            yield from [flag] if value else []
-            continue
-        several = [value] if isinstance(value, (int, float, str, os.PathLike)) else value
-        for one in several:
-            yield f"{flag}={os.fspath(one) if isinstance(one, os.PathLike) else one}"

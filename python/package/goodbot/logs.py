@@ -4,9 +4,17 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from ._native import Session, parse_log
+import numpy as np
+from numpy.typing import NDArray
+
+from ._native import Agent, Session, parse_log
+
+if TYPE_CHECKING:
+    from .names import Log
 
 
 def read_log(path: str | os.PathLike[str]) -> list[Session]:
@@ -25,3 +33,40 @@ def write_log(path: str | os.PathLike[str], sessions: Iterable[Session], *, appe
     lines = [line for session in sessions for line in session.lines()]
     with open(path, "a" if append else "x", encoding="utf-8", newline="\n") as file:
         file.writelines(line + "\n" for line in lines)
+
+
+@dataclass(frozen=True)
+class Posterior:
+    """What an agent believed in a session."""
+
+    session: Session
+    """The session."""
+    tasks: list[str]
+    """Its possible tasks."""
+    beliefs: NDArray[np.float32]
+    """How probable each task was: shape (steps + 1, tasks), each row of sum 1. The first row is of the words alone."""
+
+    @property
+    def intended(self) -> NDArray[np.float32] | None:
+        """How probable the intended task was: shape (steps + 1,). None where it is not known or not possible."""
+        meant = self.session.intended
+        return self.beliefs[:, self.tasks.index(meant)] if meant in self.tasks else None
+
+
+def posteriors(log: Log, agent: Agent | None = None, *, learn: bool | None = None) -> list[Posterior]:
+    """Goes through a log, and tells for each session what the agent believes before the first step and after each.
+
+    `log` is a file or sessions; without `agent` a new one hears it. It learns from the sessions that are to be learned from; `learn` replaces
+    this. The numbers are those of `goodbot replay LOG`, bit for bit.
+
+    Raises `FormatError`, `ValueError` where a session cannot be gone through, and `OSError`.
+
+    >>> home = goodbot.Home.random(1, "A")
+    >>> sessions = [goodbot.Session("go there", home, [("north", "reward"), ("noop", "neutral")])]
+    >>> [first] = goodbot.posteriors(sessions)
+    >>> first.beliefs.shape == (3, len(first.tasks))
+    True
+    """
+    agent = Agent() if agent is None else agent
+    sessions = read_log(log) if isinstance(log, (str, os.PathLike)) else log
+    return [Posterior(session, *session.posteriors(agent, learn=learn)) for session in sessions]

@@ -1,0 +1,51 @@
+"""The command line, called from Python: options as arguments with names, logs as files, faults as exceptions."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .logs import write_log
+
+if TYPE_CHECKING:
+    from .names import Log, Option
+
+
+def run(*arguments: str) -> str:
+    """What a command prints. Raises `ValueError` with its message where what it was given is at fault, and `RuntimeError` where it fails."""
+    command = [sys.executable, "-m", "goodbot", *arguments]
+    done = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", check=False)
+    if done.returncode != 0:
+        message = done.stderr.strip().removeprefix("error: ")
+        raise (ValueError if done.returncode == 2 else RuntimeError)(message)
+    return done.stdout
+
+
+@contextmanager
+def file_of(log: Log | None) -> Iterator[str | None]:
+    """The file of a log, which is written where it is not one."""
+    if log is None or isinstance(log, (str, os.PathLike)):
+        yield None if log is None else os.fspath(log)
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "sessions.jsonl"
+        write_log(file, log)
+        yield str(file)
+
+
+def arguments(options: dict[str, Option]) -> Iterator[str]:
+    """Options as they are typed: `k_fold=10` is `--k-fold=10`."""
+    for name, value in options.items():
+        flag = "--" + name.rstrip("_").replace("_", "-")
+        if isinstance(value, bool):
+            yield from [flag] if value else []
+            continue
+        several = [value] if isinstance(value, (int, float, str, os.PathLike)) else value
+        for one in several:
+            yield f"{flag}={os.fspath(one) if isinstance(one, os.PathLike) else one}"

@@ -1,0 +1,155 @@
+"""A place for a language model of your own: what a class needs, and what it is told."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import IO, Any, Protocol, runtime_checkable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._native import Agent, words
+from .domain import Domain
+
+# A proposition with its arguments, such as `blockInRoom(block0,room2)`; `!` before it negates it.
+_ATOM = re.compile(r"(!?\w+)\(([^)]*)\)")
+
+
+@dataclass(frozen=True)
+class Task:
+    """A task that a command may mean, as a language model is told of it.
+
+    >>> task = goodbot.Task.of("agentInRoom(agent0,room2)", {"agent0": {"class": "agent"}, "room2": {"class": "room", "color": "red"}})
+    >>> task.objects
+    ('agent0', 'room2')
+    >>> task.features
+    ('agentInRoom', 'agentInRoom 1 color red')
+    """
+
+    name: str
+    """As `Agent.tasks` has it: `agentInRoom(agent0,room2)`."""
+    objects: tuple[str, ...]
+    """The objects that it is about, in the order of its name."""
+    features: tuple[str, ...]
+    """Each of its propositions, and each value of their arguments: proposition, position of the argument, attribute and value."""
+
+    @staticmethod
+    def of(name: str, objects: Mapping[str, Mapping[str, Any]]) -> Task:
+        """A task by its name, among objects with their attributes, such as `Home.objects`."""
+        named: list[str] = []
+        features: list[str] = []
+        for proposition, arguments in _ATOM.findall(name):
+            features.append(proposition)
+            for position, argument in enumerate(arguments.split(",")):
+                named.append(argument)
+                values = objects.get(argument, {}).items()
+                features += [f"{proposition} {position} {attribute} {value}" for attribute, value in values if _is_value(attribute, value)]
+        return Task(name, tuple(named), tuple(features))
+
+
+def _is_value(attribute: str, value: object) -> bool:
+    """Whether this is a value that words can name; a class and a place in the plane are none."""
+    return isinstance(value, str) and attribute not in ("class", "name")
+
+
+class LanguageModel(Protocol):
+    """A language model of your own: any class with this method. There is nothing to inherit.
+
+    >>> class Colors:
+    ...     '''Understands the colours of rooms, and nothing else.'''
+    ...     def log_likelihood(self, words, tasks):
+    ...         return [0.0 if any(task.features[-1].endswith(word) for word in words) else -5.0 for task in tasks]
+    >>> home = goodbot.Home.from_map("#########\\n#ggg#rrr#\\n##+###+##\\n#bb@bbbb#\\n#########")
+    >>> agent = goodbot.Agent()
+    >>> goodbot.hear(agent, home, home.start, "to the red one", language=Colors())
+    >>> agent.most_likely
+    'agentInRoom(agent0,room2)'
+    """
+
+    def log_likelihood(self, words: Sequence[str], tasks: Sequence[Task]) -> Sequence[float]:
+        """The natural logarithm of how probable these words are for each task, up to a constant: a number for each task. `-inf` is impossible."""
+
+
+@runtime_checkable
+class LearningLanguageModel(LanguageModel, Protocol):
+    """A language model that learns too: it is told what was believed at the end of each session."""
+
+    def learn(self, words: Sequence[str], tasks: Sequence[Task], beliefs: NDArray[np.float32]) -> None:
+        """Learns from a session: its words, its tasks, and how probable each task was at the end, float32 of shape (tasks,), sum 1."""
+
+
+def objects_of(domain: Any) -> Mapping[str, Mapping[str, Any]]:
+    """The objects of a home, a world or a robot of one's own, with their attributes."""
+    objects: Mapping[str, Mapping[str, Any]] = domain.objects
+    return objects
+
+
+def hear(agent: Agent, domain: Any, state: Any, command: str, *, language: LanguageModel | None = None) -> None:
+    """Lets an agent hear a command in a state, as `Agent.hear` does, with the understanding of a language model of your own.
+
+    Each task's prior is proportional to its likelihood. Raises `ValueError` where the model gives other than a number for each task.
+    """
+    if language is None:
+        agent.hear(domain, state, command)
+        return
+    # The tasks are known when they were heard once.
+    agent.hear(domain, state, command)
+    names = agent.tasks
+    agent.hear(domain, state, command, prior=dict(zip(names, _prior(language, command, _tasks(agent, domain)), strict=True)))
+
+
+def learn(agent: Agent, domain: Any, *, language: LanguageModel | None = None) -> int:
+    """Ends a session and learns from it, as `Agent.finish` does; returns how many older sessions gave way.
+
+    With a language model of your own that one learns, if it can, and the agent's own does not.
+    """
+    if language is None:
+        return agent.finish(domain)
+    if isinstance(language, LearningLanguageModel):
+        language.learn(words(agent.command), _tasks(agent, domain), agent.beliefs)
+    agent.forget()
+    return 0
+
+
+def _tasks(agent: Agent, domain: Any) -> list[Task]:
+    objects = objects_of(domain)
+    return [Task.of(name, objects) for name in agent.tasks]
+
+
+def _prior(language: LanguageModel, command: str, tasks: Sequence[Task]) -> list[float]:
+    logs = [float(number) for number in language.log_likelihood(words(command), tasks)]
+    if len(logs) != len(tasks):
+        raise ValueError(f"log_likelihood gave {len(logs)} numbers for {len(tasks)} tasks; give one for each")
+    for task, number in zip(tasks, logs):
+        if math.isnan(number) or number == math.inf:
+            raise ValueError(f"log_likelihood gave {number} for {task.name}; give a logarithm, or -inf for what is impossible")
+    most = max(logs, default=0.0)
+    if most == -math.inf:
+        raise ValueError(f"log_likelihood takes all tasks for impossible at {command!r}; give at least one a number")
+    # No task that is possible becomes impossible because another is much more probable.
+    return [0.0 if number == -math.inf else math.exp(max(number - most, -80.0)) for number in logs]
+
+
+def serve(make: Callable[[int], LanguageModel], *, source: IO[str] = sys.stdin, target: IO[str] = sys.stdout) -> None:
+    """Serves a language model to `goodbot study --language`, by a line of JSON for each question, until the input ends.
+
+    `make` makes a new model for the seed of each course: the same seed must make the same model, so that a study can be repeated.
+    """
+    model = make(0)
+    for line in source:
+        asked = json.loads(line)
+        said = asked.get("words", [])
+        tasks = [Task.of(name, asked["objects"]) for name in asked.get("tasks", [])]
+        answer: object = None
+        if asked["ask"] == "begin":
+            model = make(asked["seed"])
+        elif asked["ask"] == "log_likelihood":
+            answer = [float(number) for number in model.log_likelihood(said, tasks)]
+        elif isinstance(model, LearningLanguageModel):
+            model.learn(said, tasks, np.array(asked["beliefs"], np.float32))
+        print(json.dumps(answer), file=target, flush=True)

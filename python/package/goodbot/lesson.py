@@ -1,0 +1,145 @@
+"""A place for a trainer of your own, and the lesson that it gives."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._native import Agent, Home, Session, State
+from .language import LanguageModel, hear, learn as _learn
+from .names import Feedback
+
+# Rests in a row at the intended goal after which a lesson ends.
+RESTS = 3
+
+
+@dataclass(frozen=True)
+class Step:
+    """What an agent did, as its trainer sees it."""
+
+    number: int
+    """How many steps of the lesson came before."""
+    command: str
+    """What was said."""
+    intended: str
+    """The task that the trainer means."""
+    state: Any
+    """Where things were."""
+    action: str
+    """What the agent did: an action's name, or `noop`."""
+    next_state: Any
+    """Where things are now."""
+    correct: bool
+    """Whether the action begins a shortest way to the intended goal. At the goal `noop` does."""
+    at_goal: bool
+    """Whether the intended goal was reached before the action."""
+    distance: int
+    """The cost of a shortest way to the intended goal before the action; -1 where none is known."""
+
+
+class Judge(Protocol):
+    """A trainer of your own: any class with this method. There is nothing to inherit; `goodbot.Trainer` is one.
+
+    >>> class Impatient:
+    ...     '''Says nothing for three steps, then blames what is wrong.'''
+    ...     def judge(self, step):
+    ...         return "punish" if step.number >= 3 and not step.correct else None
+    >>> home = goodbot.Home.from_map("#########\\n#ggg#rrr#\\n##+###+##\\n#bb@bbbb#\\n#########")
+    >>> taught = goodbot.teach(goodbot.Agent(seed=1), home, home.start, "go to the red room", "agentInRoom(agent0,room2)", trainer=Impatient())
+    >>> taught.ending, taught.feedback["reward"]
+    ('goal', 0)
+    """
+
+    def judge(self, step: Step) -> Feedback | None:
+        """What the trainer says to a step: `reward`, `punish`, or `neutral`, which None is too."""
+
+
+@dataclass(frozen=True)
+class Taught:
+    """What a lesson came to."""
+
+    understood: bool
+    """Whether the agent set out for the intended task on hearing the command, before any feedback."""
+    ending: Literal["goal", "dead end", "too long"]
+    """Why it ended."""
+    steps: list[tuple[str, Feedback]]
+    """What was done and said, in order."""
+    state: Any
+    """Where it ended."""
+    tasks: list[str]
+    """The possible tasks."""
+    beliefs: NDArray[np.float32]
+    """How probable each task was: shape (steps + 1, tasks), the first row before any step."""
+    session: Session | None
+    """The lesson as a recorded session; None outside of homes, which no log can hold."""
+
+    @property
+    def feedback(self) -> dict[str, int]:
+        """How often the trainer said what: `reward`, `punish` and `neutral`."""
+        said = [word for _, word in self.steps]
+        return {word: said.count(word) for word in ("reward", "punish", "neutral")}
+
+
+def teach(
+    agent: Agent,
+    domain: Any,
+    state: Any,
+    command: str,
+    intended: str,
+    *,
+    trainer: Judge,
+    language: LanguageModel | None = None,
+    learn: bool = True,
+    most_steps: int = 300,
+) -> Taught:
+    """Gives a lesson: a trainer, perhaps of your own, says a command, judges each action, and the agent learns from it unless `learn=False`.
+
+    With a language model of your own that one understands and learns, in place of the agent's. The lesson ends after three times of `noop` at the
+    goal, where the goal cannot be reached any more, or after `most_steps` steps.
+
+    Raises `ValueError` where `intended` is no possible task, or where the trainer or the language model gives what it cannot.
+
+    >>> home = goodbot.Home.from_map("#########\\n#ggg#rrr#\\n##+###+##\\n#bb@bbbb#\\n#########")
+    >>> agent = goodbot.Agent(seed=1)
+    >>> taught = goodbot.teach(agent, home, home.start, "go to the red room", "agentInRoom(agent0,room2)", trainer=goodbot.Trainer(seed=1))
+    >>> taught.ending, taught.beliefs.shape == (len(taught.steps) + 1, 2)
+    ('goal', True)
+    """
+    hear(agent, domain, state, command, language=language)
+    tasks = agent.tasks
+    if intended not in tasks:
+        agent.forget()
+        raise ValueError(f"{intended} is no task here; there are {', '.join(tasks)}")
+    meant = tasks.index(intended)
+    start, actions = state, [*domain.actions, "noop"]
+    beliefs, steps, rests, understood = [agent.beliefs], list[tuple[str, Feedback]](), 0, False
+    while True:
+        agent.plan(domain, state)
+        plan, right = agent.plans[meant], agent.optimal_sets(domain)[meant]
+        if rests == RESTS or plan == "dead end" or len(steps) >= most_steps:
+            break
+        decision = agent.decide(domain, state)
+        if not steps:
+            understood = decision.task == meant
+        at_goal, correct = plan == "goal", bool(right[actions.index(decision.action)])
+        before, state = state, agent.acted(domain, state, decision.action)
+        step = Step(
+            len(steps), command, intended, before, decision.action, state, correct, at_goal, int(agent.distances[meant])
+        )
+        word = trainer.judge(step) or "neutral"
+        agent.feedback(word)
+        steps.append((decision.action, word))
+        beliefs.append(agent.beliefs)
+        rests = rests + 1 if at_goal and decision.action == "noop" else 0
+    session = None
+    if isinstance(domain, Home) and isinstance(start, State):
+        session = Session(command, domain, steps, state=start, intended=intended, learn=learn)
+    if learn:
+        _learn(agent, domain, language=language)
+    else:
+        agent.forget()
+    ending: Literal["goal", "dead end", "too long"] = "goal" if rests == RESTS else "dead end" if plan == "dead end" else "too long"
+    return Taught(understood, ending, steps, state, tasks, np.array(beliefs), session)
