@@ -3,8 +3,8 @@
     python own_model.py --runs 20                                     the course, with both
     goodbot study --languages own --language "python own_model.py --serve"    the language model in a study
 
-The language model is log-linear: a weight for each pair of a word and a feature of a task. After each session the weights move so that the
-tasks that were believed in become more probable.
+The language model translates features of tasks, such as `agentInRoom` or `blockInRoom 0 color blue`, into words. After each session it is trained
+anew on all sessions, each with what was believed at its end.
 """
 
 from __future__ import annotations
@@ -21,33 +21,39 @@ from numpy.typing import NDArray
 import goodbot
 
 
-class LogLinear:
-    """The probability of a task is proportional to the exponential of its weights' sum."""
+class Translation:
+    """IBM Model 1: each word is a translation of one of the task's features, or of none of them."""
 
-    def __init__(self, seed: int = 0, *, rate: float = 0.3, passes: int = 10) -> None:
-        self.weights: defaultdict[tuple[str, str], float] = defaultdict(float)
-        self.rate, self.passes = rate, passes
-        self.sessions: list[tuple[list[list[tuple[str, str]]], NDArray[np.float32]]] = []
+    UNKNOWN = 0.01
+
+    def __init__(self, seed: int = 0, *, rounds: int = 10) -> None:
+        self.rounds = rounds
+        self.sessions: list[tuple[Sequence[str], Sequence[goodbot.Task], NDArray[np.float32]]] = []
+        self.chance: dict[tuple[str, str], float] = {}
 
     def log_likelihood(self, words: Sequence[str], tasks: Sequence[goodbot.Task]) -> list[float]:
-        return self._scores(self._pairs(words, tasks))
+        return [sum(math.log(sum(self._shares(word, task).values()) / (len(task.features) + 1)) for word in words) for task in tasks]
 
     def learn(self, words: Sequence[str], tasks: Sequence[goodbot.Task], beliefs: NDArray[np.float32]) -> None:
-        self.sessions.append((self._pairs(words, tasks), beliefs))
-        for _ in range(self.passes):
-            for pairs, believed in self.sessions:
-                scores = np.array(self._scores(pairs))
-                expected = np.exp(scores - scores.max())
-                for task, error in zip(pairs, believed - expected / expected.sum(), strict=True):
-                    for pair in task:
-                        self.weights[pair] += self.rate * float(error) / math.sqrt(len(task))
+        self.sessions.append((words, tasks, beliefs))
+        self.chance = {}
+        for _ in range(self.rounds):
+            counts: defaultdict[tuple[str, str], float] = defaultdict(float)
+            for said, possible, believed in self.sessions:
+                for task, belief in zip(possible, believed, strict=True):
+                    for word in said:
+                        shares = self._shares(word, task)
+                        whole = sum(shares.values())
+                        for feature, share in shares.items():
+                            counts[word, feature] += float(belief) * share / whole
+            totals: defaultdict[str, float] = defaultdict(float)
+            for (_, feature), count in counts.items():
+                totals[feature] += count
+            self.chance = {(word, feature): count / totals[feature] for (word, feature), count in counts.items()}
 
-    @staticmethod
-    def _pairs(words: Sequence[str], tasks: Sequence[goodbot.Task]) -> list[list[tuple[str, str]]]:
-        return [[(word, feature) for word in words for feature in task.features] for task in tasks]
-
-    def _scores(self, pairs: list[list[tuple[str, str]]]) -> list[float]:
-        return [sum(self.weights.get(pair, 0.0) for pair in task) / math.sqrt(len(task)) for task in pairs]
+    def _shares(self, word: str, task: goodbot.Task) -> dict[str, float]:
+        """How probable the word is for each feature of the task, and for none of them (`""`)."""
+        return {feature: self.chance.get((word, feature), 0.0) + self.UNKNOWN for feature in ("", *task.features)}
 
 
 class Encouraging:
@@ -70,9 +76,9 @@ def main() -> None:
     parser.add_argument("--serve", action="store_true", help="serve the language model to goodbot study")
     options = parser.parse_args()
     if options.serve:
-        goodbot.serve(LogLinear)
+        goodbot.serve(Translation)
         return
-    rows = goodbot.run_courses(range(1, options.runs + 1), trainer=Encouraging, language=LogLinear, layouts="random")
+    rows = goodbot.run_courses(range(1, options.runs + 1), trainer=Encouraging, language=Translation, layouts="random")
     tests = [row["right"] for row in rows if row["kind"] == "test"]
     steps = [row["steps"] for row in rows if row["kind"] == "lesson"]
     print(f"tests right: {sum(tests)} of {len(tests)}; steps of a lesson: {sum(steps) / len(steps):.1f}")

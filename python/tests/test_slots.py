@@ -134,6 +134,6 @@ def test_a_served_model_answers_line_by_line() -> None:
 
 def test_the_example_learns_the_course(root: Path) -> None:
     example = runpy.run_path(str(root / "python/examples/own_model.py"))
-    rows = goodbot.run_courses(range(1, 4), trainer=example["Encouraging"], language=example["LogLinear"], progress=False)
+    rows = goodbot.run_courses(range(1, 4), trainer=example["Encouraging"], language=example["Translation"], progress=False)
     right = [row["right"] for row in rows if row["kind"] == "test"]
     assert sum(right) >= 9, "chance is about one in eight"
