@@ -38,11 +38,18 @@
 // How many capacities there are.
 #define GOODBOT_CAPACITIES 25
 
-// The preset for controllers.
+// The preset for homes on controllers.
 #define GOODBOT_SMALL 0
 
 // The preset for the smallest controllers.
 #define GOODBOT_TINY 1
+
+// The preset for a robot of the caller's own on a controller: 16 tasks, 5,888 states, and 24 lessons of 44 different words. No home has room.
+#define GOODBOT_OWN 2
+
+// The preset for hosts, where `goodbot_usage` and `goodbot_least_capacities` tell what a controller needs. Seven megabytes: ask
+// `goodbot_size` or `goodbot_table_size`.
+#define GOODBOT_STANDARD 3
 
 // Bytes that the small preset takes where a pointer has four bytes.
 #define GOODBOT_SMALL_BYTES_32 21920
@@ -56,7 +63,13 @@
 // Bytes that the tiny preset takes where a pointer has eight bytes.
 #define GOODBOT_TINY_BYTES_64 14144
 
-// Bytes that a robot of the caller's own takes beyond that.
+// Bytes that the preset for a robot of one's own takes where a pointer has four bytes.
+#define GOODBOT_OWN_BYTES_32 28320
+
+// Bytes that the preset for a robot of one's own takes where a pointer has eight bytes.
+#define GOODBOT_OWN_BYTES_64 28864
+
+// Bytes that a robot of the caller's own takes beyond the small or the tiny preset.
 #define GOODBOT_TABLE_BYTES 1344
 
 // Most tasks.
@@ -517,7 +530,7 @@ const char *goodbot_status_text(int32_t status);
 // The version of the library that is linked: compare it with `GOODBOT_API_VERSION`.
 uint32_t goodbot_api_version(void);
 
-// Fills in a preset, `GOODBOT_SMALL` or `GOODBOT_TINY`.
+// Fills in a preset: `GOODBOT_SMALL`, `GOODBOT_TINY`, `GOODBOT_OWN` or `GOODBOT_STANDARD`.
 //
 // The caller sees to it:
 // `capacities` is null or points to memory for it.
@@ -547,8 +560,8 @@ enum goodbot_status goodbot_least_capacities(struct goodbot *robot,
                                              const struct goodbot_lessons *lessons,
                                              struct goodbot_capacities *capacities);
 
-// How full each table was at most since the robot was made, those of its world as they are now: memory of these capacities has room for the
-// same life once more. Those of planning are 0: a plan says what it needs by `FULL`.
+// What the robot's life so far took: memory of these capacities has room for the same life once more. Give a robot with
+// `GOODBOT_STANDARD` its lessons on a host; these are then the capacities for the controller. `GOAL_ENTRIES` is 0: they save time in homes.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `capacities` null or points to memory for it.
@@ -567,8 +580,8 @@ enum goodbot_status goodbot_session_count(struct goodbot *robot, uint32_t *count
 // `robot` is null or a handle.
 enum goodbot_status goodbot_seed(struct goodbot *robot, uint64_t seed);
 
-// The table that was full last: its name in `name` (cut to `bytes` with its 0), how much it holds, and how much was asked of it.
-// `UNKNOWN` where none was.
+// The table that was full last, after `FULL` or after a session gave way: its name in `name` (cut to `bytes` with its 0), how much it holds,
+// and how much was asked of it. `UNKNOWN` where none was.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `name` is room for `bytes` bytes; the others are room for a number.
@@ -833,7 +846,7 @@ enum goodbot_status goodbot_done(struct goodbot *robot,
                                  uint8_t action);
 
 // Ends the session and begins to learn from it: call `goodbot_learn` until it is done. `gave_way` is null, or is given how many older
-// sessions were forgotten because memory was full.
+// sessions were forgotten because memory was full; `goodbot_full` then names the table to raise.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `gave_way` null or room for a number.
@@ -1031,3 +1044,4 @@ enum goodbot_status goodbot_load(struct goodbot *robot,
 /** Bytes of a robot of the caller's own. */
 #define GOODBOT_SMALL_TABLE_BYTES (GOODBOT_SMALL_BYTES + GOODBOT_TABLE_BYTES)
 #define GOODBOT_TINY_TABLE_BYTES (GOODBOT_TINY_BYTES + GOODBOT_TABLE_BYTES)
+#define GOODBOT_OWN_BYTES (sizeof(void *) == 4 ? GOODBOT_OWN_BYTES_32 : GOODBOT_OWN_BYTES_64)

@@ -100,7 +100,7 @@ struct cell {
 /** What the trainer says to the last action. */
 enum class word : std::int32_t { good = GOODBOT_REWARD, bad = GOODBOT_PUNISH, silence = GOODBOT_NEUTRAL };
 
-/** A preset's capacities (GOODBOT_SMALL, GOODBOT_TINY), to be raised where a table is full. */
+/** A preset's capacities (GOODBOT_SMALL, GOODBOT_TINY, GOODBOT_OWN, GOODBOT_STANDARD), to be raised where a table is full. */
 inline outcome<goodbot_capacities> preset(std::uint32_t preset) {
     goodbot_capacities capacities;
     goodbot_status status = goodbot_preset(preset, &capacities);

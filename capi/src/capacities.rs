@@ -81,10 +81,15 @@ pub enum GoodbotCapacity {
 // The enum stands here for C's header; its order is that of the core's list.
 const _: () = assert!(GOODBOT_CAPACITIES == Capacity::ALL.len() && GoodbotCapacity::LengthPairs as usize + 1 == GOODBOT_CAPACITIES);
 
-/// The preset for controllers.
+/// The preset for homes on controllers.
 pub const GOODBOT_SMALL: u32 = 0;
 /// The preset for the smallest controllers.
 pub const GOODBOT_TINY: u32 = 1;
+/// The preset for a robot of the caller's own on a controller: 16 tasks, 5,888 states, and 24 lessons of 44 different words. No home has room.
+pub const GOODBOT_OWN: u32 = 2;
+/// The preset for hosts, where `goodbot_usage` and `goodbot_least_capacities` tell what a controller needs. Seven megabytes: ask
+/// `goodbot_size` or `goodbot_table_size`.
+pub const GOODBOT_STANDARD: u32 = 3;
 
 /// Bytes that the small preset takes where a pointer has four bytes.
 pub const GOODBOT_SMALL_BYTES_32: usize = 21_920;
@@ -94,17 +99,23 @@ pub const GOODBOT_SMALL_BYTES_64: usize = 22_464;
 pub const GOODBOT_TINY_BYTES_32: usize = 13_600;
 /// Bytes that the tiny preset takes where a pointer has eight bytes.
 pub const GOODBOT_TINY_BYTES_64: usize = 14_144;
-/// Bytes that a robot of the caller's own takes beyond that.
+/// Bytes that the preset for a robot of one's own takes where a pointer has four bytes.
+pub const GOODBOT_OWN_BYTES_32: usize = 28_320;
+/// Bytes that the preset for a robot of one's own takes where a pointer has eight bytes.
+pub const GOODBOT_OWN_BYTES_64: usize = 28_864;
+/// Bytes that a robot of the caller's own takes beyond the small or the tiny preset.
 pub const GOODBOT_TABLE_BYTES: usize = 1_344;
 
 #[cfg(target_pointer_width = "32")]
-const PROMISED: (usize, usize) = (GOODBOT_SMALL_BYTES_32, GOODBOT_TINY_BYTES_32);
+const PROMISED: (usize, usize, usize) = (GOODBOT_SMALL_BYTES_32, GOODBOT_TINY_BYTES_32, GOODBOT_OWN_BYTES_32);
 #[cfg(target_pointer_width = "64")]
-const PROMISED: (usize, usize) = (GOODBOT_SMALL_BYTES_64, GOODBOT_TINY_BYTES_64);
+const PROMISED: (usize, usize, usize) = (GOODBOT_SMALL_BYTES_64, GOODBOT_TINY_BYTES_64, GOODBOT_OWN_BYTES_64);
 
 const _: () = assert!(bytes(&Capacities::SMALL, false) <= PROMISED.0, "raise GOODBOT_SMALL_BYTES");
 const _: () = assert!(bytes(&Capacities::TINY, false) <= PROMISED.1, "raise GOODBOT_TINY_BYTES");
 const _: () = assert!(bytes(&Capacities::SMALL, true) <= PROMISED.0 + GOODBOT_TABLE_BYTES, "raise GOODBOT_TABLE_BYTES");
+#[cfg(feature = "table")]
+const _: () = assert!(bytes(&Capacities::OWN, true) <= PROMISED.2, "raise GOODBOT_OWN_BYTES");
 
 /// Bytes that a robot takes, in memory that is aligned to 8.
 pub const fn bytes(capacities: &Capacities, table: bool) -> usize {
@@ -153,7 +164,7 @@ impl From<&GoodbotCapacities> for Capacities {
     }
 }
 
-/// Fills in a preset, `GOODBOT_SMALL` or `GOODBOT_TINY`.
+/// Fills in a preset: `GOODBOT_SMALL`, `GOODBOT_TINY`, `GOODBOT_OWN` or `GOODBOT_STANDARD`.
 ///
 /// # Safety
 /// `capacities` is null or points to memory for it.
@@ -162,6 +173,8 @@ pub unsafe extern "C" fn goodbot_preset(preset: u32, capacities: *mut GoodbotCap
     let chosen = match preset {
         GOODBOT_SMALL => Capacities::SMALL,
         GOODBOT_TINY => Capacities::TINY,
+        GOODBOT_OWN => Capacities::OWN,
+        GOODBOT_STANDARD => Capacities::STANDARD,
         _ => return GoodbotStatus::Number,
     };
     if capacities.is_null() {
@@ -235,8 +248,8 @@ pub unsafe extern "C" fn goodbot_least_capacities(
     }
 }
 
-/// How full each table was at most since the robot was made, those of its world as they are now: memory of these capacities has room for the
-/// same life once more. Those of planning are 0: a plan says what it needs by `FULL`.
+/// What the robot's life so far took: memory of these capacities has room for the same life once more. Give a robot with
+/// `GOODBOT_STANDARD` its lessons on a host; these are then the capacities for the controller. `GOAL_ENTRIES` is 0: they save time in homes.
 ///
 /// # Safety
 /// `robot` is null or a handle, `capacities` null or points to memory for it.
@@ -245,12 +258,12 @@ pub unsafe extern "C" fn goodbot_usage(robot: *mut Goodbot, capacities: *mut Goo
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            let world = match &robot.world {
-                World::Here(domain, _) => domain.usage(),
+            let used = match &robot.world {
+                World::Here(domain, _) => robot.agent.needed(domain).at_least(domain.usage()),
                 #[cfg(feature = "home")]
-                World::Nothing(_) | World::Plan(_) | World::Changing => Capacities::NONE,
+                World::Nothing(_) | World::Plan(_) | World::Changing => robot.agent.most_used(),
             };
-            give(capacities, (&robot.agent.most_used().at_least(world)).into())
+            give(capacities, (&used).into())
         })
     }
 }

@@ -178,8 +178,8 @@ pub unsafe extern "C" fn goodbot_seed(robot: *mut Goodbot, seed: u64) -> Goodbot
     }
 }
 
-/// The table that was full last: its name in `name` (cut to `bytes` with its 0), how much it holds, and how much was asked of it.
-/// `UNKNOWN` where none was.
+/// The table that was full last, after `FULL` or after a session gave way: its name in `name` (cut to `bytes` with its 0), how much it holds,
+/// and how much was asked of it. `UNKNOWN` where none was.
 ///
 /// # Safety
 /// `robot` is null or a handle; `name` is room for `bytes` bytes; the others are room for a number.

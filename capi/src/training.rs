@@ -4,6 +4,7 @@ use crate::robot::{Goodbot, give, text, with};
 use crate::status::{Failure, GoodbotStatus};
 use crate::world::World;
 use core::ffi::c_char;
+use goodbot::capacity::CapacityError;
 use goodbot::feedback::{Feedback, LAGS, RESTS, Strategy};
 use goodbot::oomdp::{Action, apply};
 use goodbot::planning::{OptimalSet, Progress};
@@ -338,7 +339,7 @@ pub unsafe extern "C" fn goodbot_done(robot: *mut Goodbot, action: u8) -> Goodbo
 }
 
 /// Ends the session and begins to learn from it: call `goodbot_learn` until it is done. `gave_way` is null, or is given how many older
-/// sessions were forgotten because memory was full.
+/// sessions were forgotten because memory was full; `goodbot_full` then names the table to raise.
 ///
 /// # Safety
 /// `robot` is null or a handle, `gave_way` null or room for a number.
@@ -348,7 +349,7 @@ pub unsafe extern "C" fn goodbot_finish(robot: *mut Goodbot, gave_way: *mut u32)
     unsafe {
         with(robot, |robot| {
             let finished = in_world!(&robot.world, |domain, _state| robot.agent.finish(domain)?);
-            tell(gave_way, finished)
+            tell(robot, gave_way, finished)
         })
     }
 }
@@ -378,7 +379,7 @@ pub unsafe extern "C" fn goodbot_finish_on(robot: *mut Goodbot, budget: u32, gav
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| match in_world!(&robot.world, |domain, _state| robot.agent.finish_on(domain, budget)?) {
-            Some(finished) => tell(gave_way, finished),
+            Some(finished) => tell(robot, gave_way, finished),
             None => Ok(GoodbotStatus::Working),
         })
     }
@@ -386,7 +387,11 @@ pub unsafe extern "C" fn goodbot_finish_on(robot: *mut Goodbot, budget: u32, gav
 
 /// # Safety
 /// `gave_way` is null or room for a number.
-unsafe fn tell(gave_way: *mut u32, finished: Finished) -> Result<GoodbotStatus, Failure> {
+unsafe fn tell(robot: &mut Goodbot, gave_way: *mut u32, finished: Finished) -> Result<GoodbotStatus, Failure> {
+    if let Some(table) = finished.gave_way.full() {
+        let limit = robot.agent.capacities().get(table);
+        robot.full = Some(CapacityError::new(table, limit, limit.saturating_add(1)));
+    }
     if gave_way.is_null() {
         return Ok(GoodbotStatus::Ok);
     }

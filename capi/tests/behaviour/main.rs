@@ -13,4 +13,5 @@ mod sensing;
 mod statuses;
 mod storage;
 mod trainers;
+mod vacuum;
 mod words;

@@ -45,7 +45,7 @@ fn null_is_answered_and_never_followed() {
     assert_eq!(unsafe { goodbot_table_size(null()) }, 0);
     assert_eq!(unsafe { goodbot_preset(GOODBOT_TINY, null_mut()) }, GoodbotStatus::Null);
     let mut capacities = small();
-    assert_eq!(unsafe { goodbot_preset(2, &raw mut capacities) }, GoodbotStatus::Number);
+    assert_eq!(unsafe { goodbot_preset(4, &raw mut capacities) }, GoodbotStatus::Number);
 }
 
 #[test]

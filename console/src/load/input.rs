@@ -42,12 +42,37 @@ fn is_home(head: &[u8]) -> bool {
     text.trim_start_matches('\u{feff}').starts_with('{') && text.contains("\"objects\":[") && !text.contains("\"type\":")
 }
 
+/// Where a robot lives.
+#[derive(Debug)]
+pub enum Place {
+    /// In a home.
+    Home(EnvironmentFile),
+    /// In a world of another kind.
+    World(Box<WorldInFile>),
+}
+
+/// A home or a world from a file.
+///
+/// # Errors
+/// What is wrong with the file.
+pub fn place(file: &str) -> Result<Place, Fault> {
+    let bytes = bytes(file)?;
+    if Content::of(&bytes) == Content::Worlds {
+        return WorldInFile::parse(name(file), bytes).map(|world| Place::World(Box::new(world)));
+    }
+    home_of(file, bytes).map(Place::Home)
+}
+
 /// A home from a file, as JSON or drawn as text.
 ///
 /// # Errors
 /// What is wrong with the file.
 pub fn home(file: &str) -> Result<EnvironmentFile, Fault> {
-    let (name, bytes) = (name(file), bytes(file)?);
+    home_of(file, bytes(file)?)
+}
+
+fn home_of(file: &str, bytes: Vec<u8>) -> Result<EnvironmentFile, Fault> {
+    let name = name(file);
     let content = Content::of(&bytes);
     if !matches!(content, Content::Environment | Content::Map) {
         return Err(Fault::new(name, format!("this is {}, not a home; name a home (goodbot example home prints one)", content.name())));

@@ -177,6 +177,32 @@ macro_rules! constants {
 for_each_capacity! { capacities!() }
 
 impl Capacities {
+    /// For a robot of one's own on a controller, in the memory of `SMALL` and 4 KiB more: 16 tasks of four kinds, 5,888 states, and 24 lessons
+    /// of 44 different words. It has no cells, so no home has room in it.
+    pub const OWN: Self = Self {
+        objects: 16,
+        names: 32,
+        name_bytes: 224,
+        cells: 0,
+        tasks: 16,
+        beliefs: 48,
+        candidates: 16,
+        candidate_tokens: 448,
+        ground_propositions: 16,
+        goal_entries: 0,
+        // As many as the words of the translations and alignments hold: both take the same memory in turn.
+        states: 5_888,
+        words: 44,
+        word_bytes: 280,
+        command_tokens: 896,
+        sessions: 24,
+        pairs: 192,
+        translations: 880,
+        alignments: 1_168,
+        length_pairs: 0,
+        ..Self::SMALL
+    };
+
     /// The larger of both, table by table.
     #[must_use]
     pub const fn at_least(self, other: Self) -> Self {

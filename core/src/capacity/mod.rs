@@ -1,8 +1,8 @@
 //! Every capacity, in one place.
 //!
 //! The core allocates nothing: each table lives in memory that the caller owns, and a [`Capacities`] says how large each one is. There are
-//! three presets: [`Capacities::TINY`] and [`Capacities::SMALL`] for controllers, [`Capacities::STANDARD`] for hosts and browsers. Change
-//! single fields of a preset for other needs:
+//! four presets: [`Capacities::TINY`] and [`Capacities::SMALL`] for homes on controllers, [`Capacities::OWN`] for other robots there, and
+//! [`Capacities::STANDARD`] for hosts and browsers. Change single fields of a preset for other needs:
 //!
 //! ```
 //! use goodbot::Capacities;

@@ -14,6 +14,7 @@ use super::phase::{Phase, Progressed};
 use crate::asking::Asked;
 use crate::capacity::{Capacities, Capacity, CapacityError, LIFTED_TASKS};
 use crate::feedback::{Belief, BeliefCount, BeliefRef, Ending, Feedback, Judged, LAGS, Moment, Strategy, Words};
+use crate::language::forgetting::with_free_part;
 use crate::language::model::LanguageState;
 use crate::language::{LanguageMut, LanguageRef, Sentence};
 use crate::memory::{AgentMemory, AgentTables, SessionTablesRef};
@@ -659,10 +660,30 @@ impl<M: AgentMemory> Agent<M> {
         used
     }
 
-    /// How full each of its tables was at most, at the end of a command that was heard or of a session that was learned from: memory of
-    /// these capacities has room for the same life once more.
+    /// How full each of its tables was at most, at the end of a command that was heard or of a session that was learned from. See also
+    /// [`needed`](Self::needed).
     pub fn most_used(&self) -> Capacities {
         self.most.at_least(self.usage())
+    }
+
+    /// Memory of these capacities has room for the same life once more: [`most_used`](Self::most_used), an eighth of the vocabulary free, and
+    /// what exact plans for the last command's tasks take. Where the memory has too few states for these, it is all that there are.
+    pub fn needed<D: Domain + ?Sized>(&mut self, domain: &D) -> Capacities {
+        let (most, rooms) = (self.most_used(), self.capacities());
+        let mut session = self.memory.lend().session;
+        let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
+        let planned = Planner::needs(&mut session.goals, domain, &self.lifted, tasks).ok().filter(|&(_, states)| states <= rooms.states);
+        let (ground_propositions, states) = planned.unwrap_or((rooms.ground_propositions, rooms.states));
+        Capacities {
+            ground_propositions,
+            states,
+            hashed_states: if planned.is_some() { 0 } else { rooms.hashed_states },
+            words: with_free_part(most.words),
+            word_bytes: with_free_part(most.word_bytes),
+            tokens: with_free_part(most.tokens),
+            token_bytes: with_free_part(most.token_bytes),
+            ..most
+        }
     }
 
     /// Takes note of how full the tables are.

@@ -3,14 +3,14 @@
 //! - [`needs`]: from homes and lessons to capacities, and what they take;
 //! - [`source`]: the same as Rust and as C.
 
-mod needs;
+pub mod needs;
 pub mod source;
 
 use clap::{Args, ValueHint};
 use goodbot::capacity::{Capacity, WORDS_PER_COMMAND};
 use goodbot_console::learner::Learner;
 use goodbot_console::load::kinds::TaskKinds;
-use goodbot_console::messages::counted;
+use goodbot_console::messages::{counted, printable};
 use goodbot_console::outcome::Failure;
 use needs::Needs;
 use serde_json::json;
@@ -19,19 +19,20 @@ use std::io::Write;
 /// The options of `goodbot size`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-With these capacities nothing is refused and no lesson gives way, in any of the homes, from any state. The homes of a log count too. With a log, \
-a robot is trained on it in that memory, and tells how many sessions it kept.
+With these capacities nothing is refused and no lesson gives way, in any of the homes, from any state. The homes of a log count too.
 
-Without a log, every word of every command counts as a new word of 12 letters. A log of your own needs less.
+That is the worst case. With a log, words and machine commands are counted as the log has them, which takes much less, and a robot is trained on \
+it in that memory: it tells how many sessions it kept. Without a log, every word of every command counts as a new word of 12 letters.
 
 Examples:
   goodbot size home.json --log log.jsonl
   goodbot size home.json --sessions 20 --words 6
+  goodbot size lift.json --log lift.jsonl
   goodbot size --log log.jsonl --sessions 100 --json")]
 pub struct SizeOptions {
-    /// The robot's homes, as JSON or drawn as text; - is standard input
-    #[arg(value_name = "HOME", value_hint = ValueHint::FilePath, required_unless_present = "log")]
-    homes: Vec<String>,
+    /// The robot's homes, as JSON or drawn as text, or the world of another robot; - is standard input
+    #[arg(value_name = "PLACE", value_hint = ValueHint::FilePath, required_unless_present = "log")]
+    places: Vec<String>,
     /// Sessions that it is to keep, with their homes; may be given several times
     #[arg(long, short = 'l', value_name = "LOG", value_hint = ValueHint::FilePath)]
     log: Vec<String>,
@@ -81,7 +82,7 @@ fn to_json(needs: &Needs) -> serde_json::Value {
         Capacity::ALL.iter().map(|&capacity| (capacity.name().to_owned(), json!(needs.capacities.get(capacity)))).collect();
     let lessons = &needs.lessons;
     json!({
-        "type": "size", "homes": needs.homes, "sessions": lessons.sessions, "words": lessons.words,
+        "type": "size", "homes": needs.homes, "world": needs.world, "sessions": lessons.sessions, "words": lessons.words,
         "different_words": lessons.different_words, "word_bytes": lessons.word_bytes, "capacities": capacities,
         "exact_states": needs.exact_states, "ram": { "controller": needs.ram(), "stack": needs::STACK },
         "flash": { "model": needs.model_bytes(), "slot": needs.slot_bytes() }, "kept": needs.kept,
@@ -91,9 +92,10 @@ fn to_json(needs: &Needs) -> serde_json::Value {
 fn print(out: &mut impl Write, needs: &Needs) -> Result<(), Failure> {
     let lessons = &needs.lessons;
     let [homes, sessions] = [(needs.homes, "home"), (lessons.sessions, "session")].map(|(n, it)| counted(n, it));
+    let place = needs.world.as_ref().map_or(homes, |world| format!("the world {}", printable(world)));
     writeln!(
         out,
-        "A robot in {homes} that keeps {sessions} of at most {}, {} different:",
+        "A robot in {place} that keeps {sessions} of at most {}, {} different:",
         counted(lessons.words, "word"),
         lessons.different_words
     )?;
@@ -123,6 +125,6 @@ fn print(out: &mut impl Write, needs: &Needs) -> Result<(), Failure> {
         )?;
     }
     writeln!(out, "\nIn Rust:\n\n{}", source::rust(&needs.capacities))?;
-    writeln!(out, "In C:\n\n{}", source::c(&needs.capacities, needs.ram()))?;
+    writeln!(out, "In C:\n\n{}", source::c(&needs.capacities, needs.ram(), needs.world.is_some()))?;
     Ok(())
 }

@@ -6,14 +6,15 @@ use goodbot::language::Model;
 use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::session::Lessons;
 use goodbot::snapshot::most_bytes;
-use goodbot::{Agent, AgentError, Capacities};
+use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_capi::capacities::bytes_32;
 use goodbot_console::lessons::{self, Lesson, Told, training};
-use goodbot_console::load::input;
+use goodbot_console::load::input::{self, Place, WorldInFile};
 use goodbot_console::outcome::Failure;
 use goodbot_console::refusal;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::home;
+use goodbot_lesson::world::robot::{self, Flaw, Robot};
 use std::collections::BTreeSet;
 
 /// States that a home is given at most: exact plans in larger ones cost more memory than they are worth on a controller.
@@ -33,6 +34,8 @@ const WORDS: usize = 8;
 pub struct Needs {
     /// How many different homes there are.
     pub homes: usize,
+    /// The name of its world, where it lives in no home.
+    pub world: Option<String>,
     /// What it keeps.
     pub lessons: Lessons,
     /// How large its tables are.
@@ -46,7 +49,7 @@ pub struct Needs {
 }
 
 impl Needs {
-    /// Reads homes and logs.
+    /// Reads homes or a world, and logs.
     ///
     /// # Errors
     /// What is wrong with them.
@@ -59,30 +62,54 @@ impl Needs {
         if log.is_empty() && !options.log.is_empty() {
             return Err(Failure::Input("no session is to be learned from; set \"learn\" to true at the end of one".to_owned()));
         }
-        if log.iter().any(|lesson| lesson.world.is_some()) {
-            return Err(Failure::Input("a log of worlds has no home to make room for; name a session log".to_owned()));
-        }
-        let homes = homes(&options.homes, &log)?;
         let lessons = to_keep(options, &log, learner.language.model)?;
-        let fault = |error: AgentError| Failure::Input(refusal::in_words(&error));
-        let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), &lifted, learner).map_err(fault)?;
-        let least = agent.least_capacities_of_all(homes.iter().map(|(home, _)| home), &lessons).map_err(fault)?;
-        let exact_states = Some(least.states).filter(|&states| states > 0);
-        let states = exact_states.map_or(MOST_STATES, |states| states.min(MOST_STATES));
-        let capacities = Capacities { states, ..least };
-        let kept = if log.is_empty() || options.sessions.is_some_and(|sessions| sessions < log.len()) {
-            None
-        } else {
-            let mut memory = goodbot_console::learner::memory(&capacities, &learner.language, training::tasks(&log));
-            let model = training::train(&mut memory, log.iter(), learner.language).map_err(fault)?;
-            Some(model.bitext().sessions())
+        let (homes, world) = places(&options.places)?;
+        let of_worlds = log.iter().any(|lesson| lesson.world.is_some());
+        let (homes, world, least) = match world {
+            Some(_) if !homes.is_empty() || (!of_worlds && !log.is_empty()) => {
+                return Err(Failure::Input("homes do not mix with a world; ask for each by itself".to_owned()));
+            }
+            None if of_worlds => {
+                return Err(Failure::Input("a log of worlds has no home to make room for; name the robot's world too".to_owned()));
+            }
+            Some(file) => {
+                let least = robot::with(&file.world, |robot, _| least_of_world(robot, &lessons, learner));
+                let least = least.flatten().map_err(|flaw| Failure::Input(file.fault(&flaw.field, &flaw.message).to_string()))?;
+                (0, Some(file.world.name.clone()), least)
+            }
+            None => {
+                let homes = build(homes, &log)?;
+                let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), &lifted, learner).map_err(refused)?;
+                let least = agent.least_capacities_of_all(homes.iter().map(|(home, _)| home), &lessons).map_err(refused)?;
+                (homes.len(), None, least)
+            }
         };
-        Ok(Self { homes: homes.len(), lessons, capacities, exact_states, taught: log.len(), kept })
+        let exact_states = Some(least.states).filter(|&states| states > 0);
+        let most = if world.is_some() { usize::MAX } else { MOST_STATES };
+        let states = exact_states.map_or(MOST_STATES, |states| states.min(most));
+        let mut needs =
+            Self { homes, world, lessons, capacities: Capacities { states, ..least }, exact_states, taught: log.len(), kept: None };
+        if !log.is_empty() && lessons.sessions >= log.len() {
+            needs.count_commands(&log, &learner)?;
+            needs.kept = Some(train(&needs.capacities, &log, &learner)?.0);
+        }
+        Ok(needs)
+    }
+
+    /// Makes room for the machine commands of the log, and in proportion for those of more sessions, in place of all that there could be.
+    fn count_commands(&mut self, log: &[Lesson], learner: &Options) -> Result<(), Failure> {
+        let (_, used) = train(&self.capacities, log, learner)?;
+        let all = |used: usize| used.saturating_mul(self.lessons.sessions).div_ceil(log.len());
+        let capacities = &mut self.capacities;
+        capacities.commands = capacities.commands.min(all(used.commands));
+        capacities.command_tokens = capacities.command_tokens.min(all(used.command_tokens));
+        capacities.pairs = capacities.pairs.min(all(used.pairs));
+        Ok(())
     }
 
     /// Bytes of RAM on a controller with pointers of four bytes, the stack not counted.
     pub fn ram(&self) -> usize {
-        bytes_32(&self.capacities, false)
+        bytes_32(&self.capacities, self.world.is_some())
     }
 
     /// Bytes that a model takes at most.
@@ -96,13 +123,50 @@ impl Needs {
     }
 }
 
-/// The different homes of files and sessions, built.
-fn homes(files: &[String], log: &[Lesson]) -> Result<Vec<(Home<HomeHeap>, HomeState)>, Failure> {
-    let mut environments: Vec<(&str, EnvironmentFile)> = Vec::new();
+fn refused(error: AgentError) -> Failure {
+    Failure::Input(refusal::in_words(&error))
+}
+
+/// The least capacities of the robot of a world.
+///
+/// # Errors
+/// What is wrong with the world.
+pub fn least_of_world(robot: &Robot<'_>, lessons: &Lessons, learner: Options) -> Result<Capacities, Flaw> {
+    let lifted = robot::tasks(robot.file(), robot)?;
+    let least = Agent::new(AgentHeap::new(&Capacities::STANDARD), &lifted, learner);
+    let least = least.and_then(|mut agent| agent.least_capacities(robot, lessons));
+    least.map_err(|error| Flaw { field: "objects".to_owned(), message: refusal::in_words(&error) })
+}
+
+/// Trains a robot on the log in this memory. Returns how many sessions it kept, and the machine commands that it has of them.
+fn train(capacities: &Capacities, log: &[Lesson], learner: &Options) -> Result<(usize, Capacities), Failure> {
+    let mut memory = goodbot_console::learner::memory(capacities, &learner.language, training::tasks(log));
+    let model = training::train(&mut memory, log.iter(), learner.language).map_err(refused)?;
+    let data = model.bitext();
+    let command_tokens = (0..data.commands() as u16).map(|command| data.command(command).len()).sum();
+    Ok((data.sessions(), Capacities { commands: data.commands(), command_tokens, pairs: data.pairs().len(), ..Capacities::NONE }))
+}
+
+/// Homes, with the names of their files or sessions.
+type Named<'l> = Vec<(&'l str, EnvironmentFile)>;
+
+/// The homes of the files, and the world, where one of them is a world.
+fn places(files: &[String]) -> Result<(Named<'_>, Option<Box<WorldInFile>>), Failure> {
+    let (mut homes, mut world) = (Vec::new(), None);
     for file in files {
-        let environment = input::home(file).map_err(|fault| Failure::Input(fault.to_string()))?;
-        environments.push((input::name(file), environment));
+        match input::place(file).map_err(|fault| Failure::Input(fault.to_string()))? {
+            Place::Home(home) => homes.push((input::name(file), home)),
+            Place::World(_) if world.is_some() => {
+                return Err(Failure::Input(format!("{}: is a second world; ask for each by itself", input::name(file))));
+            }
+            Place::World(it) => world = Some(it),
+        }
     }
+    Ok((homes, world))
+}
+
+/// The different homes of files and sessions, built.
+fn build<'l>(mut environments: Named<'l>, log: &'l [Lesson]) -> Result<Vec<(Home<HomeHeap>, HomeState)>, Failure> {
     for lesson in log {
         if environments.iter().all(|(_, known)| *known != lesson.header.environment) {
             environments.push((&lesson.id, lesson.header.environment.clone()));

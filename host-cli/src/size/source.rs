@@ -9,12 +9,12 @@ pub fn rust(capacities: &Capacities) -> String {
     format!("goodbot::memory! {{\n    struct RobotMemory = goodbot::Capacities {{\n{fields}    }};\n}}\n")
 }
 
-/// As C, with `bytes` bytes for a robot in homes.
-pub fn c(capacities: &Capacities, bytes: usize) -> String {
-    let entries = c_entries(capacities);
+/// As C, with `bytes` bytes for a robot in homes, or for one of a table.
+pub fn c(capacities: &Capacities, bytes: usize, is_table: bool) -> String {
+    let (entries, size) = (c_entries(capacities), if is_table { "goodbot_table_size" } else { "goodbot_size" });
     format!(
         "static const goodbot_capacities capacities = {{ {{\n{entries}}} }};\n\
-         /* For a robot in homes where a pointer has four bytes; goodbot_size(&capacities) says how many are needed. */\n\
+         /* Where a pointer has four bytes; {size}(&capacities) says how many are needed. */\n\
          static _Alignas(8) unsigned char memory[{bytes}];\n"
     )
 }

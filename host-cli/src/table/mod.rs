@@ -6,15 +6,13 @@ mod c;
 mod rust;
 mod source;
 
+use crate::size::needs::least_of_world;
 use clap::{Args, ValueHint};
-use goodbot::memory::AgentHeap;
 use goodbot::oomdp::{Domain, check};
 use goodbot::session::Lessons;
-use goodbot::{Agent, Capacities};
 use goodbot_console::learner::Learner;
 use goodbot_console::load::input;
 use goodbot_console::outcome::Failure;
-use goodbot_console::refusal::InWords;
 use goodbot_lesson::world::robot::{self, Flaw, Robot};
 use source::Source;
 use std::io::Write;
@@ -69,7 +67,6 @@ pub fn run(options: &TableOptions) -> Result<(), Failure> {
 
 fn text(options: &TableOptions, robot: &Robot<'_>, start: u64) -> Result<String, Flaw> {
     let flaw = |field: &str, message: String| Flaw { field: field.to_owned(), message };
-    let lifted = robot::tasks(robot.file(), robot)?;
     let checked = check(robot, start, MOST_STATES).map_err(|error| flaw("actions", error.to_string()))?;
     if !checked.all || robot.state_count() > MOST_STATES as u64 {
         let count = robot.state_count();
@@ -77,10 +74,7 @@ fn text(options: &TableOptions, robot: &Robot<'_>, start: u64) -> Result<String,
             format!("give {count} states together, and {MOST_STATES} are the most for a controller; leave out objects or what changes");
         return Err(flaw("propositions", message));
     }
-    let lessons = Lessons::new(options.sessions, options.words);
-    let least = Agent::new(AgentHeap::new(&Capacities::STANDARD), &lifted, Learner::Roles.options());
-    let capacities = least.and_then(|mut agent| agent.least_capacities(robot, &lessons));
-    let capacities = capacities.map_err(|error| flaw("objects", error.in_words()))?;
+    let capacities = least_of_world(robot, &Lessons::new(options.sessions, options.words), Learner::Roles.options())?;
     let source = Source::of(robot, start, capacities);
     if options.c { c::text(&source) } else { Ok(rust::text(&source)) }
 }

@@ -5,6 +5,7 @@ use crate::program;
 use program::{AGENT, END, ROOMS, Run, goodbot, log, session, step};
 
 const MAP: &str = include_str!("../../src/example/home.json");
+const VACUUM: &str = include_str!("../../../docs/examples/worlds/vacuum.json");
 const LOG: &str = include_str!("../../src/example/sessions.jsonl");
 
 fn size(arguments: &[&str], input: &str) -> Run {
@@ -46,6 +47,36 @@ fn more_sessions_take_more_memory() {
     assert!(ram("4") < ram("8"));
 }
 
+/// Lessons of the vacuum cleaner: an action, and rests where the task is done.
+fn lessons_of_vacuum() -> String {
+    let world: serde_json::Value = serde_json::from_str(VACUUM).expect("JSON");
+    let lesson = |(command, action): (&str, &str)| {
+        format!(
+            "{{\"type\":\"session\",\"version\":1,\"kind\":\"feedback\",\"world\":\"vacuum\",\"command\":\"{command}\"}}\n{}\n{}\n{END}\n",
+            step(action, "reward"),
+            step("noop", "reward")
+        )
+    };
+    let lessons =
+        [("go to the kitchen", "go(room1)"), ("clean the hall", "clean"), ("drive to the bedroom", "go(room2)"), ("dock", "dock")];
+    format!("{world}\n{}", lessons.map(lesson).concat())
+}
+
+#[test]
+fn the_robot_of_a_world_is_sized_by_its_log_with_far_less_than_at_worst() {
+    let world = tempfile::Builder::new().suffix(".json").tempfile().expect("a file");
+    std::fs::write(world.path(), VACUUM).expect("a file");
+    let world = world.path().to_str().expect("UTF-8");
+    let (worst, real) = (json(&[world, "--sessions", "4", "--words", "4"], ""), json(&[world, "--log", "-"], &lessons_of_vacuum()));
+    let entry = |size: &serde_json::Value, name: &str| size["capacities"][name].as_u64().expect("a number");
+    assert_eq!((real["world"].as_str(), real["homes"].as_u64(), real["kept"].as_u64()), (Some("vacuum"), Some(0), Some(4)));
+    assert!(entry(&real, "command_tokens") * 2 < entry(&worst, "command_tokens"), "{real} {worst}");
+    assert!(entry(&real, "states") == entry(&worst, "states") && entry(&real, "states") > 0, "a table's plans are exact");
+    let run = size(&["--log", "-"], &lessons_of_vacuum());
+    assert_eq!(run.code, 2);
+    assert!(run.messages.contains("name the robot's world too"), "{}", run.messages);
+}
+
 #[test]
 fn it_prints_source_for_both_languages() {
     let run = size(&["-", "--sessions", "6", "--words", "5"], MAP);
@@ -59,7 +90,7 @@ fn it_prints_source_for_both_languages() {
 #[test]
 fn bad_use_and_bad_files_are_refused() {
     for (arguments, input, message) in [
-        (&[][..], "", "HOME"),
+        (&[][..], "", "PLACE"),
         (&["-", "--sessions", "0"], MAP, "65535"),
         (&["-", "--words", "65"], MAP, "64"),
         (&["no-such-home.json"], "", "no-such-home.json: cannot be read"),

@@ -136,7 +136,11 @@ impl Lift {
 
 /// A robot of the caller's own, from its table.
 pub fn of_table(table: &GoodbotTable) -> Result<Owned, GoodbotStatus> {
-    let capacities = small();
+    of_table_in(table, small())
+}
+
+/// The same in memory of these capacities.
+pub fn of_table_in(table: &GoodbotTable, capacities: GoodbotCapacities) -> Result<Owned, GoodbotStatus> {
     let bytes = unsafe { goodbot_table_size(&raw const capacities) };
     let mut owned = Owned { memory: vec![0; bytes.div_ceil(8)], bytes, capacities, robot: null_mut() };
     let memory = owned.memory.as_mut_ptr().cast();
