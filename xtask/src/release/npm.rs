@@ -46,7 +46,9 @@ pub fn try_out(run: &mut Run) -> Result<()> {
     // The types, by the compiler that the page has.
     sh.write_file(
         folder.join("typed.mts"),
-        "import { Goodbot } from 'goodbot';\nexport const learned: boolean = new Goodbot(1).learn(1);\n",
+        "import { Goodbot } from 'goodbot';\nimport type { GoodbotTrainer } from 'goodbot/trainer';\n\
+         export const learned: boolean = new Goodbot(1).learn(1);\n\
+         export const sessions = (trainer: GoodbotTrainer) => trainer.robot?.sessions();\n",
     )?;
     let tsc = root().join("page/node_modules/.bin/tsc");
     cmd!(sh, "{tsc} --noEmit --strict --module nodenext --target es2022 --lib esnext,dom {folder}/typed.mts").run()?;
