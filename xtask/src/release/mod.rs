@@ -4,6 +4,7 @@ mod archive;
 mod boards;
 mod book;
 mod check;
+mod debian;
 mod npm;
 mod texts;
 
@@ -32,7 +33,7 @@ const CHECKSUMS: &str = "SHA256SUMS";
 enum Package {
     /// the crates, each built from its packed file
     Crates,
-    /// the command line for this machine, with its manual and its completions
+    /// the command line for this machine, with its manual and its completions; for Linux also as Debian's package, where `dpkg-deb` is
     Program,
     /// the C library for this machine and for each processor, for CMake and pkg-config
     C,
@@ -146,6 +147,9 @@ fn program(sh: &Shell, texts: &Texts, to: &Path, target: Option<&str>) -> Result
     }
     sh.copy_file("README.md", &folder)?;
     licences(sh, &folder)?;
+    if machine.contains("linux") && on_path("dpkg-deb").is_some() {
+        debian::make(sh, texts, &folder, &machine, to)?;
+    }
     pack(sh, &folder, &to.join(name_of(&folder)?))
 }
 
