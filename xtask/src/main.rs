@@ -1,5 +1,6 @@
 //! goodbot's development commands: `cargo xtask --help`.
 
+mod api;
 mod benches;
 mod beside;
 mod capi;
@@ -52,6 +53,8 @@ enum Task {
     Microbit,
     /// Builds the C library, and puts it with its header into dist/c.
     Library(capi::Library),
+    /// Lists the core's public interface in core/public-api.txt.
+    Api(api::Options),
     /// Makes the packages of a release, with their checksums, in `dist/release`.
     Release(release::Options),
 }
@@ -77,6 +80,7 @@ fn run(task: Task) -> Result<()> {
         Task::Capi => capi::header(),
         Task::Microbit => firmware::deliver().map(drop),
         Task::Library(options) => capi::deliver(&options),
+        Task::Api(options) => api::run(&options),
         Task::Release(options) => release::run(&options),
     }
 }

@@ -198,7 +198,7 @@ fn python(sh: &Shell, to: &Path) -> Result<()> {
 }
 
 /// A program that cargo installs, on the `PATH` or below the build folder.
-fn installed_by_cargo(sh: &Shell, program: &str) -> Result<PathBuf> {
+pub fn installed_by_cargo(sh: &Shell, program: &str) -> Result<PathBuf> {
     let place = target_dir().join("programs").join(program);
     let path = on_path(program).unwrap_or_else(|| place.join("bin").join(program));
     if !path.is_file() {
