@@ -180,6 +180,9 @@
 // No, or none of these.
 #define GOODBOT_NO -1
 
+// There is no such place in the utterance.
+#define GOODBOT_NOWHERE UINT32_MAX
+
 // `goodbot_flash.write` is called for whole units of this many bytes, at multiples of it. The flash's own unit may be smaller, not larger.
 #define GOODBOT_FLASH_UNIT 256
 
@@ -243,7 +246,71 @@ typedef enum goodbot_status {
   GOODBOT_STATUS_FLASH = 27,
   // Nothing is stored.
   GOODBOT_STATUS_NOTHING_STORED = 28,
+  // A pause stopped the work: no session is under way.
+  GOODBOT_STATUS_STOPPED = 29,
+  // The text is no table of words: `docs/talk.md` says how one is written.
+  GOODBOT_STATUS_CLOSED_WORDS = 30,
 } goodbot_status;
+
+// What comes of an utterance.
+typedef enum goodbot_verdict {
+  // The task is meant: plan and act.
+  GOODBOT_VERDICT_SURE,
+  // It is not sure which task is meant: ask, or wait. `goodbot_forget` ends the session.
+  GOODBOT_VERDICT_UNSURE,
+  // The task is meant, and is done already.
+  GOODBOT_VERDICT_DONE,
+  // None of what the robot can do here is meant.
+  GOODBOT_VERDICT_NONE,
+} goodbot_verdict;
+
+// What an utterance is most likely taken for.
+typedef enum goodbot_taken_for {
+  // A command for one task.
+  GOODBOT_TAKEN_FOR_COMMAND,
+  // None of what the robot can do.
+  GOODBOT_TAKEN_FOR_NOTHING,
+  // A command about a thing that is not here.
+  GOODBOT_TAKEN_FOR_ABSENT,
+  // A thing, but not what to do with it.
+  GOODBOT_TAKEN_FOR_ABOUT,
+  // What shall not be: the session's tasks are negated.
+  GOODBOT_TAKEN_FOR_NEGATED,
+  // Perhaps the opposite of a command.
+  GOODBOT_TAKEN_FOR_REVERSED,
+  // Several commands: the session is about the first.
+  GOODBOT_TAKEN_FOR_SEVERAL,
+  // All things of a kind.
+  GOODBOT_TAKEN_FOR_ALL,
+  // The task of before once more.
+  GOODBOT_TAKEN_FOR_AGAIN,
+  // Praise, stop, a greeting and the like: `goodbot_said` says which.
+  GOODBOT_TAKEN_FOR_TALK,
+} goodbot_taken_for;
+
+// What words ask for.
+typedef enum goodbot_said_kind {
+  // A command: `goodbot_listen`.
+  GOODBOT_SAID_KIND_COMMAND,
+  // A word to the last step: `goodbot_feedback` with `GOODBOT_REWARD`.
+  GOODBOT_SAID_KIND_GOOD,
+  // The same with `GOODBOT_PUNISH`.
+  GOODBOT_SAID_KIND_BAD,
+  // Praise for a robot that rests at its goal: `goodbot_finish`.
+  GOODBOT_SAID_KIND_FINISH,
+  // The answer to the open question, which `answer` is given: `goodbot_answer`.
+  GOODBOT_SAID_KIND_ANSWER,
+  // Words that turn the robot round: `goodbot_correct`.
+  GOODBOT_SAID_KIND_CORRECTION,
+  // The robot shall stop: `goodbot_forget`.
+  GOODBOT_SAID_KIND_STOP,
+  // Take something back.
+  GOODBOT_SAID_KIND_UNDO,
+  // The last command once more.
+  GOODBOT_SAID_KIND_AGAIN,
+  // There is nothing to do.
+  GOODBOT_SAID_KIND_NOTHING,
+} goodbot_said_kind;
 
 // The tables, by their positions in `goodbot_capacities`.
 enum goodbot_capacity
@@ -503,6 +570,31 @@ typedef struct goodbot_options {
   // Shares up to this are not learned; from 0 to less than 1.
   float least_weight;
 } goodbot_options;
+
+// What a program does between two parts of the work of listening; false stops it.
+typedef bool (*goodbot_pause)(void *context);
+
+// What the robot makes of an utterance.
+typedef struct goodbot_listened {
+  // The tasks that are meant, one bit each by their positions: several where all things of a kind are.
+  uint64_t tasks;
+  // What comes of it.
+  enum goodbot_verdict verdict;
+  // What it is taken for.
+  enum goodbot_taken_for taken_for;
+  // The most likely task, by its position.
+  uint32_t task;
+  // How probable it is that the tasks are meant, from 0 to 1.
+  float probability;
+  // How probable it is that one of the session's tasks is meant, from 0 to 1.
+  float command;
+  // How probable tasks must be to be sure of them.
+  float sure;
+  // Where the rest of several commands begins, in bytes: `goodbot_listen_on` takes it when the first is done. `GOODBOT_NOWHERE` where there is none.
+  uint32_t rest;
+  // Where the words begin that were not read, in bytes, beyond the 64th. `GOODBOT_NOWHERE` where all were.
+  uint32_t unread;
+} goodbot_listened;
 
 // A flash of the caller's: two slots, one after the other. Each function gives false where the flash refused, and must not call goodbot.
 typedef struct goodbot_flash {
@@ -986,6 +1078,69 @@ enum goodbot_status goodbot_question_text(struct goodbot *robot,
 enum goodbot_status goodbot_answer(struct goodbot *robot,
                                    int32_t answer,
                                    uint32_t *evidence);
+
+// Hears an utterance that may be no command, in the state in which things are now, and says what it is taken for. A session begins as with
+// `goodbot_hear`; where the verdict is not `SURE`, ask or wait. A robot needs about 20 lessons before it can tell; until then, hear.
+//
+// `closed_words` is a table of words such as "not", "and", "stop", in the language that is spoken (`docs/talk.md`), or null: a robot
+// without one asks back more often. `CLOSED_WORDS` where it is no table. `pause` is null, or is called after each part of the work, with
+// `context`: it must not use this robot, and returns whether to go on. If it returns false, the status is `STOPPED`, and no session is
+// under way.
+//
+// The caller sees to it:
+// `robot` is null or a handle; the texts are null or C strings; `listened` is null or room for one.
+enum goodbot_status goodbot_listen(struct goodbot *robot,
+                                   const char *utterance,
+                                   const char *closed_words,
+                                   goodbot_pause pause,
+                                   void *context,
+                                   struct goodbot_listened *listened);
+
+// As `goodbot_listen`, for the rest of an utterance of several commands, when the part before is done and its session over: `rest` is the
+// utterance from `goodbot_listened.rest` on. It may leave out a word that the part before has.
+//
+// The caller sees to it:
+// As `goodbot_listen`.
+enum goodbot_status goodbot_listen_on(struct goodbot *robot,
+                                      const char *rest,
+                                      const char *closed_words,
+                                      goodbot_pause pause,
+                                      void *context,
+                                      struct goodbot_listened *listened);
+
+// Remembers a task of the session, by its position, as followed: `goodbot_listen` then knows what "it", "there", "back", "the other one" and
+// "again" stand for. Call it before the session is finished or forgotten.
+//
+// The caller sees to it:
+// `robot` is null or a handle.
+enum goodbot_status goodbot_remember(struct goodbot *robot,
+                                     uint32_t task);
+
+// Begins another conversation: the robot remembers nothing of what was said.
+//
+// The caller sees to it:
+// `robot` is null or a handle.
+enum goodbot_status goodbot_converse_anew(struct goodbot *robot);
+
+// What a person's words ask for, given the session under way, the actions that `goodbot_done` told of, and the question that is open. Nothing
+// is done yet. `answer` is given the answer where the words are one, for `goodbot_answer`.
+//
+// The caller sees to it:
+// `robot` is null or a handle; the texts are null or C strings; `said` and `answer` are null or room for one.
+enum goodbot_status goodbot_said(struct goodbot *robot,
+                                 const char *words,
+                                 const char *closed_words,
+                                 enum goodbot_said_kind *said,
+                                 int32_t *answer);
+
+// Takes in words that turn the robot on its way round: "no, the other one", "I meant the blue one", "not the red one". The task that it
+// follows is left with a twentieth of the belief in the next one at most.
+//
+// The caller sees to it:
+// `robot` is null or a handle; the texts are null or C strings.
+enum goodbot_status goodbot_correct(struct goodbot *robot,
+                                    const char *words,
+                                    const char *closed_words);
 
 // Bytes that `goodbot_save` would write now.
 //

@@ -76,6 +76,9 @@ pub(crate) fn put_task(
 ) -> Result<(), GoodbotStatus> {
     let grounded = agent.tasks().get(task).ok_or(GoodbotStatus::Unknown)?;
     let lifted = agent.lifted().get(usize::from(grounded.lifted)).ok_or(GoodbotStatus::Unknown)?;
+    if cfg!(feature = "talk") && grounded.is_negated() {
+        writer.put("!");
+    }
     Wording::FILES.tell(grounded.parts(lifted), |piece| match piece {
         Piece::Between(sign) => writer.put(sign),
         Piece::Proposition(_, part) => {

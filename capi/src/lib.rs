@@ -15,6 +15,7 @@
 //! - [`training`]: hear, plan, decide, feedback, learn;
 //! - [`options`]: how it takes evidence and acts;
 //! - [`asking`]: questions to the trainer;
+//! - [`talk`]: what people say beside commands;
 //! - [`beliefs`]: the possible meanings of a command;
 //! - [`words`]: the meanings of its words;
 //! - [`model`]: saving and restoring a model;
@@ -42,6 +43,8 @@ pub mod status;
 pub mod storage;
 #[cfg(feature = "table")]
 pub mod table;
+#[cfg(feature = "talk")]
+pub mod talk;
 pub mod tasks;
 pub mod training;
 pub mod version;

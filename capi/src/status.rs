@@ -70,6 +70,10 @@ pub enum GoodbotStatus {
     Flash = 27,
     /// Nothing is stored.
     NothingStored = 28,
+    /// A pause stopped the work: no session is under way.
+    Stopped = 29,
+    /// The text is no table of words: `docs/talk.md` says how one is written.
+    ClosedWords = 30,
 }
 
 /// Why a call failed, with the table that was full, if one was, and the part of a description that is wrong, if it is one.
@@ -152,6 +156,8 @@ impl From<AgentError> for Failure {
             AgentError::NothingDone => GoodbotStatus::NothingDone,
             AgentError::NotAsked => GoodbotStatus::NotAsked,
             AgentError::NoAnswer => GoodbotStatus::NoAnswer,
+            #[cfg(feature = "talk")]
+            AgentError::Stopped => GoodbotStatus::Stopped,
             AgentError::NotApplicable => GoodbotStatus::NotApplicable,
             AgentError::StateNumber
             | AgentError::Strategy(_)
@@ -220,7 +226,7 @@ pub extern "C" fn goodbot_status_text(status: i32) -> *const core::ffi::c_char {
 }
 
 pub(crate) fn text_of(status: i32) -> &'static core::ffi::CStr {
-    const TEXTS: [&core::ffi::CStr; 29] = [
+    const TEXTS: [&core::ffi::CStr; 31] = [
         c"done",
         c"not done yet; call again",
         c"a pointer is null that must not be",
@@ -250,6 +256,8 @@ pub(crate) fn text_of(status: i32) -> &'static core::ffi::CStr {
         c"this is no answer to that question; answer yes, no, or with the number of a choice",
         c"the flash refused, or did not keep what was written; the older model is still there",
         c"nothing is stored",
+        c"the work was stopped in a pause; say it again",
+        c"the text is no table of closed words; write a class, a colon and its words in each line",
     ];
     usize::try_from(status).ok().and_then(|status| TEXTS.get(status)).copied().unwrap_or(c"no such status")
 }

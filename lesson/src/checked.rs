@@ -200,7 +200,7 @@ impl Checker<'_> {
             same.map(|(task, _)| task.lifted)
         });
         let conversation = self.conversation(home, start, lifted);
-        Some(Listening { utterance, after, conversation })
+        Some(Listening { utterance, after, conversation, closed: crate::listening::CLOSED_WORDS })
     }
 
     /// The conversation that the session is part of.

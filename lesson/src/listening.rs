@@ -22,9 +22,6 @@ pub const CLOSED_WORDS: ClosedWords<'static> = ClosedWords::ALL;
 /// With fewer lessons everything is a command: nothing is known yet of how people word what the robot can do.
 pub const FEW_LESSONS: usize = 20;
 
-/// How often a thing that is there already is meant, where all are to be brought.
-const DONE: f32 = 1e-4;
-
 /// Whether a robot can tell what is no command.
 pub fn tells_talk(agent: &Agent<impl AgentMemory>) -> bool {
     agent.language().bitext().sessions() >= FEW_LESSONS && agent.options().language.model == Model::Roles
@@ -42,15 +39,10 @@ pub fn listen<D: Domain>(
 ) -> Result<Listened, AgentError> {
     agent.resume(listening.conversation.facts);
     let listened = match listening.after {
-        None => agent.listen(home, start, &listening.utterance, CLOSED_WORDS)?,
-        kind => agent.listen_after(home, start, &listening.utterance, CLOSED_WORDS, kind)?,
+        None => agent.listen(home, start, &listening.utterance, listening.closed)?,
+        kind => agent.listen_after(home, start, &listening.utterance, listening.closed, kind)?,
     };
-    let done = agent.done(home);
-    let may_be_of_all = matches!(listened.hypothesis, Hypothesis::All | Hypothesis::Several) && listened.verdict != Verdict::Done;
-    if may_be_of_all && !done.is_empty() && !agent.tasks().iter().any(GroundedTask::is_negated) {
-        // Of all things, those that are there are not meant any more.
-        let _ = agent.answered(done, false, DONE, 1)?;
-    }
+    agent.leave_out_done(home, &listened)?;
     Ok(listened)
 }
 
@@ -82,13 +74,13 @@ fn is_followed(listened: &Listened, is_negated: bool, insists: bool) -> bool {
 }
 
 /// The words before the rest of an utterance, without the connective.
-fn part(utterance: &str, rest: Option<usize>) -> &str {
+fn part<'u>(utterance: &'u str, rest: Option<usize>, closed: ClosedWords<'_>) -> &'u str {
     let Some(mut part) = rest.and_then(|rest| utterance.get(..rest)) else { return utterance.trim() };
     loop {
         part = part.trim_end_matches(|letter: char| !letter.is_alphanumeric());
         let last = part.rsplit(char::is_whitespace).next().unwrap_or_default();
         match part.strip_suffix(last) {
-            Some(before) if !before.is_empty() && CLOSED_WORDS.of(&last.to_lowercase()).contains(Class::Connective) => part = before,
+            Some(before) if !before.is_empty() && closed.of(&last.to_lowercase()).contains(Class::Connective) => part = before,
             _ => return part,
         }
     }
@@ -158,7 +150,7 @@ impl<D: Place> Lesson<D> {
             self.agent.forget();
             return Ok(listened);
         }
-        let command = part(&ahead.listening.utterance, listened.rest).to_owned();
+        let command = part(&ahead.listening.utterance, listened.rest, self.closed).to_owned();
         let strategies = self.agent.belief().strategies().to_vec();
         let after = ahead.after.clone();
         self.begin(command, Session { after, ..Session::new(environment, strategies) });
@@ -176,7 +168,7 @@ impl<D: Place> Lesson<D> {
     }
 
     fn listening_to(&self, utterance: &str, after: Option<u8>) -> Listening {
-        Listening { utterance: utterance.to_owned(), after, conversation: self.conversation().clone() }
+        Listening { utterance: utterance.to_owned(), after, conversation: self.conversation().clone(), closed: self.closed }
     }
 
     /// A part is over: the next one comes after it.
@@ -198,13 +190,13 @@ impl<D: Place> Lesson<D> {
 
 #[cfg(test)]
 mod tests {
-    use super::part;
+    use super::{CLOSED_WORDS, part};
 
     #[test]
     fn a_part_of_an_utterance_ends_before_its_connective() {
         let utterance = "Go to the red room, and then to the blue one";
-        assert_eq!(part(utterance, utterance.find("to the blue")), "Go to the red room");
-        assert_eq!(part("and then", Some(8)), "and");
-        assert_eq!(part(" go on ", None), "go on");
+        assert_eq!(part(utterance, utterance.find("to the blue"), CLOSED_WORDS), "Go to the red room");
+        assert_eq!(part("and then", Some(8), CLOSED_WORDS), "and");
+        assert_eq!(part(" go on ", None, CLOSED_WORDS), "go on");
     }
 }

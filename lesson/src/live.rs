@@ -200,6 +200,9 @@ pub struct Lesson<D: Place = Home<HomeHeap>> {
     pub(crate) ahead: Option<crate::listening::Ahead>,
     #[cfg(feature = "talk")]
     pub(crate) conversations: crate::conversing::Conversations,
+    /// The words that speak about commands.
+    #[cfg(feature = "talk")]
+    pub closed: goodbot::talk::ClosedWords<'static>,
     /// What was said along with the buttons.
     #[cfg(feature = "talk")]
     pub voice: crate::voice::Voice,
@@ -228,6 +231,8 @@ impl<D: Place> Lesson<D> {
             ahead: None,
             #[cfg(feature = "talk")]
             conversations: crate::conversing::Conversations::default(),
+            #[cfg(feature = "talk")]
+            closed: crate::listening::CLOSED_WORDS,
             #[cfg(feature = "talk")]
             voice: crate::voice::Voice::default(),
         }

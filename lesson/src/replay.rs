@@ -263,7 +263,8 @@ fn answered<D: Domain>(agent: &mut Agent<impl AgentMemory>, walk: &Walk<D>, answ
     let _ = agent.answered(answer.tasks, answer.yes, answer.eta, answer.others)?;
     #[cfg(feature = "talk")]
     if let Some(words) = &answer.words {
-        let _ = agent.corrected(&walk.home, words, crate::listening::CLOSED_WORDS)?;
+        let closed = walk.listening.as_ref().map_or(crate::listening::CLOSED_WORDS, |listening| listening.closed);
+        let _ = agent.corrected(&walk.home, words, closed)?;
     }
     let _ = walk;
     Ok(())

@@ -88,6 +88,8 @@ pub struct Listening {
     pub after: Option<u8>,
     /// What was said and done before.
     pub conversation: Conversing,
+    /// The words that speak about commands.
+    pub closed: goodbot::talk::ClosedWords<'static>,
 }
 
 /// A trainer strategy that a session names.

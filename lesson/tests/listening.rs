@@ -11,7 +11,7 @@ use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::{RecordedSession, SessionReader};
 use goodbot_lesson::live::Lesson;
 use goodbot_lesson::replay::{Event, Replay, Rules};
-use goodbot_lesson::voice::Said;
+use goodbot::talk::Said;
 use goodbot_lesson::{checked, home};
 use rand_pcg::Pcg32;
 

@@ -16,7 +16,7 @@ const HEADER: &str = "capi/include/goodbot.h";
 pub const HEADERS: [&str; 2] = [HEADER, "capi/include/goodbot.hpp"];
 
 /// The features that are chosen from, as `capi/Cargo.toml` has them.
-pub const FEATURES: [&str; 6] = ["asking", "derived", "home", "table", "unicode", "ways"];
+pub const FEATURES: [&str; 7] = ["asking", "derived", "home", "table", "talk", "unicode", "ways"];
 
 const WARNINGS: [&str; 5] = ["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 
@@ -75,7 +75,7 @@ pub fn deliver(options: &Library) -> Result<()> {
 /// Builds every example with the host's compiler, with both sanitizers, and runs it.
 pub fn on_host() -> Result<()> {
     let (sh, gcc, library) = (shell()?, GCC.path()?, library(None, &FEATURES)?);
-    for example in ["home", "lift", "world"] {
+    for example in ["home", "lift", "talk", "world"] {
         let binary = library.with_file_name(example);
         let sanitizers = ["-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
         cmd!(sh, "{gcc} {WARNINGS...} {sanitizers...} -I capi/include capi/examples/{example}.c {library} -o {binary}").run()?;
@@ -95,6 +95,8 @@ pub struct Example {
 
 pub const HOME: Example = Example { name: "home", features: &FEATURES, every_function: false };
 pub const LIFT: Example = Example { name: "lift", ..HOME };
+/// Robots that are talked to.
+pub const TALK: Example = Example { name: "talk", ..HOME };
 /// With a library that has nothing else.
 pub const LIFT_ALONE: Example = Example { features: &["table"], ..LIFT };
 /// Not every function is in an example.
@@ -119,7 +121,7 @@ impl Example {
 
 /// Builds the examples for the Cortex-M4F and runs them in the emulator.
 pub fn on_board() -> Result<()> {
-    for example in [HOME, LIFT, LIFT_ALONE, EVERY_FUNCTION] {
+    for example in [HOME, LIFT, TALK, LIFT_ALONE, EVERY_FUNCTION] {
         let binary = example.build()?;
         print!("{}", run_alone(&binary)?.0);
         nothing_panics(&[binary])?;

@@ -10,7 +10,7 @@ extern int main(void);
 
 #define PAINT 0xCCCCCCCCu
 /* So much of the RAM's end is painted: more than any program here may take. */
-#define STACK_WORDS (16 * 1024 / 4)
+#define STACK_WORDS (48 * 1024 / 4)
 
 /* SysTick: control, reload and current value. It counts 25 million times a second down from its reload value, and an instruction takes 64 ns. */
 static volatile uint32_t *const systick = (volatile uint32_t *)0xE000E010;

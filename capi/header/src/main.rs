@@ -6,7 +6,7 @@ use anyhow::{Context, Result, anyhow};
 use cbindgen::{Builder, Config};
 
 /// The sources whose items the header has, in its order.
-const SOURCES: [&str; 15] = [
+const SOURCES: [&str; 16] = [
     "status.rs",
     "version.rs",
     "capacities.rs",
@@ -20,6 +20,7 @@ const SOURCES: [&str; 15] = [
     "beliefs.rs",
     "words.rs",
     "asking.rs",
+    "talk.rs",
     "model.rs",
     "storage.rs",
 ];

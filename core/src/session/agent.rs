@@ -93,8 +93,8 @@ pub struct Agent<M> {
     pub(crate) expected: Option<u64>,
     /// Dead ends of the state that was planned for last.
     pub(crate) dead: TaskSet,
-    done: LastDone,
-    pub(super) followed: Option<usize>,
+    pub(crate) done: LastDone,
+    pub(crate) followed: Option<usize>,
     /// The most that each table has held.
     most: Capacities,
     #[cfg(feature = "asking")]

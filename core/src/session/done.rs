@@ -33,7 +33,7 @@ impl Done {
 
 /// The last actions of a session, the last one first.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct LastDone {
+pub(crate) struct LastDone {
     actions: [Done; LAGS],
     /// Whether each was a rest.
     rests: [bool; LAGS],
@@ -60,7 +60,7 @@ impl LastDone {
     };
 
     /// Whether there is an action that can be judged.
-    pub(super) const fn is_something(self) -> bool {
+    pub(crate) const fn is_something(self) -> bool {
         self.any
     }
 

@@ -63,6 +63,9 @@ pub enum AgentError {
     Strategy(BeliefError),
     /// An option is out of range.
     Setting(SettingError),
+    /// The caller stopped the work in a [pause](crate::Agent::listen_in_parts): no session is under way.
+    #[cfg(feature = "talk")]
+    Stopped,
     /// A table was full. Everything learned before is kept.
     Capacity(CapacityError),
 }
@@ -108,6 +111,8 @@ impl fmt::Display for AgentError {
             Self::NothingDone => "no action was done that could be judged; act first",
             Self::NotApplicable => "the action cannot be done in this state; choose one that leads to a state",
             Self::NotAsked => "no question was asked that waits for an answer; ask first",
+            #[cfg(feature = "talk")]
+            Self::Stopped => "the robot was told to stop listening; say it again",
             Self::NoAnswer => "this is no answer to that question; answer yes, no, or one of the tasks that it names",
             Self::NotNow(phase) => return phase.fmt(f),
             Self::Prior { task, value } => return write!(f, "the prior of task {task} is {value}; it must be a number of 0 or more"),

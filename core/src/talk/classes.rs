@@ -64,11 +64,13 @@ pub enum Class {
     Clitic,
     /// "want": whoever says it tells what shall be, and not what to do.
     Wish,
+    /// "meant": whoever says it corrects the robot.
+    Meant,
 }
 
 impl Class {
     /// All classes, in order.
-    pub const ALL: [Self; 28] = [
+    pub const ALL: [Self; 29] = [
         Self::Negation,
         Self::Out,
         Self::From,
@@ -97,6 +99,7 @@ impl Class {
         Self::Toward,
         Self::Clitic,
         Self::Wish,
+        Self::Meant,
     ];
 
     /// Its name in a table.
@@ -130,6 +133,7 @@ impl Class {
             Self::Toward => "toward",
             Self::Clitic => "clitic",
             Self::Wish => "wish",
+            Self::Meant => "meant",
         }
     }
 
@@ -164,7 +168,11 @@ impl Classes {
 
     /// The classes of words that speak about commands, without those of words that commands have themselves.
     pub const fn about_commands(self) -> Self {
-        Self(self.0 & !(1 << Class::Toward as u32 | 1 << Class::Clitic as u32))
+        Self(self.0 & !(1 << Class::Toward as u32 | 1 << Class::Clitic as u32 | 1 << Class::Meant as u32))
+    }
+
+    pub(super) const fn and(self, other: Self) -> Self {
+        Self(self.0 | other.0)
     }
 
     pub(super) const fn with(self, class: Class) -> Self {
@@ -225,10 +233,9 @@ impl<'t> ClosedWords<'t> {
     /// # Errors
     /// A [`ClosedWordsError`] with the first line that is none of a table.
     pub fn new(text: &'t str) -> Result<Self, ClosedWordsError<'t>> {
-        for (line, content) in text.lines().enumerate() {
-            let content = without_comment(content);
+        for (line, content) in lines(text).enumerate() {
             let line = line.saturating_add(1);
-            let Some((name, words)) = content.split_once(':') else {
+            let Some((name, words)) = parted(content) else {
                 match content.split_whitespace().next() {
                     None => continue,
                     Some(word) => return Err(ClosedWordsError::NoClass { word, line }),
@@ -253,8 +260,8 @@ impl<'t> ClosedWords<'t> {
     }
 
     fn lines(self) -> impl Iterator<Item = (Class, core::str::SplitWhitespace<'t>)> {
-        self.text.lines().filter_map(|line| {
-            let (name, words) = without_comment(line).split_once(':')?;
+        lines(self.text).filter_map(|line| {
+            let (name, words) = parted(line)?;
             let class = Class::ALL.iter().find(|class| class.name() == name.trim())?;
             Some((*class, words.split_whitespace()))
         })
@@ -324,8 +331,19 @@ impl fmt::Display for ClosedWords<'_> {
     }
 }
 
-fn without_comment(line: &str) -> &str {
-    line.split('#').next().unwrap_or("")
+/// Searches for a letter by a closure: that for a letter itself could panic, for all the linker knows.
+const fn is(letter: char) -> impl Fn(char) -> bool + Copy {
+    move |other| other == letter
+}
+
+/// The lines of a table, without comments.
+fn lines(text: &str) -> impl Iterator<Item = &str> {
+    text.split(is('\n')).map(|line| line.split(is('#')).next().unwrap_or(""))
+}
+
+/// The name of a class, and its words.
+fn parted(line: &str) -> Option<(&str, &str)> {
+    line.split_once(is(':'))
 }
 
 /// Why a text is no table of closed classes.

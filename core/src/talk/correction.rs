@@ -7,6 +7,7 @@
 use super::classes::{Class, Classes, ClosedWords};
 use super::listening::{Heard, View, Wording, Words};
 use super::readings::EITHER;
+use crate::asking::Asking;
 use crate::language::roles::talk::is_of_task;
 use crate::language::{for_each_piece, word_form};
 use crate::memory::AgentMemory;
@@ -19,6 +20,18 @@ use heapless::Vec;
 
 /// How often the words of a correction name a thing that is not meant. Who corrects the robot sees what it does, and chooses the words for that.
 const WRONG: f32 = 1e-4;
+
+/// So much of the belief in the next task is left to the one that a correction turns the robot from.
+const LEFT: f32 = 0.05;
+
+/// What a correction was taken for, so that it can be recorded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Corrected {
+    /// The task that the robot was turned from, by its position.
+    pub task: usize,
+    /// The probability with which the "no" to that task is wrong: the `eta` of [`answered`](Agent::answered).
+    pub eta: f32,
+}
 
 impl<M: AgentMemory> Agent<M> {
     /// Whether a word says what to do, as "go" does: such words are a command rather than a correction. Known is what was learned; the words
@@ -47,7 +60,32 @@ impl<M: AgentMemory> Agent<M> {
         language.word_like(piece, learned).or_else(|| language.words().find(form)).filter(|word| word.index() < learned)
     }
 
-    /// Takes in words that correct the robot on its way, as evidence about the session under way.
+    /// Takes in words that correct the robot: "no, the other one", "I meant the blue one", "not the red one". They are an answer "no" to the task
+    /// that it follows, which is left with a twentieth of the belief in the next one at most, however sure the robot was; and the words
+    /// are [evidence](Self::corrected). `followed` is the task that the last step was for; where it is `None`, the one that the robot has decided for.
+    ///
+    /// # Errors
+    /// As [`corrected`](Self::corrected).
+    pub fn correct<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: &str,
+        closed: ClosedWords<'_>,
+        followed: Option<usize>,
+    ) -> Result<Corrected, AgentError> {
+        self.check_session(domain)?;
+        let followed = followed.or(self.followed).or_else(|| self.most_likely());
+        let task = followed.ok_or(AgentError::NotNow(crate::session::Phase::Idle))?;
+        let belief = |task: usize| self.belief().probability(task);
+        let next = (0..self.tasks().len()).filter(|&other| other != task).map(belief).fold(0.0, f32::max);
+        let eta = (LEFT * next / belief(task)).clamp(f32::MIN_POSITIVE, Asking::DEFAULT.eta);
+        self.withdraw_question();
+        let _ = self.answered(TaskSet::of(task), false, eta, 1)?;
+        let _ = self.corrected(domain, words, closed)?;
+        Ok(Corrected { task, eta })
+    }
+
+    /// Takes in words that correct the robot on its way, as evidence about the session under way, without the "no" to what it does.
     ///
     /// # Errors
     /// [`AgentError::NotNow`] and [`AgentError::OtherDomain`], and as [`hear`](Self::hear) where the words are too many or too long.
@@ -91,12 +129,15 @@ impl<M: AgentMemory> Agent<M> {
         if words.is_empty() || words.iter().all(Heard::is_new) {
             return Ok(None);
         }
-        let wording = Wording::of(self.language(), closed, (domain.world().schema.attributes.len() << 1) as u8);
+        let wording = Wording::of(self.language(), closed, (domain.world().schema.attributes.len() << 1) as u8, &|| true);
         let explained = self.explain_all(domain, words, &wording, View { done: EITHER, has_act: true, ..View::PLAIN })?;
         self.share(domain, View::PLAIN.done);
         let most =
             explained.likelihoods.iter().fold(Scaled::ZERO, |most, &likelihood| if likelihood.exceeds(most) { likelihood } else { most });
-        let fits: Vec<f32, { TaskSet::MOST }> = explained.likelihoods.iter().map(|likelihood| likelihood.over(most)).collect();
+        let mut fits: Vec<f32, { TaskSet::MOST }> = Vec::new();
+        for likelihood in &explained.likelihoods {
+            let _ = fits.push(likelihood.over(most));
+        }
         let is_even = most.is_zero() || fits.iter().all(|&fit| fit == 1.0);
         Ok(Some(fits).filter(|_| !is_even))
     }

@@ -39,6 +39,8 @@ const REVERSED: f32 = 1.0 - NOTHING - ABSENT - ABOUT - SEVERAL;
 const AGAIN: f32 = 1.0;
 /// The share of each kind of task that is for tasks that are done already.
 const DONE: f32 = 0.03;
+/// How often a thing that is there already is meant, where all are to be brought.
+const NOT_MEANT: f32 = 1e-4;
 /// How probable a word that was never heard is where no task is meant, and beside a command.
 const NEW: f32 = 0.5;
 /// How probable a polite word is beside a command, and another word of a closed class.
@@ -151,9 +153,20 @@ pub struct Listened {
     pub unread: Option<usize>,
 }
 
+/// What the caller does between two parts of the work; `false` stops it.
+pub(super) type Pause<'p> = &'p dyn Fn() -> bool;
+
+/// Table cells of work, at most about, between two pauses of a robot that takes everything for a command.
+const PART: u32 = 1_000;
+
+pub(super) fn rest(pause: Pause<'_>) -> Result<(), AgentError> {
+    if pause() { Ok(()) } else { Err(AgentError::Stopped) }
+}
+
 /// How commands are worded, as far as was learned.
 pub(super) struct Wording<'c> {
     closed: ClosedWords<'c>,
+    pause: Pause<'c>,
     coverage: Coverage,
     /// How probable a new word is in a command.
     new: f32,
@@ -166,7 +179,7 @@ pub(super) struct Wording<'c> {
 }
 
 impl<'c> Wording<'c> {
-    pub(super) fn of(language: LanguageRef<'_>, closed: ClosedWords<'c>, facts: u8) -> Self {
+    pub(super) fn of(language: LanguageRef<'_>, closed: ClosedWords<'c>, facts: u8, pause: Pause<'c>) -> Self {
         let (bitext, words) = (language.bitext(), language.tables().words());
         let is_plain = |word| is_plain(language, closed, word);
         let coverage = Coverage::of(&mut Senses::new(language.tables(), bitext, &is_plain, facts));
@@ -178,6 +191,7 @@ impl<'c> Wording<'c> {
         let sessions = sessions.max(1) as f32;
         Self {
             closed,
+            pause,
             coverage,
             // Good and Turing's estimate; at first every word is new.
             new: (once + 2.0) / (all + 2.0),
@@ -534,8 +548,36 @@ impl<M: AgentMemory> Agent<M> {
         utterance: &str,
         words: ClosedWords<'_>,
     ) -> Result<Listened, AgentError> {
-        let conversation = self.conversation.here(domain);
-        self.listen_to(domain, state, utterance, words, Place { before: conversation.before(), ..Place::WHOLE })
+        self.listen_in_parts(domain, state, utterance, words, false, &|| true)
+    }
+
+    /// As [`listen`](Self::listen), or, where `is_rest`, as [`listen_on`](Self::listen_on), with a pause after each part of the work: after each task
+    /// that is compared with the words. It takes as long as all parts together, and most of a second on a small controller; `pause` is where
+    /// that does its other work, feeds its watchdog, or looks at the clock. The result is the same to the bit. Where `pause` gives
+    /// `false`, the robot stops listening.
+    ///
+    /// # Errors
+    /// As [`hear`](Self::hear), and [`AgentError::Stopped`]: no session is then under way.
+    pub fn listen_in_parts<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        state: &D::State,
+        utterance: &str,
+        words: ClosedWords<'_>,
+        is_rest: bool,
+        pause: &dyn Fn() -> bool,
+    ) -> Result<Listened, AgentError> {
+        let mut conversation = self.conversation.here(domain);
+        if !is_rest {
+            return self.listen_to(domain, state, utterance, words, Place { before: conversation.before(), ..Place::WHOLE }, pause);
+        }
+        // Words of this part may point at the part before.
+        let (part, start) = (self.most_likely().map(|task| self.task(task)), self.started_from(domain));
+        let kind = part.map(|part| part.lifted);
+        if let Some((part, start)) = part.zip(start) {
+            conversation = conversation.after(domain, &self.lifted, &start, &part);
+        }
+        self.listen_to(domain, state, utterance, words, Place { is_rest, kind, before: conversation.before(), ..Place::WHOLE }, pause)
     }
 
     /// Hears the rest of an utterance of several commands, from [`Listened::rest`] on, in the state that the part before leads to. A command
@@ -550,12 +592,7 @@ impl<M: AgentMemory> Agent<M> {
         rest: &str,
         words: ClosedWords<'_>,
     ) -> Result<Listened, AgentError> {
-        let kind = self.most_likely().map(|task| self.task(task).lifted);
-        // Words of this part may point at the part before.
-        let (part, start) = (self.most_likely().map(|task| self.task(task)), self.started_from(domain));
-        let conversation = self.conversation.here(domain);
-        let conversation = part.zip(start).map_or(conversation, |(part, start)| conversation.after(domain, &self.lifted, &start, &part));
-        self.listen_to(domain, state, rest, words, Place { is_rest: true, kind, before: conversation.before(), ..Place::WHOLE })
+        self.listen_in_parts(domain, state, rest, words, true, &|| true)
     }
 
     /// As [`listen_on`](Self::listen_on), for who knows from a record which lifted task the part before was about, by its position. Words that
@@ -572,7 +609,8 @@ impl<M: AgentMemory> Agent<M> {
         kind: Option<u8>,
     ) -> Result<Listened, AgentError> {
         let conversation = self.conversation.here(domain);
-        self.listen_to(domain, state, rest, words, Place { is_rest: true, kind, before: conversation.before(), ..Place::WHOLE })
+        let place = Place { is_rest: true, kind, before: conversation.before(), ..Place::WHOLE };
+        self.listen_to(domain, state, rest, words, place, &|| true)
     }
 
     fn listen_to<D: Domain + ?Sized>(
@@ -582,20 +620,23 @@ impl<M: AgentMemory> Agent<M> {
         utterance: &str,
         words: ClosedWords<'_>,
         place: Place<'_>,
+        pause: Pause<'_>,
     ) -> Result<Listened, AgentError> {
         let read = first_words(utterance);
         let unread = Some(read.len()).filter(|&end| end < utterance.len());
         self.open(domain, state, read, DONE)?;
         if self.options.language.model.in_use() != Model::Roles || self.language().tables().words() == 0 {
             self.begin_to_understand(domain)?;
-            while self.hear_on(domain, u32::MAX)? == Progress::Working {}
+            while self.hear_on(domain, PART)? == Progress::Working {
+                rest(pause).inspect_err(|_| self.leave())?;
+            }
             let task = self.most_likely().unwrap_or(0);
             let (hypothesis, probability) = (Hypothesis::Command, self.belief().probability(task));
             let tasks = TaskSet::of(task);
             let (verdict, command, sure) = (Verdict::Unsure, 1.0, 1.0);
             return Ok(Listened { verdict, hypothesis, task, tasks, probability, command, sure, rest: None, unread });
         }
-        let result = self.listen_here(domain, read, words, place, unread);
+        let result = self.listen_here(domain, read, words, place, unread, pause);
         if result.is_err() {
             (self.start, self.progressed) = (None, Progressed::Idle);
         }
@@ -609,6 +650,7 @@ impl<M: AgentMemory> Agent<M> {
         closed: ClosedWords<'_>,
         place: Place<'_>,
         unread: Option<usize>,
+        pause: Pause<'_>,
     ) -> Result<Listened, AgentError> {
         self.begin_to_understand(domain)?;
         let mut words: Words = Vec::new();
@@ -657,7 +699,7 @@ impl<M: AgentMemory> Agent<M> {
         let polite = [Class::Polite, Class::Greeting, Class::Connective];
         let begin = words.iter().take_while(|word| word.classes.contains_any(&polite)).count();
         words.iter_mut().take(begin).for_each(Heard::make_polite);
-        let wording = Wording::of(language, closed, (domain.world().schema.attributes.len() << 1) as u8);
+        let wording = Wording::of(language, closed, (domain.world().schema.attributes.len() << 1) as u8, pause);
         let mended = mend(language, utterance, &words)?;
         let mut all = self.explain_all(domain, &words, &wording, place.view(View::PLAIN))?;
         if let Some(mended) = mended {
@@ -784,6 +826,19 @@ impl<M: AgentMemory> Agent<M> {
         (0..self.tasks().len()).filter(|&task| holds(task)).fold(TaskSet::EMPTY, TaskSet::with)
     }
 
+    /// Where all things of a kind are meant, those that are there already are not meant any more.
+    ///
+    /// # Errors
+    /// [`AgentError::NotNow`].
+    pub fn leave_out_done<D: Domain + ?Sized>(&mut self, domain: &D, listened: &Listened) -> Result<(), AgentError> {
+        let done = self.done(domain);
+        let may_be_of_all = matches!(listened.hypothesis, Hypothesis::All | Hypothesis::Several) && listened.verdict != Verdict::Done;
+        if may_be_of_all && !done.is_empty() && !self.tasks().iter().any(GroundedTask::is_negated) {
+            let _ = self.answered(done, false, NOT_MEANT, 1)?;
+        }
+        Ok(())
+    }
+
     /// Gives the tasks that hold already a share of `done`.
     pub(super) fn share<D: Domain + ?Sized>(&mut self, domain: &D, done: f32) {
         if let Some(state) = self.started_from(domain) {
@@ -881,6 +936,7 @@ impl<M: AgentMemory> Agent<M> {
         let mut ghosts: Vec<Scaled, { TaskSet::MOST }> = Vec::new();
         let is_meant = |task: &GroundedTask| recalled.is_none_or(|recalled| recalled.fits(domain, &self.lifted, task));
         for (position, task) in tasks.iter().enumerate() {
+            rest(wording.pause)?;
             let mut description = Tokens::new();
             if let Some(scene) = &mut scene {
                 describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?;

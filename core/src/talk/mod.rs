@@ -11,7 +11,8 @@
 //! - `correction`: words to a robot on its way;
 //! - `listening`: the hypotheses, and the verdict;
 //! - `recalled`: words that stand for what was said before;
-//! - `readings`: what shall not be, all things of a kind, and one command after another.
+//! - `readings`: what shall not be, all things of a kind, and one command after another;
+//! - `voice`: what words ask for that are no command.
 
 mod classes;
 mod conversation;
@@ -19,7 +20,10 @@ mod correction;
 pub(crate) mod listening;
 mod readings;
 mod recalled;
+mod voice;
 
 pub use classes::{Class, Classes, ClosedWords, ClosedWordsError};
 pub use conversation::{Conversation, Fact};
+pub use correction::Corrected;
 pub use listening::{Hypothesis, Listened, Verdict};
+pub use voice::{Said, Stage, for_each_open_word};

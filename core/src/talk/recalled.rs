@@ -12,7 +12,6 @@ use crate::probability::Scaled;
 use crate::session::{Agent, AgentError};
 use crate::task::grounded::is_thing;
 use crate::task::{GroundedTask, LiftedTask};
-use heapless::Vec;
 
 /// How probable it is that an utterance in a conversation points back, and each word by which it does.
 const POINTS_BACK: f32 = 0.4;
@@ -128,7 +127,7 @@ fn without(words: &[Heard]) -> Option<(Words, f32)> {
 }
 
 /// What the words that point back may point at, each with its share.
-fn readings<'c>(words: &[Heard], before: Before<'c>) -> Vec<(Recalled<'c>, f32), 2> {
+fn readings<'c>(words: &[Heard], before: Before<'c>) -> impl Iterator<Item = (Recalled<'c>, f32)> {
     let has = |class| words.iter().any(|word| word.classes.contains(class));
     let thing = if has(Class::Other) {
         Thing::Other
@@ -139,7 +138,7 @@ fn readings<'c>(words: &[Heard], before: Before<'c>) -> Vec<(Recalled<'c>, f32),
     } else {
         Thing::Free
     };
-    let places: &[(Place, f32)] = if has(Class::There) {
+    let places: &'static [(Place, f32)] = if has(Class::There) {
         &[(Place::Named, 1.0)]
     } else if has(Class::Back) {
         &[(Place::Was, 1.0 - ELSEWHERE), (Place::Free, ELSEWHERE)]
@@ -148,7 +147,7 @@ fn readings<'c>(words: &[Heard], before: Before<'c>) -> Vec<(Recalled<'c>, f32),
     } else {
         &[(Place::Free, 1.0)]
     };
-    places.iter().map(|&(place, share)| (Recalled { before, thing, place }, share)).collect()
+    places.iter().map(move |&(place, share)| (Recalled { before, thing, place }, share))
 }
 
 impl<M: AgentMemory> Agent<M> {

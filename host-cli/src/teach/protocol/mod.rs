@@ -15,7 +15,7 @@ use goodbot::planning::OptimalSet;
 use goodbot::session::Evidence;
 use goodbot::talk::{Class, Hypothesis};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
-use goodbot_lesson::voice::Said;
+use goodbot::talk::Said;
 use lines::Lines;
 use serde_json::{Map, Value, json};
 use std::io::{self, BufRead, Write};

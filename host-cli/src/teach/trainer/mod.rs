@@ -39,7 +39,7 @@ use goodbot_course::next_lesson::times_heard;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::listening::tells_talk;
 use goodbot_lesson::live::Lesson;
-use goodbot_lesson::voice::Said;
+use goodbot::talk::Said;
 use half_taught::HalfTaught;
 use mind::{build, expect, kinds_of_task, new_mind};
 use rand_pcg::Pcg32;
@@ -299,7 +299,7 @@ impl Trainer {
 
     /// Learns what is said along with a button.
     pub fn learn_word(&mut self, words: &str, feedback: Feedback) -> Result<(), Refusal> {
-        self.lesson.voice.learn(words, feedback).map_err(refused)
+        self.lesson.learn_voice(words, feedback).map_err(refused)
     }
 
     /// Begins another conversation, or goes on with one, by its name.

@@ -5,7 +5,7 @@ use crate::teach::trainer::{Heard, Refusal};
 use goodbot::feedback::Feedback;
 use goodbot::session::Evidence;
 use goodbot::talk::Class;
-use goodbot_lesson::voice::Said;
+use goodbot::talk::Said;
 use std::time::Duration;
 
 impl Visit {

@@ -1,0 +1,327 @@
+//! What people say beside commands.
+
+use crate::robot::{Goodbot, give, text, with};
+use crate::status::{Failure, GoodbotStatus};
+use crate::training::in_world;
+use crate::world::World;
+use core::ffi::{c_char, c_void};
+use goodbot::asking::Answer;
+use goodbot::feedback::Feedback;
+use goodbot::talk::{ClosedWords, Conversation, Hypothesis, Listened, Said, Verdict};
+
+/// What comes of an utterance.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GoodbotVerdict {
+    /// The task is meant: plan and act.
+    Sure,
+    /// It is not sure which task is meant: ask, or wait. `goodbot_forget` ends the session.
+    Unsure,
+    /// The task is meant, and is done already.
+    Done,
+    /// None of what the robot can do here is meant.
+    None,
+}
+
+/// What an utterance is most likely taken for.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GoodbotTakenFor {
+    /// A command for one task.
+    Command,
+    /// None of what the robot can do.
+    Nothing,
+    /// A command about a thing that is not here.
+    Absent,
+    /// A thing, but not what to do with it.
+    About,
+    /// What shall not be: the session's tasks are negated.
+    Negated,
+    /// Perhaps the opposite of a command.
+    Reversed,
+    /// Several commands: the session is about the first.
+    Several,
+    /// All things of a kind.
+    All,
+    /// The task of before once more.
+    Again,
+    /// Praise, stop, a greeting and the like: `goodbot_said` says which.
+    Talk,
+}
+
+/// There is no such place in the utterance.
+pub const GOODBOT_NOWHERE: u32 = u32::MAX;
+
+/// What the robot makes of an utterance.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct GoodbotListened {
+    /// The tasks that are meant, one bit each by their positions: several where all things of a kind are.
+    pub tasks: u64,
+    /// What comes of it.
+    pub verdict: GoodbotVerdict,
+    /// What it is taken for.
+    pub taken_for: GoodbotTakenFor,
+    /// The most likely task, by its position.
+    pub task: u32,
+    /// How probable it is that the tasks are meant, from 0 to 1.
+    pub probability: f32,
+    /// How probable it is that one of the session's tasks is meant, from 0 to 1.
+    pub command: f32,
+    /// How probable tasks must be to be sure of them.
+    pub sure: f32,
+    /// Where the rest of several commands begins, in bytes: `goodbot_listen_on` takes it when the first is done. `GOODBOT_NOWHERE` where there is none.
+    pub rest: u32,
+    /// Where the words begin that were not read, in bytes, beyond the 64th. `GOODBOT_NOWHERE` where all were.
+    pub unread: u32,
+}
+
+/// What words ask for.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GoodbotSaid {
+    /// A command: `goodbot_listen`.
+    Command,
+    /// A word to the last step: `goodbot_feedback` with `GOODBOT_REWARD`.
+    Good,
+    /// The same with `GOODBOT_PUNISH`.
+    Bad,
+    /// Praise for a robot that rests at its goal: `goodbot_finish`.
+    Finish,
+    /// The answer to the open question, which `answer` is given: `goodbot_answer`.
+    Answer,
+    /// Words that turn the robot round: `goodbot_correct`.
+    Correction,
+    /// The robot shall stop: `goodbot_forget`.
+    Stop,
+    /// Take something back.
+    Undo,
+    /// The last command once more.
+    Again,
+    /// There is nothing to do.
+    Nothing,
+}
+
+/// What a program does between two parts of the work of listening; false stops it.
+pub type GoodbotPause = Option<unsafe extern "C" fn(context: *mut c_void) -> bool>;
+
+/// A table of the caller's, no words for null.
+///
+/// # Safety
+/// `table` is null or a C string.
+unsafe fn closed<'t>(table: *const c_char) -> Result<ClosedWords<'t>, Failure> {
+    if table.is_null() {
+        return Ok(ClosedWords::NONE);
+    }
+    // SAFETY: the caller's promise.
+    let table = unsafe { text(table)? };
+    ClosedWords::new(table).map_err(|_| GoodbotStatus::ClosedWords.into())
+}
+
+fn written(listened: &Listened) -> GoodbotListened {
+    let place = |place: Option<usize>| place.map_or(GOODBOT_NOWHERE, |place| place as u32);
+    GoodbotListened {
+        tasks: listened.tasks.iter().fold(0, |tasks, task| tasks | 1 << task),
+        verdict: match listened.verdict {
+            Verdict::Sure => GoodbotVerdict::Sure,
+            Verdict::Unsure => GoodbotVerdict::Unsure,
+            Verdict::Done => GoodbotVerdict::Done,
+            Verdict::None => GoodbotVerdict::None,
+        },
+        taken_for: match listened.hypothesis {
+            Hypothesis::Command => GoodbotTakenFor::Command,
+            Hypothesis::Absent => GoodbotTakenFor::Absent,
+            Hypothesis::About => GoodbotTakenFor::About,
+            Hypothesis::Negated => GoodbotTakenFor::Negated,
+            Hypothesis::Reversed => GoodbotTakenFor::Reversed,
+            Hypothesis::Several => GoodbotTakenFor::Several,
+            Hypothesis::All => GoodbotTakenFor::All,
+            Hypothesis::Again => GoodbotTakenFor::Again,
+            Hypothesis::Talk(_) => GoodbotTakenFor::Talk,
+            _ => GoodbotTakenFor::Nothing,
+        },
+        task: listened.task as u32,
+        probability: listened.probability,
+        command: listened.command,
+        sure: listened.sure,
+        rest: place(listened.rest),
+        unread: place(listened.unread),
+    }
+}
+
+/// # Safety
+/// As [`goodbot_listen`].
+unsafe fn listen(
+    robot: *mut Goodbot,
+    utterance: *const c_char,
+    table: *const c_char,
+    is_rest: bool,
+    pause: GoodbotPause,
+    context: *mut c_void,
+    listened: *mut GoodbotListened,
+) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            if listened.is_null() {
+                return Err(GoodbotStatus::Null.into());
+            }
+            let (utterance, closed) = (text(utterance)?, closed(table)?);
+            let go_on = || pause.is_none_or(|pause| pause(context));
+            let agent = &mut robot.agent;
+            let heard = in_world!(&robot.world, |domain, state| {
+                let heard = agent.listen_in_parts(domain, state, utterance, closed, is_rest, &go_on)?;
+                agent.leave_out_done(domain, &heard)?;
+                heard
+            });
+            give(listened, written(&heard))
+        })
+    }
+}
+
+/// Hears an utterance that may be no command, in the state in which things are now, and says what it is taken for. A session begins as with
+/// `goodbot_hear`; where the verdict is not `SURE`, ask or wait. A robot needs about 20 lessons before it can tell; until then, hear.
+///
+/// `closed_words` is a table of words such as "not", "and", "stop", in the language that is spoken (`docs/talk.md`), or null: a robot
+/// without one asks back more often. `CLOSED_WORDS` where it is no table. `pause` is null, or is called after each part of the work, with
+/// `context`: it must not use this robot, and returns whether to go on. If it returns false, the status is `STOPPED`, and no session is
+/// under way.
+///
+/// # Safety
+/// `robot` is null or a handle; the texts are null or C strings; `listened` is null or room for one.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_listen(
+    robot: *mut Goodbot,
+    utterance: *const c_char,
+    closed_words: *const c_char,
+    pause: GoodbotPause,
+    context: *mut c_void,
+    listened: *mut GoodbotListened,
+) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe { listen(robot, utterance, closed_words, false, pause, context, listened) }
+}
+
+/// As `goodbot_listen`, for the rest of an utterance of several commands, when the part before is done and its session over: `rest` is the
+/// utterance from `goodbot_listened.rest` on. It may leave out a word that the part before has.
+///
+/// # Safety
+/// As `goodbot_listen`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_listen_on(
+    robot: *mut Goodbot,
+    rest: *const c_char,
+    closed_words: *const c_char,
+    pause: GoodbotPause,
+    context: *mut c_void,
+    listened: *mut GoodbotListened,
+) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe { listen(robot, rest, closed_words, true, pause, context, listened) }
+}
+
+/// Remembers a task of the session, by its position, as followed: `goodbot_listen` then knows what "it", "there", "back", "the other one" and
+/// "again" stand for. Call it before the session is finished or forgotten.
+///
+/// # Safety
+/// `robot` is null or a handle.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_remember(robot: *mut Goodbot, task: u32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let agent = &mut robot.agent;
+            let task = *agent.tasks().get(task as usize).ok_or(GoodbotStatus::Unknown)?;
+            in_world!(&robot.world, |domain, _state| {
+                let start = agent.started_from(domain).ok_or(GoodbotStatus::NoSession)?;
+                agent.remember(domain, &start, &task);
+            });
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+/// Begins another conversation: the robot remembers nothing of what was said.
+///
+/// # Safety
+/// `robot` is null or a handle.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_converse_anew(robot: *mut Goodbot) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            robot.agent.resume(Conversation::NEW);
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+/// What a person's words ask for, given the session under way, the actions that `goodbot_done` told of, and the question that is open. Nothing
+/// is done yet. `answer` is given the answer where the words are one, for `goodbot_answer`.
+///
+/// # Safety
+/// `robot` is null or a handle; the texts are null or C strings; `said` and `answer` are null or room for one.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_said(
+    robot: *mut Goodbot,
+    words: *const c_char,
+    closed_words: *const c_char,
+    said: *mut GoodbotSaid,
+    answer: *mut i32,
+) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let (words, closed) = (text(words)?, closed(closed_words)?);
+            let agent = &robot.agent;
+            let heard = in_world!(&robot.world, |domain, state| agent.said(words, closed, agent.stage(domain, state), |_| None)?);
+            if let Said::Answer(heard) = heard {
+                give(
+                    answer,
+                    match heard {
+                        Answer::Yes => crate::asking::GOODBOT_YES,
+                        Answer::No => crate::asking::GOODBOT_NO,
+                        Answer::This(choice) => i32::from(choice),
+                    },
+                )?;
+            }
+            give(
+                said,
+                match heard {
+                    Said::Command => GoodbotSaid::Command,
+                    Said::Judgement(Feedback::Punish) => GoodbotSaid::Bad,
+                    Said::Judgement(_) => GoodbotSaid::Good,
+                    Said::Finish => GoodbotSaid::Finish,
+                    Said::Answer(_) => GoodbotSaid::Answer,
+                    Said::Correction => GoodbotSaid::Correction,
+                    Said::Stop => GoodbotSaid::Stop,
+                    Said::Undo => GoodbotSaid::Undo,
+                    Said::Again => GoodbotSaid::Again,
+                    Said::Nothing(_) => GoodbotSaid::Nothing,
+                },
+            )
+        })
+    }
+}
+
+/// Takes in words that turn the robot on its way round: "no, the other one", "I meant the blue one", "not the red one". The task that it
+/// follows is left with a twentieth of the belief in the next one at most.
+///
+/// # Safety
+/// `robot` is null or a handle; the texts are null or C strings.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_correct(
+    robot: *mut Goodbot,
+    words: *const c_char,
+    closed_words: *const c_char,
+) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let (words, closed) = (text(words)?, closed(closed_words)?);
+            let agent = &mut robot.agent;
+            let _ = in_world!(&robot.world, |domain, _state| agent.correct(domain, words, closed, None)?);
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}

@@ -1,0 +1,247 @@
+//! What a person's words ask for while a session is under way, and between sessions: praise, blame, an answer, a correction, or a command.
+//!
+//! Closed classes of words tell it, and no lesson is needed. An utterance is no command if all of its words are of closed classes. While the
+//! robot is on its way, one more word may be among them, if it is in no command that the robot learned: "well done", "good job".
+
+use super::classes::{Class, Classes, ClosedWords};
+use crate::asking::{Answer, Question};
+use crate::feedback::{Feedback, Judged};
+use crate::language::for_each_piece;
+use crate::memory::AgentMemory;
+use crate::oomdp::Domain;
+use crate::session::{Agent, AgentError};
+
+/// What a person's words ask for, given where the conversation stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Said {
+    /// A word to the last step.
+    Judgement(Feedback),
+    /// Praise for the robot that rests at its goal: the session is over.
+    Finish,
+    /// The answer to the open question.
+    Answer(Answer),
+    /// Words that turn the robot on its way round: "no, the blue one".
+    Correction,
+    /// The robot shall stop.
+    Stop,
+    /// Take something back: the last step, or, between sessions, the last session.
+    Undo,
+    /// The same command once more.
+    Again,
+    /// Words for which there is nothing to do here.
+    Nothing(Class),
+    /// A command.
+    Command,
+}
+
+/// Where a conversation stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// No session is under way.
+    Between,
+    /// A session is under way, and no step waits for a word.
+    OnTheWay,
+    /// A step waits for a word.
+    Stepped,
+    /// The last step was a rest at the goal, and waits for a word.
+    AtGoal,
+}
+
+impl Stage {
+    /// Whether a step waits for a word.
+    const fn is_judged(self) -> bool {
+        matches!(self, Self::Stepped | Self::AtGoal)
+    }
+}
+
+/// Classes of words that may stand beside praise, blame and answers.
+const BESIDE: [Class; 5] = [Class::Polite, Class::Pronoun, Class::All, Class::Connective, Class::Asking];
+
+/// Many words are no praise of one or two.
+const SHORT: usize = 6;
+
+/// Whether a word of these classes may be of praise, blame, an answer or other talk.
+fn is_closed(classes: Classes) -> bool {
+    Class::ALL.into_iter().any(|class| class.is_talk() && classes.contains(class))
+        || classes.contains(Class::Negation)
+        || classes.contains_any(&BESIDE)
+}
+
+/// Gives each word of an utterance that is of no class of talk: what the buttons may teach.
+///
+/// # Errors
+/// As [`for_each_piece`].
+pub fn for_each_open_word(words: &str, closed: ClosedWords<'_>, mut take: impl FnMut(&str)) -> Result<(), AgentError> {
+    for_each_piece(words, |piece| {
+        if !is_closed(closed.of(piece).about_commands()) {
+            take(piece);
+        }
+        Ok(())
+    })?;
+    Ok(())
+}
+
+/// The words of an utterance, by what their classes say.
+#[derive(Default)]
+struct Words {
+    count: usize,
+    first: Classes,
+    any: Classes,
+    /// Whether a word negates, and is no yes.
+    is_not: bool,
+    /// How many are of no class of talk.
+    strange: usize,
+    /// Whether a command had one of these.
+    is_known: bool,
+    /// Whether one of these is of no class at all, and a command had it.
+    names: bool,
+    /// Whether all are of a class.
+    is_of_classes: bool,
+    /// Whether one asks to take something back.
+    is_back: bool,
+    is_meant: bool,
+    /// The number that the last one is.
+    number: Option<u8>,
+    /// How often words like these came with praise and with blame; `None` where one never did.
+    learned: Option<[u32; 2]>,
+}
+
+impl Words {
+    const fn has(&self, class: Class) -> bool {
+        self.any.contains(class)
+    }
+
+    /// What closed words say, wherever the conversation stands.
+    fn class(&self) -> Option<Class> {
+        let turned = |turned: bool, plain: Class, other: Class| if turned { other } else { plain };
+        Some(match () {
+            () if self.has(Class::Stop) => Class::Stop,
+            () if self.first.contains(Class::Asking) && !self.first.contains(Class::Polite) => Class::Asking,
+            () if self.has(Class::Praise) => turned(self.is_not || self.has(Class::No), Class::Praise, Class::Blame),
+            () if self.has(Class::Blame) => turned(self.is_not, Class::Blame, Class::Praise),
+            () => return [Class::No, Class::Yes, Class::Again, Class::Greeting].into_iter().find(|&class| self.has(class)),
+        })
+    }
+
+    /// What the words are by what was said along with the buttons.
+    fn judges(&self) -> Option<Class> {
+        let [good, bad] = self.learned?.map(u64::from);
+        match () {
+            () if good > bad.saturating_mul(2) => Some(Class::Praise),
+            () if bad > good.saturating_mul(2) => Some(Class::Blame),
+            () => None,
+        }
+    }
+}
+
+impl<M: AgentMemory> Agent<M> {
+    /// Where the conversation stands, by the actions that the agent was told of; `state` is where things are now.
+    pub fn stage<D: Domain + ?Sized>(&self, domain: &D, state: &D::State) -> Stage {
+        if self.check_session(domain).is_err() {
+            return Stage::Between;
+        }
+        let Some(task) = self.followed.or_else(|| self.most_likely()).filter(|_| self.done.is_something()) else {
+            return Stage::OnTheWay;
+        };
+        let kind = self.lifted.get(usize::from(self.task(task).lifted));
+        let is_reached = kind.is_some_and(|kind| self.task(task).is_reached(kind, |part| domain.holds(part, state)));
+        let rests = self.judged(task).first() == Some(&Judged::RestsAtGoal);
+        if rests && is_reached { Stage::AtGoal } else { Stage::Stepped }
+    }
+
+    /// What a person's words ask for. Nothing is done yet. `learned` tells how often a word came with praise and with blame, `None` for one that
+    /// never did; who learns no such words gives none.
+    ///
+    /// ```
+    /// use goodbot::feedback::Feedback;
+    /// use goodbot::talk::{ClosedWords, Said, Stage};
+    /// use goodbot::{Agent, HeapMemory, Options, home};
+    /// let memory = HeapMemory::new(&goodbot::Capacities::SMALL);
+    /// let agent = Agent::new(memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
+    /// let said = |words, stage| agent.said(words, ClosedWords::ENGLISH, stage, |_| None);
+    /// assert_eq!(said("well done!", Stage::Stepped)?, Said::Judgement(Feedback::Reward));
+    /// assert_eq!(said("stop", Stage::OnTheWay)?, Said::Stop);
+    /// assert_eq!(said("go to the red room", Stage::Between)?, Said::Command);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// An [`AgentError`] where the words are too many or too long.
+    pub fn said(
+        &self,
+        words: &str,
+        closed: ClosedWords<'_>,
+        stage: Stage,
+        learned: impl Fn(&str) -> Option<[u32; 2]>,
+    ) -> Result<Said, AgentError> {
+        let heard = self.words_of(words, closed, learned)?;
+        let question = self.open_question().filter(|_| stage != Stage::Between);
+        let choices = question.map_or(0, |question| question.subject.choices());
+        if let Some(number) = heard.number.filter(|number| heard.count == 1 && (1..=choices).contains(number)) {
+            return Ok(Said::Answer(Answer::This(number.saturating_sub(1))));
+        }
+        let is_judged = stage.is_judged();
+        // "Well done", "good job", but not "put the good chair there".
+        let has_room = is_judged && is_closed(heard.first) && heard.strange == 1 && !heard.is_known && heard.count <= SHORT;
+        let class = heard.class().filter(|_| heard.strange == 0 || has_room);
+        let class = class.or_else(|| heard.judges().filter(|_| is_judged && !heard.is_known));
+        Ok(match class {
+            Some(class) => act_of(class, &heard, stage, question),
+            None if stage != Stage::Between && self.corrects(words, closed, &heard)? => Said::Correction,
+            None => Said::Command,
+        })
+    }
+
+    fn words_of(&self, words: &str, closed: ClosedWords<'_>, learned: impl Fn(&str) -> Option<[u32; 2]>) -> Result<Words, AgentError> {
+        let mut heard = Words { is_of_classes: true, learned: Some([0, 0]), ..Words::default() };
+        for_each_piece(words, |piece| {
+            let in_table = closed.of(piece);
+            let classes = in_table.about_commands();
+            let (is_closed, is_known) = (is_closed(classes), self.knows_word(piece));
+            if heard.count == 0 {
+                heard.first = classes;
+            }
+            heard.count = heard.count.saturating_add(1);
+            heard.any = heard.any.and(classes);
+            heard.is_not |= classes.contains(Class::Negation) && !classes.contains(Class::Yes);
+            heard.strange = heard.strange.saturating_add(usize::from(!is_closed));
+            heard.is_known |= !is_closed && is_known;
+            heard.names |= classes == Classes::NONE && is_known;
+            heard.is_of_classes &= classes != Classes::NONE;
+            heard.is_back |= classes.contains(Class::Again) && classes.contains_any(&[Class::Back, Class::Undo]);
+            heard.is_meant |= in_table.contains(Class::Meant);
+            heard.number = piece.parse().ok();
+            heard.learned = match (heard.learned, learned(piece)) {
+                (Some([good, bad]), Some([more_good, more_bad])) => Some([good.saturating_add(more_good), bad.saturating_add(more_bad)]),
+                (counts, None) if is_closed => counts,
+                _ => None,
+            };
+            Ok(())
+        })?;
+        Ok(heard)
+    }
+
+    /// Whether words correct the robot: they begin with "no" or "not", or name something without a word for what to do.
+    fn corrects(&self, words: &str, closed: ClosedWords<'_>, heard: &Words) -> Result<bool, AgentError> {
+        if heard.first.contains_any(&[Class::No, Class::Blame]) {
+            return Ok(true);
+        }
+        let is_cue = heard.first.contains(Class::Negation) || heard.is_meant;
+        Ok((heard.names || is_cue || heard.is_of_classes) && !self.is_told_to_act(words, closed)?)
+    }
+}
+
+/// What a class of words does here.
+fn act_of(class: Class, words: &Words, stage: Stage, question: Option<&Question>) -> Said {
+    match class {
+        Class::Praise | Class::Yes if question.is_some_and(|question| question.subject.choices() == 0) => Said::Answer(Answer::Yes),
+        Class::Blame | Class::No if question.is_some() => Said::Answer(Answer::No),
+        Class::Praise | Class::Yes if stage == Stage::AtGoal => Said::Finish,
+        Class::Praise | Class::Yes if stage.is_judged() => Said::Judgement(Feedback::Reward),
+        Class::Blame | Class::No if stage.is_judged() => Said::Judgement(Feedback::Punish),
+        Class::Stop => Said::Stop,
+        Class::Again if words.is_back => Said::Undo,
+        Class::Again if stage == Stage::Between => Said::Again,
+        class => Said::Nothing(class),
+    }
+}
