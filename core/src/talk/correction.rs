@@ -5,7 +5,7 @@
 //! behind a negation it is 1 - (1 - e) L(t) / M. Words that were never heard fit all tasks alike, and say nothing.
 
 use super::classes::{Class, Classes, ClosedWords};
-use super::listening::{Heard, View, Wording, Words};
+use super::listening::{Heard, Utterance, View, Wording, Words};
 use super::readings::EITHER;
 use crate::asking::Asking;
 use crate::language::roles::talk::is_of_task;
@@ -94,7 +94,7 @@ impl<M: AgentMemory> Agent<M> {
         if self.tasks().iter().any(GroundedTask::is_negated) || self.language().tables().words() == 0 {
             return Ok(Evidence::SaysNothing);
         }
-        let (mut meant, mut other): (Words, Words) = (Vec::new(), Vec::new());
+        let (mut meant, mut other): (Utterance, Utterance) = (Vec::new(), Vec::new());
         let mut is_other = false;
         for_each_piece(words, |piece| {
             let classes = closed.of(piece).about_commands();
@@ -130,7 +130,7 @@ impl<M: AgentMemory> Agent<M> {
             return Ok(None);
         }
         let wording = Wording::of(self.language(), closed, (domain.world().schema.attributes.len() << 1) as u8, &|| true);
-        let explained = self.explain_all(domain, words, &wording, View { done: EITHER, has_act: true, ..View::PLAIN })?;
+        let explained = self.explain_all(domain, Words::new(words), &wording, View { done: EITHER, has_act: true, ..View::PLAIN })?;
         self.share(domain, View::PLAIN.done);
         let most =
             explained.likelihoods.iter().fold(Scaled::ZERO, |most, &likelihood| if likelihood.exceeds(most) { likelihood } else { most });

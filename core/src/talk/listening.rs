@@ -230,14 +230,64 @@ pub(super) struct Heard {
     /// Whether it tells where a way leads, as "to" does.
     is_toward: bool,
     /// The piece of the utterance that it is of, from 0.
-    piece: usize,
+    piece: u8,
     /// Whether it is of some task sooner than of the background.
     is_of_task: bool,
     /// Whether it names a value.
     is_name: bool,
 }
 
-pub(super) type Words = Vec<Heard, WORDS_PER_COMMAND>;
+/// The words of an utterance.
+pub(super) type Utterance = Vec<Heard, WORDS_PER_COMMAND>;
+
+/// Some of the words of an utterance, in their order: one bit each, so that a reading takes no room for words.
+#[derive(Clone, Copy)]
+pub(super) struct Words<'w> {
+    all: &'w [Heard],
+    kept: u64,
+}
+
+const _: () = assert!(WORDS_PER_COMMAND <= u64::BITS as usize);
+
+impl<'w> Words<'w> {
+    /// No word.
+    pub const NONE: Self = Self { all: &[], kept: 0 };
+
+    pub const fn new(all: &'w [Heard]) -> Self {
+        Self { all, kept: u64::MAX }
+    }
+
+    pub fn iter(self) -> impl Iterator<Item = &'w Heard> + Clone {
+        self.all.iter().enumerate().filter(move |(at, _)| self.kept >> at & 1 == 1).map(|(_, word)| word)
+    }
+
+    pub fn len(self) -> usize {
+        self.iter().count()
+    }
+
+    pub fn is_empty(self) -> bool {
+        self.iter().next().is_none()
+    }
+
+    pub fn get(self, at: usize) -> Option<&'w Heard> {
+        self.iter().nth(at)
+    }
+
+    /// Those that are wanted; each is asked for once, in order.
+    pub fn only(self, mut is_wanted: impl FnMut(&Heard) -> bool) -> Self {
+        let bits = self.all.iter().enumerate().filter(|(at, word)| self.kept >> at & 1 == 1 && is_wanted(word));
+        Self { kept: bits.fold(0, |bits, (at, _)| bits | 1 << at), ..self }
+    }
+
+    /// Those from a position up to another.
+    pub fn part(self, begin: usize, end: usize) -> Self {
+        let mut at = 0_usize;
+        self.only(|_| {
+            at = at.saturating_add(1);
+            begin < at && at <= end
+        })
+    }
+}
 
 /// The known word that a word never heard is most probably a slip for, and how probable its spelling is then, against that of a new word.
 fn slip_for(language: LanguageRef<'_>, piece: &str, rate: f32) -> Option<(Symbol, f32)> {
@@ -384,14 +434,14 @@ impl Heard {
 }
 
 /// The words with slips of the pen mended, where there are any. Who types in haste does so for a sentence.
-fn mend(language: LanguageRef<'_>, utterance: &str, words: &Words) -> Result<Option<Words>, CapacityError> {
+fn mend(language: LanguageRef<'_>, utterance: &str, words: &Utterance) -> Result<Option<Utterance>, CapacityError> {
     let (mut slips, mut mended) = (0_usize, words.clone());
     for rate in [SLIP, ANOTHER_SLIP] {
         let mut position = 0_usize;
         // Nor is the first word a slip for the name of a thing here.
         let first = words.iter().position(|word| word.classes == Classes::NONE);
         for_each_piece(utterance, |piece| {
-            let at = words.iter().position(|word| word.piece == position && word.is_new());
+            let at = words.iter().position(|word| usize::from(word.piece) == position && word.is_new());
             let word = at.and_then(|at| words.get(at));
             if let (Some(word), Some(slot)) = (word, at.and_then(|at| mended.get_mut(at)))
                 && let Some((symbol, slip)) = slip_for(language, piece, rate)
@@ -409,7 +459,7 @@ fn mend(language: LanguageRef<'_>, utterance: &str, words: &Words) -> Result<Opt
 }
 
 /// A word that was learned speaks for what was learned.
-pub(super) fn learned(words: &[Heard], of: impl Fn(&Heard) -> bool) -> f32 {
+pub(super) fn learned(words: Words<'_>, of: impl Fn(&Heard) -> bool) -> f32 {
     1.0 + words.iter().filter(|word| of(word)).map(|word| word.count).fold(0.0, f32::max)
 }
 
@@ -474,11 +524,11 @@ impl Explained {
 }
 
 /// What some words are taken for.
-struct Judged {
+struct Judged<'w> {
     hypothesis: Hypothesis,
     explained: Explained,
     /// The words that name the tasks.
-    words: Words,
+    words: Words<'w>,
     task: usize,
     tasks: TaskSet,
     probability: f32,
@@ -489,10 +539,10 @@ struct Judged {
     rest: Option<usize>,
 }
 
-impl Judged {
+impl Judged<'_> {
     /// The task of before once more. No word of the utterance is a word for it.
     fn again(explained: Explained, task: usize, probability: f32) -> Self {
-        let (hypothesis, words, tasks) = (Hypothesis::Again, Words::new(), TaskSet::of(task));
+        let (hypothesis, words, tasks) = (Hypothesis::Again, Words::NONE, TaskSet::of(task));
         Self { hypothesis, explained, words, task, tasks, probability, command: probability, is_clear: true, rest: None }
     }
 }
@@ -653,7 +703,7 @@ impl<M: AgentMemory> Agent<M> {
         pause: Pause<'_>,
     ) -> Result<Listened, AgentError> {
         self.begin_to_understand(domain)?;
-        let mut words: Words = Vec::new();
+        let mut words: Utterance = Vec::new();
         let (sentence, language) = (&self.sentence, self.language.read(self.memory.read().language, self.memory.read().workspace.len()));
         let mut signs: Vec<Option<char>, WORDS_PER_COMMAND> = Vec::new();
         for_each_piece(utterance, |piece| {
@@ -680,7 +730,7 @@ impl<M: AgentMemory> Agent<M> {
             let has_room = words.len().saturating_add(left) < WORDS_PER_COMMAND;
             let parted = verb_before_clitic(language, closed, piece).filter(|_| heard.is_new() && has_room);
             let mut add = |word: Heard| {
-                let _ = words.push(Heard { piece: position, ..word });
+                let _ = words.push(Heard { piece: position as u8, ..word });
             };
             if of_word.1.contains(Class::Clitic) && is_behind_verb && is_joined(utterance, position) {
                 add(Heard::joined(language));
@@ -701,11 +751,12 @@ impl<M: AgentMemory> Agent<M> {
         words.iter_mut().take(begin).for_each(Heard::make_polite);
         let wording = Wording::of(language, closed, (domain.world().schema.attributes.len() << 1) as u8, pause);
         let mended = mend(language, utterance, &words)?;
-        let mut all = self.explain_all(domain, &words, &wording, place.view(View::PLAIN))?;
-        if let Some(mended) = mended {
-            let other = self.explain_all(domain, &mended, &wording, place.view(View::PLAIN))?;
+        let mut words = Words::new(&words);
+        let mut all = self.explain_all(domain, words, &wording, place.view(View::PLAIN))?;
+        if let Some(mended) = &mended {
+            let other = self.explain_all(domain, Words::new(mended), &wording, place.view(View::PLAIN))?;
             if other.here.exceeds(all.here) {
-                (all, words) = (other, mended);
+                (all, words) = (other, Words::new(mended));
             }
         }
         let judged = self.judge(domain, words, all, &wording, place)?;
@@ -737,16 +788,16 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// What words are taken for, and the tasks that they then mean.
-    fn judge<D: Domain + ?Sized>(
+    fn judge<'w, D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        words: Words,
+        words: Words<'w>,
         explained: Explained,
         wording: &Wording<'_>,
         place: Place<'_>,
-    ) -> Result<Judged, AgentError> {
-        let parting = if place.may_part { self.part(domain, &words, wording, place)? } else { None };
-        let hypotheses = self.hypotheses(domain, &words, wording, &explained, place, parting)?;
+    ) -> Result<Judged<'w>, AgentError> {
+        let parting = if place.may_part { self.part(domain, words, wording, place)? } else { None };
+        let hypotheses = self.hypotheses(domain, words, wording, &explained, place, parting)?;
         let whole = total(hypotheses.iter().map(|(_, weight)| *weight));
         let mut best = (Hypothesis::Command, Scaled::ZERO);
         for &(hypothesis, weight) in &hypotheses {
@@ -757,24 +808,21 @@ impl<M: AgentMemory> Agent<M> {
         let share = best.1.over(whole);
         match (best.0, parting) {
             (Hypothesis::Several, Some(parting)) => {
-                let mut first = Words::new();
-                for word in words.get(..parting.end).unwrap_or(&[]) {
-                    let _ = first.push(*word);
-                }
-                let explained = self.explain_all(domain, &first, wording, place.view(View::PLAIN))?;
+                let first = words.part(0, parting.end);
+                let explained = self.explain_all(domain, first, wording, place.view(View::PLAIN))?;
                 let part = self.judge(domain, first, explained, wording, Place { may_part: false, ..place })?;
                 let (probability, command) = (share * part.probability, share * part.command);
                 return Ok(Judged {
                     hypothesis: best.0,
                     probability,
                     command,
-                    rest: words.get(parting.begin).map(|word| word.piece),
+                    rest: words.get(parting.begin).map(|word| usize::from(word.piece)),
                     ..part
                 });
             }
             (hypothesis @ Hypothesis::Negated, _) => {
-                if let Some(rest) = negated(&words) {
-                    let mut explained = self.explain_all(domain, &rest.words, wording, place.view(rest.view))?;
+                if let Some(rest) = negated(words) {
+                    let mut explained = self.explain_all(domain, rest.words, wording, place.view(rest.view))?;
                     let (task, of_tasks) = self.negate(&mut explained);
                     self.plan_for(domain, self.task_count)?;
                     let is_of_thing = self.place_of_thing(domain, task).is_some();
@@ -785,8 +833,8 @@ impl<M: AgentMemory> Agent<M> {
                 }
             }
             (hypothesis @ Hypothesis::All, _) => {
-                if let Some(rest) = all(&words) {
-                    let explained = self.explain_all(domain, &rest.words, wording, place.view(rest.view))?;
+                if let Some(rest) = all(words) {
+                    let explained = self.explain_all(domain, rest.words, wording, place.view(rest.view))?;
                     let (tasks, of_place) = self.all_that_fit(domain, &explained);
                     let task = tasks.iter().next().unwrap_or(explained.best().0);
                     let (words, is_clear, probability) =
@@ -797,7 +845,7 @@ impl<M: AgentMemory> Agent<M> {
             _ => {}
         }
         if best.0 == Hypothesis::Talk(Class::Again)
-            && let Some(task) = self.again(&words, place.before, &explained)
+            && let Some(task) = self.again(words, place.before, &explained)
         {
             let explained = explained.only(task);
             return Ok(Judged::again(explained, task, share));
@@ -808,9 +856,9 @@ impl<M: AgentMemory> Agent<M> {
         // "This or that" leaves the choice to the robot.
         let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0);
         // A word that names nothing known may be the name of something else.
-        let is_named = explained.own.contains(task) && (explained.whole.contains(task) || !has_new_name(&words));
-        let is_told = is_named && !is_choice && !is_question(&words);
-        let is_clear = is_told && !has_more(&words) && !self.has_rival(domain, &explained, task);
+        let is_named = explained.own.contains(task) && (explained.whole.contains(task) || !has_new_name(words));
+        let is_told = is_named && !is_choice && !is_question(words);
+        let is_clear = is_told && !has_more(words) && !self.has_rival(domain, &explained, task);
         let words = explained.naming(words);
         Ok(Judged { hypothesis: best.0, explained, words, task, tasks, probability, command, is_clear, rest: None })
     }
@@ -848,12 +896,12 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Begins the session with what the words say of each task.
-    fn believe<D: Domain + ?Sized>(&mut self, domain: &D, judged: &Judged) -> Result<(), AgentError> {
+    fn believe<D: Domain + ?Sized>(&mut self, domain: &D, judged: &Judged<'_>) -> Result<(), AgentError> {
         let all = &judged.explained;
         self.share(domain, all.done);
         // What is learned of the session are the words that were meant.
         self.sentence.clear();
-        for word in &judged.words {
+        for word in judged.words.iter() {
             let _ = self.sentence.push(word.said.symbol);
         }
         let mut scene = self.scene(domain);
@@ -877,7 +925,7 @@ impl<M: AgentMemory> Agent<M> {
     pub(super) fn explain_words<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        words: &[Heard],
+        words: Words<'_>,
         wording: &Wording<'_>,
         view: View<'_>,
         recalled: Option<Recalled<'_>>,
@@ -885,7 +933,7 @@ impl<M: AgentMemory> Agent<M> {
         self.share(domain, view.done);
         let mut said: Vec<Said, WORDS_PER_COMMAND> = Vec::new();
         let mut sentence: Vec<Option<Symbol>, WORDS_PER_COMMAND> = Vec::new();
-        for word in words {
+        for word in words.iter() {
             let _ = said.push(word.said);
             let _ = sentence.push(word.said.symbol);
         }
@@ -1001,7 +1049,7 @@ impl<M: AgentMemory> Agent<M> {
     fn hypotheses<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        words: &Words,
+        words: Words<'_>,
         wording: &Wording<'_>,
         explained: &Explained,
         place: Place<'_>,
@@ -1043,7 +1091,7 @@ impl<M: AgentMemory> Agent<M> {
         }
         for (hypothesis, rest) in [(Hypothesis::Negated, negated(words)), (Hypothesis::All, all(words))] {
             let Some(rest) = rest else { continue };
-            let explained = self.explain_all(domain, &rest.words, wording, place.view(rest.view))?;
+            let explained = self.explain_all(domain, rest.words, wording, place.view(rest.view))?;
             add(hypothesis, explained.here.scaled_by(rest.prior));
             add(Hypothesis::Absent, explained.absent.scaled_by(rest.prior * ABSENT));
         }
@@ -1065,7 +1113,7 @@ fn share_among(tasks: &[GroundedTask], task: &GroundedTask, is_meant: impl Fn(&G
 }
 
 /// The word behind a new word that may be a word for what to do: nothing but closed words stand before it, and the last is no "I".
-fn new_verb(words: &[Heard]) -> Option<Option<&Heard>> {
+fn new_verb(words: Words<'_>) -> Option<Option<&Heard>> {
     let first = words.iter().position(|word| word.classes == Classes::NONE)?;
     let is_verb = words.get(first)?.is_new() && words.iter().filter(|word| word.is_new()).count() <= MOST_NEW;
     let is_of_speaker = first.checked_sub(1).and_then(|before| words.get(before)).is_some_and(|word| word.classes.contains(Class::Speaker));
@@ -1099,15 +1147,19 @@ fn verb_before_clitic(language: LanguageRef<'_>, closed: ClosedWords<'_>, word: 
 }
 
 /// Whether a new word stands between known ones.
-fn has_new_name(words: &[Heard]) -> bool {
-    let is_known = |word: &Heard| word.count > 0.0;
-    let (first, last) = (words.iter().position(is_known), words.iter().rposition(is_known));
-    let (Some(first), Some(last)) = (first, last) else { return false };
-    words.iter().take(last).skip(first).any(Heard::is_new)
+fn has_new_name(words: Words<'_>) -> bool {
+    // Whether a known word was before, and a new one behind it.
+    let (mut has_known, mut has_new) = (false, false);
+    words.iter().any(|word| {
+        let is_known = word.count > 0.0;
+        has_new |= has_known && word.is_new();
+        has_known |= is_known;
+        is_known && has_new
+    })
 }
 
 /// Whether the words ask or tell something, with a word for it that no command had.
-pub(super) fn is_question(words: &[Heard]) -> bool {
+pub(super) fn is_question(words: Words<'_>) -> bool {
     let asks = |word: &Heard| word.classes.contains(Class::Asking) && !word.classes.contains(Class::Polite);
     let is_request = words.iter().take_while(|word| word.count == 0.0).any(|word| word.classes.contains(Class::Polite));
     // "The bag was there", and a particle at the end: 吗.

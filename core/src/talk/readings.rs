@@ -24,8 +24,8 @@ const CLAUSES_PER_COMMAND: usize = 2;
 const NAME_OF_ALL: usize = 2;
 
 /// Some words without those that say how to read them.
-pub(super) struct Rest {
-    pub words: Words,
+pub(super) struct Rest<'w> {
+    pub words: Words<'w>,
     /// How probable this reading is before the other words.
     pub prior: f32,
     pub view: View<'static>,
@@ -38,23 +38,26 @@ pub(super) struct Rest {
 }
 
 /// The words without those of some classes, and how probable these are. Side by side they are one: "out of", "all things".
-fn without(words: &[Heard], cues: &[Class]) -> Option<(Words, f32)> {
+fn without<'w>(words: Words<'w>, cues: &[Class]) -> Option<(Words<'w>, f32)> {
     let is_out = cues.contains(&Class::Out) && words.iter().any(|word| word.classes.contains(Class::Out));
-    let (mut rest, mut probability, mut before) = (Words::new(), 1.0, Before::Other);
-    for word in words {
-        if word.classes.contains_any(cues) {
+    let (mut probability, mut before) = (1.0, Before::Other);
+    let rest = words.only(|word| {
+        let is_cue = word.classes.contains_any(cues);
+        let is_from = is_out && word.classes.contains(Class::From);
+        // An article in a case that no command had: "aus dem Zimmer".
+        let is_article = before == Before::From && word.is_strange();
+        if is_cue {
             probability *= if before == Before::Cue { 1.0 } else { CUE };
-            before = if word.classes.contains(Class::From) { Before::From } else { Before::Cue };
-        } else if is_out && word.classes.contains(Class::From) {
-            before = Before::From;
-        } else if before == Before::From && word.is_strange() {
-            // An article in a case that no command had: "aus dem Zimmer".
-            before = Before::Other;
-        } else {
-            before = Before::Other;
-            let _ = rest.push(*word);
         }
-    }
+        before = if is_cue && !word.classes.contains(Class::From) {
+            Before::Cue
+        } else if is_cue || is_from {
+            Before::From
+        } else {
+            Before::Other
+        };
+        !(is_cue || is_from || is_article)
+    });
     Some((rest, probability)).filter(|(rest, _)| rest.len() < words.len() && !rest.is_empty())
 }
 
@@ -67,7 +70,7 @@ enum Before {
 }
 
 /// The words read as what shall not be, if there is a sign of that.
-pub(super) fn negated(words: &[Heard]) -> Option<Rest> {
+pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
     let cues = [Class::Negation, Class::Out, Class::But];
     let (rest, probability) = without(words, &cues)?;
     let prior = NEGATED * probability / learned(words, |word| word.classes.contains_any(&cues));
@@ -86,7 +89,7 @@ pub(super) fn negated(words: &[Heard]) -> Option<Rest> {
 }
 
 /// The words read as a command about all things of a kind, if there is a sign of that.
-pub(super) fn all(words: &[Heard]) -> Option<Rest> {
+pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
     let (rest, probability) = without(words, &[Class::All])?;
     let cue = words.iter().position(|word| word.classes.contains(Class::All))?;
     let mut named = words.iter().skip(cue.saturating_add(1)).take(NAME_OF_ALL);
@@ -99,12 +102,12 @@ pub(super) fn all(words: &[Heard]) -> Option<Rest> {
 
 /// Whether a new word may turn a command round: "never", "out of". A slip for a known word does not, nor does the one new verb that a command
 /// may have.
-pub(super) fn may_turn(words: &[Heard], has_new_verb: bool) -> bool {
+pub(super) fn may_turn(words: Words<'_>, has_new_verb: bool) -> bool {
     words.iter().filter(|word| word.is_strange() && !word.is_slip()).count() > usize::from(has_new_verb)
 }
 
 /// Whether a connective stands before words that may be a command of their own: who does a half of what is said does something else.
-pub(super) fn has_more(words: &[Heard]) -> bool {
+pub(super) fn has_more(words: Words<'_>) -> bool {
     let is_connective = |word: &Heard| word.classes.contains(Class::Connective);
     let mut behind = words.iter().skip_while(|word| is_connective(word)).skip_while(|word| !is_connective(word) || word.count > 0.0);
     behind.any(Heard::may_act)
@@ -119,7 +122,7 @@ pub(super) struct Parting {
 }
 
 /// The clauses of an utterance: what stands between connectives.
-fn clauses(words: &Words) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
+fn clauses(words: Words<'_>) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
     let mut clauses = Vec::new();
     let mut begin = 0;
     let is_connective = |at: usize| words.get(at).is_some_and(|word| word.classes.contains(Class::Connective));
@@ -139,7 +142,7 @@ impl<M: AgentMemory> Agent<M> {
     pub(super) fn part<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        words: &Words,
+        words: Words<'_>,
         wording: &Wording<'_>,
         place: Place<'_>,
     ) -> Result<Option<Parting>, AgentError> {
@@ -162,7 +165,7 @@ impl<M: AgentMemory> Agent<M> {
                     continue;
                 }
                 let here =
-                    self.clause(domain, words.get(start..end).unwrap_or(&[]), wording, if first > 0 { place.behind() } else { place })?;
+                    self.clause(domain, words.part(start, end), wording, if first > 0 { place.behind() } else { place })?;
                 let rest = ahead.get(after).copied().unwrap_or(Scaled::ZERO);
                 let connective = next.map_or(Scaled::ONE, |_| {
                     let learned = words.get(end).map_or(1.0, |word| 1.0 + word.count);
@@ -183,7 +186,7 @@ impl<M: AgentMemory> Agent<M> {
     fn clause<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        clause: &[Heard],
+        clause: Words<'_>,
         wording: &Wording<'_>,
         place: Place<'_>,
     ) -> Result<Scaled, AgentError> {
@@ -191,7 +194,7 @@ impl<M: AgentMemory> Agent<M> {
         let mut sum = self.explain_all(domain, clause, wording, place.of_any_kind(View { done: EITHER, ..View::PLAIN }))?.here;
         for rest in [negated(clause), all(clause)].into_iter().flatten() {
             let view = place.of_any_kind(View { done: EITHER, ..rest.view });
-            let here = self.explain_all(domain, &rest.words, wording, view)?.here;
+            let here = self.explain_all(domain, rest.words, wording, view)?.here;
             sum = sum.plus(here.scaled_by(rest.prior));
         }
         Ok(sum)

@@ -5,7 +5,7 @@
 
 use super::classes::Class;
 use super::conversation::{Conversation, Fact};
-use super::listening::{Explained, Heard, View, Wording, Words, learned};
+use super::listening::{Explained, View, Wording, Words, learned};
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
 use crate::probability::Scaled;
@@ -109,25 +109,26 @@ impl Recalled<'_> {
 }
 
 /// The words without those that point back, with how probable it is that these do.
-fn without(words: &[Heard]) -> Option<(Words, f32)> {
-    let (mut rest, mut probability) = (Words::new(), POINTS_BACK);
+fn without(words: Words<'_>) -> Option<(Words<'_>, f32)> {
+    let mut probability = POINTS_BACK;
     // "The other one" needs no other word.
     let is_told = words.iter().any(|word| word.classes.contains_any(&[Class::Other, Class::Same]));
-    for word in words {
-        if word.classes.contains_any(&CUES) {
+    let rest = words.only(|word| {
+        let is_cue = word.classes.contains_any(&CUES);
+        let is_plain = is_told && word.is_plain();
+        if is_cue {
             probability *= CUE;
-        } else if is_told && word.is_plain() {
+        } else if is_plain {
             probability *= word.beside();
-        } else {
-            let _ = rest.push(*word);
         }
-    }
+        !(is_cue || is_plain)
+    });
     let is_pointing = rest.len() < words.len() && (is_told || !rest.is_empty());
     is_pointing.then(|| (rest, probability / learned(words, |word| word.classes.contains_any(&CUES))))
 }
 
 /// What the words that point back may point at, each with its share.
-fn readings<'c>(words: &[Heard], before: Before<'c>) -> impl Iterator<Item = (Recalled<'c>, f32)> {
+fn readings<'c>(words: Words<'_>, before: Before<'c>) -> impl Iterator<Item = (Recalled<'c>, f32)> {
     let has = |class| words.iter().any(|word| word.classes.contains(class));
     let thing = if has(Class::Other) {
         Thing::Other
@@ -155,7 +156,7 @@ impl<M: AgentMemory> Agent<M> {
     pub(super) fn explain_all<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        words: &[Heard],
+        words: Words<'_>,
         wording: &Wording<'_>,
         view: View<'_>,
     ) -> Result<Explained, AgentError> {
@@ -169,7 +170,7 @@ impl<M: AgentMemory> Agent<M> {
                 _ => view.kind,
             };
             let view = View { has_act: view.has_act || matches!(recalled.thing, Thing::Other | Thing::Named), kind, ..view };
-            let mut other = self.explain_words(domain, &rest, wording, view, Some(recalled))?;
+            let mut other = self.explain_words(domain, rest, wording, view, Some(recalled))?;
             // Words are missing that a command would have.
             let is_same = recalled.thing == Thing::Named;
             let missing = [recalled.has_thing(), recalled.has_place(), is_same, is_same];
@@ -185,7 +186,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The position of the last task among those of the session, where words ask for it again and for nothing else.
-    pub(super) fn again(&self, words: &[Heard], before: Before<'_>, explained: &Explained) -> Option<usize> {
+    pub(super) fn again(&self, words: Words<'_>, before: Before<'_>, explained: &Explained) -> Option<usize> {
         let Before::Known(conversation) = before else { return None };
         let last = conversation.last()?;
         let asks = words.iter().any(|word| word.classes.contains(Class::Again) && !word.classes.contains_any(&[Class::Back, Class::Undo]));
@@ -196,8 +197,8 @@ impl<M: AgentMemory> Agent<M> {
 
 impl Explained {
     /// The words that name what is meant. Those that point back stand for something else each time: nothing is learned of them.
-    pub(super) fn naming(&self, words: Words) -> Words {
-        if self.points_back { without(&words).map_or(words, |(rest, _)| rest) } else { words }
+    pub(super) fn naming<'w>(&self, words: Words<'w>) -> Words<'w> {
+        if self.points_back { without(words).map_or(words, |(rest, _)| rest) } else { words }
     }
 
     /// One task alone.
