@@ -5,7 +5,7 @@
 //! behind a negation it is 1 - (1 - e) L(t) / M. Words that were never heard fit all tasks alike, and say nothing.
 
 use super::classes::{Class, Classes, ClosedWords};
-use super::listening::{Heard, Utterance, View, Wording, Words};
+use super::listening::{Explained, Heard, Utterance, View, Wording, Words};
 use super::readings::EITHER;
 use crate::asking::Asking;
 use crate::language::roles::talk::is_of_task;
@@ -130,7 +130,9 @@ impl<M: AgentMemory> Agent<M> {
             return Ok(None);
         }
         let wording = Wording::of(self.language(), closed, (domain.world().schema.attributes.len() << 1) as u8, &|| true);
-        let explained = self.explain_all(domain, Words::new(words), &wording, View { done: EITHER, has_act: true, ..View::PLAIN })?;
+        let mut explained = Explained::NEW;
+        let view = View { done: EITHER, has_act: true, ..View::PLAIN };
+        self.explain_all(domain, Words::new(words), &wording, view, &mut explained)?;
         self.share(domain, View::PLAIN.done);
         let most =
             explained.likelihoods.iter().fold(Scaled::ZERO, |most, &likelihood| if likelihood.exceeds(most) { likelihood } else { most });

@@ -433,9 +433,10 @@ impl Heard {
     }
 }
 
-/// The words with slips of the pen mended, where there are any. Who types in haste does so for a sentence.
-fn mend(language: LanguageRef<'_>, utterance: &str, words: &Utterance) -> Result<Option<Utterance>, CapacityError> {
-    let (mut slips, mut mended) = (0_usize, words.clone());
+/// Mends slips of the pen; gives whether there are any. Who types in haste does so for a sentence.
+fn mend(language: LanguageRef<'_>, utterance: &str, words: &Utterance, mended: &mut Utterance) -> Result<bool, CapacityError> {
+    let mut slips = 0_usize;
+    mended.clone_from(words);
     for rate in [SLIP, ANOTHER_SLIP] {
         let mut position = 0_usize;
         // Nor is the first word a slip for the name of a thing here.
@@ -455,7 +456,7 @@ fn mend(language: LanguageRef<'_>, utterance: &str, words: &Utterance) -> Result
             Ok(())
         })?;
     }
-    Ok(Some(mended).filter(|_| slips > 0))
+    Ok(slips > 0)
 }
 
 /// A word that was learned speaks for what was learned.
@@ -510,6 +511,21 @@ pub(super) struct Explained {
 }
 
 impl Explained {
+    pub const NEW: Self = Self {
+        here: Scaled::ZERO,
+        absent: Scaled::ZERO,
+        likelihoods: Vec::new(),
+        weights: Vec::new(),
+        signed: TaskSet::EMPTY,
+        fitting: TaskSet::EMPTY,
+        own: TaskSet::EMPTY,
+        whole: TaskSet::EMPTY,
+        acts: false,
+        has_new_verb: false,
+        points_back: false,
+        done: DONE,
+    };
+
     /// The most likely task, with its probability.
     pub fn best(&self) -> (usize, f32) {
         let whole = total(self.weights.iter().copied());
@@ -526,7 +542,6 @@ impl Explained {
 /// What some words are taken for.
 struct Judged<'w> {
     hypothesis: Hypothesis,
-    explained: Explained,
     /// The words that name the tasks.
     words: Words<'w>,
     task: usize,
@@ -541,17 +556,15 @@ struct Judged<'w> {
 
 impl Judged<'_> {
     /// The task of before once more. No word of the utterance is a word for it.
-    fn again(explained: Explained, task: usize, probability: f32) -> Self {
+    const fn again(task: usize, probability: f32) -> Self {
         let (hypothesis, words, tasks) = (Hypothesis::Again, Words::NONE, TaskSet::of(task));
-        Self { hypothesis, explained, words, task, tasks, probability, command: probability, is_clear: true, rest: None }
+        Self { hypothesis, words, task, tasks, probability, command: probability, is_clear: true, rest: None }
     }
 }
 
 /// Where words stand in an utterance.
 #[derive(Clone, Copy)]
 pub(super) struct Place<'c> {
-    /// Whether they may be several commands.
-    may_part: bool,
     /// Whether a command is before them. The task's own word may then be left out.
     pub is_rest: bool,
     /// The kind of task that it was of.
@@ -561,7 +574,7 @@ pub(super) struct Place<'c> {
 }
 
 impl<'c> Place<'c> {
-    const WHOLE: Self = Self { may_part: true, is_rest: false, kind: None, before: Before::Nothing };
+    const WHOLE: Self = Self { is_rest: false, kind: None, before: Before::Nothing };
 
     /// Whether something was done before.
     const fn is_known(self) -> bool {
@@ -703,7 +716,43 @@ impl<M: AgentMemory> Agent<M> {
         pause: Pause<'_>,
     ) -> Result<Listened, AgentError> {
         self.begin_to_understand(domain)?;
-        let mut words: Utterance = Vec::new();
+        let (mut words, mut mended): (Utterance, Utterance) = (Vec::new(), Vec::new());
+        self.hear_words(utterance, closed, &mut words)?;
+        let language = self.language();
+        let wording = Wording::of(language, closed, (domain.world().schema.attributes.len() << 1) as u8, pause);
+        let has_slips = mend(language, utterance, &words, &mut mended)?;
+        let (mut words, mut explained) = (Words::new(&words), Explained::NEW);
+        self.explain_all(domain, words, &wording, place.view(View::PLAIN), &mut explained)?;
+        if has_slips {
+            let here = explained.here;
+            self.explain_all(domain, Words::new(&mended), &wording, place.view(View::PLAIN), &mut explained)?;
+            if explained.here.exceeds(here) {
+                words = Words::new(&mended);
+            } else {
+                self.explain_all(domain, words, &wording, place.view(View::PLAIN), &mut explained)?;
+            }
+        }
+        let judged = self.judge(domain, words, &mut explained, &wording, place)?;
+        let done = self.done(domain);
+        let is_done = !judged.tasks.is_empty() && judged.tasks.without(done).is_empty();
+        let verdict = if judged.probability >= wording.sure && judged.is_clear && (unread.is_none() || judged.rest.is_some()) {
+            if is_done { Verdict::Done } else { Verdict::Sure }
+        } else {
+            match judged.hypothesis {
+                Hypothesis::Nothing | Hypothesis::Absent | Hypothesis::Talk(_) => Verdict::None,
+                _ => Verdict::Unsure,
+            }
+        };
+        self.believe(domain, judged.words, &explained)?;
+        let Judged { hypothesis, task, probability, command, .. } = judged;
+        let tasks = if is_done { judged.tasks } else { judged.tasks.without(done) };
+        let rest = judged.rest.and_then(|rest| start_of_piece(utterance, rest));
+        Ok(Listened { verdict, hypothesis, task, tasks, probability, command, sure: wording.sure, rest, unread })
+    }
+
+    /// The words of an utterance, with their classes.
+    #[inline(never)]
+    fn hear_words(&self, utterance: &str, closed: ClosedWords<'_>, words: &mut Utterance) -> Result<(), AgentError> {
         let (sentence, language) = (&self.sentence, self.language.read(self.memory.read().language, self.memory.read().workspace.len()));
         let mut signs: Vec<Option<char>, WORDS_PER_COMMAND> = Vec::new();
         for_each_piece(utterance, |piece| {
@@ -749,32 +798,7 @@ impl<M: AgentMemory> Agent<M> {
         let polite = [Class::Polite, Class::Greeting, Class::Connective];
         let begin = words.iter().take_while(|word| word.classes.contains_any(&polite)).count();
         words.iter_mut().take(begin).for_each(Heard::make_polite);
-        let wording = Wording::of(language, closed, (domain.world().schema.attributes.len() << 1) as u8, pause);
-        let mended = mend(language, utterance, &words)?;
-        let mut words = Words::new(&words);
-        let mut all = self.explain_all(domain, words, &wording, place.view(View::PLAIN))?;
-        if let Some(mended) = &mended {
-            let other = self.explain_all(domain, Words::new(mended), &wording, place.view(View::PLAIN))?;
-            if other.here.exceeds(all.here) {
-                (all, words) = (other, Words::new(mended));
-            }
-        }
-        let judged = self.judge(domain, words, all, &wording, place)?;
-        let done = self.done(domain);
-        let is_done = !judged.tasks.is_empty() && judged.tasks.without(done).is_empty();
-        let verdict = if judged.probability >= wording.sure && judged.is_clear && (unread.is_none() || judged.rest.is_some()) {
-            if is_done { Verdict::Done } else { Verdict::Sure }
-        } else {
-            match judged.hypothesis {
-                Hypothesis::Nothing | Hypothesis::Absent | Hypothesis::Talk(_) => Verdict::None,
-                _ => Verdict::Unsure,
-            }
-        };
-        self.believe(domain, &judged)?;
-        let Judged { hypothesis, task, probability, command, .. } = judged;
-        let tasks = if is_done { judged.tasks } else { judged.tasks.without(done) };
-        let rest = judged.rest.and_then(|rest| start_of_piece(utterance, rest));
-        Ok(Listened { verdict, hypothesis, task, tasks, probability, command, sure: wording.sure, rest, unread })
+        Ok(())
     }
 
     /// Whether a task that is done explains the words nearly as well as the one that is to be done.
@@ -787,80 +811,75 @@ impl<M: AgentMemory> Agent<M> {
         !done.contains(task) && done.iter().any(is_rival)
     }
 
-    /// What words are taken for, and the tasks that they then mean.
+    /// What words are taken for, and the tasks that they then mean. What explains them is left in `explained`.
+    #[inline(never)]
     fn judge<'w, D: Domain + ?Sized>(
         &mut self,
         domain: &D,
         words: Words<'w>,
-        explained: Explained,
+        explained: &mut Explained,
         wording: &Wording<'_>,
         place: Place<'_>,
     ) -> Result<Judged<'w>, AgentError> {
-        let parting = if place.may_part { self.part(domain, words, wording, place)? } else { None };
-        let hypotheses = self.hypotheses(domain, words, wording, &explained, place, parting)?;
-        let whole = total(hypotheses.iter().map(|(_, weight)| *weight));
-        let mut best = (Hypothesis::Command, Scaled::ZERO);
-        for &(hypothesis, weight) in &hypotheses {
-            if weight.exceeds(best.1) {
-                best = (hypothesis, weight);
-            }
+        let parting = self.part(domain, words, wording, place)?;
+        let (best, share, command) = self.hypotheses(domain, words, wording, explained, place, parting)?;
+        let (Hypothesis::Several, Some(parting)) = (best, parting) else {
+            return self.judge_one(domain, words, explained, wording, place, (best, share, command));
+        };
+        let first = words.part(0, parting.end);
+        self.explain_all(domain, first, wording, place.view(View::PLAIN), explained)?;
+        let taken = self.hypotheses(domain, first, wording, explained, place, None)?;
+        let part = self.judge_one(domain, first, explained, wording, place, taken)?;
+        let (probability, command) = (share * part.probability, share * part.command);
+        let rest = words.get(parting.begin).map(|word| usize::from(word.piece));
+        Ok(Judged { hypothesis: best, probability, command, rest, ..part })
+    }
+
+    /// The tasks that words mean that are no several commands. `taken` is what they are taken for, how probable that is, and how probable a
+    /// plain command is.
+    #[inline(never)]
+    fn judge_one<'w, D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: Words<'w>,
+        explained: &mut Explained,
+        wording: &Wording<'_>,
+        place: Place<'_>,
+        (hypothesis, share, command): (Hypothesis, f32, f32),
+    ) -> Result<Judged<'w>, AgentError> {
+        if let (Hypothesis::Negated, Some(rest)) = (hypothesis, negated(words)) {
+            self.explain_all(domain, rest.words, wording, place.view(rest.view), explained)?;
+            let (task, of_tasks) = self.negate(explained);
+            self.plan_for(domain, self.task_count)?;
+            let is_of_thing = self.place_of_thing(domain, task).is_some();
+            let has_act = explained.acts || place.is_rest || if is_of_thing { rest.is_act_for_things } else { rest.is_act };
+            let is_clear = rest.is_clear && has_act && explained.fitting.contains(task);
+            let (words, tasks, probability) = (rest.words, TaskSet::of(task), share * of_tasks);
+            return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
         }
-        let share = best.1.over(whole);
-        match (best.0, parting) {
-            (Hypothesis::Several, Some(parting)) => {
-                let first = words.part(0, parting.end);
-                let explained = self.explain_all(domain, first, wording, place.view(View::PLAIN))?;
-                let part = self.judge(domain, first, explained, wording, Place { may_part: false, ..place })?;
-                let (probability, command) = (share * part.probability, share * part.command);
-                return Ok(Judged {
-                    hypothesis: best.0,
-                    probability,
-                    command,
-                    rest: words.get(parting.begin).map(|word| usize::from(word.piece)),
-                    ..part
-                });
-            }
-            (hypothesis @ Hypothesis::Negated, _) => {
-                if let Some(rest) = negated(words) {
-                    let mut explained = self.explain_all(domain, rest.words, wording, place.view(rest.view))?;
-                    let (task, of_tasks) = self.negate(&mut explained);
-                    self.plan_for(domain, self.task_count)?;
-                    let is_of_thing = self.place_of_thing(domain, task).is_some();
-                    let has_act = explained.acts || place.is_rest || if is_of_thing { rest.is_act_for_things } else { rest.is_act };
-                    let is_clear = rest.is_clear && has_act && explained.fitting.contains(task);
-                    let (words, tasks, probability) = (rest.words, TaskSet::of(task), share * of_tasks);
-                    return Ok(Judged { hypothesis, explained, words, task, tasks, probability, command: share, is_clear, rest: None });
-                }
-            }
-            (hypothesis @ Hypothesis::All, _) => {
-                if let Some(rest) = all(words) {
-                    let explained = self.explain_all(domain, rest.words, wording, place.view(rest.view))?;
-                    let (tasks, of_place) = self.all_that_fit(domain, &explained);
-                    let task = tasks.iter().next().unwrap_or(explained.best().0);
-                    let (words, is_clear, probability) =
-                        (explained.naming(rest.words), rest.is_clear && !tasks.is_empty(), share * of_place);
-                    return Ok(Judged { hypothesis, explained, words, task, tasks, probability, command: share, is_clear, rest: None });
-                }
-            }
-            _ => {}
+        if let (Hypothesis::All, Some(rest)) = (hypothesis, all(words)) {
+            self.explain_all(domain, rest.words, wording, place.view(rest.view), explained)?;
+            let (tasks, of_place) = self.all_that_fit(domain, explained);
+            let task = tasks.iter().next().unwrap_or(explained.best().0);
+            let (words, is_clear, probability) = (explained.naming(rest.words), rest.is_clear && !tasks.is_empty(), share * of_place);
+            return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
         }
-        if best.0 == Hypothesis::Talk(Class::Again)
-            && let Some(task) = self.again(words, place.before, &explained)
+        if hypothesis == Hypothesis::Talk(Class::Again)
+            && let Some(task) = self.again(words, place.before, explained)
         {
-            let explained = explained.only(task);
-            return Ok(Judged::again(explained, task, share));
+            explained.keep_only(task);
+            return Ok(Judged::again(task, share));
         }
         let (task, of_command) = explained.best();
-        let command = hypotheses.iter().find(|(it, _)| *it == Hypothesis::Command).map_or(0.0, |(_, weight)| weight.over(whole));
         let (tasks, probability) = (TaskSet::of(task), command * of_command);
         // "This or that" leaves the choice to the robot.
         let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0);
         // A word that names nothing known may be the name of something else.
         let is_named = explained.own.contains(task) && (explained.whole.contains(task) || !has_new_name(words));
         let is_told = is_named && !is_choice && !is_question(words);
-        let is_clear = is_told && !has_more(words) && !self.has_rival(domain, &explained, task);
+        let is_clear = is_told && !has_more(words) && !self.has_rival(domain, explained, task);
         let words = explained.naming(words);
-        Ok(Judged { hypothesis: best.0, explained, words, task, tasks, probability, command, is_clear, rest: None })
+        Ok(Judged { hypothesis, words, task, tasks, probability, command, is_clear, rest: None })
     }
 
     /// The tasks of the session that hold where it starts: a robot that is told to do one rests.
@@ -896,12 +915,11 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Begins the session with what the words say of each task.
-    fn believe<D: Domain + ?Sized>(&mut self, domain: &D, judged: &Judged<'_>) -> Result<(), AgentError> {
-        let all = &judged.explained;
+    fn believe<D: Domain + ?Sized>(&mut self, domain: &D, words: Words<'_>, all: &Explained) -> Result<(), AgentError> {
         self.share(domain, all.done);
         // What is learned of the session are the words that were meant.
         self.sentence.clear();
-        for word in judged.words.iter() {
+        for word in words.iter() {
             let _ = self.sentence.push(word.said.symbol);
         }
         let mut scene = self.scene(domain);
@@ -929,7 +947,8 @@ impl<M: AgentMemory> Agent<M> {
         wording: &Wording<'_>,
         view: View<'_>,
         recalled: Option<Recalled<'_>>,
-    ) -> Result<Explained, AgentError> {
+        explained: &mut Explained,
+    ) -> Result<(), AgentError> {
         self.share(domain, view.done);
         let mut said: Vec<Said, WORDS_PER_COMMAND> = Vec::new();
         let mut sentence: Vec<Option<Symbol>, WORDS_PER_COMMAND> = Vec::new();
@@ -941,22 +960,7 @@ impl<M: AgentMemory> Agent<M> {
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
-        let mut has_new_verb = false;
-        let mut named = {
-            let language = language.read();
-            let is_plain = |word| is_plain(language, wording.closed, word);
-            let mut senses = Senses::new(language.tables(), language.bitext(), &is_plain, wording.facts);
-            let mut named = Named::of(&mut senses, &said);
-            if let Some(behind) = new_verb(words) {
-                let toward = |word| wording.closed.of(language.words().text(word)).contains(Class::Toward);
-                let is_behind: Option<&dyn Fn(Symbol) -> bool> =
-                    if behind.is_some_and(|word| word.is_toward) { Some(&toward) } else { None };
-                let kinds = senses.acts_before(behind.and_then(|word| word.said.symbol), is_behind);
-                has_new_verb = kinds != 0;
-                named.may_act(kinds);
-            }
-            named
-        };
+        let (mut named, has_new_verb) = name(language.read(), wording, words, &said);
         let acts = named.acts();
         // "I want the bag in the red room" needs no word of a task.
         let wishes = words.iter().any(|word| word.classes.contains(Class::Wish)) && !words.iter().any(Heard::is_new);
@@ -966,20 +970,7 @@ impl<M: AgentMemory> Agent<M> {
         if let Some(recalled) = &recalled {
             named.cover(recalled.has_place(), recalled.has_thing());
         }
-        let mut explained = Explained {
-            here: Scaled::ZERO,
-            absent: Scaled::ZERO,
-            likelihoods: Vec::new(),
-            weights: Vec::new(),
-            signed: TaskSet::EMPTY,
-            fitting: TaskSet::EMPTY,
-            own: TaskSet::EMPTY,
-            whole: TaskSet::EMPTY,
-            acts,
-            has_new_verb,
-            points_back: false,
-            done: view.done,
-        };
+        *explained = Explained { acts, has_new_verb, done: view.done, ..Explained::NEW };
         let mut forms: Vec<Symbol, { TaskSet::MOST }> = Vec::new();
         let mut ghosts: Vec<Scaled, { TaskSet::MOST }> = Vec::new();
         let is_meant = |task: &GroundedTask| recalled.is_none_or(|recalled| recalled.fits(domain, &self.lifted, task));
@@ -1042,10 +1033,11 @@ impl<M: AgentMemory> Agent<M> {
         let factors = words.iter().fold(Scaled::ONE, |product, word| product.scaled_by(word.factor));
         (explained.here, explained.absent) = (explained.here.times(factors), explained.absent.times(factors));
         kind::weigh(language.tables(), &sentence, |task| forms.get(task).copied().unwrap_or(Symbol(0)), &mut explained.weights);
-        Ok(explained)
+        Ok(())
     }
 
-    /// The weight of each hypothesis.
+    /// The likeliest hypothesis, how probable it is, and how probable a plain command is.
+    #[inline(never)]
     fn hypotheses<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
@@ -1054,7 +1046,7 @@ impl<M: AgentMemory> Agent<M> {
         explained: &Explained,
         place: Place<'_>,
         parting: Option<Parting>,
-    ) -> Result<Vec<(Hypothesis, Scaled), 16>, AgentError> {
+    ) -> Result<(Hypothesis, f32, f32), AgentError> {
         let mut hypotheses: Vec<(Hypothesis, Scaled), 16> = Vec::new();
         let mut add = |hypothesis: Hypothesis, weight: Scaled| match hypotheses.iter_mut().find(|(known, _)| *known == hypothesis) {
             Some((_, sum)) => *sum = sum.plus(weight),
@@ -1091,15 +1083,38 @@ impl<M: AgentMemory> Agent<M> {
         }
         for (hypothesis, rest) in [(Hypothesis::Negated, negated(words)), (Hypothesis::All, all(words))] {
             let Some(rest) = rest else { continue };
-            let explained = self.explain_all(domain, rest.words, wording, place.view(rest.view))?;
+            let mut explained = Explained::NEW;
+            self.explain_all(domain, rest.words, wording, place.view(rest.view), &mut explained)?;
             add(hypothesis, explained.here.scaled_by(rest.prior));
             add(Hypothesis::Absent, explained.absent.scaled_by(rest.prior * ABSENT));
         }
         if let Some(parting) = parting {
             add(Hypothesis::Several, parting.weight);
         }
-        Ok(hypotheses)
+        let whole = total(hypotheses.iter().map(|(_, weight)| *weight));
+        let mut best = (Hypothesis::Command, Scaled::ZERO);
+        for &(hypothesis, weight) in &hypotheses {
+            if weight.exceeds(best.1) {
+                best = (hypothesis, weight);
+            }
+        }
+        let command = hypotheses.iter().find(|(it, _)| *it == Hypothesis::Command).map_or(0.0, |(_, weight)| weight.over(whole));
+        Ok((best.0, best.1.over(whole), command))
     }
+}
+
+/// What words name, and whether a new word stands where commands have the word of their task.
+#[inline(never)]
+fn name(language: LanguageRef<'_>, wording: &Wording<'_>, words: Words<'_>, said: &[Said]) -> (Named, bool) {
+    let is_plain = |word| is_plain(language, wording.closed, word);
+    let mut senses = Senses::new(language.tables(), language.bitext(), &is_plain, wording.facts);
+    let mut named = Named::of(&mut senses, said);
+    let Some(behind) = new_verb(words) else { return (named, false) };
+    let toward = |word| wording.closed.of(language.words().text(word)).contains(Class::Toward);
+    let is_behind: Option<&dyn Fn(Symbol) -> bool> = if behind.is_some_and(|word| word.is_toward) { Some(&toward) } else { None };
+    let kinds = senses.acts_before(behind.and_then(|word| word.said.symbol), is_behind);
+    named.may_act(kinds);
+    (named, kinds != 0)
 }
 
 /// By how much the prior of a task grows where only some tasks of its kind are meant; 0 for the others.

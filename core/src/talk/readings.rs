@@ -139,6 +139,7 @@ fn clauses(words: Words<'_>) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
 
 impl<M: AgentMemory> Agent<M> {
     /// Where the words part into commands with the most probability, and how probable they then are.
+    #[inline(never)]
     pub(super) fn part<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
@@ -190,12 +191,14 @@ impl<M: AgentMemory> Agent<M> {
         wording: &Wording<'_>,
         place: Place<'_>,
     ) -> Result<Scaled, AgentError> {
+        let mut explained = Explained::NEW;
         // Where the command before leads to is not known yet.
-        let mut sum = self.explain_all(domain, clause, wording, place.of_any_kind(View { done: EITHER, ..View::PLAIN }))?.here;
+        self.explain_all(domain, clause, wording, place.of_any_kind(View { done: EITHER, ..View::PLAIN }), &mut explained)?;
+        let mut sum = explained.here;
         for rest in [negated(clause), all(clause)].into_iter().flatten() {
             let view = place.of_any_kind(View { done: EITHER, ..rest.view });
-            let here = self.explain_all(domain, rest.words, wording, view)?.here;
-            sum = sum.plus(here.scaled_by(rest.prior));
+            self.explain_all(domain, rest.words, wording, view, &mut explained)?;
+            sum = sum.plus(explained.here.scaled_by(rest.prior));
         }
         Ok(sum)
     }

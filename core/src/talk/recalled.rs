@@ -159,9 +159,24 @@ impl<M: AgentMemory> Agent<M> {
         words: Words<'_>,
         wording: &Wording<'_>,
         view: View<'_>,
-    ) -> Result<Explained, AgentError> {
-        let mut explained = self.explain_words(domain, words, wording, view, None)?;
-        let (false, Some((rest, prior))) = (matches!(view.before, Before::Nothing), without(words)) else { return Ok(explained) };
+        explained: &mut Explained,
+    ) -> Result<(), AgentError> {
+        self.explain_words(domain, words, wording, view, None, explained)?;
+        let (false, Some((rest, prior))) = (matches!(view.before, Before::Nothing), without(words)) else { return Ok(()) };
+        self.explain_recalled(domain, (words, rest, prior), wording, view, explained)
+    }
+
+    /// How well the tasks explain words some of which point back: the rest of them, with how probable that is.
+    #[inline(never)]
+    fn explain_recalled<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        (words, rest, prior): (Words<'_>, Words<'_>, f32),
+        wording: &Wording<'_>,
+        view: View<'_>,
+        explained: &mut Explained,
+    ) -> Result<(), AgentError> {
+        let mut other = Explained::NEW;
         for (recalled, share) in readings(words, view.before) {
             let kind = match view.before {
                 Before::Known(conversation) if matches!(recalled.thing, Thing::Other | Thing::Named) => {
@@ -170,7 +185,7 @@ impl<M: AgentMemory> Agent<M> {
                 _ => view.kind,
             };
             let view = View { has_act: view.has_act || matches!(recalled.thing, Thing::Other | Thing::Named), kind, ..view };
-            let mut other = self.explain_words(domain, rest, wording, view, Some(recalled))?;
+            self.explain_words(domain, rest, wording, view, Some(recalled), &mut other)?;
             // Words are missing that a command would have.
             let is_same = recalled.thing == Thing::Named;
             let missing = [recalled.has_thing(), recalled.has_place(), is_same, is_same];
@@ -179,10 +194,10 @@ impl<M: AgentMemory> Agent<M> {
             (other.here, other.absent) = (other.here.scaled_by(prior), other.absent.scaled_by(prior));
             other.points_back = true;
             if other.here.exceeds(explained.here) {
-                explained = other;
+                core::mem::swap(explained, &mut other);
             }
         }
-        Ok(explained)
+        Ok(())
     }
 
     /// The position of the last task among those of the session, where words ask for it again and for nothing else.
@@ -202,10 +217,9 @@ impl Explained {
     }
 
     /// One task alone.
-    pub(super) fn only(mut self, task: usize) -> Self {
+    pub(super) fn keep_only(&mut self, task: usize) {
         for (position, weight) in self.weights.iter_mut().enumerate() {
             *weight = if position == task { Scaled::ONE } else { Scaled::ZERO };
         }
-        self
     }
 }
