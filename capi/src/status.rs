@@ -226,7 +226,7 @@ pub extern "C" fn goodbot_status_text(status: i32) -> *const core::ffi::c_char {
 }
 
 pub(crate) fn text_of(status: i32) -> &'static core::ffi::CStr {
-    const TEXTS: [&core::ffi::CStr; 31] = [
+    const TEXTS: &[&core::ffi::CStr] = &[
         c"done",
         c"not done yet; call again",
         c"a pointer is null that must not be",
@@ -256,7 +256,9 @@ pub(crate) fn text_of(status: i32) -> &'static core::ffi::CStr {
         c"this is no answer to that question; answer yes, no, or with the number of a choice",
         c"the flash refused, or did not keep what was written; the older model is still there",
         c"nothing is stored",
+        #[cfg(feature = "talk")]
         c"the work was stopped in a pause; say it again",
+        #[cfg(feature = "talk")]
         c"the text is no table of closed words; write a class, a colon and its words in each line",
     ];
     usize::try_from(status).ok().and_then(|status| TEXTS.get(status)).copied().unwrap_or(c"no such status")

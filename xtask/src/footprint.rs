@@ -6,7 +6,7 @@ use anyhow::{Context, Result, ensure};
 use clap::Args;
 use serde_json::{Value, json};
 
-use crate::capi::{EVERY_FUNCTION, HOME, LIFT, LIFT_ALONE};
+use crate::capi::{EVERY_FUNCTION, HOME, LIFT, LIFT_ALONE, TALK};
 use crate::firmware::{FLASH, STATICS, Trial, alone, bytes, run_alone, trials};
 use crate::process::shell;
 use crate::toolchain::compiler;
@@ -150,6 +150,7 @@ fn measure(trials: &[Trial], is_check: bool) -> Result<Footprint> {
     ];
     if !is_check {
         binaries.push(("C, a table robot (capi/examples/lift.c), `--features table`", LIFT_ALONE.build()?));
+        binaries.push(("C, a robot that is talked to (capi/examples/talk.c), all features and `talk`", TALK.build()?));
     }
     for (name, binary) in binaries {
         let report = run_alone(&binary)?;
