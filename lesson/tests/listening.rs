@@ -3,10 +3,10 @@
 use goodbot::feedback::Feedback;
 use goodbot::home::{Moves, paper_tasks};
 use goodbot::memory::AgentHeap;
-use goodbot::session::Options;
+use goodbot::session::{Options, Phase};
 use goodbot::talk::{Class, ClosedWords, Hypothesis, Verdict};
 use goodbot::task::TaskSet;
-use goodbot::{Agent, Capacities};
+use goodbot::{Agent, AgentError, Capacities};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::{RecordedSession, SessionReader};
 use goodbot_lesson::live::Lesson;
@@ -14,6 +14,7 @@ use goodbot_lesson::replay::{Event, Replay, Rules};
 use goodbot::talk::Said;
 use goodbot_lesson::{checked, home};
 use rand_pcg::Pcg32;
+use std::cell::Cell;
 
 const COLORS: [[&str; 3]; 6] = [
     ["red", "blue", "green"],
@@ -294,4 +295,29 @@ fn a_log_with_a_conversation_that_cannot_be_is_refused_with_the_place() {
     assert!(faults(&[("last", "go")]).contains("field \"conversation.last\": \"go\" is no task"));
     assert!(faults(&[last, ("saidLast", "room0")]).contains("field \"conversation.saidLast\": is nothing that a conversation remembers"));
     assert!(faults(&[("namedLast", "room0")]).contains("needs the task that was followed last; write \"last\" too"));
+}
+
+#[test]
+fn who_listens_in_parts_hears_the_same_to_the_bit_and_may_stop() {
+    let mut lesson = taught();
+    let (agent, home, state) = lesson.parts();
+    for words in ["go to the green room and then take the yellow chair to the red room", "don't go to the blue room", "put it back"] {
+        let heard = agent.listen(home, state, words, ClosedWords::ENGLISH).expect("heard");
+        let whole = beliefs(agent);
+        let parts = Cell::new(0);
+        let count = || {
+            parts.set(parts.get() + 1);
+            true
+        };
+        let in_parts = agent.listen_in_parts(home, state, words, ClosedWords::ENGLISH, false, &count).expect("heard");
+        assert_eq!((in_parts, beliefs(agent)), (heard, whole), "{words}");
+        assert!(parts.get() >= agent.tasks().len(), "{words}: {parts:?}");
+        parts.set(0);
+        let stop = || {
+            parts.set(parts.get() + 1);
+            parts.get() < 5
+        };
+        let stopped = agent.listen_in_parts(home, state, words, ClosedWords::ENGLISH, false, &stop);
+        assert_eq!((stopped, parts.get(), agent.phase()), (Err(AgentError::Stopped), 5, Phase::Idle), "{words}");
+    }
 }

@@ -614,10 +614,9 @@ impl<M: AgentMemory> Agent<M> {
         self.listen_in_parts(domain, state, utterance, words, false, &|| true)
     }
 
-    /// As [`listen`](Self::listen), or, where `is_rest`, as [`listen_on`](Self::listen_on), with a pause after each part of the work: after each task
-    /// that is compared with the words. It takes as long as all parts together, and most of a second on a small controller; `pause` is where
-    /// that does its other work, feeds its watchdog, or looks at the clock. The result is the same to the bit. Where `pause` gives
-    /// `false`, the robot stops listening.
+    /// As [`listen`](Self::listen), or, where `is_rest`, as [`listen_on`](Self::listen_on), with a pause before each part of the work: before each
+    /// task that is compared with the words. `pause` is where a controller does its other work, feeds its watchdog, or looks at the clock. The
+    /// result is the same to the bit. Where `pause` gives `false`, the robot stops listening.
     ///
     /// # Errors
     /// As [`hear`](Self::hear), and [`AgentError::Stopped`]: no session is then under way.
