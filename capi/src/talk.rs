@@ -310,11 +310,7 @@ pub unsafe extern "C" fn goodbot_said(
 /// # Safety
 /// `robot` is null or a handle; the texts are null or C strings.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn goodbot_correct(
-    robot: *mut Goodbot,
-    words: *const c_char,
-    closed_words: *const c_char,
-) -> GoodbotStatus {
+pub unsafe extern "C" fn goodbot_correct(robot: *mut Goodbot, words: *const c_char, closed_words: *const c_char) -> GoodbotStatus {
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {

@@ -165,8 +165,7 @@ impl<M: AgentMemory> Agent<M> {
                 if first == 0 && next.is_none() {
                     continue;
                 }
-                let here =
-                    self.clause(domain, words.part(start, end), wording, if first > 0 { place.behind() } else { place })?;
+                let here = self.clause(domain, words.part(start, end), wording, if first > 0 { place.behind() } else { place })?;
                 let rest = ahead.get(after).copied().unwrap_or(Scaled::ZERO);
                 let connective = next.map_or(Scaled::ONE, |_| {
                     let learned = words.get(end).map_or(1.0, |word| 1.0 + word.count);
