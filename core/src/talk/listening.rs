@@ -639,7 +639,7 @@ impl<M: AgentMemory> Agent<M> {
         if let Some((part, start)) = part.zip(start) {
             conversation = conversation.after(domain, &self.lifted, &start, &part);
         }
-        self.listen_to(domain, state, utterance, words, Place { is_rest, kind, before: conversation.before(), ..Place::WHOLE }, pause)
+        self.listen_to(domain, state, utterance, words, Place { is_rest, kind, before: conversation.before() }, pause)
     }
 
     /// Hears the rest of an utterance of several commands, from [`Listened::rest`] on, in the state that the part before leads to. A command
@@ -671,7 +671,7 @@ impl<M: AgentMemory> Agent<M> {
         kind: Option<u8>,
     ) -> Result<Listened, AgentError> {
         let conversation = self.conversation.here(domain);
-        let place = Place { is_rest: true, kind, before: conversation.before(), ..Place::WHOLE };
+        let place = Place { is_rest: true, kind, before: conversation.before() };
         self.listen_to(domain, state, rest, words, place, &|| true)
     }
 
