@@ -178,7 +178,7 @@ def test_a_synonym_that_was_learned_stands_for_a_word_that_was_not(home: goodbot
     assert agent.in_known_words("go to the Crimson room!", words) == "go to the crimson room"
     teach_by_hand(agent, home, "go to the red room", task(home, "red"))
     assert agent.in_known_words("go to the Crimson room!", words) == "go to the red room"
-    with pytest.raises(ValueError, match='"red" stands in line 1 and in line 2'):
+    with pytest.raises(ValueError, match='"red" is in line 1 and in line 2'):
         agent.in_known_words("go", "red\nred")
     with pytest.raises(goodbot.CapacityError):
         agent.in_known_words("go " * 1000, words)

@@ -128,7 +128,7 @@ impl fmt::Display for SynonymError<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Twice { word, lines: [first, second] } => {
-                write!(f, "\"{word}\" stands in line {first} and in line {second}: leave it in one of them")
+                write!(f, "\"{word}\" is in line {first} and in line {second}: leave it in one of them")
             }
             Self::NotAWord { word, line } => {
                 write!(f, "line {line}: \"{word}\" is not heard as one word; write one in lower case without punctuation, or leave it out")
@@ -148,7 +148,7 @@ mod tests {
     fn a_word_in_two_lines_is_refused_with_both() {
         let error = Synonyms::new("red crimson\n\nblue azure red").unwrap_err();
         assert_eq!(error, SynonymError::Twice { word: "red", lines: [1, 3] });
-        assert_eq!(error.to_string(), "\"red\" stands in line 1 and in line 3: leave it in one of them");
+        assert_eq!(error.to_string(), "\"red\" is in line 1 and in line 3: leave it in one of them");
         assert_eq!(Synonyms::new("red red").unwrap_err(), SynonymError::Twice { word: "red", lines: [1, 1] });
     }
 

@@ -104,8 +104,8 @@ impl fmt::Display for TaskTextError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match *self {
             Self::Form => {
-                "a lifted task reads like agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2); a way stands behind it, like through agentInRoom(?a, ?v) \
-                 or agentInRoom(?a, ?w), and avoiding agentInRoom(?a, ?x); then stands between goals"
+                "a lifted task reads like agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2); a way follows it, like through agentInRoom(?a, ?v) \
+                 or agentInRoom(?a, ?w), and avoiding agentInRoom(?a, ?x); then is between goals"
             }
             Self::UnknownProposition { proposition } => {
                 return write!(f, "the domain has no propositional function with the name that proposition {} has", nth(proposition));

@@ -88,7 +88,7 @@ fn a_table_of_synonyms_at_fault_is_refused_with_its_line() {
         assert_eq!(run.code, 2, "{}", run.messages);
         run.messages
     };
-    assert!(refused(b"red crimson\nruby red\n").contains("\"red\" stands in line 1 and in line 2: leave it in one of them"));
+    assert!(refused(b"red crimson\nruby red\n").contains("\"red\" is in line 1 and in line 2: leave it in one of them"));
     assert!(refused(b"red: crimson\n").contains("line 1: \"red:\" is not heard as one word"));
     assert!(refused(b"red \xff\n").contains("is not UTF-8"));
     assert!(asked.ask(&["--environment", &home, "--synonyms", "nowhere.txt", "go"], "").messages.contains("nowhere.txt: cannot be read"));
