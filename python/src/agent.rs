@@ -14,13 +14,14 @@ use goodbot::language::{Meaning, Synonyms};
 use goodbot::memory::{AgentHeap, HomeMemory};
 use goodbot::oomdp::{Action, Domain, Schema};
 use goodbot::planning::{OptimalSet, Progress};
-use goodbot::session::Evidence;
+use goodbot::session::{Evidence, Phase};
 use goodbot::snapshot::{Contents, SAVED};
 use goodbot::symbols::Symbol;
-use goodbot::talk::{ClosedWords, Verdict};
+use goodbot::talk::{ClosedWords, Conversation, Said, Verdict};
 use goodbot::task::{LiftedTask, TaskSet};
 use goodbot::{Agent as Core, AgentError, Capacities, Options};
 use goodbot_lesson::checked::CheckedSession;
+use goodbot_lesson::voice::Voice;
 use goodbot_lesson::world::robot as world;
 use pyo3::exceptions::PyFileExistsError;
 use pyo3::prelude::*;
@@ -114,6 +115,11 @@ pub fn kinds_of_tasks(py: Python<'_>, kinds: Option<Vec<String>>, schema: &Schem
     kinds.iter().map(parse).collect()
 }
 
+/// A table of closed words, the one that is built in where there is none.
+fn table_of(text: Option<&str>) -> PyResult<ClosedWords<'_>> {
+    text.map_or(Ok(ClosedWords::ALL), |text| ClosedWords::new(text).map_err(|error| value(format!("closed_words: {error}"))))
+}
+
 /// A trainer strategy and how probable it is: mu+, mu-, epsilon, prior.
 type StrategyNumbers = (f32, f32, f32, f32);
 
@@ -138,6 +144,7 @@ pub struct Mind {
     robot: Option<Arc<Robot>>,
     names: Vec<Py<PyString>>,
     command: String,
+    voice: Voice,
     broken: bool,
 }
 
@@ -184,7 +191,7 @@ impl Mind {
         let memory = if options.language.layer { memory.with_layer(tasks) } else { memory };
         let core = Core::new(memory, lifted, options)?;
         let random = goodbot_course::generator(seed);
-        Ok(Self { core, random, robot: None, names: Vec::new(), command: String::new(), broken: false })
+        Ok(Self { core, random, robot: None, names: Vec::new(), command: String::new(), voice: Voice::default(), broken: false })
     }
 
     pub fn place(&mut self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>) -> PyResult<Place> {
@@ -559,22 +566,26 @@ impl Agent {
     ///
     /// A robot with few lessons takes everything for a command, and one of the paper's model does.
     ///
-    /// Raises as `hear` does.
-    #[pyo3(signature = (domain, state, words, *, goes_on=false))]
+    /// `closed_words` is a table of words such as "not", "and", "please", as text, in the place of the one that is built in
+    /// (`goodbot example closed-words` prints that); an empty text has no words.
+    ///
+    /// Raises as `hear` does, and ValueError where `closed_words` is no table.
+    #[pyo3(signature = (domain, state, words, *, goes_on=false, closed_words=None))]
     fn listen<'py>(
         &self,
         domain: &Bound<'py, PyAny>,
         state: &Bound<'py, PyAny>,
         words: &str,
         goes_on: bool,
+        closed_words: Option<&str>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let py = domain.py();
+        let (py, closed) = (domain.py(), table_of(closed_words)?);
         self.with(|mind| {
             mind.forget_robot();
             let place = mind.place(domain, state)?;
-            let listened = in_place!(&place, |domain, state| match goes_on {
-                false => mind.core.listen(domain, state, words, ClosedWords::ALL),
-                true => mind.core.listen_on(domain, state, words, ClosedWords::ALL),
+            let listened = in_place!(&place, |domain, state| {
+                let heard = mind.core.listen_in_parts(domain, state, words, closed, goes_on, &|| true);
+                heard.and_then(|listened| mind.core.leave_out_done(domain, &listened).map(|()| listened))
             });
             let listened = mind.settled(py, &place, listened)?;
             words.clone_into(&mut mind.command);
@@ -592,6 +603,96 @@ impl Agent {
             heard.set_item("probability", listened.probability)?;
             heard.set_item("rest", listened.rest.and_then(|from| words.get(from..)))?;
             Ok(heard)
+        })
+    }
+
+    /// Remembers a task of the session, by its name or its position among `tasks`, as followed from where the session began: `listen` then knows
+    /// what "it", "there", "back", "the other one" and "again" stand for. Call it before the session is finished or forgotten.
+    ///
+    /// Raises ValueError where there is no such task, and SessionError where no session is under way.
+    fn remember(&self, domain: &Bound<'_, PyAny>, task: &Bound<'_, PyAny>) -> PyResult<()> {
+        let py = domain.py();
+        self.with(|mind| {
+            let place = mind.place_of(domain)?;
+            let position = mind.task(task)?;
+            let followed = mind.core.tasks().get(position).copied();
+            let remembered = in_place!(&place, |domain, _state| {
+                let start = mind.core.started_from(domain);
+                start.zip(followed).map(|(start, followed)| mind.core.remember(domain, &start, &followed))
+            });
+            remembered.ok_or_else(|| error::agent(py, AgentError::NotNow(Phase::Idle)))
+        })
+    }
+
+    /// Begins another conversation: nothing is remembered of what was said.
+    fn converse_anew(&self) -> PyResult<()> {
+        self.with(|mind| {
+            mind.core.resume(Conversation::NEW);
+            Ok(())
+        })
+    }
+
+    /// What a person's words ask for, given the session under way, the last action, and the question that is open. Nothing is done yet. Returns
+    /// what, and the answer where it is one:
+    ///
+    /// - `command`: `listen`; `stop`: `forget`; `nothing`;
+    /// - `reward`, `punish`: `feedback`; `finish`: praise for a robot that rests at its goal;
+    /// - `answer`: `answer`, with the second value; `correction`: `correct`;
+    /// - `undo`: take something back; `again`: the last command once more.
+    ///
+    /// >>> agent, home = goodbot.Agent(), goodbot.Home.from_map("#######\n#r@+gg#\n#######")
+    /// >>> agent.said(home, home.start, "go to the red room"), agent.said(home, home.start, "stop")
+    /// (('command', None), ('stop', None))
+    #[pyo3(signature = (domain, state, words, *, closed_words=None))]
+    fn said(
+        &self,
+        domain: &Bound<'_, PyAny>,
+        state: &Bound<'_, PyAny>,
+        words: &str,
+        closed_words: Option<&str>,
+    ) -> PyResult<(&'static str, Option<Py<PyAny>>)> {
+        let (py, closed) = (domain.py(), table_of(closed_words)?);
+        self.with(|mind| {
+            let place = mind.place(domain, state)?;
+            let said = in_place!(&place, |domain, state| {
+                let stage = mind.core.stage(domain, state);
+                mind.core.said(words, closed, stage, |word| mind.voice.count(word))
+            });
+            let asks = match said.map_err(|refused| error::agent(py, refused))? {
+                Said::Answer(Answer::Yes) => return Ok(("answer", Some(PyString::new(py, "yes").into_any().unbind()))),
+                Said::Answer(Answer::No) => return Ok(("answer", Some(PyString::new(py, "no").into_any().unbind()))),
+                Said::Answer(Answer::This(choice)) => return Ok(("answer", Some(choice.into_pyobject(py)?.into_any().unbind()))),
+                Said::Command => "command",
+                Said::Judgement(Feedback::Punish) => "punish",
+                Said::Judgement(_) => "reward",
+                Said::Finish => "finish",
+                Said::Correction => "correction",
+                Said::Stop => "stop",
+                Said::Undo => "undo",
+                Said::Again => "again",
+                Said::Nothing(_) => "nothing",
+            };
+            Ok((asks, None))
+        })
+    }
+
+    /// Learns words that are said along with a button: from then on they are praise or blame to `said`, as long as they come with the one more
+    /// than twice as often as with the other. A saved robot does not keep them.
+    #[pyo3(signature = (words, feedback, *, closed_words=None))]
+    fn learn_voice(&self, py: Python<'_>, words: &str, feedback: Option<&str>, closed_words: Option<&str>) -> PyResult<()> {
+        let (feedback, closed) = (feedback_of(feedback)?, table_of(closed_words)?);
+        self.with(|mind| mind.voice.learn(words, feedback, closed).map_err(|refused| error::agent(py, refused)))
+    }
+
+    /// Takes in words that turn the robot on its way round: "no, the other one", "I meant the blue one", "not the red one". The task that it follows
+    /// is left with a twentieth of the belief in the next one at most, and the words are evidence.
+    #[pyo3(signature = (domain, words, *, closed_words=None))]
+    fn correct(&self, domain: &Bound<'_, PyAny>, words: &str, closed_words: Option<&str>) -> PyResult<()> {
+        let (py, closed) = (domain.py(), table_of(closed_words)?);
+        self.with(|mind| {
+            let place = mind.place_of(domain)?;
+            let corrected = in_place!(&place, |domain, _state| mind.core.correct(domain, words, closed, None));
+            corrected.map(|_| ()).map_err(|refused| error::agent(py, refused))
         })
     }
 

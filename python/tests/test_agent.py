@@ -257,7 +257,9 @@ def test_tasks_with_a_way_are_told_with_it(home: goodbot.Home) -> None:
     assert set(home.tasks(kinds=kinds)) == set(agent.tasks)
 
 
-def test_words_that_are_no_command_are_told_apart() -> None:
+@pytest.fixture(scope="module")
+def taught() -> tuple[goodbot.Agent, goodbot.Home, str, str]:
+    """An agent after 24 lessons, its home, and its two tasks."""
     home = goodbot.Home.from_map(
         """
         #########
@@ -272,6 +274,11 @@ def test_words_that_are_no_command_are_told_apart() -> None:
     for lesson in range(24):
         color, task = [("red", red), ("green", green)][lesson % 2]
         goodbot.Trainer(seed=lesson).teach(agent, home, home.start, f"go to the {color} room", task)
+    return agent, home, red, green
+
+
+def test_words_that_are_no_command_are_told_apart(taught: tuple[goodbot.Agent, goodbot.Home, str, str]) -> None:
+    agent, home, red, green = taught
     heard = agent.listen(home, home.start, "go to the red room please")
     assert (heard["verdict"], heard["tasks"], heard["rest"]) == ("sure", [red], None)
     assert agent.listen(home, home.start, "hello")["verdict"] == "none"
@@ -279,3 +286,47 @@ def test_words_that_are_no_command_are_told_apart() -> None:
     assert (heard["taken_for"], heard["tasks"]) == ("what shall not be", ["!" + red])
     heard = agent.listen(home, home.start, "go to the red room and then to the green room")
     assert (heard["tasks"], heard["rest"]) == ([red], "to the green room")
+
+
+def test_a_conversation_goes_on_from_what_was_done(taught: tuple[goodbot.Agent, goodbot.Home, str, str]) -> None:
+    agent, home, red, green = taught
+    agent.converse_anew()
+    said = "go to the red room and then to the green room"
+    first = agent.listen(home, home.start, said)
+    agent.remember(home, first["tasks"][0])
+    there = home.start
+    while agent.plan(home, there) and (action := agent.decide(home, there).action) != "noop":
+        there = agent.acted(home, there, action)
+    second = agent.listen(home, there, first["rest"], goes_on=True)
+    assert (second["verdict"], second["tasks"]) == ("sure", [green])
+    assert agent.listen(home, there, "go there")["tasks"] == [red]
+    agent.converse_anew()
+    assert agent.listen(home, home.start, "go there")["verdict"] in ("none", "unsure")
+
+
+def test_the_trainer_s_words_ask_for_something_and_correct_the_robot(taught: tuple[goodbot.Agent, goodbot.Home, str, str]) -> None:
+    agent, home, red, green = taught
+    agent.forget()
+    assert agent.said(home, home.start, "go to the red room") == ("command", None)
+    agent.listen(home, home.start, "go to the red room")
+    assert agent.said(home, home.start, "stop") == ("stop", None)
+    agent.plan(home, home.start)
+    state = agent.acted(home, home.start, agent.decide(home, home.start).action)
+    assert agent.said(home, state, "well done") == ("reward", None)
+    assert agent.said(home, state, "flub") != ("reward", None)
+    agent.learn_voice("flub", "reward")
+    assert agent.said(home, state, "flub") == ("reward", None)
+    assert agent.said(home, state, "no, the green one") == ("correction", None)
+    agent.correct(home, "no, the green one")
+    assert agent.most_likely == green
+    agent.forget()
+    with pytest.raises(goodbot.SessionError):
+        agent.correct(home, "no")
+
+
+def test_a_table_of_closed_words_takes_the_place_of_the_one_that_is_built_in(taught: tuple[goodbot.Agent, goodbot.Home, str, str]) -> None:
+    agent, home, red, _ = taught
+    assert agent.listen(home, home.start, "nix go to the red room", closed_words="negation: nix")["tasks"] == ["!" + red]
+    assert agent.said(home, home.start, "stop", closed_words="stop: halt") == ("command", None)
+    with pytest.raises(ValueError, match='closed_words: line 1: "colour" is no class of words'):
+        agent.listen(home, home.start, "go", closed_words="colour: red")

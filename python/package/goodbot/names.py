@@ -17,6 +17,8 @@ Weights: TypeAlias = Literal["paper", "belief", "evidence"]
 Feedback: TypeAlias = Literal["reward", "punish", "neutral"]
 Evidence: TypeAlias = Literal["used", "says nothing", "impossible"]
 Plan: TypeAlias = Literal["goal", "toward", "dead end", "approximate", "unknown"]
+# What words ask for.
+Said: TypeAlias = Literal["command", "reward", "punish", "finish", "answer", "correction", "stop", "undo", "again", "nothing"]
 # A preset of capacities, or what is to differ from `standard`.
 Sizes: TypeAlias = "str | Mapping[str, int]"
 # A log: its file, or its sessions.
