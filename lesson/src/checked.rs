@@ -143,6 +143,8 @@ impl Checker<'_> {
             command: header.command.clone(),
             #[cfg(feature = "talk")]
             listening: self.listening(&home, &start, lifted),
+            #[cfg(feature = "talk")]
+            closed: self.closed_words(),
             kind: header.kind,
             continues: header.continues,
             header_line: self.recorded.header_line,
@@ -200,7 +202,21 @@ impl Checker<'_> {
             same.map(|(task, _)| task.lifted)
         });
         let conversation = self.conversation(home, start, lifted);
-        Some(Listening { utterance, after, conversation, closed: crate::listening::CLOSED_WORDS })
+        Some(Listening { utterance, after, conversation })
+    }
+
+    /// The words that speak about commands.
+    #[cfg(feature = "talk")]
+    fn closed_words(&mut self) -> goodbot::talk::ClosedWords<'static> {
+        let table = self.recorded.header.closed_words.as_deref().map(crate::listening::kept_table);
+        match table {
+            None => crate::listening::CLOSED_WORDS,
+            Some(Ok(table)) => table,
+            Some(Err(error)) => {
+                self.fault("closed_words", error);
+                crate::listening::CLOSED_WORDS
+            }
+        }
     }
 
     /// The conversation that the session is part of.

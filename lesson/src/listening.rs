@@ -11,13 +11,33 @@ use crate::walk::Listening;
 use goodbot::language::Model;
 use goodbot::memory::AgentMemory;
 use goodbot::oomdp::Domain;
-use goodbot::talk::{Class, ClosedWords, Hypothesis, Listened, Verdict};
+use goodbot::talk::{Class, ClosedWords, ClosedWordsError, Hypothesis, Listened, Verdict};
 use goodbot::task::GroundedTask;
 use goodbot::{Agent, AgentError};
 use goodbot_formats::task_text::GroundTaskText;
+use std::sync::{Mutex, PoisonError};
 
 /// The words that speak about commands.
 pub const CLOSED_WORDS: ClosedWords<'static> = ClosedWords::ALL;
+
+/// The tables that lessons and logs use beside that one: each stays as long as the program runs, and is kept once.
+static TABLES: Mutex<Vec<&str>> = Mutex::new(Vec::new());
+
+/// A table that a program uses as long as it runs.
+///
+/// # Errors
+/// A [`ClosedWordsError`] where the text is no table.
+pub fn kept_table(text: &str) -> Result<ClosedWords<'static>, ClosedWordsError<'_>> {
+    ClosedWords::new(text)?;
+    let mut tables = TABLES.lock().unwrap_or_else(PoisonError::into_inner);
+    let known = tables.iter().find(|known| **known == text).copied();
+    let kept = known.unwrap_or_else(|| {
+        let kept: &'static str = Box::leak(text.into());
+        tables.push(kept);
+        kept
+    });
+    Ok(ClosedWords::new(kept).unwrap_or(ClosedWords::NONE))
+}
 
 /// With fewer lessons everything is a command: nothing is known yet of how people word what the robot can do.
 pub const FEW_LESSONS: usize = 20;
@@ -36,11 +56,12 @@ pub fn listen<D: Domain>(
     home: &D,
     start: &D::State,
     listening: &Listening,
+    closed: ClosedWords<'_>,
 ) -> Result<Listened, AgentError> {
     agent.resume(listening.conversation.facts);
     let listened = match listening.after {
-        None => agent.listen(home, start, &listening.utterance, listening.closed)?,
-        kind => agent.listen_after(home, start, &listening.utterance, listening.closed, kind)?,
+        None => agent.listen(home, start, &listening.utterance, closed)?,
+        kind => agent.listen_after(home, start, &listening.utterance, closed, kind)?,
     };
     agent.leave_out_done(home, &listened)?;
     Ok(listened)
@@ -134,8 +155,9 @@ impl<D: Place> Lesson<D> {
     fn begin_part(&mut self, mut ahead: Ahead, environment: D::Record) -> Result<Listened, LiveError> {
         expect_ends(&mut self.agent)?;
         let listened = loop {
+            let closed = self.closed;
             let (agent, home, state) = self.parts();
-            let listened = listen(agent, home, state, &ahead.listening)?;
+            let listened = listen(agent, home, state, &ahead.listening, closed)?;
             let rest = listened.rest.and_then(|rest| ahead.listening.utterance.get(rest..)).filter(|_| listened.verdict == Verdict::Done);
             if listened.verdict == Verdict::Done {
                 let state = *state;
@@ -168,7 +190,7 @@ impl<D: Place> Lesson<D> {
     }
 
     fn listening_to(&self, utterance: &str, after: Option<u8>) -> Listening {
-        Listening { utterance: utterance.to_owned(), after, conversation: self.conversation().clone(), closed: self.closed }
+        Listening { utterance: utterance.to_owned(), after, conversation: self.conversation().clone() }
     }
 
     /// A part is over: the next one comes after it.

@@ -340,6 +340,10 @@ impl<D: Place> Lesson<D> {
     /// Begins a session whose command the agent has heard.
     pub(crate) fn begin(&mut self, command: String, session: Session<D::Record>) {
         (self.walk.command, self.walk.start) = (command, self.state);
+        #[cfg(feature = "talk")]
+        {
+            self.walk.closed = self.closed;
+        }
         self.walk.steps.clear();
         self.walk.answers.clear();
         self.session = Some(session);

@@ -56,6 +56,10 @@ impl<D: Place> Lesson<D> {
                 conversation: walk.listening.as_ref().and_then(|listening| listening.conversation.recorded(home, self.agent.lifted())),
                 #[cfg(not(feature = "talk"))]
                 conversation: None,
+                #[cfg(feature = "talk")]
+                closed_words: Some(walk.closed).filter(|closed| *closed != crate::listening::CLOSED_WORDS).map(|closed| closed.to_string()),
+                #[cfg(not(feature = "talk"))]
+                closed_words: None,
                 strategies: session.named_strategies().map(|all| all.iter().enumerate().map(strategy).collect()),
             },
             header_line: 1,

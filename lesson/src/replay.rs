@@ -198,7 +198,7 @@ impl Replay {
         let (home, start) = (&walk.home, &walk.start);
         #[cfg(feature = "talk")]
         if let Some(listening) = &walk.listening {
-            return crate::listening::listen(agent, home, start, listening).map(|_| ());
+            return crate::listening::listen(agent, home, start, listening, walk.closed).map(|_| ());
         }
         #[cfg(feature = "talk")]
         agent.resume(goodbot::talk::Conversation::NEW);
@@ -263,8 +263,7 @@ fn answered<D: Domain>(agent: &mut Agent<impl AgentMemory>, walk: &Walk<D>, answ
     let _ = agent.answered(answer.tasks, answer.yes, answer.eta, answer.others)?;
     #[cfg(feature = "talk")]
     if let Some(words) = &answer.words {
-        let closed = walk.listening.as_ref().map_or(crate::listening::CLOSED_WORDS, |listening| listening.closed);
-        let _ = agent.corrected(&walk.home, words, closed)?;
+        let _ = agent.corrected(&walk.home, words, walk.closed)?;
     }
     let _ = walk;
     Ok(())

@@ -88,8 +88,6 @@ pub struct Listening {
     pub after: Option<u8>,
     /// What was said and done before.
     pub conversation: Conversing,
-    /// The words that speak about commands.
-    pub closed: goodbot::talk::ClosedWords<'static>,
 }
 
 /// A trainer strategy that a session names.
@@ -127,6 +125,9 @@ pub struct Walk<D: Domain> {
     /// Where the robot listened: the utterance that the command is of.
     #[cfg(feature = "talk")]
     pub listening: Option<Listening>,
+    /// The words that speak about commands.
+    #[cfg(feature = "talk")]
+    pub closed: goodbot::talk::ClosedWords<'static>,
     /// How it teaches.
     pub kind: Kind,
     /// Whether it is the command before, once more.
@@ -156,6 +157,8 @@ impl<D: Domain> Walk<D> {
             command: String::new(),
             #[cfg(feature = "talk")]
             listening: None,
+            #[cfg(feature = "talk")]
+            closed: crate::listening::CLOSED_WORDS,
             kind,
             continues: false,
             header_line: 0,

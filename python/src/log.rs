@@ -68,6 +68,7 @@ pub fn header(rooms: &Rooms, state: &HomeState, command: &str) -> SessionHeader 
         utterance: None,
         after: None,
         conversation: None,
+        closed_words: None,
     }
 }
 

@@ -237,6 +237,7 @@ fn header(command: &CommandRecord) -> SessionHeader {
         utterance: None,
         after: None,
         conversation: None,
+        closed_words: None,
     }
 }
 

@@ -3,9 +3,9 @@
 use super::input;
 use crate::outcome::Failure;
 use clap::{Args, ValueHint};
-use goodbot::talk::ClosedWords;
+use goodbot::talk::{ClosedWords, ClosedWordsError};
 use goodbot_lesson::Fault;
-use goodbot_lesson::listening::CLOSED_WORDS;
+use goodbot_lesson::listening::{CLOSED_WORDS, kept_table};
 
 /// Where the table is.
 #[derive(Debug, Args)]
@@ -40,9 +40,24 @@ impl ClosedWordFile {
     /// # Errors
     /// [`Failure::Input`] where the file is no such table.
     pub fn table(&self) -> Result<ClosedWords<'_>, Failure> {
+        self.read_by(ClosedWords::new)
+    }
+
+    /// The same, for as long as the program runs.
+    ///
+    /// # Errors
+    /// As [`table`](Self::table).
+    pub fn kept(&self) -> Result<ClosedWords<'static>, Failure> {
+        self.read_by(kept_table)
+    }
+
+    fn read_by<'t, 'k>(
+        &'t self,
+        read: impl Fn(&'t str) -> Result<ClosedWords<'k>, ClosedWordsError<'t>>,
+    ) -> Result<ClosedWords<'k>, Failure> {
         let Some((name, bytes)) = &self.read else { return Ok(CLOSED_WORDS) };
         let fault = |message: String| Failure::Input(Fault::new(name, message).to_string());
         let text = str::from_utf8(bytes).map_err(|_| fault("is not UTF-8; write words in UTF-8".to_owned()))?;
-        ClosedWords::new(text).map_err(|error| fault(error.to_string()))
+        read(text).map_err(|error| fault(error.to_string()))
     }
 }

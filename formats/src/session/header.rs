@@ -60,6 +60,9 @@ pub struct SessionHeader {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[serde(serialize_with = "write_conversation")]
     pub conversation: Option<Vec<(String, String)>>,
+    /// The closed classes of words, where the robot knew others than those that are built in: the text of their table.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub closed_words: Option<String>,
 }
 
 /// A way in which a trainer may use reward and punishment.
@@ -103,6 +106,7 @@ const FIELDS: &[&str] = &[
     "utterance",
     "after",
     "conversation",
+    "closed_words",
 ];
 const KINDS: &[&str] = &["feedback", "demonstration", "labelled"];
 const MOVES: [&str; 4] = ["north", "south", "east", "west"];
@@ -152,6 +156,7 @@ impl SessionHeader {
             utterance: fields.optional("utterance").map(|utterance| utterance.filled_text()).transpose()?,
             after: fields.optional("after").map(task).transpose()?,
             conversation: fields.optional("conversation").map(texts).transpose()?,
+            closed_words: fields.optional("closed_words").map(|table| table.text()).transpose()?,
         };
         if header.utterance.is_some() {
             for name in ["prior", "continues"] {

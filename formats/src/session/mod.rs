@@ -23,6 +23,7 @@
 //! | `strategies` | the trainer strategies to consider, instead of the robot's own |
 //! | `utterance` | where the robot listened: what was said, from this command on |
 //! | `after` | where this is not the first command of what was said: the task of the command before |
+//! | `closed_words` | the table of closed words, where it is another than the one that is built in |
 //! | `conversation` | where the robot listened: the conversation's `id`, and what was said and done in it before, as texts by name |
 //!
 //! In a session of feedback, a line of type `answer` stands where the trainer answered a question of the robot's: `tasks` (the tasks that the

@@ -22,7 +22,7 @@
 //!
 //! A log of worlds has worlds, and commands and sessions in worlds that were named before. A world holds for what follows, up to another of the
 //! same name. A session is as in a log of homes, but has `world`, the world's name, and `facts`, what holds when the command is said, in place
-//! of `environment`; its `kind`, `id`, `command`, `intended`, `strategies`, `utterance`, `after` and `conversation` are as there. A command:
+//! of `environment`; its `kind`, `id`, `command`, `intended`, `strategies`, `utterance`, `after`, `conversation` and `closed_words` are as there. A command:
 //!
 //! | field of a command | what |
 //! |---|---|

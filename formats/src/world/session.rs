@@ -38,8 +38,21 @@ pub struct SessionInWorld {
     pub session: RecordedSession,
 }
 
-const FIELDS: &[&str] =
-    &["type", "version", "id", "kind", "world", "facts", "command", "intended", "strategies", "utterance", "after", "conversation"];
+const FIELDS: &[&str] = &[
+    "type",
+    "version",
+    "id",
+    "kind",
+    "world",
+    "facts",
+    "command",
+    "intended",
+    "strategies",
+    "utterance",
+    "after",
+    "conversation",
+    "closed_words",
+];
 
 /// The first line, in the order in which it is written.
 #[derive(Serialize)]
@@ -64,6 +77,8 @@ struct Header<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[serde(serialize_with = "write_conversation")]
     conversation: Option<Vec<(String, String)>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    closed_words: Option<&'a str>,
 }
 
 impl SessionInWorld {
@@ -106,6 +121,7 @@ impl SessionInWorld {
             utterance: header.utterance.as_deref(),
             after: header.after.as_ref(),
             conversation: header.conversation.clone(),
+            closed_words: header.closed_words.as_deref(),
         };
         let first = serde_json::to_string(&first).map_err(|error| FormatError::new(1, Problem::Syntax(error.to_string())))?;
         Self::header(&Source::new(&first, 1).root()?.object()?, Arc::clone(&self.world))?;

@@ -30,6 +30,7 @@ use clap::{Args, ValueHint};
 use classroom::Classroom;
 use goodbot_console::believes::Believes;
 use goodbot_console::learner::Learner;
+use goodbot_console::load::closed_words::ClosedWordOptions;
 use goodbot_console::load::input;
 use goodbot_console::messages::{counted, is_colored, say};
 use goodbot_console::outcome::Failure;
@@ -110,6 +111,8 @@ pub struct TeachOptions {
     /// The commands that it should understand in the end, one on each line: they decide what to teach next [default: the commands so far]
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     wanted: Option<PathBuf>,
+    #[command(flatten)]
+    closed_words: ClosedWordOptions,
     /// Read requests as lines, also in a terminal
     #[arg(long)]
     lines: bool,
@@ -200,6 +203,7 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     }
     let starter = options.starter.read(trainer.lesson().agent.lifted(), Learner::Default.options())?;
     let trainer = trainer.with_starter(starter).map_err(refuse)?;
+    let trainer = trainer.with_closed_words(options.closed_words.read()?.kept()?);
     let places = match (&options.model, &options.robot) {
         (Some(model), _) => Some(Places::beside(model, options.log.as_deref())),
         (None, Some(robot)) => Some(Places::of_robot(robot)?),

@@ -69,6 +69,7 @@ fn elsewhere(witness: &mut Witness, lesson: &Lesson, random: &mut impl Rng) -> R
             utterance: None,
             after: None,
             conversation: None,
+            closed_words: None,
             continues: false,
             ..lesson.header.clone()
         };

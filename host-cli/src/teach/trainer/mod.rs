@@ -25,8 +25,7 @@ use goodbot::memory::AgentHeap;
 use goodbot::planning::{OptimalSet, Progress};
 use goodbot::session::{Evidence, Finished};
 use goodbot::snapshot::Contents;
-use goodbot::talk::Said;
-use goodbot::talk::{Hypothesis, Listened, Verdict};
+use goodbot::talk::{ClosedWords, Hypothesis, Listened, Said, Verdict};
 use goodbot::task::GroundedTask;
 use goodbot::{Agent, Capacities};
 use goodbot_console::believes::Believes;
@@ -111,6 +110,12 @@ impl Trainer {
         self.half_taught = HalfTaught::new(starter);
         self.start_anew()?;
         Ok(self)
+    }
+
+    /// The same robot, with these words that speak about commands.
+    pub const fn with_closed_words(mut self, closed: ClosedWords<'static>) -> Self {
+        self.lesson.closed = closed;
+        self
     }
 
     /// A mind that has learned nothing yet, with so much room and room for a starter.
