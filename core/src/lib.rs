@@ -38,11 +38,12 @@
 //! | [`oomdp`] | object-oriented MDPs: classes, attributes, objects, propositional functions; the seam to your own robot |
 //! | [`home`] | the paper's environment: rooms, doors, blocks, an agent |
 //! | [`task`] | lifted and grounded tasks, binding constraints, machine commands |
-//! | [`planning`] | uniform-cost search, for all tasks at once |
+//! | [`planning`] | uniform-cost search, for all tasks at once; all first actions of equal cost are kept, and the agent chooses |
 //! | [`feedback`] | trainer strategies and the belief over tasks (SABL, I-SABL) |
-//! | [`language`] | words, IBM Model 2, weighted EM |
+//! | [`language`] | words: the role model, IBM Model 2, weighted EM, what gives way when memory is full |
 //! | [`session`] | Algorithm 1: the [`Agent`] |
 //! | [`asking`] | questions: where asking teaches more than acting (feature `asking`) |
+//! | `talk` | what people say beside commands, and what words such as "it" point back to (feature `talk`) |
 //! | [`snapshot`] | what is learned, as bytes (feature `snapshot`) |
 //! | [`storage`] | those bytes in flash, safe from power cuts (feature `storage`) |
 //!

@@ -9,6 +9,8 @@
 //!            └──────────────────────────────────────────────────────┘
 //! ```
 //!
+//! Ties are kept: an action is optimal for a task if any shortest way begins with it. The agent chooses among them (`Agent::decide`).
+//!
 //! - `goals`: which tasks a state satisfies, at nearly the same cost for one task as for 64;
 //! - `deadlock`: tasks that one piece alone rules out for ever, told without a search;
 //! - `bitboard`: exact; expands the states that differ only in the robot's cell together, as rows of bits;

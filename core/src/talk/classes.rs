@@ -198,11 +198,11 @@ pub struct ClosedWords<'t> {
 impl<'t> ClosedWords<'t> {
     /// No words.
     pub const NONE: Self = Self { text: "" };
-    /// The words of English: 1 KB.
+    /// The words of English: 1.2 KB.
     pub const ENGLISH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/english.txt") };
-    /// The words of German: 1.2 KB.
+    /// The words of German: 1.4 KB.
     pub const GERMAN: ClosedWords<'static> = ClosedWords { text: include_str!("classes/german.txt") };
-    /// The words of French: 1 KB.
+    /// The words of French: 1.1 KB.
     pub const FRENCH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/french.txt") };
     /// The words of Spanish: 1.1 KB.
     pub const SPANISH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/spanish.txt") };

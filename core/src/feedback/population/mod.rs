@@ -1,7 +1,6 @@
 //! The trainers to expect: a population of strategies, fitted to what real people said.
 //!
-//! The paper's agent expects one trainer, silent seven times out of ten. Real people are quieter, mistake more, and a part of their words
-//! comes a step late. These numbers make the words of twelve recorded workers most probable (`goodbot fit-trainers`; `docs/trainers.md`
+//! The paper's agent expects one trainer, silent seven times out of ten. Real people are quieter and mistake more. These numbers make the words of twelve recorded workers most probable (`goodbot fit-trainers`; `docs/trainers.md`
 //! describes the fit and its accuracy).
 //!
 //! ```

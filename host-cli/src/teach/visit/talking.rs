@@ -81,7 +81,7 @@ impl Visit {
             self.idle("Finished without learning: it knows what it knew before.".to_owned());
         } else {
             self.paused = true;
-            self.message = "It waits. p goes on, n takes one step, stop once more ends this without learning.".to_owned();
+            self.message = "It waits. p goes on, o takes one step, stop once more ends this without learning.".to_owned();
         }
         Ok(())
     }
