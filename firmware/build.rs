@@ -39,6 +39,7 @@ fn main() {
         let names: Vec<_> = BOARDS.iter().map(|board| board.feature.to_lowercase().replace('_', "-")).collect();
         panic!("choose one board by its feature: {}", names.join(", "));
     };
+    let (bytes, stack) = if env::var_os("CARGO_FEATURE_FULL").is_some() { (4 * 1024 * KIB, 16 * KIB) } else { (bytes, stack) };
     let regions = ["TEXT", "RODATA", "DATA", "BSS", "HEAP", "STACK"].map(|region| {
         let memory = match region {
             "TEXT" | "RODATA" => "FLASH",

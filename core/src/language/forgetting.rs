@@ -211,42 +211,44 @@ impl LanguageMut<'_> {
                 others().find(|&session| self.is_strange(session)).or_else(rarest)
             }
             Want::Vocabulary => strange().next().or_else(|| oldest_with_most(sessions(), |session| self.own_words(session))),
-            Want::Session => strange().next().filter(|_| strange().count() > STRANGE.max(among / STRANGE_PART)),
+            Want::Session => strange().next().filter(|_| strange().nth(STRANGE.max(among / STRANGE_PART)).is_some()),
         }
         .or_else(|| oldest_with_most(sessions(), |session| self.repeated(session)))
     }
 
     /// Whether the command was heard once, and has a word that no other session has.
     fn is_strange(&self, session: u16) -> bool {
-        !self.bitext.read().heard_again(session) && self.own_words(session) > 0
+        let data = self.bitext.read();
+        !data.heard_again(session) && data.sentence(session).iter().any(|&word| self.sessions_with(word, 2) <= 1)
     }
 
     /// How little is lost with a session.
     fn repeated(&self, session: u16) -> (bool, usize, usize) {
         let times = self.times_kept(session);
-        let words = self.rarest(session).min(WELL_KNOWN);
-        (times > 1, times.saturating_add(words), self.bitext.read().pairs_of(session).len())
+        (times > 1, times.saturating_add(self.rarest(session)), self.bitext.read().pairs_of(session).len())
     }
 
     /// How many sessions have the same command, itself included.
     fn times_kept(&self, session: u16) -> usize {
-        let same = |&other: &u16| self.bitext.read().sentence(other) == self.bitext.read().sentence(session);
-        (0..self.bitext.sessions() as u16).filter(same).count()
+        let data = self.bitext.read();
+        let sentence = data.sentence(session);
+        (0..data.sessions() as u16).filter(|&other| data.sentence(other) == sentence).count()
     }
 
-    /// In how many sessions a word stands.
-    fn sessions_with(&self, word: Symbol) -> usize {
-        (0..self.bitext.sessions() as u16).filter(|&session| self.bitext.read().sentence(session).contains(&word)).count()
+    /// In how many sessions a word stands, counted up to `most`: few are gone through for a word that is well known.
+    fn sessions_with(&self, word: Symbol, most: usize) -> usize {
+        let data = self.bitext.read();
+        (0..data.sessions() as u16).filter(|&session| data.sentence(session).contains(&word)).take(most).count()
     }
 
     /// How many words of a session no other session has.
     fn own_words(&self, session: u16) -> usize {
-        self.bitext.read().sentence(session).iter().filter(|&&word| self.sessions_with(word) <= 1).count()
+        self.bitext.read().sentence(session).iter().filter(|&&word| self.sessions_with(word, 2) <= 1).count()
     }
 
-    /// In how many sessions the rarest word of a session stands, itself included.
+    /// In how many sessions the rarest word of a session stands, itself included; a well-known one stands in [`WELL_KNOWN`].
     fn rarest(&self, session: u16) -> usize {
-        self.bitext.read().sentence(session).iter().map(|&word| self.sessions_with(word)).min().unwrap_or(usize::MAX)
+        self.bitext.read().sentence(session).iter().map(|&word| self.sessions_with(word, WELL_KNOWN)).min().unwrap_or(WELL_KNOWN)
     }
 
     /// Forgets the words that no session has.

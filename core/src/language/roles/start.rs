@@ -56,20 +56,45 @@ pub(super) fn set_common(layout: &Layout, values: &mut [f32]) {
     common.iter_mut().for_each(|slot| *slot = (*slot + 0.5) / whole);
 }
 
-/// Makes of the counts a token's row; row 0 is the background's, which is set last.
-pub(super) fn set_row(layout: &Layout, bitext: BitextRef<'_>, row: usize, t: &mut Cells<'_>, common: &[f32]) {
-    let Some(token) = row.checked_sub(1).map(|token| Symbol(token as u16)) else {
+/// The weight of the pairs with a token and of all pairs, of the first so many.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Share {
+    pairs: u32,
+    with: f32,
+    all: f32,
+}
+
+impl Share {
+    /// How many pairs were weighed.
+    pub(super) const fn pairs(&self) -> usize {
+        self.pairs as usize
+    }
+
+    /// Weighs at most `most` more pairs. Returns how many.
+    pub(super) fn weigh(&mut self, bitext: BitextRef<'_>, token: Symbol, most: usize) -> usize {
+        let before = self.pairs();
+        for pair in bitext.pairs().iter().skip(before).take(most) {
+            self.pairs = self.pairs.saturating_add(1);
+            if bitext.leaves_out(pair.session) {
+                continue;
+            }
+            let description = bitext.command(pair.command);
+            self.all += pair.weight;
+            if form(description) == Some(token) || has_value(description, token) {
+                self.with += pair.weight;
+            }
+        }
+        self.pairs().saturating_sub(before)
+    }
+}
+
+/// Makes of the counts a token's row, once all pairs are weighed; the background's is set last.
+pub(super) fn set_row(layout: &Layout, token: Option<Symbol>, share: &Share, t: &mut Cells<'_>, common: &[f32]) {
+    let Some(token) = token else {
         get_mut(t.values, layout.row(None)).copy_from_slice_checked(common);
         return;
     };
-    let (mut with, mut all) = (0.0, 0.0);
-    for pair in bitext.pairs().iter().filter(|pair| !bitext.leaves_out(pair.session)) {
-        let description = bitext.command(pair.command);
-        all += pair.weight;
-        if form(description) == Some(token) || has_value(description, token) {
-            with += pair.weight;
-        }
-    }
+    let &Share { with, all, .. } = share;
     let of_all = layout.row(None);
     let (of_token, words) = (layout.row(Some(token)), layout.words());
     let stands_out = |word: usize, counts: &[f32]| {

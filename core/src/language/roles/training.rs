@@ -62,8 +62,8 @@ const OF_MOVES: f32 = 4.0;
 pub(crate) enum Part {
     /// Counting words and values, from this pair on.
     Count(usize),
-    /// The rows' beginning, from this one on; the background's is the last.
-    Begin(usize),
+    /// The rows' beginning, from this one on, with what is known of its token; the background's is the last.
+    Begin(usize, start::Share),
     /// Expected counts, from this pair on, and from here in it.
     Expect(usize, Pass),
     /// How often words were seen together with values and lifted tasks, from this row on.
@@ -187,16 +187,19 @@ impl Work<'_, '_> {
                 }
                 None => {
                     start::set_common(layout, self.a.values);
-                    (layout.words(), Part::Begin(0))
+                    (layout.words(), Part::Begin(0, start::Share::default()))
                 }
             },
-            Part::Begin(row) if row < rows => {
+            Part::Begin(row, mut share) if row < rows => {
                 // The first row's counts are those of all commands: it goes last.
-                let row_now = row.saturating_add(1).checked_rem(rows).unwrap_or(0);
-                start::set_row(layout, self.bitext, row_now, &mut self.t, get(self.a.values, layout.common()));
-                (layout.words().saturating_mul(2).saturating_add(pairs.len().saturating_mul(4)), Part::Begin(row.saturating_add(1)))
+                let token = row.saturating_add(1).checked_rem(rows).unwrap_or(0).checked_sub(1).map(|token| Symbol(token as u16));
+                if let Some(token) = token.filter(|_| share.pairs() < pairs.len()) {
+                    return (share.weigh(self.bitext, token, left), Part::Begin(row, share));
+                }
+                start::set_row(layout, token, &share, &mut self.t, get(self.a.values, layout.common()));
+                (layout.words().saturating_mul(2), Part::Begin(row.saturating_add(1), start::Share::default()))
             }
-            Part::Begin(_) => {
+            Part::Begin(..) => {
                 for row in 0..rows {
                     get_mut(self.t.counts, layout.row(row.checked_sub(1).map(|token| Symbol(token as u16)))).fill(0.0);
                 }
