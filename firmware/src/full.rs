@@ -10,10 +10,8 @@ mod fault;
 mod stack;
 
 use board::report;
-use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeError, HomeState, Moves};
-use goodbot::memory::{AgentMemory, HomeMemory};
-use goodbot::oomdp::Action;
+use goodbot::memory::HomeMemory;
 use goodbot::planning::Progress;
 use goodbot::{Agent, AgentError, Capacities, Options};
 
@@ -85,20 +83,18 @@ fn build<M: HomeMemory>(memory: M) -> Result<(Home<M>, HomeState), HomeError> {
 fn command(number: usize) -> heapless::String<64> {
     let mut text = heapless::String::new();
     let pick = |words: &[&'static str], at: usize| words.get(at % words.len()).copied().unwrap_or("");
-    for word in [pick(&VERBS, number), "the", pick(&COLORS, number / 3), pick(&THINGS, number / 8), "to", "the", pick(&COLORS, number), "room"] {
+    for word in
+        [pick(&VERBS, number), "the", pick(&COLORS, number / 3), pick(&THINGS, number / 8), "to", "the", pick(&COLORS, number), "room"]
+    {
         let _ = text.push_str(word);
         let _ = text.push(' ');
     }
     text
 }
 
-fn restore(agent: &mut Agent<impl AgentMemory>, model: &[u8], most: &mut u32) -> Option<()> {
-    longest(most, || agent.restore(model)).ok()
-}
-
 fn run(memory: &mut RobotMemory, model: &mut [u8]) -> Result<u32, AgentError> {
     let no_task = AgentError::NoTask;
-    let [mut built, mut begun, mut heard, mut planned, mut acted, mut ended, mut learned, mut saved, mut restored] = [0; 9];
+    let [mut built, mut begun, mut heard, mut planned, mut ended, mut learned, mut saved, mut restored] = [0; 8];
     let made = longest(&mut built, || build(&mut memory.home));
     let (home, start) = made.as_ref().map_err(|_| no_task)?;
     report("build", built);
@@ -115,14 +111,13 @@ fn run(memory: &mut RobotMemory, model: &mut [u8]) -> Result<u32, AgentError> {
     while longest(&mut ended, || agent.finish_on(home, 1))?.is_none() {}
     report("finish", ended);
     while longest(&mut learned, || agent.learn(16)) == Progress::Working {}
-    report("learn", learned);
     let length = longest(&mut saved, || agent.save(model)).map_err(|_| no_task)?;
     report("save", saved);
     report("model", length as u32);
-    restore(&mut agent, model.get(..length).unwrap_or(&[]), &mut restored).ok_or(no_task)?;
+    longest(&mut restored, || agent.restore(model.get(..length).unwrap_or(&[]))).map_err(|_| no_task)?;
     report("restore", restored);
     while longest(&mut learned, || agent.learn(16)) == Progress::Working {}
-    report("learn-again", learned);
+    report("learn", learned);
     longest(&mut begun, || agent.begin_hearing(home, start, &command(7)))?;
     while longest(&mut heard, || agent.hear_on(home, 1))? == Progress::Working {}
     report("begin-hearing", begun);
@@ -132,11 +127,6 @@ fn run(memory: &mut RobotMemory, model: &mut [u8]) -> Result<u32, AgentError> {
         calls += 1;
     }
     report("plan", planned);
-    report("plan-calls", calls);
-    if calls < PLAN_CALLS {
-        let _ = longest(&mut acted, || agent.acted(home, start, Action::NOOP).and_then(|_| agent.feedback(Feedback::Reward)))?;
-        report("act", acted);
-    }
     Ok(agent.tasks().len() as u32)
 }
 

@@ -195,6 +195,11 @@ pub fn alone() -> Result<[PathBuf; 3]> {
     Ok(["arm", "ways", "wheels"].map(|name| folder.join(name)))
 }
 
+/// Every call with full tables, built for the Cortex-M4F with all the RAM that its board has.
+pub fn full() -> Result<PathBuf> {
+    Ok(build(AN386.target, &["--bin", "full", "--features", "mps2-an386 full"])?.join("full"))
+}
+
 /// Bytes that sections of a binary take.
 pub fn bytes(binary: &Path, sections: &[&str]) -> Result<u64> {
     let program = std::fs::read(binary)?;

@@ -7,7 +7,7 @@ use clap::Args;
 use serde_json::{Value, json};
 
 use crate::capi::{EVERY_FUNCTION, HOME, LIFT, LIFT_ALONE, TALK};
-use crate::firmware::{FLASH, STATICS, Trial, alone, bytes, run_alone, trials};
+use crate::firmware::{FLASH, STATICS, Trial, alone, bytes, full, run_alone, trials};
 use crate::process::shell;
 use crate::toolchain::compiler;
 
@@ -57,6 +57,17 @@ const CALLS: [(&str, &str); 5] = [
     ("longest-act-call", "an action with feedback"),
     ("longest-finish-call", "`finish_on`, 1 cell"),
     ("longest-learn-call", "`learn`, 16 cells"),
+];
+/// With full tables, of one board.
+const FULL: [(&str, &str); 8] = [
+    ("build", "building the home"),
+    ("begin-hearing", "`begin_hearing`"),
+    ("hear", "`hear_on`, 1 cell"),
+    ("plan", "`plan`, 8 expansions"),
+    ("finish", "`finish_on`, 1 cell"),
+    ("learn", "`learn`, 16 cells"),
+    ("save", "`save`"),
+    ("restore", "`restore`"),
 ];
 const PLANS: [(&str, &str); 6] = [("plan-a", "A"), ("plan-b", "B"), ("plan-c", "C"), ("plan-d", "D"), ("plan-e", "E"), ("plan-f", "F")];
 /// The lessons whose first plans those are; the first two lessons share an environment.
@@ -125,7 +136,7 @@ fn renew(kept: &mut Kept, compiler: &str, footprint: Footprint) {
 
 /// Measures the binaries. A check leaves out those that take long to build.
 fn measure(trials: &[Trial], is_check: bool) -> Result<Footprint> {
-    let (mut rows, mut programs) = (Rows::new(), Rows::new());
+    let (mut rows, mut programs, mut with_full_tables) = (Rows::new(), Rows::new(), Rows::new());
     for Trial { image, course, tick } in trials {
         let mut row = BTreeMap::from([("flash".to_owned(), bytes(&image.binary("course"), &FLASH)?)]);
         for name in ["statics", "stack"].into_iter().chain(INSTRUCTIONS.map(|(name, _)| name)) {
@@ -151,6 +162,9 @@ fn measure(trials: &[Trial], is_check: bool) -> Result<Footprint> {
     if !is_check {
         binaries.push(("C, a table robot (capi/examples/lift.c), `--features table`", LIFT_ALONE.build()?));
         binaries.push(("C, a robot that is talked to (capi/examples/talk.c), all features and `talk`", TALK.build()?));
+        let report = run_alone(&full()?)?;
+        let calls = FULL.iter().map(|(name, _)| Ok(((*name).to_owned(), report.number(name)?))).collect::<Result<_>>()?;
+        with_full_tables.insert("mps2-an386 (Cortex-M4F)".to_owned(), calls);
     }
     for (name, binary) in binaries {
         let report = run_alone(&binary)?;
@@ -168,7 +182,7 @@ fn measure(trials: &[Trial], is_check: bool) -> Result<Footprint> {
         );
         row.extend(counts.iter().filter_map(|(name, numbers)| Some(((*name).to_owned(), *numbers.first()?))));
     }
-    Ok(Footprint::from([("rows".to_owned(), rows), ("programs".to_owned(), programs)]))
+    Ok([("rows", rows), ("programs", programs), ("full", with_full_tables)].map(|(kind, rows)| (kind.to_owned(), rows)).into())
 }
 
 /// Numbers that rose against the same compiler's, or against every compiler's if this one is new.
@@ -203,11 +217,12 @@ fn risen(now: &Footprint, before: &Footprint, more: u64) -> Vec<String> {
 /// The files with tables: each as it is, and as it should be.
 fn files(kept: &Kept) -> Result<[(&'static str, String, String); 2]> {
     let (readme, page) = (shell()?.read_file(README)?, shell()?.read_file(PAGE)?);
-    let tables: [(&str, &str, &str, &Columns); 5] = [
+    let tables: [(&str, &str, &str, &Columns); 6] = [
         ("bytes", "rows", "board, preset", &BYTES),
         ("programs", "programs", "program", &PROGRAMS),
         ("instructions", "rows", "board, preset", &INSTRUCTIONS),
         ("calls", "rows", "board, preset", &CALLS),
+        ("full", "full", "board", &FULL),
         ("plans", "rows", "board, preset", &PLANS),
     ];
     let rows = |footprint: &Footprint, kind| footprint.get(kind).cloned().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! What gives way when memory is full, so that learning goes on. Of two sessions that are equal by a rule, the older one goes.
+//! What gives way when memory is full, so that learning goes on (feature `forgetting`; without it a session without room is refused). Of two sessions that are equal by a rule, the older one goes.
 //!
 //! When a session gives way, another one of the same English command, if there is one, remembers that the command was heard before. A
 //! session is *strange* when its command was heard once in the robot's life, as far as is remembered, and has a word that no other session
@@ -106,7 +106,8 @@ impl LanguageMut<'_> {
             Capacity::Alignments | Capacity::LengthPairs => Want::Lengths(words.len()),
             _ => Want::Session,
         };
-        let Some(session) = self.least(want, self.bitext.sessions()) else { return Err(error) };
+        let others = if cfg!(feature = "forgetting") { self.bitext.sessions() } else { 0 };
+        let Some(session) = self.least(want, others) else { return Err(error) };
         self.remove_session(session);
         self.rebuild_wanted()?;
         Ok(Room::Made(session, error.capacity))
@@ -160,7 +161,7 @@ impl LanguageMut<'_> {
             self.remove_unused_tokens(session_tokens);
         }
         if let Some(full) = self.full_of_vocabulary() {
-            let others = self.bitext.sessions().saturating_sub(1);
+            let others = if cfg!(feature = "forgetting") { self.bitext.sessions().saturating_sub(1) } else { 0 };
             if let Some(session) = self.least(Want::Vocabulary, others) {
                 self.remove_session(session);
                 return Ok(Room::Made(session, full));

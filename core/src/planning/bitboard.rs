@@ -30,7 +30,7 @@ pub(super) struct Subgoal {
 }
 
 /// Which part of the state space is searched. In all but the whole view, pieces that are not among `moving` stay where they are, as
-/// walls, and so do the cells outside the window.
+/// walls, and so do the cells outside the window. Without the feature `approximate` it is always the whole.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View {
     /// The pieces that can change their cells, one bit each; the robot's is set.
@@ -49,7 +49,22 @@ impl View {
 
     #[inline]
     fn moves(&self, piece: Piece) -> bool {
-        self.moving & piece.bit() != 0
+        self.moves_all() || self.moving & piece.bit() != 0
+    }
+
+    #[inline]
+    const fn moves_all(&self) -> bool {
+        !cfg!(feature = "approximate") || self.moving == Self::WHOLE.moving
+    }
+
+    #[inline]
+    const fn is_of_all_regions(&self) -> bool {
+        !cfg!(feature = "approximate") || self.window == Self::ALL
+    }
+
+    #[inline]
+    fn subgoal(&self) -> Option<Subgoal> {
+        self.subgoal.filter(|_| cfg!(feature = "approximate"))
     }
 
     /// The moving pieces but the robot, one bit each.
@@ -59,13 +74,13 @@ impl View {
 
     #[inline]
     fn has(&self, cell: &FloorCell) -> bool {
-        self.window == Self::ALL || self.window & region(cell) != 0
+        self.is_of_all_regions() || self.window & region(cell) != 0
     }
 
     /// The tasks that a piece on this cell does not rule out.
     #[inline]
     fn allowed<G: PushGrid + ?Sized>(&self, goals: &Goals<'_>, grid: &G, state: &G::State, piece: Piece, cell: CellId) -> TaskSet {
-        match self.subgoal {
+        match self.subgoal() {
             None => goals.allowed(grid, state, piece, cell),
             Some(subgoal) if subgoal.piece != piece => TaskSet::of(subgoal.task),
             Some(Subgoal { task, to: None, .. }) => goals.allowed(grid, state, piece, cell).common(TaskSet::of(task)),
@@ -295,13 +310,13 @@ impl RowSearch {
             return None;
         }
         let bits = Bits::new(&floor, &view)?;
-        let is_whole = view.window == View::ALL;
+        let is_whole = view.is_of_all_regions();
         if is_whole && bits.len / SPARSE > bits.cells && StateSearch::fits(grid, words) {
             return None;
         }
         let pieces = view.pieces(grid);
         let rows = bits.cells.checked_pow(pieces.count_ones())?;
-        let (of_robot, of_others) = match view.subgoal {
+        let (of_robot, of_others) = match view.subgoal() {
             None => (goals.table.of_robot().common(tasks), goals.table.of_others()),
             Some(Subgoal { piece: Piece::ROBOT, .. }) => (tasks, TaskSet::EMPTY),
             Some(_) => (TaskSet::EMPTY, tasks),
@@ -450,7 +465,7 @@ impl RowSearch {
         let floor = grid.floor();
         let frozen = |cell: CellId| {
             let mut pieces = (1..grid.pieces()).map(|piece| Piece(piece as u8));
-            self.view.moving != View::WHOLE.moving && pieces.any(|piece| !self.view.moves(piece) && grid.cell(state, piece) == cell)
+            !self.view.moves_all() && pieces.any(|piece| !self.view.moves(piece) && grid.cell(state, piece) == cell)
         };
         let mut rank = 0;
         for (id, cell) in floor.ids().zip(floor.cells).filter(|(_, cell)| self.view.has(cell)) {
@@ -536,7 +551,7 @@ impl RowSearch {
             row = row.wrapping_add(self.rank(&floor, grid.cell(state, piece), marks)?.wrapping_mul(weight));
             weight = weight.wrapping_mul(self.bits.cells);
         }
-        if self.view.moving != View::WHOLE.moving {
+        if !self.view.moves_all() {
             let mut frozen = (1..grid.pieces()).map(|piece| Piece(piece as u8)).filter(|&piece| !self.view.moves(piece));
             if frozen.any(|piece| grid.cell(state, piece) != grid.cell(now, piece)) {
                 return None;

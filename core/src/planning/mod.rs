@@ -16,11 +16,12 @@
 //! - `bitboard`: exact; expands the states that differ only in the robot's cell together, as rows of bits;
 //! - `one_by_one`: exact; serves every domain, and searches nearby through a hash table if the states do not fit the memory;
 //! - `bounds`: exact where two bounds of the distance agree; for floors with more joint states than fit (feature `bounds`);
-//! - `approximate`: searches smaller state spaces for the tasks that the exact search left open; to act on, but no evidence;
+//! - `approximate`: searches smaller state spaces for the tasks that the exact search left open; to act on, but no evidence (feature `approximate`);
 //! - `ways`: exact; tasks with a path constraint (a way), state by state in the product of the world and the way's progress;
 //! - `planner`: the order of all these;
 //! - `plan`: the result for each task, and how it judges an action.
 
+#[cfg(feature = "approximate")]
 mod approximate;
 mod bitboard;
 mod bits;

@@ -11,6 +11,7 @@
 //! 5. on a floor with pieces, the tasks without a way that are still open get an approximate plan. Those with one stay unknown.
 
 use super::Progress;
+#[cfg(feature = "approximate")]
 use super::approximate::Approximation;
 use super::bitboard::{RowSearch, View};
 #[cfg(feature = "bounds")]
@@ -127,6 +128,7 @@ enum Stage {
         waiting: TaskSet,
         with_ways: TaskSet,
     },
+    #[cfg(feature = "approximate")]
     Approximate(Approximation),
     Done,
 }
@@ -242,7 +244,7 @@ impl Planner {
                 Stage::RuleOut => self.rule_out(tables, domain, state),
                 #[cfg(feature = "bounds")]
                 Stage::Bound { .. } => {}
-                Stage::Exact { .. } | Stage::Approximate(_) | Stage::Done => self.next_search(tables, domain, state),
+                _ => self.next_search(tables, domain, state),
             }
             left = left.saturating_sub(of_floor);
         }
@@ -331,6 +333,7 @@ impl Planner {
                 results.found.expansions = results.found.expansions.saturating_add(expansions);
                 continue;
             }
+            #[cfg(feature = "approximate")]
             if let Stage::Approximate(_) = self.stage {
                 results.found.approximate = results.found.approximate.union(results.found.met);
             }
@@ -364,24 +367,33 @@ impl Planner {
             if self.next_exact(tables, domain, state, waiting, with_ways).is_some() {
                 return;
             }
-            // What is left of those with ways stays unknown.
-            self.stage = Stage::Approximate(Approximation::new(self.found.unknown.without(with_ways)));
+            #[cfg(feature = "approximate")]
+            {
+                // What is left of those with ways stays unknown.
+                self.stage = Stage::Approximate(Approximation::new(self.found.unknown.without(with_ways)));
+            }
         }
-        let open = self.found.unknown.without(tables.ways.open(self.found.unknown));
-        let (Stage::Approximate(approximation), Some(grid), false) = (&mut self.stage, D::Search::grid(domain), open.is_empty()) else {
-            self.stage = Stage::Done;
+        #[cfg(feature = "approximate")]
+        if self.next_approximate(tables, domain, state).is_some() {
             return;
+        }
+        self.stage = Stage::Done;
+    }
+
+    /// Begins the next approximate search; `None` where none is left.
+    #[cfg(feature = "approximate")]
+    fn next_approximate<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State) -> Option<()> {
+        let open = self.found.unknown.without(tables.ways.open(self.found.unknown));
+        let (Stage::Approximate(approximation), grid, false) = (&mut self.stage, D::Search::grid(domain)?, open.is_empty()) else {
+            return None;
         };
         self.marked.clear(tables.marks);
         let (goals, marks, _, results) = tables.split(&self.goals, &mut self.found);
-        match approximation.next(grid, &goals, state, open, marks) {
-            Some((tasks, mut rows)) => {
-                (results.found.level, results.found.sought) = (0, tasks);
-                rows.begin(grid, &goals, state, None, marks, results.found.applicable);
-                self.marked = Marked::Rows(rows, None);
-            }
-            None => self.stage = Stage::Done,
-        }
+        let (tasks, mut rows) = approximation.next(grid, &goals, state, open, marks)?;
+        (results.found.level, results.found.sought) = (0, tasks);
+        rows.begin(grid, &goals, state, None, marks, results.found.applicable);
+        self.marked = Marked::Rows(rows, None);
+        Some(())
     }
 
     /// Begins the exact search for the tasks without a way, or else for those that go the way of the first; `None` where none is left.
