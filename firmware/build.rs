@@ -21,10 +21,9 @@ struct Board {
 }
 
 const AN386: Board = Board { feature: "MPS2_AN386", flash: 0, ram: 0x2000_0000, bytes: 64 * KIB, stack: 8 * KIB };
-const BOARDS: [Board; 6] = [
+const BOARDS: [Board; 5] = [
     AN386,
     Board { feature: "MPS2_AN385", ..AN386 },
-    Board { feature: "MPS2_AN500", ..AN386 },
     // Its secure side, where it starts.
     Board { feature: "MPS2_AN505", flash: 0x1000_0000, ram: 0x3800_0000, ..AN386 },
     Board { feature: "MICROBIT", bytes: 16 * KIB, stack: 5_280, ..AN386 },

@@ -176,6 +176,7 @@ impl Goals<'_> {
     }
 
     /// The pieces whose cells a task asks for, one bit each; `None` where no single piece decides a proposition of it.
+    #[cfg(feature = "approximate")]
     pub(super) fn pieces_of(&self, task: usize) -> Option<u32> {
         let mut parts = self.parts().filter(|part| part.tasks.contains(task));
         parts.try_fold(0, |pieces, part| Some(pieces | part.piece?.bit()))
