@@ -1,4 +1,4 @@
-//! A thousand sessions in the memory of a controller: what is full gives way, and learning goes on.
+//! A life of many sessions in the memory of a controller: what is full gives way, and learning goes on.
 
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::Strategy;
@@ -10,7 +10,9 @@ use goodbot_tests::school::{self, Lesson, tests_passed, train};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 
-const SESSIONS: usize = 1_000;
+/// Sessions of one life in every test run, many times what memory holds, and those of the published figures.
+const SESSIONS: usize = 200;
+const PUBLISHED: usize = 1_000;
 
 fn draw(count: usize, random: &mut Pcg32) -> usize {
     (random.next_u32() as usize) % count
@@ -60,11 +62,11 @@ const LIVES: [(&str, Life, usize); 4] = [
 /// How many robots live each life.
 const ROBOTS: u64 = 10;
 
-fn live(name: &str, life: Life, options: Options, seed: u64) -> usize {
+fn live(name: &str, life: Life, options: Options, seed: u64, sessions: usize) -> usize {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
     let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
     let mut random = Pcg32::new(seed, 1);
-    for session in 0..SESSIONS {
+    for session in 0..sessions {
         let lesson = life(session, &mut random);
         train(&mut agent, &lesson, Strategy::BALANCED, &mut random).unwrap_or_else(|error| panic!("{name}, session {session}: {error}"));
         let language = agent.language();
@@ -73,22 +75,26 @@ fn live(name: &str, life: Life, options: Options, seed: u64) -> usize {
     tests_passed(&mut agent)
 }
 
-#[test]
-fn after_a_thousand_sessions_in_the_small_preset_the_five_tests_pass() {
-    for (name, life, least) in LIVES {
-        let passed: Vec<usize> = (0..ROBOTS).map(|seed| live(name, life, Options::PAPER, seed)).collect();
-        println!("{SESSIONS} sessions, {name}: tests passed {passed:?} of 5");
-        assert!(passed.iter().all(|&passed| passed >= least), "{name}");
+/// All lives, under the paper's settings and the default's, for fewer robots.
+fn live_all(sessions: usize) {
+    for (options, called, robots) in [(Options::PAPER, "the paper's", ROBOTS), (Options::DEFAULT, "the default", ROBOTS / 2)] {
+        for (name, life, least) in LIVES {
+            let passed: Vec<usize> = (0..robots).map(|seed| live(name, life, options, seed, sessions)).collect();
+            println!("{sessions} sessions, {name}, {called} settings: tests passed {passed:?} of 5");
+            assert!(passed.iter().all(|&passed| passed >= least), "{name}");
+        }
     }
 }
 
 #[test]
-fn after_a_thousand_sessions_under_the_default_settings_the_five_tests_pass() {
-    for (name, life, least) in LIVES {
-        let passed: Vec<usize> = (0..ROBOTS / 2).map(|seed| live(name, life, Options::DEFAULT, seed)).collect();
-        println!("{SESSIONS} sessions, {name}, default settings: tests passed {passed:?} of 5");
-        assert!(passed.iter().all(|&passed| passed >= least), "{name}");
-    }
+fn after_two_hundred_sessions_in_the_small_preset_the_five_tests_pass() {
+    live_all(SESSIONS);
+}
+
+#[test]
+#[ignore = "a minute: the figures of docs/reliability.md"]
+fn after_a_thousand_sessions_in_the_small_preset_the_five_tests_pass() {
+    live_all(PUBLISHED);
 }
 
 /// All that a robot has learned, as it would be saved.
