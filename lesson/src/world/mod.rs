@@ -119,7 +119,13 @@ struct Scene<'w> {
 
 impl<'w> Scene<'w> {
     fn of(world: &'w WorldFile, facts: &BTreeSet<&GroundAtomText>) -> Self {
-        let sorts: BTreeMap<&str, usize> = world.attributes.iter().zip(0..).map(|((name, _), sort)| (name.as_str(), sort)).collect();
+        // An odd sort belongs to the objects that are at a goal, and training begins with no word for its values. So sorts are even, unless
+        // a class has so many attributes that most would share the last one.
+        let carried = |class: &String| world.attributes.iter().filter(|(_, classes)| classes.contains(class)).count();
+        let most = world.classes.iter().map(carried).max().unwrap_or(0);
+        let step = if most <= VALUE_SORTS / 2 + 1 { 2 } else { 1 };
+        let numbers = (0..).step_by(step);
+        let sorts: BTreeMap<&str, usize> = world.attributes.iter().zip(numbers).map(|((name, _), sort)| (name.as_str(), sort)).collect();
         // What holds of an object alone, by its name.
         let mut alone: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
         for fact in facts {
@@ -127,7 +133,7 @@ impl<'w> Scene<'w> {
                 alone.entry(object).or_default().push(fact.function());
             }
         }
-        let last = VALUE_SORTS - 1;
+        let last = VALUE_SORTS - step;
         let said = |object: &'w goodbot_formats::world::ObjectOfWorld| {
             let mut said: Vec<(usize, String)> = Vec::new();
             for (attribute, value) in &object.attributes {
@@ -209,4 +215,33 @@ fn parts_of_name(name: &str) -> impl Iterator<Item = &str> {
         rest = behind;
         Some(part)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use goodbot_formats::world::{Line, WorldReader};
+
+    /// The sorts of what is said of a lamp with so many attributes.
+    fn sorts(attributes: usize) -> Vec<u8> {
+        let names = || (0..attributes).map(|number| format!("a{number}"));
+        let carried: Vec<String> = names().map(|name| format!(r#""{name}":["lamp"]"#)).collect();
+        let values: Vec<String> = names().map(|name| format!(r#""{name}":"v""#)).collect();
+        let world = format!(
+            r#"{{"type":"world","name":"hall","classes":["lamp"],"attributes":{{{}}},"propositions":{{"on":["lamp"]}},"objects":[{{"name":"b","class":"lamp","attributes":{{{}}}}}],"task_kinds":["on(?l)"]}}"#,
+            carried.join(","),
+            values.join(",")
+        );
+        let Some(Ok(Line::World(world))) = WorldReader::new(world.as_bytes()).next() else { panic!("a world") };
+        let description = meanings(&world, &[]).unwrap().remove(0).description;
+        let markers = description.iter().filter_map(|token| token.parse::<Marker>().ok());
+        markers.filter(|marker| marker.role.kind() == RoleKind::Goal).map(|marker| marker.sort).collect()
+    }
+
+    #[test]
+    fn training_begins_with_words_for_every_attribute_of_an_object_and_many_attributes_have_a_sort_each() {
+        assert_eq!(sorts(3), [0, 2, 4]);
+        assert_eq!(sorts(5), [0, 2, 4, 6]);
+        assert_eq!(sorts(8), [0, 1, 2, 3, 4, 5, 6, 7]);
+    }
 }
