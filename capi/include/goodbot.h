@@ -1079,6 +1079,8 @@ enum goodbot_status goodbot_answer(struct goodbot *robot,
                                    int32_t answer,
                                    uint32_t *evidence);
 
+// The functions from here to `goodbot_correct` are in a library with the feature `talk`. The packages for boards have none of them.
+//
 // Hears an utterance that may be no command, in the state in which things are now, and says what it is taken for. A session begins as with
 // `goodbot_hear`; where the verdict is not `SURE`, ask or wait. A robot needs about 20 lessons before it can tell; until then, hear.
 //

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, ensure};
 use xshell::{Shell, cmd};
 
-use crate::capi::{FEATURES, library};
+use crate::capi::{ALL_FEATURES, FEATURES, library};
 use crate::process::{root, shell, target_dir};
 use crate::programs::{ARM_GCC, GCC, QEMU};
 use crate::toolchain::CORTEX_M4F;
@@ -74,7 +74,7 @@ pub fn follow() -> Result<()> {
     let folder = folder.path();
 
     let in_c = Part::of(&page, "\n## In C\n", "\n### A robot of your own\n", folder)?;
-    sh.copy_file(library(None, &FEATURES)?, folder.join("libgoodbot.a"))?;
+    sh.copy_file(library(None, &ALL_FEATURES)?, folder.join("libgoodbot.a"))?;
     sh.copy_file("capi/include/goodbot.h", folder)?;
     in_c.write(&sh, "c", "robot.c")?;
     in_c.try_out(&sh, "gcc")?;

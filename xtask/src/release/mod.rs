@@ -14,7 +14,7 @@ use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use xshell::{Shell, TempDir, cmd};
 
-use crate::capi::{FEATURES, HEADERS, library};
+use crate::capi::{ALL_FEATURES, FEATURES, HEADERS, library};
 use crate::process::{folder_named_by, root, shell, target_dir};
 use crate::programs::{on_path, python_with};
 use crate::toolchain::{TARGETS, WASM};
@@ -170,7 +170,9 @@ fn c_archive(sh: &Shell, texts: &Texts, target: Option<&str>) -> Result<(TempDir
     for file in HEADERS {
         sh.copy_file(file, &include)?;
     }
-    sh.copy_file(library(target, &FEATURES)?, lib.join("libgoodbot.a"))?;
+    // A computer has room for talk.
+    let features: &[&str] = if target.is_some() { &FEATURES } else { &ALL_FEATURES };
+    sh.copy_file(library(target, features)?, lib.join("libgoodbot.a"))?;
     let sources = Path::new("capi/packages/archive");
     for file in ["goodbotConfig.cmake", "goodbotConfigVersion.cmake"] {
         texts.copy(sh, &sources.join(file), &lib.join("cmake/goodbot").join(file))?;
