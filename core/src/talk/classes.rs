@@ -66,11 +66,13 @@ pub enum Class {
     Wish,
     /// "meant": whoever says it corrects the robot.
     Meant,
+    /// "aller": a word for what to do, and no slip for a word of another class, whatever it looks like.
+    Act,
 }
 
 impl Class {
     /// All classes, in order.
-    pub const ALL: [Self; 29] = [
+    pub const ALL: [Self; 30] = [
         Self::Negation,
         Self::Out,
         Self::From,
@@ -100,6 +102,7 @@ impl Class {
         Self::Clitic,
         Self::Wish,
         Self::Meant,
+        Self::Act,
     ];
 
     /// Its name in a table.
@@ -134,6 +137,7 @@ impl Class {
             Self::Clitic => "clitic",
             Self::Wish => "wish",
             Self::Meant => "meant",
+            Self::Act => "act",
         }
     }
 
@@ -168,7 +172,8 @@ impl Classes {
 
     /// The classes of words that speak about commands, without those of words that commands have themselves.
     pub const fn about_commands(self) -> Self {
-        Self(self.0 & !(1 << Class::Toward as u32 | 1 << Class::Clitic as u32 | 1 << Class::Meant as u32))
+        let of_commands = Self::of(Class::Toward).with(Class::Clitic).with(Class::Meant).with(Class::Act);
+        Self(self.0 & !of_commands.0)
     }
 
     pub(super) const fn and(self, other: Self) -> Self {

@@ -15,6 +15,8 @@ const CHINESE: &str = include_str!("zh.txt");
 
 /// So many homes has each half.
 const HOMES: u64 = 6;
+/// So many of them every run of the tests asks in.
+const FEW_HOMES: u64 = 1;
 
 /// Which half of the suite.
 #[derive(Clone, Copy, PartialEq)]
@@ -280,7 +282,7 @@ fn is_right(answer: &str, kind: &str, meant: &[String]) -> bool {
 }
 
 /// Asks half the suite of a robot with some lessons, and prints what came of it.
-fn judge(language: &str, text: &'static str, lessons: usize, half: Half, table: Table) -> Tally {
+fn judge(language: &str, text: &'static str, lessons: usize, half: Half, table: Table, homes: u64) -> Tally {
     let wording = Wording::of(text);
     let folder = tempfile::tempdir().expect("a folder");
     let model = folder.path().join("words.goodbot").to_str().expect("a name").to_owned();
@@ -290,7 +292,7 @@ fn judge(language: &str, text: &'static str, lessons: usize, half: Half, table: 
     std::fs::write(&empty, "").expect("a file");
     let options: &[&str] = if table == Table::Empty { &["--closed-words", &empty] } else { &[] };
     let (mut kinds, mut whole): (BTreeMap<&str, Tally>, Tally) = (BTreeMap::new(), Tally::default());
-    for number in 0..HOMES {
+    for number in 0..homes {
         let mut numbers = Numbers(1_000 + 2 * number + u64::from(half == Half::KeptAside));
         let home = home(&mut numbers);
         let said = said(&wording, &home, half, &mut numbers);
@@ -336,9 +338,10 @@ fn judge(language: &str, text: &'static str, lessons: usize, half: Half, table: 
 }
 
 /// Asks half the suite in all languages, of robots with so many lessons each.
-fn judge_all(half: Half, table: Table, lessons: &[usize]) -> Vec<(&'static str, usize, Tally)> {
+fn judge_all(half: Half, table: Table, lessons: &[usize], homes: u64) -> Vec<(&'static str, usize, Tally)> {
     let languages = [("en", ENGLISH), ("de", GERMAN), ("fr", FRENCH), ("es", SPANISH), ("zh", CHINESE)];
-    let judged = |(name, text)| lessons.iter().map(|&lessons| (name, lessons, judge(name, text, lessons, half, table))).collect::<Vec<_>>();
+    let judged =
+        |(name, text)| lessons.iter().map(|&lessons| (name, lessons, judge(name, text, lessons, half, table, homes))).collect::<Vec<_>>();
     std::thread::scope(|scope| {
         let threads: Vec<_> = languages.into_iter().map(|language| scope.spawn(move || judged(language))).collect();
         threads.into_iter().flat_map(|thread| thread.join().expect("the suite is asked")).collect()
@@ -348,19 +351,32 @@ fn judge_all(half: Half, table: Table, lessons: &[usize]) -> Vec<(&'static str, 
 /// At most 1 of 40 answers may be sure of what was not meant, and at least so many of 100 sentences must be followed after 120 and after 24
 /// lessons.
 fn check(half: Half, least: [usize; 2]) {
-    for (name, lessons, tally) in judge_all(half, Table::Of5Languages, &[120, 24]) {
+    for (name, lessons, tally) in judge_all(half, Table::Of5Languages, &[120, 24], HOMES) {
         let least = least[usize::from(lessons == 24)];
         assert!(tally.helpful * 100 >= tally.follow * least, "{name}, {lessons} lessons: {} of {}", tally.helpful, tally.follow);
         assert!(tally.harmful * 40 <= tally.all, "{name}, {lessons} lessons: harmful {} of {}", tally.harmful, tally.all);
     }
 }
 
+/// A home of each half tells where something broke; the ignored tests tell the figures.
 #[test]
+fn a_part_of_the_suite_is_followed_in_five_languages() {
+    for half in [Half::Tuning, Half::KeptAside] {
+        for (name, _, tally) in judge_all(half, Table::Of5Languages, &[120], FEW_HOMES) {
+            assert!(tally.helpful * 100 >= tally.follow * 80, "{name}: {} of {}", tally.helpful, tally.follow);
+            assert!(tally.harmful * 20 <= tally.all, "{name}: harmful {} of {}", tally.harmful, tally.all);
+        }
+    }
+}
+
+#[test]
+#[ignore = "takes most of a minute of a processor"]
 fn the_tuning_half_of_the_suite_is_followed_in_five_languages() {
     check(Half::Tuning, [88, 82]);
 }
 
 #[test]
+#[ignore = "takes most of a minute of a processor"]
 fn the_half_that_was_kept_aside_is_followed_in_five_languages() {
     check(Half::KeptAside, [80, 74]);
 }
@@ -368,8 +384,9 @@ fn the_half_that_was_kept_aside_is_followed_in_five_languages() {
 /// A robot that knows no closed words is sure of what was not meant in at most 2 of 25 answers, and follows at least a tenth. The tuning half, which is
 /// better, would take as long once more.
 #[test]
+#[ignore = "takes half a minute of a processor"]
 fn without_closed_words_little_harm_is_done() {
-    for (name, lessons, tally) in judge_all(Half::KeptAside, Table::Empty, &[120]) {
+    for (name, lessons, tally) in judge_all(Half::KeptAside, Table::Empty, &[120], HOMES) {
         assert!(tally.helpful * 10 >= tally.follow, "{name}, {lessons} lessons: {} of {}", tally.helpful, tally.follow);
         assert!(tally.harmful * 25 <= tally.all * 2, "{name}, {lessons} lessons: harmful {} of {}", tally.harmful, tally.all);
     }
