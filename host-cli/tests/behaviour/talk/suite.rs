@@ -363,7 +363,7 @@ fn check(half: Half, least: [usize; 2]) {
 fn a_part_of_the_suite_is_followed_in_five_languages() {
     for half in [Half::Tuning, Half::KeptAside] {
         for (name, _, tally) in judge_all(half, Table::Of5Languages, &[120], FEW_HOMES) {
-            assert!(tally.helpful * 100 >= tally.follow * 80, "{name}: {} of {}", tally.helpful, tally.follow);
+            assert!(tally.helpful * 100 >= tally.follow * 75, "{name}: {} of {}", tally.helpful, tally.follow);
             assert!(tally.harmful * 20 <= tally.all, "{name}: harmful {} of {}", tally.harmful, tally.all);
         }
     }
