@@ -11,12 +11,18 @@ machine alone would have written.
 from __future__ import annotations
 
 import argparse
+import os
+import shutil
 import subprocess
+import sys
 import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from distributed import Client, as_completed
+try:
+    from distributed import Client, as_completed
+except ImportError:
+    sys.exit("Dask is missing; install it with: pip install 'goodbot[dask]'")
 
 
 def run_shard(program: str, arguments: Sequence[str], shard: int, of: int) -> bytes:
@@ -44,6 +50,29 @@ def merged(program: str, parts: dict[int, bytes]) -> bytes:
         return subprocess.run([program, "study", "--merge", *map(str, files), "--json"], check=True, capture_output=True).stdout
 
 
+def what_is_missing(out: Path, program: str) -> str | None:
+    """What must be done before a study can begin, or None. It is found out before the hours of work."""
+    if out.exists():
+        return f"{out} is there already; name another file, or remove it"
+    if not out.parent.is_dir():
+        return f"the folder {out.parent} is missing; make it first"
+    if shutil.which(program) is None:
+        return f"the command line {program!r} is not found; install it, or name it by --goodbot"
+    return None
+
+
+def write(out: Path, study: bytes) -> None:
+    """Writes a file as a whole or not at all, so that nothing half done is in the way of the next try."""
+    with tempfile.NamedTemporaryFile(dir=out.parent, delete=False) as file:
+        file.write(study)
+    try:
+        os.chmod(file.name, 0o644)
+        os.rename(file.name, out)
+    except OSError:
+        os.unlink(file.name)
+        raise
+
+
 def main() -> None:
     """Runs a study and writes it."""
     parser = argparse.ArgumentParser(description="goodbot study on a Dask cluster")
@@ -53,13 +82,15 @@ def main() -> None:
     parser.add_argument("--goodbot", default="goodbot", help="the command line, as the workers find it")
     parser.add_argument("arguments", nargs="*", metavar="-- ...", help="what goodbot study is given")
     options = parser.parse_args()
-    with open(options.out, "xb") as out, Client(options.scheduler) as client:
+    if missing := what_is_missing(options.out, options.goodbot):
+        parser.error(missing)
+    with Client(options.scheduler) as client:
         print(f"dashboard: {client.dashboard_link}")
         parts: dict[int, bytes] = {}
         for shard, lines in shards(client, options.goodbot, options.arguments, options.shards):
             parts[shard] = lines
             print(f"{len(parts)} of {options.shards} parts", end="\r", flush=True)
-        out.write(merged(options.goodbot, parts))
+        write(options.out, merged(options.goodbot, parts))
     print(f"{options.shards} parts in {options.out}")
 
 

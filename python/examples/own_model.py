@@ -1,7 +1,6 @@
 """A language model and a trainer of one's own, in the paper's course.
 
-    python own_model.py --runs 20                                     the course, with both
-    goodbot study --languages own --language "python own_model.py --serve"    the language model in a study
+    python own_model.py --runs 20
 
 The language model translates features of tasks, such as `agentInRoom` or `blockInRoom 0 color blue`, into words. After each session it is trained
 anew on all sessions, each with what was believed at its end.
@@ -70,14 +69,10 @@ class Encouraging:
 
 
 def main() -> None:
-    """Runs the course and prints what it came to, or serves the language model to `goodbot study`."""
+    """Runs the course and prints what it came to."""
     parser = argparse.ArgumentParser(description="A language model and a trainer of one's own, in the paper's course")
     parser.add_argument("--runs", type=int, default=20, help="how many seeds")
-    parser.add_argument("--serve", action="store_true", help="serve the language model to goodbot study")
     options = parser.parse_args()
-    if options.serve:
-        goodbot.serve(Translation)
-        return
     rows = goodbot.run_courses(range(1, options.runs + 1), trainer=Encouraging, language=Translation, layouts="random")
     tests = [row["right"] for row in rows if row["kind"] == "test"]
     steps = [row["steps"] for row in rows if row["kind"] == "lesson"]

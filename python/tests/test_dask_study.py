@@ -42,3 +42,15 @@ def test_a_study_outlives_a_worker_and_comes_to_the_same_bytes(example: ModuleTy
             parts[shard] = lines
         assert len(parts) == SHARDS
     assert example.merged(cli, parts) == alone
+
+
+def test_what_is_missing_is_told_before_the_work_and_leaves_no_file(example: ModuleType, cli: str, tmp_path: Path) -> None:
+    out = tmp_path / "study.jsonl"
+    assert example.what_is_missing(out, cli) is None
+    assert "'no-such-goodbot' is not found; install it, or name it by --goodbot" in (example.what_is_missing(out, "no-such-goodbot") or "")
+    assert "is missing; make it first" in (example.what_is_missing(tmp_path / "none" / "study.jsonl", cli) or "")
+    example.write(out, b"study")
+    assert out.read_bytes() == b"study" and list(tmp_path.iterdir()) == [out]
+    assert "is there already" in (example.what_is_missing(out, cli) or "")
+    with pytest.raises(RuntimeError, match="part 1 of 2: .*'nobody'"):
+        example.run_shard(cli, ["--trainers", "nobody"], 1, 2)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import doctest
 import json
+import runpy
 import subprocess
 from pathlib import Path
 
@@ -99,3 +100,16 @@ def test_what_is_learned_from_a_log_is_what_the_command_line_learns(log: Path, r
         goodbot.learn(file, learner="clever")
     with pytest.raises(ValueError, match="name the kinds of tasks by tasks="):
         goodbot.learn(file, routes=True)
+
+
+def test_the_preregistered_analysis_runs_on_simulated_people(root: Path, tmp_path: Path) -> None:
+    example = runpy.run_path(str(root / "python/examples/preregistered_analysis.py"))
+    example["simulate"](6, tmp_path)
+    found = example["people"](tmp_path)
+    assert [person.condition for person in found] == ["paper"] * 3 + ["roles"] * 3
+    assert all(person.lessons == 7 and 0.0 <= person.understood <= 1.0 for person in found)
+    result = example["compared"](found)
+    assert result["people"] + result["left_out"] == 6 and result["low"] <= result["difference"] <= result["high"] and 0.0 < result["p"] <= 1.0
+    assert result == example["compared"](found), "the same data give the same numbers"
+    with pytest.raises(ValueError, match="has no logs; the analysis compares paper and roles"):
+        example["people"](tmp_path / "paper")

@@ -137,3 +137,31 @@ def test_what_makes_no_sense_is_told() -> None:
 
 def test_the_examples_in_the_module_run() -> None:
     assert doctest.testmod(gym).failed == 0
+
+
+def test_the_wrappers_of_minigrid_read_a_home() -> None:
+    """Reads all that `minigrid.wrappers.FullyObsWrapper` reads."""
+    env = gymnasium.make("goodbot/Block-v0")
+    observation, _ = env.reset(seed=3)
+    home = env.unwrapped
+    assert isinstance(home, gym.HomeEnv)
+    grid, (column, row) = home.grid.encode(), home.agent_pos
+    assert grid.shape == (home.width, home.height, 3) and grid.dtype == np.uint8
+    assert observation["image"][row, column, 2] == 1
+    # MiniGrid's numbers: 2 is a wall, 3 a floor, 4 a door, 6 a ball, 7 a box; colours are red 0, green 1, blue 2, purple 3, yellow 4, grey 5.
+    [block] = [thing for thing in home.home.objects.values() if thing["class"] == "block"]
+    [[x, y]] = np.argwhere(np.isin(grid[..., 0], [6, 7]))
+    assert grid[x, y].tolist() == [{"chair": 7, "bag": 6}[block["shape"]], {"blue": 2, "purple": 3, "yellow": 4}[block["color"]], 0]
+    rooms = {"red": 0, "green": 1, "blue": 2, "yellow": 4}
+    floors = set(grid[grid[..., 0] == 3][:, 1].tolist())
+    assert floors == {rooms[thing["color"]] for thing in home.home.objects.values() if thing["class"] == "room"}
+    assert (grid[0, :, 0] == 2).all(), "walls are around it"
+
+
+def test_fully_obs_wrapper_of_minigrid_works() -> None:
+    wrappers = pytest.importorskip("minigrid.wrappers")
+    env = wrappers.FullyObsWrapper(gymnasium.make("goodbot/Home-v0"))
+    observation, _ = env.reset(seed=1)
+    assert env.observation_space.contains(observation) and (observation["image"][..., 0] == 10).sum() == 1
+    observation, *_ = env.step(0)
+    assert env.observation_space.contains(observation)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import io
-import json
 import runpy
 from collections import Counter
 from collections.abc import Sequence
@@ -116,20 +114,6 @@ def test_worlds_and_robots_of_ones_own_have_features_too(root: Path) -> None:
     taught = goodbot.teach(agent, world, world.start, "the blue one on", "lampOn(lamp1)", trainer=Strict(), language=model)
     assert taught.ending == "goal" and taught.session is None
     assert ("blue", f"lampOn 0 color {world.objects['lamp1']['color']}") in model.counts
-
-
-def test_a_served_model_answers_line_by_line() -> None:
-    task = {"objects": {"agent0": {"class": "agent"}, "room0": {"color": "red"}}, "tasks": ["agentInRoom(agent0,room0)"], "words": ["red"]}
-    asked = [
-        {"ask": "begin", "seed": 1},
-        {"ask": "learn", "beliefs": [1.0], **task},
-        {"ask": "log_likelihood", **task},
-        {"ask": "begin", "seed": 2},
-        {"ask": "log_likelihood", **task},
-    ]
-    out = io.StringIO()
-    goodbot.serve(Counts, source=io.StringIO("".join(json.dumps(line) + "\n" for line in asked)), target=out)
-    assert [json.loads(line) for line in out.getvalue().splitlines()] == [None, None, [2.0], None, [0.0]]
 
 
 def test_the_example_learns_the_course(root: Path) -> None:

@@ -54,7 +54,7 @@ from ._native import (
 from .domain import Domain
 from .evaluation import Evaluation, evaluate
 from .experiment import run_course, run_courses
-from .language import LanguageModel, LearningLanguageModel, Task, hear, serve
+from .language import LanguageModel, LearningLanguageModel, Task, hear
 from .learning import learn
 from .lesson import Judge, Step, Taught, teach
 from .logs import Posterior, posteriors, read_log, write_log
@@ -97,7 +97,6 @@ __all__ = [
     "read_log",
     "run_course",
     "run_courses",
-    "serve",
     "teach",
     "words",
     "write_log",

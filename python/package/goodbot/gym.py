@@ -185,6 +185,32 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
         """Where things are."""
         return self._begun.state(0)
 
+    @property
+    def width(self) -> int:
+        """The cells of a side, as MiniGrid's environments have it."""
+        return self._drawn.size
+
+    @property
+    def height(self) -> int:
+        """The same as `width`."""
+        return self._drawn.size
+
+    @property
+    def grid(self) -> MiniGrid:
+        """The home as MiniGrid's wrappers read it, such as `minigrid.wrappers.FullyObsWrapper`."""
+        size = self._drawn.size
+        return MiniGrid(np.frombuffer(self._begun.image(), np.uint8).reshape(size, size, CHANNELS))
+
+    @property
+    def agent_pos(self) -> tuple[int, int]:
+        """Where the agent is: column and row of an image."""
+        return self.grid.agent_pos
+
+    @property
+    def agent_dir(self) -> int:
+        """0: goodbot's agents have no direction."""
+        return 0
+
     def render(self) -> Any:
         """The home as it is: a picture, uint8 of shape (height, width, 3), or a drawing as text."""
         if self.render_mode == "ansi":
@@ -194,6 +220,39 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
             return picture(np.frombuffer(self._begun.image(), np.uint8).reshape(size, size, CHANNELS))
         gymnasium.logger.warn("render() does nothing without a render_mode; make the environment with rgb_array or ansi")
         return None
+
+
+# MiniGrid's numbers of objects and colours. What it does not have follows its own.
+_MINIGRID_WALL, _MINIGRID_FLOOR, _MINIGRID_DOOR = 2, 3, 4
+_MINIGRID_THINGS = np.array([0, 10, 7, 6, 5, 11], np.uint8)  # agent; chair: box, bag: ball, backpack: key, basket
+_MINIGRID_COLORS = np.array([5, 0, 1, 2, 4, 3, 6, 7, 8, 9, 10, 5], np.uint8)  # red, green, blue, yellow, purple, orange ...
+
+
+class MiniGrid:
+    """A home in MiniGrid's numbers."""
+
+    def __init__(self, image: Image) -> None:
+        self._image = image
+
+    @property
+    def agent_pos(self) -> tuple[int, int]:
+        """Column and row of the agent."""
+        row, column = np.argwhere(self._image[..., 2] == 1)[0]
+        return int(column), int(row)
+
+    def encode(self) -> Image:
+        """What is in each cell, uint8 of shape (columns, rows, 3): the object's number, its colour's, and 0. The agent is left out, as in MiniGrid.
+
+        A cell with a thing on the floor has the thing. What is outside of the home is wall.
+        """
+        kinds, colors, things, of = (self._image[..., channel] for channel in range(CHANNELS))
+        kind = np.where(kinds == 2, _MINIGRID_FLOOR, np.where(kinds == 3, _MINIGRID_DOOR, _MINIGRID_WALL))
+        encoded = np.stack([kind, _MINIGRID_COLORS[np.minimum(np.where(kinds == 2, colors, 0), 11)], np.zeros_like(kinds)], -1).astype(np.uint8)
+        blocks = things > 1
+        encoded[blocks, 0] = _MINIGRID_THINGS[np.minimum(things[blocks], 5)]
+        encoded[blocks, 1] = _MINIGRID_COLORS[np.minimum(of[blocks], 11)]
+        cells: Image = encoded.transpose(1, 0, 2).copy()
+        return cells
 
 
 class HomeVectorEnv(VectorEnv[dict[str, Any], NDArray[np.int64], NDArray[Any]]):

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
-import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import IO, Any, Protocol, runtime_checkable
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -133,23 +131,3 @@ def _prior(language: LanguageModel, command: str, tasks: Sequence[Task]) -> list
         raise ValueError(f"log_likelihood takes all tasks for impossible at {command!r}; give at least one a number")
     # No task that is possible becomes impossible because another is much more probable.
     return [0.0 if number == -math.inf else math.exp(max(number - most, -80.0)) for number in logs]
-
-
-def serve(make: Callable[[int], LanguageModel], *, source: IO[str] = sys.stdin, target: IO[str] = sys.stdout) -> None:
-    """Serves a language model to `goodbot study --language`, by a line of JSON for each question, until the input ends.
-
-    `make` makes a new model for the seed of each course: the same seed must make the same model, so that a study can be repeated.
-    """
-    model = make(0)
-    for line in source:
-        asked = json.loads(line)
-        said = asked.get("words", [])
-        tasks = [Task.of(name, asked["objects"]) for name in asked.get("tasks", [])]
-        answer: object = None
-        if asked["ask"] == "begin":
-            model = make(asked["seed"])
-        elif asked["ask"] == "log_likelihood":
-            answer = [float(number) for number in model.log_likelihood(said, tasks)]
-        elif isinstance(model, LearningLanguageModel):
-            model.learn(said, tasks, np.array(asked["beliefs"], np.float32))
-        print(json.dumps(answer), file=target, flush=True)
