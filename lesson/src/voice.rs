@@ -1,4 +1,4 @@
-//! What a person says while a session is under way, and between sessions, as [`Agent::said`] tells it; and what is said along with the buttons:
+//! What a person says while a session is under way, and between sessions, as [`goodbot::Agent::said`] tells it; and what is said along with the buttons:
 //! such words are praise or blame from then on, as long as the program runs.
 
 use crate::live::{Lesson, LiveError};
@@ -64,7 +64,7 @@ impl<D: Place> Lesson<D> {
         Ok(self.voice.learn(words, feedback, self.closed)?)
     }
 
-    /// Takes in words that turn the robot on its way round, as [`Agent::correct`] does, and keeps them for the record.
+    /// Takes in words that turn the robot on its way round, as [`goodbot::Agent::correct`] does, and keeps them for the record.
     ///
     /// # Errors
     /// [`LiveError::NoSession`], or what the agent refuses.

@@ -44,12 +44,12 @@ impl Beside {
         has_ended && read(&self.report).map_or(true, |(ends, _)| ends.iter().any(|(_, _, outcome)| *outcome == Outcome::Failed))
     }
 
-    /// Waits for its end, or stops it. Gives how its steps ended, and how many tests they have counted.
+    /// Waits for its end, or stops it. Gives how its steps ended so far, and how many tests they have counted.
     pub fn end(mut self, at_once: bool) -> Result<(Vec<End>, Tally)> {
         if at_once && self.child.try_wait()?.is_none() {
             self.child.kill()?;
             self.child.wait()?;
-            return Ok((Vec::new(), Tally::default()));
+            return Ok(read(&self.report).unwrap_or_default());
         }
         self.child.wait()?;
         self.shown.join().map_err(|_| anyhow!("the steps beside the others could not be shown"))?;

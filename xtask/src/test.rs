@@ -175,12 +175,15 @@ pub fn run(options: &Options) -> Result<()> {
     let has_failed = |ends: &[End]| ends.iter().any(|(_, _, outcome)| *outcome == Outcome::Failed);
     for step in here {
         ends.push(work(step, &mut run));
+        if let Some(report) = &options.report {
+            crate::beside::report(report, &ends, run.tally)?;
+        }
         if has_failed(&ends) || beside.as_mut().is_some_and(Beside::has_failed) {
             break;
         }
     }
-    if let Some(report) = &options.report {
-        return crate::beside::report(report, &ends, run.tally);
+    if options.report.is_some() {
+        return Ok(());
     }
     if let Some(beside) = beside {
         let (more, tally) = beside.end(has_failed(&ends))?;
