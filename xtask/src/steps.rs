@@ -187,8 +187,7 @@ pub fn microbit(run: &mut Run) -> Result<()> {
     sh.set_var("GOODBOT_MICROBIT", deliver()?);
     sh.set_var("GOODBOT_EMBASSY", for_microbit("embassy")?);
     sh.set_var("GOODBOT_QEMU", QEMU.path()?);
-    cmd!(sh, "cargo build --quiet {WORKSPACE...} --bin goodbot").run()?;
-    sh.set_var("GOODBOT_CLI", target_dir().join("debug/goodbot"));
+    sh.set_var("GOODBOT_CLI", command_line(&sh)?);
     run.count(cmd!(sh, "cargo test {WORKSPACE...} --test microbit"))?;
     // A stack that runs over must stop at its end, and is never to come near.
     nothing_panics(&[for_microbit("microbit")?])
