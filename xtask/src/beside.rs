@@ -6,7 +6,7 @@ use std::process::{Child, Command, Stdio};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Context, Result, anyhow, ensure};
 use clap::ValueEnum;
 use serde_json::{Value, json};
 
@@ -38,10 +38,10 @@ impl Beside {
         Ok(Self { child, report, shown })
     }
 
-    /// Whether it has ended with a step that failed.
+    /// Whether it has ended with a step that failed, or before its end.
     pub fn has_failed(&mut self) -> bool {
-        let has_ended = self.child.try_wait().is_ok_and(|status| status.is_some());
-        has_ended && read(&self.report).map_or(true, |(ends, _)| ends.iter().any(|(_, _, outcome)| *outcome == Outcome::Failed))
+        let Ok(Some(status)) = self.child.try_wait() else { return false };
+        !status.success() || read(&self.report).map_or(true, |(ends, _)| ends.iter().any(|(_, _, outcome)| *outcome == Outcome::Failed))
     }
 
     /// Waits for its end, or stops it. Gives how its steps ended so far, and how many tests they have counted.
@@ -51,7 +51,9 @@ impl Beside {
             self.child.wait()?;
             return Ok(read(&self.report).unwrap_or_default());
         }
-        self.child.wait()?;
+        let status = self.child.wait()?;
+        // What was stopped by something else has written how its first steps ended, and they may all have passed.
+        ensure!(status.success(), "the steps beside the others did not come to their end ({status})");
         self.shown.join().map_err(|_| anyhow!("the steps beside the others could not be shown"))?;
         read(&self.report)
     }

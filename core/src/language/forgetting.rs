@@ -1,4 +1,5 @@
-//! What gives way when memory is full, so that learning goes on (feature `forgetting`; without it a session without room is refused). Of two sessions that are equal by a rule, the older one goes.
+//! What gives way when memory is full, so that learning goes on (feature `forgetting`; without it a session without room is refused). Of two
+//! sessions that are equal by a rule, the older one goes.
 //!
 //! When a session gives way, another one of the same English command, if there is one, remembers that the command was heard before. A
 //! session is *strange* when its command was heard once in the robot's life, as far as is remembered, and has a word that no other session

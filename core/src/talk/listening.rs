@@ -728,6 +728,7 @@ impl<M: AgentMemory> Agent<M> {
             if explained.here.exceeds(here) {
                 words = Words::new(&mended);
             } else {
+                // Once more, not kept: two explanations would take a controller's stack.
                 self.explain_all(domain, words, &wording, place.view(View::PLAIN), &mut explained)?;
             }
         }

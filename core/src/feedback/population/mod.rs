@@ -1,7 +1,7 @@
 //! The trainers to expect: a population of strategies, fitted to what real people said.
 //!
-//! The paper's agent expects one trainer, silent seven times out of ten. Real people are quieter and mistake more. These numbers make the words of twelve recorded workers most probable (`goodbot fit-trainers`; `docs/trainers.md`
-//! describes the fit and its accuracy).
+//! The paper's agent expects one trainer, silent seven times out of ten. Real people are quieter and mistake more. These numbers make the
+//! words of twelve recorded workers most probable (`goodbot fit-trainers`; `docs/trainers.md` describes the fit and its accuracy).
 //!
 //! ```
 //! use goodbot::{Agent, Capacities, Options, feedback::population, home};
