@@ -5,8 +5,11 @@
 //! behind a negation it is 1 - (1 - e) L(t) / M. Words that were never heard fit all tasks alike, and say nothing.
 
 use super::classes::{Class, Classes, ClosedWords};
-use super::listening::{Explained, Heard, Utterance, View, Wording, Words};
+use super::explained::Explained;
+use super::heard::{Heard, Utterance, Words};
+use super::place::View;
 use super::readings::EITHER;
+use super::wording::Wording;
 use crate::asking::Asking;
 use crate::language::roles::talk::is_of_task;
 use crate::language::{for_each_piece, word_form};
@@ -126,7 +129,7 @@ impl<M: AgentMemory> Agent<M> {
         words: &[Heard],
         closed: ClosedWords<'_>,
     ) -> Result<Option<Vec<f32, { TaskSet::MOST }>>, AgentError> {
-        if words.is_empty() || words.iter().all(Heard::is_new) {
+        if words.is_empty() || words.iter().all(|word| word.is_new) {
             return Ok(None);
         }
         let wording = Wording::of(self.language(), closed, (domain.world().schema.attributes.len() << 1) as u8, &|| true);

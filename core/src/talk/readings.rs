@@ -2,7 +2,12 @@
 //! after another.
 
 use super::classes::Class;
-use super::listening::{ALL, CUE, Explained, Heard, NEGATED, Place, SEVERAL, View, Wording, Words, is_question, learned};
+use super::explained::Explained;
+use super::heard::{Heard, Words, learned};
+use super::hypothesis::{ALL, CUE, NEGATED, SEVERAL};
+use super::place::{Place, View};
+use super::verdict::is_question;
+use super::wording::Wording;
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::memory::AgentMemory;
 use crate::oomdp::{Domain, ObjectId};
@@ -95,7 +100,7 @@ pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
     let mut named = words.iter().skip(cue.saturating_add(1)).take(NAME_OF_ALL);
     // "Everything but the red bag" is not followed.
     let is_exception = |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::But]) && !word.classes.contains(Class::All);
-    let is_clear = !named.any(|word| word.is_new()) && !words.iter().any(is_exception);
+    let is_clear = !named.any(|word| word.is_new) && !words.iter().any(is_exception);
     let view = View { done: EITHER, ..View::PLAIN };
     Some(Rest { words: rest, prior: ALL * UNNAMED * probability, view, is_clear, is_act: false, is_act_for_things: false })
 }

@@ -5,7 +5,10 @@
 
 use super::classes::Class;
 use super::conversation::{Conversation, Fact};
-use super::listening::{Explained, View, Wording, Words, learned};
+use super::explained::Explained;
+use super::heard::{Words, learned};
+use super::place::View;
+use super::wording::Wording;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
 use crate::probability::Scaled;
@@ -119,7 +122,7 @@ fn without(words: Words<'_>) -> Option<(Words<'_>, f32)> {
         if is_cue {
             probability *= CUE;
         } else if is_plain {
-            probability *= word.beside();
+            probability *= word.beside;
         }
         !(is_cue || is_plain)
     });

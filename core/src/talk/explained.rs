@@ -1,0 +1,232 @@
+//! How well the tasks here explain words.
+
+use super::absent::with_ghost;
+use super::classes::{Class, Classes};
+use super::heard::{Heard, Words};
+use super::place::{DONE, View};
+use super::recalled::Recalled;
+use super::wording::{Wording, is_plain, rest};
+use crate::capacity::{LIFTED_TASKS, WORDS_PER_COMMAND};
+use crate::language::LanguageRef;
+use crate::language::bitext::BitextRef;
+use crate::language::roles::kind;
+use crate::language::roles::talk::{Named, Said, Senses, likelihood};
+use crate::memory::{AgentMemory, AgentTables};
+use crate::oomdp::Domain;
+use crate::probability::{Scaled, total};
+use crate::session::{Agent, AgentError};
+use crate::symbols::Symbol;
+use crate::task::description::{describe, form};
+use crate::task::machine_command::Tokens;
+use crate::task::role::RoleKind;
+use crate::task::{GroundedTask, TaskSet};
+use heapless::Vec;
+
+/// The factor of tasks of another kind than that of the command before, where no word tells the kind.
+const OTHER_KIND: f32 = 0.05;
+/// A sentence with more new words is not a command in another's words.
+const MOST_NEW: usize = 2;
+
+/// How well the tasks here explain some words.
+pub(super) struct Explained {
+    /// Pr(words) where one of the tasks is meant.
+    pub here: Scaled,
+    /// Pr(words) where a thing is meant that is not here.
+    pub absent: Scaled,
+    /// Pr(words | t) of each task, with its coverage.
+    pub likelihoods: Vec<Scaled, { TaskSet::MOST }>,
+    /// Each task's share of the belief, in no unit.
+    pub weights: Vec<Scaled, { TaskSet::MOST }>,
+    /// The tasks of whose kind a word is a sign.
+    pub signed: TaskSet,
+    /// The tasks of which a word names the place, and no word anything that they are not about.
+    pub fitting: TaskSet,
+    /// The tasks that no word names another thing than.
+    pub own: TaskSet,
+    /// The tasks of which all is named.
+    pub whole: TaskSet,
+    /// Whether a word is a sign of a kind of task.
+    pub acts: bool,
+    /// Whether a new word stands where commands have the word of their task.
+    pub has_new_verb: bool,
+    /// Whether other words point back.
+    pub points_back: bool,
+    /// The share of the tasks that hold already.
+    pub done: f32,
+}
+
+impl Explained {
+    pub const NEW: Self = Self {
+        here: Scaled::ZERO,
+        absent: Scaled::ZERO,
+        likelihoods: Vec::new(),
+        weights: Vec::new(),
+        signed: TaskSet::EMPTY,
+        fitting: TaskSet::EMPTY,
+        own: TaskSet::EMPTY,
+        whole: TaskSet::EMPTY,
+        acts: false,
+        has_new_verb: false,
+        points_back: false,
+        done: DONE,
+    };
+
+    /// The most likely task, with its probability.
+    pub fn best(&self) -> (usize, f32) {
+        let whole = total(self.weights.iter().copied());
+        let mut best = (0, Scaled::ZERO);
+        for (task, &weight) in self.weights.iter().enumerate() {
+            if weight.exceeds(best.1) {
+                best = (task, weight);
+            }
+        }
+        (best.0, best.1.over(whole))
+    }
+}
+
+impl<M: AgentMemory> Agent<M> {
+    /// How well the tasks explain these words, or those of them that other words point at.
+    pub(super) fn explain_words<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: Words<'_>,
+        wording: &Wording<'_>,
+        view: View<'_>,
+        recalled: Option<Recalled<'_>>,
+        explained: &mut Explained,
+    ) -> Result<(), AgentError> {
+        self.share(domain, view.done);
+        let mut said: Vec<Said, WORDS_PER_COMMAND> = Vec::new();
+        let mut sentence: Vec<Option<Symbol>, WORDS_PER_COMMAND> = Vec::new();
+        for word in words.iter() {
+            let _ = said.push(word.said);
+            let _ = sentence.push(word.said.symbol);
+        }
+        let mut scene = self.scene(domain);
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let mut language = self.language.with(language, workspace);
+        let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
+        let (mut named, has_new_verb) = name(language.read(), wording, words, &said);
+        let acts = named.acts();
+        // "I want the bag in the red room" needs no word of a task.
+        let wishes = words.iter().any(|word| word.classes.contains(Class::Wish)) && !words.iter().any(|word| word.is_new);
+        if view.has_act || wishes {
+            named.act();
+        }
+        if let Some(recalled) = &recalled {
+            named.cover(recalled.has_place(), recalled.has_thing());
+        }
+        *explained = Explained { acts, has_new_verb, done: view.done, ..Explained::NEW };
+        let mut forms: Vec<Symbol, { TaskSet::MOST }> = Vec::new();
+        let mut ghosts: Vec<Scaled, { TaskSet::MOST }> = Vec::new();
+        let is_meant = |task: &GroundedTask| recalled.is_none_or(|recalled| recalled.fits(domain, &self.lifted, task));
+        for (position, task) in tasks.iter().enumerate() {
+            rest(wording.pause)?;
+            let mut description = Tokens::new();
+            if let Some(scene) = &mut scene {
+                describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?;
+            }
+            let (tables, bitext) = (language.read().tables(), language.read().bitext());
+            let explain = |description: &[Symbol], ghost: Option<RoleKind>| {
+                let share = wording.coverage.share(tables.layout(), &named, description, ghost);
+                likelihood(tables, &said, description, wording.new).times(share)
+            };
+            let whole = explain(&description, None);
+            if named.is_own(tables, bitext, &description) {
+                explained.own = explained.own.with(position);
+                if named.places(tables.layout(), &description) {
+                    explained.fitting = explained.fitting.with(position);
+                }
+            }
+            if named.is_whole(tables.layout(), &description) {
+                explained.whole = explained.whole.with(position);
+            }
+            let mut absent = Scaled::ZERO;
+            let mut kinds = 0.0_f32;
+            for ghost in [RoleKind::Goal, RoleKind::Subject] {
+                if let Some(other) =
+                    with_ghost(&description, ghost, tables.layout().tokens(), bitext, |token| tables.layout().forms().contains(&token))
+                {
+                    absent = absent.plus(explain(&other, Some(ghost)));
+                    kinds += 1.0;
+                }
+            }
+            let _ = forms.push(form(&description).unwrap_or(Symbol(0)));
+            let is_other = !acts && view.kind.is_some_and(|kind| kind != task.lifted);
+            let share = if recalled.is_some() { share_among(tasks, task, is_meant) } else { 1.0 };
+            let whole = if share > 0.0 { whole } else { Scaled::ZERO };
+            let prior = share * task.prior;
+            let _ = explained.likelihoods.push(whole);
+            let _ = explained.weights.push(whole.scaled_by(if is_other { OTHER_KIND * prior } else { prior }));
+            if named.acts_for(tables.layout(), &description) {
+                explained.signed = explained.signed.with(position);
+            }
+            let _ = ghosts.push(if kinds > 0.0 { absent.scaled_by(prior / kinds) } else { Scaled::ZERO });
+        }
+        let language = language.read();
+        let groups = count_kinds(&forms) as f32;
+        for (first, &token) in forms.iter().enumerate() {
+            if forms.iter().take(first).any(|before| *before == token) {
+                continue;
+            }
+            let of_kind = |weights: &[Scaled]| {
+                total(weights.iter().zip(&forms).filter(|&(_, form)| *form == token).map(|(&weight, _)| weight.scaled_by(groups)))
+            };
+            let share = share_of_kind(language.bitext(), token);
+            explained.here = explained.here.plus(of_kind(&explained.weights).scaled_by(share));
+            explained.absent = explained.absent.plus(of_kind(&ghosts).scaled_by(share));
+        }
+        let factors = words.iter().fold(Scaled::ONE, |product, word| product.scaled_by(word.factor));
+        (explained.here, explained.absent) = (explained.here.times(factors), explained.absent.times(factors));
+        kind::weigh(language.tables(), &sentence, |task| forms.get(task).copied().unwrap_or(Symbol(0)), &mut explained.weights);
+        Ok(())
+    }
+}
+
+/// What words name, and whether a new word stands where commands have the word of their task.
+#[inline(never)]
+fn name(language: LanguageRef<'_>, wording: &Wording<'_>, words: Words<'_>, said: &[Said]) -> (Named, bool) {
+    let is_plain = |word| is_plain(language, wording.closed, word);
+    let mut senses = Senses::new(language.tables(), language.bitext(), &is_plain, wording.facts);
+    let mut named = Named::of(&mut senses, said);
+    let Some(behind) = new_verb(words) else { return (named, false) };
+    let toward = |word| wording.closed.of(language.words().text(word)).contains(Class::Toward);
+    let is_behind: Option<&dyn Fn(Symbol) -> bool> = if behind.is_some_and(|word| word.is_toward) { Some(&toward) } else { None };
+    let kinds = senses.acts_before(behind.and_then(|word| word.said.symbol), is_behind);
+    named.may_act(kinds);
+    (named, kinds != 0)
+}
+
+/// By how much the prior of a task grows where only some tasks of its kind are meant; 0 for the others.
+fn share_among(tasks: &[GroundedTask], task: &GroundedTask, is_meant: impl Fn(&GroundedTask) -> bool) -> f32 {
+    if !is_meant(task) {
+        return 0.0;
+    }
+    let of_kind = || tasks.iter().filter(|other| other.lifted == task.lifted);
+    let (all, meant): (f32, f32) = (of_kind().map(|it| it.prior).sum(), of_kind().filter(|it| is_meant(it)).map(|it| it.prior).sum());
+    if meant > 0.0 { all / meant } else { 0.0 }
+}
+
+/// The word behind a new word that may be a word for what to do: nothing but closed words stand before it, and the last is no "I".
+fn new_verb(words: Words<'_>) -> Option<Option<&Heard>> {
+    let first = words.iter().position(|word| word.classes == Classes::NONE)?;
+    let is_verb = words.get(first)?.is_new && words.iter().filter(|word| word.is_new).count() <= MOST_NEW;
+    let is_of_speaker = first.checked_sub(1).and_then(|before| words.get(before)).is_some_and(|word| word.classes.contains(Class::Speaker));
+    let asks = words.iter().take(first).any(|word| word.classes.contains(Class::Asking));
+    let behind = words.iter().skip(first).find(|word| !word.is_new);
+    (is_verb && !is_of_speaker && !asks).then_some(behind)
+}
+
+/// How many different kinds of task.
+fn count_kinds(forms: &[Symbol]) -> usize {
+    forms.iter().enumerate().filter(|&(position, form)| !forms.iter().take(position).any(|before| before == form)).count()
+}
+
+/// The share of the lessons that a kind of task has.
+fn share_of_kind(bitext: BitextRef<'_>, token: Symbol) -> f32 {
+    let of_kind = |wanted: Option<Symbol>| -> f32 {
+        let pairs = bitext.pairs().iter().filter(|pair| wanted.is_none() || form(bitext.command(pair.command)) == wanted);
+        pairs.map(|pair| pair.weight).sum()
+    };
+    (of_kind(Some(token)) + 0.5 / LIFTED_TASKS as f32) / (of_kind(None) + 0.5)
+}

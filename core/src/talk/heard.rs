@@ -1,0 +1,287 @@
+//! The words of an utterance: how probable each is in a command and beside it.
+
+use super::classes::{Class, Classes, ClosedWords};
+use super::slips::{SLIP, slip_for};
+use crate::capacity::WORDS_PER_COMMAND;
+use crate::language::bitext::BitextRef;
+use crate::language::roles::talk::{Said, background, common, is_name, is_of_task};
+use crate::language::spelling::is_slip;
+use crate::language::tokenizer::start_of_piece;
+use crate::language::{LanguageRef, for_each_piece};
+use crate::memory::AgentMemory;
+use crate::session::{Agent, AgentError};
+use crate::symbols::Symbol;
+use heapless::Vec;
+
+/// How probable a word that was never heard is where no task is meant, and beside a command.
+pub(super) const NEW: f32 = 0.5;
+/// How probable a polite word is beside a command, and another word of a closed class.
+const POLITE: f32 = 0.6;
+const OTHER_CLOSED: f32 = 1e-3;
+/// How much less probable a word is that turns commands round, or parts them, where it does not, as long as no command had it.
+const TURNS: f32 = 0.01;
+
+/// One word, with its classes.
+#[derive(Clone, Copy)]
+pub(super) struct Heard {
+    pub said: Said,
+    pub classes: Classes,
+    /// How probable it is where no task is meant.
+    pub beside: f32,
+    /// How often it was said in commands.
+    pub count: f32,
+    /// How much less probable it is in a command than its reading says: its spelling as a slip for the word that it is taken for, against that
+    /// of a word never heard; or a word that turns commands round or parts them, which no command had yet. 1 for any other word.
+    pub factor: f32,
+    /// Whether it was heard for the first time, and is in no class.
+    pub is_new: bool,
+    pub is_mended: bool,
+    /// Whether it tells where a way leads, as "to" does.
+    pub is_toward: bool,
+    /// The piece of the utterance that it is of, from 0.
+    pub piece: u8,
+    /// Whether it is of some task sooner than of the background.
+    pub is_of_task: bool,
+    /// Whether it names a value.
+    pub is_name: bool,
+}
+
+/// The words of an utterance.
+pub(super) type Utterance = Vec<Heard, WORDS_PER_COMMAND>;
+
+/// Some of the words of an utterance, in their order: one bit each, so that a reading takes no room for words.
+#[derive(Clone, Copy)]
+pub(super) struct Words<'w> {
+    all: &'w [Heard],
+    kept: u64,
+}
+
+const _: () = assert!(WORDS_PER_COMMAND <= u64::BITS as usize);
+
+impl<'w> Words<'w> {
+    /// No word.
+    pub const NONE: Self = Self { all: &[], kept: 0 };
+
+    pub const fn new(all: &'w [Heard]) -> Self {
+        Self { all, kept: u64::MAX }
+    }
+
+    pub fn iter(self) -> impl Iterator<Item = &'w Heard> + Clone {
+        self.all.iter().enumerate().filter(move |(at, _)| self.kept >> at & 1 == 1).map(|(_, word)| word)
+    }
+
+    pub fn len(self) -> usize {
+        self.iter().count()
+    }
+
+    pub fn is_empty(self) -> bool {
+        self.iter().next().is_none()
+    }
+
+    pub fn get(self, at: usize) -> Option<&'w Heard> {
+        self.iter().nth(at)
+    }
+
+    /// Those that are wanted; each is asked for once, in order.
+    pub fn only(self, mut is_wanted: impl FnMut(&Heard) -> bool) -> Self {
+        let bits = self.all.iter().enumerate().filter(|(at, word)| self.kept >> at & 1 == 1 && is_wanted(word));
+        Self { kept: bits.fold(0, |bits, (at, _)| bits | 1 << at), ..self }
+    }
+
+    /// Those from a position up to another.
+    pub fn part(self, begin: usize, end: usize) -> Self {
+        let mut at = 0_usize;
+        self.only(|_| {
+            at = at.saturating_add(1);
+            begin < at && at <= end
+        })
+    }
+}
+
+impl Heard {
+    pub fn new(language: LanguageRef<'_>, symbol: Option<Symbol>, classes: Classes) -> Self {
+        let is_toward = classes.contains(Class::Toward);
+        let classes = classes.about_commands();
+        let (polite, common) = (classes.contains(Class::Polite), common(language.tables(), symbol));
+        let share = |known: Option<f32>, new: f32| known.map_or(new, |share| (1.0 - new) * share);
+        let cues = [
+            Class::Negation,
+            Class::Out,
+            Class::But,
+            Class::All,
+            Class::Connective,
+            Class::Stop,
+            Class::No,
+            Class::Pronoun,
+            Class::Again,
+            Class::Asking,
+        ];
+        let chatter = match polite {
+            true => common.map_or(POLITE, |common| POLITE.max((1.0 - NEW) * common)),
+            false if classes.contains_any(&cues) => OTHER_CLOSED,
+            false => share(background(language.tables(), symbol), NEW),
+        };
+        let is_of_task = is_of_task(language.tables(), symbol);
+        let is_new = classes == Classes::NONE && !is_toward && symbol.is_none_or(|symbol| symbol.index() >= language.tables().words());
+        let count = symbol.map_or(0.0, |symbol| count(language.bitext(), symbol) as f32);
+        let turns = [Class::Negation, Class::Out, Class::But, Class::All, Class::Connective];
+        let factor = if count == 0.0 && classes.contains_any(&turns) { TURNS } else { 1.0 };
+        let beside = factor * share(common, if polite { NEW / 2.0 } else { NEW });
+        Self {
+            said: Said { symbol, chatter },
+            classes,
+            beside,
+            count,
+            factor,
+            is_new,
+            is_mended: false,
+            is_toward,
+            piece: 0,
+            is_of_task,
+            is_name: is_name(language.tables(), symbol),
+        }
+    }
+
+    /// "It" in a verb that it is joined to.
+    fn joined(language: LanguageRef<'_>) -> Self {
+        Self::new(language, None, Classes::of(Class::It).with(Class::Pronoun))
+    }
+
+    /// Nothing stands before it.
+    const fn begin(&mut self) {
+        if self.classes.contains(Class::Connective) {
+            self.factor = 1.0;
+        }
+    }
+
+    /// It stands among polite words alone.
+    const fn make_polite(&mut self) {
+        if self.classes.contains(Class::Connective) {
+            (self.factor, self.said.chatter, self.classes) = (1.0, POLITE, Classes::of(Class::Polite));
+        }
+    }
+
+    /// Whether it was heard for the first time, and is in no class, whatever it was mended to.
+    pub fn is_strange(&self) -> bool {
+        self.is_new || self.is_mended
+    }
+
+    /// Whether it is more probable as a slip for a known word than as a new word.
+    pub fn is_slip(&self) -> bool {
+        self.is_mended && self.factor > 1.0
+    }
+
+    /// Whether it says nothing of a task, nor names a value.
+    pub const fn is_plain(&self) -> bool {
+        !(self.is_new || self.is_of_task || self.is_name)
+    }
+
+    /// Whether it may be the word of a task.
+    pub const fn may_act(&self) -> bool {
+        self.is_new || self.is_of_task
+    }
+
+    /// The same word as a slip for a known one.
+    pub fn mended(self, language: LanguageRef<'_>, symbol: Symbol, slip: f32) -> Self {
+        let meant = Self::new(language, Some(symbol), Classes::NONE);
+        let said = Said { symbol: Some(symbol), chatter: self.said.chatter / slip + meant.said.chatter };
+        Self {
+            said,
+            beside: self.beside + slip * meant.beside,
+            count: meant.count,
+            factor: slip,
+            is_new: false,
+            is_mended: true,
+            is_of_task: meant.is_of_task,
+            is_name: meant.is_name,
+            ..self
+        }
+    }
+}
+
+/// A word that was learned speaks for what was learned.
+pub(super) fn learned(words: Words<'_>, of: impl Fn(&Heard) -> bool) -> f32 {
+    1.0 + words.iter().filter(|word| of(word)).map(|word| word.count).fold(0.0, f32::max)
+}
+
+/// How often a word was said in all lessons.
+pub(super) fn count(bitext: BitextRef<'_>, word: Symbol) -> usize {
+    (0..bitext.sessions() as u16).map(|session| bitext.sentence(session).iter().filter(|&&other| other == word).count()).sum()
+}
+
+impl<M: AgentMemory> Agent<M> {
+    /// The words of an utterance, with their classes.
+    #[inline(never)]
+    pub(super) fn hear_words(&self, utterance: &str, closed: ClosedWords<'_>, words: &mut Utterance) -> Result<(), AgentError> {
+        let (sentence, language) = (&self.sentence, self.language.read(self.memory.read().language, self.memory.read().workspace.len()));
+        let mut signs: Vec<Option<char>, WORDS_PER_COMMAND> = Vec::new();
+        for_each_piece(utterance, |piece| {
+            let mut letters = piece.chars();
+            let sign = letters.next().filter(|sign| !sign.is_ascii() && letters.next().is_none());
+            let _ = signs.push(sign);
+            Ok(())
+        })?;
+        let (mut of_word, mut position) = ((0, Classes::NONE), 0_usize);
+        for_each_piece(utterance, |piece| {
+            // A command begins with the name of no thing: "range le panier" has no slip for "orange".
+            let is_first = words.iter().all(|word: &Heard| word.classes != Classes::NONE);
+            let is_no_name =
+                |symbol: &Symbol| !(is_name(language.tables(), Some(*symbol)) && is_slip(language.words().text(*symbol), piece));
+            let symbol = sentence.get(position).copied().flatten().filter(|symbol| !is_first || is_no_name(symbol));
+            if of_word.0 == 0 {
+                of_word = closed.of_signs(signs.get(position..).unwrap_or(&[])).unwrap_or((1, closed.of(piece)));
+            }
+            of_word.0 = usize::saturating_sub(of_word.0, 1);
+            let heard = Heard::new(language, symbol, of_word.1);
+            let is_cue = heard.is_new && !of_word.1.contains(Class::Act) && slip_for(language, piece, SLIP).is_none();
+            let is_behind_verb = words.last().is_some_and(|word: &Heard| word.is_of_task);
+            let left = signs.len().saturating_sub(position);
+            let has_room = words.len().saturating_add(left) < WORDS_PER_COMMAND;
+            let parted = verb_before_clitic(language, closed, piece).filter(|_| heard.is_new && has_room);
+            let mut add = |word: Heard| {
+                let _ = words.push(Heard { piece: position as u8, ..word });
+            };
+            if of_word.1.contains(Class::Clitic) && is_behind_verb && is_joined(utterance, position) {
+                add(Heard::joined(language));
+            } else if let Some(verb) = parted {
+                add(Heard::new(language, Some(verb), Classes::NONE));
+                add(Heard::joined(language));
+            } else {
+                add(if is_cue { Heard::new(language, symbol, closed.of_slip(piece)) } else { heard });
+            }
+            position = position.saturating_add(1);
+            Ok(())
+        })?;
+        // "Then go on" has nothing before it.
+        words.iter_mut().take(1).for_each(Heard::begin);
+        // "Be so kind and go" has no command before it.
+        let polite = [Class::Polite, Class::Greeting, Class::Connective];
+        let begin = words.iter().take_while(|word| word.classes.contains_any(&polite)).count();
+        words.iter_mut().take(begin).for_each(Heard::make_polite);
+        Ok(())
+    }
+}
+
+/// Whether a piece of an utterance is joined to the one before by a hyphen.
+fn is_joined(utterance: &str, piece: usize) -> bool {
+    start_of_piece(utterance, piece)
+        .and_then(|start| utterance.get(..start))
+        .is_some_and(|before| before.ends_with(['-', '\u{2010}', '\u{2011}']))
+}
+
+/// The verb that a word is with "it" behind it: "llévalo" is "lleva" and "lo". The accent is none of the verb.
+fn verb_before_clitic(language: LanguageRef<'_>, closed: ClosedWords<'_>, word: &str) -> Option<Symbol> {
+    let plain = |letter: char| match letter {
+        'á' => 'a',
+        'é' => 'e',
+        'í' => 'i',
+        'ó' => 'o',
+        'ú' => 'u',
+        other => other,
+    };
+    closed.ends(Class::Clitic, word).find_map(|verb| {
+        let is_verb = |known: &str| known.chars().map(plain).eq(verb.chars().map(plain));
+        let (symbol, _) = language.words().iter().take(language.tables().words()).find(|&(_, known)| is_verb(known))?;
+        is_of_task(language.tables(), Some(symbol)).then_some(symbol)
+    })
+}

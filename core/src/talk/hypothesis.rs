@@ -1,0 +1,141 @@
+//! What an utterance may be, and how probable each hypothesis is.
+
+use super::classes::Class;
+use super::explained::Explained;
+use super::heard::{Heard, Words, learned};
+use super::place::Place;
+use super::readings::{Parting, all, may_turn, negated};
+use super::wording::Wording;
+use crate::memory::AgentMemory;
+use crate::oomdp::Domain;
+use crate::probability::{Scaled, total};
+use crate::session::{Agent, AgentError};
+use core::fmt;
+use heapless::Vec;
+
+/// How probable each hypothesis is before any word; a plain command has the rest.
+const NOTHING: f32 = 0.15;
+const ABSENT: f32 = 0.05;
+const ABOUT: f32 = 0.05;
+pub(super) const NEGATED: f32 = 0.1;
+pub(super) const SEVERAL: f32 = 0.05;
+pub(super) const ALL: f32 = 0.03;
+const TALK: f32 = 0.02;
+/// How probable the opposite of a command is where a new word may turn it round: as probable as the command.
+const REVERSED: f32 = 1.0 - NOTHING - ABSENT - ABOUT - SEVERAL;
+/// The weight of "again" where something was done before, in no unit.
+const AGAIN: f32 = 1.0;
+/// How probable a word is as a cue of a negation, of several commands or of all things.
+pub(super) const CUE: f32 = 0.15;
+
+/// What an utterance is taken for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum Hypothesis {
+    /// A command for one task.
+    Command,
+    /// None of what the robot can do.
+    Nothing,
+    /// A command about a thing that is not here.
+    Absent,
+    /// Words about a thing, with no word of a task.
+    About,
+    /// A command the other way round: what shall not be.
+    Negated,
+    /// Perhaps the opposite of a command: a word was never heard, and no table says that it does not turn the command round.
+    Reversed,
+    /// Several commands.
+    Several,
+    /// A command for all things of a class.
+    All,
+    /// The task of before once more.
+    Again,
+    /// Words of a closed class: praise, stop, a greeting ...
+    Talk(Class),
+}
+
+impl fmt::Display for Hypothesis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Command => "a command",
+            Self::Nothing => "nothing that I can do",
+            Self::Absent => "a thing that is not here",
+            Self::About => "a thing, but not what to do with it",
+            Self::Negated => "what shall not be",
+            Self::Reversed => "perhaps the opposite of a command",
+            Self::Several => "several commands",
+            Self::All => "all things of a kind",
+            Self::Again => "the same again",
+            Self::Talk(class) => class.name(),
+        })
+    }
+}
+
+impl<M: AgentMemory> Agent<M> {
+    /// The likeliest hypothesis, how probable it is, and how probable a plain command is.
+    #[inline(never)]
+    pub(super) fn hypotheses<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: Words<'_>,
+        wording: &Wording<'_>,
+        explained: &Explained,
+        place: Place<'_>,
+        parting: Option<Parting>,
+    ) -> Result<(Hypothesis, f32, f32), AgentError> {
+        let mut hypotheses: Vec<(Hypothesis, Scaled), 16> = Vec::new();
+        let mut add = |hypothesis: Hypothesis, weight: Scaled| match hypotheses.iter_mut().find(|(known, _)| *known == hypothesis) {
+            Some((_, sum)) => *sum = sum.plus(weight),
+            None => drop(hypotheses.push((hypothesis, weight))),
+        };
+        // As probable as the command, and before it: who waits does no harm.
+        if wording.closed.count(Class::Negation) == 0 && may_turn(words, explained.has_new_verb) {
+            add(Hypothesis::Reversed, explained.here.scaled_by(REVERSED));
+        }
+        add(Hypothesis::Command, explained.here.scaled_by(1.0 - NOTHING - ABSENT - ABOUT - SEVERAL));
+        let no_task = |of: &dyn Fn(usize, &Heard) -> f32| {
+            let words = words.iter().enumerate();
+            words.fold(Scaled::new(wording.end), |product, (position, word)| product.scaled_by((1.0 - wording.end) * of(position, word)))
+        };
+        add(Hypothesis::Nothing, no_task(&|_, word| word.beside).scaled_by(NOTHING));
+        add(Hypothesis::Absent, explained.absent.scaled_by(ABSENT));
+        if !explained.signed.contains(explained.best().0) && !place.is_rest {
+            let without = wording.coverage.least_without_task(self.language().tables().layout());
+            add(Hypothesis::About, explained.here.scaled_by(ABOUT / without));
+        }
+        for class in Class::ALL.into_iter().filter(|class| class.is_talk()) {
+            // "Back" is a place where something was done before.
+            let speaks = |word: &Heard| word.classes.contains(class) && !(place.is_known() && word.classes.contains(Class::Back));
+            if !words.iter().any(speaks) {
+                continue;
+            }
+            let size = wording.closed.count(class) as f32;
+            let weight = no_task(&|position, word| match word.classes.contains(class) {
+                true => 0.5 / size * if position == 0 { 3.0 } else { 1.0 } + 0.5 * word.beside,
+                false => 0.8 * word.beside,
+            });
+            let prior = if place.is_known() && class == Class::Again { AGAIN } else { TALK };
+            add(Hypothesis::Talk(class), weight.scaled_by(prior / learned(words, |word| word.classes.contains(class))));
+        }
+        for (hypothesis, rest) in [(Hypothesis::Negated, negated(words)), (Hypothesis::All, all(words))] {
+            let Some(rest) = rest else { continue };
+            let mut explained = Explained::NEW;
+            self.explain_all(domain, rest.words, wording, place.view(rest.view), &mut explained)?;
+            add(hypothesis, explained.here.scaled_by(rest.prior));
+            add(Hypothesis::Absent, explained.absent.scaled_by(rest.prior * ABSENT));
+        }
+        if let Some(parting) = parting {
+            add(Hypothesis::Several, parting.weight);
+        }
+        let whole = total(hypotheses.iter().map(|(_, weight)| *weight));
+        let mut best = (Hypothesis::Command, Scaled::ZERO);
+        for &(hypothesis, weight) in &hypotheses {
+            if weight.exceeds(best.1) {
+                best = (hypothesis, weight);
+            }
+        }
+        let command = hypotheses.iter().find(|(it, _)| *it == Hypothesis::Command).map_or(0.0, |(_, weight)| weight.over(whole));
+        Ok((best.0, best.1.over(whole), command))
+    }
+}

@@ -1,0 +1,77 @@
+//! Slips of the pen: the known word that a new one may be.
+
+use super::classes::Classes;
+use super::heard::Utterance;
+use crate::capacity::CapacityError;
+use crate::language::roles::talk::is_name;
+use crate::language::spelling::is_slip_of_any_length;
+use crate::language::{LanguageRef, for_each_piece};
+use crate::symbols::Symbol;
+
+/// How often a word is mistyped, alone and beside another that is.
+pub(super) const SLIP: f32 = 0.02;
+const ANOTHER_SLIP: f32 = 0.15;
+/// How probable each letter of a word is that was never heard, and the word before its letters.
+const LETTER: f32 = 1.0 / 12.0;
+const NEW_SPELLING: f32 = 0.2;
+/// So many letters a plural has more.
+const LONGEST_ENDING: usize = 2;
+
+/// The known word that a word never heard is most probably a slip for, and how probable its spelling is then, against that of a new word.
+pub(super) fn slip_for(language: LanguageRef<'_>, piece: &str, rate: f32) -> Option<(Symbol, f32)> {
+    let letters = piece.chars().count();
+    let spelling = (0..letters).fold(NEW_SPELLING, |product, _| product * LETTER);
+    let mut best: Option<(Symbol, f32)> = None;
+    for position in 0..language.tables().words() {
+        let (symbol, known) = (Symbol(position as u16), language.words().text(Symbol(position as u16)));
+        let length = known.chars().count();
+        if length < 2 || !(is_slip_of_any_length(piece, known) || is_plural(piece, known)) {
+            continue;
+        }
+        // So many slips of a word there are: an exchange, a letter left out, put in or taken for another.
+        let slips = 54.0 * length as f32 + 25.0;
+        let probability = rate / slips / spelling;
+        if best.is_none_or(|(_, most)| probability > most) {
+            best = Some((symbol, probability));
+        }
+    }
+    best
+}
+
+/// Whether a word is the plural of another, as in German: Stühle, Stuhl.
+fn is_plural(piece: &str, known: &str) -> bool {
+    let plain = |letter: char| match letter {
+        'ä' => 'a',
+        'ö' => 'o',
+        'ü' => 'u',
+        other => other,
+    };
+    let mut rest = piece.chars().map(plain);
+    known.chars().map(plain).all(|letter| rest.next() == Some(letter)) && rest.count() <= LONGEST_ENDING
+}
+
+/// Mends slips of the pen; gives whether there are any. Who types in haste does so for a sentence.
+pub(super) fn mend(language: LanguageRef<'_>, utterance: &str, words: &Utterance, mended: &mut Utterance) -> Result<bool, CapacityError> {
+    let mut slips = 0_usize;
+    mended.clone_from(words);
+    for rate in [SLIP, ANOTHER_SLIP] {
+        let mut position = 0_usize;
+        // Nor is the first word a slip for the name of a thing here.
+        let first = words.iter().position(|word| word.classes == Classes::NONE);
+        for_each_piece(utterance, |piece| {
+            let at = words.iter().position(|word| usize::from(word.piece) == position && word.is_new);
+            let word = at.and_then(|at| words.get(at));
+            if let (Some(word), Some(slot)) = (word, at.and_then(|at| mended.get_mut(at)))
+                && let Some((symbol, slip)) = slip_for(language, piece, rate)
+                && (rate == SLIP || slips > 1)
+                && !(at == first && is_name(language.tables(), Some(symbol)))
+            {
+                slips = slips.saturating_add(usize::from(rate == SLIP));
+                *slot = word.mended(language, symbol, slip);
+            }
+            position = position.saturating_add(1);
+            Ok(())
+        })?;
+    }
+    Ok(slips > 0)
+}

@@ -1,0 +1,158 @@
+//! What words are taken for: the likeliest hypothesis, its tasks, and whether anything stands against them.
+
+use super::classes::Class;
+use super::explained::Explained;
+use super::heard::{Heard, Words};
+use super::hypothesis::Hypothesis;
+use super::place::{Place, View};
+use super::readings::{all, has_more, negated};
+use super::wording::Wording;
+use crate::memory::AgentMemory;
+use crate::oomdp::Domain;
+use crate::probability::Scaled;
+use crate::session::{Agent, AgentError};
+use crate::task::TaskSet;
+
+/// Not sure if a done task of the same kind explains the words a fifth as well.
+const RIVAL: f32 = 5.0;
+
+/// What comes of an utterance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Verdict {
+    /// The most likely task is meant.
+    Sure,
+    /// It is not sure which task is meant.
+    Unsure,
+    /// The most likely task is meant, and is done already.
+    Done,
+    /// None of what the robot can do here is meant.
+    None,
+}
+
+/// What some words are taken for.
+pub(super) struct Judged<'w> {
+    pub hypothesis: Hypothesis,
+    /// The words that name the tasks.
+    pub words: Words<'w>,
+    pub task: usize,
+    pub tasks: TaskSet,
+    pub probability: f32,
+    pub command: f32,
+    /// Whether nothing but the probability stands against the tasks.
+    pub is_clear: bool,
+    /// Where the rest begins, in pieces of the utterance.
+    pub rest: Option<usize>,
+}
+
+impl Judged<'_> {
+    /// The task of before once more. No word of the utterance is a word for it.
+    const fn again(task: usize, probability: f32) -> Self {
+        let (hypothesis, words, tasks) = (Hypothesis::Again, Words::NONE, TaskSet::of(task));
+        Self { hypothesis, words, task, tasks, probability, command: probability, is_clear: true, rest: None }
+    }
+}
+
+impl<M: AgentMemory> Agent<M> {
+    /// What words are taken for, and the tasks that they then mean. What explains them is left in `explained`.
+    #[inline(never)]
+    pub(super) fn judge<'w, D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: Words<'w>,
+        explained: &mut Explained,
+        wording: &Wording<'_>,
+        place: Place<'_>,
+    ) -> Result<Judged<'w>, AgentError> {
+        let parting = self.part(domain, words, wording, place)?;
+        let (best, share, command) = self.hypotheses(domain, words, wording, explained, place, parting)?;
+        let (Hypothesis::Several, Some(parting)) = (best, parting) else {
+            return self.judge_one(domain, words, explained, wording, place, (best, share, command));
+        };
+        let first = words.part(0, parting.end);
+        self.explain_all(domain, first, wording, place.view(View::PLAIN), explained)?;
+        let taken = self.hypotheses(domain, first, wording, explained, place, None)?;
+        let part = self.judge_one(domain, first, explained, wording, place, taken)?;
+        let (probability, command) = (share * part.probability, share * part.command);
+        let rest = words.get(parting.begin).map(|word| usize::from(word.piece));
+        Ok(Judged { hypothesis: best, probability, command, rest, ..part })
+    }
+
+    /// The tasks that words mean that are no several commands. `taken` is what they are taken for, how probable that is, and how probable a
+    /// plain command is.
+    #[inline(never)]
+    fn judge_one<'w, D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: Words<'w>,
+        explained: &mut Explained,
+        wording: &Wording<'_>,
+        place: Place<'_>,
+        (hypothesis, share, command): (Hypothesis, f32, f32),
+    ) -> Result<Judged<'w>, AgentError> {
+        if let (Hypothesis::Negated, Some(rest)) = (hypothesis, negated(words)) {
+            self.explain_all(domain, rest.words, wording, place.view(rest.view), explained)?;
+            let (task, of_tasks) = self.negate(explained);
+            self.plan_for(domain, self.task_count)?;
+            let is_of_thing = self.place_of_thing(domain, task).is_some();
+            let has_act = explained.acts || place.is_rest || if is_of_thing { rest.is_act_for_things } else { rest.is_act };
+            let is_clear = rest.is_clear && has_act && explained.fitting.contains(task);
+            let (words, tasks, probability) = (rest.words, TaskSet::of(task), share * of_tasks);
+            return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
+        }
+        if let (Hypothesis::All, Some(rest)) = (hypothesis, all(words)) {
+            self.explain_all(domain, rest.words, wording, place.view(rest.view), explained)?;
+            let (tasks, of_place) = self.all_that_fit(domain, explained);
+            let task = tasks.iter().next().unwrap_or(explained.best().0);
+            let (words, is_clear, probability) = (explained.naming(rest.words), rest.is_clear && !tasks.is_empty(), share * of_place);
+            return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
+        }
+        if hypothesis == Hypothesis::Talk(Class::Again)
+            && let Some(task) = self.again(words, place.before, explained)
+        {
+            explained.keep_only(task);
+            return Ok(Judged::again(task, share));
+        }
+        let (task, of_command) = explained.best();
+        let (tasks, probability) = (TaskSet::of(task), command * of_command);
+        // "This or that" leaves the choice to the robot.
+        let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0);
+        // A word that names nothing known may be the name of something else.
+        let is_named = explained.own.contains(task) && (explained.whole.contains(task) || !has_new_name(words));
+        let is_told = is_named && !is_choice && !is_question(words);
+        let is_clear = is_told && !has_more(words) && !self.has_rival(domain, explained, task);
+        let words = explained.naming(words);
+        Ok(Judged { hypothesis, words, task, tasks, probability, command, is_clear, rest: None })
+    }
+
+    /// Whether a task that is done explains the words nearly as well as the one that is to be done.
+    fn has_rival<D: Domain + ?Sized>(&self, domain: &D, explained: &Explained, task: usize) -> bool {
+        let done = self.done(domain);
+        let likelihood = |task: usize| explained.likelihoods.get(task).copied().unwrap_or(Scaled::ZERO);
+        let is_rival = |other: usize| {
+            self.task(other).lifted == self.task(task).lifted && likelihood(other).scaled_by(RIVAL).exceeds(likelihood(task))
+        };
+        !done.contains(task) && done.iter().any(is_rival)
+    }
+}
+
+/// Whether a new word stands between known ones.
+fn has_new_name(words: Words<'_>) -> bool {
+    // Whether a known word was before, and a new one behind it.
+    let (mut has_known, mut has_new) = (false, false);
+    words.iter().any(|word| {
+        let is_known = word.count > 0.0;
+        has_new |= has_known && word.is_new;
+        has_known |= is_known;
+        is_known && has_new
+    })
+}
+
+/// Whether the words ask or tell something, with a word for it that no command had.
+pub(super) fn is_question(words: Words<'_>) -> bool {
+    let asks = |word: &Heard| word.classes.contains(Class::Asking) && !word.classes.contains(Class::Polite);
+    let is_request = words.iter().take_while(|word| word.count == 0.0).any(|word| word.classes.contains(Class::Polite));
+    // "The bag was there", and a particle at the end: 吗.
+    let mut words = words.iter().take(if is_request { words.len().saturating_sub(1) } else { words.len() });
+    words.any(|word| word.count == 0.0 && asks(word))
+}
