@@ -46,8 +46,8 @@ pub struct Listened {
     /// Where the rest of the utterance begins, in bytes, if it has several commands. The session is about the first. The rest is for
     /// [`Agent::listen_on`], in the state that the first leads to.
     pub rest: Option<usize>,
-    /// Where the words begin, in bytes, that were not read: those beyond [`WORDS_PER_COMMAND`]. The answer is then never sure, unless the rest
-    /// has them.
+    /// Where the words begin, in bytes, that were not read: those beyond [`WORDS_PER_COMMAND`](crate::capacity::WORDS_PER_COMMAND). The answer
+    /// is then never sure, unless the rest has them.
     pub unread: Option<usize>,
 }
 
