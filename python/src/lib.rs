@@ -19,9 +19,11 @@ mod agent;
 mod arrays;
 mod command;
 mod course;
+mod decision;
 mod error;
 mod home;
 mod log;
+mod mind;
 mod options;
 mod place;
 mod robot;
@@ -36,11 +38,13 @@ use pyo3::prelude::*;
 #[pymodule(name = "_native")]
 mod native {
     #[pymodule_export]
-    use crate::agent::{Agent, Decision, words};
+    use crate::agent::{Agent, words};
     #[pymodule_export]
     use crate::command::run_command;
     #[pymodule_export]
     use crate::course::{exercises, run_course};
+    #[pymodule_export]
+    use crate::decision::Decision;
     #[pymodule_export]
     use crate::error::{CapacityError, FormatError, InUseError, InternalError, ModelError, SessionError};
     #[pymodule_export]

@@ -1,9 +1,10 @@
 //! Recorded sessions: read, written, and gone through once more.
 
-use crate::agent::{Agent, Mind, PART, evidence_name};
+use crate::agent::{Agent, evidence_name};
 use crate::arrays::array;
 use crate::error::{self, format, value};
 use crate::home::{Home, Rooms, environment};
+use crate::mind::{Mind, PART};
 use goodbot::Capacities;
 use goodbot::home::{HomeState, Moves};
 use goodbot::oomdp::Domain;

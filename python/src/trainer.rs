@@ -1,8 +1,9 @@
 //! A simulated trainer, who knows what is meant, judges each action, and ends the lesson.
 
-use crate::agent::{Agent, Mind};
+use crate::agent::Agent;
 use crate::error::{self, value};
 use crate::log::{Session, header};
+use crate::mind::Mind;
 use crate::place::Place;
 use goodbot::feedback::Strategy;
 use goodbot::oomdp::Domain;

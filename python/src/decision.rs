@@ -1,0 +1,52 @@
+//! What the agent does next.
+
+use goodbot::planning::OptimalSet;
+use pyo3::prelude::*;
+use pyo3::types::PyString;
+
+/// What the agent does next, and for which task.
+#[pyclass(frozen, module = "goodbot")]
+#[derive(Debug)]
+pub struct Decision {
+    pub action: String,
+    /// The task, by its position among `Agent.tasks`.
+    #[pyo3(get)]
+    pub task: usize,
+    pub plan: OptimalSet,
+    pub name: Py<PyString>,
+}
+
+#[pymethods]
+impl Decision {
+    /// The name of the action; `noop` at the goal, in a dead end, and where no way is known.
+    #[getter]
+    fn action<'py>(&self, py: Python<'py>) -> Bound<'py, PyString> {
+        PyString::intern(py, &self.action)
+    }
+
+    /// What the plan says for the task: `goal`, `toward`, `dead end`, `approximate` or `unknown`.
+    #[getter]
+    fn plan(&self) -> &'static str {
+        plan_name(self.plan)
+    }
+
+    /// The task, by its name.
+    #[getter]
+    fn name(&self, py: Python<'_>) -> Py<PyString> {
+        self.name.clone_ref(py)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<goodbot.Decision: {} for {}, {}>", self.action, self.name, plan_name(self.plan))
+    }
+}
+
+pub const fn plan_name(plan: OptimalSet) -> &'static str {
+    match plan {
+        OptimalSet::Goal => "goal",
+        OptimalSet::Toward(_) => "toward",
+        OptimalSet::DeadEnd(_) => "dead end",
+        OptimalSet::Approximate(_) => "approximate",
+        OptimalSet::Unknown => "unknown",
+    }
+}

@@ -1,0 +1,244 @@
+//! The robot's mind: long work goes in parts, between which other threads may run and ctrl-C is heard.
+
+use crate::error::{self, SessionError, value};
+use crate::home as home_of;
+use crate::place::{Place, in_place, task_name};
+use crate::robot::Robot;
+use crate::world::World;
+use goodbot::feedback::Strategy;
+use goodbot::home::Home;
+use goodbot::memory::{AgentHeap, HomeMemory};
+use goodbot::oomdp::{Action, Domain};
+use goodbot::planning::Progress;
+use goodbot::task::LiftedTask;
+use goodbot::{Agent as Core, AgentError, Capacities, Options};
+use goodbot_lesson::checked::CheckedSession;
+use goodbot_lesson::voice::Voice;
+use pyo3::prelude::*;
+use pyo3::types::PyString;
+use rand_pcg::Pcg32;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// About how much work is done before others may run: some milliseconds.
+pub const PART: u32 = 1 << 16;
+
+/// What can go in parts.
+#[derive(Clone, Copy)]
+pub enum Part {
+    Hear,
+    Plan,
+    Finish,
+}
+
+/// A mind and what Python needs to know beside it.
+pub struct Mind {
+    pub core: Core<AgentHeap>,
+    pub random: Pcg32,
+    pub robot: Option<Arc<Robot>>,
+    pub names: Vec<Py<PyString>>,
+    pub command: String,
+    pub voice: Voice,
+    pub broken: bool,
+}
+
+impl Mind {
+    /// `tasks` is how many possible tasks it keeps of all sessions together.
+    pub fn new(capacities: &Capacities, tasks: usize, lifted: &[LiftedTask], options: Options, seed: u64) -> Result<Self, AgentError> {
+        let memory = AgentHeap::new(capacities);
+        let memory = if options.language.layer { memory.with_layer(tasks) } else { memory };
+        let core = Core::new(memory, lifted, options)?;
+        let random = goodbot_course::generator(seed);
+        Ok(Self { core, random, robot: None, names: Vec::new(), command: String::new(), voice: Voice::default(), broken: false })
+    }
+
+    pub fn place(&mut self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>) -> PyResult<Place> {
+        Place::of(domain, state, &mut self.robot)
+    }
+
+    /// The place of a session's end, where the state plays no part.
+    pub fn place_of(&mut self, domain: &Bound<'_, PyAny>) -> PyResult<Place> {
+        if let Ok(home) = domain.cast::<home_of::Home>() {
+            return Ok(Place::Home(home.clone().unbind(), home.get().start));
+        }
+        if let Ok(world) = domain.cast::<World>() {
+            return Ok(Place::World(world.get().0.clone(), world.get().0.start()));
+        }
+        match self.robot.as_ref().filter(|robot| robot.is_of(domain)) {
+            Some(robot) => Ok(Place::Robot(robot.clone(), 0)),
+            None => Err(SessionError::new_err(AgentError::OtherDomain.to_string())),
+        }
+    }
+
+    /// What an exception of the robot's class, or a refusal, comes to. After the former, what was planned is worth nothing.
+    pub fn settled<T>(&mut self, py: Python<'_>, place: &Place, result: Result<T, AgentError>) -> PyResult<T> {
+        if let Some(failure) = place.failure() {
+            self.core.leave();
+            self.names.clear();
+            self.robot = None;
+            return Err(failure);
+        }
+        result.map_err(|refused| error::agent(py, refused))
+    }
+
+    fn part(&mut self, part: Part, place: &Place, budget: u32) -> Result<Option<usize>, AgentError> {
+        let done = |progress: Progress| if progress == Progress::Done { Some(0) } else { None };
+        in_place!(place, |domain, state| match part {
+            Part::Hear => self.core.hear_on(domain, budget).map(done),
+            Part::Plan => self.core.plan(domain, state, budget).map(done),
+            Part::Finish => Ok(self.core.finish_on(domain, budget)?.map(|finished| finished.gave_way.count())),
+        })
+    }
+
+    /// Goes on with a part of `budget`, or to the end. Gives how many sessions gave way once it is done.
+    pub fn go_on(&mut self, py: Python<'_>, part: Part, place: &Place, budget: Option<u32>) -> PyResult<Option<usize>> {
+        loop {
+            let result = py.detach(|| self.part(part, place, budget.unwrap_or(PART)));
+            let came = self.settled(py, place, result)?;
+            if came.is_some() || budget.is_some() {
+                return Ok(came);
+            }
+            py.check_signals()?;
+        }
+    }
+
+    /// Plans to the end.
+    pub fn plan(&mut self, py: Python<'_>, place: &Place) -> PyResult<()> {
+        self.go_on(py, Part::Plan, place, None).map(drop)
+    }
+
+    /// Learns to the end.
+    pub fn learn(&mut self, py: Python<'_>) -> PyResult<()> {
+        while py.detach(|| self.core.learn(PART)) == Progress::Working {
+            py.check_signals()?;
+        }
+        Ok(())
+    }
+
+    /// Finishes to the end, and learns.
+    pub fn finish(&mut self, py: Python<'_>, place: &Place) -> PyResult<usize> {
+        let begun = in_place!(place, |domain, _state| self.core.begin_finishing(domain));
+        self.settled(py, place, begun)?;
+        let gave_way = self.go_on(py, Part::Finish, place, None)?.unwrap_or(0);
+        Ok(gave_way)
+    }
+
+    pub fn hear(&mut self, py: Python<'_>, place: &Place, command: &str) -> PyResult<()> {
+        let begun = in_place!(place, |domain, state| self.core.begin_hearing(domain, state, command));
+        self.settled(py, place, begun)?;
+        command.clone_into(&mut self.command);
+        if let Err(stopped) = self.go_on(py, Part::Hear, place, None) {
+            self.core.leave();
+            return Err(stopped);
+        }
+        self.name_tasks(py, place);
+        Ok(())
+    }
+
+    /// Finishes to the end in a home.
+    pub fn finish_home(&mut self, py: Python<'_>, home: &Home<impl HomeMemory + Sync>) -> PyResult<()> {
+        self.core.begin_finishing(home).map_err(|refused| error::agent(py, refused))?;
+        while py.detach(|| self.core.finish_on(home, PART)).map_err(|refused| error::agent(py, refused))?.is_none() {
+            py.check_signals()?;
+        }
+        Ok(())
+    }
+
+    /// Takes note of a recorded session that was heard.
+    pub fn heard<D: Domain>(&mut self, py: Python<'_>, session: &CheckedSession<D>) {
+        session.walk.command.clone_into(&mut self.command);
+        self.names = session.tasks.iter().map(|(_, name)| PyString::new(py, &name.to_string()).unbind()).collect();
+    }
+
+    pub fn hear_again(&mut self, py: Python<'_>, place: &Place) -> PyResult<()> {
+        let heard = in_place!(place, |domain, state| self.core.hear_again(domain, state));
+        self.settled(py, place, heard)
+    }
+
+    pub fn hear_with_prior(&mut self, py: Python<'_>, place: &Place, command: &str, prior: &HashMap<String, f32>) -> PyResult<()> {
+        let heard = in_place!(place, |domain, state| {
+            self.core
+                .hear_with_prior(domain, state, command, |task, lifted| prior.get(&task_name(domain, lifted, task)).copied().unwrap_or(0.0))
+        });
+        self.settled(py, place, heard)?;
+        command.clone_into(&mut self.command);
+        self.name_tasks(py, place);
+        let strange = prior.keys().find(|name| self.position(py, name).is_none());
+        if let Some(name) = strange {
+            self.core.leave();
+            return Err(value(format!("the prior names {name}, which is no task here")));
+        }
+        Ok(())
+    }
+
+    pub fn name_tasks(&mut self, py: Python<'_>, place: &Place) {
+        let lifted = self.core.lifted();
+        let names = in_place!(place, |domain, _state| {
+            let named = self.core.tasks().iter().filter_map(|task| Some((lifted.get(usize::from(task.lifted))?, task)));
+            named.map(|(lifted, task)| PyString::new(py, &task_name(domain, lifted, task)).unbind()).collect()
+        });
+        self.names = names;
+    }
+
+    /// The position of a task by its name.
+    pub fn position(&self, py: Python<'_>, name: &str) -> Option<usize> {
+        self.names.iter().position(|known| known.bind(py).to_str().is_ok_and(|known| known == name))
+    }
+
+    /// The position of a task that Python names, or counts.
+    pub fn task(&self, task: &Bound<'_, PyAny>) -> PyResult<usize> {
+        if let Ok(position) = task.extract::<usize>() {
+            let count = self.core.tasks().len();
+            return if position < count { Ok(position) } else { Err(value(format!("there is no task {position}; there are {count}"))) };
+        }
+        let name: &str = task.extract()?;
+        self.position(task.py(), name).ok_or_else(|| value(format!("{name} is no task of this session")))
+    }
+
+    /// The name of a task.
+    pub fn task_text(&self, py: Python<'_>, task: usize) -> String {
+        self.names.get(task).and_then(|name| name.bind(py).to_str().ok().map(str::to_owned)).unwrap_or_default()
+    }
+
+    /// Reads the robot's class again: it may have been changed since the last command.
+    pub fn forget_robot(&mut self) {
+        self.robot = None;
+    }
+
+    pub fn acted(&mut self, py: Python<'_>, place: &Place, action: Action) -> PyResult<Place> {
+        match place {
+            Place::Home(home, state) => {
+                let next = self.core.acted(&home.get().rooms, state, action).map_err(|refused| error::agent(py, refused))?;
+                Ok(Place::Home(home.clone_ref(py), next))
+            }
+            Place::Robot(robot, state) => {
+                let next = robot.lend(|domain| self.core.acted(domain, state, action));
+                Ok(Place::Robot(robot.clone(), self.settled(py, place, next)?))
+            }
+            Place::World(tables, state) => {
+                let next = tables.lend(|domain| self.core.acted(domain, state, action));
+                Ok(Place::World(tables.clone(), self.settled(py, place, next)?))
+            }
+        }
+    }
+
+    pub fn set_strategies(&mut self, py: Python<'_>, strategies: &[(Strategy, f32)]) -> PyResult<()> {
+        self.core.set_strategies(strategies).map_err(|refused| error::agent(py, refused))
+    }
+
+    /// How many tasks there are, while a session has some.
+    pub fn count(&self) -> usize {
+        self.core.tasks().len()
+    }
+
+    /// How probable each task is.
+    pub fn beliefs(&self) -> Vec<f32> {
+        let belief = self.core.belief();
+        (0..self.count()).map(|task| belief.probability(task)).collect()
+    }
+
+    /// The names of the last session's tasks.
+    pub fn names(&self, py: Python<'_>) -> impl Iterator<Item = Py<PyString>> {
+        self.names.iter().map(move |name| name.clone_ref(py))
+    }
+}
