@@ -9,6 +9,35 @@ pub(crate) use half_bytes::{CHECK, Check};
 #[cfg(not(target_os = "none"))]
 pub(crate) use library::{CHECK, Check};
 
+/// A check under way, kept from one call to the next.
+#[cfg(feature = "snapshot")]
+#[derive(Clone)]
+pub(crate) struct Running(Check);
+
+#[cfg(feature = "snapshot")]
+impl Running {
+    /// Nothing was checked yet.
+    pub(crate) fn new() -> Self {
+        Self(CHECK.digest())
+    }
+
+    pub(crate) fn update(&mut self, bytes: &[u8]) {
+        self.0.update(bytes);
+    }
+
+    /// The check of all bytes so far.
+    pub(crate) fn value(&self) -> u32 {
+        self.0.clone().finalize()
+    }
+}
+
+#[cfg(feature = "snapshot")]
+impl core::fmt::Debug for Running {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_tuple("Running").field(&self.value()).finish()
+    }
+}
+
 /// By the library: a byte at a time.
 #[cfg(not(target_os = "none"))]
 mod library {
@@ -43,6 +72,7 @@ mod half_bytes {
 
     pub(crate) static CHECK: Crc32 = Crc32;
     pub(crate) struct Crc32;
+    #[derive(Clone)]
     pub(crate) struct Check(u32);
 
     impl Crc32 {

@@ -67,11 +67,13 @@ pub struct Extent {
     sessions: usize,
     sentence_words: usize,
     pairs: usize,
+    /// Counts the changes of whole sessions.
+    changes: u32,
 }
 
 impl Extent {
     /// Nothing is used.
-    pub(crate) const NONE: Self = Self { commands: 0, command_tokens: 0, sessions: 0, sentence_words: 0, pairs: 0 };
+    pub(crate) const NONE: Self = Self { commands: 0, command_tokens: 0, sessions: 0, sentence_words: 0, pairs: 0, changes: 0 };
 }
 
 /// The training data.
@@ -179,6 +181,12 @@ impl<'t> BitextRef<'t> {
         self.used.sessions
     }
 
+    /// Another number whenever sessions came or went.
+    #[cfg(feature = "snapshot")]
+    pub(crate) const fn changes(self) -> u32 {
+        self.used.changes
+    }
+
     /// How many distinct machine commands.
     pub const fn commands(self) -> usize {
         self.used.commands
@@ -224,7 +232,7 @@ impl<'t> BitextRef<'t> {
 
     /// How much of it is used.
     pub(crate) const fn usage(self, used: &mut Capacities) {
-        let Extent { commands, command_tokens, sessions, sentence_words, pairs } = self.used;
+        let Extent { commands, command_tokens, sessions, sentence_words, pairs, .. } = self.used;
         (used.commands, used.command_tokens) = (commands, command_tokens);
         (used.sessions, used.sentence_words, used.pairs) = (sessions, sentence_words, pairs);
     }
@@ -246,7 +254,18 @@ impl<'t> Bitext<'t> {
         self.used.sessions
     }
 
+    const fn count_change(&mut self) {
+        self.used.changes = self.used.changes.wrapping_add(1);
+    }
+
+    /// Forgets everything.
+    pub(crate) const fn clear(&mut self) {
+        *self.used = Extent { changes: self.used.changes, ..Extent::NONE };
+        self.count_change();
+    }
+
     pub(crate) fn set_heard_again(&mut self, session: u16) {
+        self.count_change();
         if let Some(span) = self.memory.sessions.get_mut(..self.used.sessions).and_then(|all| all.get_mut(usize::from(session))) {
             span.0 |= Span::AGAIN;
         }
@@ -278,6 +297,7 @@ impl<'t> Bitext<'t> {
         *entry = put(self.memory.sentence_words, start, words, Capacity::SentenceWords)?;
         self.used.sentence_words = start.saturating_add(words.len());
         self.used.sessions = self.used.sessions.saturating_add(1);
+        self.count_change();
         Ok(())
     }
 
@@ -310,6 +330,7 @@ impl<'t> Bitext<'t> {
         if position >= self.used.sessions {
             return;
         }
+        self.count_change();
         let same = |&other: &u16| other != session && self.read().sentence(other) == self.read().sentence(session);
         if let Some(heir) = (0..self.used.sessions as u16).rev().find(same) {
             self.set_heard_again(heir);

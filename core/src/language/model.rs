@@ -13,6 +13,8 @@ use super::tokenizer::{Sentence, word_form};
 use super::training::Training;
 use super::{ibm2, roles};
 use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
+#[cfg(feature = "snapshot")]
+use crate::memory::AgentTables;
 use crate::memory::{AgentMemory, LanguageTables, LanguageTablesRef};
 use crate::planning::Progress;
 use crate::probability::Scaled;
@@ -29,6 +31,26 @@ pub(crate) struct LanguageState {
     training: Training,
     learned_words: usize,
     learned_tokens: usize,
+}
+
+/// How much of the tables is used by what is not learned yet.
+#[cfg(feature = "snapshot")]
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Unlearned {
+    words: usize,
+    tokens: usize,
+    data: Extent,
+}
+
+#[cfg(feature = "snapshot")]
+impl Unlearned {
+    /// Nothing.
+    pub(crate) const NONE: Self = Self { words: 0, tokens: 0, data: Extent::NONE };
+
+    /// Nothing, in the tables of a model that has nothing.
+    pub(crate) const fn after(language: &LanguageState) -> Self {
+        Self { words: 0, tokens: 0, data: language.data }
+    }
 }
 
 impl LanguageState {
@@ -49,6 +71,14 @@ impl LanguageState {
     /// Whether a training is under way.
     pub(crate) fn is_training(&self) -> bool {
         !self.training.is_done()
+    }
+
+    /// Exchanges what says how much of the tables is used. What is written into the tables meanwhile is not learned.
+    #[cfg(feature = "snapshot")]
+    pub(crate) const fn exchange(&mut self, used: &mut Unlearned) {
+        core::mem::swap(&mut self.words, &mut used.words);
+        core::mem::swap(&mut self.tokens, &mut used.tokens);
+        core::mem::swap(&mut self.data, &mut used.data);
     }
 
     /// The model in its tables; `counts` are for the expected counts.
@@ -238,14 +268,16 @@ impl<'t> LanguageRef<'t> {
         }
     }
 
-    /// The English words of the sessions that were learned from.
-    pub(crate) fn learned_words(self) -> impl Iterator<Item = &'t str> {
-        (0..self.learned_words).map(move |position| self.words.text(Symbol(position as u16)))
+    /// How many English words the sessions have that were learned from.
+    #[cfg(feature = "snapshot")]
+    pub(crate) const fn learned_words(self) -> usize {
+        self.learned_words
     }
 
-    /// The machine tokens of those sessions.
-    pub(crate) fn learned_tokens(self) -> impl Iterator<Item = &'t str> {
-        (0..self.learned_tokens).map(move |position| self.tokens.text(Symbol(position as u16)))
+    /// How many machine tokens those sessions have.
+    #[cfg(feature = "snapshot")]
+    pub(crate) const fn learned_tokens(self) -> usize {
+        self.learned_tokens
     }
 
     /// Why a word that was heard is not in the vocabulary.
@@ -400,7 +432,7 @@ impl<'t> LanguageMut<'t> {
         *self.settings = settings;
         self.words.truncate(0);
         self.tokens.truncate(0);
-        self.bitext.rewind(Extent::default());
+        self.bitext.clear();
         #[cfg(feature = "layer")]
         self.forget_tasks();
         (*self.learned_words, *self.learned_tokens) = (0, 0);
@@ -588,6 +620,12 @@ impl<M: AgentMemory> LanguageModel<M> {
     pub fn lend(&mut self) -> LanguageMut<'_> {
         let tables = self.memory.lend();
         self.state.with(tables.language, tables.workspace)
+    }
+
+    /// The model and its tables.
+    #[cfg(feature = "snapshot")]
+    pub(crate) fn parts(&mut self) -> (&mut LanguageState, AgentTables<'_>) {
+        (&mut self.state, self.memory.lend())
     }
 
     /// The model, to be read.

@@ -104,7 +104,7 @@ impl<M: AgentMemory> Agent<M> {
         if self.start != Some(domain.number(state)) || self.domain != digest(domain) || self.tasks().is_empty() {
             return Err(AgentError::NotNow(Phase::Idle));
         }
-        if let phase @ (Phase::Learning | Phase::Hearing | Phase::Finishing) = self.phase() {
+        if let phase @ (Phase::Learning | Phase::Hearing | Phase::Finishing | Phase::Restoring) = self.phase() {
             return Err(AgentError::NotNow(phase));
         }
         self.progressed = Progressed::Ready;
@@ -116,8 +116,8 @@ impl<M: AgentMemory> Agent<M> {
 
     #[inline(never)]
     pub(crate) fn open<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str, done: f32) -> Result<(), AgentError> {
-        if self.language.is_training() {
-            return Err(AgentError::NotNow(Phase::Learning));
+        if let phase @ (Phase::Learning | Phase::Restoring) = self.phase() {
+            return Err(AgentError::NotNow(phase));
         }
         (self.start, self.followed, self.progressed) = (None, None, Progressed::Idle);
         self.forget_plan();

@@ -28,6 +28,8 @@ pub enum Phase {
     Learning,
     /// The session has ended: [`Agent::hear`], or [`Agent::hear_again`] to take it up again.
     Ended,
+    /// A model comes back in parts, and the robot has learned nothing until it is all there: `Agent::restore_on`.
+    Restoring,
 }
 
 impl fmt::Display for Phase {
@@ -40,6 +42,7 @@ impl fmt::Display for Phase {
             Self::Finishing => "the session is not finished; finish on until it is",
             Self::Learning => "the last session is still being learned from; learn on until it is done",
             Self::Ended => "the session has ended; give a command first",
+            Self::Restoring => "a model is coming back; restore on until it is all there",
         })
     }
 }
@@ -58,6 +61,9 @@ pub(crate) enum Progressed {
     /// The vocabulary gets room again.
     Tidying,
     Ended,
+    /// A model comes back. The number says which, and how far it has come.
+    #[cfg(feature = "snapshot")]
+    Restoring(u32),
 }
 
 /// A machine command among those of all tasks, and the sum over those of its task before it.
@@ -99,6 +105,8 @@ impl<M> Agent<M> {
             Progressed::Weighing(..) | Progressed::Keeping | Progressed::Tidying => Phase::Finishing,
             Progressed::Idle | Progressed::Ready | Progressed::Ended if self.language.is_training() => Phase::Learning,
             Progressed::Idle => Phase::Idle,
+            #[cfg(feature = "snapshot")]
+            Progressed::Restoring(_) => Phase::Restoring,
             Progressed::Ready => Phase::Ready,
             Progressed::Ended => Phase::Ended,
         }

@@ -1,12 +1,14 @@
 //! Saving and restoring the whole robot's mind.
 
-use super::contents::Contents;
 use super::error::{RestoreError, SaveError};
-use super::writing::Writing;
+use super::restoring::{Restoring, Stage};
+use super::saving::{Model, Saving};
 use crate::capacity::{Capacity, CapacityError};
 use crate::feedback::BeliefRef;
 use crate::memory::{AgentMemory, AgentTables};
+use crate::planning::Progress;
 use crate::session::Agent;
+use crate::session::phase::Progressed;
 #[cfg(feature = "alloc")]
 use alloc::{vec, vec::Vec};
 
@@ -18,7 +20,33 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// [`SaveError`]; the buffer may then hold anything.
     pub fn save(&self, buffer: &mut [u8]) -> Result<usize, SaveError> {
-        self.writing()?.write(buffer)
+        self.saving()?.write(buffer)
+    }
+
+    /// Saves as [`save`](Self::save) does, but in parts: with at most about `budget` bytes each (at least one record, or a check of eight bytes
+    /// for each). The buffer is the same in all parts, and so are the bytes in the end. Gives the length when all is saved; `None` means: call
+    /// again. The robot may plan, act and be told words meanwhile.
+    ///
+    /// ```
+    /// use goodbot::{Agent, Options, home, snapshot::Saving};
+    /// goodbot::memory! { struct Memory = goodbot::Capacities::TINY; }
+    /// let mut memory = Memory::new();
+    /// let agent = Agent::new(&mut memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
+    /// let (mut buffer, mut saving) = ([0; 3_072], Saving::new());
+    /// let length = loop {
+    ///     if let Some(length) = agent.save_on(&mut saving, &mut buffer, 16)? { break length }
+    ///     // the rest of the control loop
+    /// };
+    /// let mut at_once = [0; 3_072];
+    /// assert_eq!(agent.save(&mut at_once)?, length);
+    /// assert_eq!(buffer, at_once);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SaveError`], as for [`save`](Self::save), and [`SaveError::Changed`] where a session was learned from meanwhile: begin again.
+    pub fn save_on(&self, saving: &mut Saving, buffer: &mut [u8], budget: u32) -> Result<Option<usize>, SaveError> {
+        self.saving()?.write_on(saving, buffer, budget)
     }
 
     /// Saves as [`save`](Self::save) does, into the memory that planning and training have in turn, so that no buffer is needed: what was
@@ -38,22 +66,20 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// [`SaveError`]: where the model takes more than that memory has, and [`SaveError::StillLearning`] while training needs it.
     pub fn save_in_place(&mut self) -> Result<&[u8], SaveError> {
-        if self.language().is_training() || self.is_tidying() {
+        if self.language().is_training() || self.is_between_models() {
             return Err(SaveError::StillLearning);
         }
         self.workspace_to_training();
-        let sizes = self.language().sizes(self.belief().most_strategies());
-        let (vocabulary, options) = (self.vocabulary(), self.options);
+        let vocabulary = self.vocabulary();
         let AgentTables { language, session, workspace } = self.memory.lend();
-        let writing = Writing {
+        let model = Model {
             vocabulary,
-            options,
+            options: &self.options,
             language: self.language.read(language.read(), workspace.len()),
             strategies: Some(BeliefRef::new(session.belief.read(), self.belief)),
-            sizes,
         };
         let buffer: &mut [u8] = bytemuck::cast_slice_mut(workspace);
-        let length = writing.write(buffer)?;
+        let length = model.write(buffer)?;
         Ok(buffer.get(..length).unwrap_or(&[]))
     }
 
@@ -62,7 +88,7 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// [`SaveError::Unsound`] and [`SaveError::StillLearning`].
     pub fn saved_bytes(&self) -> Result<usize, SaveError> {
-        self.writing()?.bytes()
+        self.saving()?.bytes()
     }
 
     /// A model file on the heap, with what [`save`](Self::save) writes.
@@ -94,7 +120,67 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// [`RestoreError`]; the agent is then as before.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
-        let contents = Contents::read(bytes)?;
+        let mut restoring = Restoring::of(bytes);
+        while self.restore_on(&mut restoring, u32::MAX)? == Progress::Working {}
+        Ok(())
+    }
+
+    /// Restores a model as [`restore`](Self::restore) does, but in parts: with at most about `budget` entries each (at least one record; eight
+    /// bytes for each while the file is checked). The robot is the same in the end. Until the model was checked, the robot is as before, and
+    /// may do anything. Then it has learned nothing until it has the whole model; its phase is
+    /// [`Restoring`](crate::session::Phase::Restoring), and [`leave`](Self::leave) gives the rest up.
+    ///
+    /// ```
+    /// use goodbot::planning::Progress;
+    /// use goodbot::{Agent, Options, home, snapshot::Restoring};
+    /// goodbot::memory! { struct Memory = goodbot::Capacities::TINY; }
+    /// let mut memory = Memory::new();
+    /// let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
+    /// let mut model = [0; 3_072];
+    /// let length = agent.save(&mut model)?;
+    /// let mut restoring = Restoring::of(&model[..length]);
+    /// while agent.restore_on(&mut restoring, 16)? == Progress::Working {
+    ///     // the rest of the control loop
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`restore`](Self::restore), and [`RestoreError::Interrupted`] where something else began before the whole model was there: the robot
+    /// has learned nothing of it.
+    pub fn restore_on(&mut self, restoring: &mut Restoring<'_>, budget: u32) -> Result<Progress, RestoreError> {
+        let mut left = budget.max(1);
+        while restoring.stage != Stage::Done {
+            if left == 0 {
+                return Ok(Progress::Working);
+            }
+            match restoring.stage {
+                Stage::Room => self.check_strategies(restoring)?,
+                Stage::Begin => self.begin_restoring(restoring)?,
+                _ if restoring.is_taking() && !self.is_restoring(restoring.mark) => return Err(RestoreError::Interrupted),
+                _ => {}
+            }
+            let AgentTables { language, workspace, .. } = self.memory.lend();
+            restoring.step(&mut self.language, language, workspace, &mut left)?;
+            if restoring.is_taking() {
+                restoring.mark = restoring.mark.wrapping_add(1);
+                self.progressed = Progressed::Restoring(restoring.mark);
+            } else if restoring.stage == Stage::Done {
+                self.progressed = Progressed::Idle;
+                #[cfg(feature = "layer")]
+                {
+                    // Memory without room for the layer makes it a role model.
+                    self.options.language.layer = self.language().settings().layer;
+                }
+            }
+        }
+        Ok(Progress::Done)
+    }
+
+    /// Whether this model may come back here.
+    #[inline(never)]
+    fn check_strategies(&self, restoring: &Restoring<'_>) -> Result<(), RestoreError> {
+        let contents = restoring.checking.contents()?;
         if contents.vocabulary != 0 && contents.vocabulary != self.vocabulary() {
             return Err(RestoreError::OtherDomain);
         }
@@ -102,18 +188,23 @@ impl<M: AgentMemory> Agent<M> {
         if contents.strategies.len() > limit {
             return Err(CapacityError::new(Capacity::Strategies, limit, contents.strategies.len()).into());
         }
-        self.language().check_room(&contents)?;
+        Ok(())
+    }
+
+    #[inline(never)]
+    fn begin_restoring(&mut self, restoring: &mut Restoring<'_>) -> Result<(), RestoreError> {
+        let contents = restoring.checking.contents()?;
         self.end_session();
         self.options = contents.options;
         self.belief_mut().take_over(contents.believed());
         self.workspace_to_training();
-        self.language_mut().take_over(&contents);
-        #[cfg(feature = "layer")]
-        {
-            // Memory without room for the layer makes it a role model.
-            self.options.language.layer = self.language().settings().layer;
-        }
+        restoring.mark = restoring.checking.mark();
         Ok(())
+    }
+
+    /// Whether the model that has come so far is the one that comes back now.
+    fn is_restoring(&self, mark: u32) -> bool {
+        matches!(self.progressed, Progressed::Restoring(now) if now == mark)
     }
 
     /// The digest of the vocabulary that the lifted tasks are written in; 0 for an agent without tasks.
@@ -121,17 +212,10 @@ impl<M: AgentMemory> Agent<M> {
         self.lifted().first().map_or(0, |task| task.vocabulary())
     }
 
-    fn writing(&self) -> Result<Writing<'_>, SaveError> {
-        if self.is_tidying() {
+    fn saving(&self) -> Result<Model<'_>, SaveError> {
+        if self.is_between_models() {
             return Err(SaveError::StillLearning);
         }
-        let sizes = self.language().sizes(self.belief().most_strategies());
-        Ok(Writing {
-            vocabulary: self.vocabulary(),
-            options: *self.options(),
-            language: self.language(),
-            strategies: Some(self.belief()),
-            sizes,
-        })
+        Ok(Model { vocabulary: self.vocabulary(), options: self.options(), language: self.language(), strategies: Some(self.belief()) })
     }
 }

@@ -18,8 +18,10 @@ pub enum SaveError {
     /// A setting or a weight is one that could not be restored: not a number, negative, or beyond any use.
     Unsound,
     /// The last session is still being learned from: it has not wholly joined the training data, or training needs the memory that the model
-    /// would be written to.
+    /// would be written to. Or a model is coming back and is not all there.
     StillLearning,
+    /// The model was saved in parts, and what was learned has changed since the first.
+    Changed,
 }
 
 impl fmt::Display for SaveError {
@@ -28,13 +30,14 @@ impl fmt::Display for SaveError {
             Self::Buffer { needed, given } => write!(f, "the model takes {needed} bytes and the buffer has {given}; give it a larger one"),
             Self::Unsound => f.write_str("a setting or a weight is not a number, negative or too large; correct it before saving"),
             Self::StillLearning => f.write_str("the last session is still being learned from; go on until it is done, then save"),
+            Self::Changed => f.write_str("what was learned has changed since saving began; begin to save anew"),
         }
     }
 }
 
 impl core::error::Error for SaveError {}
 
-/// Why a model could not be restored. The robot is unchanged.
+/// Why a model could not be restored. The robot is unchanged, but for [`Interrupted`](Self::Interrupted).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -63,6 +66,8 @@ pub enum RestoreError {
     OtherForms,
     /// It does not fit into this memory.
     Capacity(CapacityError),
+    /// Something else began before the whole model was there. What was learned before is forgotten by then.
+    Interrupted,
 }
 
 /// A part of a model.
@@ -141,6 +146,7 @@ impl fmt::Display for RestoreError {
                  learn both with the same settings",
             ),
             Self::Capacity(error) => error.fmt(f),
+            Self::Interrupted => f.write_str("something else began before the whole model was there; restore it anew"),
         }
     }
 }

@@ -1,16 +1,18 @@
 //! Saving and restoring the language model.
 
-use super::contents::{Contents, symbols};
-use super::error::{Part, RestoreError, SaveError};
-use super::record::Sizes;
-use super::writing::Writing;
-use crate::capacity::{Capacities, WORDS_PER_COMMAND};
+use super::checking::Checking;
+use super::contents::Contents;
+#[cfg(feature = "layer")]
+use super::contents::symbols;
+use super::error::{RestoreError, SaveError};
+use super::restoring::{Restoring, Stage};
+use super::saving::Model;
+use crate::capacity::Capacities;
 #[cfg(feature = "layer")]
 use crate::language::Settings;
 use crate::language::{LanguageModel, LanguageMut, LanguageRef};
 use crate::memory::AgentMemory;
 use crate::session::Options;
-use crate::symbols::Symbol;
 #[cfg(feature = "alloc")]
 use alloc::{vec, vec::Vec};
 
@@ -29,7 +31,7 @@ impl<M: AgentMemory> LanguageModel<M> {
     /// [`SaveError`], as for [`save`](Self::save).
     #[cfg(feature = "alloc")]
     pub fn saved(&self) -> Result<Vec<u8>, SaveError> {
-        let mut file = vec![0; self.read().writing().bytes()?];
+        let mut file = vec![0; self.read().saving(|model| model.bytes())?];
         let length = self.save(&mut file)?;
         file.truncate(length);
         Ok(file)
@@ -41,9 +43,11 @@ impl<M: AgentMemory> LanguageModel<M> {
     /// # Errors
     /// [`RestoreError`]; the model is then as before.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
-        let contents = Contents::read(bytes)?;
-        self.read().check_room(&contents)?;
-        self.lend().take_over(&contents);
+        let mut restoring = Restoring::of(bytes);
+        while restoring.stage != Stage::Done {
+            let (state, tables) = self.parts();
+            restoring.step(state, tables.language, tables.workspace, &mut { u32::MAX })?;
+        }
         Ok(())
     }
 
@@ -64,17 +68,13 @@ impl<'t> LanguageRef<'t> {
     /// # Errors
     /// [`SaveError`]; the buffer may then hold anything.
     pub fn save(self, buffer: &mut [u8]) -> Result<usize, SaveError> {
-        self.writing().write(buffer)
+        self.saving(|model| model.write(buffer))
     }
 
-    fn writing(self) -> Writing<'t> {
+    /// Does something with what a file of this model alone has.
+    fn saving<R>(self, run: impl FnOnce(&Model<'_>) -> R) -> R {
         let options = Options { language: *self.settings(), ..Options::PAPER };
-        Writing { vocabulary: 0, options, language: self, strategies: None, sizes: self.sizes(0) }
-    }
-
-    /// How large the tables are that a model file tells of.
-    pub(super) fn sizes(self, strategies: usize) -> Sizes {
-        Sizes::new(&Capacities { strategies, ..self.rooms() })
+        run(&Model { vocabulary: 0, options: &options, language: self, strategies: None })
     }
 
     /// Whether the tasks of a model's sessions fit here, where there is any room for such.
@@ -94,20 +94,11 @@ impl<'t> LanguageRef<'t> {
         Ok(needs.fits_in(&rooms)?)
     }
 
-    /// Checks that a model's training data fit here, and that no word or token occurs twice.
+    /// Checks that a model's training data fit here.
     pub(super) fn check_room(self, contents: &Contents<'_>) -> Result<(), RestoreError> {
         Capacities { strategies: 0, ..contents.needs() }.fits_in(&self.rooms())?;
         #[cfg(feature = "layer")]
         self.check_room_for_possible(contents)?;
-        let distinct = |texts: super::contents::Section<'_, &str>| {
-            texts.iter().enumerate().all(|(position, text)| texts.iter().take(position).all(|other| other != text))
-        };
-        if !distinct(contents.words) {
-            return Err(RestoreError::Inconsistent(Part::Words));
-        }
-        if !distinct(contents.tokens) {
-            return Err(RestoreError::Inconsistent(Part::Tokens));
-        }
         Ok(())
     }
 }
@@ -129,39 +120,24 @@ impl LanguageMut<'_> {
         }
     }
 
-    /// Takes the training data over, which were found to fit, and begins training.
-    pub(super) fn take_over(&mut self, contents: &Contents<'_>) {
+    /// Forgets everything, for the training data and the settings of a model that was found to fit.
+    pub(super) fn forget_for(&mut self, contents: &Contents<'_>) {
         let settings = contents.options.language;
         #[cfg(feature = "layer")]
         let settings = Settings { layer: settings.layer && self.possible_mut().is_some(), ..settings };
         self.clear(settings);
-        // Nothing here fails: `check_room` counted the entries of each table, and the parameters by the model that has them.
-        for word in contents.words.iter() {
-            let _ = self.words_mut().intern(word);
-        }
-        for token in contents.tokens.iter() {
-            let _ = self.tokens_mut().intern(token);
-        }
-        for record in contents.commands.iter() {
-            let _ = self.bitext_mut().add_command(&symbols(&record));
-        }
-        let mut pairs = contents.pairs.iter();
-        for session in contents.sessions.iter() {
-            let mut words: heapless::Vec<Symbol, WORDS_PER_COMMAND> = heapless::Vec::new();
-            for &word in session.words.iter() {
-                let _ = words.push(Symbol(word));
-            }
-            let _ = self.bitext_mut().add_session(&words);
-            for pair in pairs.by_ref().take(session.pairs as usize) {
-                let _ = self.bitext_mut().add_pair_with(pair.command, pair.weight);
-            }
-        }
-        for (session, _) in contents.heard_again.iter().enumerate().filter(|&(_, again)| again) {
-            self.bitext_mut().set_heard_again(session as u16);
-        }
+        // There is nothing to train on.
+        self.begin_training();
+    }
+
+    /// Takes note that all training data are there, and begins training.
+    pub(super) fn complete(&mut self, checking: &Checking<'_>) -> Result<(), RestoreError> {
         #[cfg(feature = "layer")]
-        self.take_over_possible(contents);
+        self.take_over_possible(&checking.contents()?);
+        #[cfg(not(feature = "layer"))]
+        let _ = checking;
         let _ = self.data_replaced();
         self.begin_training();
+        Ok(())
     }
 }

@@ -5,17 +5,21 @@
 //! parameters themselves are not in the file; the training data are, so that learning goes on as if it had never stopped.
 //! `docs/format.md` says what each byte means.
 //!
+//! - `checking`: the check of a file, record by record;
+//! - `restoring`, `saving`: a model comes back, or is written, in parts;
 //! - `contents`: a model file that was checked, to look into without restoring it;
 //! - `record`: the records that it is made of;
 //! - `error`: why a model could not be saved or restored.
 
 mod agent;
+mod checking;
 pub(crate) mod contents;
 pub(crate) mod error;
 mod joining;
 mod language;
 pub(crate) mod record;
-mod writing;
+mod restoring;
+mod saving;
 
 pub use contents::{Contents, Section};
 pub use error::{Part, RestoreError, SaveError};
@@ -23,3 +27,5 @@ pub use record::{
     CHECK_BYTES, CommandRecord, HEADER_BYTES, LAYERED_VERSION, LEAST_BYTES, MAGIC, OLDEST_VERSION, PairRecord, RestsRecord, SAVED,
     SessionRecord, StrategyRecord, TrainerRecord, VERSION, most_bytes,
 };
+pub use restoring::Restoring;
+pub use saving::Saving;

@@ -52,6 +52,10 @@ impl Sizes {
         Self(SAVED.map(|capacity| u32::try_from(rooms.get(capacity)).unwrap_or(u32::MAX)))
     }
 
+    pub(crate) fn numbers(self) -> impl Iterator<Item = u32> {
+        self.0.into_iter()
+    }
+
     /// The capacities; those of tables that a file does not tell are 0.
     pub(crate) fn capacities(self) -> Capacities {
         let mut capacities = Capacities::NONE;
@@ -172,10 +176,6 @@ pub struct StrategyRecord {
 }
 
 impl StrategyRecord {
-    pub(crate) fn new(strategy: Strategy, probability: f32) -> Self {
-        Self { mu_plus: strategy.mu_plus(), mu_minus: strategy.mu_minus(), epsilon: strategy.epsilon(), probability }
-    }
-
     /// The strategy; nothing where a number is no probability.
     pub fn strategy(&self) -> Option<(Strategy, f32)> {
         let strategy = Strategy::new(self.mu_plus, self.mu_minus, self.epsilon).ok()?;

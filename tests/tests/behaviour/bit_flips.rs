@@ -29,7 +29,7 @@ fn course() -> Vec<u8> {
 }
 
 /// Corrects the check at the end, as one would who damages a model on purpose.
-fn sign(bytes: &mut [u8]) {
+pub(crate) fn sign(bytes: &mut [u8]) {
     let (checked, check) = bytes.split_last_chunk_mut::<4>().unwrap();
     *check = crc32(checked).to_le_bytes();
 }

@@ -7,11 +7,11 @@ use goodbot::home::paper_tasks;
 use goodbot::language::{LanguageModel, Settings};
 use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::planning::Progress;
-use goodbot::session::Lessons;
+use goodbot::session::{Lessons, Phase};
 use goodbot::snapshot::SAVED;
-use goodbot::snapshot::{Contents, RestoreError, SaveError};
+use goodbot::snapshot::{Contents, RestoreError, Restoring, SaveError, Saving};
 use goodbot::symbols::Symbol;
-use goodbot::{Agent, Capacities, HeapMemory, Options};
+use goodbot::{Agent, AgentError, Capacities, HeapMemory, Options};
 use goodbot_tests::school::{self, Lesson, posterior_bits};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
@@ -217,5 +217,206 @@ fn a_robot_that_is_just_learning_a_session_says_so_and_saves_nothing_that_could_
             }
             while agent.learn(1) == Progress::Working {}
         }
+    }
+}
+
+/// A robot that has had some lessons.
+fn taught(options: Options, seed: u64) -> Agent<AgentHeap> {
+    let (mut random, mut agent) = (Pcg32::new(seed, 9), agent(&Capacities::SMALL, options));
+    (0..20).for_each(|_| experience(&mut agent, &random_lesson(&mut random), &mut random));
+    agent
+}
+
+fn saved_in_parts(agent: &Agent<impl AgentMemory>, mut budget: impl FnMut() -> u32) -> Vec<u8> {
+    let (mut saving, mut bytes) = (Saving::new(), vec![0; 16_384]);
+    let mut parts = 0;
+    loop {
+        parts += 1;
+        assert!(parts < 20_000, "each part does something");
+        if let Some(length) = agent.save_on(&mut saving, &mut bytes, budget()).unwrap() {
+            bytes.truncate(length);
+            return bytes;
+        }
+    }
+}
+
+fn restore_in_parts(agent: &mut Agent<impl AgentMemory>, bytes: &[u8], mut budget: impl FnMut() -> u32) -> Result<usize, RestoreError> {
+    let (mut restoring, mut parts) = (Restoring::of(bytes), 1);
+    while agent.restore_on(&mut restoring, budget())? == Progress::Working {
+        parts += 1;
+        assert!(parts < 20_000, "each part does something");
+    }
+    Ok(parts)
+}
+
+#[test]
+fn a_model_is_saved_and_comes_back_with_the_same_bits_in_parts_of_any_size() {
+    for (options, seed) in [(Options::DEFAULT, 1), (Options::PAPER, 2), (Options::SMOOTHED, 3)] {
+        let mut agent = taught(options, seed);
+        let bytes = saved(&agent);
+        let before = beliefs(&mut agent);
+        let mut random = Pcg32::new(seed, 10);
+        let mut some = || 1 + random.next_u32() % 90;
+        let budgets: [&mut dyn FnMut() -> u32; 6] = [&mut || 0, &mut || 1, &mut || 17, &mut || 400, &mut || u32::MAX, &mut some];
+        for budget in budgets {
+            assert_eq!(saved_in_parts(&agent, &mut *budget), bytes);
+            let mut restored = taught(options, seed + 10);
+            restore_in_parts(&mut restored, &bytes, &mut *budget).unwrap();
+            assert_eq!(restored.phase(), Phase::Learning);
+            restored.learn_fully();
+            assert_eq!(saved(&restored), bytes);
+            assert_eq!(beliefs(&mut restored), before);
+        }
+        let mut restored = self::agent(&Capacities::SMALL, options);
+        assert!(restore_in_parts(&mut restored, &bytes, || 1).unwrap() > 300, "the smallest parts are small");
+    }
+}
+
+#[test]
+fn what_is_refused_at_once_is_refused_in_parts_and_the_robot_is_as_before() {
+    let mut random = Pcg32::new(1, 11);
+    let mut agent = taught(Options::DEFAULT, 4);
+    let before = saved(&agent);
+    let other = saved(&taught(Options::DEFAULT, 5));
+    let too_large = saved(&joined(&Capacities::STANDARD, Options::DEFAULT, 3));
+    let mut models = vec![Vec::new(), vec![0; 40], too_large];
+    models.extend((0..200).map(|_| {
+        let mut damaged = other.clone();
+        let at = pick(&mut random, damaged.len());
+        damaged[at] ^= 1 << pick(&mut random, 8);
+        if random.next_u32() % 2 == 0 {
+            // The check is right: what is said is wrong, or is another model.
+            super::bit_flips::sign(&mut damaged);
+        }
+        damaged
+    }));
+    for model in models {
+        let mut at_once = taught(Options::DEFAULT, 4);
+        let whole = at_once.restore(&model);
+        let in_parts = restore_in_parts(&mut agent, &model, || 5).map(|_| ());
+        assert_eq!(in_parts, whole);
+        assert_eq!(saved(&agent), saved(&at_once));
+        if whole.is_err() {
+            assert_eq!(saved(&agent), before);
+        } else {
+            agent = taught(Options::DEFAULT, 4);
+        }
+    }
+}
+
+#[test]
+fn while_a_model_is_checked_the_robot_does_what_it_did_and_while_it_comes_back_it_has_learned_nothing() {
+    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let (home, state) = school::lessons()[0].home(&mut memory.home);
+    let bytes = saved(&taught(Options::DEFAULT, 6));
+    let mut agent = taught(Options::DEFAULT, 7);
+    let known = agent.language().bitext().sessions();
+    agent.hear(&home, &state, "go to the red room").unwrap();
+    let mut restoring = Restoring::of(&bytes);
+    while agent.phase() != Phase::Restoring {
+        assert_eq!(agent.phase(), Phase::Ready);
+        assert_eq!(agent.language().bitext().sessions(), known);
+        agent.plan_fully(&home, &state).unwrap();
+        assert_eq!(agent.restore_on(&mut restoring, 1), Ok(Progress::Working));
+    }
+    let mut buffer = [0; 8_192];
+    while agent.phase() == Phase::Restoring {
+        assert_eq!(agent.hear(&home, &state, "go"), Err(AgentError::NotNow(Phase::Restoring)));
+        assert_eq!(agent.hear_again(&home, &state), Err(AgentError::NotNow(Phase::Idle)));
+        assert_eq!(agent.save(&mut buffer), Err(SaveError::StillLearning), "it would be half a model");
+        assert_eq!((agent.language().bitext().sessions(), agent.language().words().len()), (0, 0));
+        assert_eq!(agent.learn(1), Progress::Done, "there is nothing to learn");
+        let _ = agent.restore_on(&mut restoring, 1).unwrap();
+    }
+    agent.learn_fully();
+    assert_eq!(saved(&agent), bytes);
+}
+
+#[test]
+fn a_model_that_is_given_up_half_way_leaves_a_robot_that_can_learn() {
+    let bytes = saved(&taught(Options::DEFAULT, 8));
+    let other = saved(&taught(Options::DEFAULT, 9));
+    let interruptions: [fn(&mut Agent<AgentHeap>, &[u8]); 6] = [
+        |agent, _| agent.leave(),
+        |agent, _| agent.begin_learning(),
+        |agent, _| agent.forget(),
+        |agent, _| agent.set_strategies(&[(goodbot::feedback::Strategy::BALANCED, 1.0)]).unwrap(),
+        |agent, other| agent.restore(other).unwrap(),
+        |agent, other| assert!(agent.join(other).unwrap() > 0),
+    ];
+    for interrupt in interruptions {
+        for parts in [0, 1, 30, 80] {
+            let mut agent = taught(Options::DEFAULT, 10);
+            let mut restoring = Restoring::of(&bytes);
+            while agent.phase() != Phase::Restoring {
+                let _ = agent.restore_on(&mut restoring, 1).unwrap();
+            }
+            (0..parts).for_each(|_| assert_eq!(agent.restore_on(&mut restoring, 1), Ok(Progress::Working)));
+            assert_eq!(agent.phase(), Phase::Restoring);
+            interrupt(&mut agent, &other);
+            assert_eq!(agent.restore_on(&mut restoring, 1), Err(RestoreError::Interrupted));
+            agent.learn_fully();
+            let lesson = &school::lessons()[0];
+            experience(&mut agent, lesson, &mut Pcg32::new(1, 1));
+            assert_eq!(Contents::read(&saved(&agent)).map(|_| ()), Ok(()));
+            agent.restore(&bytes).unwrap();
+            agent.learn_fully();
+            assert_eq!(saved(&agent), bytes);
+        }
+    }
+    // Two at the same time: the one that began last comes back.
+    let mut agent = taught(Options::DEFAULT, 10);
+    let [mut first, mut second] = [Restoring::of(&bytes), Restoring::of(&other)];
+    while agent.phase() != Phase::Restoring {
+        let _ = agent.restore_on(&mut first, 1).unwrap();
+    }
+    while agent.restore_on(&mut second, 50).unwrap() == Progress::Working {}
+    assert_eq!(agent.restore_on(&mut first, 1), Err(RestoreError::Interrupted));
+    agent.learn_fully();
+    assert_eq!(saved(&agent), other);
+}
+
+#[test]
+fn a_model_that_changes_while_it_is_saved_says_so_and_words_of_the_trainer_are_no_change() {
+    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let (home, state) = school::lessons()[0].home(&mut memory.home);
+    for parts in [1, 9, 300] {
+        let mut agent = taught(Options::DEFAULT, 11);
+        let (mut saving, mut bytes) = (Saving::new(), vec![0; 16_384]);
+        (0..parts).for_each(|_| assert_eq!(agent.save_on(&mut saving, &mut bytes, 1), Ok(None)));
+        agent.hear(&home, &state, "go to the large hall").unwrap();
+        agent.plan_fully(&home, &state).unwrap();
+        let action = agent.decide(&home, &state).unwrap().action;
+        let _ = agent.acted(&home, &state, action).unwrap();
+        let _ = agent.feedback(Feedback::Reward).unwrap();
+        let mut unchanged = saving.clone();
+        let length = loop {
+            if let Some(length) = agent.save_on(&mut unchanged, &mut bytes, 1).unwrap() {
+                break length;
+            }
+        };
+        assert_eq!(Contents::read(&bytes[..length]).map(|_| ()), Ok(()));
+        let _ = agent.finish(&home).unwrap();
+        agent.learn_fully();
+        assert_eq!(agent.save_on(&mut saving, &mut bytes, 1), Err(SaveError::Changed));
+        let other = saved(&agent);
+        agent.restore(&other).unwrap();
+        assert_eq!(agent.save_on(&mut saving, &mut bytes, 1), Err(SaveError::Changed));
+    }
+}
+
+#[test]
+fn a_buffer_that_is_too_small_is_told_of_in_parts_as_well() {
+    let agent = taught(Options::DEFAULT, 12);
+    let needed = agent.saved_bytes().unwrap();
+    for given in [0, 10, needed - 1] {
+        let (mut saving, mut bytes) = (Saving::new(), vec![0; given]);
+        let refused = loop {
+            match agent.save_on(&mut saving, &mut bytes, 3) {
+                Ok(None) => {}
+                other => break other,
+            }
+        };
+        assert_eq!(refused, Err(SaveError::Buffer { needed, given }));
     }
 }

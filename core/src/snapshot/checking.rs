@@ -1,0 +1,380 @@
+//! Checking a model file record by record, in parts.
+
+use super::contents::{Contents, Place, Section, options, symbols, take};
+use super::error::{Part, RestoreError};
+use super::record::{
+    CHECK_BYTES, CommandRecord, HEADER_BYTES, LAYERED_VERSION, LEAST_BYTES, MAGIC, OLDEST_VERSION, PairRecord, RestsRecord, SessionRecord,
+    Sizes, StrategyRecord, TrainerRecord,
+};
+use crate::capacity::NAME_BYTES;
+use crate::checksum::Running;
+use crate::feedback::Strategy;
+use crate::language::Model;
+use crate::language::roles::Layout;
+use crate::language::settings::is_weight;
+use crate::language::tokenizer::word_form;
+use crate::planning::Progress;
+use crate::symbols::Symbol;
+use crate::task::role::is_marker;
+use serde::Deserialize;
+
+/// The sections of a file, in their order. The layer's three come last.
+const SECTIONS: [Part; SECTION_COUNT] = [
+    Part::Strategies,
+    Part::Words,
+    Part::Tokens,
+    Part::Commands,
+    Part::Sessions,
+    Part::Pairs,
+    Part::HeardAgain,
+    Part::Trainers,
+    Part::Rests,
+    #[cfg(feature = "layer")]
+    Part::Possible,
+    #[cfg(feature = "layer")]
+    Part::Possible,
+    #[cfg(feature = "layer")]
+    Part::Possible,
+];
+const SECTION_COUNT: usize = if cfg!(feature = "layer") { 12 } else { 9 };
+
+pub(super) const STRATEGIES: usize = 0;
+pub(super) const WORDS: usize = 1;
+pub(super) const TOKENS: usize = 2;
+pub(super) const COMMANDS: usize = 3;
+pub(super) const SESSIONS: usize = 4;
+pub(super) const PAIRS: usize = 5;
+pub(super) const HEARD_AGAIN: usize = 6;
+pub(super) const TRAINERS: usize = 7;
+pub(super) const RESTS: usize = 8;
+#[cfg(feature = "layer")]
+pub(super) const POSSIBLE_COMMANDS: usize = 9;
+#[cfg(feature = "layer")]
+pub(super) const POSSIBLE_COUNTS: usize = 10;
+#[cfg(feature = "layer")]
+pub(super) const POSSIBLE: usize = 11;
+
+/// So many bytes are checked for one cell of budget.
+pub(super) const BYTES_PER_CELL: usize = 8;
+
+/// How much the records of a file take together.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tally {
+    pub word_bytes: usize,
+    pub token_bytes: usize,
+    pub command_tokens: usize,
+    pub sentence_words: usize,
+    /// The role model's parameters, but for how many words and tokens there are.
+    pub layout: Layout,
+}
+
+/// How far a file is checked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stage {
+    /// The first bytes.
+    Header,
+    /// The check of all bytes, up to here.
+    Bytes(usize),
+    Head,
+    /// The records of a section; so many are left.
+    Section(usize, u32),
+    Done,
+}
+
+/// A model file, and how far it is checked.
+#[derive(Clone, Debug)]
+pub(super) struct Checking<'a> {
+    pub bytes: &'a [u8],
+    stage: Stage,
+    running: Running,
+    version: u16,
+    /// What is not read yet.
+    rest: &'a [u8],
+    places: [Place; SECTION_COUNT],
+    letters: usize,
+    by_roles: bool,
+    /// The sum of the strategies' probabilities.
+    believed: f32,
+    /// How many pairs the sessions have, and how many tasks.
+    pairs_wanted: u32,
+    pub tally: Tally,
+}
+
+impl<'a> Checking<'a> {
+    /// Nothing is checked yet.
+    pub fn of(bytes: &'a [u8]) -> Self {
+        Self {
+            bytes,
+            stage: Stage::Header,
+            running: Running::new(),
+            version: 0,
+            rest: &[],
+            places: [Place::NONE; SECTION_COUNT],
+            letters: 0,
+            by_roles: false,
+            believed: 0.0,
+            pairs_wanted: 0,
+            tally: Tally { word_bytes: 0, token_bytes: 0, command_tokens: 0, sentence_words: 0, layout: Layout::NONE },
+        }
+    }
+
+    /// Checks the whole file.
+    pub fn all(&mut self) -> Result<(), RestoreError> {
+        while self.on(&mut { u32::MAX })? == Progress::Working {}
+        Ok(())
+    }
+
+    /// Goes on, with about as much work as there is `left`: at least one record.
+    pub fn on(&mut self, left: &mut u32) -> Result<Progress, RestoreError> {
+        loop {
+            let work = match self.stage {
+                Stage::Done => return Ok(Progress::Done),
+                _ if *left == 0 => return Ok(Progress::Working),
+                Stage::Header => {
+                    self.version = version(self.bytes)?;
+                    self.stage = Stage::Bytes(0);
+                    1
+                }
+                Stage::Bytes(from) => self.check_bytes(from, *left)?,
+                Stage::Head => {
+                    self.head()?;
+                    self.begin(STRATEGIES)?;
+                    1
+                }
+                Stage::Section(section, 0) => {
+                    self.end(section)?;
+                    self.begin(section.saturating_add(1))?;
+                    1
+                }
+                Stage::Section(section, records) => {
+                    self.stage = Stage::Section(section, records.saturating_sub(1));
+                    self.record(section)?.saturating_add(1)
+                }
+            };
+            *left = left.saturating_sub(work as u32);
+        }
+    }
+
+    fn check_bytes(&mut self, from: usize, left: u32) -> Result<usize, RestoreError> {
+        let truncated = RestoreError::Length { stated: LEAST_BYTES as u32, given: self.bytes.len() };
+        let (checked, check) = self.bytes.split_last_chunk::<CHECK_BYTES>().ok_or(truncated)?;
+        let to = from.saturating_add((left as usize).saturating_mul(BYTES_PER_CELL)).min(checked.len());
+        self.running.update(checked.get(from..to).unwrap_or(&[]));
+        self.stage = Stage::Bytes(to);
+        if to == checked.len() {
+            if self.running.value() != u32::from_le_bytes(*check) {
+                return Err(RestoreError::Damaged);
+            }
+            self.rest = checked.get(HEADER_BYTES..).ok_or(truncated)?;
+            self.stage = Stage::Head;
+        }
+        Ok(to.saturating_sub(from).div_ceil(BYTES_PER_CELL))
+    }
+
+    #[inline(never)]
+    fn head(&mut self) -> Result<(), RestoreError> {
+        let wrong = RestoreError::Inconsistent(Part::Head);
+        let _: u32 = take(&mut self.rest).ok_or(wrong)?;
+        let _: Sizes = take(&mut self.rest).ok_or(wrong)?;
+        let language = options(&mut self.rest).ok_or(RestoreError::Inconsistent(Part::Options))?.language;
+        (self.letters, self.by_roles) = (language.letters_kept(), language.model == Model::Roles);
+        Ok(())
+    }
+
+    /// Begins a section. Older files end before the later ones.
+    fn begin(&mut self, section: usize) -> Result<(), RestoreError> {
+        let is_layered = self.version == LAYERED_VERSION;
+        let Some(&part) = SECTIONS.get(section).filter(|_| section <= RESTS || is_layered) else {
+            // Without the layer, what a model has for it is not looked at.
+            let is_left_over = (cfg!(feature = "layer") || !is_layered) && !self.rest.is_empty();
+            let last = if is_layered { Part::Possible } else { Part::Rests };
+            self.stage = Stage::Done;
+            return if is_left_over { Err(RestoreError::Inconsistent(last)) } else { Ok(()) };
+        };
+        let is_missing = (HEARD_AGAIN..=RESTS).contains(&section) && self.rest.is_empty();
+        let count = if is_missing { 0 } else { take(&mut self.rest).ok_or(RestoreError::Inconsistent(part))? };
+        let from = self.bytes.len().saturating_sub(CHECK_BYTES).saturating_sub(self.rest.len());
+        if let Some(place) = self.places.get_mut(section) {
+            *place = Place { count, from: from as u32 };
+        }
+        #[cfg(feature = "layer")]
+        if section == POSSIBLE_COUNTS {
+            self.pairs_wanted = 0;
+        }
+        self.stage = Stage::Section(section, count);
+        Ok(())
+    }
+
+    fn count(&self, section: usize) -> usize {
+        self.place(section).count as usize
+    }
+
+    fn place(&self, section: usize) -> Place {
+        self.places.get(section).copied().unwrap_or(Place::NONE)
+    }
+
+    /// Whether a section agrees with those before it, now that all of its records were seen.
+    fn end(&self, section: usize) -> Result<(), RestoreError> {
+        let count = self.count(section);
+        let agrees = |with: usize| count == 0 || count == self.count(with);
+        let is_sound = match section {
+            // An agent always has a strategy; a language model alone has none.
+            STRATEGIES => count == 0 || self.believed > 0.0,
+            PAIRS => count == self.pairs_wanted as usize,
+            HEARD_AGAIN => agrees(SESSIONS),
+            TRAINERS | RESTS => agrees(STRATEGIES),
+            #[cfg(feature = "layer")]
+            POSSIBLE_COUNTS => count <= self.count(SESSIONS),
+            #[cfg(feature = "layer")]
+            POSSIBLE => count == self.pairs_wanted as usize,
+            _ => true,
+        };
+        let part = SECTIONS.get(section).copied().unwrap_or(Part::Rests);
+        if is_sound { Ok(()) } else { Err(RestoreError::Inconsistent(part)) }
+    }
+
+    /// Checks one record. Gives how many entries it has.
+    fn record(&mut self, section: usize) -> Result<usize, RestoreError> {
+        let part = SECTIONS.get(section).copied().unwrap_or(Part::Rests);
+        self.sound_record(section).ok_or(RestoreError::Inconsistent(part))
+    }
+
+    fn sound_record(&mut self, section: usize) -> Option<usize> {
+        let rest = &mut self.rest;
+        match section {
+            STRATEGIES => {
+                let record: StrategyRecord = take(rest)?;
+                let _ = record.strategy()?;
+                self.believed += record.probability;
+                Some(4)
+            }
+            WORDS => {
+                let text: &str = take(rest)?;
+                self.tally.word_bytes = self.tally.word_bytes.saturating_add(text.len());
+                // A longer word than the model keeps would be another one once it is heard.
+                (text.len() <= NAME_BYTES && word_form(text, self.letters) == text).then_some(text.len())
+            }
+            TOKENS => {
+                let text: &str = take(rest)?;
+                self.tally.token_bytes = self.tally.token_bytes.saturating_add(text.len());
+                (text.len() <= NAME_BYTES).then_some(text.len())
+            }
+            COMMANDS => self.command(),
+            SESSIONS => {
+                let session: SessionRecord = take(rest)?;
+                let (known, words) = (self.count(WORDS), session.words.len());
+                self.pairs_wanted = self.pairs_wanted.saturating_add(session.pairs);
+                self.tally.sentence_words = self.tally.sentence_words.saturating_add(words);
+                self.tally.layout.see_length(words);
+                session.words.iter().all(|&word| usize::from(word) < known).then_some(words)
+            }
+            PAIRS => {
+                let pair: PairRecord = take(rest)?;
+                (usize::from(pair.command) < self.count(COMMANDS) && is_weight(pair.weight)).then_some(0)
+            }
+            HEARD_AGAIN => take::<bool>(rest).map(|_| 0),
+            TRAINERS => take::<TrainerRecord>(rest)?.is_sound().then_some(4),
+            RESTS => {
+                let rests: RestsRecord = take(rest)?;
+                Strategy::UNUSED.with_rests(rests).is_ok().then_some(4)
+            }
+            #[cfg(feature = "layer")]
+            POSSIBLE_COMMANDS => {
+                let (record, tokens): (CommandRecord, _) = (take(rest)?, self.count(TOKENS));
+                record.iter().all(|&token| usize::from(token) < tokens || is_marker(Symbol(token))).then_some(record.len())
+            }
+            #[cfg(feature = "layer")]
+            POSSIBLE_COUNTS => {
+                let count: u32 = take(rest)?;
+                self.pairs_wanted = self.pairs_wanted.saturating_add(count);
+                Some(0)
+            }
+            #[cfg(feature = "layer")]
+            POSSIBLE => {
+                let pair: PairRecord = take(rest)?;
+                (usize::from(pair.command) < self.count(POSSIBLE_COMMANDS) && is_weight(pair.weight)).then_some(0)
+            }
+            _ => None,
+        }
+    }
+
+    #[inline(never)]
+    fn command(&mut self) -> Option<usize> {
+        let (record, tokens): (CommandRecord, _) = (take(&mut self.rest)?, self.count(TOKENS));
+        let is_sound = |&token: &u16| usize::from(token) < tokens || (self.by_roles && is_marker(Symbol(token)));
+        if !record.iter().all(is_sound) {
+            return None;
+        }
+        self.tally.command_tokens = self.tally.command_tokens.saturating_add(record.len());
+        if self.by_roles {
+            self.tally.layout.see(&symbols(&record));
+        }
+        Some(record.len())
+    }
+
+    /// A number that is another one for another file.
+    pub fn mark(&self) -> u32 {
+        self.running.value()
+    }
+
+    /// The records of a section that was checked.
+    pub fn section<T: Deserialize<'a>>(&self, section: usize) -> Section<'a, T> {
+        Section::at(self.bytes, self.place(section))
+    }
+
+    /// What the checked file holds.
+    pub fn contents(&self) -> Result<Contents<'a>, RestoreError> {
+        let wrong = RestoreError::Inconsistent(Part::Head);
+        let mut rest = self.bytes.get(HEADER_BYTES..).ok_or(wrong)?;
+        let vocabulary = take(&mut rest).ok_or(wrong)?;
+        let sizes = take::<Sizes>(&mut rest).ok_or(wrong)?.capacities();
+        #[cfg_attr(not(feature = "layer"), expect(unused_mut, reason = "as with the feature"))]
+        let mut options = options(&mut rest).ok_or(wrong)?;
+        #[cfg(feature = "layer")]
+        {
+            options.language.layer = self.version == LAYERED_VERSION;
+        }
+        Ok(Contents {
+            vocabulary,
+            sizes,
+            options,
+            strategies: self.section(STRATEGIES),
+            words: self.section(WORDS),
+            tokens: self.section(TOKENS),
+            commands: self.section(COMMANDS),
+            sessions: self.section(SESSIONS),
+            pairs: self.section(PAIRS),
+            heard_again: self.section(HEARD_AGAIN),
+            trainers: self.section(TRAINERS),
+            rests: self.section(RESTS),
+            #[cfg(feature = "layer")]
+            possible_commands: self.section(POSSIBLE_COMMANDS),
+            #[cfg(feature = "layer")]
+            possible_counts: self.section(POSSIBLE_COUNTS),
+            #[cfg(feature = "layer")]
+            possible: self.section(POSSIBLE),
+            tally: self.tally,
+        })
+    }
+}
+
+/// The format of a file whose first bytes and whose length are right.
+fn version(bytes: &[u8]) -> Result<u16, RestoreError> {
+    let mut rest = bytes.strip_prefix(&MAGIC).ok_or(RestoreError::NotAModel)?;
+    let truncated = RestoreError::Length { stated: LEAST_BYTES as u32, given: bytes.len() };
+    let found = u16::from_le_bytes(*split_array(&mut rest).ok_or(truncated)?);
+    if !(OLDEST_VERSION..=LAYERED_VERSION).contains(&found) {
+        return Err(RestoreError::Version { found });
+    }
+    let stated = u32::from_le_bytes(*split_array(&mut rest).ok_or(truncated)?);
+    if usize::try_from(stated) != Ok(bytes.len()) || bytes.len() < LEAST_BYTES {
+        return Err(RestoreError::Length { stated, given: bytes.len() });
+    }
+    Ok(found)
+}
+
+fn split_array<'a, const N: usize>(rest: &mut &'a [u8]) -> Option<&'a [u8; N]> {
+    let (array, after) = rest.split_first_chunk::<N>()?;
+    *rest = after;
+    Some(array)
+}

@@ -1,0 +1,217 @@
+//! A model comes back, record by record and in parts.
+
+use super::checking::{COMMANDS, Checking, HEARD_AGAIN, PAIRS, SESSIONS, TOKENS, WORDS};
+use super::contents::{Section, symbols, take};
+use super::error::{Part, RestoreError};
+use super::record::{CommandRecord, PairRecord, SessionRecord};
+use crate::capacity::WORDS_PER_COMMAND;
+use crate::language::LanguageMut;
+use crate::language::model::{LanguageState, Unlearned};
+use crate::memory::LanguageTables;
+use crate::planning::Progress;
+use crate::symbols::Symbol;
+use heapless::Vec;
+
+/// A model that comes back in parts: [`Agent::restore_on`](crate::Agent::restore_on).
+#[derive(Clone, Debug)]
+pub struct Restoring<'a> {
+    pub(super) checking: Checking<'a>,
+    pub(super) stage: Stage,
+    /// The records of this stage that are not read yet.
+    rest: &'a [u8],
+    /// The pairs that are not read yet, and how many of them are the last session's.
+    pairs: &'a [u8],
+    of_session: u32,
+    unlearned: Unlearned,
+    /// Says how far this model has come back, to whoever restores another at the same time.
+    pub(super) mark: u32,
+}
+
+/// What is done next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stage {
+    Check,
+    /// Whether the robot's memory has room.
+    Room,
+    /// Whether a text is another one than each before it.
+    DistinctWord(u32),
+    DistinctToken(u32),
+    /// The robot forgets what it knew.
+    Begin,
+    /// A record is taken over, by its position.
+    Word(u32),
+    Token(u32),
+    Command(u32),
+    Session(u32),
+    HeardAgain(u32),
+    /// What was taken over is now what it learned.
+    Commit,
+    Done,
+}
+
+impl<'a> Restoring<'a> {
+    /// A model file of which nothing is read yet.
+    pub fn of(model: &'a [u8]) -> Self {
+        Self {
+            checking: Checking::of(model),
+            stage: Stage::Check,
+            rest: &[],
+            pairs: &[],
+            of_session: 0,
+            unlearned: Unlearned::NONE,
+            mark: 0,
+        }
+    }
+
+    /// Whether records are taken over: the robot has forgotten what it had learned, and does not know these yet.
+    pub(super) const fn is_taking(&self) -> bool {
+        !matches!(self.stage, Stage::Check | Stage::Room | Stage::DistinctWord(_) | Stage::DistinctToken(_) | Stage::Begin | Stage::Done)
+    }
+
+    /// Goes on with the stage, for a language model in its tables, with about as much work as there is `left`: at least one record.
+    pub(super) fn step(
+        &mut self,
+        language: &mut LanguageState,
+        tables: LanguageTables<'_>,
+        workspace: &mut [u64],
+        left: &mut u32,
+    ) -> Result<(), RestoreError> {
+        match self.stage {
+            Stage::Done => {}
+            Stage::Check => {
+                if self.checking.on(left)? == Progress::Done {
+                    self.stage = Stage::Room;
+                }
+            }
+            Stage::Room => {
+                language.read(tables.read(), workspace.len()).check_room(&self.checking.contents()?)?;
+                self.stage = Stage::DistinctWord(0);
+                *left = left.saturating_sub(1);
+            }
+            Stage::DistinctWord(_) | Stage::DistinctToken(_) => *left = left.saturating_sub(self.distinct()?),
+            Stage::Begin => {
+                language.with(tables, workspace).forget_for(&self.checking.contents()?);
+                self.begin(language);
+                *left = left.saturating_sub(1);
+            }
+            Stage::Commit => {
+                language.exchange(&mut self.unlearned);
+                language.with(tables, workspace).complete(&self.checking)?;
+                self.stage = Stage::Done;
+                *left = left.saturating_sub(1);
+            }
+            _ => self.take(language, tables, workspace, left),
+        }
+        Ok(())
+    }
+
+    /// Goes on to see that no text comes twice. Gives the work.
+    fn distinct(&mut self) -> Result<u32, RestoreError> {
+        let (section, at, part) = match self.stage {
+            Stage::DistinctWord(at) => (WORDS, at, Part::Words),
+            Stage::DistinctToken(at) => (TOKENS, at, Part::Tokens),
+            _ => return Ok(1),
+        };
+        let texts: Section<'a, &[u8]> = self.checking.section(section);
+        if at == 0 {
+            self.rest = texts.bytes();
+        }
+        if at as usize >= texts.len() {
+            self.stage = if section == WORDS { Stage::DistinctToken(0) } else { Stage::Begin };
+            return Ok(1);
+        }
+        let wrong = RestoreError::Inconsistent(part);
+        let text: &[u8] = take(&mut self.rest).ok_or(wrong)?;
+        if texts.iter().take(at as usize).any(|other| other == text) {
+            return Err(wrong);
+        }
+        let next = at.saturating_add(1);
+        self.stage = if section == WORDS { Stage::DistinctWord(next) } else { Stage::DistinctToken(next) };
+        Ok(next)
+    }
+
+    /// Begins to take over, from tables that hold nothing.
+    fn begin(&mut self, language: &LanguageState) {
+        self.unlearned = Unlearned::after(language);
+        self.stage = Stage::Word(0);
+        self.rest = self.checking.section::<&str>(WORDS).bytes();
+        self.pairs = self.checking.section::<PairRecord>(PAIRS).bytes();
+        self.of_session = 0;
+    }
+
+    /// Takes over some records, with about as much work as there is `left`. They are not learned until all are there.
+    fn take(&mut self, language: &mut LanguageState, tables: LanguageTables<'_>, workspace: &mut [u64], left: &mut u32) {
+        language.exchange(&mut self.unlearned);
+        let mut model = language.with(tables, workspace);
+        while *left > 0 && self.is_taking() && self.stage != Stage::Commit {
+            // What was checked is there.
+            let work = self.record(&mut model).unwrap_or(0);
+            *left = left.saturating_sub((work as u32).saturating_add(1));
+        }
+        language.exchange(&mut self.unlearned);
+    }
+
+    /// The stage of the next record, or the one after the last.
+    fn next<T: serde::Deserialize<'a>>(&mut self, at: u32, section: usize, next: fn(u32) -> Stage, after: (Stage, usize)) -> bool {
+        if (at as usize) < self.checking.section::<T>(section).len() {
+            self.stage = next(at.saturating_add(1));
+            return true;
+        }
+        (self.stage, self.rest) = (after.0, self.checking.section::<T>(after.1).bytes());
+        false
+    }
+
+    /// Takes over one record; gives how many entries it has. Nothing here fails: the room for all was counted, and the parameters by the
+    /// model that has them.
+    fn record(&mut self, language: &mut LanguageMut<'_>) -> Option<usize> {
+        match self.stage {
+            Stage::Word(at) => {
+                if !self.next::<&str>(at, WORDS, Stage::Word, (Stage::Token(0), TOKENS)) {
+                    return Some(0);
+                }
+                let _ = language.words_mut().intern(take(&mut self.rest)?);
+                // A text is looked for among those before it.
+                Some(at as usize)
+            }
+            Stage::Token(at) => {
+                if !self.next::<&str>(at, TOKENS, Stage::Token, (Stage::Command(0), COMMANDS)) {
+                    return Some(0);
+                }
+                let _ = language.tokens_mut().intern(take(&mut self.rest)?);
+                Some(at as usize)
+            }
+            Stage::Command(at) => {
+                if !self.next::<CommandRecord>(at, COMMANDS, Stage::Command, (Stage::Session(0), SESSIONS)) {
+                    return Some(0);
+                }
+                let record: CommandRecord = take(&mut self.rest)?;
+                let _ = language.bitext_mut().add_command(&symbols(&record));
+                Some(record.len())
+            }
+            Stage::Session(_) if self.of_session > 0 => {
+                self.of_session = self.of_session.saturating_sub(1);
+                let pair: PairRecord = take(&mut self.pairs)?;
+                let _ = language.bitext_mut().add_pair_with(pair.command, pair.weight);
+                Some(0)
+            }
+            Stage::Session(at) => {
+                if !self.next::<SessionRecord>(at, SESSIONS, Stage::Session, (Stage::HeardAgain(0), HEARD_AGAIN)) {
+                    return Some(0);
+                }
+                let session: SessionRecord = take(&mut self.rest)?;
+                let words: Vec<Symbol, WORDS_PER_COMMAND> = session.words.iter().map(|&word| Symbol(word)).collect();
+                let _ = language.bitext_mut().add_session(&words);
+                self.of_session = session.pairs;
+                Some(words.len())
+            }
+            Stage::HeardAgain(at) => {
+                let is_one = self.next::<bool>(at, HEARD_AGAIN, Stage::HeardAgain, (Stage::Commit, HEARD_AGAIN));
+                if is_one && take(&mut self.rest)? {
+                    language.bitext_mut().set_heard_again(at as u16);
+                }
+                Some(0)
+            }
+            _ => Some(0),
+        }
+    }
+}

@@ -1,0 +1,361 @@
+//! Writing a model, record by record and in parts, without memory of its own.
+
+use super::checking::BYTES_PER_CELL;
+use super::error::SaveError;
+#[cfg(feature = "layer")]
+use super::record::LAYERED_VERSION;
+use super::record::{CHECK_BYTES, HEADER_BYTES, MAGIC, OPTIONS_BYTES, OptionsRecord, Sizes, VERSION};
+use crate::capacity::Capacities;
+use crate::checksum::Running;
+use crate::feedback::BeliefRef;
+#[cfg(feature = "layer")]
+use crate::language::BitextRef;
+use crate::language::settings::is_weight;
+use crate::language::{LanguageRef, Pair};
+use crate::session::Options;
+use crate::symbols::Symbol;
+
+/// A model that is being saved in parts: [`Agent::save_on`](crate::Agent::save_on).
+#[derive(Clone, Debug)]
+pub struct Saving {
+    stage: Stage,
+    /// Bytes that were written, or would have been where there was room.
+    length: usize,
+    running: Running,
+    changes: u32,
+}
+
+/// What is written next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stage {
+    Head,
+    Strategies,
+    /// A record of a list, by its position. A list begins with how many it has.
+    Words(usize),
+    Tokens(usize),
+    Commands(usize),
+    Sessions(usize),
+    Pairs(usize),
+    HeardAgain(usize),
+    Trainers,
+    #[cfg(feature = "layer")]
+    PossibleCommands(usize),
+    #[cfg(feature = "layer")]
+    PossibleCounts(usize),
+    #[cfg(feature = "layer")]
+    Possible(usize),
+    /// The bytes are checked, from this one on.
+    Check(usize),
+}
+
+impl Saving {
+    /// Nothing is written yet.
+    pub fn new() -> Self {
+        Self { stage: Stage::Head, length: 0, running: Running::new(), changes: 0 }
+    }
+}
+
+impl Default for Saving {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// What is saved.
+pub(super) struct Model<'a> {
+    pub vocabulary: u32,
+    pub options: &'a Options,
+    pub language: LanguageRef<'a>,
+    pub strategies: Option<BeliefRef<'a>>,
+}
+
+/// The room for a model; what has no room is only counted.
+struct Out<'b> {
+    buffer: &'b mut [u8],
+    length: usize,
+}
+
+impl Out<'_> {
+    fn bytes(&mut self, bytes: &[u8]) {
+        let end = self.length.saturating_add(bytes.len());
+        if let Some(room) = self.buffer.get_mut(self.length..end) {
+            // As long as each other: a copy that checks it could panic.
+            room.iter_mut().zip(bytes).for_each(|(slot, &byte)| *slot = byte);
+        }
+        self.length = end;
+    }
+
+    /// A number or a count: seven bits a byte, the lowest first.
+    fn number(&mut self, number: u32) {
+        let mut left = number;
+        while left > 0x7f {
+            self.bytes(&[(left & 0x7f) as u8 | 0x80]);
+            left >>= 7;
+        }
+        self.bytes(&[left as u8]);
+    }
+
+    fn count(&mut self, count: usize) {
+        self.number(count as u32);
+    }
+
+    fn real(&mut self, number: f32) {
+        self.bytes(&number.to_le_bytes());
+    }
+
+    fn text(&mut self, text: &str) {
+        self.count(text.len());
+        self.bytes(text.as_bytes());
+    }
+
+    fn symbols(&mut self, symbols: &[Symbol]) {
+        self.count(symbols.len());
+        for symbol in symbols {
+            self.number(u32::from(symbol.0));
+        }
+    }
+
+    /// # Errors
+    /// [`SaveError::Unsound`] where the weight could not be restored.
+    fn pair(&mut self, pair: &Pair) -> Result<(), SaveError> {
+        if !is_weight(pair.weight) {
+            return Err(SaveError::Unsound);
+        }
+        self.number(u32::from(pair.command));
+        self.real(pair.weight);
+        Ok(())
+    }
+}
+
+impl Model<'_> {
+    /// Bytes of the whole file.
+    pub fn bytes(&self) -> Result<usize, SaveError> {
+        match self.write(&mut []) {
+            Err(SaveError::Buffer { needed, .. }) => Ok(needed),
+            other => other,
+        }
+    }
+
+    /// Writes the whole file to the front of the buffer. Gives its length.
+    pub fn write(&self, buffer: &mut [u8]) -> Result<usize, SaveError> {
+        let mut saving = Saving::new();
+        loop {
+            if let Some(length) = self.write_on(&mut saving, buffer, u32::MAX)? {
+                return Ok(length);
+            }
+        }
+    }
+
+    /// Goes on writing, with about as much work as the budget says: at least one record.
+    pub fn write_on(&self, saving: &mut Saving, buffer: &mut [u8], budget: u32) -> Result<Option<usize>, SaveError> {
+        let changes = self.changes();
+        if saving.stage == Stage::Head {
+            saving.changes = changes;
+        }
+        if saving.changes != changes {
+            return Err(SaveError::Changed);
+        }
+        let mut left = budget.max(1);
+        while left > 0 {
+            let work = if let Stage::Check(from) = saving.stage {
+                let to = from.saturating_add((left as usize).saturating_mul(BYTES_PER_CELL)).min(saving.length);
+                if to == from {
+                    return Self::complete(saving, buffer).map(Some);
+                }
+                saving.running.update(buffer.get(from..to).unwrap_or(&[]));
+                saving.stage = Stage::Check(to);
+                to.saturating_sub(from).div_ceil(BYTES_PER_CELL)
+            } else {
+                let before = saving.length;
+                let mut out = Out { buffer: &mut *buffer, length: before };
+                saving.stage = self.write_record(saving.stage, &mut out)?;
+                saving.length = out.length;
+                if saving.stage == Stage::Check(0) {
+                    self.write_header(saving, buffer)?;
+                }
+                saving.length.saturating_sub(before)
+            };
+            left = left.saturating_sub((work as u32).max(1));
+        }
+        Ok(None)
+    }
+
+    /// Another number whenever what is saved has changed, but for what is believed of the trainer.
+    fn changes(&self) -> u32 {
+        let known = self.strategies.map_or(&[][..], BeliefRef::strategies);
+        let numbers = known.iter().flat_map(|(strategy, _)| {
+            let numbers = [strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon()];
+            numbers.into_iter().chain(strategy.lags()).chain(strategy.rests())
+        });
+        numbers.fold(self.language.bitext().changes(), |sum, number| sum.rotate_left(5).wrapping_add(number.to_bits()))
+    }
+
+    /// The header, now that the length is known.
+    fn write_header(&self, saving: &Saving, buffer: &mut [u8]) -> Result<(), SaveError> {
+        let needed = saving.length.saturating_add(CHECK_BYTES);
+        if needed > buffer.len() {
+            return Err(SaveError::Buffer { needed, given: buffer.len() });
+        }
+        let stated = u32::try_from(needed).map_err(|_| SaveError::Unsound)?;
+        let mut out = Out { buffer, length: 0 };
+        out.bytes(&MAGIC);
+        out.bytes(&self.version().to_le_bytes());
+        out.bytes(&stated.to_le_bytes());
+        Ok(())
+    }
+
+    /// The check, now that all bytes are.
+    fn complete(saving: &mut Saving, buffer: &mut [u8]) -> Result<usize, SaveError> {
+        let given = buffer.len();
+        let mut out = Out { buffer, length: saving.length };
+        out.bytes(&saving.running.value().to_le_bytes());
+        let needed = out.length;
+        *saving = Saving::new();
+        if needed > given { Err(SaveError::Buffer { needed, given }) } else { Ok(needed) }
+    }
+
+    /// Writes one record. Gives the stage after it.
+    fn write_record(&self, stage: Stage, out: &mut Out<'_>) -> Result<Stage, SaveError> {
+        let (language, bitext) = (self.language, self.language.bitext());
+        /// The stage of the next record of a list, or the one after the list; `$write` writes the record.
+        macro_rules! list {
+            ($stage:ident($at:ident) of $count:expr, then $after:expr, $write:expr) => {{
+                let count = $count;
+                if $at == 0 {
+                    out.count(count);
+                }
+                if $at < count {
+                    $write;
+                }
+                let next = $at.saturating_add(1);
+                if next < count { Stage::$stage(next) } else { $after }
+            }};
+        }
+        Ok(match stage {
+            Stage::Head => {
+                self.write_head(out)?;
+                Stage::Strategies
+            }
+            Stage::Strategies => {
+                self.write_strategies(out);
+                Stage::Words(0)
+            }
+            Stage::Words(at) => {
+                list!(Words(at) of language.learned_words(), then Stage::Tokens(0), out.text(language.words().text(Symbol(at as u16))))
+            }
+            Stage::Tokens(at) => {
+                list!(Tokens(at) of language.learned_tokens(), then Stage::Commands(0), out.text(language.tokens().text(Symbol(at as u16))))
+            }
+            Stage::Commands(at) => {
+                list!(Commands(at) of bitext.commands(), then Stage::Sessions(0), out.symbols(bitext.command(at as u16)))
+            }
+            Stage::Sessions(at) => list!(Sessions(at) of bitext.sessions(), then Stage::Pairs(0), {
+                out.symbols(bitext.sentence(at as u16));
+                out.count(bitext.pairs_of(at as u16).len());
+            }),
+            Stage::Pairs(at) => list!(Pairs(at) of bitext.pairs().len(), then Stage::HeardAgain(0), {
+                if let Some(pair) = bitext.pairs().get(at) {
+                    out.pair(pair)?;
+                }
+            }),
+            Stage::HeardAgain(at) => {
+                list!(HeardAgain(at) of bitext.sessions(), then Stage::Trainers, out.bytes(&[u8::from(bitext.heard_again(at as u16))]))
+            }
+            Stage::Trainers => {
+                self.write_trainers(out);
+                self.after_trainers()
+            }
+            #[cfg(feature = "layer")]
+            Stage::PossibleCommands(at) => {
+                let Some(possible) = self.possible() else { return Ok(Stage::Check(0)) };
+                list!(PossibleCommands(at) of possible.commands(), then Stage::PossibleCounts(0), out.symbols(possible.command(at as u16)))
+            }
+            #[cfg(feature = "layer")]
+            Stage::PossibleCounts(at) => {
+                let Some(possible) = self.possible() else { return Ok(Stage::Check(0)) };
+                list!(PossibleCounts(at) of possible.sessions(), then Stage::Possible(0), out.count(possible.pairs_of(at as u16).len()))
+            }
+            #[cfg(feature = "layer")]
+            Stage::Possible(at) => {
+                let Some(possible) = self.possible() else { return Ok(Stage::Check(0)) };
+                list!(Possible(at) of possible.pairs().len(), then Stage::Check(0), {
+                    if let Some(pair) = possible.pairs().get(at) {
+                        out.pair(pair)?;
+                    }
+                })
+            }
+            Stage::Check(from) => Stage::Check(from),
+        })
+    }
+
+    #[inline(never)]
+    fn write_head(&self, out: &mut Out<'_>) -> Result<(), SaveError> {
+        let options = OptionsRecord::new(self.options);
+        if !options.is_sound() {
+            return Err(SaveError::Unsound);
+        }
+        let mut bytes = [0; OPTIONS_BYTES];
+        let options = postcard::to_slice(&options, &mut bytes).map_err(|_| SaveError::Unsound)?;
+        // The header is written when the length is known.
+        out.bytes(&[0; HEADER_BYTES]);
+        out.number(self.vocabulary);
+        let strategies = self.strategies.map_or(0, BeliefRef::most_strategies);
+        Sizes::new(&Capacities { strategies, ..self.language.rooms() }).numbers().for_each(|size| out.number(size));
+        out.count(options.len());
+        out.bytes(options);
+        Ok(())
+    }
+
+    /// What is believed of the trainer changes with each word of theirs, so all of it is written at once.
+    fn write_strategies(&self, out: &mut Out<'_>) {
+        let has_evidence = self.strategies.is_some_and(BeliefRef::has_evidence);
+        let known = self.strategies.map_or(&[][..], BeliefRef::strategies);
+        out.count(known.len());
+        for (position, &(strategy, before)) in known.iter().enumerate() {
+            let probability = self.strategies.map_or(before, |belief| belief.carried(position, has_evidence));
+            [strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon(), probability].into_iter().for_each(|number| out.real(number));
+        }
+    }
+
+    /// How late the strategies' words come and what is expected of them, then what they say to rests.
+    fn write_trainers(&self, out: &mut Out<'_>) {
+        let known = self.strategies.map_or(&[][..], BeliefRef::strategies);
+        out.count(known.len());
+        for (position, (strategy, _)) in known.iter().enumerate() {
+            strategy.lags().into_iter().for_each(|lag| out.real(lag));
+            out.real(self.strategies.map_or(0.0, |belief| belief.expected(position)));
+        }
+        out.count(known.len());
+        for (strategy, _) in known {
+            strategy.rests().into_iter().for_each(|number| out.real(number));
+        }
+    }
+
+    /// The tasks of all sessions, where the model has the layer and memory for it. Without that memory it is a role model.
+    #[cfg(feature = "layer")]
+    fn possible(&self) -> Option<BitextRef<'_>> {
+        self.language.possible().filter(|_| self.options.language.layer)
+    }
+
+    #[cfg(feature = "layer")]
+    fn after_trainers(&self) -> Stage {
+        if self.possible().is_some() { Stage::PossibleCommands(0) } else { Stage::Check(0) }
+    }
+
+    #[cfg(not(feature = "layer"))]
+    #[expect(clippy::unused_self, reason = "as with the feature")]
+    const fn after_trainers(&self) -> Stage {
+        Stage::Check(0)
+    }
+
+    #[cfg(feature = "layer")]
+    fn version(&self) -> u16 {
+        if self.possible().is_some() { LAYERED_VERSION } else { VERSION }
+    }
+
+    #[cfg(not(feature = "layer"))]
+    #[expect(clippy::unused_self, reason = "as with the feature")]
+    const fn version(&self) -> u16 {
+        VERSION
+    }
+}
