@@ -45,7 +45,7 @@ pub struct Scene {
 pub enum Tasks {
     /// The paper's two kinds, all of them.
     Paper,
-    /// So many, evenly taken from the first 64 of the paper's and those of agent and block together.
+    /// So many, evenly taken from the first 64, or as many as are asked for, of the paper's and those of agent and block together.
     Count(usize),
 }
 
@@ -72,13 +72,13 @@ impl Scene {
         let lifted: Vec<LiftedTask> = texts.iter().map(|text| LiftedTask::parse(text, &SCHEMA).expect("a lifted task")).collect();
         let mut all = [GroundedTask::UNUSED; TaskSet::MOST];
         let mut grounded = Vec::new();
-        // More than 64 tasks are refused as a whole, so each kind is grounded alone.
+        // More tasks than there can be are refused as a whole, so each kind is grounded alone.
         for (kind, lifted) in lifted.iter().enumerate() {
             let count = ground(&home, std::slice::from_ref(lifted), &start, &mut all).unwrap_or(TaskSet::MOST);
             grounded.extend(all.iter().take(count).map(|task| GroundedTask { lifted: kind as u8, ..*task }));
         }
         if let Tasks::Count(count) = tasks {
-            grounded.truncate(TaskSet::MOST);
+            grounded.truncate(count.max(64));
             grounded = grounded.iter().step_by((grounded.len() / count).max(1)).take(count).copied().collect();
         }
         let planner = OwnPlanner::new(&LARGE, &home, &lifted, &grounded);

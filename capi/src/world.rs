@@ -7,7 +7,7 @@ use goodbot::Capacities;
 use goodbot::home::{Home, HomeBuilder, HomeState};
 #[cfg(feature = "home")]
 use goodbot::memory::HomeTables;
-use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition};
+use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition, StateKey};
 #[cfg(feature = "home")]
 use goodbot::oomdp::{BitRows, CellId, Floor, Piece, PushGrid};
 
@@ -137,6 +137,23 @@ impl Domain for Surroundings {
         }
     }
 
+    fn key(&self, state: &Standing) -> StateKey {
+        match (self, state) {
+            #[cfg(feature = "home")]
+            (Self::Home(home), Standing::Home(state)) => home.key(state),
+            _ => StateKey::of(self.number(state)),
+        }
+    }
+
+    fn keyed(&self, key: StateKey) -> Standing {
+        match self {
+            #[cfg(feature = "home")]
+            Self::Home(home) => Standing::Home(home.keyed(key)),
+            #[cfg(feature = "table")]
+            Self::Table(table) => Standing::Table(table.keyed(key)),
+        }
+    }
+
     #[cfg(feature = "derived")]
     fn tell_derived(&self, state: &Standing, object: goodbot::oomdp::ObjectId, tell: &mut dyn FnMut(&str)) {
         match (self, state) {
@@ -155,6 +172,14 @@ impl Domain for Surroundings {
 impl PushGrid for Surroundings {
     fn is_floor(&self) -> bool {
         matches!(self, Self::Home(_))
+    }
+
+    fn is_numbered(&self) -> bool {
+        match self {
+            Self::Home(home) => home.is_numbered(),
+            #[cfg(feature = "table")]
+            Self::Table(_) => true,
+        }
     }
 
     fn floor(&self) -> Floor<'_> {

@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// Print the world of a PDDL domain and problem
 ///
 /// Typing, STRIPS, negative preconditions, equality and action costs of 1 to 16 are understood. The problem must be a small one: a robot has at most 15
-/// actions with their objects, those left out that the others settle, and 64 tasks.
+/// actions with their objects, those left out that the others settle, and 256 tasks.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Each object's name is an attribute that words can mean; add others, such as a colour, to the file.

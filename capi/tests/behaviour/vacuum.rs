@@ -2,6 +2,7 @@
 
 use crate::robots;
 
+use goodbot::task::TaskSet;
 use goodbot_capi::beliefs::*;
 use goodbot_capi::capacities::*;
 use goodbot_capi::robot::{Goodbot, goodbot_full};
@@ -225,11 +226,14 @@ fn sessions(robot: *mut Goodbot) -> u32 {
     count
 }
 
+/// Beside programs for hosts, in one build, sets of tasks are theirs and take more.
+const FOR_HOSTS: bool = TaskSet::MOST > TaskSet::MOST_OF_ONE_WORD;
+
 #[test]
 fn the_preset_for_a_robot_of_ones_own_keeps_every_lesson() {
     let bytes = if cfg!(target_pointer_width = "64") { GOODBOT_OWN_BYTES_64 } else { GOODBOT_OWN_BYTES_32 };
     let owned = vacuum(preset(GOODBOT_OWN));
-    assert!(owned.bytes <= bytes, "{}", owned.bytes);
+    assert!(owned.bytes <= bytes || FOR_HOSTS, "{}", owned.bytes);
     assert_eq!((teach(owned.robot, LESSONS), sessions(owned.robot)), (0, 16));
     for (command, task) in SAID {
         assert_eq!(understood(owned.robot, command), task, "{command:?}");
@@ -256,7 +260,7 @@ fn what_a_robot_used_on_a_host_is_enough_on_a_controller() {
     assert_eq!(teach(roomy.robot, LESSONS), 0);
     assert_eq!(unsafe { goodbot_usage(roomy.robot, &raw mut used) }, GoodbotStatus::Ok);
     let owned = vacuum(used);
-    assert!(owned.bytes < GOODBOT_OWN_BYTES_64, "{}", owned.bytes);
+    assert!(owned.bytes < GOODBOT_OWN_BYTES_64 || FOR_HOSTS, "{}", owned.bytes);
     assert_eq!((teach(owned.robot, LESSONS), sessions(owned.robot)), (0, 16));
     for (command, task) in SAID {
         assert_eq!(understood(owned.robot, command), task, "{command:?}");

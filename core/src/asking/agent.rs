@@ -6,7 +6,7 @@ use super::settings::Asking;
 use crate::capacity::QUESTIONS_PER_SESSION;
 use crate::feedback::{Words, binary_entropy};
 use crate::memory::AgentMemory;
-use crate::oomdp::{Domain, apply};
+use crate::oomdp::{Domain, StateKey, apply};
 use crate::planning::Progress;
 use crate::session::{Agent, AgentError, Evidence};
 use crate::task::TaskSet;
@@ -73,12 +73,12 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<Considered, AgentError> {
         asking.check()?;
         self.check_session(domain)?;
-        let number = domain.number(state);
-        let looking = match self.asked.looking.take().filter(|looking| looking.start == number) {
+        let key = domain.key(state);
+        let looking = match self.asked.looking.take().filter(|looking| looking.start == key) {
             Some(looking) => looking,
             None => {
                 self.check_planned(domain, state)?;
-                match self.begin_looking(number, asking) {
+                match self.begin_looking(key, asking) {
                     Some(looking) => looking,
                     None => return Ok(Considered::Act),
                 }
@@ -88,7 +88,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The question that would be asked in a state, and a look ahead from there.
-    fn begin_looking(&self, number: u64, asking: &Asking) -> Option<LookingAhead> {
+    fn begin_looking(&self, key: StateKey, asking: &Asking) -> Option<LookingAhead> {
         let followed = self.most_likely()?;
         if self.asked.sets.is_full() || !asking.kappa.is_finite() || self.belief().probability(followed) >= asking.sure {
             return None;
@@ -104,8 +104,8 @@ impl<M: AgentMemory> Agent<M> {
         Some(LookingAhead {
             question,
             worth: question.information / asking.kappa,
-            start: number,
-            at: number,
+            start: key,
+            at: key,
             followed,
             dead: self.dead,
             steps: 0,
@@ -119,7 +119,7 @@ impl<M: AgentMemory> Agent<M> {
         let words = Words::expected(self.belief());
         loop {
             // Dead ends on the way stay dead; after it they are no longer certain.
-            let state = domain.numbered(looking.at);
+            let state = domain.keyed(looking.at);
             if self.planned != Some(looking.at) {
                 self.expected = Some(looking.at);
             }
@@ -132,7 +132,7 @@ impl<M: AgentMemory> Agent<M> {
             }
             let action = self.onward(looking.followed, Some(&words).filter(|_| self.options.telling), &mut |_| 0);
             looking.add(words.information(self.right(action)));
-            let next = apply(domain, &state, action).map_or(looking.at, |next| domain.number(&next));
+            let next = apply(domain, &state, action).map_or(looking.at, |next| domain.key(&next));
             if looking.asks.is_some() {
                 if looking.at != looking.start {
                     self.dead = looking.dead;

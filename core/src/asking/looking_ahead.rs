@@ -1,6 +1,7 @@
 //! The expected information of the next steps of the current plan.
 
 use super::question::Question;
+use crate::oomdp::StateKey;
 use crate::task::TaskSet;
 
 /// How many steps ahead it looks.
@@ -14,9 +15,9 @@ pub(super) struct LookingAhead {
     /// Its information per step of its cost, in bits.
     pub(super) worth: f32,
     /// The state in which it would be asked.
-    pub(super) start: u64,
+    pub(super) start: StateKey,
     /// The state that the look has come to.
-    pub(super) at: u64,
+    pub(super) at: StateKey,
     /// The task that is followed.
     pub(super) followed: usize,
     /// The dead ends known at the start.

@@ -37,7 +37,13 @@ impl fmt::Display for CapacityError {
         let field = self.capacity.field();
         let remedy = match self.capacity {
             Capacity::Tasks if self.given as usize > TaskSet::MOST => {
-                "more than 64 cannot be told apart: give fewer objects or lifted tasks"
+                return write!(
+                    f,
+                    "no room: {field} is {}, and {} or more were given; more than {} cannot be told apart: give fewer objects or lifted tasks",
+                    self.limit,
+                    self.given,
+                    TaskSet::MOST
+                );
             }
             _ if field.starts_with("Capacities") => "raise it",
             _ => "it is fixed: give fewer, or shorter ones",

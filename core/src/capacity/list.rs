@@ -1,6 +1,7 @@
 //! The one list of capacities. The struct, the presets, the enum and every comparison are made from it.
 
 use super::error::CapacityError;
+use crate::task::TaskSet;
 use core::fmt;
 use core::str::FromStr;
 
@@ -12,7 +13,7 @@ macro_rules! for_each_capacity {
     ($($then:ident)::+!($($head:tt)*)) => {
         $($then)::+! {
             $($head)*
-            /// Objects of one environment: agent, rooms, doors and blocks together. At most 255; a home takes 32.
+            /// Objects of one environment: agent, rooms, doors and blocks together. At most 255; a home takes 32, and 96 with the feature `large`.
             objects: Objects = 11, 12, 32;
             /// Distinct names and attribute values of one environment.
             names: Names = 18, 24, 96;
@@ -20,7 +21,7 @@ macro_rules! for_each_capacity {
             name_bytes: NameBytesTogether = 96, 160, 1_024;
             /// Cells of a home that are not wall.
             cells: Cells = 41, 64, 1_024;
-            /// Grounded tasks of one session. At most 64, one bit each in a [`TaskSet`](crate::task::TaskSet).
+            /// Grounded tasks of one session. At most [`TaskSet::MOST`](crate::task::TaskSet::MOST): 64, and 256 with the feature `large`.
             tasks: Tasks = 10, 12, 64;
             /// Trainer strategies told apart at once.
             strategies: Strategies = 1, 3, 16;
@@ -87,8 +88,9 @@ macro_rules! capacities {
             /// For controllers: homes of one 41-cell floor with a block that moves, and the paper's whole course.
             pub const SMALL: Self = Self { $($field: $small,)* };
 
-            /// For hosts and browsers: about seven megabytes, most of them for a million search states.
-            pub const STANDARD: Self = Self { $($field: $standard,)* };
+            /// For hosts and browsers: about seven megabytes, most of them for a million search states. With the feature `large` there is
+            /// room for larger homes and more tasks.
+            pub const STANDARD: Self = Self { $($field: $standard,)* }.for_large_homes();
 
             /// No room for anything: where only some tables are wanted, the others are taken from here.
             pub const NONE: Self = Self { $($field: 0,)* };
@@ -177,6 +179,26 @@ macro_rules! constants {
 for_each_capacity! { capacities!() }
 
 impl Capacities {
+    /// The same, with room for the homes and tasks of the feature `large`.
+    const fn for_large_homes(self) -> Self {
+        if cfg!(feature = "large") {
+            let tasks = TaskSet::MOST;
+            Self {
+                objects: 96,
+                names: 288,
+                name_bytes: 4_096,
+                tasks,
+                beliefs: 16 * tasks,
+                candidates: 16 * tasks,
+                candidate_tokens: 256 * tasks,
+                ground_propositions: tasks,
+                ..self
+            }
+        } else {
+            self
+        }
+    }
+
     /// For a robot of one's own on a controller, in the memory of `SMALL` and 4 KiB more: 16 tasks of four kinds, 5,888 states, and 24 lessons
     /// of 44 different words. It has no cells, so no home has room in it.
     pub const OWN: Self = Self {

@@ -39,7 +39,7 @@ pub const VARIABLES_PER_TASK: usize = 6;
 pub const FACTS_PER_TASK: usize = 8;
 /// Lifted tasks of one session.
 pub const LIFTED_TASKS: usize = 8;
-/// Blocks that can be moved about in one home.
-pub const BLOCKS: usize = 8;
+/// Blocks that can be moved about in one home: 8, and 24 with the feature `large`.
+pub const BLOCKS: usize = if cfg!(feature = "large") { 24 } else { 8 };
 /// Questions of one session; after these it acts, and asks no more.
 pub const QUESTIONS_PER_SESSION: usize = 8;

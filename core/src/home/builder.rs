@@ -1,12 +1,15 @@
 //! A home from its objects, checked.
 
 use super::layout::{Area, Cell, Place, StoredArea, find, is_wall};
-use super::moves::{Home, HomeState, Moves};
+use super::moves::{Home, HomeState, Moves, cell_bits};
 use super::{AGENT, BLOCK, DOOR, ROOM};
 use crate::capacity::{BLOCKS, Capacity, CapacityError};
 use crate::memory::HomeMemory;
 use crate::oomdp::objects::{ObjectCount, ObjectError};
-use crate::oomdp::{CellId, ClassId, ObjectId, ObjectSet, Objects};
+use crate::oomdp::{CellId, ClassId, ObjectId, ObjectSet, Objects, StateKey};
+
+/// Objects of a home.
+const MOST_OBJECTS: usize = if cfg!(feature = "large") { 96 } else { 32 };
 
 /// What is wrong with a home.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,7 +32,7 @@ pub enum Problem {
     OnAnother,
     /// A coordinate is further from the origin than [`FARTHEST`](super::layout::FARTHEST).
     TooFar,
-    /// The free cells and the blocks have more states together than a u64 can number.
+    /// The free cells and the blocks have more states together than an agent can tell apart: see [`StateKey`].
     TooManyStates,
     /// Another object has this name.
     DuplicateName,
@@ -129,8 +132,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
         if !area.is_within_reach() {
             return Err(self.here(Problem::TooFar));
         }
-        // One region an object.
-        let limit = self.memory.read().areas.len().min(32);
+        let limit = self.memory.read().areas.len().min(MOST_OBJECTS);
         if self.objects().len() >= limit {
             return Err(self.here(Problem::Capacity(CapacityError::full(Capacity::Objects, limit))));
         }
@@ -240,7 +242,9 @@ impl<M: HomeMemory> HomeBuilder<M> {
         let (start, blocks) = self.stand(agent, count)?;
         let block_count = self.objects().of_class(BLOCK).count();
         // Numbers that ran over would make two states one to the search.
-        if (0..block_count).try_fold(count as u64, |states, _| states.checked_mul(count as u64)).is_none() {
+        let is_numbered = (0..block_count).try_fold(count as u64, |states, _| states.checked_mul(count as u64)).is_some();
+        let bits = cell_bits(count).saturating_mul(block_count.saturating_add(1));
+        if !is_numbered && (cfg!(not(feature = "large")) || bits > StateKey::BITS) {
             return Err(whole(Problem::TooManyStates));
         }
         Ok((count, agent, start, blocks))

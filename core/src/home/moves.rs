@@ -4,6 +4,8 @@ use super::layout::{Area, Cell, Place, find};
 use super::{AGENT_IN_DOOR, AGENT_IN_ROOM, BLOCK_IN_DOOR, BLOCK_IN_ROOM, SCHEMA};
 use crate::capacity::{BLOCKS, Capacities};
 use crate::memory::HomeMemory;
+#[cfg(feature = "large")]
+use crate::oomdp::StateKey;
 use crate::oomdp::{
     Action, ActionKind, BitRows, CellId, Divider, Domain, Floor, GroundProposition, ObjectCount, ObjectId, Objects, Piece, PushGrid, World,
 };
@@ -27,6 +29,11 @@ const ACTIONS: [ActionKind<'static>; 5] = [
     ActionKind::new("pull", 1),
 ];
 
+/// Bits that tell so many cells apart.
+pub(super) const fn cell_bits(cells: usize) -> usize {
+    (usize::BITS - cells.saturating_sub(1).leading_zeros()) as usize
+}
+
 /// Where the agent and each block are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct HomeState {
@@ -45,6 +52,9 @@ pub struct Home<M> {
     block_count: usize,
     moves: Moves,
     by_places: Divider,
+    /// Whether there are more states than can be numbered.
+    #[cfg(feature = "large")]
+    is_vast: bool,
     #[cfg(feature = "derived")]
     tells_derived: bool,
 }
@@ -68,6 +78,8 @@ impl<M> Home<M> {
             block_count,
             moves,
             by_places: Divider::new(place_count),
+            #[cfg(feature = "large")]
+            is_vast: (0..block_count).try_fold(place_count as u64, |states, _| states.checked_mul(place_count as u64)).is_none(),
             #[cfg(feature = "derived")]
             tells_derived: false,
         }
@@ -270,6 +282,10 @@ impl<M: HomeMemory> Domain for Home<M> {
     // The agent's cell counts fastest: neighbouring states lie close together in the search's arrays.
     #[inline]
     fn number(&self, state: &HomeState) -> u64 {
+        // More states than numbers: they have none.
+        if !self.is_numbered() {
+            return 0;
+        }
         let places = self.place_count as u64;
         let digit = |number: u64, cell: CellId| number.wrapping_mul(places).wrapping_add(u64::from(cell.0));
         digit(state.blocks.iter().take(self.block_count).rev().fold(0, |number, &block| digit(number, block)), state.agent)
@@ -286,6 +302,28 @@ impl<M: HomeMemory> Domain for Home<M> {
         state
     }
 
+    #[cfg(feature = "large")]
+    fn key(&self, state: &HomeState) -> StateKey {
+        if self.is_numbered() {
+            return StateKey::of(self.number(state));
+        }
+        let cells = core::iter::once(&state.agent).chain(state.blocks.iter().take(self.block_count));
+        StateKey::packed(cells.map(|cell| cell.0), cell_bits(self.place_count))
+    }
+
+    #[cfg(feature = "large")]
+    fn keyed(&self, key: StateKey) -> HomeState {
+        if self.is_numbered() {
+            return self.numbered(key.number());
+        }
+        let cell = |position| CellId(key.unpacked(position, cell_bits(self.place_count)));
+        let mut state = HomeState { agent: cell(0), blocks: [CellId::NONE; BLOCKS] };
+        for (block, place) in state.blocks.iter_mut().take(self.block_count).enumerate() {
+            *place = cell(block.saturating_add(1));
+        }
+        state
+    }
+
     #[cfg(feature = "derived")]
     fn tell_derived(&self, state: &HomeState, object: ObjectId, tell: &mut dyn FnMut(&str)) {
         if self.tells_derived {
@@ -295,6 +333,12 @@ impl<M: HomeMemory> Domain for Home<M> {
 }
 
 impl<M: HomeMemory> PushGrid for Home<M> {
+    #[cfg(feature = "large")]
+    #[inline]
+    fn is_numbered(&self) -> bool {
+        !self.is_vast
+    }
+
     #[inline]
     fn floor(&self) -> Floor<'_> {
         Floor { cells: self.places(), directions: [0, 1, 2, 3].map(Action) }

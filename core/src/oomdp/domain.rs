@@ -2,7 +2,7 @@
 
 #[cfg(feature = "derived")]
 use super::ObjectId;
-use super::{GroundProposition, Objects, PushGrid, Schema, SearchKind};
+use super::{GroundProposition, Objects, PushGrid, Schema, SearchKind, StateKey};
 
 /// An action, by its position in [`Domain::actions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -165,6 +165,19 @@ pub trait Domain {
 
     /// Returns the state with this number. It is called only with numbers that [`number`](Self::number) returned.
     fn numbered(&self, number: u64) -> Self::State;
+
+    /// Returns what an agent keeps of a state: its number. A domain that wraps a home asks the home, for a large one has more states than can
+    /// be numbered.
+    #[inline]
+    fn key(&self, state: &Self::State) -> StateKey {
+        StateKey::of(self.number(state))
+    }
+
+    /// Returns the state with this key. It is called only with keys that [`key`](Self::key) returned.
+    #[inline]
+    fn keyed(&self, key: StateKey) -> Self::State {
+        self.numbered(key.number())
+    }
 
     /// Tells what can be said of an object in this state beside its attributes: derived facts, each one word such as `leftmost` or
     /// `largest`. The role model takes them for values of one more attribute, where the schema has room for one more. A domain need not

@@ -6,6 +6,7 @@
 //! - `domain`: the [`Domain`] trait, the seam where a robot brings its own states and actions;
 //! - `push_grid`: the optional [`PushGrid`] trait, for robots that move pieces on a floor of cells;
 //! - `soundness`: whether a domain is what the trait asks for;
+//! - `state_key`: a state as an agent keeps it;
 //! - `search_kind`: which search plans for a domain;
 //! - `vocabulary`: the digest that tells vocabularies apart;
 //! - `divider`: exact division through a reciprocal.
@@ -17,6 +18,7 @@ pub(crate) mod push_grid;
 pub(crate) mod schema;
 pub(crate) mod search_kind;
 pub(crate) mod soundness;
+pub(crate) mod state_key;
 pub(crate) mod vocabulary;
 
 pub use crate::memory::{ObjectTables, ObjectTablesRef};
@@ -31,3 +33,4 @@ pub use soundness::DomainFlaw;
 pub(crate) use soundness::check_actions;
 #[cfg(feature = "alloc")]
 pub use soundness::{Checked, check};
+pub use state_key::StateKey;

@@ -103,6 +103,11 @@ pub trait PushGrid: Domain {
         true
     }
 
+    /// Whether [`number`](Domain::number) tells states apart. If not, [`key`](Domain::key) does, and states are never searched one by one.
+    fn is_numbered(&self) -> bool {
+        true
+    }
+
     /// The floor.
     fn floor(&self) -> Floor<'_>;
 

@@ -325,7 +325,7 @@ impl RowSearch {
         let plane = bits.len.div_ceil(64);
         let stride = plane.checked_mul(actions.saturating_add(2))?;
         let floor_at = if is_whole { 0 } else { entry_words(bits.cells) };
-        let planes = 2_usize.wrapping_add(of_robot.0.count_ones() as usize);
+        let planes = 2_usize.wrapping_add(of_robot.len());
         let way = match way {
             None => None,
             Some(way) => Some(WayPlanes::new(grid, way, planes)?),
@@ -391,7 +391,7 @@ impl RowSearch {
     #[inline]
     fn plane_of(&self, task: usize) -> usize {
         let before = self.of_robot.common(TaskSet::first(task));
-        2_usize.wrapping_add(before.0.count_ones() as usize)
+        2_usize.wrapping_add(before.len())
     }
 
     /// The way of the tasks. Without the feature `ways` this is known to be none, and takes no code.

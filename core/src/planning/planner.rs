@@ -424,6 +424,11 @@ impl Planner {
         let task = way.as_ref().map(|_| first as u8);
         self.marked = match (rows, &way) {
             (Some(rows), _) => Marked::Rows(rows, task),
+            // States without numbers are not searched one by one: the marks are left clear.
+            _ if D::Search::grid(domain).is_some_and(|grid| !grid.is_numbered()) => {
+                results.found.sought = TaskSet::EMPTY;
+                Marked::Nothing
+            }
             (None, None) => Marked::States(StateSearch::begin(domain, state, marks, hashed, applicable), task),
             (None, Some((product, now))) => Marked::States(StateSearch::begin(product, &(*state, *now), marks, hashed, applicable), task),
         };

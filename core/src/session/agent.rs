@@ -18,7 +18,7 @@ use crate::language::forgetting::with_free_part;
 use crate::language::model::LanguageState;
 use crate::language::{LanguageMut, LanguageRef, Sentence};
 use crate::memory::{AgentMemory, AgentTables, SessionTablesRef};
-use crate::oomdp::{Action, ActionSet, Domain, DomainFlaw, apply, digest};
+use crate::oomdp::{Action, ActionSet, Domain, DomainFlaw, StateKey, apply, digest};
 use crate::planning::{Judgement, OptimalSet, Plan, PlanTables, Planner, Progress, Ways};
 use crate::probability::{Scaled, total};
 use crate::random::below;
@@ -85,12 +85,12 @@ pub struct Agent<M> {
     pub(crate) sentence: Sentence,
     pub(crate) progressed: Progressed,
     pub(super) gave_way: GaveWay,
-    pub(crate) start: Option<u64>,
+    pub(crate) start: Option<StateKey>,
     /// The digest of the domain that the session began in.
     pub(super) domain: u32,
     /// The state that was planned for last, and the state that the action done there leads to.
-    pub(crate) planned: Option<u64>,
-    pub(crate) expected: Option<u64>,
+    pub(crate) planned: Option<StateKey>,
+    pub(crate) expected: Option<StateKey>,
     /// Dead ends of the state that was planned for last.
     pub(crate) dead: TaskSet,
     pub(crate) done: LastDone,
@@ -329,7 +329,7 @@ impl<M: AgentMemory> Agent<M> {
 
     pub(crate) fn check_planned<D: Domain + ?Sized>(&self, domain: &D, state: &D::State) -> Result<(), AgentError> {
         self.check_session(domain)?;
-        let planned = self.planned == Some(domain.number(state)) && self.planner.is_done();
+        let planned = self.planned == Some(domain.key(state)) && self.planner.is_done();
         if planned { Ok(()) } else { Err(AgentError::NotPlanned) }
     }
 
@@ -377,12 +377,12 @@ impl<M: AgentMemory> Agent<M> {
     #[inline(never)]
     pub fn plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, budget: u32) -> Result<Progress, AgentError> {
         self.check_session(domain)?;
-        let number = domain.number(state);
-        if self.planned != Some(number) {
-            if number >= domain.state_count() {
+        let key = domain.key(state);
+        if self.planned != Some(key) {
+            if domain.number(state) >= domain.state_count() {
                 return Err(AgentError::StateNumber);
             }
-            self.begin_plan(domain, state, number);
+            self.begin_plan(domain, state, key);
         }
         let AgentTables { session, workspace, .. } = self.memory.lend();
         let ways = Ways { lifted: &self.lifted, tasks: session.tasks.get(..self.task_count).unwrap_or(&[]) };
@@ -400,14 +400,14 @@ impl<M: AgentMemory> Agent<M> {
 
     /// By itself, like every part of the work that takes much of the stack: parts that follow each other then take it in turn.
     #[inline(never)]
-    fn begin_plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, number: u64) {
+    fn begin_plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, key: StateKey) {
         // A goal that could not be reached can be reached again where somebody else has moved things.
-        if self.expected != Some(number) {
+        if self.expected != Some(key) {
             self.dead = TaskSet::EMPTY;
         }
         // Every state that the robot came to is planned for, before anything is done there; where it was meant to come is not.
         self.follow_ways(domain, state);
-        (self.planned, self.expected) = (Some(number), None);
+        (self.planned, self.expected) = (Some(key), None);
         self.planner.begin(self.worth_planning(), self.dead);
     }
 
@@ -539,7 +539,7 @@ impl<M: AgentMemory> Agent<M> {
         let at_goal = if action == Action::NOOP { TaskSet::EMPTY } else { plan.at_goal() };
         let inside = self.planner.satisfied(session.goals.read(), domain, &next, at_goal);
         self.done.add(plan, action, inside);
-        self.expected = Some(domain.number(&next));
+        self.expected = Some(domain.key(&next));
         Ok(next)
     }
 

@@ -19,7 +19,7 @@ impl Done {
     /// An action that nothing is known about.
     const UNKNOWN: Self = Self { correct: TaskSet::EMPTY, incorrect: TaskSet::EMPTY, inside: TaskSet::EMPTY };
 
-    const fn judged(self, task: usize, rests: bool) -> Judged {
+    fn judged(self, task: usize, rests: bool) -> Judged {
         let judgement = if self.correct.contains(task) {
             Judgement::Correct
         } else if self.incorrect.contains(task) {

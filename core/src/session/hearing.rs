@@ -101,7 +101,7 @@ impl<M: AgentMemory> Agent<M> {
     /// [`AgentError::NotNow`]: with [`Phase::Idle`] where the last session did not start in this state, and with the phase while a command is
     /// being heard or a session finished or learned from.
     pub fn hear_again<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<(), AgentError> {
-        if self.start != Some(domain.number(state)) || self.domain != digest(domain) || self.tasks().is_empty() {
+        if self.start != Some(domain.key(state)) || self.domain != digest(domain) || self.tasks().is_empty() {
             return Err(AgentError::NotNow(Phase::Idle));
         }
         if let phase @ (Phase::Learning | Phase::Hearing | Phase::Finishing | Phase::Restoring) = self.phase() {
@@ -149,7 +149,7 @@ impl<M: AgentMemory> Agent<M> {
         self.plan_for(domain, count)?;
         self.task_count = count;
         self.domain = digest(domain);
-        self.start = Some(domain.number(state));
+        self.start = Some(domain.key(state));
         Ok(())
     }
 
@@ -210,7 +210,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// The facts of the session's start state that its tasks' descriptions need.
     pub(crate) fn scene<D: Domain + ?Sized>(&self, domain: &D) -> Option<Scene<D::State>> {
-        let scene = self.start.map(|start| Scene::new(domain.numbered(start)));
+        let scene = self.start.map(|start| Scene::new(domain.keyed(start)));
         #[cfg(all(feature = "derived", feature = "talk"))]
         let scene = scene.map(|scene| scene.of_conversation(self.conversation.here(domain)));
         scene
@@ -218,6 +218,6 @@ impl<M: AgentMemory> Agent<M> {
 
     /// The state that the session started from, `None` where none is under way in this domain.
     pub fn started_from<D: Domain + ?Sized>(&self, domain: &D) -> Option<D::State> {
-        self.start.filter(|_| self.domain == digest(domain)).map(|number| domain.numbered(number))
+        self.start.filter(|_| self.domain == digest(domain)).map(|key| domain.keyed(key))
     }
 }

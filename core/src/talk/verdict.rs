@@ -47,7 +47,7 @@ pub(super) struct Judged<'w> {
 
 impl Judged<'_> {
     /// The task of before once more. No word of the utterance is a word for it.
-    const fn again(task: usize, probability: f32) -> Self {
+    fn again(task: usize, probability: f32) -> Self {
         let (hypothesis, words, tasks) = (Hypothesis::Again, Words::NONE, TaskSet::of(task));
         Self { hypothesis, words, task, tasks, probability, command: probability, is_clear: true, rest: None }
     }

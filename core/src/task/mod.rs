@@ -31,67 +31,103 @@ pub use role::{Marker, NoMarker, Role, RoleKind, VALUE_SORTS, is_marker};
 pub use way::{Clause, Part, Way, WayState};
 pub use wording::{Piece, TaskText, Wording};
 
+/// Words of a set of tasks.
+const WORDS: usize = if cfg!(feature = "large") { 4 } else { 1 };
+const WORD: usize = u64::BITS as usize;
+
 /// A set of a session's tasks, one bit each, by position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct TaskSet(pub(crate) u64);
+pub struct TaskSet([u64; WORDS]);
 
 impl TaskSet {
     /// The most tasks of a session.
-    pub const MOST: usize = 64;
+    pub const MOST: usize = WORDS * WORD;
+    /// The most tasks of a session without the feature `large`, as on controllers.
+    pub const MOST_OF_ONE_WORD: usize = WORD;
     /// No task.
-    pub const EMPTY: Self = Self(0);
+    pub const EMPTY: Self = Self([0; WORDS]);
 
     /// The first `count` tasks.
-    pub const fn first(count: usize) -> Self {
-        if count >= Self::MOST { Self(u64::MAX) } else { Self((1 << count) - 1) }
+    pub fn first(count: usize) -> Self {
+        let mut set = Self::EMPTY;
+        let mut left = count;
+        for word in &mut set.0 {
+            *word = if left >= WORD { u64::MAX } else { (1_u64 << left).wrapping_sub(1) };
+            left = left.saturating_sub(WORD);
+        }
+        set
     }
 
     /// The set of one task; empty for a position that no task can have.
-    pub const fn of(task: usize) -> Self {
-        if task < Self::MOST { Self(1 << task) } else { Self(0) }
+    #[inline]
+    pub fn of(task: usize) -> Self {
+        let mut set = Self::EMPTY;
+        if let Some(word) = set.0.get_mut(task / WORD) {
+            *word = 1 << (task % WORD);
+        }
+        set
     }
 
     /// Whether the set has this task.
-    pub const fn contains(self, task: usize) -> bool {
-        self.0 & Self::of(task).0 != 0
+    #[inline]
+    pub fn contains(self, task: usize) -> bool {
+        self.0.get(task / WORD).is_some_and(|word| word >> (task % WORD) & 1 == 1)
     }
 
     /// Whether there is none.
-    pub const fn is_empty(self) -> bool {
-        self.0 == 0
+    #[inline]
+    pub fn is_empty(self) -> bool {
+        self == Self::EMPTY
+    }
+
+    /// How many there are.
+    pub fn len(self) -> usize {
+        self.0.iter().map(|word| word.count_ones() as usize).sum()
     }
 
     /// The tasks of both.
+    #[inline]
     #[must_use]
-    pub const fn union(self, other: Self) -> Self {
-        Self(self.0 | other.0)
+    pub fn union(self, other: Self) -> Self {
+        self.joined(other, |word, other| word | other)
     }
 
     /// The set with one task more.
     #[must_use]
-    pub const fn with(self, task: usize) -> Self {
+    pub fn with(self, task: usize) -> Self {
         self.union(Self::of(task))
     }
 
     /// The tasks that `other` does not have.
+    #[inline]
     #[must_use]
-    pub const fn without(self, other: Self) -> Self {
-        Self(self.0 & !other.0)
+    pub fn without(self, other: Self) -> Self {
+        self.joined(other, |word, other| word & !other)
     }
 
     /// The tasks that `other` has too.
+    #[inline]
     #[must_use]
-    pub const fn common(self, other: Self) -> Self {
-        Self(self.0 & other.0)
+    pub fn common(self, other: Self) -> Self {
+        self.joined(other, |word, other| word & other)
+    }
+
+    #[inline]
+    fn joined(mut self, other: Self, join: impl Fn(u64, u64) -> u64) -> Self {
+        for (word, other) in self.0.iter_mut().zip(other.0) {
+            *word = join(*word, other);
+        }
+        self
     }
 
     /// The positions, in order.
     pub fn iter(self) -> impl Iterator<Item = usize> {
-        let mut rest = self.0;
+        let mut rest = self;
         core::iter::from_fn(move || {
-            let next = rest.trailing_zeros();
-            rest &= rest.wrapping_sub(1);
-            (next < 64).then_some(next as usize)
+            let (at, word) = rest.0.iter_mut().enumerate().find(|(_, word)| **word != 0)?;
+            let next = word.trailing_zeros() as usize;
+            *word &= word.wrapping_sub(1);
+            Some(at.wrapping_mul(WORD).wrapping_add(next))
         })
     }
 }
@@ -99,5 +135,27 @@ impl TaskSet {
 impl FromIterator<usize> for TaskSet {
     fn from_iter<I: IntoIterator<Item = usize>>(tasks: I) -> Self {
         tasks.into_iter().fold(Self::EMPTY, Self::with)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::vec::Vec;
+
+    #[test]
+    fn sets_hold_every_task_that_there_can_be_and_no_other() {
+        for task in 0..TaskSet::MOST {
+            let one = TaskSet::of(task);
+            assert!(one.contains(task) && one.len() == 1 && one.iter().eq([task]));
+            assert!(TaskSet::first(task).iter().eq(0..task));
+            assert_eq!(TaskSet::first(task).with(task), TaskSet::first(task + 1));
+            assert_eq!(TaskSet::first(TaskSet::MOST).without(one).common(one), TaskSet::EMPTY);
+        }
+        assert!(TaskSet::of(TaskSet::MOST).is_empty() && !TaskSet::EMPTY.contains(TaskSet::MOST));
+        assert_eq!(TaskSet::first(usize::MAX), TaskSet::first(TaskSet::MOST));
+        let scattered = [0, 5, 62, 63, TaskSet::MOST - 1];
+        assert_eq!(scattered.into_iter().collect::<TaskSet>().iter().collect::<std::collections::BTreeSet<_>>(), scattered.into());
+        assert_eq!(Vec::from_iter(TaskSet::EMPTY.iter()), []);
     }
 }

@@ -8,7 +8,7 @@ use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::oomdp::{Domain, apply};
 use goodbot::planning::Judgement;
 use goodbot::planning::Progress;
-use goodbot::task::RoleKind;
+use goodbot::task::{RoleKind, TaskSet};
 use goodbot::{Agent, AgentError, Capacities, HeapMemory, Options};
 
 type Rooms = [&'static str; 3];
@@ -407,7 +407,10 @@ fn more_tasks_than_fit_are_refused_by_name_and_nothing_learned_is_lost() {
     }
     let (crowded, state) = builder.build(Moves::Push).unwrap();
     // More than fit the largest memory: how many there are is not counted to the end.
-    assert_eq!(agent.hear(&crowded, &state, command), Err(AgentError::Capacity(CapacityError::new(Capacity::Tasks, 12, 65))));
+    assert_eq!(
+        agent.hear(&crowded, &state, command),
+        Err(AgentError::Capacity(CapacityError::new(Capacity::Tasks, 12, TaskSet::MOST + 1)))
+    );
     assert_eq!(posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command), before);
 }
 

@@ -4,8 +4,10 @@ use super::SizeOptions;
 use goodbot::home::{Home, HomeState, Moves};
 use goodbot::language::Model;
 use goodbot::memory::{AgentHeap, HomeHeap};
+use goodbot::oomdp::PushGrid;
 use goodbot::session::Lessons;
 use goodbot::snapshot::most_bytes;
+use goodbot::task::TaskSet;
 use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_capi::capacities::bytes_32;
 use goodbot_console::lessons::{self, Lesson, Told, training};
@@ -19,6 +21,11 @@ use std::collections::BTreeSet;
 
 /// States that a home is given at most: exact plans in larger ones cost more memory than they are worth on a controller.
 const MOST_STATES: usize = Capacities::SMALL.states;
+/// What a controller can tell apart: there a set of tasks is one word.
+const OF_CONTROLLERS: Capacities = Capacities { tasks: TaskSet::MOST_OF_ONE_WORD, ..Capacities::STANDARD };
+/// What a home on a controller has at most.
+const MOST_OBJECTS: usize = 32;
+const MOST_BLOCKS: usize = 8;
 /// The deepest stack of the course, in `docs/footprint.md`, rounded up.
 pub const STACK: usize = 5_632;
 /// What flash is erased by is most often a power of two from here on.
@@ -79,7 +86,7 @@ impl Needs {
             }
             None => {
                 let homes = build(homes, &log)?;
-                let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), &lifted, learner).map_err(refused)?;
+                let mut agent = Agent::new(AgentHeap::new(&OF_CONTROLLERS), &lifted, learner).map_err(refused)?;
                 let least = agent.least_capacities_of_all(homes.iter().map(|(home, _)| home), &lessons).map_err(refused)?;
                 (homes.len(), None, least)
             }
@@ -133,7 +140,7 @@ fn refused(error: AgentError) -> Failure {
 /// What is wrong with the world.
 pub fn least_of_world(robot: &Robot<'_>, lessons: &Lessons, learner: Options) -> Result<Capacities, Flaw> {
     let lifted = robot::tasks(robot.file(), robot)?;
-    let least = Agent::new(AgentHeap::new(&Capacities::STANDARD), &lifted, learner);
+    let least = Agent::new(AgentHeap::new(&OF_CONTROLLERS), &lifted, learner);
     let least = least.and_then(|mut agent| agent.least_capacities(robot, lessons));
     least.map_err(|error| Flaw { field: "objects".to_owned(), message: refusal::in_words(&error) })
 }
@@ -176,7 +183,16 @@ fn build<'l>(mut environments: Named<'l>, log: &'l [Lesson]) -> Result<Vec<(Home
         home::build(environment, Moves::Push, home::memory())
             .map_err(|flaw| Failure::Input(format!("{source}: field \"{}\": {}", flaw.field(), flaw.message(environment))))
     };
-    environments.iter().map(build).collect()
+    let fits = |(home, _): &(Home<HomeHeap>, HomeState)| {
+        home.is_numbered() && home.blocks().len() <= MOST_BLOCKS && home.objects().len() <= MOST_OBJECTS
+    };
+    let built = environments.iter().map(build).collect::<Result<Vec<_>, _>>()?;
+    match environments.iter().zip(&built).find(|(_, home)| !fits(home)) {
+        Some(((source, _), _)) => Err(Failure::Input(format!(
+            "{source}: is too large for a controller: {MOST_OBJECTS} objects, {MOST_BLOCKS} of them blocks, and 2^64 states are the most; leave out some"
+        ))),
+        None => Ok(built),
+    }
 }
 
 /// What it is to keep: what the log has, unless more is asked for.

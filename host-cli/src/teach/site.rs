@@ -2,7 +2,7 @@
 
 use goodbot::home::{Home, HomeState};
 use goodbot::memory::HomeHeap;
-use goodbot::oomdp::{Action, ActionKind, BitRows, CellId, Domain, Floor, GroundProposition, ObjectId, Piece, PushGrid, World};
+use goodbot::oomdp::{Action, ActionKind, BitRows, CellId, Domain, Floor, GroundProposition, ObjectId, Piece, PushGrid, StateKey, World};
 use goodbot_formats::FormatError;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::RecordedSession;
@@ -162,6 +162,20 @@ impl Domain for Site {
         }
     }
 
+    fn key(&self, state: &SiteState) -> StateKey {
+        match (self, state) {
+            (Self::Home(home), SiteState::Home(state)) => home.key(state),
+            _ => StateKey::of(self.number(state)),
+        }
+    }
+
+    fn keyed(&self, key: StateKey) -> SiteState {
+        match self {
+            Self::Home(home) => SiteState::Home(home.keyed(key)),
+            Self::World(robot) => SiteState::World(robot.keyed(key)),
+        }
+    }
+
     fn tell_derived(&self, state: &SiteState, object: ObjectId, tell: &mut dyn FnMut(&str)) {
         match (self, state) {
             (Self::Home(home), SiteState::Home(state)) => home.tell_derived(state, object, tell),
@@ -174,6 +188,10 @@ impl Domain for Site {
 impl PushGrid for Site {
     fn is_floor(&self) -> bool {
         self.home().is_some_and(Home::is_floor)
+    }
+
+    fn is_numbered(&self) -> bool {
+        self.home().is_none_or(Home::is_numbered)
     }
 
     fn floor(&self) -> Floor<'_> {

@@ -88,7 +88,7 @@ fn ten_thousand_objects_are_refused_with_the_limit() {
     let run = check(&environment(&objects));
     assert_eq!(run.code, 2);
     assert!(
-        run.messages.contains("standard input:1: field \"objects\": are 10004, and 32 are the most; leave out some\n"),
+        run.messages.contains("standard input:1: field \"objects\": are 10004, and 96 are the most; leave out some\n"),
         "{}",
         run.messages
     );

@@ -10,6 +10,7 @@ mod conversation;
 mod evaluate;
 mod examples;
 mod first_hour;
+mod flat;
 mod help;
 mod language;
 mod merge;

@@ -101,7 +101,7 @@ fn plan_in(homes: u64, size: Size, states: usize) -> Seen {
         let mut memory = HeapMemory::new(&capacities);
         let (home, mut state) = random_home(&mut random, size, Moves::Push, &mut memory.home);
         let lifted = home::paper_tasks().unwrap();
-        let mut tasks = [GroundedTask::UNUSED; 64];
+        let mut tasks = [GroundedTask::UNUSED; TaskSet::MOST];
         let count = ground(&home, &lifted, &state, &mut tasks).unwrap();
         let mut planner = OwnPlanner::new(&capacities, &home, &lifted, &tasks[..count]);
         for _ in 0..10 {
@@ -122,6 +122,10 @@ fn most_sets_are_exact_in_homes_whose_joint_states_do_not_fit() {
         (2, 2, 4, 8, 16_384, 12, 0.9),
         (4, 2, 4, 7, 1 << 20, 6, 0.9),
         (5, 2, 4, 5, 1 << 20, 6, 0.95),
+        // More states than can be numbered.
+        (3, 3, 4, 8, 1 << 20, 3, 0.9),
+        (5, 2, 4, 10, 1 << 20, 3, 0.9),
+        (5, 2, 4, 20, 1 << 20, 1, 0.75),
     ] {
         let seen = plan_in(homes, Size { columns, rows, side, blocks }, states);
         let without_dead_ends = f64::from(seen.exact) / f64::from(seen.sets - seen.dead);

@@ -1,7 +1,7 @@
 //! Homes whose joint state space is out of reach are planned for approximately, where exact plans do not reach, and say so.
 
 use goodbot::home::{self, Moves};
-use goodbot::oomdp::{Action, Domain, apply};
+use goodbot::oomdp::{Action, Domain, PushGrid, apply};
 use goodbot::planning::OptimalSet;
 use goodbot::task::{GroundedTask, TaskSet, ground};
 use goodbot::{Agent, Capacities, HeapMemory, Options};
@@ -74,6 +74,22 @@ fn near_goals_are_found_exactly_and_approximate_plans_are_nearly_right() {
     assert!(all.judged > 400 && all.equal as f64 >= 0.95 * all.judged as f64, "{all:?}");
     // There is no room here for the other block to move too, where it is in the way.
     assert!(all.unknown * 6 < all.exact + all.judged / 4, "{all:?}");
+}
+
+#[test]
+fn a_state_of_a_home_with_more_states_than_can_be_numbered_is_told_from_every_other() {
+    let mut random = Pcg32::new(7, 5);
+    let mut memory = HeapMemory::new(&Capacities::STANDARD);
+    let size = Size { columns: 5, rows: 2, side: 4, blocks: 20 };
+    let (home, mut state) = random_home(&mut random, size, Moves::Push, &mut memory.home);
+    assert!(!home.is_numbered() && home.state_count() == u64::MAX);
+    let mut seen = vec![state];
+    for _ in 0..500 {
+        state = apply(&home, &state, Action::new(below(&mut random, 4) as u8)).unwrap();
+        assert!(home.keyed(home.key(&state)) == state && home.number(&state) < home.state_count());
+        assert!(seen.iter().all(|other| (home.key(other) == home.key(&state)) == (*other == state)));
+        seen.push(state);
+    }
 }
 
 #[test]

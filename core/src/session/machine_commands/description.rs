@@ -254,7 +254,7 @@ impl<M: AgentMemory> Agent<M> {
             return Ok(());
         }
         let mut description = Tokens::new();
-        let mut scene = Scene::new(domain.numbered(start));
+        let mut scene = Scene::new(domain.keyed(start));
         describe(domain, &self.lifted, task, &mut scene, language.tokens_mut(), &mut description)?;
         Ok(language.explain(&self.sentence, &description, tell)?)
     }
