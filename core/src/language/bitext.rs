@@ -4,6 +4,7 @@
 
 use crate::capacity::{Capacities, Capacity, CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::memory::{BitextTables, BitextTablesRef};
+use crate::probability::square_root;
 use crate::symbols::{Symbol, close_gap};
 
 /// Where a run of symbols lies in its pool: the start above a byte of the length and, for a session, a bit that says whether its command
@@ -172,6 +173,13 @@ impl<'t> BitextRef<'t> {
     /// Whether training passes over a session.
     pub(super) fn leaves_out(self, session: u16) -> bool {
         self.left_out.has(session)
+    }
+
+    /// How much a pair counts where each meaning counts as much as the root of how often it was told.
+    pub(super) fn weight_of_meaning(self, pair: &Pair) -> f32 {
+        let same = |other: &&Pair| other.command == pair.command && !self.leaves_out(other.session);
+        let times: f32 = self.pairs().iter().filter(same).map(|other| other.weight).sum();
+        pair.weight / square_root(times.max(1.0))
     }
 
     /// Whether training passes over some sessions.
@@ -473,4 +481,30 @@ fn put(pool: &mut [Symbol], start: usize, symbols: &[Symbol], capacity: Capacity
     let full = CapacityError::new(capacity, pool.len().min(MOST_POOL), end);
     pool.get_mut(start..end).filter(|_| end <= MOST_POOL).ok_or(full)?.iter_mut().zip(symbols).for_each(|(slot, &symbol)| *slot = symbol);
     Ok(Span::new(start, symbols.len().min(Span::LENGTH as usize)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_meaning_counts_as_the_root_of_how_often_it_was_told() {
+        let (mut commands, mut command_tokens) = ([Span::UNUSED; 2], [Symbol(0); 2]);
+        let (mut sessions, mut pairs) = ([Span::UNUSED; 5], [Pair::UNUSED; 5]);
+        let mut used = Extent::NONE;
+        let memory = BitextTables {
+            commands: &mut commands,
+            command_tokens: &mut command_tokens,
+            sessions: &mut sessions,
+            sentence_words: &mut [],
+            pairs: &mut pairs,
+        };
+        let mut bitext = Bitext::new(memory, &mut used);
+        for meaning in [0, 0, 1, 0, 0] {
+            bitext.add_session(&[]).unwrap();
+            bitext.add_pair(&[Symbol(meaning)], 1.0).unwrap();
+        }
+        let weights: std::vec::Vec<f32> = bitext.read().pairs().iter().map(|pair| bitext.read().weight_of_meaning(pair)).collect();
+        assert_eq!(weights, [0.5, 0.5, 1.0, 0.5, 0.5]);
+    }
 }

@@ -70,6 +70,8 @@ pub struct Role(u16);
 
 const ARGUMENT_BITS: u32 = 2;
 const ABOUT_BITS: u32 = 6;
+/// No proposition has so many arguments, so this number stands for its name.
+const NAME: usize = (1 << ARGUMENT_BITS) - 1;
 const ABOUT: u16 = (1 << ABOUT_BITS) - 1;
 
 impl Role {
@@ -79,6 +81,16 @@ impl Role {
     /// The role of an argument of a proposition.
     pub const fn of_argument(kind: RoleKind, proposition: PropositionId, argument: usize) -> Self {
         Self::new(kind, proposition.0 as u16, argument)
+    }
+
+    /// The role of the words in a proposition's name, where a task is told to the robot by those.
+    pub const fn of_name(proposition: PropositionId) -> Self {
+        Self::new(RoleKind::Subject, proposition.0 as u16, NAME)
+    }
+
+    /// Whether the values of the role are the words in a proposition's name.
+    pub(crate) fn is_of_name(self) -> bool {
+        self.kind() == RoleKind::Subject && self.argument() == NAME
     }
 
     /// The role of the other objects of a class.

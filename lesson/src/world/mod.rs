@@ -170,18 +170,18 @@ impl<'w> Scene<'w> {
         let mut description = vec![format!("task{}", arguments.join("&"))];
         for (position, atom) in atoms.iter().enumerate() {
             let proposition = PropositionId::new(position as u8);
-            let marker = |kind, argument, sort| Marker { role: Role::of_argument(kind, proposition, argument), sort };
+            let marker = |role, sort| Marker { role, sort }.to_string();
             let mut words: Vec<String> = parts_of_name(atom.function()).map(|part| token("is", part)).collect();
             words.sort();
             words.dedup();
-            description.push(marker(RoleKind::Subject, 3, 0).to_string());
+            description.push(marker(Role::of_name(proposition), 0));
             description.extend(words);
             for (argument, object) in atom.arguments().iter().enumerate() {
                 let mut sort = None;
                 for (next, value) in self.said(object) {
                     if sort != Some(*next) {
                         sort = Some(*next);
-                        description.push(marker(RoleKind::Goal, argument, *next as u8).to_string());
+                        description.push(marker(Role::of_argument(RoleKind::Goal, proposition, argument), *next as u8));
                     }
                     description.push(value.clone());
                 }

@@ -12,6 +12,8 @@ use crate::language::bitext::{Bitext, BitextRef, Extent, Pair, Span};
 #[cfg(feature = "layer")]
 use crate::language::forgetting::close_up;
 #[cfg(feature = "layer")]
+use crate::language::roles::Layout;
+#[cfg(feature = "layer")]
 use crate::language::settings::{Model, Settings};
 #[cfg(feature = "layer")]
 use crate::memory::{BitextTables, BitextTablesRef};
@@ -123,8 +125,8 @@ impl Learned {
     const NOTHING: Self = Self { done: false, said: 0.0, met: [None; LIFTED_TASKS] };
 
     /// A training begins on these data.
-    pub fn begin(&mut self, bitext: BitextRef<'_>) {
-        *self = Self { said: bitext.words_said() as f32, ..Self::NOTHING };
+    pub fn begin(&mut self, layout: &Layout, bitext: BitextRef<'_>) {
+        *self = Self { said: layout.words_said(bitext), ..Self::NOTHING };
         let mut meant: heapless::Vec<(Symbol, f32), LIFTED_TASKS> = heapless::Vec::new();
         for pair in bitext.pairs() {
             let Some(form) = form(bitext.command(pair.command)) else { continue };

@@ -43,7 +43,7 @@ impl Room<'_> {
             Part::Clear => {
                 let mut weights = Weights::of(self.weights);
                 weights.clear();
-                self.learned.begin(bitext);
+                self.learned.begin(tables.layout(), bitext);
                 *self.found = Found::NONE;
                 (weights.values.len(), Part::Pass(0, 0))
             }

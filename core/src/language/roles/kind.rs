@@ -127,9 +127,10 @@ pub(crate) fn weigh(tables: TablesRef<'_>, sentence: &[Option<Symbol>], form: im
     }
 }
 
-/// Half the share of unknown words falls back to the task prior.
+/// Half the share of unknown words falls back to the task prior. Where the words in names are values, an unknown word is taken for a value
+/// that was never named, and no more.
 pub(crate) fn dilute(tables: TablesRef<'_>, sentence: &[Option<Symbol>], prior: impl Fn(usize) -> f32, weights: &mut [Scaled]) {
-    if tables.words() == 0 {
+    if tables.words() == 0 || tables.layout().has_names() {
         return;
     }
     let whole = total(weights.iter().copied());

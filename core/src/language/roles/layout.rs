@@ -18,7 +18,7 @@
 
 use super::kind::BEHIND_WORDS;
 use crate::capacity::LIFTED_TASKS;
-use crate::language::bitext::BitextRef;
+use crate::language::bitext::{BitextRef, Pair};
 use crate::symbols::Symbol;
 use crate::task::description::{form, groups};
 use crate::task::role::{Role, RoleKind, VALUE_SORTS};
@@ -48,6 +48,8 @@ pub struct Layout {
     longest: u8,
     /// Whether a role is one of a way.
     has_ways: bool,
+    /// Whether the words in the names of propositions are values.
+    has_names: bool,
     sessions: f32,
     starts: Starts,
 }
@@ -75,6 +77,7 @@ impl Layout {
         role_count: 0,
         longest: 0,
         has_ways: false,
+        has_names: false,
         sessions: 0.0,
         starts: Starts { cues: 0, kinds: 0, p0: 0, end: 0, lambda: 0, naming: 0, novelty: 0 },
     };
@@ -102,6 +105,7 @@ impl Layout {
         for group in groups(description) {
             let role = group.marker.role;
             self.has_ways |= role.kind().index() >= RoleKind::WITHOUT_WAYS;
+            self.has_names |= role.is_of_name();
             if self.role(role).is_none()
                 && let Some(slot) = self.roles.get_mut(usize::from(self.role_count))
             {
@@ -152,9 +156,33 @@ impl Layout {
         cfg!(feature = "ways") && self.has_ways
     }
 
+    /// Whether tasks are told by the words in the names of their propositions: so are those of worlds in which no robot acts, of which hosts
+    /// alone learn.
+    pub const fn has_names(&self) -> bool {
+        cfg!(feature = "alloc") && self.has_names
+    }
+
     /// What a word can be: background, a word of the task, or a kind of role, those of ways only where there are such.
     pub const fn kinds(&self) -> usize {
         if self.has_ways() { KINDS } else { 2 + RoleKind::WITHOUT_WAYS }
+    }
+
+    /// How much a pair counts.
+    pub(super) fn weight(&self, bitext: BitextRef<'_>, pair: &Pair) -> f32 {
+        if self.has_names() { bitext.weight_of_meaning(pair) } else { pair.weight }
+    }
+
+    /// How many words all sessions have together, each as often as it was said and as much as its session counts.
+    #[cfg(feature = "layer")]
+    pub(crate) fn words_said(&self, bitext: BitextRef<'_>) -> f32 {
+        if !self.has_names() {
+            return bitext.words_said() as f32;
+        }
+        let of_session = |session: u16| {
+            let weight = bitext.pairs_of(session).first().map_or(0.0, |pair| self.weight(bitext, pair));
+            weight * bitext.sentence(session).len() as f32
+        };
+        (0..bitext.sessions() as u16).map(of_session).sum()
     }
 
     /// How many sessions.

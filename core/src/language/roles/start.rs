@@ -20,11 +20,13 @@ const STANDING_OUT: f32 = 0.95;
 /// Counts which words and values one pair brings together.
 pub(super) fn count(layout: &Layout, bitext: BitextRef<'_>, pair: &Pair, first: bool, t: &mut Cells<'_>, a: &mut Cells<'_>) {
     let (sentence, description) = (bitext.sentence(pair.session), bitext.command(pair.command));
+    let weight = layout.weight(bitext, pair);
     if first {
+        let times = if layout.has_names() { weight } else { 1.0 };
         let common = get_mut(a.values, layout.common());
         for word in sentence {
             if let Some(slot) = common.get_mut(word.index()) {
-                *slot += 1.0;
+                *slot += times;
             }
         }
     }
@@ -33,7 +35,7 @@ pub(super) fn count(layout: &Layout, bitext: BitextRef<'_>, pair: &Pair, first: 
         for (position, word) in sentence.iter().enumerate() {
             let repeated = sentence.iter().take(position).any(|other| other == word);
             if let Some(slot) = counts.get_mut(word.index()).filter(|_| !repeated) {
-                *slot += pair.weight;
+                *slot += weight;
             }
         }
     };
@@ -71,7 +73,7 @@ impl Share {
     }
 
     /// Weighs at most `most` more pairs. Returns how many.
-    pub(super) fn weigh(&mut self, bitext: BitextRef<'_>, token: Symbol, most: usize) -> usize {
+    pub(super) fn weigh(&mut self, layout: &Layout, bitext: BitextRef<'_>, token: Symbol, most: usize) -> usize {
         let before = self.pairs();
         for pair in bitext.pairs().iter().skip(before).take(most) {
             self.pairs = self.pairs.saturating_add(1);
@@ -79,9 +81,10 @@ impl Share {
                 continue;
             }
             let description = bitext.command(pair.command);
-            self.all += pair.weight;
+            let weight = layout.weight(bitext, pair);
+            self.all += weight;
             if form(description) == Some(token) || has_value(description, token) {
-                self.with += pair.weight;
+                self.with += weight;
             }
         }
         self.pairs().saturating_sub(before)

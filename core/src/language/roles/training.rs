@@ -23,6 +23,9 @@
 //!
 //! Where tasks have ways, max(0, c - 1.5) stands in place of c and of the discount in T, and max(0, c - 1) in A; ten rounds in place of eight.
 //!
+//! Where the words in the names of propositions are values, a pair counts 1 / the root of how often its machine command was told, and a tenth of
+//! `common` is added for a token.
+//!
 //! `lift` multiplies `p0` and is set from the same counts, and pseudo-counts draw each row, so a round may lose likelihood where a plain EM
 //! would not. On none of four sets of recorded commands did one of 16 rounds lose any. After the rounds the [kind of task](super::kind) is
 //! trained.
@@ -38,6 +41,9 @@ use crate::task::role::{RoleKind, VALUE_SORTS};
 use core::ops::Range;
 
 const OF_COMMON: f32 = 1.0;
+/// The same where the words in names are values. There are many values then, each told in few words, and a meaning to come is put together
+/// from them: what is known of a value must not fall behind how common its words are.
+const OF_COMMON_WITH_NAMES: f32 = 0.1;
 /// So many pairs of a value and a word count as seen more than twice before any are seen. With fewer, the paper's course ends less sure.
 const OFTEN_NAMED: f32 = 100.0;
 /// The same for pairs of a lifted task and a word, of which there are more: a lifted task is spoken of by most words.
@@ -194,7 +200,7 @@ impl Work<'_, '_> {
                 // The first row's counts are those of all commands: it goes last.
                 let token = row.saturating_add(1).checked_rem(rows).unwrap_or(0).checked_sub(1).map(|token| Symbol(token as u16));
                 if let Some(token) = token.filter(|_| share.pairs() < pairs.len()) {
-                    return (share.weigh(self.bitext, token, left), Part::Begin(row, share));
+                    return (share.weigh(layout, self.bitext, token, left), Part::Begin(row, share));
                 }
                 start::set_row(layout, token, &share, &mut self.t, get(self.a.values, layout.common()));
                 (layout.words().saturating_mul(2), Part::Begin(row.saturating_add(1), start::Share::default()))
@@ -307,7 +313,8 @@ impl Work<'_, '_> {
         let Some((parameters, trellis)) = self.a.values.split_at_mut_checked(self.layout.trellis()) else { return (0, None) };
         let mut reader = Reader::new(self.layout, self.t.values, parameters, description);
         reader.take_groups();
-        let mut counts = Counts { reader: &reader, sentence, weight: pair.weight, t: &mut *self.t.counts, a: &mut *self.a.counts };
+        let weight = self.layout.weight(self.bitext, pair);
+        let mut counts = Counts { reader: &reader, sentence, weight, t: &mut *self.t.counts, a: &mut *self.a.counts };
         if reader.form.is_none() {
             return (0, None);
         }
@@ -315,7 +322,7 @@ impl Work<'_, '_> {
             let row = get_mut(counts.a, self.layout.naming(form));
             reader.naming(sentence.iter().map(|word| word.index()), |at| {
                 if let Some(slot) = row.get_mut(at) {
-                    *slot += pair.weight;
+                    *slot += weight;
                 }
             });
         }
@@ -373,16 +380,17 @@ impl Work<'_, '_> {
             counts.iter_mut().for_each(|count| *count = (*count - once).max(0.0));
             discount = 0.0;
         }
-        let (mut whole, mut kinds) = (OF_COMMON, 0.0);
+        let of_common = if token.is_some() && self.layout.has_names() { OF_COMMON_WITH_NAMES } else { OF_COMMON };
+        let (mut whole, mut kinds) = (of_common, 0.0);
         for &count in &*counts {
             whole += count;
             kinds += count.min(1.0);
         }
-        let novelty = OF_COMMON / whole;
+        let novelty = of_common / whole;
         let spread = if discount > 0.0 { discount * kinds / pairs.all } else { 0.0 };
         for (((value, count), common), of_word) in values.iter_mut().zip(counts).zip(common).zip(of_words) {
             let count = core::mem::take(count);
-            *value = (count - discount * count.min(1.0) + spread * of_word + OF_COMMON * common) / whole;
+            *value = (count - discount * count.min(1.0) + spread * of_word + of_common * common) / whole;
         }
         if let Some(slot) = self.a.values.get_mut(self.layout.novelty(row)) {
             *slot = novelty;
