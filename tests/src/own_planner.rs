@@ -49,6 +49,14 @@ impl OwnPlanner {
         self.plan()
     }
 
+    /// Plans at `state` for all tasks to the end, of which these are likely.
+    pub fn plan_expecting<D: Domain>(&mut self, domain: &D, state: &D::State, likely: TaskSet) -> Plan<'_> {
+        self.begin(self.all());
+        self.planner.expect(likely);
+        while self.advance(domain, state, u32::MAX) == Progress::Working {}
+        self.plan()
+    }
+
     /// Plans at `state` for all tasks to the end, in calls of this budget. `tasks` are its tasks, with how far their ways have come.
     pub fn plan_for_ways<D: Domain>(
         &mut self,

@@ -1,4 +1,4 @@
-//! Draws what a plan costs against the number of states and of tasks: `plot FILE.svg`.
+//! Draws what a plan costs against the number of states, of tasks and of blocks: `plot FILE.svg`.
 
 use std::process::ExitCode;
 
@@ -52,7 +52,7 @@ fn by_states() -> (Points, Points) {
 /// The same for one home, by the number of tasks.
 fn by_tasks() -> (Points, Points) {
     let (mut searches, mut sweeps) = (Vec::new(), Vec::new());
-    for count in [1, 2, 4, 8, 16, 32, 64] {
+    for count in [1, 2, 4, 8, 16, 32, 64, 128, 256] {
         let mut scene = Scene::roomy(size(12, 1), Tasks::Count(count));
         searches.push((
             count as f64,
@@ -67,12 +67,33 @@ fn by_tasks() -> (Points, Points) {
     (searches, sweeps)
 }
 
+/// The cost of the plans of ten rooms, by the number of blocks: for all tasks alike, and where ten of them are likely.
+fn by_blocks() -> (Points, Points) {
+    let (mut alike, mut likely) = (Vec::new(), Vec::new());
+    for blocks in [1, 2, 4, 6, 8, 10, 12, 16, 20] {
+        let mut scene = Scene::seeded(1, size(10, blocks), Tasks::Paper);
+        let ten = (0..scene.tasks.len()).step_by((scene.tasks.len() / 10).max(1)).take(10).collect();
+        for (points, likely) in [(&mut alike, scene.planner.all()), (&mut likely, ten)] {
+            let cost = milliseconds(&mut || {
+                std::hint::black_box(scene.planner.plan_expecting(&scene.home, &scene.start, likely));
+            });
+            points.push((f64::from(blocks), cost, String::new()));
+        }
+        eprintln!("{blocks} blocks, {} tasks: {:?} {:?}", scene.tasks.len(), alike.last(), likely.last());
+    }
+    (alike, likely)
+}
+
+const SEARCH_AND_SWEEP: [&str; 2] = ["one search, all tasks", "one sweep, all tasks and states"];
+
 fn draw(file: &str) -> Result<(), Failure> {
-    let area = SVGBackend::new(file, (1_000, 420)).into_drawing_area();
+    let area = SVGBackend::new(file, (1_500, 420)).into_drawing_area();
     area.fill(&WHITE)?;
-    let (left, right) = area.split_horizontally(500);
-    chart(&left, "cost against joint states, one home a point", "states", by_states(), false)?;
-    chart(&right, "cost against tasks: 12 rooms, 1 block", "tasks", by_tasks(), true)?;
+    let (left, rest) = area.split_horizontally(500);
+    let (middle, right) = rest.split_horizontally(500);
+    chart(&left, "cost against joint states, one home a point", "states", by_states(), SEARCH_AND_SWEEP, false)?;
+    chart(&middle, "cost against tasks: 12 rooms, 1 block", "tasks", by_tasks(), SEARCH_AND_SWEEP, true)?;
+    chart(&right, "cost against blocks: 10 rooms", "blocks", by_blocks(), ["all tasks likely", "ten tasks likely"], true)?;
     area.present()?;
     Ok(())
 }
@@ -82,6 +103,7 @@ fn chart(
     caption: &str,
     across: &str,
     lines: (Points, Points),
+    names: [&str; 2],
     joined: bool,
 ) -> Result<(), Failure> {
     let all = || lines.0.iter().chain(&lines.1);
@@ -97,7 +119,7 @@ fn chart(
         .build_cartesian_2d(range(|point| point.0).log_scale(), range(|point| point.1).log_scale())?;
     let plain = |value: &f64| if *value >= 1e6 { format!("{} million", value / 1e6) } else { format!("{value}") };
     chart.configure_mesh().x_desc(across).y_desc("milliseconds").x_label_formatter(&plain).y_label_formatter(&plain).draw()?;
-    for (points, colour, name) in [(&lines.0, &BLUE, "one search, all tasks"), (&lines.1, &RED, "one sweep, all tasks and states")] {
+    for (points, colour, name) in [(&lines.0, &BLUE, names[0]), (&lines.1, &RED, names[1])] {
         if joined {
             chart.draw_series(LineSeries::new(points.iter().map(|&(x, y, _)| (x, y)), colour))?;
         }

@@ -19,6 +19,12 @@ use super::plan::Results;
 use crate::oomdp::{PushGrid, own_actions};
 use crate::task::TaskSet;
 
+/// Expansions of A* for one task at most.
+const MOST_EXPANSIONS: u32 = 1 << 15;
+/// The same for a task that is hardly likely, where there are more tasks than one word tells apart: for 200 of them together no more than their
+/// lower bounds take in ten rooms.
+const FEW_EXPANSIONS: u32 = 1 << 10;
+
 /// Which tasks are left to bound, and what is under way.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds {
@@ -26,6 +32,8 @@ pub(super) struct Bounds {
     waiting: TaskSet,
     /// The tasks that share the lower bound under way.
     group: TaskSet,
+    /// The tasks that get the full work.
+    likely: TaskSet,
     relaxation: Option<Relaxation>,
     search: Option<AStar>,
 }
@@ -39,9 +47,9 @@ fn is_sound<G: PushGrid + ?Sized>(grid: &G) -> bool {
 }
 
 impl Bounds {
-    /// Begins for these tasks; `None` on a floor where bounds say nothing.
-    pub(super) fn new<G: PushGrid + ?Sized>(grid: &G, tasks: TaskSet) -> Option<Self> {
-        is_sound(grid).then_some(Self { waiting: tasks, group: TaskSet::EMPTY, relaxation: None, search: None })
+    /// Begins for these tasks, of which the likely ones get the full work if there are many; `None` on a floor where bounds say nothing.
+    pub(super) fn new<G: PushGrid + ?Sized>(grid: &G, tasks: TaskSet, likely: TaskSet) -> Option<Self> {
+        is_sound(grid).then_some(Self { waiting: tasks, group: TaskSet::EMPTY, likely, relaxation: None, search: None })
     }
 
     /// Goes on, with at most about `left` expansions. Returns whether there is more to do. `marks` holds zeros at the beginning, and again
@@ -87,7 +95,10 @@ impl Bounds {
                     results.meet(task, first);
                     results.end_level();
                 }
-                Bound::AtLeast(distance) => self.search = AStar::new(relaxation, marks.len(), task, piece, distance),
+                Bound::AtLeast(distance) => {
+                    let most = if self.likely.contains(task) { MOST_EXPANSIONS } else { FEW_EXPANSIONS };
+                    self.search = AStar::new(relaxation, marks.len(), task, piece, distance, most);
+                }
                 Bound::Unknown => {}
             }
         }

@@ -141,6 +141,12 @@ impl GoalTable {
         (self.filled as usize).saturating_sub(before)
     }
 
+    /// All tasks.
+    #[cfg(feature = "bounds")]
+    pub(super) fn all(&self) -> TaskSet {
+        self.all
+    }
+
     /// How many distinct ground propositions the tasks are made of.
     pub(super) fn parts(&self) -> usize {
         usize::from(self.parts)

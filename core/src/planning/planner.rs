@@ -140,6 +140,9 @@ pub struct Planner {
     /// The tasks with a way.
     with_ways: TaskSet,
     found: Found,
+    /// The tasks that deserve most work.
+    #[cfg(feature = "bounds")]
+    likely: TaskSet,
     stage: Stage,
     marked: Marked,
 }
@@ -153,7 +156,15 @@ impl Default for Planner {
 impl Planner {
     /// A planner of no tasks.
     pub const fn new() -> Self {
-        Self { goals: GoalTable::EMPTY, with_ways: TaskSet::EMPTY, found: Found::NOTHING, stage: Stage::Done, marked: Marked::Anything }
+        Self {
+            goals: GoalTable::EMPTY,
+            with_ways: TaskSet::EMPTY,
+            found: Found::NOTHING,
+            #[cfg(feature = "bounds")]
+            likely: TaskSet::EMPTY,
+            stage: Stage::Done,
+            marked: Marked::Anything,
+        }
     }
 
     /// Takes the tasks to plan for.
@@ -209,6 +220,16 @@ impl Planner {
     /// Begins, for the tasks in `wanted`; those in `dead` are known to be dead ends.
     pub fn begin(&mut self, wanted: TaskSet, dead: TaskSet) {
         (self.found, self.stage) = (Found::NOTHING, Stage::Begin { wanted, dead });
+        #[cfg(feature = "bounds")]
+        {
+            self.likely = wanted;
+        }
+    }
+
+    /// After [`begin`](Self::begin): these tasks are likely. Of more than 64 tasks, the others get little work where states do not fit.
+    #[cfg(feature = "bounds")]
+    pub fn expect(&mut self, likely: TaskSet) {
+        self.likely = likely;
     }
 
     /// Goes on, with at most about `budget` expansions (at least one). `state` is the one to plan for, always the same.
@@ -293,9 +314,11 @@ impl Planner {
         #[cfg(feature = "bounds")]
         if let Some(grid) = D::Search::grid(domain) {
             let plain = waiting.without(with_ways);
+            let is_crowded = self.goals.all().len() > TaskSet::MOST_OF_ONE_WORD;
+            let likely = if is_crowded { self.likely } else { plain };
             let fits =
                 StateSearch::fits(domain, marks.len()) || RowSearch::layout(grid, &goals, plain, View::WHOLE, None, marks.len()).is_some();
-            if let Some(bounds) = Bounds::new(grid, plain).filter(|_| !fits) {
+            if let Some(bounds) = Bounds::new(grid, plain, likely).filter(|_| !fits) {
                 (self.marked, self.stage) = (Marked::Bounds(bounds), Stage::Bound { with_ways });
             }
         }

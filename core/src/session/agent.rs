@@ -33,6 +33,10 @@ use rand_core::Rng;
 /// Below this probability a task is not planned: its optimal set is unknown, and what happens is no evidence for or against it.
 pub const NEGLIGIBLE: f32 = 1e-9;
 
+/// From this probability on, a task gets the planner's full work, however many tasks there are.
+#[cfg(feature = "bounds")]
+const LIKELY: f32 = 0.01;
+
 /// The agent's next action, and its task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -408,7 +412,9 @@ impl<M: AgentMemory> Agent<M> {
         // Every state that the robot came to is planned for, before anything is done there; where it was meant to come is not.
         self.follow_ways(domain, state);
         (self.planned, self.expected) = (Some(key), None);
-        self.planner.begin(self.worth_planning(), self.dead);
+        self.planner.begin(self.at_least(NEGLIGIBLE), self.dead);
+        #[cfg(feature = "bounds")]
+        self.planner.expect(self.at_least(LIKELY));
     }
 
     /// Ends what is planned, because training needs the workspace. The two never work at one time: no command is heard before all is
@@ -418,10 +424,10 @@ impl<M: AgentMemory> Agent<M> {
         self.planner.release_marks();
     }
 
-    /// The tasks whose probability still matters: [`NEGLIGIBLE`] or more.
-    fn worth_planning(&self) -> TaskSet {
+    /// The tasks that are at least so probable.
+    fn at_least(&self, probability: f32) -> TaskSet {
         let belief = self.belief();
-        let least = belief.whole().scaled_by(NEGLIGIBLE);
+        let least = belief.whole().scaled_by(probability);
         (0..self.task_count).filter(|&task| !least.exceeds(belief.weight(task))).fold(TaskSet::EMPTY, TaskSet::with)
     }
 

@@ -24,8 +24,6 @@ pub(super) enum Outcome {
     GivenUp,
 }
 
-/// Expansions of one task at most.
-const MOST_EXPANSIONS: u32 = 1 << 15;
 /// The most arrangements of other pieces.
 const MOST_ARRANGEMENTS: usize = 1 << 12;
 /// Places of a table for each state at the distance before.
@@ -110,8 +108,8 @@ fn place(table: &mut [u64], used: usize, key: u64, is_key: impl Fn(u64) -> bool)
 }
 
 impl AStar {
-    /// The search for a task whose distance is at least this; `None` where there is no memory for one.
-    pub(super) fn new(relaxation: &Relaxation, words: usize, task: usize, piece: Piece, distance: u32) -> Option<Self> {
+    /// The search for a task whose distance is at least this, with at most so many expansions; `None` where there is no memory for one.
+    pub(super) fn new(relaxation: &Relaxation, words: usize, task: usize, piece: Piece, distance: u32, most: u32) -> Option<Self> {
         let at = relaxation.words();
         let room = words.checked_sub(at)?;
         let arrangements = (room / 8).min(MOST_ARRANGEMENTS);
@@ -130,7 +128,7 @@ impl AStar {
             level: 0,
             threshold: distance,
             beyond: u32::MAX,
-            left: MOST_EXPANSIONS,
+            left: most,
             first: ActionSet::EMPTY,
         })
     }
