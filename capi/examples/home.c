@@ -18,6 +18,7 @@ static unsigned char model[4096];
 
 /* 1. The home: three rooms, two doors. */
 static int describe(goodbot *robot) {
+    goodbot_status status;
     TRY(goodbot_home_begin(robot));
     TRY(goodbot_home_room(robot, "room0", 0, 0, 8, 4, "red"));
     TRY(goodbot_home_room(robot, "room1", 0, 4, 4, 8, "green"));
@@ -25,6 +26,9 @@ static int describe(goodbot *robot) {
     TRY(goodbot_home_door(robot, "door0", 2, 4, 2, 4));
     TRY(goodbot_home_door(robot, "door1", 6, 4, 6, 4));
     TRY(goodbot_home_agent(robot, "agent0", 4, 2));
+    while ((status = goodbot_home_find_cells(robot, 16)) == GOODBOT_STATUS_WORKING) {
+    }
+    TRY(status);
     TRY(goodbot_home_build(robot));
     return 0;
 }
@@ -100,11 +104,20 @@ int main(void) {
     }
     if (understands(robot, "go to the green room", "agentInRoom(agent0,room1)")) return 1;
 
-    TRY(goodbot_save(robot, model, sizeof model, &length));
+    /* In parts, so that a control loop goes on meanwhile. */
+    goodbot_status status;
+    goodbot_saving saving;
+    TRY(goodbot_begin_saving(&saving, model, sizeof model));
+    while ((status = goodbot_save_on(robot, &saving, 16, &length)) == GOODBOT_STATUS_WORKING) {
+    }
+    TRY(status);
     printf("saved: %d bytes\n", (int)length);
     TRY(goodbot_init_home(second_memory, sizeof second_memory, &capacities, &other));
-    TRY(goodbot_restore(other, model, length));
-    goodbot_status status;
+    goodbot_restoring restoring;
+    TRY(goodbot_begin_restoring(&restoring, model, length));
+    while ((status = goodbot_restore_on(other, &restoring, 16)) == GOODBOT_STATUS_WORKING) {
+    }
+    TRY(status);
     while ((status = goodbot_learn(other, 100)) == GOODBOT_STATUS_WORKING) {
     }
     TRY(status);

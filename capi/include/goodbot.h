@@ -20,8 +20,9 @@
    - Nothing is global: robots do not know of each other. One robot is one thread's at a time.
    - No function may be called from an interrupt handler while another may be under way: the handler sets a flag, the control loop looks at
      it and calls goodbot_feedback.
-   - goodbot_plan, goodbot_learn, goodbot_hear_on and goodbot_finish_on do as much as their budget says and no more. goodbot_hear and
-     goodbot_finish do all at once; the others are short, as docs/footprint.md counts. */
+   - goodbot_plan, goodbot_learn, goodbot_hear_on, goodbot_finish_on, goodbot_save_on and goodbot_restore_on do as much as their budget says
+     and no more. goodbot_hear, goodbot_finish, goodbot_save and goodbot_restore do all at once; the others are short, as docs/footprint.md
+     counts. */
 
 #ifndef GOODBOT_H
 #define GOODBOT_H
@@ -250,6 +251,10 @@ typedef enum goodbot_status {
   GOODBOT_STATUS_STOPPED = 29,
   // The text is no table of words: `docs/talk.md` says how one is written.
   GOODBOT_STATUS_CLOSED_WORDS = 30,
+  // What was learned has changed since saving or restoring began: begin again.
+  GOODBOT_STATUS_CHANGED = 31,
+  // A model is coming back: call `goodbot_restore_on` until it is done.
+  GOODBOT_STATUS_STILL_RESTORING = 32,
 } goodbot_status;
 
 // What comes of an utterance.
@@ -596,6 +601,18 @@ typedef struct goodbot_listened {
   uint32_t unread;
 } goodbot_listened;
 
+// A model that is saved in parts, in memory of yours that stays where it is: `goodbot_begin_saving`.
+typedef struct goodbot_saving {
+  // Not to be touched.
+  size_t opaque[16];
+} goodbot_saving;
+
+// A model that comes back in parts, in memory of yours that stays where it is: `goodbot_begin_restoring`.
+typedef struct goodbot_restoring {
+  // Not to be touched.
+  size_t opaque[80];
+} goodbot_restoring;
+
 // A flash of the caller's: two slots, one after the other. Each function gives false where the flash refused, and must not call goodbot.
 typedef struct goodbot_flash {
   // Handed to each function.
@@ -756,6 +773,14 @@ enum goodbot_status goodbot_home_agent(struct goodbot *robot,
                                        const char *name,
                                        int32_t x,
                                        int32_t y);
+
+// Finds the free cells of the home, at most `budget` in a call, so that a control loop goes on while a large home is built. `WORKING` means: call
+// again; then `goodbot_home_build` is short. An object that is added makes it begin anew.
+//
+// The caller sees to it:
+// `robot` is null or a handle.
+enum goodbot_status goodbot_home_find_cells(struct goodbot *robot,
+                                            uint32_t budget);
 
 // Checks the home as a whole. Actions 0 to 3 are then north, south, east and west; a block in the way is pushed. Where it fails, begin
 // the description again.
@@ -1167,6 +1192,44 @@ enum goodbot_status goodbot_save(struct goodbot *robot,
 enum goodbot_status goodbot_restore(struct goodbot *robot,
                                     const uint8_t *model,
                                     size_t bytes);
+
+// Begins to save as `goodbot_save` does, but in parts, to `buffer`: call `goodbot_save_on` until it is done. `saving` and the buffer stay
+// until then.
+//
+// The caller sees to it:
+// `saving` is null or room for one; `buffer` is null or room for `bytes` bytes.
+enum goodbot_status goodbot_begin_saving(struct goodbot_saving *saving,
+                                         uint8_t *buffer,
+                                         size_t bytes);
+
+// Goes on saving, at most about `budget` bytes. `WORKING` means: call again; the robot may plan, act and be told words meanwhile. `CHANGED`
+// where a session was learned from meanwhile: begin again. Once it is done, `written` is given the length.
+//
+// The caller sees to it:
+// `robot` is null or a handle; `saving` is null, or holds zeros or what `goodbot_begin_saving` began; `written` is null or room for a number.
+enum goodbot_status goodbot_save_on(struct goodbot *robot,
+                                    struct goodbot_saving *saving,
+                                    uint32_t budget,
+                                    size_t *written);
+
+// Begins to restore as `goodbot_restore` does, but in parts: call `goodbot_restore_on` until it is done. `restoring` and the model stay until
+// then.
+//
+// The caller sees to it:
+// `restoring` is null or room for one; `model` is null or points to `bytes` bytes.
+enum goodbot_status goodbot_begin_restoring(struct goodbot_restoring *restoring,
+                                            const uint8_t *model,
+                                            size_t bytes);
+
+// Goes on restoring, at most about `budget` entries of the model. `WORKING` means: call again. While the model is checked, the robot is as
+// before and may do anything; then it has learned nothing until it is done, and answers a command by `STILL_RESTORING`. After that call
+// `goodbot_learn` until it is done. `CHANGED` where something else began before the whole model was there: the robot has learned nothing.
+//
+// The caller sees to it:
+// `robot` is null or a handle; `restoring` is null, or holds zeros or what `goodbot_begin_restoring` began.
+enum goodbot_status goodbot_restore_on(struct goodbot *robot,
+                                       struct goodbot_restoring *restoring,
+                                       uint32_t budget);
 
 // Stores all that was learned in the older of two slots, without a buffer; a plan under way is forgotten. `stored` is null, or is given the
 // model's bytes. Whenever the power goes, a whole model is left: this one, or the one of before. `STILL_LEARNING` until `goodbot_learn` is

@@ -10,6 +10,7 @@ use goodbot::capacity::BLOCKS;
 use goodbot::home::{self, Area, Cell, HomeBuilder, Moves};
 use goodbot::memory::HomeTables;
 use goodbot::oomdp::ObjectId;
+use goodbot::planning::Progress;
 use goodbot::task::LiftedTask;
 use heapless::Vec;
 
@@ -173,6 +174,24 @@ pub unsafe extern "C" fn goodbot_home_agent(robot: *mut Goodbot, name: *const c_
         with(robot, |robot| {
             plan(robot)?.agent(text(name)?, Cell::new(x, y))?;
             Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+/// Finds the free cells of the home, at most `budget` in a call, so that a control loop goes on while a large home is built. `WORKING` means: call
+/// again; then `goodbot_home_build` is short. An object that is added makes it begin anew.
+///
+/// # Safety
+/// `robot` is null or a handle.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_home_find_cells(robot: *mut Goodbot, budget: u32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            Ok(match plan(robot)?.find_cells(budget)? {
+                Progress::Working => GoodbotStatus::Working,
+                Progress::Done => GoodbotStatus::Ok,
+            })
         })
     }
 }

@@ -1,7 +1,9 @@
 //! Saving and restoring a model.
 
 use crate::robot::{Goodbot, give, with};
-use crate::status::GoodbotStatus;
+use crate::status::{Failure, GoodbotStatus};
+use goodbot::planning::Progress;
+use goodbot::snapshot::{Restoring, Saving};
 
 /// Bytes that `goodbot_save` would write now.
 ///
@@ -47,6 +49,139 @@ pub unsafe extern "C" fn goodbot_restore(robot: *mut Goodbot, model: *const u8, 
             }
             robot.agent.restore(core::slice::from_raw_parts(model, bytes))?;
             Ok(GoodbotStatus::Ok)
+        })
+    }
+}
+
+/// A model that is saved in parts, in memory of yours that stays where it is: `goodbot_begin_saving`.
+#[repr(C)]
+#[derive(Debug)]
+pub struct GoodbotSaving {
+    /// Not to be touched.
+    pub opaque: [usize; 16],
+}
+
+/// A model that comes back in parts, in memory of yours that stays where it is: `goodbot_begin_restoring`.
+#[repr(C)]
+#[derive(Debug)]
+pub struct GoodbotRestoring {
+    /// Not to be touched.
+    pub opaque: [usize; 80],
+}
+
+/// Work that was begun, in memory of the caller's.
+struct Begun<T> {
+    mark: usize,
+    work: T,
+}
+
+const BEGUN: usize = 0x676f_6f65;
+
+struct Writing {
+    saving: Saving,
+    buffer: *mut u8,
+    bytes: usize,
+}
+
+type OfSaving = Begun<Writing>;
+type OfRestoring = Begun<Restoring<'static>>;
+const _: () = assert!(size_of::<OfSaving>() <= size_of::<GoodbotSaving>() && align_of::<OfSaving>() <= align_of::<GoodbotSaving>());
+const _: () =
+    assert!(size_of::<OfRestoring>() <= size_of::<GoodbotRestoring>() && align_of::<OfRestoring>() <= align_of::<GoodbotRestoring>());
+
+/// Work that was begun.
+///
+/// # Safety
+/// `at` is null, or points to room that holds zeros or begun work, which nobody else uses now.
+unsafe fn begun<'a, T>(at: *mut Begun<T>) -> Result<&'a mut T, Failure> {
+    if at.is_null() {
+        return Err(GoodbotStatus::Null.into());
+    }
+    // SAFETY: the caller's promise; the mark is a plain number.
+    if at.align_offset(align_of::<usize>()) != 0 || unsafe { (&raw const (*at).mark).read() } != BEGUN {
+        return Err(GoodbotStatus::BadHandle.into());
+    }
+    // SAFETY: the caller's promise.
+    Ok(unsafe { &mut (*at).work })
+}
+
+/// Begins to save as `goodbot_save` does, but in parts, to `buffer`: call `goodbot_save_on` until it is done. `saving` and the buffer stay
+/// until then.
+///
+/// # Safety
+/// `saving` is null or room for one; `buffer` is null or room for `bytes` bytes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_begin_saving(saving: *mut GoodbotSaving, buffer: *mut u8, bytes: usize) -> GoodbotStatus {
+    if saving.is_null() || buffer.is_null() {
+        return GoodbotStatus::Null;
+    }
+    // SAFETY: the caller's promise. The room is filled first: a slice of bytes that were never written must not be.
+    unsafe {
+        buffer.write_bytes(0, bytes);
+        saving.cast::<OfSaving>().write(Begun { mark: BEGUN, work: Writing { saving: Saving::new(), buffer, bytes } });
+    }
+    GoodbotStatus::Ok
+}
+
+/// Goes on saving, at most about `budget` bytes. `WORKING` means: call again; the robot may plan, act and be told words meanwhile. `CHANGED`
+/// where a session was learned from meanwhile: begin again. Once it is done, `written` is given the length.
+///
+/// # Safety
+/// `robot` is null or a handle; `saving` is null, or holds zeros or what `goodbot_begin_saving` began; `written` is null or room for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_save_on(
+    robot: *mut Goodbot,
+    saving: *mut GoodbotSaving,
+    budget: u32,
+    written: *mut usize,
+) -> GoodbotStatus {
+    // SAFETY: the caller's promise; the bytes of the buffer were filled when saving began.
+    unsafe {
+        with(robot, |robot| {
+            let work = begun(saving.cast::<OfSaving>())?;
+            let buffer = core::slice::from_raw_parts_mut(work.buffer, work.bytes);
+            match robot.agent.save_on(&mut work.saving, buffer, budget)? {
+                Some(length) => give(written, length),
+                None => Ok(GoodbotStatus::Working),
+            }
+        })
+    }
+}
+
+/// Begins to restore as `goodbot_restore` does, but in parts: call `goodbot_restore_on` until it is done. `restoring` and the model stay until
+/// then.
+///
+/// # Safety
+/// `restoring` is null or room for one; `model` is null or points to `bytes` bytes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_begin_restoring(restoring: *mut GoodbotRestoring, model: *const u8, bytes: usize) -> GoodbotStatus {
+    if restoring.is_null() || model.is_null() {
+        return GoodbotStatus::Null;
+    }
+    // SAFETY: the caller's promise.
+    unsafe {
+        let model = core::slice::from_raw_parts(model, bytes);
+        restoring.cast::<OfRestoring>().write(Begun { mark: BEGUN, work: Restoring::of(model) });
+    }
+    GoodbotStatus::Ok
+}
+
+/// Goes on restoring, at most about `budget` entries of the model. `WORKING` means: call again. While the model is checked, the robot is as
+/// before and may do anything; then it has learned nothing until it is done, and answers a command by `STILL_RESTORING`. After that call
+/// `goodbot_learn` until it is done. `CHANGED` where something else began before the whole model was there: the robot has learned nothing.
+///
+/// # Safety
+/// `robot` is null or a handle; `restoring` is null, or holds zeros or what `goodbot_begin_restoring` began.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_restore_on(robot: *mut Goodbot, restoring: *mut GoodbotRestoring, budget: u32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            let work = begun(restoring.cast::<OfRestoring>())?;
+            Ok(match robot.agent.restore_on(work, budget)? {
+                Progress::Working => GoodbotStatus::Working,
+                Progress::Done => GoodbotStatus::Ok,
+            })
         })
     }
 }

@@ -74,6 +74,10 @@ pub enum GoodbotStatus {
     Stopped = 29,
     /// The text is no table of words: `docs/talk.md` says how one is written.
     ClosedWords = 30,
+    /// What was learned has changed since saving or restoring began: begin again.
+    Changed = 31,
+    /// A model is coming back: call `goodbot_restore_on` until it is done.
+    StillRestoring = 32,
 }
 
 /// Why a call failed, with the table that was full, if one was, and the part of a description that is wrong, if it is one.
@@ -150,6 +154,7 @@ impl From<AgentError> for Failure {
             AgentError::NotNow(Phase::Hearing) => GoodbotStatus::StillHearing,
             AgentError::NotNow(Phase::Finishing) => GoodbotStatus::StillFinishing,
             AgentError::NotNow(Phase::Learning) => GoodbotStatus::StillLearning,
+            AgentError::NotNow(Phase::Restoring) => GoodbotStatus::StillRestoring,
             AgentError::NotNow(_) | AgentError::OtherDomain => GoodbotStatus::NoSession,
             AgentError::NotPlanned => GoodbotStatus::NotPlanned,
             AgentError::OtherVocabulary => GoodbotStatus::World,
@@ -204,6 +209,7 @@ impl From<SaveError> for Failure {
         match error {
             SaveError::Buffer { .. } => GoodbotStatus::Buffer.into(),
             SaveError::StillLearning => GoodbotStatus::StillLearning.into(),
+            SaveError::Changed => GoodbotStatus::Changed.into(),
             _ => GoodbotStatus::Other.into(),
         }
     }
@@ -214,6 +220,7 @@ impl From<RestoreError> for Failure {
         match error {
             RestoreError::Capacity(error) => error.into(),
             RestoreError::OtherDomain => GoodbotStatus::OtherDomain.into(),
+            RestoreError::Interrupted => GoodbotStatus::Changed.into(),
             _ => GoodbotStatus::BadModel.into(),
         }
     }
@@ -226,6 +233,7 @@ pub extern "C" fn goodbot_status_text(status: i32) -> *const core::ffi::c_char {
 }
 
 pub(crate) fn text_of(status: i32) -> &'static core::ffi::CStr {
+    const NONE: &core::ffi::CStr = c"no such status";
     const TEXTS: &[&core::ffi::CStr] = &[
         c"done",
         c"not done yet; call again",
@@ -256,10 +264,14 @@ pub(crate) fn text_of(status: i32) -> &'static core::ffi::CStr {
         c"this is no answer to that question; answer yes, no, or with the number of a choice",
         c"the flash refused, or did not keep what was written; the older model is still there",
         c"nothing is stored",
-        #[cfg(feature = "talk")]
-        c"the work was stopped in a pause; say it again",
-        #[cfg(feature = "talk")]
-        c"the text is no table of closed words; write a class, a colon and its words in each line",
+        if cfg!(feature = "talk") { c"the work was stopped in a pause; say it again" } else { NONE },
+        if cfg!(feature = "talk") {
+            c"the text is no table of closed words; write a class, a colon and its words in each line"
+        } else {
+            NONE
+        },
+        c"what was learned has changed meanwhile; begin again",
+        c"a model is coming back; restore on until it is done",
     ];
-    usize::try_from(status).ok().and_then(|status| TEXTS.get(status)).copied().unwrap_or(c"no such status")
+    usize::try_from(status).ok().and_then(|status| TEXTS.get(status)).copied().unwrap_or(NONE)
 }

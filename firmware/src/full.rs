@@ -62,7 +62,7 @@ fn longest<R>(most: &mut u32, call: impl FnOnce() -> R) -> R {
 }
 
 /// Nine rooms of ten by ten cells, in a square.
-fn build<M: HomeMemory>(memory: M) -> Result<(Home<M>, HomeState), HomeError> {
+fn build<M: HomeMemory>(memory: M, most: &mut u32) -> Result<(Home<M>, HomeState), HomeError> {
     let mut builder = HomeBuilder::new(memory);
     for (at, (name, color)) in (0..).zip(ROOMS.into_iter().zip(COLORS)) {
         let (x, y) = (at % 3 * 11, at / 3 * 11);
@@ -77,7 +77,8 @@ fn build<M: HomeMemory>(memory: M) -> Result<(Home<M>, HomeState), HomeError> {
         builder.block(name, Cell::new(3 + at, 3 + at), color, shape)?;
     }
     builder.agent("agent0", Cell::new(1, 1))?;
-    builder.build(Moves::Push)
+    while longest(most, || builder.find_cells(1))? == Progress::Working {}
+    longest(most, || builder.build(Moves::Push))
 }
 
 /// A command by its number: many words, each known after some of them.
@@ -96,7 +97,7 @@ fn command(number: usize) -> heapless::String<64> {
 fn run(memory: &mut RobotMemory, model: &mut [u8]) -> Result<u32, AgentError> {
     let no_task = AgentError::NoTask;
     let [mut built, mut begun, mut heard, mut planned, mut ended, mut learned, mut saved, mut restored] = [0; 8];
-    let made = longest(&mut built, || build(&mut memory.home));
+    let made = build(&mut memory.home, &mut built);
     let (home, start) = made.as_ref().map_err(|_| no_task)?;
     report("build", built);
     let tasks = home::paper_tasks().map_err(|_| no_task)?;

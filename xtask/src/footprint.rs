@@ -60,14 +60,14 @@ const CALLS: [(&str, &str); 5] = [
 ];
 /// With full tables, of one board.
 const FULL: [(&str, &str); 8] = [
-    ("build", "building the home"),
+    ("build", "`find_cells`, 1 cell, and `build`"),
     ("begin-hearing", "`begin_hearing`"),
     ("hear", "`hear_on`, 1 cell"),
     ("plan", "`plan`, 8 expansions"),
     ("finish", "`finish_on`, 1 cell"),
     ("learn", "`learn`, 16 cells"),
-    ("save", "`save`"),
-    ("restore", "`restore`"),
+    ("save", "`save_on`, 1 byte"),
+    ("restore", "`restore_on`, 1 entry"),
 ];
 const PLANS: [(&str, &str); 6] = [("plan-a", "A"), ("plan-b", "B"), ("plan-c", "C"), ("plan-d", "D"), ("plan-e", "E"), ("plan-f", "F")];
 /// The lessons whose first plans those are; the first two lessons share an environment.

@@ -4,7 +4,7 @@ use crate::robots;
 
 use goodbot_capi::capacities::{GoodbotLessons, goodbot_least_capacities, goodbot_session_count};
 use goodbot_capi::home::goodbot_home_place;
-use goodbot_capi::model::{goodbot_restore, goodbot_save};
+use goodbot_capi::model::*;
 use goodbot_capi::robot::Goodbot;
 use goodbot_capi::status::GoodbotStatus;
 use goodbot_capi::storage::*;
@@ -162,6 +162,47 @@ fn a_robot_takes_back_what_a_host_taught_and_keeps_it_as_a_role_model() {
         // What was cut off is missed.
         let cut = OF_A_HOST.len() - 9;
         assert_eq!(goodbot_restore(robot, OF_A_HOST.as_ptr(), cut), GoodbotStatus::BadModel);
+    }
+}
+
+#[test]
+fn a_model_is_saved_and_comes_back_in_parts_as_at_once() {
+    let robots = [at_home(), at_home()];
+    let [taught, other] = robots.each_ref().map(|owned| owned.robot);
+    [c"go to the green room", c"take the chair to the green room"].into_iter().for_each(|command| learn(taught, command));
+    let (mut at_once, mut in_parts, mut length, mut parts) = (vec![0; SLOT], vec![7; SLOT], 0, 0);
+    let mut saving = GoodbotSaving { opaque: [0; 16] };
+    let mut restoring = GoodbotRestoring { opaque: [0; 80] };
+    unsafe {
+        assert_eq!(goodbot_save(taught, at_once.as_mut_ptr(), at_once.len(), &raw mut length), GoodbotStatus::Ok);
+        assert_eq!(goodbot_save_on(taught, &raw mut saving, 1, &raw mut length), GoodbotStatus::BadHandle);
+        assert_eq!(goodbot_begin_saving(&raw mut saving, in_parts.as_mut_ptr(), in_parts.len()), GoodbotStatus::Ok);
+        while goodbot_save_on(taught, &raw mut saving, 1, &raw mut length) == GoodbotStatus::Working {
+            parts += 1;
+        }
+        assert_eq!(in_parts, at_once);
+        assert!(parts > 50, "{parts} parts");
+        assert_eq!(goodbot_restore_on(other, &raw mut restoring, 1), GoodbotStatus::BadHandle);
+        assert_eq!(goodbot_begin_restoring(&raw mut restoring, in_parts.as_ptr(), length), GoodbotStatus::Ok);
+        let mut refused = 0;
+        while goodbot_restore_on(other, &raw mut restoring, 1) == GoodbotStatus::Working {
+            refused += usize::from(goodbot_hear(other, c"go".as_ptr()) == GoodbotStatus::StillRestoring);
+        }
+        assert!(refused > 20, "{refused} commands");
+        while goodbot_learn(other, 1_000) == GoodbotStatus::Working {}
+        assert_eq!(goodbot_save(other, in_parts.as_mut_ptr(), in_parts.len(), &raw mut length), GoodbotStatus::Ok);
+        assert_eq!(in_parts, at_once);
+        // A lesson in between spoils both.
+        assert_eq!(goodbot_begin_saving(&raw mut saving, in_parts.as_mut_ptr(), in_parts.len()), GoodbotStatus::Ok);
+        assert_eq!(goodbot_save_on(other, &raw mut saving, 1, &raw mut length), GoodbotStatus::Working);
+        learn(other, c"go to the green room");
+        assert_eq!(goodbot_save_on(other, &raw mut saving, 1, &raw mut length), GoodbotStatus::Changed);
+        for (saving, restoring) in [(null_mut(), &raw mut restoring), (&raw mut saving, null_mut())] {
+            let null = GoodbotStatus::Null;
+            assert!(goodbot_save_on(other, saving, 1, &raw mut length) == null || goodbot_restore_on(other, restoring, 1) == null);
+        }
+        assert_eq!(goodbot_begin_saving(&raw mut saving, null_mut(), 1), GoodbotStatus::Null);
+        assert_eq!(goodbot_begin_restoring(&raw mut restoring, std::ptr::null(), 1), GoodbotStatus::Null);
     }
 }
 

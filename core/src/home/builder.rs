@@ -7,6 +7,7 @@ use crate::capacity::{BLOCKS, Capacity, CapacityError};
 use crate::memory::HomeMemory;
 use crate::oomdp::objects::{ObjectCount, ObjectError};
 use crate::oomdp::{CellId, ClassId, ObjectId, ObjectSet, Objects, StateKey};
+use crate::planning::Progress;
 
 /// Objects of a home.
 const MOST_OBJECTS: usize = if cfg!(feature = "large") { 96 } else { 32 };
@@ -105,12 +106,28 @@ pub struct HomeBuilder<M> {
     memory: M,
     count: ObjectCount,
     agent: Option<ObjectId>,
+    cells: Cells,
+}
+
+/// How far the free cells are found.
+#[derive(Clone, Copy, Debug)]
+struct Cells {
+    /// Cells of the box around all rooms that were looked at.
+    seen: u32,
+    /// The free ones among them.
+    free: usize,
+    /// Those of them that know their neighbours.
+    joined: usize,
+}
+
+impl Cells {
+    const NONE: Self = Self { seen: 0, free: 0, joined: 0 };
 }
 
 impl<M> HomeBuilder<M> {
     /// An empty home in this memory: `memory.home`, `&mut memory.home` or anything else that is [`HomeMemory`].
     pub const fn new(memory: M) -> Self {
-        Self { memory, count: ObjectCount::NONE, agent: None }
+        Self { memory, count: ObjectCount::NONE, agent: None, cells: Cells::NONE }
     }
 
     /// The memory, for another home.
@@ -132,6 +149,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
         if !area.is_within_reach() {
             return Err(self.here(Problem::TooFar));
         }
+        self.cells = Cells::NONE;
         let limit = self.memory.read().areas.len().min(MOST_OBJECTS);
         if self.objects().len() >= limit {
             return Err(self.here(Problem::Capacity(CapacityError::full(Capacity::Objects, limit))));
@@ -203,6 +221,53 @@ impl<M: HomeMemory> HomeBuilder<M> {
         self.objects().of_class(class).filter_map(move |id| Some((id, areas.get(id.index())?.area())))
     }
 
+    /// Finds the free cells and their neighbours, with at most `budget` cells of work. [`build`](Self::build) does the rest, and what is
+    /// left of this; so a control loop goes on while a large home is built. An object that is added makes it begin anew.
+    ///
+    /// ```
+    /// use goodbot::home::{Area, Cell, HomeBuilder, Moves};
+    /// use goodbot::planning::Progress;
+    /// goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
+    /// let mut memory = Memory::new();
+    /// let mut builder = HomeBuilder::new(&mut memory.home);
+    /// builder.room("room0", Area::new(0, 0, 8, 4), "red")?;
+    /// builder.agent("agent0", Cell::new(4, 2))?;
+    /// while builder.find_cells(16)? == Progress::Working {
+    ///     // the rest of the control loop
+    /// }
+    /// let (home, start) = builder.build(Moves::Push)?;
+    /// # Ok::<(), goodbot::home::HomeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`HomeError`]: no room, or more free cells than the memory holds.
+    pub fn find_cells(&mut self, budget: u32) -> Result<Progress, HomeError> {
+        let whole = |problem| HomeError { problem, object: None };
+        let mut bounds: Option<Area> = None;
+        for (_, room) in self.areas_of(ROOM) {
+            let old = bounds.unwrap_or(room);
+            bounds =
+                Some(Area::new(old.left.min(room.left), old.bottom.min(room.bottom), old.right.max(room.right), old.top.max(room.top)));
+        }
+        let Some(bounds) = bounds else { return Err(whole(Problem::NoRoom)) };
+        let width = bounds.right.saturating_sub(bounds.left).saturating_add(1).max(1) as u32;
+        let all = width.saturating_mul(bounds.top.saturating_sub(bounds.bottom).saturating_add(1) as u32);
+        for _ in 0..budget.max(1) {
+            if self.cells.seen < all {
+                let (x, y) = (self.cells.seen.checked_rem(width).unwrap_or(0), self.cells.seen.checked_div(width).unwrap_or(0));
+                let cell = Cell::new(bounds.left.saturating_add(x as i32), bounds.bottom.saturating_add(y as i32));
+                self.see_cell(cell).map_err(|error| whole(Problem::Capacity(error)))?;
+                self.cells.seen = self.cells.seen.saturating_add(1);
+            } else if self.cells.joined < self.cells.free {
+                self.join_neighbours(self.cells.joined, self.cells.free);
+                self.cells.joined = self.cells.joined.saturating_add(1);
+            } else {
+                return Ok(Progress::Done);
+            }
+        }
+        Ok(Progress::Working)
+    }
+
     /// Checks the home as a whole and returns it with its initial state.
     ///
     /// # Errors
@@ -230,15 +295,8 @@ impl<M: HomeMemory> HomeBuilder<M> {
     fn check(&mut self) -> Result<(usize, ObjectId, HomeState, [ObjectId; BLOCKS]), HomeError> {
         let whole = |problem| HomeError { problem, object: None };
         let Some(agent) = self.agent else { return Err(whole(Problem::NoAgent)) };
-        let mut bounds: Option<Area> = None;
-        for (_, room) in self.areas_of(ROOM) {
-            let old = bounds.unwrap_or(room);
-            bounds =
-                Some(Area::new(old.left.min(room.left), old.bottom.min(room.bottom), old.right.max(room.right), old.top.max(room.top)));
-        }
-        let Some(bounds) = bounds else { return Err(whole(Problem::NoRoom)) };
-        let count = self.find_places(bounds).map_err(|error| whole(Problem::Capacity(error)))?;
-        self.join_neighbours(count);
+        while self.find_cells(u32::MAX)? == Progress::Working {}
+        let count = self.cells.free;
         let (start, blocks) = self.stand(agent, count)?;
         let block_count = self.objects().of_class(BLOCK).count();
         // Numbers that ran over would make two states one to the search.
@@ -250,36 +308,30 @@ impl<M: HomeMemory> HomeBuilder<M> {
         Ok((count, agent, start, blocks))
     }
 
-    fn find_places(&mut self, bounds: Area) -> Result<usize, CapacityError> {
-        let mut count = 0_usize;
-        for y in bounds.bottom..=bounds.top {
-            for x in bounds.left..=bounds.right {
-                let cell = Cell::new(x, y);
-                if is_wall(cell, self.areas_of(ROOM).map(|(_, area)| area), self.areas_of(DOOR).map(|(_, area)| area)) {
-                    continue;
-                }
-                let inside = self.areas_of(ROOM).find(|(_, area)| area.holds_strictly(cell));
-                let region = inside.or_else(|| self.areas_of(DOOR).find(|(_, area)| area.holds(cell))).map_or(0, |(id, _)| id.0);
-                let limit = self.memory.read().places.len().min(CellId::NONE.index());
-                let Some(slot) = self.memory.lend().places.get_mut(count).filter(|_| count < limit) else {
-                    return Err(CapacityError::full(Capacity::Cells, limit));
-                };
-                *slot = Place { x: x as i16, y: y as i16, neighbours: [CellId::NONE; 4], region };
-                count += 1;
-            }
+    /// Takes a cell that is free.
+    fn see_cell(&mut self, cell: Cell) -> Result<(), CapacityError> {
+        if is_wall(cell, self.areas_of(ROOM).map(|(_, area)| area), self.areas_of(DOOR).map(|(_, area)| area)) {
+            return Ok(());
         }
-        Ok(count)
+        let inside = self.areas_of(ROOM).find(|(_, area)| area.holds_strictly(cell));
+        let region = inside.or_else(|| self.areas_of(DOOR).find(|(_, area)| area.holds(cell))).map_or(0, |(id, _)| id.0);
+        let (limit, count) = (self.memory.read().places.len().min(CellId::NONE.index()), self.cells.free);
+        let Some(slot) = self.memory.lend().places.get_mut(count).filter(|_| count < limit) else {
+            return Err(CapacityError::full(Capacity::Cells, limit));
+        };
+        *slot = Place { x: cell.x as i16, y: cell.y as i16, neighbours: [CellId::NONE; 4], region };
+        self.cells.free = count.saturating_add(1);
+        Ok(())
     }
 
-    fn join_neighbours(&mut self, count: usize) {
-        for position in 0..count {
-            let free = self.memory.read().places.get(..count).unwrap_or(&[]);
-            let Some(cell) = free.get(position).map(Place::cell) else { return };
-            let neighbours =
-                [(0, 1), (0, -1), (1, 0), (-1, 0)].map(|(x, y)| find(free, Cell::new(cell.x + x, cell.y + y)).unwrap_or(CellId::NONE));
-            if let Some(place) = self.memory.lend().places.get_mut(position) {
-                place.neighbours = neighbours;
-            }
+    /// Tells a free cell its neighbours.
+    fn join_neighbours(&mut self, position: usize, count: usize) {
+        let free = self.memory.read().places.get(..count).unwrap_or(&[]);
+        let Some(cell) = free.get(position).map(Place::cell) else { return };
+        let neighbours =
+            [(0, 1), (0, -1), (1, 0), (-1, 0)].map(|(x, y)| find(free, Cell::new(cell.x + x, cell.y + y)).unwrap_or(CellId::NONE));
+        if let Some(place) = self.memory.lend().places.get_mut(position) {
+            place.neighbours = neighbours;
         }
     }
 

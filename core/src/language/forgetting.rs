@@ -307,7 +307,9 @@ impl LanguageMut<'_> {
             Want::Lengths(new) => data.sentence(session).len() != usize::from(new),
             _ => true,
         };
-        if is_other && self.is_strange(session) {
+        let rarest = self.rarest(session);
+        // Its command was heard once, and has a word that no other session has.
+        if is_other && rarest <= 1 && !data.heard_again(session) {
             choice.strange = choice.strange.or(Some(session));
             choice.strange_ones = choice.strange_ones.saturating_add(1);
             if choice.chosen().is_some() {
@@ -321,7 +323,7 @@ impl LanguageMut<'_> {
                 [1, u16::MAX.saturating_sub(as_long as u16), 0, 0]
             }
             Want::Vocabulary => [1, self.own_words(session) as u16, 0, 0],
-            Want::Lengths(_) | Want::Session => self.repeated(session),
+            Want::Lengths(_) | Want::Session => self.repeated(session, rarest),
         };
         // Of equals the oldest goes.
         if choice.best.is_none_or(|(_, best)| rank > best) {
@@ -329,17 +331,11 @@ impl LanguageMut<'_> {
         }
     }
 
-    /// Whether the command was heard once, and has a word that no other session has.
-    fn is_strange(&self, session: u16) -> bool {
-        let data = self.bitext.read();
-        !data.heard_again(session) && data.sentence(session).iter().any(|&word| self.sessions_with(word, 2) <= 1)
-    }
-
     /// How little is lost with a session.
-    fn repeated(&self, session: u16) -> Rank {
+    fn repeated(&self, session: u16, rarest: usize) -> Rank {
         let times = self.times_kept(session);
         let pairs = self.bitext.read().pairs_of(session).len();
-        [0, u16::from(times > 1), times.saturating_add(self.rarest(session)) as u16, pairs.min(usize::from(u16::MAX)) as u16]
+        [0, u16::from(times > 1), times.saturating_add(rarest) as u16, pairs.min(usize::from(u16::MAX)) as u16]
     }
 
     /// How many sessions have the same command, itself included.
@@ -362,7 +358,9 @@ impl LanguageMut<'_> {
 
     /// In how many sessions the rarest word of a session stands, itself included; a well-known one stands in [`WELL_KNOWN`].
     fn rarest(&self, session: u16) -> usize {
-        self.bitext.read().sentence(session).iter().map(|&word| self.sessions_with(word, WELL_KNOWN)).min().unwrap_or(WELL_KNOWN)
+        let words = self.bitext.read().sentence(session);
+        // No more sessions need be gone through than have a word that is rarer.
+        words.iter().fold(WELL_KNOWN, |least, &word| if least > 1 { self.sessions_with(word, least) } else { least })
     }
 
     /// Forgets a word if no session has it.

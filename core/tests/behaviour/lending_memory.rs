@@ -2,9 +2,9 @@
 
 use goodbot::capacity::Capacity;
 use goodbot::feedback::Feedback;
-use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
+use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves, Problem};
 use goodbot::memory::{AgentArrays, AgentMemory, HomeMemory};
-use goodbot::oomdp::Action;
+use goodbot::oomdp::{Action, Domain, apply};
 use goodbot::planning::Progress;
 use goodbot::session::Phase;
 use goodbot::{Agent, AgentError, Capacities, Options};
@@ -150,4 +150,41 @@ fn too_few_tasks_are_told_how_many_a_command_may_mean() {
     let mut small = goodbot::HeapMemory::new(&Capacities { tasks: 0, ..Capacities::SMALL });
     let refused = agent(&mut small.agent).hear(&home, &state, "go to the green room");
     assert_eq!(refused, Err(AgentError::Capacity(goodbot::capacity::CapacityError::new(Capacity::Tasks, 0, tasks))));
+}
+
+#[test]
+fn a_home_that_is_built_in_parts_is_the_same_whatever_the_budget() {
+    // Every step from every state: what else a home is, its objects say.
+    fn steps(budget: Option<u32>) -> (usize, Vec<Option<u64>>) {
+        let mut memory = Memory::new();
+        let mut builder = HomeBuilder::new(&mut memory.home);
+        let mut parts = 0;
+        builder.room("room0", Area::new(0, 0, 8, 4), "red").unwrap();
+        if budget.is_some() {
+            // What comes later makes it begin anew.
+            while builder.find_cells(3).unwrap() == Progress::Working {}
+        }
+        builder.room("room1", Area::new(0, 4, 8, 8), "green").unwrap();
+        builder.door("door0", Area::new(2, 4, 2, 4)).unwrap();
+        builder.block("block0", Cell::new(6, 2), "blue", "chair").unwrap();
+        builder.agent("agent0", Cell::new(4, 2)).unwrap();
+        if let Some(budget) = budget {
+            while builder.find_cells(budget).unwrap() == Progress::Working {
+                parts += 1;
+            }
+        }
+        let (home, _) = builder.build(Moves::Push).unwrap();
+        let actions = [0, 1, 2, 3].map(Action::new);
+        let step = |state: u64| actions.map(|action| apply(&home, &home.numbered(state), action).map(|next| home.number(&next)));
+        (parts, (0..home.state_count()).flat_map(step).collect())
+    }
+    let (_, whole) = steps(None);
+    assert!(whole.iter().flatten().count() > 4_000);
+    for (budget, least) in [(0, 100), (1, 100), (7, 15), (u32::MAX, 0)] {
+        let (parts, in_parts) = steps(Some(budget));
+        assert_eq!(in_parts, whole);
+        assert!(parts >= least, "{parts} parts of {budget}");
+    }
+    // Without a room there is no cell to find.
+    assert_eq!(HomeBuilder::new(Memory::new().home).find_cells(1).unwrap_err().problem, Problem::NoRoom);
 }
