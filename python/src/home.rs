@@ -6,7 +6,7 @@ use crate::place::{action_of, task_name};
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::home::{self, Area, BLOCK, COLOR, Cell, DOOR, HomeState, Map, Moves, Problem, ROOM, SHAPE};
 use goodbot::memory::HomeHeap;
-use goodbot::oomdp::{Domain, GroundProposition, ObjectId, apply};
+use goodbot::oomdp::{Domain, GroundProposition, ObjectId, PushGrid, apply};
 use goodbot::task::{GroundedTask, LiftedTask, ground};
 use goodbot::{Capacities, home::SCHEMA};
 use goodbot_course::{Exercise, HomeName, Layout, generator};
@@ -138,6 +138,12 @@ impl Home {
         let state =
             state.cast::<State>().map_err(|_| PyTypeError::new_err("the state of a home is a goodbot.State, such as home.start"))?;
         if state.get().mark == self.mark { Ok(state.get().at) } else { Err(value("this state is one of another home")) }
+    }
+
+    fn check_numbered(&self) -> PyResult<()> {
+        let refused =
+            || value("this home has more states than 64 bits number, so its states have no numbers; a state itself is a key of a dict");
+        if self.rooms.is_numbered() { Ok(()) } else { Err(refused()) }
     }
 
     /// A state of this home.
@@ -288,13 +294,16 @@ impl Home {
         Ok(self.rooms.holds(&GroundProposition::new(known, &ids), &at))
     }
 
-    /// The number of a state, from 0 and below `state_count`.
+    /// The number of a state, from 0 and below `state_count`. In a home with more states than 64 bits number, states have none.
     fn number(&self, state: &Bound<'_, PyAny>) -> PyResult<u64> {
-        Ok(self.rooms.number(&self.check(state)?))
+        let state = self.check(state)?;
+        self.check_numbered()?;
+        Ok(self.rooms.number(&state))
     }
 
     /// The state of a number that `number` returned.
     fn numbered(&self, number: u64) -> PyResult<State> {
+        self.check_numbered()?;
         if number >= self.rooms.state_count() {
             return Err(value(format!("there is no state {number}; they count from 0 to {}", self.rooms.state_count() - 1)));
         }

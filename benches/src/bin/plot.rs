@@ -2,9 +2,11 @@
 
 use std::process::ExitCode;
 
+use goodbot::Capacities;
 use goodbot::oomdp::Domain;
 use goodbot_benches::homes::{Scene, Tasks, named, size};
 use goodbot_benches::timing::{ROUNDS, median, time};
+use goodbot_tests::own_planner::OwnPlanner;
 use plotters::prelude::*;
 
 /// Where on each axis, and what is written beside it.
@@ -72,6 +74,8 @@ fn by_blocks() -> (Points, Points) {
     let (mut alike, mut likely) = (Vec::new(), Vec::new());
     for blocks in [1, 2, 4, 6, 8, 10, 12, 16, 20] {
         let mut scene = Scene::seeded(1, size(10, blocks), Tasks::Paper);
+        // In the memory of the command line: what does not fit is bounded.
+        scene.planner = OwnPlanner::new(&Capacities::STANDARD, &scene.home, &scene.lifted, &scene.tasks);
         let ten = (0..scene.tasks.len()).step_by((scene.tasks.len() / 10).max(1)).take(10).collect();
         for (points, likely) in [(&mut alike, scene.planner.all()), (&mut likely, ten)] {
             let cost = milliseconds(&mut || {
