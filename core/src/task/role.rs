@@ -89,6 +89,7 @@ impl Role {
     }
 
     /// Whether the values of the role are the words in a proposition's name.
+    #[cfg(feature = "alloc")]
     pub(crate) fn is_of_name(self) -> bool {
         self.kind() == RoleKind::Subject && self.argument() == NAME
     }

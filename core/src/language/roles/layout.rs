@@ -49,6 +49,7 @@ pub struct Layout {
     /// Whether a role is one of a way.
     has_ways: bool,
     /// Whether the words in the names of propositions are values.
+    #[cfg(feature = "alloc")]
     has_names: bool,
     sessions: f32,
     starts: Starts,
@@ -77,6 +78,7 @@ impl Layout {
         role_count: 0,
         longest: 0,
         has_ways: false,
+        #[cfg(feature = "alloc")]
         has_names: false,
         sessions: 0.0,
         starts: Starts { cues: 0, kinds: 0, p0: 0, end: 0, lambda: 0, naming: 0, novelty: 0 },
@@ -105,7 +107,10 @@ impl Layout {
         for group in groups(description) {
             let role = group.marker.role;
             self.has_ways |= role.kind().index() >= RoleKind::WITHOUT_WAYS;
-            self.has_names |= role.is_of_name();
+            #[cfg(feature = "alloc")]
+            {
+                self.has_names |= role.is_of_name();
+            }
             if self.role(role).is_none()
                 && let Some(slot) = self.roles.get_mut(usize::from(self.role_count))
             {
@@ -158,8 +163,15 @@ impl Layout {
 
     /// Whether tasks are told by the words in the names of their propositions: so are those of worlds in which no robot acts, of which hosts
     /// alone learn.
+    #[cfg(feature = "alloc")]
     pub const fn has_names(&self) -> bool {
-        cfg!(feature = "alloc") && self.has_names
+        self.has_names
+    }
+
+    /// Hosts alone learn of such worlds.
+    #[cfg(not(feature = "alloc"))]
+    pub const fn has_names(&self) -> bool {
+        false
     }
 
     /// What a word can be: background, a word of the task, or a kind of role, those of ways only where there are such.
