@@ -141,6 +141,7 @@ impl Domain for Surroundings {
         match (self, state) {
             #[cfg(feature = "home")]
             (Self::Home(home), Standing::Home(state)) => home.key(state),
+            #[cfg(feature = "table")]
             _ => StateKey::of(self.number(state)),
         }
     }
